@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace circle_voronoi {
+
+/// A circle with centre (x, y) and radius r >= 0; r = 0 is a point.
+///
+/// The distance from a point p to circle i is signed, d_i(p) = |p - c_i| - r_i, negative inside.
+/// Mathematics is y-up, and counter-clockwise is positive.
+struct Circle {
+  double x = 0;
+  double y = 0;
+  double r = 0;
+
+  friend bool operator==(const Circle&, const Circle&) = default;
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
+#include "circle_voronoi/trace.h"
+
+namespace circle_voronoi {
+
+/// The largest coordinate or radius, in absolute value, that is accepted.
+inline constexpr double kCoordinateLimit = 1e150;
+
+/// How the diagram is built.
+enum class Method {
+  touchingDisc,  ///< the paper's method: candidate pairs, then the event loop
+};
+
+/// Which pairs of circles get an antipodal disc.
+enum class Candidates {
+  dynamic,   ///< neighbours in the Delaunay graph of dynamically chosen samples (paper, section 5)
+  uniform,   ///< the same with equally spaced samples on every circle (paper, section 4.1)
+  allPairs,  ///< every pair (paper, section 3): quadratic time and memory
+};
+
+inline constexpr int kDefaultDynamicSamples = 1;
+inline constexpr int kDefaultUniformSamples = 50;
+inline constexpr int kMaxSamples = 1000;
+/// The most circles that `allPairs` accepts: 50 million pairs.
+inline constexpr std::size_t kMaxAllPairsCircles = 10000;
+
+struct Options {
+  Method method = Method::touchingDisc;
+  Candidates candidates = Candidates::dynamic;
+  /// dynamic: N_s, samples inside each angle of a Delaunay face, 0 to kMaxSamples.
+  /// uniform: m, samples on each circle, 1 to kMaxSamples.
+  /// -1: the default of the candidates chosen. allPairs takes none.
+  int samples = -1;
+  /// Told each event of the loop; costs nothing when empty.
+  Observer observer;
+};
+
+/// The Voronoi diagram of `circles`, by the touching disc method with dynamic sampling.
+///
+/// Circles may be disjoint, intersecting, tangent, nested, equal or points, in any position, and any number from 0.
+/// The same input gives the same bits on every platform.
+/// Errors: nonFinite, negativeRadius, coordinateTooLarge (with the index of the first such circle), badOption,
+/// tooManyCircles.
+Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
+
+}  // namespace circle_voronoi

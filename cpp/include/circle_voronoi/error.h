@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace circle_voronoi {
+
+/// What can be wrong. Hidden, duplicate and tangent circles are results, not errors.
+/// The names are the same in TypeScript (`errorCodeName`, `web/lib/errors.ts`).
+enum class ErrorCode {
+  nonFinite,           ///< a coordinate or a radius is NaN or infinite
+  negativeRadius,      ///< a radius is below zero
+  coordinateTooLarge,  ///< a coordinate or a radius exceeds kCoordinateLimit
+  tooManyCircles,      ///< the input, or the candidates asked for, do not fit in memory or in 32-bit indices
+  badOption,           ///< an option is out of its range
+  badInput,            ///< text that cannot be read as circles
+};
+
+/// The name of a code, as in the enumeration.
+std::string_view errorCodeName(ErrorCode code);
+
+/// One sentence about what is wrong, and the index of the circle concerned (-1: none).
+struct Error {
+  ErrorCode code = ErrorCode::badInput;
+  std::int64_t circle = -1;
+  std::string message;
+};
+
+/// A value or an error. The core throws nothing on bad input and never aborts.
+template <class T>
+class Result {
+ public:
+  Result(T value) : state_(std::move(value)) {}
+  Result(Error error) : state_(std::move(error)) {}
+
+  explicit operator bool() const { return ok(); }
+  bool ok() const { return std::holds_alternative<T>(state_); }
+
+  /// Precondition: ok().
+  const T& value() const& { return std::get<T>(state_); }
+  T& value() & { return std::get<T>(state_); }
+  T&& value() && { return std::get<T>(std::move(state_)); }
+
+  /// Precondition: !ok().
+  const Error& error() const { return std::get<Error>(state_); }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+}  // namespace circle_voronoi
