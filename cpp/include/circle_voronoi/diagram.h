@@ -44,13 +44,13 @@ struct HiddenCircle {
 
 /// How much each stage had to do.
 struct Counts {
-  std::int64_t circles = 0;         ///< input circles
-  std::int64_t hidden = 0;          ///< of these, hidden ones
-  std::int64_t samples = 0;         ///< sample points on circles (paper, section 5)
-  std::int64_t antipodalDiscs = 0;  ///< candidate pairs, each with one antipodal disc (AD)
-  std::int64_t threeTouchDiscs = 0; ///< three-touch discs (TTDs) formed
-  std::int64_t events = 0;          ///< discs taken from the queue
-  std::int64_t leftoverCycles = 0;  ///< cycles of leftover directed edges; 1 in a right diagram of two circles or more
+  std::int64_t circles = 0;          ///< input circles
+  std::int64_t hidden = 0;           ///< of these, hidden ones
+  std::int64_t samples = 0;          ///< sample points on circles (paper, section 5)
+  std::int64_t antipodalDiscs = 0;   ///< candidate pairs, each with one antipodal disc (AD)
+  std::int64_t threeTouchDiscs = 0;  ///< three-touch discs (TTDs) formed
+  std::int64_t events = 0;           ///< discs taken from the queue
+  std::int64_t leftoverCycles = 0;   ///< cycles of leftover directed edges; 1 in a right diagram of two circles or more
 };
 
 /// Wall-clock seconds of each stage.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/error.h"
+
+namespace circle_voronoi {
+
+std::string_view errorCodeName(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::nonFinite:
+      return "nonFinite";
+    case ErrorCode::negativeRadius:
+      return "negativeRadius";
+    case ErrorCode::coordinateTooLarge:
+      return "coordinateTooLarge";
+    case ErrorCode::tooManyCircles:
+      return "tooManyCircles";
+    case ErrorCode::badOption:
+      return "badOption";
+    case ErrorCode::badInput:
+      return "badInput";
+  }
+  return "";
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pair.h"
+
+#include <algorithm>
+
+#include "delaunay.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Sorts pairs by a counting sort over the first index, then each run; drops repetitions.
+std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount) {
+  std::vector<std::size_t> first(circleCount + 1, 0);
+  for (const auto& [i, j] : pairs) ++first[i + 1];
+  for (int i = 0; i < circleCount; ++i) first[i + 1] += first[i];
+  std::vector<int> seconds(pairs.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (const auto& [i, j] : pairs) seconds[next[i]++] = j;
+
+  std::vector<Pair> result;
+  for (int i = 0; i < circleCount; ++i) {
+    const auto begin = seconds.begin() + static_cast<std::ptrdiff_t>(first[i]);
+    const auto end = seconds.begin() + static_cast<std::ptrdiff_t>(first[i + 1]);
+    std::sort(begin, end);
+    std::for_each(begin, std::unique(begin, end), [&](int j) { result.push_back({i, j}); });
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount) {
+  const DelaunayEdges graph = delaunayEdges(samples.points);
+
+  // Samples of several circles may coincide; each joins its circle to that of its representative and, by the
+  // representative's edges, to the neighbours. Listing the circles at every representative makes no pair go missing.
+  std::vector<Pair> pairs;
+  const auto add = [&](int i, int j) {
+    if (i != j) pairs.push_back({std::min(i, j), std::max(i, j)});
+  };
+  for (const auto& [s, t] : graph.edges) add(samples.circles[s], samples.circles[t]);
+
+  std::vector<std::vector<int>> shared;  // circles at a point that several circles share
+  std::vector<int> sharedAt(samples.points.size(), -1);
+  for (int s = 0; s < static_cast<int>(samples.points.size()); ++s) {
+    const int point = graph.representative[s];
+    const int circle = samples.circles[s];
+    if (circle == samples.circles[point]) continue;
+    if (sharedAt[point] < 0) {
+      sharedAt[point] = static_cast<int>(shared.size());
+      shared.push_back({samples.circles[point]});
+    }
+    auto& circles = shared[sharedAt[point]];
+    if (std::find(circles.begin(), circles.end(), circle) == circles.end()) circles.push_back(circle);
+  }
+  for (const auto& circles : shared) {
+    for (std::size_t a = 0; a < circles.size(); ++a) {
+      for (std::size_t b = a + 1; b < circles.size(); ++b) add(circles[a], circles[b]);
+    }
+  }
+  if (!shared.empty()) {
+    const auto circlesAt = [&](int point) -> std::vector<int> {
+      return sharedAt[point] < 0 ? std::vector{samples.circles[point]} : shared[sharedAt[point]];
+    };
+    for (const auto& [s, t] : graph.edges) {
+      if (sharedAt[s] < 0 && sharedAt[t] < 0) continue;
+      for (const int i : circlesAt(s)) {
+        for (const int j : circlesAt(t)) add(i, j);
+      }
+    }
+  }
+  return sortedUnique(pairs, circleCount);
+}
+
+std::vector<Pair> pairAll(int circleCount) {
+  std::vector<Pair> pairs;
+  for (int i = 0; i < circleCount; ++i) {
+    for (int j = i + 1; j < circleCount; ++j) pairs.push_back({i, j});
+  }
+  return pairs;
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample.h"
+
+#include <algorithm>
+
+namespace circle_voronoi {
+namespace {
+
+Vector unit(Vector v) {
+  const double size = length(v);
+  return {v.x / size, v.y / size};
+}
+
+/// The unit vector that divides the counter-clockwise angle (at most pi) from unit vector `from` to `to` in the
+/// proportion part : whole, by repeated halving; sums and square roots only, so it is the same on every platform.
+Vector divideAngle(Vector from, Vector to, int part, int whole) {
+  constexpr int kHalvings = 53;
+  for (int i = 0; i < kHalvings && part != 0; ++i) {
+    const Vector sum = {from.x + to.x, from.y + to.y};
+    // A straight angle has no sum to speak of: its bisector is the perpendicular.
+    const Vector middle = dot(sum, sum) > 1e-20 ? unit(sum) : Vector{-from.y, from.x};
+    if (2 * part < whole) {
+      part = 2 * part;
+      to = middle;
+    } else {
+      part = 2 * part - whole;
+      from = middle;
+    }
+  }
+  return from;
+}
+
+double smallestRadius(std::span<const Circle> circles) {
+  double smallest = circles.empty() ? 0 : circles[0].r;
+  for (const Circle& c : circles) smallest = std::min(smallest, c.r);
+  return smallest;
+}
+
+/// Appends the point of circle i, less the smallest radius, in a direction given by a unit vector.
+class Sampler {
+ public:
+  explicit Sampler(std::span<const Circle> circles) : circles_(circles), smallest_(smallestRadius(circles)) {}
+
+  void add(int i, Vector direction) {
+    const Circle& c = circles_[i];
+    const double r = c.r - smallest_;
+    samples_.points.push_back({c.x + r * direction.x, c.y + r * direction.y});
+    samples_.circles.push_back(i);
+  }
+
+  Samples take() && { return std::move(samples_); }
+
+ private:
+  std::span<const Circle> circles_;
+  double smallest_;
+  Samples samples_;
+};
+
+}  // namespace
+
+Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, int angular) {
+  Sampler sampler(circles);
+  for (int h = 0; h < centres.halfEdgeCount(); ++h) {
+    const int i = centres.origin[h];
+    const int j = centres.target(h);
+    if (i == kInfinity || j == kInfinity) continue;
+    const Vector along = unit(between(circles[i], circles[j]));
+    sampler.add(i, along);
+    if (!centres.isFinite(h / 3)) continue;
+    const int k = centres.origin[Dual::previous(h)];
+    const Vector across = unit(between(circles[i], circles[k]));
+    for (int part = 1; part <= angular; ++part) sampler.add(i, divideAngle(along, across, part, angular + 1));
+  }
+  return std::move(sampler).take();
+}
+
+Samples sampleUniformly(std::span<const Circle> circles, int count) {
+  constexpr Vector kQuadrants[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+  std::vector<Vector> directions;
+  for (int k = 0; k < count; ++k) {
+    const int quadrant = 4 * k / count;
+    directions.push_back(divideAngle(kQuadrants[quadrant], kQuadrants[quadrant + 1], 4 * k - quadrant * count, count));
+  }
+  Sampler sampler(circles);
+  for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
+    for (const Vector direction : directions) sampler.add(i, direction);
+  }
+  return std::move(sampler).take();
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "three_touch_disc.h"
+
+#include <cmath>
+
+namespace circle_voronoi {
+namespace {
+
+/// A vector of (x, y, rho) space.
+struct Vector3 {
+  double x, y, s;
+};
+
+Vector3 cross(const Vector3& u, const Vector3& v) {
+  return {u.y * v.s - u.s * v.y, u.s * v.x - u.x * v.s, u.x * v.y - u.y * v.x};
+}
+
+/// The product of the cone: x x + y y - rho rho.
+double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
+
+Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
+
+}  // namespace
+
+std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c) {
+  const std::array<const Circle*, 3> circles = {&a, &b, &c};
+  int io = 0;
+  if (b.r < circles[io]->r) io = 1;
+  if (c.r < circles[io]->r) io = 2;
+  const int iu = (io + 1) % 3;
+  const int iv = (io + 2) % 3;
+  const Circle& o = *circles[io];
+
+  const Vector3 u = relative(*circles[iu], o);
+  const Vector3 v = relative(*circles[iv], o);
+  const double ku = cone(u, u) / 2;
+  const double kv = cone(v, v) / 2;
+  const Vector3 n = cross(u, v);
+  const Vector3 vn = cross(v, n);
+  const Vector3 nu = cross(n, u);
+  const double nn = n.x * n.x + n.y * n.y + n.s * n.s;
+  // The point of the planes' common line nearest the origin; the line runs along n.
+  const Vector3 base = {(ku * vn.x + kv * nu.x) / nn, (ku * vn.y + kv * nu.y) / nn, (ku * vn.s + kv * nu.s) / nn};
+  const double qa = cone(n, n);
+  const double qb = cone(base, n);
+  const double qc = cone(base, base);
+  const double discriminant = qb * qb - qa * qc;
+  if (!(discriminant >= 0)) return std::nullopt;
+  const double root = std::sqrt(discriminant);
+  // Both forms are the root (-qb - root) / qa; each is used where it does not cancel.
+  const double t = qb > 0 ? (-qb - root) / qa : qc / (-qb + root);
+  const Vector centre = {base.x + t * n.x, base.y + t * n.y};
+  const double rho = base.s + t * n.s;
+  if (!(rho >= 0) || !std::isfinite(rho)) return std::nullopt;
+
+  ThreeTouchDisc result;
+  result.disc = {o.x + centre.x, o.y + centre.y, rho - o.r};
+  result.toCentre[io] = centre;
+  result.toCentre[iu] = {centre.x - u.x, centre.y - u.y};
+  result.toCentre[iv] = {centre.x - v.x, centre.y - v.y};
+  return result;
+}
+
+}  // namespace circle_voronoi

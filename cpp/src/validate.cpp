@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "circle_voronoi/compute.h"
+
+namespace circle_voronoi {
+namespace {
+
+constexpr int kScaledExponent = 80;
+constexpr int kLargestScaling = 1000;
+/// Half-edges, six a circle and more for samples, must stay within 32-bit indices.
+constexpr std::size_t kMaxCircles = 100'000'000;
+
+Error errorOf(ErrorCode code, std::size_t circle, const char* what) {
+  return {code, static_cast<std::int64_t>(circle), "Circle " + std::to_string(circle) + " " + what};
+}
+
+}  // namespace
+
+Result<ScaledCircles> validate(std::span<const Circle> circles) {
+  if (circles.size() > kMaxCircles) {
+    return Error{ErrorCode::tooManyCircles, -1,
+                 "There are " + std::to_string(circles.size()) + " circles; at most " + std::to_string(kMaxCircles) +
+                     " are possible."};
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    const Circle& c = circles[i];
+    if (!std::isfinite(c.x)) return errorOf(ErrorCode::nonFinite, i, "has an x that is not a finite number.");
+    if (!std::isfinite(c.y)) return errorOf(ErrorCode::nonFinite, i, "has a y that is not a finite number.");
+    if (!std::isfinite(c.r)) return errorOf(ErrorCode::nonFinite, i, "has a radius that is not a finite number.");
+    if (c.r < 0) return errorOf(ErrorCode::negativeRadius, i, "has a negative radius.");
+    const double size = std::max({std::abs(c.x), std::abs(c.y), c.r});
+    if (size > kCoordinateLimit) {
+      return errorOf(ErrorCode::coordinateTooLarge, i, "has a coordinate or a radius beyond 1e150.");
+    }
+    largest = std::max(largest, size);
+  }
+
+  int exponent = 0;
+  std::frexp(largest, &exponent);  // exact, as is ldexp: neither rounds
+  const int scaling = largest == 0 ? 0 : std::min(kScaledExponent - exponent, kLargestScaling);
+  const double factor = std::ldexp(1.0, scaling);
+  ScaledCircles scaled;
+  scaled.unit = std::ldexp(1.0, -scaling);
+  scaled.circles.reserve(circles.size());
+  // Adding zero turns -0 into +0: one number, one set of bits.
+  for (const Circle& c : circles)
+    scaled.circles.push_back({c.x * factor + 0.0, c.y * factor + 0.0, c.r * factor + 0.0});
+  return scaled;
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/error.h"
+
+namespace circle_voronoi {
+
+/// The input circles times a power of two that brings the largest magnitude near 2^80, so that no product of the
+/// later stages overflows, and underflow needs features 2^250 times smaller than the whole. The scaling is exact
+/// unless a value is smaller than the largest by a factor of about 2^1000.
+struct ScaledCircles {
+  std::vector<Circle> circles;
+  double unit = 1;  ///< input = scaled * unit, a power of two
+};
+
+/// Errors: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles.
+Result<ScaledCircles> validate(std::span<const Circle> circles);
+
+}  // namespace circle_voronoi
