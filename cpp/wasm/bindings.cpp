@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The core as a JavaScript module. Its only caller is web/lib/loader.ts, which gives the values their types.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+
+namespace {
+
+using namespace circle_voronoi;
+using emscripten::val;
+
+/// A new typed array with the bytes of `items`, read as a flat list of `Scalar`.
+template <class Scalar, class Item>
+val typedArray(const char* arrayType, const std::vector<Item>& items) {
+  static_assert(std::is_standard_layout_v<Item> && sizeof(Item) % sizeof(Scalar) == 0);
+  const auto* scalars = reinterpret_cast<const Scalar*>(items.data());
+  // A view of the heap dies when the memory grows; the array made from it is a copy.
+  return val::global(arrayType).new_(
+      emscripten::typed_memory_view(items.size() * (sizeof(Item) / sizeof(Scalar)), scalars));
+}
+
+template <class Item>
+val int32Array(const std::vector<Item>& items) {
+  return typedArray<std::int32_t>("Int32Array", items);
+}
+
+template <class Item>
+val float64Array(const std::vector<Item>& items) {
+  return typedArray<double>("Float64Array", items);
+}
+
+/// `coordinates`: a Float64Array of x, y, r per circle.
+std::vector<Circle> circlesFrom(const val& coordinates) {
+  static_assert(std::is_standard_layout_v<Circle> && sizeof(Circle) == 3 * sizeof(double));
+  const std::size_t length = coordinates["length"].as<std::size_t>();
+  std::vector<Circle> circles(length / 3);
+  if (!circles.empty()) {
+    val(emscripten::typed_memory_view(circles.size() * 3, &circles[0].x)).call<void>("set", coordinates);
+  }
+  return circles;
+}
+
+Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::move(message)}; }
+
+/// `options`: `method`, `candidates` and `samples`, each possibly undefined.
+Result<Options> optionsFrom(const val& options) {
+  Options result;
+  const val method = options["method"];
+  if (!method.isUndefined() && !method.strictlyEquals(val("touching-disc"))) {
+    return badOption("Unknown method: the choice is touching-disc.");
+  }
+  const val candidates = options["candidates"];
+  if (!candidates.isUndefined()) {
+    if (candidates.strictlyEquals(val("dynamic"))) {
+      result.candidates = Candidates::dynamic;
+    } else if (candidates.strictlyEquals(val("uniform"))) {
+      result.candidates = Candidates::uniform;
+    } else if (candidates.strictlyEquals(val("all-pairs"))) {
+      result.candidates = Candidates::allPairs;
+    } else {
+      return badOption("Unknown candidates: the choice is dynamic, uniform or all-pairs.");
+    }
+  }
+  const val samples = options["samples"];
+  if (!samples.isUndefined()) {
+    if (!samples.isNumber()) return badOption("The number of samples is not a number.");
+    result.samples = samples.as<int>();
+  }
+  return result;
+}
+
+val errorValue(const std::string& code, std::int64_t circle, const std::string& message) {
+  val error = val::object();
+  error.set("code", code);
+  error.set("circle", static_cast<double>(circle));
+  error.set("message", message);
+  val result = val::object();
+  result.set("error", error);
+  return result;
+}
+
+val errorValue(const Error& error) {
+  return errorValue(std::string(errorCodeName(error.code)), error.circle, error.message);
+}
+
+val statsValue(const Stats& stats) {
+  val counts = val::object();
+  counts.set("circles", static_cast<double>(stats.counts.circles));
+  counts.set("hidden", static_cast<double>(stats.counts.hidden));
+  counts.set("samples", static_cast<double>(stats.counts.samples));
+  counts.set("antipodalDiscs", static_cast<double>(stats.counts.antipodalDiscs));
+  counts.set("threeTouchDiscs", static_cast<double>(stats.counts.threeTouchDiscs));
+  counts.set("events", static_cast<double>(stats.counts.events));
+  counts.set("leftoverCycles", static_cast<double>(stats.counts.leftoverCycles));
+
+  val seconds = val::object();
+  seconds.set("hide", stats.seconds.hide);
+  seconds.set("sample", stats.seconds.sample);
+  seconds.set("pair", stats.seconds.pair);
+  seconds.set("touch", stats.seconds.touch);
+  seconds.set("total", stats.seconds.total);
+
+  val result = val::object();
+  result.set("method", stats.method);
+  result.set("candidates", stats.candidates);
+  result.set("counts", counts);
+  result.set("seconds", seconds);
+  return result;
+}
+
+val diagramValue(const Diagram& diagram) {
+  val result = val::object();
+  result.set("vertices", float64Array(diagram.vertices));
+  result.set("vertexCircles", int32Array(diagram.vertexCircles));
+  result.set("edges", int32Array(diagram.edges));
+  result.set("hidden", int32Array(diagram.hidden));
+  result.set("hull", int32Array(diagram.hull));
+  result.set("stats", statsValue(diagram.stats));
+  return result;
+}
+
+/// Either the diagram or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would reach
+/// JavaScript as a bare number.
+val computeValue(const val& coordinates, const val& options) {
+  try {
+    const Result<Options> chosen = optionsFrom(options);
+    if (!chosen.ok()) return errorValue(chosen.error());
+    const std::vector<Circle> circles = circlesFrom(coordinates);
+    const Result<Diagram> diagram = compute(circles, chosen.value());
+    return diagram.ok() ? diagramValue(diagram.value()) : errorValue(diagram.error());
+  } catch (const std::bad_alloc&) {
+    return errorValue({ErrorCode::tooManyCircles, -1, "There is not enough memory for this many circles."});
+  } catch (const std::length_error&) {
+    return errorValue({ErrorCode::tooManyCircles, -1, "There is not enough memory for this many circles."});
+  } catch (const std::exception& exception) {
+    return errorValue("internal", -1, exception.what());
+  } catch (...) {
+    return errorValue("internal", -1, "The computation failed.");
+  }
+}
+
+val errorCodeNames() {
+  val names = val::array();
+  // Past the last code the name is empty.
+  for (int code = 0; !errorCodeName(static_cast<ErrorCode>(code)).empty(); ++code) {
+    names.call<void>("push", std::string(errorCodeName(static_cast<ErrorCode>(code))));
+  }
+  return names;
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(circle_voronoi) {
+  emscripten::function("compute", &computeValue);
+  emscripten::function("errorCodeNames", &errorCodeNames);
+}

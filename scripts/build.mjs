@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The four builds: native (library, command line, tests), wasm, lib (the TypeScript library) and app (the page).
+import { copyFileSync, existsSync, mkdirSync, readdirSync, statSync } from 'node:fs'
+import { delimiter } from 'node:path'
+import { isMain, main, ROOT, run } from './run.mjs'
+import { setup } from './setup.mjs'
+
+const NPM_BIN = `${ROOT}node_modules/.bin`
+const WASM_OUTPUT = ['circle-voronoi.js', 'circle-voronoi.wasm']
+
+/** build/native: the library, the program build/native/circle-voronoi and the tests. */
+export async function buildNative() {
+  await cmakeBuild('build/native', ['cmake'], [])
+}
+
+/** web/lib/generated: the WebAssembly module. */
+export async function buildWasm() {
+  await cmakeBuild(
+    'build/wasm',
+    ['emcmake', 'cmake'],
+    ['-DCIRCLE_VORONOI_BUILD_TESTS=OFF', '-DCIRCLE_VORONOI_BUILD_CLI=OFF'],
+  )
+}
+
+/** dist/lib: web/lib as JavaScript with declarations, and the WebAssembly module. */
+export async function buildLib() {
+  const outputs = ['dist/lib/index.js', ...WASM_OUTPUT.map((name) => `dist/lib/generated/${name}`)]
+  if (isUpToDate(outputs, ['web/lib', 'tsconfig.json', 'tsconfig.lib.json', 'package-lock.json'])) return
+  await run(`${NPM_BIN}/tsc`, ['-p', 'tsconfig.lib.json'])
+  mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
+  for (const name of WASM_OUTPUT) {
+    copyFileSync(`${ROOT}web/lib/generated/${name}`, `${ROOT}dist/lib/generated/${name}`)
+  }
+}
+
+/** dist/app: the page. */
+export async function buildApp() {
+  if (isUpToDate(['dist/app/index.html'], ['web', 'public', 'vite.config.ts', 'package-lock.json'])) return
+  await run(`${NPM_BIN}/vite`, ['build'])
+}
+
+async function cmakeBuild(folder, cmake, options) {
+  // Emscripten's optimiser looks for its acorn module there on Debian.
+  const env = { NODE_PATH: ['/usr/share/nodejs', process.env.NODE_PATH].filter(Boolean).join(delimiter) }
+  // Ninja itself configures again when a CMake file has changed.
+  if (!existsSync(`${ROOT}${folder}/build.ninja`)) {
+    const [program, ...before] = cmake
+    const configure = ['-S', '.', '-B', folder, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release']
+    await run(program, [...before, ...configure, ...options], env)
+  }
+  await run('cmake', ['--build', folder], env)
+}
+
+/** Whether every output is at least as new as each file of the inputs (files or folders). */
+function isUpToDate(outputs, inputs) {
+  if (!outputs.every((path) => existsSync(ROOT + path))) return false
+  const oldest = Math.min(...outputs.map((path) => statSync(ROOT + path).mtimeMs))
+  return inputs.every((path) => newestChange(ROOT + path) <= oldest)
+}
+
+function newestChange(path) {
+  const status = statSync(path)
+  if (!status.isDirectory()) return status.mtimeMs
+  return Math.max(status.mtimeMs, ...readdirSync(path).map((name) => newestChange(`${path}/${name}`)))
+}
+
+if (isMain(import.meta.url)) {
+  const builds = {
+    native: [buildNative],
+    wasm: [buildWasm],
+    lib: [buildWasm, buildLib],
+    app: [buildWasm, buildApp],
+  }
+  const name = process.argv[2]
+  await main(async () => {
+    if (!(name in builds)) throw new Error(`Say which build: ${Object.keys(builds).join(', ')}.`)
+    await setup({ tests: name === 'native' })
+    for (const build of builds[name]) await build()
+  })
+}

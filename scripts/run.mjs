@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { spawn } from 'node:child_process'
+import { fileURLToPath } from 'node:url'
+
+/** The root of the repository, with a slash at the end. */
+export const ROOT = fileURLToPath(new URL('..', import.meta.url))
+
+/**
+ * Runs a program in the root of the repository with its output shown and without standard input.
+ * Resolves with its exit status.
+ */
+export function statusOf(program, args, env = {}) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(program, args, {
+      cwd: ROOT,
+      stdio: ['ignore', 'inherit', 'inherit'],
+      env: { ...process.env, ...env },
+    })
+    child.once('error', reject)
+    child.once('exit', (code) => resolve(code ?? 1))
+  })
+}
+
+/** Like `statusOf`, but throws unless the program succeeds. */
+export async function run(program, args, env) {
+  const status = await statusOf(program, args, env)
+  if (status !== 0) throw new Error(`${program} ${args.join(' ')}\nended with status ${status}.`)
+}
+
+/** Runs a script's main function; a failure is one message and exit status 1. */
+export async function main(body) {
+  try {
+    await body()
+  } catch (error) {
+    console.error(`\n${error.message}`)
+    process.exitCode = 1
+  }
+}
+
+/** Whether the file at `url` is the script that node was started with. */
+export function isMain(url) {
+  return process.argv[1] !== undefined && fileURLToPath(url) === process.argv[1]
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Installs what the project needs and this machine lacks: Debian packages, and the npm packages of the lock file.
+// Plain Node: it runs before anything is installed.
+import { spawnSync } from 'node:child_process'
+import { createHash } from 'node:crypto'
+import { existsSync, readFileSync, writeFileSync } from 'node:fs'
+import { isMain, main, ROOT, run } from './run.mjs'
+
+const BUILD_PACKAGES = ['emscripten', 'cmake', 'ninja-build', 'g++', 'libcgal-dev', 'libboost-dev']
+const TEST_PACKAGES = [
+  'libgtest-dev',
+  'libbenchmark-dev',
+  'libgmp-dev',
+  'libmpfr-dev',
+  'nlohmann-json3-dev',
+  'libcli11-dev',
+]
+
+/** `tests`: whether what only the native build and the tests need is wanted too. */
+export async function setup({ tests = false } = {}) {
+  const packages = tests ? [...BUILD_PACKAGES, ...TEST_PACKAGES] : BUILD_PACKAGES
+  const browser = tests && !existsSync(chromiumPath()) ? ['chromium'] : []
+  if (isDebian12OrLater()) {
+    await installDebianPackages([...packages.filter((name) => !isInstalled(name)), ...browser])
+  } else {
+    checkOtherSystem(tests, browser.length > 0)
+  }
+  await installNpmPackages()
+}
+
+/** The Chromium that the tests drive. */
+export function chromiumPath() {
+  return process.env.CHROMIUM_PATH ?? '/usr/bin/chromium'
+}
+
+function isDebian12OrLater() {
+  if (!existsSync('/etc/os-release')) return false
+  const release = readFileSync('/etc/os-release', 'utf8')
+  const version = Number(/^VERSION_ID="?(\d+)/m.exec(release)?.[1])
+  return /^ID=debian$/m.test(release) && version >= 12
+}
+
+function isInstalled(name) {
+  const query = spawnSync('dpkg-query', ['--status', name], { encoding: 'utf8' })
+  return /^Status: install ok installed$/m.test(query.stdout)
+}
+
+async function installDebianPackages(missing) {
+  if (missing.length === 0) return
+  const install = ['apt-get', 'install', '-y', '--no-install-recommends', ...missing]
+  const privilege = process.getuid() === 0 ? [] : ['sudo']
+  if (privilege.length > 0 && spawnSync('sudo', ['-n', 'true']).status !== 0) {
+    throw new Error(
+      `These packages are missing. Install them, then run the same command again:\n  sudo ${install.join(' ')}`,
+    )
+  }
+  console.log(`Installing Debian packages: ${missing.join(' ')}`)
+  const [program, ...before] = [...privilege, 'env', 'DEBIAN_FRONTEND=noninteractive']
+  await run(program, [...before, 'apt-get', 'update', '-q'])
+  await run(program, [...before, ...install, '-q'])
+}
+
+/** On a system whose package manager this script does not know it changes nothing and says what is missing. */
+function checkOtherSystem(tests, browserMissing) {
+  const missing = Object.entries({
+    emcmake: 'Emscripten 3.1.6 or later',
+    cmake: 'CMake 3.25 or later',
+    ninja: 'Ninja',
+    ...(tests && { 'c++': 'a C++20 compiler' }),
+  })
+    .filter(([program]) => spawnSync(program, ['--version']).error !== undefined)
+    .map(([program, what]) => `  ${what} (${program})`)
+  if (browserMissing) missing.push('  Chromium (set CHROMIUM_PATH to its program)')
+  if (missing.length > 0) {
+    const headers = tests
+      ? 'CGAL 5.5, Boost, GMP, MPFR, GoogleTest, Google Benchmark, nlohmann/json and CLI11'
+      : 'CGAL 5.5 and Boost'
+    throw new Error(
+      `This script installs packages on Debian 12 only. Install on this system:\n${missing.join('\n')}\n` +
+        `and the C++ libraries ${headers}, then run the same command again.`,
+    )
+  }
+}
+
+async function installNpmPackages() {
+  const lock = createHash('sha256')
+    .update(readFileSync(`${ROOT}package-lock.json`))
+    .digest('hex')
+  const stamp = `${ROOT}node_modules/.installed-lock`
+  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === lock) return
+  console.log('Installing npm packages')
+  await run('npm', ['ci', '--no-audit', '--no-fund'])
+  writeFileSync(stamp, lock)
+}
+
+if (isMain(import.meta.url)) await main(() => setup({ tests: true }))

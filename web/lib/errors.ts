@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** The codes of the C++ enumeration `ErrorCode` (circle_voronoi/error.h), in its order. */
+export const ERROR_CODES = [
+  'nonFinite',
+  'negativeRadius',
+  'coordinateTooLarge',
+  'tooManyCircles',
+  'badOption',
+  'badInput',
+] as const
+
+/**
+ * What went wrong:
+ * - `nonFinite`: a coordinate or a radius is NaN or infinite;
+ * - `negativeRadius`: a radius is below zero;
+ * - `coordinateTooLarge`: a coordinate or a radius exceeds 1e150;
+ * - `tooManyCircles`: the input, or the candidates asked for, do not fit in memory;
+ * - `badOption`: an option is out of its range;
+ * - `badInput`: the input cannot be read as circles;
+ * - `internal`: the program itself failed; please report it with the input.
+ */
+export type ErrorCode = (typeof ERROR_CODES)[number] | 'internal'
+
+/** What every function of this library throws. `message` is one sentence. */
+export class CircleVoronoiError extends Error {
+  override readonly name = 'CircleVoronoiError'
+  readonly code: ErrorCode
+  /** Index of the circle concerned, or -1. */
+  readonly circle: number
+
+  constructor(code: ErrorCode, circle: number, message: string) {
+    super(message)
+    this.code = code
+    this.circle = circle
+  }
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The types of what cpp/wasm/bindings.cpp exports.
+
+interface WasmError {
+  readonly error: { readonly code: string; readonly circle: number; readonly message: string }
+}
+
+interface WasmOptions {
+  readonly method: string | undefined
+  readonly candidates: string | undefined
+  readonly samples: number | undefined
+}
+
+interface WasmModule {
+  compute(circles: Float64Array, options: WasmOptions): WasmError | Omit<import('./diagram.ts').Diagram, 'circles'>
+  errorCodeNames(): string[]
+}
+
+declare module '*/generated/circle-voronoi.js' {
+  export default function createModule(options: {
+    wasmBinary?: Uint8Array
+    locateFile?(name: string): string
+  }): Promise<WasmModule>
+}
