@@ -18,7 +18,12 @@ export async function buildWasm() {
   await cmakeBuild(
     'build/wasm',
     ['emcmake', 'cmake'],
-    ['-DCIRCLE_VORONOI_BUILD_TESTS=OFF', '-DCIRCLE_VORONOI_BUILD_CLI=OFF'],
+    [
+      '-DCIRCLE_VORONOI_BUILD_TESTS=OFF',
+      '-DCIRCLE_VORONOI_BUILD_CLI=OFF',
+      // CGAL and Boost are headers of the machine, where a cross build does not look.
+      '-DCMAKE_INCLUDE_PATH=/usr/include;/usr/local/include',
+    ],
   )
 }
 
