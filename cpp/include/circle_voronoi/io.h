@@ -16,9 +16,12 @@ namespace circle_voronoi {
 /// Reads circles from text: CSV lines `x,y,r` (a header line and blank lines are allowed), or JSON
 /// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`. Text whose first character is `[` or `{` is JSON.
 ///
-/// Errors: badInput, with one sentence that starts with `name:line:`. Values are only read, not judged: `compute`
-/// rejects negative radii and the like.
+/// Errors, each with one sentence that starts with `name:line:`: badInput, and, so that the line can be named, what
+/// `compute` would reject (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles).
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name);
+
+/// Writes circles as CSV with a header line. Reading a number back gives the same bits.
+void writeCsv(std::ostream& out, std::span<const Circle> circles);
 
 /// Writes a diagram in the project's JSON format, version 1 (README). Reading a number back gives the same bits.
 void writeJson(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram);

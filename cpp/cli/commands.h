@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace circle_voronoi::cli {
+
+// Each adds one command to the program. A command runs while the command line is parsed, and may throw Failure.
+
+void addComputeCommand(CLI::App& program);
+void addGenerateCommand(CLI::App& program);
+
+}  // namespace circle_voronoi::cli

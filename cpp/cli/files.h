@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace circle_voronoi::cli {
+
+/// The name of standard input and standard output on the command line.
+inline constexpr const char* kStandardStream = "-";
+
+/// All of a file or of standard input. Throws Failure.
+std::string readText(const std::string& file);
+
+/// Opens a file or standard output, and has `write` write to it. Throws Failure if anything could not be written.
+void writeText(const std::string& file, const std::function<void(std::ostream&)>& write);
+
+}  // namespace circle_voronoi::cli
