@@ -12,6 +12,7 @@ export {
 } from './bisector.ts'
 export { Cells } from './cells.ts'
 export {
+  at,
   type Circle,
   type Counts,
   circleAt,

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { circleCount, type State } from '../state.ts'
+import type { Store } from '../store.ts'
+import { byId } from './by-id.ts'
+
+/** How much there is and how long it took to compute; and what was refused. */
+export function mountStatus(store: Store<State>): void {
+  const status = byId('status', HTMLParagraphElement)
+  const problem = byId('problem', HTMLParagraphElement)
+
+  store.subscribe((state) => {
+    status.replaceChildren(...statusParts(state))
+    problem.hidden = state.problem === ''
+    if (problem.textContent !== state.problem) problem.textContent = state.problem
+  })
+}
+
+function statusParts(state: State): (string | Node)[] {
+  const { cells } = state
+  if (cells === undefined) return ['Loading …']
+  const { vertices, edges, hidden, stats } = cells.diagram
+  const parts = [
+    count(circleCount(state), 'circle'),
+    count(vertices.length / 3, 'vertex', 'vertices'),
+    count(edges.length / 4, 'edge'),
+    ...(hidden.length > 0 ? [[bold(hidden.length / 2), ' hidden']] : []),
+    [bold(milliseconds(stats.seconds.total)), ' ms'],
+  ]
+  return parts.flatMap((part, i) => (i === 0 ? part : [' · ', ...part]))
+}
+
+function count(value: number, one: string, many = `${one}s`): (string | Node)[] {
+  return [bold(value), ` ${value === 1 ? one : many}`]
+}
+
+function bold(value: number | string): Node {
+  const element = document.createElement('b')
+  element.textContent = value.toLocaleString('en')
+  return element
+}
+
+function milliseconds(seconds: number): string {
+  return (1000 * seconds).toPrecision(seconds < 0.1 ? 2 : 3)
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Actions } from '../actions.ts'
+import { DATA_SETS } from '../data-sets.ts'
+import { NOBODY, type State } from '../state.ts'
+import type { Store } from '../store.ts'
+import { byId } from './by-id.ts'
+
+/** The choice of circles, adding and deleting, undo and redo. */
+export function mountToolbar(store: Store<State>, actions: Actions): void {
+  const dataSet = byId('data-set', HTMLSelectElement)
+  const again = byId('again', HTMLButtonElement)
+  const add = byId('add', HTMLButtonElement)
+  const remove = byId('remove', HTMLButtonElement)
+  const undo = byId('undo', HTMLButtonElement)
+  const redo = byId('redo', HTMLButtonElement)
+
+  dataSet.append(...DATA_SETS.map(({ id, label }) => new Option(label, id)))
+  dataSet.addEventListener('change', () => actions.load(dataSet.value))
+  again.addEventListener('click', () => actions.load(dataSet.value))
+  add.addEventListener('click', () => actions.toggleAdding())
+  remove.addEventListener('click', () => actions.removeSelected())
+  undo.addEventListener('click', () => actions.undo())
+  redo.addEventListener('click', () => actions.redo())
+
+  store.subscribe((state) => {
+    if (state.dataSet !== '') dataSet.value = state.dataSet
+    again.hidden = !DATA_SETS.find(({ id }) => id === state.dataSet)?.isRandom
+    add.setAttribute('aria-pressed', String(state.isAdding))
+    remove.disabled = state.selected === NOBODY
+    undo.disabled = state.history.done.length === 0
+    redo.disabled = state.history.undone.length === 0
+  })
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Actions } from '../actions.ts'
+import { byId } from './by-id.ts'
+
+const ZOOM_STEP = 1.5
+
+export function mountViewControls(actions: Actions): void {
+  byId('zoom-in', HTMLButtonElement).addEventListener('click', () => actions.zoomAtMiddle(ZOOM_STEP))
+  byId('zoom-out', HTMLButtonElement).addEventListener('click', () => actions.zoomAtMiddle(1 / ZOOM_STEP))
+  byId('fit', HTMLButtonElement).addEventListener('click', () => actions.fit())
+}

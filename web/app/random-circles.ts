@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+const LARGEST = 0.9
+const SPREAD = 8
+const TRIES = 40
+
+/** Disjoint circles of very different sizes, spread over a rectangle in which each has about one unit of area. */
+export function randomCircles(count: number, random: () => number = Math.random): Float64Array {
+  const width = Math.sqrt(count * 1.5)
+  const height = count / width
+  // The largest first, since small ones still find room later.
+  const radii = Array.from({ length: count }, () => LARGEST / SPREAD ** random()).sort((r, other) => other - r)
+  const grid = new Map<string, number[]>()
+  const circles = new Float64Array(3 * count)
+  const key = (column: number, row: number) => `${column},${row}`
+
+  const overlaps = (x: number, y: number, r: number) => {
+    const column = Math.floor(x / (2 * LARGEST))
+    const row = Math.floor(y / (2 * LARGEST))
+    for (let c = column - 1; c <= column + 1; c++) {
+      for (let w = row - 1; w <= row + 1; w++) {
+        for (const i of grid.get(key(c, w)) ?? []) {
+          const [otherX, otherY, otherR] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
+          if (Math.hypot(x - otherX, y - otherY) < r + otherR) return true
+        }
+      }
+    }
+    return false
+  }
+
+  radii.forEach((radius, i) => {
+    let x = 0
+    let y = 0
+    let r = radius
+    for (let attempt = 0; attempt < TRIES; attempt++) {
+      x = random() * width
+      y = random() * height
+      if (!overlaps(x, y, r)) break
+      r *= 0.95
+    }
+    circles.set([x, y, r], 3 * i)
+    const home = key(Math.floor(x / (2 * LARGEST)), Math.floor(y / (2 * LARGEST)))
+    grid.set(home, [...(grid.get(home) ?? []), i])
+  })
+  return circles
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** Holds a value and tells whoever subscribed once per frame in which it was replaced. */
+export interface Store<Value> {
+  get(): Value
+  update(change: (value: Value) => Value): void
+  subscribe(listener: (value: Value) => void): void
+}
+
+export function createStore<Value>(initial: Value): Store<Value> {
+  const listeners: ((value: Value) => void)[] = []
+  let value = initial
+  let isScheduled = false
+  const tell = () => {
+    isScheduled = false
+    for (const listener of listeners) listener(value)
+  }
+  return {
+    get: () => value,
+    update(change) {
+      const next = change(value)
+      if (next === value) return
+      value = next
+      if (!isScheduled) requestAnimationFrame(tell)
+      isScheduled = true
+    },
+    subscribe(listener) {
+      listeners.push(listener)
+      listener(value)
+    },
+  }
+}
