@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../lib/diagram.ts'
 import type { Box, Point } from '../lib/index.ts'
 
 /** The part of the plane that is shown: the point in the middle of the canvas, and pixels per unit. */
@@ -70,7 +71,9 @@ export function boundingBox(circles: Float64Array): Box {
   let maxX = Number.NEGATIVE_INFINITY
   let maxY = Number.NEGATIVE_INFINITY
   for (let i = 0; i < circles.length; i += 3) {
-    const [x, y, r] = circles.subarray(i, i + 3) as unknown as [number, number, number]
+    const x = at(circles, i)
+    const y = at(circles, i + 1)
+    const r = at(circles, i + 2)
     minX = Math.min(minX, x - r)
     minY = Math.min(minY, y - r)
     maxX = Math.max(maxX, x + r)

@@ -27,8 +27,8 @@ const store = createStore<State>(INITIAL_STATE)
 
 const size = (): Size => ({ width: canvas.clientWidth, height: canvas.clientHeight })
 
-/** On a wide screen the panels lie beside the picture, on a narrow one above and below it. */
-const padding = (): Padding => ({ top: canvas.clientWidth > 640 ? 40 : 64, right: 40, bottom: 56, left: 40 })
+/** What the panels at the top and at the bottom cover, and a margin. */
+const padding = (): Padding => ({ top: 72, right: 32, bottom: 64, left: 32 })
 
 const actions = new Actions(store, size, padding)
 

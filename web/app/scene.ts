@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/diagram.ts'
-import { type Box, type Cells, traceCell, traceEdge } from '../lib/index.ts'
-import { type Camera, type Size, toScreen, visibleBox } from './camera.ts'
+import { type Box, type Cells, type Point, traceCell, traceEdge } from '../lib/index.ts'
+import { boundingBox, type Camera, type Size, toScreen, visibleBox } from './camera.ts'
 import { ScreenSink } from './screen-sink.ts'
 import { circleCount, NOBODY, type State } from './state.ts'
 import type { Theme } from './theme.ts'
@@ -11,14 +11,22 @@ import { tintClasses } from './tints.ts'
 const TOLERANCE = 0.05
 /** Smaller circles are drawn as dots of this radius, in pixels. */
 const DOT_RADIUS = 1.5
-/** Cells that have fewer square pixels on average are too small to be tinted, and their lines are drawn thinner. */
-const TINY_CELL_AREA = 60
+const VERTEX_RADIUS = 2
+const DISC_OPACITY = 0.85
+
+// What suits cells of some width, in pixels: below these no tints, above those dots for the vertices.
+const SMALLEST_TINTED_CELL = 6
+const SMALLEST_CELL_WITH_DOTS = 60
+const THINNEST_LINE = 0.35
+const THICKEST_LINE = 1.25
+const CELL_WIDTH_PER_LINE_WIDTH = 16
 
 /** Draws the state on a canvas. It reads the state and never changes it. */
 export class Scene {
   readonly #context: CanvasRenderingContext2D
   readonly #theme: Theme
-  #tinted: { readonly cells: Cells; readonly classes: Uint8Array } | undefined
+  /** The tint of each circle, kept while the circles stay the same. */
+  readonly #tintClasses = new WeakMap<Float64Array, Uint8Array>()
 
   constructor(context: CanvasRenderingContext2D, theme: Theme) {
     this.#context = context
@@ -35,95 +43,95 @@ export class Scene {
 
     const { cells, camera } = state
     const box = visibleBox(camera, size, 4)
-    if (cells !== undefined) {
-      const pen: Pen = { cells, camera, size, box, tolerance: TOLERANCE / camera.scale }
-      const areTiny = averageCellArea(cells, camera) < TINY_CELL_AREA
-      if (!areTiny) this.#drawTints(pen)
-      this.#drawHighlights(state, pen)
-      this.#drawEdges(pen, areTiny)
-      this.#drawSelectedOutline(state, pen)
-    }
-    this.#drawCircles(state, size, box)
-    this.#drawSelectedCircle(state, size)
+    const tolerance = TOLERANCE / camera.scale
+    const cellWidth = averageCellWidth(state.circles) * camera.scale
+    const lineWidth = Math.min(Math.max(cellWidth / CELL_WIDTH_PER_LINE_WIDTH, THINNEST_LINE), THICKEST_LINE)
+    const pen: Pen = { cells, camera, size, box, tolerance, lineWidth }
+
+    if (cellWidth >= SMALLEST_TINTED_CELL) this.#drawTints(pen)
+    this.#drawHighlights(state, pen)
+    const circles = circlePaths(state, pen, this.#tintClassesOf(state.circles), this.#theme.tints.length)
+    this.#fillDiscs(circles)
+    this.#drawEdges(pen)
+    if (cellWidth >= SMALLEST_CELL_WITH_DOTS) this.#drawVertices(pen)
+    this.#strokeRims(circles, pen)
+    this.#drawSelection(state, pen)
   }
 
   #drawTints(pen: Pen): void {
+    const { cells } = pen
+    if (cells === undefined) return
     const { tints } = this.#theme
     const sinks = tints.map(() => new ScreenSink(pen.camera, pen.size))
-    const classes = this.#tintClassesOf(pen.cells)
-    classes.forEach((tint, circle) => {
-      traceCell(sinks[tint] as ScreenSink, pen.cells, circle, pen.box, pen.tolerance)
+    this.#tintClassesOf(cells.diagram.circles).forEach((tint, circle) => {
+      traceCell(sinks[tint] as ScreenSink, cells, circle, pen.box, pen.tolerance)
     })
+    this.#context.globalAlpha = this.#theme.cellOpacity
     sinks.forEach((sink, tint) => {
       this.#fill(sink.path, tints[tint] as string)
     })
+    this.#context.globalAlpha = 1
   }
 
-  #tintClassesOf(cells: Cells): Uint8Array {
-    if (this.#tinted?.cells !== cells) {
-      this.#tinted = { cells, classes: tintClasses(cells.diagram.circles, this.#theme.tints.length) }
-    }
-    return this.#tinted.classes
+  #tintClassesOf(circles: Float64Array): Uint8Array {
+    const known = this.#tintClasses.get(circles)
+    if (known !== undefined) return known
+    const classes = tintClasses(circles, this.#theme.tints.length)
+    this.#tintClasses.set(circles, classes)
+    return classes
   }
 
-  /** The cells of the circle that the pointer is over, or else of the selected one, and of its neighbours. */
+  /** The selected cell and its neighbours, or else those of the cell that the pointer is over; that one in any case. */
   #drawHighlights({ selected, hovered }: State, pen: Pen): void {
-    const circle = hovered === NOBODY ? selected : hovered
-    if (!hasCell(pen.cells, circle)) return
-    const neighbors = new ScreenSink(pen.camera, pen.size)
-    for (const neighbor of pen.cells.neighbors(circle)) {
-      traceCell(neighbors, pen.cells, neighbor, pen.box, pen.tolerance)
+    const { cells } = pen
+    const circle = selected === NOBODY ? hovered : selected
+    if (cells !== undefined && hasCell(cells, circle)) {
+      this.#fill(cellsPath(cells.neighbors(circle), pen), this.#theme.neighborCell)
+      this.#fill(cellsPath([circle], pen), this.#theme.selectedCell)
     }
-    this.#fill(neighbors.path, this.#theme.neighborCell)
-    this.#fill(outlineOf(circle, pen), this.#theme.selectedCell)
+    if (hovered !== circle) this.#fill(cellsPath([hovered], pen), this.#theme.neighborCell)
   }
 
-  #drawEdges(pen: Pen, areTiny: boolean): void {
-    const { diagram } = pen.cells
-    const sink = new ScreenSink(pen.camera, pen.size)
-    for (let e = 0; e < diagram.edges.length / 4; e++) traceEdge(sink, diagram, e, pen.box, pen.tolerance)
-    this.#stroke(sink.path, this.#theme.edge, areTiny ? 0.5 : 1.25)
+  #fillDiscs({ discs }: CirclePaths): void {
+    this.#context.globalAlpha = DISC_OPACITY
+    discs.forEach((disc, tint) => {
+      this.#fill(disc, this.#theme.tints[tint] as string)
+    })
+    this.#context.globalAlpha = 1
   }
 
-  #drawSelectedOutline({ selected }: State, pen: Pen): void {
-    if (!hasCell(pen.cells, selected)) return
-    this.#stroke(outlineOf(selected, pen), this.#theme.accent, 2)
+  #drawEdges({ cells, camera, size, box, tolerance, lineWidth }: Pen): void {
+    if (cells === undefined) return
+    const sink = new ScreenSink(camera, size)
+    for (let e = 0; e < cells.diagram.edges.length / 4; e++) traceEdge(sink, cells.diagram, e, box, tolerance)
+    this.#stroke(sink.path, this.#theme.edge, lineWidth)
   }
 
-  #drawCircles(state: State, size: Size, box: Box): void {
-    const { circles, camera, cells, selected } = state
-    const discs = new Path2D()
-    const hidden = new Path2D()
-    const dots = new Path2D()
-    for (let i = 0; i < circleCount(state); i++) {
-      const x = at(circles, 3 * i)
-      const y = at(circles, 3 * i + 1)
-      const r = at(circles, 3 * i + 2)
-      if (i === selected || x + r < box.minX || x - r > box.maxX || y + r < box.minY || y - r > box.maxY) continue
-      const center = toScreen(camera, size, { x, y })
-      const radius = r * camera.scale
-      const path = radius < DOT_RADIUS ? dots : isHidden(cells, i) ? hidden : discs
-      const drawnRadius = Math.max(radius, DOT_RADIUS)
-      path.moveTo(center.x + drawnRadius, center.y)
-      path.arc(center.x, center.y, drawnRadius, 0, 2 * Math.PI)
+  #drawVertices({ cells, camera, size, box }: Pen): void {
+    const vertices = cells?.diagram.vertices ?? new Float64Array(0)
+    const path = new Path2D()
+    for (let v = 0; v < vertices.length; v += 3) {
+      const point = { x: at(vertices, v), y: at(vertices, v + 1) }
+      if (meets(box, point.x, point.y, 0)) addCircle(path, toScreen(camera, size, point), VERTEX_RADIUS)
     }
-    this.#fill(discs, this.#theme.disc)
-    this.#stroke(discs, this.#theme.rim, 1)
+    this.#fill(path, this.#theme.edge)
+  }
+
+  #strokeRims({ discs, dots, hidden }: CirclePaths, { lineWidth }: Pen): void {
+    for (const disc of discs) this.#stroke(disc, this.#theme.rim, Math.min(lineWidth, 1))
     this.#fill(dots, this.#theme.rim)
     this.#stroke(hidden, this.#theme.hidden, 1.25, [3, 3])
   }
 
-  #drawSelectedCircle({ circles, selected, camera, cells }: State, size: Size): void {
+  #drawSelection({ circles, selected }: State, pen: Pen): void {
     if (selected === NOBODY) return
-    const center = toScreen(camera, size, { x: at(circles, 3 * selected), y: at(circles, 3 * selected + 1) })
-    const radius = Math.max(at(circles, 3 * selected + 2) * camera.scale, DOT_RADIUS)
+    this.#stroke(cellsPath([selected], pen), this.#theme.accent, 2)
+    const center = { x: at(circles, 3 * selected), y: at(circles, 3 * selected + 1) }
+    const radius = Math.max(at(circles, 3 * selected + 2) * pen.camera.scale, DOT_RADIUS)
     const path = new Path2D()
-    path.arc(center.x, center.y, radius, 0, 2 * Math.PI)
-    this.#fill(path, this.#theme.disc)
-    this.#stroke(path, this.#theme.accent, 2, isHidden(cells, selected) ? [4, 4] : [])
-    const middle = new Path2D()
-    middle.arc(center.x, center.y, 2.5, 0, 2 * Math.PI)
-    this.#fill(middle, this.#theme.accent)
+    addCircle(path, toScreen(pen.camera, pen.size, center), radius)
+    this.#fill(path, this.#theme.selectedDisc)
+    this.#stroke(path, this.#theme.accent, 2, isHidden(pen.cells, selected) ? [4, 4] : [])
   }
 
   #fill(path: Path2D, color: string): void {
@@ -139,19 +147,58 @@ export class Scene {
   }
 }
 
-/** What it takes to draw cells and edges. `box` and `tolerance` are in units of the plane. */
+/** What it takes to draw. `box` and `tolerance` are in units of the plane, `lineWidth` is in pixels. */
 interface Pen {
-  readonly cells: Cells
+  readonly cells: Cells | undefined
   readonly camera: Camera
   readonly size: Size
   readonly box: Box
   readonly tolerance: number
+  readonly lineWidth: number
 }
 
-function outlineOf(circle: number, { cells, camera, size, box, tolerance }: Pen): Path2D {
+/** The circles in view: discs by tint, those too small to be seen as dots, and hidden ones. */
+interface CirclePaths {
+  readonly discs: readonly Path2D[]
+  readonly dots: Path2D
+  readonly hidden: Path2D
+}
+
+function circlePaths(state: State, { box, camera, size }: Pen, classes: Uint8Array, tints: number): CirclePaths {
+  const { circles, cells } = state
+  const discs = Array.from({ length: tints }, () => new Path2D())
+  const hidden = new Path2D()
+  const dots = new Path2D()
+  for (let i = 0; i < circleCount(state); i++) {
+    const x = at(circles, 3 * i)
+    const y = at(circles, 3 * i + 1)
+    const r = at(circles, 3 * i + 2)
+    if (!meets(box, x, y, r)) continue
+    const radius = r * camera.scale
+    const disc = discs[classes[i] as number] as Path2D
+    const path = radius < DOT_RADIUS ? dots : isHidden(cells, i) ? hidden : disc
+    addCircle(path, toScreen(camera, size, { x, y }), Math.max(radius, DOT_RADIUS))
+  }
+  return { discs, dots, hidden }
+}
+
+/** The outlines of the cells of these circles. */
+function cellsPath(indices: readonly number[], { cells, camera, size, box, tolerance }: Pen): Path2D {
   const sink = new ScreenSink(camera, size)
-  traceCell(sink, cells, circle, box, tolerance)
+  for (const circle of indices) {
+    if (cells !== undefined && hasCell(cells, circle)) traceCell(sink, cells, circle, box, tolerance)
+  }
   return sink.path
+}
+
+function addCircle(path: Path2D, center: Point, radius: number): void {
+  path.moveTo(center.x + radius, center.y)
+  path.arc(center.x, center.y, radius, 0, 2 * Math.PI)
+}
+
+/** The box around a circle meets the window. */
+function meets(box: Box, x: number, y: number, r: number): boolean {
+  return x + r >= box.minX && x - r <= box.maxX && y + r >= box.minY && y - r <= box.maxY
 }
 
 /** The diagram may be of circles before the last edit, and then have fewer of them. */
@@ -163,21 +210,8 @@ function isHidden(cells: Cells | undefined, circle: number): boolean {
   return cells !== undefined && circle < cells.diagram.circles.length / 3 && !cells.exists(circle)
 }
 
-/** Square pixels per circle, over the box around all vertices' circles. */
-function averageCellArea({ diagram }: Cells, { scale }: Camera): number {
-  const { circles } = diagram
-  const count = circles.length / 3
-  if (count < 1000) return Number.POSITIVE_INFINITY
-  // The spread of every hundredth circle is enough to tell.
-  let minX = Number.POSITIVE_INFINITY
-  let minY = Number.POSITIVE_INFINITY
-  let maxX = Number.NEGATIVE_INFINITY
-  let maxY = Number.NEGATIVE_INFINITY
-  for (let i = 0; i < count; i += 100) {
-    minX = Math.min(minX, at(circles, 3 * i))
-    maxX = Math.max(maxX, at(circles, 3 * i))
-    minY = Math.min(minY, at(circles, 3 * i + 1))
-    maxY = Math.max(maxY, at(circles, 3 * i + 1))
-  }
-  return ((maxX - minX) * (maxY - minY) * scale * scale) / count
+/** The width of a square that has the room of one circle, in units of the plane. */
+function averageCellWidth(circles: Float64Array): number {
+  const { minX, minY, maxX, maxY } = boundingBox(circles)
+  return Math.sqrt(((maxX - minX) * (maxY - minY)) / Math.max(circles.length / 3, 1))
 }
