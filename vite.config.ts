@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { defineConfig, type HtmlTagDescriptor } from 'vite'
+import type { HtmlTagDescriptor } from 'vite'
+import { defineConfig } from 'vitest/config'
 
 const CONTENT_SECURITY_POLICY = [
   "default-src 'self'",
@@ -29,5 +30,6 @@ export default defineConfig({
   worker: { format: 'es' },
   server: { headers },
   preview: { headers },
+  test: { root: '.', include: ['tests/web/**/*.test.ts'] },
   plugins: [{ name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] }],
 })

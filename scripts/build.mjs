@@ -10,21 +10,18 @@ const WASM_OUTPUT = ['circle-voronoi.js', 'circle-voronoi.wasm']
 
 /** build/native: the library, the program build/native/circle-voronoi and the tests. */
 export async function buildNative() {
-  await cmakeBuild('build/native', ['cmake'], [])
+  await cmakeBuild('build/native', 'cmake', ['--preset', 'native'])
 }
 
 /** web/lib/generated: the WebAssembly module. */
 export async function buildWasm() {
-  await cmakeBuild(
-    'build/wasm',
-    ['emcmake', 'cmake'],
-    [
-      '-DCIRCLE_VORONOI_BUILD_TESTS=OFF',
-      '-DCIRCLE_VORONOI_BUILD_CLI=OFF',
-      // CGAL and Boost are headers of the machine, where a cross build does not look.
-      '-DCMAKE_INCLUDE_PATH=/usr/include;/usr/local/include',
-    ],
-  )
+  await cmakeBuild('build/wasm', 'emcmake', [
+    ...['cmake', '-S', '.', '-B', 'build/wasm', '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release'],
+    '-DCIRCLE_VORONOI_BUILD_TESTS=OFF',
+    '-DCIRCLE_VORONOI_BUILD_CLI=OFF',
+    // CGAL and Boost are headers of the machine, where a cross build does not look.
+    '-DCMAKE_INCLUDE_PATH=/usr/include;/usr/local/include',
+  ])
 }
 
 /** dist/lib: web/lib as JavaScript with declarations, and the WebAssembly module. */
@@ -44,15 +41,11 @@ export async function buildApp() {
   await run(`${NPM_BIN}/vite`, ['build'])
 }
 
-async function cmakeBuild(folder, cmake, options) {
+async function cmakeBuild(folder, program, configure) {
   // Emscripten's optimiser looks for its acorn module there on Debian.
   const env = { NODE_PATH: ['/usr/share/nodejs', process.env.NODE_PATH].filter(Boolean).join(delimiter) }
   // Ninja itself configures again when a CMake file has changed.
-  if (!existsSync(`${ROOT}${folder}/build.ninja`)) {
-    const [program, ...before] = cmake
-    const configure = ['-S', '.', '-B', folder, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release']
-    await run(program, [...before, ...configure, ...options], env)
-  }
+  if (!existsSync(`${ROOT}${folder}/build.ninja`)) await run(program, configure, env)
   await run('cmake', ['--build', folder], env)
 }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { existsSync, readFileSync } from 'node:fs'
+
+export const NO_TESTS = { passed: 0, failed: 0, skipped: 0 }
+
+/** Counts the test cases of a JUnit report by outcome; a missing report has none. */
+export function countTests(path) {
+  return existsSync(path) ? countTestCases(readFileSync(path, 'utf8')) : NO_TESTS
+}
+
+export function countTestCases(xml) {
+  const counts = { ...NO_TESTS }
+  // CDATA sections hold output, which may look like anything.
+  const elements = xml.replace(/<!\[CDATA\[.*?\]\]>/gs, '')
+  for (const [, isEmpty, body = ''] of elements.matchAll(/<testcase\b[^>]*?(?:(\/)>|>(.*?)<\/testcase>)/gs)) {
+    const outcome = isEmpty ? 'passed' : outcomeOf(body)
+    counts[outcome] += 1
+  }
+  return counts
+}
+
+function outcomeOf(body) {
+  if (/<(failure|error)\b/.test(body)) return 'failed'
+  return /<skipped\b/.test(body) ? 'skipped' : 'passed'
+}
+
+/** `N passed, M failed`, and the skipped ones if there are any. */
+export function summary({ passed, failed, skipped }) {
+  return `${passed} passed, ${failed} failed${skipped > 0 ? `, ${skipped} skipped` : ''}`
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `npm test`: installs what is missing, builds everything, runs every check and test, and counts the tests.
+// The last line is `N passed, M failed`; the exit status is 0 only if something ran and nothing failed.
+import { mkdirSync, rmSync } from 'node:fs'
+import { buildApp, buildLib, buildNative, buildWasm } from './build.mjs'
+import { countTests, NO_TESTS, summary } from './count-tests.mjs'
+import { ROOT, run, statusOf } from './run.mjs'
+import { chromiumPath, setup } from './setup.mjs'
+
+const BIN = `${ROOT}node_modules/.bin`
+const RESULTS = `${ROOT}build/test-results`
+// Colours and progress bars are for people, and so are the questions that some tools ask.
+const ENV = { CI: 'true', NO_COLOR: '1', CHROMIUM_PATH: chromiumPath() }
+
+/** In this order; each of them writes a JUnit report. */
+const SUITES = [
+  {
+    name: 'CTest',
+    report: `${RESULTS}/ctest.xml`,
+    program: 'ctest',
+    args: ['--test-dir', 'build/native', '--output-on-failure', '--output-junit', `${RESULTS}/ctest.xml`, '-j', '2'],
+  },
+  {
+    name: 'Vitest',
+    report: `${RESULTS}/vitest.xml`,
+    program: `${BIN}/vitest`,
+    args: ['run', '--reporter=default', '--reporter=junit', `--outputFile.junit=${RESULTS}/vitest.xml`],
+  },
+  {
+    name: 'WebAssembly in Node',
+    report: `${RESULTS}/node.xml`,
+    program: process.execPath,
+    // As strict as a page whose Content-Security-Policy forbids `eval`.
+    args: [
+      '--disallow-code-generation-from-strings',
+      '--test',
+      '--test-reporter=spec',
+      '--test-reporter-destination=stdout',
+      '--test-reporter=junit',
+      `--test-reporter-destination=${RESULTS}/node.xml`,
+      'tests/wasm/',
+    ],
+  },
+  {
+    name: 'Playwright',
+    report: `${RESULTS}/playwright.xml`,
+    program: `${BIN}/playwright`,
+    args: ['test', '--reporter=list,junit'],
+    env: { PLAYWRIGHT_JUNIT_OUTPUT_FILE: `${RESULTS}/playwright.xml` },
+  },
+]
+
+const results = []
+try {
+  await setup({ tests: true })
+  await buildWasm()
+  await buildNative()
+  await buildLib()
+  await buildApp()
+  await run('npm', ['run', '--silent', 'check'], ENV)
+
+  rmSync(RESULTS, { recursive: true, force: true })
+  mkdirSync(RESULTS, { recursive: true })
+  for (const { name, report, program, args, env } of SUITES) {
+    console.log(`\n── ${name}`)
+    const status = await statusOf(program, args, { ...ENV, ...env })
+    const counts = countTests(report)
+    // A suite that fails without a failed test, or runs none, counts as one failure.
+    const isSilentFailure = counts.failed === 0 && (status !== 0 || counts.passed === 0)
+    results.push({ name, ...counts, failed: isSilentFailure ? 1 : counts.failed })
+  }
+} catch (error) {
+  console.error(`\n${error.message}`)
+  results.push({ ...NO_TESTS, name: 'Set-up, build and checks', failed: 1 })
+}
+
+console.log('')
+for (const { name, ...counts } of results) console.log(`${name}: ${summary(counts)}`)
+const total = results.reduce(
+  (sum, { passed, failed, skipped }) => ({
+    passed: sum.passed + passed,
+    failed: sum.failed + failed,
+    skipped: sum.skipped + skipped,
+  }),
+  NO_TESTS,
+)
+console.log(summary(total))
+process.exitCode = total.failed > 0 || total.passed === 0 ? 1 : 0
