@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "brute_force.h"
+
+#include <algorithm>
+
+#include "three_touch_disc.h"
+
+namespace circle_voronoi::test {
+namespace {
+
+bool isEmpty(const Vertex& disc, std::span<const Circle> circles, const std::array<std::int32_t, 3>& touched) {
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    if (std::ranges::find(touched, static_cast<std::int32_t>(i)) != touched.end()) continue;
+    const Vector v = {circles[i].x - disc.x, circles[i].y - disc.y};
+    if (length(v) - circles[i].r < disc.radius) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::array<std::int32_t, 3>> bruteForceVertices(std::span<const Circle> circles) {
+  const auto n = static_cast<std::int32_t>(circles.size());
+  std::vector<std::array<std::int32_t, 3>> vertices;
+  for (std::int32_t i = 0; i < n; ++i) {
+    for (std::int32_t j = i + 1; j < n; ++j) {
+      for (std::int32_t k = i + 1; k < n; ++k) {
+        if (k == j) continue;
+        const auto disc = threeTouchDisc(circles[i], circles[j], circles[k]);
+        if (disc && isEmpty(disc->disc, circles, {i, j, k})) vertices.push_back({i, j, k});
+      }
+    }
+  }
+  return vertices;
+}
+
+}  // namespace circle_voronoi::test

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+
+namespace circle_voronoi::test {
+
+/// The names of all files of tests/fixtures that hold circles, without folder and extension, sorted.
+std::vector<std::string> fixtureNames();
+
+std::vector<Circle> readFixture(const std::string& name);
+
+}  // namespace circle_voronoi::test

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every file of tests/fixtures, against the exact oracle.
+#include "fixtures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "circle_voronoi/compute.h"
+#include "compare.h"
+#include "oracle.h"
+
+namespace circle_voronoi {
+namespace {
+
+bool isDegenerate(const std::string& name) { return name.find("cocircular") != std::string::npos; }
+
+std::string problem(const std::string& name, const Options& options) {
+  const auto circles = test::readFixture(name);
+  const auto diagram = compute(circles, options);
+  if (!diagram) return diagram.error().message;
+  const Diagram exact = oracle::exactDiagram(circles);
+  return isDegenerate(name) ? test::problemInDegeneratePosition(diagram.value(), exact, circles)
+                            : test::problemInGeneralPosition(diagram.value(), exact, circles);
+}
+
+class Fixture : public testing::TestWithParam<std::string> {};
+
+TEST_P(Fixture, AllPairs) {
+  Options options;
+  options.candidates = Candidates::allPairs;
+  EXPECT_EQ(problem(GetParam(), options), "");
+}
+
+TEST_P(Fixture, DynamicSampling) {
+  // Here dynamic sampling misses an antipodal disc that the diagram needs.
+  static const std::set<std::pair<std::string, int>> kMissed = {};
+  for (const int samples : {0, 1, 3}) {
+    Options options;
+    options.samples = samples;
+    const std::string found = problem(GetParam(), options);
+    EXPECT_EQ(found.empty(), !kMissed.contains({GetParam(), samples})) << samples << " samples: " << found;
+  }
+}
+
+std::string testName(const testing::TestParamInfo<std::string>& fixture) {
+  std::string name = fixture.param;
+  std::ranges::replace(name, '-', '_');  // a test's name has no hyphens
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Fixture, testing::ValuesIn(test::fixtureNames()), testName);
+
+}  // namespace
+}  // namespace circle_voronoi
