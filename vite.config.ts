@@ -30,6 +30,6 @@ export default defineConfig({
   worker: { format: 'es' },
   server: { headers },
   preview: { headers },
-  test: { root: '.', include: ['tests/web/**/*.test.ts'] },
+  test: { root: '.', include: ['tests/{web,scripts}/**/*.test.{ts,mjs}'] },
   plugins: [{ name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] }],
 })

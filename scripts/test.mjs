@@ -38,7 +38,7 @@ const SUITES = [
       '--test-reporter-destination=stdout',
       '--test-reporter=junit',
       `--test-reporter-destination=${RESULTS}/node.xml`,
-      'tests/wasm/',
+      'tests/wasm/native.test.mjs',
     ],
   },
   {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { describe, expect, it } from 'vitest'
+import { CircleVoronoiError, ERROR_CODES, edgeAt, loadCircleVoronoi, vertexAt } from '../../web/lib/index.ts'
+import { library } from './library.ts'
+
+const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
+
+function errorOf(action: () => unknown): CircleVoronoiError {
+  try {
+    action()
+  } catch (error) {
+    expect(error).toBeInstanceOf(CircleVoronoiError)
+    return error as CircleVoronoiError
+  }
+  throw new Error('Nothing was thrown.')
+}
+
+describe('compute', () => {
+  it('gives the diagram of three circles', () => {
+    const diagram = library.compute(THREE)
+    expect(diagram.vertices).toHaveLength(3)
+    expect(diagram.edges).toHaveLength(12)
+    expect([...diagram.vertexCircles].sort()).toEqual([0, 1, 2])
+    const { x, y, radius } = vertexAt(diagram, 0)
+    expect(Math.hypot(x, y) - 1).toBeCloseTo(radius)
+    expect(Math.hypot(x - 10, y) - 2).toBeCloseTo(radius)
+    expect(Math.hypot(x - 4, y - 9) - 3).toBeCloseTo(radius)
+    for (const e of [0, 1, 2]) {
+      const edge = edgeAt(diagram, e)
+      expect([edge.start, edge.end].sort()).toEqual([-1, 0])
+    }
+    expect(diagram.stats).toMatchObject({ method: 'touching-disc', candidates: 'dynamic', counts: { circles: 3 } })
+  })
+
+  it('takes objects as well', () => {
+    const objects = [
+      { x: 0, y: 0, r: 1 },
+      { x: 10, y: 0, r: 2 },
+      { x: 4, y: 9, r: 3 },
+    ]
+    expect(library.compute(objects).vertices).toEqual(library.compute(THREE).vertices)
+  })
+
+  it('copies: neither the input nor another result changes with a diagram', () => {
+    const input = THREE.slice()
+    const first = library.compute(input)
+    const vertices = first.vertices.slice()
+    input[0] = 99
+    library.compute(Float64Array.of(1, 2, 3))
+    expect(first.circles).toEqual(THREE)
+    expect(first.vertices).toEqual(vertices)
+  })
+
+  it.each([0, 1, 2])('accepts %i circles', (count) => {
+    const diagram = library.compute(THREE.slice(0, 3 * count))
+    expect(diagram.vertices).toHaveLength(0)
+    expect(diagram.edges).toHaveLength(count === 2 ? 4 : 0)
+  })
+
+  it('reports hidden circles with one that hides them', () => {
+    expect([...library.compute(Float64Array.of(0, 0, 1, 0, 0, 5)).hidden]).toEqual([0, 1])
+  })
+
+  it.each(['dynamic', 'uniform', 'all-pairs'] as const)('can use the candidates %s', (candidates) => {
+    const diagram = library.compute(THREE, { candidates })
+    expect(diagram.stats.candidates).toBe(candidates)
+    expect(diagram.vertices).toHaveLength(3)
+  })
+})
+
+describe('errors', () => {
+  it('has the codes of the C++ core', () => {
+    expect(library.errorCodeNames()).toEqual(ERROR_CODES)
+  })
+
+  it.each([
+    ['nonFinite', 1, [0, 0, 1, Number.NaN, 0, 1]],
+    ['nonFinite', 0, [0, Number.POSITIVE_INFINITY, 1]],
+    ['negativeRadius', 1, [0, 0, 1, 5, 0, -1]],
+    ['coordinateTooLarge', 0, [1e200, 0, 1]],
+  ] as const)('%s names circle %i', (code, circle, circles) => {
+    const error = errorOf(() => library.compute(Float64Array.from(circles)))
+    expect(error).toMatchObject({ name: 'CircleVoronoiError', code, circle })
+    expect(error).toBeInstanceOf(Error)
+    expect(error.message).toMatch(/^.{10,}\.$/s)
+  })
+
+  it.each([
+    ['a length that is no multiple of three', Float64Array.of(1, 2), -1],
+    ['text for an array', '1,2,3', -1],
+    ['nothing', undefined, -1],
+    [
+      'text for a number',
+      [
+        { x: 0, y: 0, r: 1 },
+        { x: '1', y: 0, r: 1 },
+      ],
+      1,
+    ],
+    ['a missing circle', [null], 0],
+  ])('refuses %s', (_, circles, circle) => {
+    expect(errorOf(() => library.compute(circles as Float64Array))).toMatchObject({ code: 'badInput', circle })
+  })
+
+  it.each([
+    { samples: -2 },
+    { samples: 1001 },
+    { samples: 0.5 },
+    { samples: '3' },
+    { samples: 2 ** 40 },
+    { candidates: 'uniform', samples: 0 },
+    { candidates: 'some' },
+    { candidates: 3 },
+    { method: 'magic' },
+  ])('refuses the options %j', (options) => {
+    expect(errorOf(() => library.compute(THREE, options as object))).toMatchObject({ code: 'badOption', circle: -1 })
+  })
+
+  it('refuses all pairs of too many circles, and goes on working', () => {
+    const many = new Float64Array(3 * 10_001).map((_, i) => i)
+    expect(errorOf(() => library.compute(many, { candidates: 'all-pairs' })).code).toBe('tooManyCircles')
+    expect(library.compute(THREE).vertices).toHaveLength(3)
+  })
+})
+
+it('loads from bytes', async () => {
+  const { readFileSync } = await import('node:fs')
+  const wasmBinary = readFileSync(new URL('../../web/lib/generated/circle-voronoi.wasm', import.meta.url))
+  expect((await loadCircleVoronoi({ wasmBinary })).compute(THREE).vertices).toHaveLength(3)
+})
