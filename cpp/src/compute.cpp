@@ -2,41 +2,20 @@
 #include "circle_voronoi/compute.h"
 
 #include <algorithm>
-#include <chrono>
 #include <new>
+#include <optional>
 #include <string>
+#include <utility>
 
-#include "delaunay.h"
+#include "certificate_message.h"
+#include "construct.h"
 #include "hide.h"
-#include "pair.h"
-#include "sample.h"
+#include "stopwatch.h"
 #include "three_touch_disc.h"
-#include "touch.h"
 #include "validate.h"
 
 namespace circle_voronoi {
 namespace {
-
-/// Adds the time from its making to its end to a number of seconds.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& seconds_;
-  Clock::time_point start_ = Clock::now();
-};
-
-std::vector<Point> centresOf(std::span<const Circle> circles) {
-  std::vector<Point> centres;
-  centres.reserve(circles.size());
-  for (const Circle& c : circles) centres.push_back({c.x, c.y});
-  return centres;
-}
 
 int sampleCount(const Options& options) {
   if (options.samples != -1) return options.samples;
@@ -55,8 +34,21 @@ const char* nameOf(Candidates candidates) {
   return "";
 }
 
+const char* nameOf(Method method) {
+  switch (method) {
+    case Method::automatic:
+      return "auto";
+    case Method::touchingDisc:
+      return "touching-disc";
+    case Method::flip:
+      return "flip";
+  }
+  return "";
+}
+
 /// An error if an option is out of its range for this many circles.
 std::optional<Error> checkOptions(const Options& options, std::size_t circleCount) {
+  if (options.method != Method::touchingDisc) return std::nullopt;
   if (options.candidates == Candidates::allPairs) {
     if (circleCount <= kMaxAllPairsCircles) return std::nullopt;
     return Error{ErrorCode::tooManyCircles, -1,
@@ -83,81 +75,68 @@ Observer observerOfInput(const Observer& observer, const std::vector<int>& visib
   };
 }
 
-/// The disc of a vertex, the same bits for any rotation of its three circles: the smallest index goes first.
-Vertex place(std::span<const Circle> circles, std::array<std::int32_t, 3>& triple) {
-  std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
-  const auto& [i, j, k] = triple;
-  const auto disc = threeTouchDisc(circles[i], circles[j], circles[k]);
-  return disc ? disc->disc : Vertex{};
-}
-
-Diagram computeValid(const ScaledCircles& scaled, const Options& options) {
-  const std::vector<Circle>& circles = scaled.circles;
+/// Turns indices of sites into those of the input and gives every vertex its disc, in the units of the input.
+Diagram diagramOf(Construction construction, Sites sites, double unit) {
   Diagram diagram;
-  Counts& counts = diagram.stats.counts;
-  Seconds& seconds = diagram.stats.seconds;
-  diagram.stats.method = "touching-disc";
-  diagram.stats.candidates = nameOf(options.candidates);
-  counts.circles = static_cast<std::int64_t>(circles.size());
-
-  // hide
-  Delaunay centres;
-  Visibility visibility;
-  std::vector<Circle> sites;
-  {
-    const Stopwatch watch(seconds.hide);
-    centres = delaunay(centresOf(circles));
-    visibility = hide(circles, centres);
-    for (const int i : visibility.visible) sites.push_back(circles[i]);
-    if (sites.size() != circles.size()) centres = delaunay(centresOf(sites));
-  }
-  const std::vector<int>& visible = visibility.visible;
-  const int siteCount = static_cast<int>(sites.size());
-
-  // sample
-  Samples samples;
-  if (options.candidates != Candidates::allPairs) {
-    const Stopwatch watch(seconds.sample);
-    samples = options.candidates == Candidates::dynamic ? sampleDynamically(sites, centres.dual, sampleCount(options))
-                                                        : sampleUniformly(sites, sampleCount(options));
-  }
-
-  // pair
-  std::vector<Pair> pairs;
-  {
-    const Stopwatch watch(seconds.pair);
-    pairs = options.candidates == Candidates::allPairs ? pairAll(siteCount) : pairNeighbors(samples, siteCount);
-  }
-
-  // touch
-  TouchResult touched;
-  {
-    const Stopwatch watch(seconds.touch);
-    touched = touch(sites, pairs, observerOfInput(options.observer, visible, scaled.unit));
-  }
-
-  diagram.vertexCircles = std::move(touched.topology.vertexCircles);
-  diagram.edges = std::move(touched.topology.edges);
-  diagram.hull = std::move(touched.topology.hull);
+  diagram.vertexCircles = std::move(construction.topology.vertexCircles);
+  diagram.edges = std::move(construction.topology.edges);
+  diagram.hull = std::move(construction.topology.hull);
+  diagram.certificate = std::move(construction.certificate);
+  diagram.hidden = std::move(sites.hidden);
   diagram.vertices.reserve(diagram.vertexCircles.size());
   for (auto& triple : diagram.vertexCircles) {
-    const Vertex vertex = place(sites, triple);
-    diagram.vertices.push_back({vertex.x * scaled.unit, vertex.y * scaled.unit, vertex.radius * scaled.unit});
-    for (std::int32_t& circle : triple) circle = visible[circle];
+    // The smallest index first, so that a vertex has the same bits however it was found.
+    std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
+    const auto& [i, j, k] = triple;
+    const Vertex vertex = vertexOf(sites.circles[i], sites.circles[j], sites.circles[k]);
+    diagram.vertices.push_back({vertex.x * unit, vertex.y * unit, vertex.radius * unit});
+    for (std::int32_t& circle : triple) circle = sites.indices[circle];
   }
   for (Edge& edge : diagram.edges) {
-    edge.left = visible[edge.left];
-    edge.right = visible[edge.right];
+    edge.left = sites.indices[edge.left];
+    edge.right = sites.indices[edge.right];
   }
-  for (std::int32_t& circle : diagram.hull) circle = visible[circle];
+  for (std::int32_t& circle : diagram.hull) circle = sites.indices[circle];
+  rotateHull(diagram.hull);
+  if (diagram.certificate.circle != kNone) diagram.certificate.circle = sites.indices[diagram.certificate.circle];
+  diagram.certificate.message = messageOf(diagram.certificate, diagram);
+  return diagram;
+}
 
-  counts.hidden = static_cast<std::int64_t>(visibility.hidden.size());
-  counts.samples = static_cast<std::int64_t>(samples.points.size());
-  counts.antipodalDiscs = static_cast<std::int64_t>(pairs.size());
-  counts.threeTouchDiscs = touched.threeTouchDiscs;
-  counts.events = touched.events;
-  counts.leftoverCycles = touched.leftoverCycles;
-  diagram.hidden = std::move(visibility.hidden);
+Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options) {
+  Stats stats;
+  stats.method = nameOf(options.method);
+  stats.counts.circles = static_cast<std::int64_t>(scaled.circles.size());
+  Sites sites;
+  {
+    const Stopwatch watch(stats.seconds.hide);
+    sites = hide(scaled.circles);
+  }
+  stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
+
+  Construction construction;
+  switch (options.method) {
+    case Method::automatic:
+      construction = constructAutomatically(sites, stats);
+      break;
+    case Method::flip:
+      construction = constructByFlips(sites, stats);
+      break;
+    case Method::touchingDisc: {
+      stats.candidates = nameOf(options.candidates);
+      Options complete = options;
+      complete.samples = sampleCount(options);
+      const Observer observer = observerOfInput(options.observer, sites.indices, scaled.unit);
+      construction = constructByTouchingDisc(sites, complete, observer, stats);
+      break;
+    }
+  }
+  Diagram diagram = diagramOf(std::move(construction), std::move(sites), scaled.unit);
+  if (options.method == Method::automatic && !diagram.certificate.certified()) {
+    return Error{ErrorCode::notCertified, diagram.certificate.circle,
+                 "No construction led to a certified diagram: " + diagram.certificate.message};
+  }
+  diagram.stats = std::move(stats);
   return diagram;
 }
 
@@ -168,14 +147,13 @@ Result<Diagram> compute(std::span<const Circle> circles, const Options& options)
   try {
     auto scaled = validate(circles);
     if (!scaled) return scaled.error();
-    double total = 0;
-    Diagram diagram;
-    {
-      const Stopwatch watch(total);
-      diagram = computeValid(scaled.value(), options);
-    }
-    diagram.stats.seconds.total = total;
-    return diagram;
+    double seconds = 0;
+    auto result = [&] {
+      const Stopwatch watch(seconds);
+      return computeValid(scaled.value(), options);
+    }();
+    if (result) result.value().stats.seconds.total = seconds;
+    return result;
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::tooManyCircles, -1, std::to_string(circles.size()) + " circles do not fit in memory."};
   }

@@ -15,6 +15,8 @@ std::string_view errorCodeName(ErrorCode code) {
       return "tooManyCircles";
     case ErrorCode::badOption:
       return "badOption";
+    case ErrorCode::notCertified:
+      return "notCertified";
     case ErrorCode::badInput:
       return "badInput";
   }

@@ -2,8 +2,11 @@
 #include "hide.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "delaunay.h"
 #include "geometry.h"
+#include "predicates.h"
 
 namespace circle_voronoi {
 namespace {
@@ -40,17 +43,11 @@ class Neighbors {
   std::vector<int> targets_;
 };
 
-bool contains(const Circle& outer, const Circle& inner) {
-  const Vector v = between(outer, inner);
-  const double slack = outer.r - inner.r;
-  return slack >= 0 && dot(v, v) <= slack * slack;
-}
-
-}  // namespace
-
-Visibility hide(std::span<const Circle> circles, const Delaunay& centres) {
+/// For each circle a visible one that hides it, or kNone. `centres` triangulates all centres.
+std::vector<int> findHiders(std::span<const Circle> circles, const Delaunay& centres) {
   const int n = static_cast<int>(circles.size());
   const Before before{circles};
+  Predicates predicates(circles);
 
   // Of circles with one centre only the first in order can be visible; it stands for them in the triangulation.
   std::vector<int> first(n, kNone);
@@ -94,22 +91,43 @@ Visibility hide(std::span<const Circle> circles, const Delaunay& centres) {
         const int j = first[neighbor];
         const Vector v = between(circles[i], circles[j]);
         if (dot(v, v) > reachSquared) continue;
-        if (hider[j] == kNone && before(i, j) && contains(circles[i], circles[j])) hider[j] = i;
+        if (hider[j] == kNone && before(i, j) && predicates.contains(circles[i], circles[j])) hider[j] = i;
         stack.push_back(neighbor);
       }
     }
   }
 
-  Visibility result;
   for (int i = 0; i < n; ++i) {
+    // The first of a common centre may be hidden itself.
+    if (hider[i] != kNone && hider[hider[i]] != kNone) hider[i] = hider[hider[i]];
+  }
+  return hider;
+}
+
+std::vector<Point> centresOf(std::span<const Circle> circles) {
+  std::vector<Point> centres;
+  centres.reserve(circles.size());
+  for (const Circle& c : circles) centres.push_back({c.x, c.y});
+  return centres;
+}
+
+}  // namespace
+
+Sites hide(std::span<const Circle> circles) {
+  Delaunay centres = delaunay(centresOf(circles));
+  const std::vector<int> hider = findHiders(circles, centres);
+  Sites sites;
+  for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
     if (hider[i] == kNone) {
-      result.visible.push_back(i);
+      sites.indices.push_back(i);
+      sites.circles.push_back(circles[i]);
     } else {
-      const int above = hider[hider[i]];  // where the first of a common centre is hidden itself
-      result.hidden.push_back({i, above == kNone ? hider[i] : above});
+      sites.hidden.push_back({i, hider[i]});
     }
   }
-  return result;
+  if (!sites.hidden.empty()) centres = delaunay(centresOf(sites.circles));
+  sites.centres = std::move(centres.dual);
+  return sites;
 }
 
 }  // namespace circle_voronoi

@@ -6,17 +6,19 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
-#include "delaunay.h"
+#include "dual.h"
 
 namespace circle_voronoi {
 
-/// The circles split into those with a cell and those without.
-struct Visibility {
-  std::vector<int> visible;          ///< increasing
-  std::vector<HiddenCircle> hidden;  ///< increasing in `circle`; `by` is visible
+/// The circles that have a cell, and those that another circle contains.
+struct Sites {
+  std::vector<Circle> circles;       ///< the visible ones
+  std::vector<int> indices;          ///< of each its index in the input, increasing
+  std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`; `by` is visible
+  Dual centres;                      ///< the Delaunay triangulation of the visible circles' centres
 };
 
-/// Finds the circles that another contains. `centres` is the Delaunay triangulation of all centres.
-Visibility hide(std::span<const Circle> circles, const Delaunay& centres);
+/// Sorts out the hidden circles. Exact: of identical circles the first stays, a tangent circle inside is hidden.
+Sites hide(std::span<const Circle> circles);
 
 }  // namespace circle_voronoi

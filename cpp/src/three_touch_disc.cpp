@@ -61,4 +61,9 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
   return result;
 }
 
+Vertex vertexOf(const Circle& a, const Circle& b, const Circle& c) {
+  const auto disc = threeTouchDisc(a, b, c);
+  return disc ? disc->disc : Vertex{};
+}
+
 }  // namespace circle_voronoi

@@ -25,4 +25,7 @@ struct ThreeTouchDisc {
 /// threeTouchDisc(a, b, c) == threeTouchDisc(b, c, a) up to the order of toCentre, bit for bit unless radii are equal.
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c);
 
+/// Its disc alone; zero if there is none.
+Vertex vertexOf(const Circle& a, const Circle& b, const Circle& c);
+
 }  // namespace circle_voronoi

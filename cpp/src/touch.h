@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/trace.h"
 #include "pair.h"
+#include "topology.h"
 
 namespace circle_voronoi {
-
-/// A diagram without coordinates, as in Diagram.
-struct Topology {
-  std::vector<std::array<std::int32_t, 3>> vertexCircles;
-  std::vector<Edge> edges;
-  std::vector<std::int32_t> hull;
-};
 
 struct TouchResult {
   Topology topology;

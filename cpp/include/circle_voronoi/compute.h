@@ -15,7 +15,9 @@ inline constexpr double kCoordinateLimit = 1e150;
 
 /// How the diagram is built.
 enum class Method {
+  automatic,     ///< the fastest construction that leads to a certified diagram (ARCHITECTURE.md)
   touchingDisc,  ///< the paper's method: candidate pairs, then the event loop
+  flip,          ///< edge flips from the Delaunay triangulation of the centres
 };
 
 /// Which pairs of circles get an antipodal disc.
@@ -32,7 +34,8 @@ inline constexpr int kMaxSamples = 1000;
 inline constexpr std::size_t kMaxAllPairsCircles = 10000;
 
 struct Options {
-  Method method = Method::touchingDisc;
+  Method method = Method::automatic;
+  /// For the touching disc method, as are the options below.
   Candidates candidates = Candidates::dynamic;
   /// dynamic: N_s, samples inside each angle of a Delaunay face, 0 to kMaxSamples.
   /// uniform: m, samples on each circle, 1 to kMaxSamples.
@@ -42,12 +45,15 @@ struct Options {
   Observer observer;
 };
 
-/// The Voronoi diagram of `circles`, by the touching disc method with dynamic sampling.
+/// The Voronoi diagram of `circles`.
 ///
 /// Circles may be disjoint, intersecting, tangent, nested, equal or points, in any position, and any number from 0.
 /// The same input gives the same bits on every platform.
+///
+/// By `automatic` the diagram is certified, or there is an error. By the other methods the diagram comes with the
+/// certificate's verdict and may be wrong where that says so.
 /// Errors: nonFinite, negativeRadius, coordinateTooLarge (with the index of the first such circle), badOption,
-/// tooManyCircles.
+/// tooManyCircles, notCertified.
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
 
 }  // namespace circle_voronoi

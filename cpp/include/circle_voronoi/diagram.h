@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-namespace circle_voronoi {
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/none.h"
 
-/// "None": the unbounded end of an edge.
-inline constexpr std::int32_t kNone = -1;
+namespace circle_voronoi {
 
 /// A Voronoi vertex (branch point): the centre of the disc that touches its three circles from outside.
 /// `radius` is signed: it is negative where the three circles overlap, and the centre is at distance
@@ -51,6 +51,11 @@ struct Counts {
   std::int64_t threeTouchDiscs = 0;  ///< three-touch discs (TTDs) formed
   std::int64_t events = 0;           ///< discs taken from the queue
   std::int64_t leftoverCycles = 0;   ///< cycles of leftover directed edges; 1 in a right diagram of two circles or more
+  std::int64_t flips = 0;            ///< edges flipped
+  std::int64_t repairs = 0;          ///< places where a local diagram was spliced in
+  std::int64_t filtered = 0;         ///< predicates decided in floating point, with an error bound
+  std::int64_t inCircle = 0;         ///< predicates decided by the exact in-circle test of centres (equal radii)
+  std::int64_t exact = 0;            ///< predicates decided in full integer arithmetic
 };
 
 /// Wall-clock seconds of each stage.
@@ -59,11 +64,15 @@ struct Seconds {
   double sample = 0;
   double pair = 0;
   double touch = 0;
+  double flip = 0;
+  double repair = 0;
+  double certify = 0;
   double total = 0;
 };
 
 struct Stats {
-  std::string method;
+  std::string method;  ///< the method asked for
+  std::string way;     ///< the construction that made the result: flip, repair, touching-disc or apollonius-graph
   std::string candidates;
   Counts counts;
   Seconds seconds;
@@ -82,6 +91,7 @@ struct Diagram {
   std::vector<HiddenCircle> hidden;
   /// The circles on the convex hull, counter-clockwise; a circle recurs if the hull touches it more than once.
   std::vector<std::int32_t> hull;
+  Certificate certificate;
   Stats stats;
 };
 

@@ -17,6 +17,7 @@ enum class ErrorCode {
   coordinateTooLarge,  ///< a coordinate or a radius exceeds kCoordinateLimit
   tooManyCircles,      ///< the input, or the candidates asked for, do not fit in memory or in 32-bit indices
   badOption,           ///< an option is out of its range
+  notCertified,        ///< no construction led to a certified diagram
   badInput,            ///< text that cannot be read as circles
 };
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/error.h"
+#include "circle_voronoi/none.h"
+
+namespace circle_voronoi {
+
+struct Diagram;
+
+/// The first thing that keeps a diagram from being certified.
+enum class Flaw {
+  none,       ///< the diagram is right
+  notJudged,  ///< no certificate was asked for
+  badIndex,   ///< an index is out of range, or a triple, an edge or a hull names a circle twice or a hidden one
+  hiddenWithoutHider,  ///< a circle is listed as hidden, but the circle it names does not contain it
+  adjacency,           ///< edges, vertices and hull do not fit together
+  eulerCount,          ///< the number of vertices is not that of m visible circles, or the parts are not connected
+  vertexWithoutDisc,   ///< no disc touches the three circles of a vertex in that order
+  vertexMisplaced,     ///< the disc that touches the three circles of a vertex is elsewhere
+  edgeOutOfOrder,      ///< the ends of an edge are in the wrong order along their bisector
+  cellNotClosed,       ///< the edges of a cell do not turn exactly once around its circle
+  hullNotClosed,       ///< the tangent lines of the hull do not turn exactly once
+};
+
+/// The name of a flaw, as in the enumeration.
+std::string_view flawName(Flaw flaw);
+
+/// The outcome of judging a diagram: a proof that it is the Voronoi diagram, or the first thing that is wrong.
+struct Certificate {
+  Flaw flaw = Flaw::notJudged;
+  std::int32_t circle = kNone;  ///< the circle concerned, kNone if there is none
+  std::int32_t vertex = kNone;  ///< the vertex concerned
+  std::int32_t edge = kNone;    ///< the edge concerned
+  std::string message;          ///< one sentence; empty if certified
+
+  bool certified() const { return flaw == Flaw::none; }
+};
+
+/// Judges in linear time whether `diagram` is the Voronoi diagram of `circles`, however it was made. All signs are
+/// exact: a diagram is certified if and only if its topology is right, zero-length edges in either direction of a tie
+/// included, and its vertices are those of the circles up to rounding.
+///
+/// Only `vertices`, `vertexCircles`, `edges`, `hidden` and `hull` are looked at.
+/// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles).
+Result<Certificate> certify(std::span<const Circle> circles, const Diagram& diagram);
+
+}  // namespace circle_voronoi

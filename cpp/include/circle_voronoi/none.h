@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace circle_voronoi {
+
+/// "None" in place of an index: the unbounded end of an edge, no circle, no vertex.
+inline constexpr std::int32_t kNone = -1;
+
+}  // namespace circle_voronoi

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apollonius.h"
+
+#include <CGAL/Apollonius_graph_2.h>
+#include <CGAL/Apollonius_graph_filtered_traits_2.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "geometry.h"
+#include "insertion_order.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Traits = CGAL::Apollonius_graph_filtered_traits_2<Kernel>;
+using Graph = CGAL::Apollonius_graph_2<Traits>;
+
+}  // namespace
+
+Dual apolloniusGraph(std::span<const Circle> circles) {
+  std::vector<Point> centres;
+  for (const Circle& c : circles) centres.push_back({c.x, c.y});
+  Graph graph;
+  std::map<std::array<double, 3>, int> indexOf;
+  Graph::Vertex_handle near;
+  for (const int i : insertionOrder(centres)) {
+    const Circle& c = circles[i];
+    const Graph::Site_2 site(Kernel::Point_2(c.x, c.y), c.r);
+    near = near == Graph::Vertex_handle() ? graph.insert(site) : graph.insert(site, near);
+    indexOf[{c.x, c.y, c.r}] = i;
+  }
+  Dual dual;
+  if (graph.dimension() < 2) return dual;
+  const auto cornerOf = [&](Graph::Vertex_handle vertex) {
+    if (graph.is_infinite(vertex)) return kInfinity;
+    const auto& site = vertex->site();
+    return indexOf.at({site.point().x(), site.point().y(), site.weight()});
+  };
+  std::map<Graph::Face_handle, int> faceOf;
+  for (auto face = graph.all_faces_begin(); face != graph.all_faces_end(); ++face) {
+    const int index = static_cast<int>(faceOf.size());
+    faceOf[face] = index;
+  }
+  for (auto face = graph.all_faces_begin(); face != graph.all_faces_end(); ++face) {
+    for (int i = 0; i < 3; ++i) {
+      const int opposite = CGAL::Triangulation_cw_ccw_2::cw(i);
+      dual.origin.push_back(cornerOf(face->vertex(i)));
+      // Two faces may share several edges: the mirror index tells them apart.
+      dual.twin.push_back(3 * faceOf.at(face->neighbor(opposite)) +
+                          CGAL::Triangulation_cw_ccw_2::ccw(graph.data_structure().mirror_index(face, opposite)));
+    }
+  }
+  return dual;
+}
+
+}  // namespace circle_voronoi

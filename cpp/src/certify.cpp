@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "certificate_message.h"
+#include "circle_voronoi/certificate.h"
+#include "judge.h"
+#include "three_touch_disc.h"
+#include "topology.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// The visible circles of a diagram, if its list of hidden ones is right.
+struct Visible {
+  std::vector<Circle> circles;
+  std::vector<std::int32_t> indices;  ///< of each its index in the input
+  std::vector<std::int32_t> sites;    ///< of each input circle its place in `circles`, kNone if hidden
+};
+
+std::variant<Visible, Certificate> visibleCircles(std::span<const Circle> circles, const Diagram& diagram) {
+  const auto count = static_cast<std::int32_t>(circles.size());
+  const auto isIndex = [count](std::int32_t i) { return i >= 0 && i < count; };
+  Visible visible;
+  visible.sites.assign(circles.size(), 0);
+  for (const auto& [circle, by] : diagram.hidden) {
+    if (!isIndex(circle) || !isIndex(by) || visible.sites[circle] == kNone)
+      return Certificate{Flaw::badIndex, circle, kNone, kNone, {}};
+    visible.sites[circle] = kNone;
+  }
+  Predicates predicates(circles);
+  for (const auto& [circle, by] : diagram.hidden) {
+    if (visible.sites[by] == kNone || !predicates.contains(circles[by], circles[circle])) {
+      return Certificate{Flaw::hiddenWithoutHider, circle, kNone, kNone, {}};
+    }
+  }
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (visible.sites[i] == kNone) continue;
+    visible.sites[i] = static_cast<std::int32_t>(visible.circles.size());
+    visible.circles.push_back(circles[i]);
+    visible.indices.push_back(i);
+  }
+  return visible;
+}
+
+/// The topology by visible circles; an index of no visible circle becomes kNone, which no topology accepts.
+Topology topologyOf(const Diagram& diagram, const std::vector<std::int32_t>& sites) {
+  const auto site = [&](std::int32_t i) {
+    return i >= 0 && static_cast<std::size_t>(i) < sites.size() ? sites[i] : kNone;
+  };
+  Topology topology{diagram.vertexCircles, diagram.edges, diagram.hull};
+  for (auto& triple : topology.vertexCircles) {
+    for (std::int32_t& i : triple) i = site(i);
+  }
+  for (Edge& edge : topology.edges) {
+    edge.left = site(edge.left);
+    edge.right = site(edge.right);
+  }
+  for (std::int32_t& i : topology.hull) i = site(i);
+  return topology;
+}
+
+/// Whether a vertex is where the disc of its circles is, up to rounding. Our own vertices are so to the bit. Others may
+/// be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather than near the one
+/// that touches the same circles clockwise.
+bool isInPlace(const Vertex& given, const Circle& i, const Circle& j, const Circle& k) {
+  const Vertex disc = vertexOf(i, j, k);
+  if (given == disc) return true;
+  double reach = 0;
+  for (const Circle* c : {&i, &j, &k}) {
+    const double distance = length({given.x - c->x, given.y - c->y});
+    const double size = std::abs(given.x) + std::abs(given.y) + std::abs(c->x) + std::abs(c->y) + c->r;
+    if (!(std::abs(distance - (c->r + given.radius)) <= 0x1p-40 * (size + distance))) return false;
+    reach = std::max(reach, distance);
+  }
+  return length({given.x - disc.x, given.y - disc.y}) <= 0x1p-10 * reach;
+}
+
+/// The first vertex out of place, or kNone.
+std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, std::span<const Circle> circles,
+                             double unit) {
+  if (diagram.vertices.size() != diagram.vertexCircles.size()) return 0;
+  for (std::size_t vertex = 0; vertex < diagram.vertices.size(); ++vertex) {
+    auto triple = topology.vertexCircles[vertex];
+    std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
+    const auto& [i, j, k] = triple;
+    const Vertex& given = diagram.vertices[vertex];
+    if (!isInPlace({given.x / unit, given.y / unit, given.radius / unit}, circles[i], circles[j], circles[k])) {
+      return static_cast<std::int32_t>(vertex);
+    }
+  }
+  return kNone;
+}
+
+Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Diagram& diagram) {
+  auto found = visibleCircles(circles, diagram);
+  if (const auto* certificate = std::get_if<Certificate>(&found)) return *certificate;
+  const auto& visible = std::get<Visible>(found);
+  const auto count = static_cast<int>(visible.circles.size());
+  const Topology topology = topologyOf(diagram, visible.sites);
+  if (count < 2 && topology.hull.size() != visible.circles.size()) return {Flaw::eulerCount, kNone, kNone, kNone, {}};
+  auto dual = dualOf(topology, count);
+  if (const auto* misfit = std::get_if<Misfit>(&dual)) {
+    return {misfit->flaw,
+            misfit->circle == kNone ? kNone : visible.indices[misfit->circle],
+            misfit->vertex,
+            misfit->edge,
+            {}};
+  }
+  Predicates predicates(visible.circles);
+  Certificate certificate =
+      certificateOf(judge(visible.circles, std::get<Dual>(dual), predicates), std::get<Dual>(dual), topology);
+  if (certificate.circle != kNone) certificate.circle = visible.indices[certificate.circle];
+  if (certificate.certified()) {
+    certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit);
+    if (certificate.vertex != kNone) certificate.flaw = Flaw::vertexMisplaced;
+  }
+  return certificate;
+}
+
+}  // namespace
+
+Result<Certificate> certify(std::span<const Circle> circles, const Diagram& diagram) {
+  const auto scaled = validate(circles);
+  if (!scaled) return scaled.error();
+  Certificate certificate = judgeDiagram(scaled.value().circles, scaled.value().unit, diagram);
+  certificate.message = messageOf(certificate, diagram);
+  return certificate;
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "construct.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "apollonius.h"
+#include "certificate_message.h"
+#include "flip.h"
+#include "judge.h"
+#include "pair.h"
+#include "repair.h"
+#include "sample.h"
+#include "stopwatch.h"
+#include "touch.h"
+
+namespace circle_voronoi {
+namespace {
+
+void addCounts(const Predicates& predicates, Counts& counts) {
+  counts.filtered += predicates.counts().filtered;
+  counts.inCircle += predicates.counts().inCircle;
+  counts.exact += predicates.counts().exact;
+}
+
+Construction judged(const Dual& dual, std::span<const Circle> circles, Stats& stats) {
+  const Stopwatch watch(stats.seconds.certify);
+  Predicates predicates(circles);
+  const Verdict verdict = judge(circles, dual, predicates);
+  addCounts(predicates, stats.counts);
+  Topology topology = topologyOf(dual, static_cast<int>(circles.size()));
+  Certificate certificate = certificateOf(verdict, dual, topology);
+  return {std::move(topology), std::move(certificate)};
+}
+
+/// A topology of `touch` need not be a triangulated sphere.
+Construction judged(Topology topology, std::span<const Circle> circles, Stats& stats) {
+  auto dual = dualOf(topology, static_cast<int>(circles.size()));
+  if (const auto* fitting = std::get_if<Dual>(&dual)) return judged(*fitting, circles, stats);
+  const auto& misfit = std::get<Misfit>(dual);
+  return {std::move(topology), {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}}};
+}
+
+Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pairs, const Observer& observer,
+                    Stats& stats) {
+  const Stopwatch watch(stats.seconds.touch);
+  TouchResult touched = touch(circles, pairs, observer);
+  stats.counts.antipodalDiscs += static_cast<std::int64_t>(pairs.size());
+  stats.counts.threeTouchDiscs += touched.threeTouchDiscs;
+  stats.counts.events += touched.events;
+  stats.counts.leftoverCycles = touched.leftoverCycles;
+  return std::move(touched.topology);
+}
+
+/// The Delaunay triangulation of the centres after flips.
+Dual flipped(const Sites& sites, Stats& stats) {
+  const Stopwatch watch(stats.seconds.flip);
+  stats.way = "flip";
+  Dual dual = sites.centres;
+  Predicates predicates(sites.circles);
+  stats.counts.flips += flip(sites.circles, dual, predicates);
+  addCounts(predicates, stats.counts);
+  return dual;
+}
+
+constexpr int kAllPairsPatch = 64;
+constexpr int kLargestPatch = 4000;
+
+/// Solves a patch by the touching disc method, on all pairs if it is small, and if that is not certified by CGAL.
+std::optional<Dual> solveLocally(std::span<const Circle> circles, Stats& stats) {
+  const int n = static_cast<int>(circles.size());
+  if (n > kLargestPatch) return std::nullopt;
+  Predicates predicates(circles);
+  const auto certified = [&](const Dual& dual) { return judge(circles, dual, predicates).isRight(); };
+  std::vector<Pair> pairs;
+  if (n <= kAllPairsPatch) {
+    pairs = pairAll(n);
+  } else {
+    const Sites sites = hide(circles);
+    pairs = pairNeighbors(sampleDynamically(circles, sites.centres, 3), n);
+  }
+  const TouchResult touched = touch(circles, pairs, {});
+  auto dual = dualOf(touched.topology, n);
+  if (auto* solved = std::get_if<Dual>(&dual); solved != nullptr && certified(*solved)) return std::move(*solved);
+  Dual graph = apolloniusGraph(circles);
+  addCounts(predicates, stats.counts);
+  if (certified(graph)) return graph;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
+                                     Stats& stats) {
+  const int n = static_cast<int>(sites.circles.size());
+  stats.way = "touching-disc";
+  Samples samples;
+  if (options.candidates != Candidates::allPairs) {
+    const Stopwatch watch(stats.seconds.sample);
+    samples = options.candidates == Candidates::dynamic
+                  ? sampleDynamically(sites.circles, sites.centres, options.samples)
+                  : sampleUniformly(sites.circles, options.samples);
+    stats.counts.samples += static_cast<std::int64_t>(samples.points.size());
+  }
+  std::vector<Pair> pairs;
+  {
+    const Stopwatch watch(stats.seconds.pair);
+    pairs = options.candidates == Candidates::allPairs ? pairAll(n) : pairNeighbors(samples, n);
+  }
+  return judged(touchPairs(sites.circles, pairs, observer, stats), sites.circles, stats);
+}
+
+Construction constructByFlips(const Sites& sites, Stats& stats) {
+  return judged(flipped(sites, stats), sites.circles, stats);
+}
+
+Construction constructAutomatically(const Sites& sites, Stats& stats) {
+  Dual dual = flipped(sites, stats);
+  Construction result = judged(dual, sites.circles, stats);
+  for (const int reach : {2, 4, 8, 16}) {
+    if (result.certificate.certified()) return result;
+    stats.way = "repair";
+    {
+      const Stopwatch watch(stats.seconds.repair);
+      Predicates predicates(sites.circles);
+      stats.counts.repairs += repair(sites.circles, dual, predicates, reach,
+                                     [&](std::span<const Circle> circles) { return solveLocally(circles, stats); });
+      addCounts(predicates, stats.counts);
+    }
+    result = judged(dual, sites.circles, stats);
+  }
+  for (const int samples : {1, 3}) {
+    if (result.certificate.certified()) return result;
+    Options options;
+    options.samples = samples;
+    result = constructByTouchingDisc(sites, options, {}, stats);
+  }
+  if (result.certificate.certified()) return result;
+  stats.way = "apollonius-graph";
+  return judged(apolloniusGraph(sites.circles), sites.circles, stats);
+}
+
+}  // namespace circle_voronoi

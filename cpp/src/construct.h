@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "circle_voronoi/compute.h"
+#include "hide.h"
+#include "topology.h"
+
+namespace circle_voronoi {
+
+/// A topology over sites, and what a judge says of it.
+struct Construction {
+  Topology topology;
+  Certificate certificate;  ///< by the indices of sites, vertices and edges of `topology`
+};
+
+/// The touching disc method on the candidates of `options`, judged; with `options.repair`, again with more samples
+/// around what was wrong. Events go to `observer`, in sites and scaled units.
+Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
+                                     Stats& stats);
+
+/// Flips from the Delaunay triangulation of the centres, judged.
+Construction constructByFlips(const Sites& sites, Stats& stats);
+
+/// The fastest construction that leads to a certified topology: flips; local repair; the touching disc method with
+/// dynamic sampling, N_s = 1, then 3; CGAL's Apollonius graph. If none does, the last one, with its certificate.
+Construction constructAutomatically(const Sites& sites, Stats& stats);
+
+}  // namespace circle_voronoi

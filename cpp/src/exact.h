@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "circle_voronoi/circle.h"
+
+namespace circle_voronoi::exact {
+
+/// The signs that the certificate rests on, computed in integer arithmetic from the circles' bits: never wrong, never
+/// rounded, slower than a filter. Circles are passed by pointer; a null pointer is the point at infinity.
+///
+/// A face is three circles in counter-clockwise order around their three-touch disc. With the point at infinity it is
+/// two circles and their outer tangent line: (a, b, null) has the line to the left of a -> b. No circle of a face hides
+/// another; then the discriminant of the disc, g_ab g_bc g_ca with g_ij = |c_i - c_j|^2 - (r_i - r_j)^2, is positive.
+using Face = std::array<const Circle*, 3>;
+
+/// A direction that no drawing is likely to be aligned with: its ties are rare.
+inline constexpr int kAxisX = 1009;
+inline constexpr int kAxisY = 613;
+
+/// Whether the face has a disc: radius + r >= 0 for its smallest circle. Always for a face at infinity.
+bool hasDisc(const Face& face);
+
+/// Signs of the direction from circle `from`, a corner of the face, to the centre of its disc: along the axis (0) or
+/// along the axis turned by +90 degrees (1). At infinity: of the normal of the tangent line.
+/// Precondition: hasDisc(face).
+int directionSign(const Face& face, const Circle& from, int axis);
+
+/// The sign of the cross product of two such directions, seen from the same circle.
+/// Precondition: both faces have a disc and `from` as a corner.
+int crossSign(const Face& first, const Face& second, const Circle& from);
+
+/// Whether `outer` contains `inner`.
+bool contains(const Circle& outer, const Circle& inner);
+
+/// 1 if circle c crosses the tangent line of the face at infinity (a, b, null), 0 if it touches it, -1 if it is clear
+/// of it.
+int tangentSide(const Circle& a, const Circle& b, const Circle& c);
+
+}  // namespace circle_voronoi::exact

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "circle_voronoi/certificate.h"
+#include "dual.h"
+#include "predicates.h"
+
+namespace circle_voronoi {
+
+/// What is wrong with a dual, if anything, and where.
+struct Verdict {
+  Flaw flaw = Flaw::none;
+  int circle = kNone;    ///< index into the circles judged
+  int face = kNone;      ///< face of the dual
+  int halfEdge = kNone;  ///< half-edge of the dual
+
+  bool isRight() const { return flaw == Flaw::none; }
+};
+
+/// Judges whether `dual` is the dual of the Voronoi diagram of `circles`, none of which hides another. Linear time.
+///
+/// Theorem. Let the plane be covered by regions V_i, one for each circle, such that f(p) = d_i(p) for p in V_i is well
+/// defined and continuous, and c_i lies in V_i. Then the V_i are the Voronoi cells.
+/// Proof. f is 1-Lipschitz: it is continuous and piecewise a distance less a constant. f(c_j) = -r_j, so
+/// f(p) <= |p - c_j| - r_j = d_j(p) for all p and j. As f(p) is one of the d_j(p), it is the smallest.
+///
+/// Checked is what makes the faces of the dual such regions: adjacency, Euler's count, a disc at every face, the ends
+/// of every edge in order along their bisector (so each region is a union of sectors around its centre, glued along
+/// common bisector arcs), and one full turn of every region around its centre and of the hull (so it covers the sphere
+/// once).
+Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates);
+
+}  // namespace circle_voronoi

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "circle_voronoi/diagram.h"
+#include "dual.h"
+
+namespace circle_voronoi {
+
+/// A diagram without coordinates, as in Diagram.
+struct Topology {
+  std::vector<std::array<std::int32_t, 3>> vertexCircles;
+  std::vector<Edge> edges;
+  std::vector<std::int32_t> hull;
+};
+
+/// The finite faces of a dual become the vertices, in their order; its pairs of half-edges between circles become the
+/// edges, and the neighbours of infinity the hull. `circleCount` says what a dual without faces stands for.
+Topology topologyOf(const Dual& dual, int circleCount);
+
+/// Rotates a hull so that it starts with its smallest step: then it does not depend on how it was found.
+void rotateHull(std::vector<std::int32_t>& hull);
+
+/// Why a topology is not that of a triangulated sphere, and where.
+struct Misfit {
+  Flaw flaw = Flaw::adjacency;
+  std::int32_t circle = kNone;
+  std::int32_t vertex = kNone;
+  std::int32_t edge = kNone;
+};
+
+/// The dual whose face i, for i below the number of vertices, is vertex i; faces at infinity follow in the order of the
+/// hull. Indices of circles must be below `circleCount`.
+std::variant<Dual, Misfit> dualOf(const Topology& topology, int circleCount);
+
+}  // namespace circle_voronoi
