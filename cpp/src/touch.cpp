@@ -176,8 +176,8 @@ class Touch {
     return {a.x + part * v.x, a.y + part * v.y, disc.radius};
   }
 
-  /// Whether the arc of circle i at `slot`, in the given direction, is already used for the diagram.
-  bool isUsed(int i, int slot, Vector direction) const {
+  /// Whether the arc of circle i at `slot`, in the given direction to its partner, is already used for the diagram.
+  bool isUsed(int i, int slot, int partner, Vector direction) const {
     if (!touched_[i]) return false;
     const std::ptrdiff_t before = slotBefore(i, slot);
     if (before == SlotSet::kNoSlot) return true;
@@ -185,6 +185,9 @@ class Touch {
     const int in = in_[before];
     const int out = out_[after];
     if (in == kNoEdge || out == kNoEdge) return true;
+    // No disc on the bisector is smaller than the antipodal one: if a DE of the two circles is there before it, then the
+    // two differ by rounding only, and that DE stands for both.
+    if (edges_[in].a == partner || edges_[out].b == partner) return true;
     const Vector from = edges_[in].fromB;
     const Vector to = edges_[out].fromA;
     // The two DEs of one antipodal disc that is alone on the circle leave all of it unused but its footpoint.
@@ -195,10 +198,9 @@ class Touch {
   }
 
   /// A circle next to the footpoint at `slot` of circle i that meets the disc, or kNone (paper, section 3.3).
-  int meetingCircle(int i, int slot, int partner, const Vertex& disc) const {
+  int meetingCircle(int i, int slot, const Vertex& disc) const {
     if (!touched_[i]) return kNone;
     for (const int near : {edges_[in_[slotBefore(i, slot)]].a, edges_[out_[slotAfter(i, slot)]].b}) {
-      if (near == partner) continue;
       const Circle& c = circles_[near];
       const Vector v = {disc.x - c.x, disc.y - c.y};
       if (length(v) - c.r < disc.radius) return near;
@@ -211,12 +213,12 @@ class Touch {
     const Vector v = between(circles_[a], circles_[b]);
     const Vector back = {-v.x, -v.y};
     const Vertex disc = discOf(antipodal);
-    if (isUsed(a, slotA, v) || isUsed(b, slotB, back)) {
+    if (isUsed(a, slotA, b, v) || isUsed(b, slotB, a, back)) {
       tell({TraceKind::antipodalDiscUsed, disc, {a, b, kNone}});
       return;
     }
-    int meeting = meetingCircle(a, slotA, b, disc);
-    if (meeting == kNone) meeting = meetingCircle(b, slotB, a, disc);
+    int meeting = meetingCircle(a, slotA, disc);
+    if (meeting == kNone) meeting = meetingCircle(b, slotB, disc);
     if (meeting != kNone) {
       tell({TraceKind::antipodalDiscNotEmpty, disc, {a, b, meeting}});
       return;

@@ -111,8 +111,23 @@ std::string tableOf(const std::vector<Row>& rows, std::uint64_t seed, std::uint6
   return table.str();
 }
 
-/// The most percent of inputs that may differ at N_s = 0, 1 and 3, where it is not none: about twice what was measured.
-const std::map<Family, std::array<double, 3>> kMostPercent = {};
+/// The most percent of inputs that may differ at N_s = 0, 1 and 3, where it is not none: a few times what was measured
+/// over several seeds, so that another seed passes too.
+const std::map<Family, std::array<double, 3>> kMostPercent = {
+    {Family::logUniform, {3, 0.4, 0.4}},
+    {Family::mixed, {2, 0.4, 0.4}},
+    {Family::dense, {1, 0.4, 0.4}},
+    {Family::clustered, {1, 0.4, 0.4}},
+    {Family::chaosDisjoint, {1, 0.4, 0.4}},
+    {Family::oneHuge, {70, 4, 1}},
+    {Family::twoHuge, {2, 0.4, 0.4}},
+    {Family::extreme, {15, 0.6, 0.4}},
+    {Family::lightlyIntersecting, {2, 0.4, 0.4}},
+    {Family::intersecting, {4, 0.6, 0.6}},
+    {Family::hidden, {8, 1.2, 0.8}},
+    {Family::duplicates, {2, 0.4, 0.4}},
+    {Family::chaos, {12, 3, 1.2}},
+};
 
 TEST(Mismatches, ByFamilyAndNumberOfSamples) {
   const std::uint64_t seed = environmentOr("CIRCLE_VORONOI_SEED", 1);

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import AxeBuilder from '@axe-core/playwright'
+import { pointAt } from '../../web/lib/bisector.ts'
+import { loadCircleVoronoi } from '../../web/lib/loader.ts'
+import { bisectorOf, rangeOf } from '../../web/lib/sides.ts'
+import { dataSet, expect, test } from './page.ts'
+
+const BRONZE = dataSet('bronzefilter')
+const INTRODUCTION = dataSet('introduction')
+
+test('shows the bronze filter at the start', async ({ app }) => {
+  await expect(app.status).toContainText('678 circles')
+  await expect(app.status).toContainText('1,339 vertices')
+  await expect(app.status).toContainText('2,016 edges')
+})
+
+test('serves a strict Content-Security-Policy', async ({ app }) => {
+  const response = await app.page.request.get('/')
+  const policy = response.headers()['content-security-policy']
+  expect(policy).toContain("default-src 'self'")
+  expect(policy).toContain("script-src 'self' 'wasm-unsafe-eval'")
+  expect(policy).not.toContain('unsafe-inline')
+  await expect(app.page.locator('meta[http-equiv="Content-Security-Policy"]')).toHaveAttribute(
+    'content',
+    policy as string,
+  )
+})
+
+test('draws the edges as arcs, not as chords', async ({ app }) => {
+  await app.choose('Introduction')
+  const diagram = (await loadCircleVoronoi()).compute(INTRODUCTION)
+  const { scale } = app.camera(INTRODUCTION)
+  const middles = []
+  for (let e = 0; e < diagram.edges.length / 4; e++) {
+    const curve = bisectorOf(diagram, 2 * e)
+    const { from, to } = rangeOf(diagram, 2 * e, curve)
+    if (!Number.isFinite(from) || !Number.isFinite(to)) continue
+    const [start, end] = [pointAt(curve, from), pointAt(curve, to)]
+    const chord = { x: (start.x + end.x) / 2, y: (start.y + end.y) / 2 }
+    const arc = pointAt(curve, (from + to) / 2)
+    const isShown = [arc, chord].every((point) => app.isShown(app.locate(INTRODUCTION, point)))
+    if (isShown && Math.hypot(arc.x - chord.x, arc.y - chord.y) * scale > 6) middles.push(arc, chord)
+  }
+  const colors = await app.colors(middles.map((point) => app.locate(INTRODUCTION, point)))
+  const reds = colors.map(([red]) => red as number)
+  expect(reds.length).toBeGreaterThan(6)
+  // Edges are dark on light cells.
+  for (let k = 0; k < reds.length; k += 2) expect(reds[k]).toBeLessThan((reds[k + 1] as number) - 40)
+})
+
+test('updates the diagram within a drag, before the mouse is released', async ({ app }) => {
+  const from = app.center(BRONZE, 600)
+  await app.page.mouse.click(from.x, from.y)
+  await expect(app.inspector).toContainText('Circle 600')
+  const neighbors = await app.neighbors()
+  const picture = await app.canvas.screenshot()
+  const to = app.center(BRONZE, 100)
+
+  await app.drag(from, to)
+  await expect.poll(() => app.neighbors()).not.toEqual(neighbors)
+  expect(await app.canvas.screenshot()).not.toEqual(picture)
+  expect(Number(await app.field('x').inputValue())).toBeCloseTo(BRONZE[300] as number, 1)
+
+  await app.page.mouse.up()
+  await app.page.getByRole('button', { name: 'Undo' }).click()
+  await expect.poll(() => app.neighbors()).toEqual(neighbors)
+  await expect(app.field('x')).toHaveValue(String(BRONZE[1800]))
+})
+
+test('resizes a circle at its rim', async ({ app }) => {
+  await app.choose('Introduction')
+  const { scale } = app.camera(INTRODUCTION)
+  const { x, y } = app.center(INTRODUCTION, 0)
+  await app.drag({ x: x - 1.6 * scale, y }, { x: x - 2 * scale, y })
+  await expect.poll(async () => Number(await app.field('r').inputValue())).toBeCloseTo(2, 1)
+  await app.page.mouse.up()
+  await expect(app.field('x')).toHaveValue('0')
+})
+
+test('adds a circle by a double click, and by pressing and dragging', async ({ app }) => {
+  await app.choose('Introduction')
+  const { scale } = app.camera(INTRODUCTION)
+  const free = app.locate(INTRODUCTION, { x: 2.3, y: 4.6 })
+  await app.page.mouse.dblclick(free.x, free.y)
+  await expect(app.status).toContainText('15 circles')
+  await expect(app.inspector).toContainText('Circle 14')
+
+  await app.page.getByRole('button', { name: 'Add a circle' }).click()
+  const center = app.locate(INTRODUCTION, { x: 4.4, y: -3.3 })
+  await app.drag(center, { x: center.x + 0.5 * scale, y: center.y })
+  await app.page.mouse.up()
+  await expect(app.status).toContainText('16 circles')
+  expect(Number(await app.field('r').inputValue())).toBeCloseTo(0.5, 1)
+
+  await app.page.keyboard.press('Control+z')
+  await app.page.keyboard.press('Control+z')
+  await expect(app.status).toContainText('14 circles')
+  await app.page.keyboard.press('Control+Shift+z')
+  await expect(app.status).toContainText('15 circles')
+})
+
+test('deletes the selected circle', async ({ app }) => {
+  const at = app.center(BRONZE, 650)
+  await app.page.mouse.click(at.x, at.y)
+  await app.page.keyboard.press('Delete')
+  await expect(app.status).toContainText('677 circles')
+  await expect(app.inspector).toBeHidden()
+  await app.page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('678 circles')
+})
+
+test('switches the data set by the menu', async ({ app }) => {
+  await app.choose('Spruces')
+  await expect(app.status).toContainText('134 circles')
+  await app.choose('Waka trees')
+  await expect(app.status).toContainText('504 circles')
+  await expect(app.status).toContainText('10 hidden')
+  await app.choose('Random')
+  await expect(app.status).toContainText('300 circles')
+})
+
+test('says which circle is hidden, and by which', async ({ app }) => {
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 11)
+  await app.page.mouse.click(at.x, at.y)
+  await expect(app.inspector).toContainText('Hidden inside circle 0')
+})
+
+test('takes numbers, and refuses a wrong one in a sentence while the picture stays', async ({ app }) => {
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 4)
+  await app.page.mouse.click(at.x, at.y)
+  await app.field('x').fill('-3.25')
+  await app.field('x').press('Enter')
+  await expect(app.page.getByRole('button', { name: 'Undo' })).toBeEnabled()
+  await expect(app.page.getByRole('alert')).toBeHidden()
+  const counts = async () => (await app.status.textContent())?.replace(/ · [^·]* ms/, '')
+  const before = await counts()
+
+  await app.field('r').fill('-1')
+  await app.field('r').press('Enter')
+  await expect(app.page.getByRole('alert')).toHaveText(/4.*radius|radius.*4/i)
+  await expect(app.field('r')).toHaveAttribute('aria-invalid', 'true')
+  expect(await counts()).toBe(before)
+
+  await app.field('r').fill('1.25')
+  await app.field('r').press('Enter')
+  await expect(app.page.getByRole('alert')).toBeHidden()
+  await expect(app.field('x')).toHaveValue('-3.25')
+})
+
+test('pans and zooms', async ({ app }) => {
+  const picture = await app.canvas.screenshot()
+  await app.page.mouse.move(640, 400)
+  await app.page.mouse.wheel(0, -300)
+  await expect.poll(() => app.canvas.screenshot()).not.toEqual(picture)
+  await app.page.getByRole('button', { name: 'Fit' }).click()
+  await app.page.mouse.move(640, 790)
+  await expect.poll(() => app.canvas.screenshot()).not.toEqual(picture)
+
+  const before = app.locate(BRONZE, { x: 9, y: -0.5 })
+  await app.drag(before, { x: before.x + 100, y: before.y - 50 })
+  await app.page.mouse.up()
+  const circle = app.center(BRONZE, 650)
+  await app.page.mouse.click(circle.x + 100, circle.y - 50)
+  await expect(app.inspector).toContainText('Circle 650')
+})
+
+test('works with the keyboard alone', async ({ app }) => {
+  await app.choose('Introduction')
+  await app.canvas.focus()
+  await app.page.keyboard.press('Enter')
+  await expect(app.inspector).toBeVisible()
+  await app.page.keyboard.press('Escape')
+  await expect(app.inspector).toBeHidden()
+
+  const at = app.center(INTRODUCTION, 1)
+  await app.page.mouse.click(at.x, at.y)
+  await app.page.keyboard.press('Tab')
+  await expect(app.inspector).toContainText('Circle 2')
+  const number = async (name: 'x' | 'y' | 'r') => Number(await app.field(name).inputValue())
+  await app.page.keyboard.press('ArrowRight')
+  await expect.poll(() => number('x')).toBeGreaterThan(2.1)
+  const step = (await number('x')) - 2.1
+  await app.page.keyboard.press('Shift+ArrowUp')
+  await expect.poll(() => number('y')).toBeCloseTo(3.2 + 8 * step, 4)
+  await app.page.keyboard.press('Alt+ArrowLeft')
+  await expect.poll(() => number('x')).toBeCloseTo(2.1 + step * (1 - 1 / 8), 4)
+  await app.page.keyboard.press('+')
+  await expect.poll(() => number('r')).toBeCloseTo(1 + step, 4)
+  await app.page.keyboard.press('-')
+  await expect.poll(() => number('r')).toBeCloseTo(1, 4)
+
+  await app.page.keyboard.press('Enter')
+  await expect(app.field('x')).toBeFocused()
+  await app.page.keyboard.press('Escape')
+  await expect(app.canvas).toBeFocused()
+  await app.page.keyboard.press('Delete')
+  await expect(app.status).toContainText('13 circles')
+})
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`has no serious accessibility violation, ${colorScheme}`, async ({ app }) => {
+    await app.page.emulateMedia({ colorScheme })
+    const at = app.center(BRONZE, 600)
+    await app.page.mouse.click(at.x, at.y)
+    await expect(app.inspector).toBeVisible()
+    const { violations } = await new AxeBuilder({ page: app.page }).analyze()
+    expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([])
+  })
+}
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 780 }, deviceScaleFactor: 3, hasTouch: true })
+
+  test('shows everything without scrolling, and a tap selects', async ({ app }) => {
+    const overflow = await app.page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
+    expect(overflow).toBeLessThanOrEqual(0)
+    const at = app.center(BRONZE, 650)
+    await app.page.touchscreen.tap(at.x, at.y)
+    await expect(app.inspector).toContainText('Circle 650')
+    for (const panel of await app.page.locator('.panel:visible').all()) {
+      const box = await panel.boundingBox()
+      expect(box?.x).toBeGreaterThanOrEqual(0)
+      expect((box?.x as number) + (box?.width as number)).toBeLessThanOrEqual(390)
+    }
+  })
+})
