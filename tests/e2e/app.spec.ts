@@ -42,10 +42,13 @@ test('draws the edges as arcs, not as chords', async ({ app }) => {
     if (isShown && Math.hypot(arc.x - chord.x, arc.y - chord.y) * scale > 6) middles.push(arc, chord)
   }
   const colors = await app.colors(middles.map((point) => app.locate(INTRODUCTION, point)))
-  const reds = colors.map(([red]) => red as number)
-  expect(reds.length).toBeGreaterThan(6)
-  // Edges are dark on light cells.
-  for (let k = 0; k < reds.length; k += 2) expect(reds[k]).toBeLessThan((reds[k + 1] as number) - 40)
+  // Edges are dark. The middle of a chord is light, unless something else happens to be there.
+  const isDark = colors.map(([red]) => (red as number) < 100)
+  const arcs = isDark.filter((_, k) => k % 2 === 0)
+  const chords = isDark.filter((_, k) => k % 2 === 1)
+  expect(arcs.length).toBeGreaterThan(3)
+  expect(arcs).not.toContain(false)
+  expect(chords.filter((dark) => !dark).length).toBeGreaterThan(chords.length / 2)
 })
 
 test('updates the diagram within a drag, before the mouse is released', async ({ app }) => {

@@ -9,6 +9,8 @@ import { tintClasses } from './tints.ts'
 
 /** How far a drawn curve may be from the true one, in pixels. */
 const TOLERANCE = 0.05
+/** Browsers fill paths of many cells in more than linear time. */
+const CELLS_PER_FILL = 64
 /** Smaller circles are drawn as dots of this radius, in pixels. */
 const DOT_RADIUS = 1.5
 const VERTEX_RADIUS = 2
@@ -61,15 +63,17 @@ export class Scene {
   #drawTints(pen: Pen): void {
     const { cells } = pen
     if (cells === undefined) return
-    const { tints } = this.#theme
-    const sinks = tints.map(() => new ScreenSink(pen.camera, pen.size))
-    this.#tintClassesOf(cells.diagram.circles).forEach((tint, circle) => {
-      traceCell(sinks[tint] as ScreenSink, cells, circle, pen.box, pen.tolerance)
-    })
+    const cellsByTint: number[][] = this.#theme.tints.map(() => [])
+    const fill = (tint: number) => {
+      this.#fill(cellsPath(cellsByTint[tint] as number[], pen), this.#theme.tints[tint] as string)
+      cellsByTint[tint] = []
+    }
     this.#context.globalAlpha = this.#theme.cellOpacity
-    sinks.forEach((sink, tint) => {
-      this.#fill(sink.path, tints[tint] as string)
+    this.#tintClassesOf(cells.diagram.circles).forEach((tint, circle) => {
+      const count = cellsByTint[tint]?.push(circle)
+      if (count === CELLS_PER_FILL) fill(tint)
     })
+    for (const tint of cellsByTint.keys()) fill(tint)
     this.#context.globalAlpha = 1
   }
 
