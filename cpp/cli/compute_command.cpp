@@ -13,7 +13,8 @@
 namespace circle_voronoi::cli {
 namespace {
 
-const std::map<std::string, Method> kMethods = {{"touching-disc", Method::touchingDisc}};
+const std::map<std::string, Method> kMethods = {
+    {"auto", Method::automatic}, {"touching-disc", Method::touchingDisc}, {"flip", Method::flip}};
 const std::map<std::string, Candidates> kCandidates = {
     {"dynamic", Candidates::dynamic}, {"uniform", Candidates::uniform}, {"all-pairs", Candidates::allPairs}};
 
@@ -21,7 +22,7 @@ struct ComputeArguments {
   std::string input;
   std::string output = kStandardStream;
   std::string format = "json";
-  std::string method = "touching-disc";
+  std::string method = "auto";
   std::string candidates = "dynamic";
   int samples = Options{}.samples;
 };
@@ -36,11 +37,14 @@ void runCompute(const ComputeArguments& arguments) {
   options.candidates = kCandidates.at(arguments.candidates);
   options.samples = arguments.samples;
   const auto diagram = compute(circles.value(), options);
-  if (!diagram) throw Failure{kBadInput, name + ": " + diagram.error().message};
+  if (!diagram) {
+    const Error& error = diagram.error();
+    throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, name + ": " + error.message};
+  }
 
   writeText(arguments.output, [&](std::ostream& out) {
     if (arguments.format == "stats") {
-      writeStatsJson(out, diagram.value().stats);
+      writeStatsJson(out, diagram.value());
     } else {
       writeJson(out, circles.value(), diagram.value());
     }
@@ -59,7 +63,8 @@ void addComputeCommand(CLI::App& program) {
   command->add_option("--method", arguments->method, "How to build the diagram")
       ->check(CLI::IsMember(&kMethods))
       ->capture_default_str();
-  command->add_option("--candidates", arguments->candidates, "Which pairs of circles get an antipodal disc")
+  command
+      ->add_option("--candidates", arguments->candidates, "touching-disc: which pairs of circles get an antipodal disc")
       ->check(CLI::IsMember(&kCandidates))
       ->capture_default_str();
   command

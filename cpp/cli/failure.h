@@ -7,7 +7,7 @@ namespace circle_voronoi::cli {
 
 enum ExitStatus : int {
   kSuccess = 0,
-  kIoFailure = 1,
+  kFailure = 1,   ///< a file cannot be read or written, or the diagram could not be made
   kBadInput = 2,  ///< bad circles, or a bad command line
 };
 

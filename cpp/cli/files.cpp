@@ -15,7 +15,7 @@ namespace {
 Failure ioFailure(const std::string& what, const std::string& file) {
   const std::string name = file == kStandardStream ? "the standard stream" : file;
   const std::string reason = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
-  return {kIoFailure, "Cannot " + what + " " + name + reason + "."};
+  return {kFailure, "Cannot " + what + " " + name + reason + "."};
 }
 
 std::string readAll(std::istream& in, const std::string& file) {

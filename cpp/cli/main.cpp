@@ -37,7 +37,7 @@ int main(int argumentCount, char** arguments) {
   } catch (const std::bad_alloc&) {
     return fail(kBadInput, "The circles do not fit in memory.");
   } catch (const std::exception& error) {
-    return fail(kIoFailure, error.what());
+    return fail(kFailure, error.what());
   }
   return kSuccess;
 }

@@ -13,7 +13,7 @@ struct NamedField {
   Field Struct::*field;
 };
 
-constexpr std::array<NamedField<Counts, std::int64_t>, 7> kCounts = {{
+constexpr auto kCounts = std::to_array<NamedField<Counts, std::int64_t>>({
     {"circles", &Counts::circles},
     {"hidden", &Counts::hidden},
     {"samples", &Counts::samples},
@@ -21,15 +21,25 @@ constexpr std::array<NamedField<Counts, std::int64_t>, 7> kCounts = {{
     {"threeTouchDiscs", &Counts::threeTouchDiscs},
     {"events", &Counts::events},
     {"leftoverCycles", &Counts::leftoverCycles},
-}};
+    {"flips", &Counts::flips},
+    {"repairs", &Counts::repairs},
+    {"filtered", &Counts::filtered},
+    {"inCircle", &Counts::inCircle},
+    {"exact", &Counts::exact},
+});
+static_assert(sizeof(Counts) == kCounts.size() * sizeof(std::int64_t), "each count has a name");
 
-constexpr std::array<NamedField<Seconds, double>, 5> kSeconds = {{
+constexpr auto kSeconds = std::to_array<NamedField<Seconds, double>>({
     {"hide", &Seconds::hide},
     {"sample", &Seconds::sample},
     {"pair", &Seconds::pair},
     {"touch", &Seconds::touch},
+    {"flip", &Seconds::flip},
+    {"repair", &Seconds::repair},
+    {"certify", &Seconds::certify},
     {"total", &Seconds::total},
-}};
+});
+static_assert(sizeof(Seconds) == kSeconds.size() * sizeof(double), "each time has a name");
 
 /// `[` the items, each written by `item(i)`, a line each, `]`.
 template <class Item>
@@ -52,12 +62,18 @@ void writeFields(Writer& out, const Struct& values, const std::array<NamedField<
   out << "}";
 }
 
-void writeStats(Writer& out, const Stats& stats, std::string_view indent) {
-  out << "{\"method\": \"" << stats.method << "\", \"candidates\": \"" << stats.candidates << "\",\n"
+void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
+  const auto& [method, way, candidates, counts, seconds] = diagram.stats;
+  const Certificate& certificate = diagram.certificate;
+  out << "{\"method\": \"" << method << "\", \"way\": \"" << way << "\", \"candidates\": \"" << candidates << "\",\n"
+      << indent << " \"certificate\": {\"certified\": " << (certificate.certified() ? "true" : "false")
+      << ", \"flaw\": \"" << flawName(certificate.flaw) << "\", \"circle\": " << certificate.circle
+      << ", \"vertex\": " << certificate.vertex << ", \"edge\": " << certificate.edge << ", \"message\": \""
+      << certificate.message << "\"},\n"
       << indent << " \"counts\": ";
-  writeFields(out, stats.counts, kCounts);
+  writeFields(out, counts, kCounts);
   out << ",\n" << indent << " \"seconds\": ";
-  writeFields(out, stats.seconds, kSeconds);
+  writeFields(out, seconds, kSeconds);
   out << "}";
 }
 
@@ -93,13 +109,13 @@ void writeJson(std::ostream& stream, std::span<const Circle> circles, const Diag
     separator = ", ";
   }
   out << "],\n \"stats\": ";
-  writeStats(out, diagram.stats, " ");
+  writeStats(out, diagram, " ");
   out << "}\n";
 }
 
-void writeStatsJson(std::ostream& stream, const Stats& stats) {
+void writeStatsJson(std::ostream& stream, const Diagram& diagram) {
   Writer out(stream);
-  writeStats(out, stats, "");
+  writeStats(out, diagram, "");
   out << "\n";
 }
 

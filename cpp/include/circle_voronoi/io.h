@@ -27,6 +27,6 @@ void writeCsv(std::ostream& out, std::span<const Circle> circles);
 void writeJson(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram);
 
 /// Writes the `stats` object of that format alone.
-void writeStatsJson(std::ostream& out, const Stats& stats);
+void writeStatsJson(std::ostream& out, const Diagram& diagram);
 
 }  // namespace circle_voronoi
