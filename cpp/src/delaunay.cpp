@@ -8,13 +8,40 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
+#include "in_circle.h"
 #include "insertion_order.h"
 
 namespace circle_voronoi {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// CGAL's kernel with our exact tests in place of its two: on grids, whose ties no filter decides, CGAL's are several times
+/// slower natively and much slower in WebAssembly, where its interval arithmetic cannot set the rounding mode.
+struct Kernel : Epick {
+  struct Orientation_2 {
+    using result_type = CGAL::Orientation;
+    result_type operator()(const Epick::Point_2& a, const Epick::Point_2& b, const Epick::Point_2& c) const {
+      return static_cast<result_type>(orientation(pointOf(a), pointOf(b), pointOf(c)));
+    }
+  };
+  struct Side_of_oriented_circle_2 {
+    using result_type = CGAL::Oriented_side;
+    result_type operator()(const Epick::Point_2& a, const Epick::Point_2& b, const Epick::Point_2& c,
+                           const Epick::Point_2& d) const {
+      return static_cast<result_type>(inCircle(pointOf(a), pointOf(b), pointOf(c), pointOf(d)));
+    }
+  };
+  Orientation_2 orientation_2_object() const { return {}; }
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
+
+ private:
+  static Point pointOf(const Epick::Point_2& p) { return {p.x(), p.y()}; }
+};
+
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;
 using Triangulation =
@@ -53,6 +80,12 @@ Dual dualOf(Triangulation& triangulation) {
   return dual;
 }
 
+bool areCollinear(std::span<const Point> points) {
+  const auto differs = [&](const Point& p) { return p.x != points[0].x || p.y != points[0].y; };
+  const auto other = std::find_if(points.begin(), points.end(), differs);
+  return std::all_of(other, points.end(), [&](const Point& p) { return orientation(points[0], *other, p) == 0; });
+}
+
 /// Collinear points: every face has the corner at infinity, one on each side of each edge of the chain.
 Dual dualOfChain(const std::vector<int>& chain) {
   const int edgeCount = static_cast<int>(chain.size()) - 1;
@@ -71,30 +104,45 @@ Dual dualOfChain(const std::vector<int>& chain) {
   return dual;
 }
 
-/// The distinct points in order along their line.
-std::vector<int> chainOf(const Triangulation& triangulation) {
-  std::vector<Triangulation::Vertex_handle> vertices;
-  for (const auto& vertex : triangulation.finite_vertex_handles()) vertices.push_back(vertex);
-  std::sort(vertices.begin(), vertices.end(), [](auto a, auto b) { return a->point() < b->point(); });
+/// The distinct points in order along their line; notes each point's representative.
+std::vector<int> chainOf(std::span<const Point> points, std::vector<int>& representative) {
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto position = [&](int i) { return std::pair(points[i].x, points[i].y); };
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return std::pair(position(i), i) < std::pair(position(j), j); });
+  representative.resize(points.size());
   std::vector<int> chain;
-  for (const auto& vertex : vertices) chain.push_back(vertex->info());
+  for (const int i : order) {
+    if (chain.empty() || position(chain.back()) != position(i)) chain.push_back(i);
+    representative[i] = chain.back();
+  }
   return chain;
 }
 
 }  // namespace
 
 Delaunay delaunay(std::span<const Point> points) {
-  Triangulation triangulation;
   Delaunay result;
+  if (areCollinear(points)) {
+    const std::vector<int> chain = chainOf(points, result.representative);
+    if (chain.size() > 1) result.dual = dualOfChain(chain);
+    return result;
+  }
+  Triangulation triangulation;
   result.representative = insertAll(triangulation, points);
-  if (triangulation.dimension() == 2) result.dual = dualOf(triangulation);
-  if (triangulation.dimension() == 1) result.dual = dualOfChain(chainOf(triangulation));
+  result.dual = dualOf(triangulation);
   return result;
 }
 
 DelaunayEdges delaunayEdges(std::span<const Point> points) {
-  Triangulation triangulation;
   DelaunayEdges result;
+  if (areCollinear(points)) {
+    const std::vector<int> chain = chainOf(points, result.representative);
+    for (std::size_t i = 1; i < chain.size(); ++i) result.edges.push_back({chain[i - 1], chain[i]});
+    return result;
+  }
+  Triangulation triangulation;
   result.representative = insertAll(triangulation, points);
   result.edges.reserve(3 * triangulation.number_of_vertices());
   for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end(); ++edge) {

@@ -2,6 +2,7 @@
 #include "in_circle.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <initializer_list>
 
 #include "integers.h"
@@ -9,34 +10,98 @@
 namespace circle_voronoi {
 namespace {
 
+namespace multiprecision = boost::multiprecision;
+__extension__ using Int128 = __int128;
+template <unsigned kBits>
+using Fixed = multiprecision::number<multiprecision::cpp_int_backend<kBits, kBits, multiprecision::signed_magnitude,
+                                                                     multiprecision::unchecked, void>>;
+
+// Filters by J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997,
+// section 4, with u = 2^-53; kTiny covers underflow (homogeneous_disc.h has the argument).
+constexpr double kUnit = 0x1p-53;
+constexpr double kTiny = 0x1p-500;
+constexpr double kOrientationError = (3 + 16 * kUnit) * kUnit;
+constexpr double kInCircleError = (10 + 96 * kUnit) * kUnit;
+
 template <class Integer>
-int inCircleOf(const CommonUnit& unit, const Circle& a, const Circle& b, const Circle& c, const Circle& d) {
-  const Integer x = unit.in<Integer>(d.x);
-  const Integer y = unit.in<Integer>(d.y);
-  const Integer ax = unit.in<Integer>(a.x) - x, ay = unit.in<Integer>(a.y) - y;
-  const Integer bx = unit.in<Integer>(b.x) - x, by = unit.in<Integer>(b.y) - y;
-  const Integer cx = unit.in<Integer>(c.x) - x, cy = unit.in<Integer>(c.y) - y;
-  const Integer determinant = (ax * ax + ay * ay) * (bx * cy - by * cx) + (bx * bx + by * by) * (cx * ay - cy * ax) +
-                              (cx * cx + cy * cy) * (ax * by - ay * bx);
-  return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
+int sign(const Integer& value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+template <class Integer>
+struct IntegerPoint {
+  Integer x, y;
+};
+
+template <class Integer>
+IntegerPoint<Integer> relative(const CommonUnit& unit, Point p, const IntegerPoint<Integer>& to) {
+  return {unit.in<Integer>(p.x) - to.x, unit.in<Integer>(p.y) - to.y};
+}
+
+template <class Integer>
+int orientationOf(const CommonUnit& unit, Point a, Point b, Point c) {
+  const IntegerPoint<Integer> o = {unit.in<Integer>(c.x), unit.in<Integer>(c.y)};
+  const auto u = relative(unit, a, o);
+  const auto v = relative(unit, b, o);
+  return sign<Integer>(u.x * v.y - u.y * v.x);
+}
+
+template <class Integer>
+int inCircleOf(const CommonUnit& unit, Point a, Point b, Point c, Point d) {
+  const IntegerPoint<Integer> o = {unit.in<Integer>(d.x), unit.in<Integer>(d.y)};
+  const auto u = relative(unit, a, o);
+  const auto v = relative(unit, b, o);
+  const auto w = relative(unit, c, o);
+  return sign<Integer>((u.x * u.x + u.y * u.y) * (v.x * w.y - v.y * w.x) +
+                       (v.x * v.x + v.y * v.y) * (w.x * u.y - w.y * u.x) +
+                       (w.x * w.x + w.y * w.y) * (u.x * v.y - u.y * v.x));
+}
+
+CommonUnit commonUnit(std::initializer_list<Point> points) {
+  CommonUnit unit;
+  for (const Point& p : points) {
+    unit.include(p.x);
+    unit.include(p.y);
+  }
+  return unit;
 }
 
 }  // namespace
 
-int inCircle(const Circle& a, const Circle& b, const Circle& c, const Circle& d) {
-  namespace multiprecision = boost::multiprecision;
-  using Wide = multiprecision::number<
-      multiprecision::cpp_int_backend<512, 512, multiprecision::signed_magnitude, multiprecision::unchecked, void>>;
-  CommonUnit unit;
-  for (const Circle* circle : {&a, &b, &c, &d}) {
-    unit.include(circle->x);
-    unit.include(circle->y);
-  }
-  // Differences have one bit more, and the sum of twelve products of four of them has at most 4 (bits + 1) + 4.
+int orientation(Point a, Point b, Point c) {
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  const double determinant = left - right;
+  const double error = kOrientationError * (std::abs(left) + std::abs(right)) + kTiny;
+  if (determinant > error) return 1;
+  if (determinant < -error) return -1;
+  const CommonUnit unit = commonUnit({a, b, c});
+  // Differences have one bit more, and the sum of two products of two of them one more.
+  const int bits = 2 * (unit.bits() + 1) + 1;
+  if (bits < 127) return orientationOf<Int128>(unit, a, b, c);
+  if (bits < 256) return orientationOf<Fixed<256>>(unit, a, b, c);
+  return orientationOf<multiprecision::cpp_int>(unit, a, b, c);
+}
+
+int inCircle(Point a, Point b, Point c, Point d) {
+  const double ax = a.x - d.x, ay = a.y - d.y;
+  const double bx = b.x - d.x, by = b.y - d.y;
+  const double cx = c.x - d.x, cy = c.y - d.y;
+  const double aa = ax * ax + ay * ay;
+  const double bb = bx * bx + by * by;
+  const double cc = cx * cx + cy * cy;
+  const double determinant = aa * (bx * cy - by * cx) + bb * (cx * ay - cy * ax) + cc * (ax * by - ay * bx);
+  const double permanent = aa * (std::abs(bx * cy) + std::abs(by * cx)) + bb * (std::abs(cx * ay) + std::abs(cy * ax)) +
+                           cc * (std::abs(ax * by) + std::abs(ay * bx));
+  const double error = kInCircleError * permanent + kTiny;
+  if (determinant > error) return 1;
+  if (determinant < -error) return -1;
+  const CommonUnit unit = commonUnit({a, b, c, d});
+  // Differences have one bit more, and the sum of twelve products of four of them has four more.
   const int bits = 4 * (unit.bits() + 1) + 4;
-  __extension__ using Short = __int128;
-  if (bits < 127) return inCircleOf<Short>(unit, a, b, c, d);
-  if (bits < 512) return inCircleOf<Wide>(unit, a, b, c, d);
+  if (bits < 127) return inCircleOf<Int128>(unit, a, b, c, d);
+  if (bits < 256) return inCircleOf<Fixed<256>>(unit, a, b, c, d);
+  if (bits < 512) return inCircleOf<Fixed<512>>(unit, a, b, c, d);
   return inCircleOf<multiprecision::cpp_int>(unit, a, b, c, d);
 }
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "circle_voronoi/circle.h"
+#include "geometry.h"
 
 namespace circle_voronoi {
 
-/// 1 if the centre of d lies inside the circle through the centres of a, b, c, which are counter-clockwise; 0 if on it;
-/// -1 if outside. Exact, and fast for the coordinates that people draw: integers and short decimals.
-int inCircle(const Circle& a, const Circle& b, const Circle& c, const Circle& d);
+/// Exact tests of points, fast for the coordinates that people draw: integers and short decimals, whose ties no
+/// floating-point filter decides.
+
+/// 1 if a, b, c are counter-clockwise, -1 if clockwise, 0 if collinear.
+int orientation(Point a, Point b, Point c);
+
+/// 1 if d lies inside the circle through a, b, c, which are counter-clockwise; 0 if on it; -1 if outside.
+int inCircle(Point a, Point b, Point c, Point d);
 
 }  // namespace circle_voronoi

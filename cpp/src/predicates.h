@@ -8,12 +8,14 @@
 #include "circle_voronoi/circle.h"
 #include "dual.h"
 #include "geometry.h"
+#include "homogeneous_disc.h"
 
 namespace circle_voronoi {
 
 /// How often each stage of a predicate decided.
 struct FilterCounts {
   std::int64_t filtered = 0;  ///< floating point with an error bound
+  std::int64_t refined = 0;   ///< double-double arithmetic with an error bound
   std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centres (equal radii)
   std::int64_t exact = 0;     ///< exact, in full
 };
@@ -30,7 +32,7 @@ struct FaceDisc {
 };
 
 /// The signs that the construction and the certificate rest on. Each is exact: double arithmetic with a proven error
-/// bound first, integers if that does not decide (exact.h). A zero is a tie.
+/// bound first, double-double if that does not decide, then integers (exact.h). A zero is a tie.
 class Predicates {
  public:
   /// `circles` must outlive the predicates and must not hide one another.
@@ -60,11 +62,8 @@ class Predicates {
   const FilterCounts& counts() const { return counts_; }
 
  private:
-  Vector direction(int from, const FaceDisc& disc) const {
-    const Circle& o = circles_[disc.origin];
-    const Circle& c = circles_[from];
-    return {disc.v.x + disc.w * (o.x - c.x), disc.v.y + disc.w * (o.y - c.y)};
-  }
+  Direction<double> direction(int from, const FaceDisc& disc) const;
+  Point centre(int i) const { return {circles_[i].x, circles_[i].y}; }
 
   std::span<const Circle> circles_;
   FilterCounts counts_;
