@@ -7,10 +7,6 @@
 
 #include <array>
 #include <map>
-#include <vector>
-
-#include "geometry.h"
-#include "insertion_order.h"
 
 namespace circle_voronoi {
 namespace {
@@ -22,12 +18,10 @@ using Graph = CGAL::Apollonius_graph_2<Traits>;
 }  // namespace
 
 Dual apolloniusGraph(std::span<const Circle> circles) {
-  std::vector<Point> centres;
-  for (const Circle& c : circles) centres.push_back({c.x, c.y});
   Graph graph;
   std::map<std::array<double, 3>, int> indexOf;
   Graph::Vertex_handle near;
-  for (const int i : insertionOrder(centres)) {
+  for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
     const Circle& c = circles[i];
     const Graph::Site_2 site(Kernel::Point_2(c.x, c.y), c.r);
     near = near == Graph::Vertex_handle() ? graph.insert(site) : graph.insert(site, near);

@@ -85,8 +85,9 @@ Diagram diagramOf(Construction construction, Sites sites, double unit) {
   diagram.hidden = std::move(sites.hidden);
   diagram.vertices.reserve(diagram.vertexCircles.size());
   for (auto& triple : diagram.vertexCircles) {
-    // The smallest index first, so that a vertex has the same bits however it was found.
-    std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
+    // The smallest input index first, so that a vertex has the same bits however it was found.
+    const auto isBefore = [&](std::int32_t a, std::int32_t b) { return sites.indices[a] < sites.indices[b]; };
+    std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end(), isBefore), triple.end());
     const auto& [i, j, k] = triple;
     const Vertex vertex = vertexOf(sites.circles[i], sites.circles[j], sites.circles[k]);
     diagram.vertices.push_back({vertex.x * unit, vertex.y * unit, vertex.radius * unit});

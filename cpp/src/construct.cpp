@@ -73,22 +73,26 @@ constexpr int kLargestPatch = 4000;
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Stats& stats) {
   const int n = static_cast<int>(circles.size());
   if (n > kLargestPatch) return std::nullopt;
-  Predicates predicates(circles);
-  const auto certified = [&](const Dual& dual) { return judge(circles, dual, predicates).isRight(); };
-  std::vector<Pair> pairs;
-  if (n <= kAllPairsPatch) {
-    pairs = pairAll(n);
-  } else {
-    const Sites sites = hide(circles);
-    pairs = pairNeighbors(sampleDynamically(circles, sites.centres, 3), n);
+  const Sites sites = hide(circles);
+  const std::vector<Pair> pairs =
+      n <= kAllPairsPatch ? pairAll(n) : pairNeighbors(sampleDynamically(sites.circles, sites.centres, 3), n);
+  auto solved = dualOf(touch(sites.circles, pairs, {}).topology, n);
+  auto* dual = std::get_if<Dual>(&solved);
+  const auto isRight = [&](const Dual& candidate) {
+    Predicates predicates(sites.circles);
+    const bool right = judge(sites.circles, candidate, predicates).isRight();
+    addCounts(predicates, stats.counts);
+    return right;
+  };
+  if (dual == nullptr || !isRight(*dual)) {
+    solved = apolloniusGraph(sites.circles);
+    dual = &std::get<Dual>(solved);
+    if (!isRight(*dual)) return std::nullopt;
   }
-  const TouchResult touched = touch(circles, pairs, {});
-  auto dual = dualOf(touched.topology, n);
-  if (auto* solved = std::get_if<Dual>(&dual); solved != nullptr && certified(*solved)) return std::move(*solved);
-  Dual graph = apolloniusGraph(circles);
-  addCounts(predicates, stats.counts);
-  if (certified(graph)) return graph;
-  return std::nullopt;
+  for (int& corner : dual->origin) {
+    if (corner != kInfinity) corner = sites.indices[corner];
+  }
+  return std::move(*dual);
 }
 
 }  // namespace

@@ -8,19 +8,21 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
 #include "in_circle.h"
-#include "insertion_order.h"
 
 namespace circle_voronoi {
 namespace {
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// CGAL's kernel with our exact tests in place of its two: on grids, whose ties no filter decides, CGAL's are several times
-/// slower natively and much slower in WebAssembly, where its interval arithmetic cannot set the rounding mode.
+/// CGAL's kernel with our exact tests in place of its two: on grids, whose ties no filter decides, CGAL's are several
+/// times slower natively and much slower in WebAssembly, where its interval arithmetic cannot set the rounding mode.
 struct Kernel : Epick {
   struct Orientation_2 {
     using result_type = CGAL::Orientation;
@@ -47,11 +49,33 @@ using FaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;
 using Triangulation =
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
+/// A fixed mixing of an index (splitmix64), in place of a random number.
+std::uint64_t mix(std::uint64_t i) {
+  i += 0x9e3779b97f4a7c15u;
+  i = (i ^ (i >> 30)) * 0xbf58476d1ce4e5b9u;
+  i = (i ^ (i >> 27)) * 0x94d049bb133111ebu;
+  return i ^ (i >> 31);
+}
+
+/// The order of insertion: random rounds, each in the order given; three points in four go to the last round, three in
+/// four of the rest to the one before, and so on (N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO",
+/// 2003).
+std::vector<int> insertionOrder(std::size_t count) {
+  constexpr int kRounds = 16;
+  const auto roundOf = [](std::size_t i) { return kRounds - 1 - std::min(kRounds - 1, std::countr_zero(mix(i)) / 2); };
+  std::array<std::size_t, kRounds + 1> first{};
+  for (std::size_t i = 0; i < count; ++i) ++first[roundOf(i) + 1];
+  for (int round = 1; round <= kRounds; ++round) first[round] += first[round - 1];
+  std::vector<int> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[first[roundOf(i)]++] = static_cast<int>(i);
+  return order;
+}
+
 /// Inserts all points; vertex info is the point's index. Returns each point's representative.
 std::vector<int> insertAll(Triangulation& triangulation, std::span<const Point> points) {
   std::vector<int> representative(points.size());
   Triangulation::Face_handle hint;
-  for (const int i : insertionOrder(points)) {
+  for (const int i : insertionOrder(points.size())) {
     const std::size_t before = triangulation.number_of_vertices();
     const auto vertex = triangulation.insert({points[i].x, points[i].y}, hint);
     if (triangulation.number_of_vertices() > before) vertex->info() = i;
@@ -61,20 +85,30 @@ std::vector<int> insertAll(Triangulation& triangulation, std::span<const Point> 
   return representative;
 }
 
-Dual dualOf(Triangulation& triangulation) {
-  int count = 0;
-  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
-    face->info() = count++;
+Dual dualOf(Triangulation& triangulation, std::size_t pointCount) {
   triangulation.infinite_vertex()->info() = kInfinity;
+  // Number the faces by their smallest corner, so that the faces around a circle are near in memory.
+  std::vector<int> first(pointCount + 2, 0);
+  const auto key = [](Triangulation::All_faces_iterator face) {
+    return std::min({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()}) + 1;
+  };
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
+    ++first[key(face) + 1];
+  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+  const auto count = static_cast<std::size_t>(first.back());
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) {
+    face->info() = first[key(face)]++;
+  }
   Dual dual;
-  dual.origin.reserve(3 * static_cast<std::size_t>(count));
-  dual.twin.reserve(3 * static_cast<std::size_t>(count));
+  dual.origin.resize(3 * count);
+  dual.twin.resize(3 * count);
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) {
     for (int i = 0; i < 3; ++i) {
       // The half-edge from vertex i to vertex ccw(i) lies opposite vertex cw(i).
       const auto neighbor = face->neighbor(Triangulation::cw(i));
-      dual.origin.push_back(face->vertex(i)->info());
-      dual.twin.push_back(3 * neighbor->info() + Triangulation::ccw(neighbor->index(face)));
+      const int h = 3 * face->info() + i;
+      dual.origin[h] = face->vertex(i)->info();
+      dual.twin[h] = 3 * neighbor->info() + Triangulation::ccw(neighbor->index(face));
     }
   }
   return dual;
@@ -131,7 +165,7 @@ Delaunay delaunay(std::span<const Point> points) {
   }
   Triangulation triangulation;
   result.representative = insertAll(triangulation, points);
-  result.dual = dualOf(triangulation);
+  result.dual = dualOf(triangulation, points.size());
   return result;
 }
 

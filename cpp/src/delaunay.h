@@ -12,9 +12,9 @@ namespace circle_voronoi {
 
 /// The Delaunay triangulation of points, any number of them, in any position.
 /// Equal points share one corner; ties of four co-circular points are broken by coordinates, so the triangulation does
-/// not depend on the order of the points.
+/// not depend on the order of the points. Fast if points near in the plane are near in the list (spatial_order.h).
 struct Delaunay {
-  Dual dual;
+  Dual dual;  ///< faces in the order of their smallest corner
   /// For each point the point that stands for it as a corner: itself, or an equal one.
   std::vector<int> representative;
 };

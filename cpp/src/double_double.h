@@ -5,11 +5,12 @@
 
 namespace circle_voronoi {
 
-/// A number as an unevaluated sum of two doubles, about 106 bits (T. J. Dekker, "A floating-point technique for extending
-/// the available precision", 1971; bounds: M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic
-/// building blocks of double-word arithmetic", 2017). Every operation here is right within 2^-100 of its result, short of
-/// underflow. Splitting a factor overflows beyond 2^995, which validated coordinates to the tenth power stay below.
-/// It needs neither a fused multiply-add nor extended registers, so it gives the same bits everywhere.
+/// A number as an unevaluated sum of two doubles, about 106 bits (T. J. Dekker, "A floating-point technique for
+/// extending the available precision", 1971; bounds: M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error
+/// bounds for basic building blocks of double-word arithmetic", 2017). Every operation here is right within 2^-100 of
+/// its result, short of underflow. Splitting a factor overflows beyond 2^995, which validated coordinates to the tenth
+/// power stay below. It needs neither a fused multiply-add nor extended registers, so it gives the same bits
+/// everywhere.
 class DoubleDouble {
  public:
   DoubleDouble() = default;

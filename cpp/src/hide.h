@@ -12,8 +12,8 @@ namespace circle_voronoi {
 
 /// The circles that have a cell, and those that another circle contains.
 struct Sites {
-  std::vector<Circle> circles;       ///< the visible ones
-  std::vector<int> indices;          ///< of each its index in the input, increasing
+  std::vector<Circle> circles;       ///< the visible ones, neighbours near one another (spatial_order.h)
+  std::vector<int> indices;          ///< of each its index in the input
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`; `by` is visible
   Dual centres;                      ///< the Delaunay triangulation of the visible circles' centres
 };

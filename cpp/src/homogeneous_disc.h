@@ -2,11 +2,11 @@
 //
 // The disc of a face in floating point with an error bound, in double or double-double arithmetic.
 //
-// u is the unit roundoff of the arithmetic; products of (1 + u) are rounded up generously instead of being followed to the
-// last term. Validation brought the largest coordinate near 2^80, so nothing overflows: the highest power of a length is
-// 6 under a root and 10 in a cross product, 2^(81 * 10) < 2^1024. Underflow can add an absolute error; kTiny covers it:
-// it exceeds the sum of all underflow errors, each at most 2^-1022 times a factor below 2^(81 * 6), and is negligible
-// where lengths exceed about 2^-40, that is 1e-36 of the whole. Smaller ones are decided exactly.
+// u is the unit roundoff of the arithmetic; products of (1 + u) are rounded up generously instead of being followed to
+// the last term. Validation brought the largest coordinate near 2^80, so nothing overflows: the highest power of a
+// length is 6 under a root and 10 in a cross product, 2^(81 * 10) < 2^1024. Underflow can add an absolute error; kTiny
+// covers it: it exceeds the sum of all underflow errors, each at most 2^-1022 times a factor below 2^(81 * 6), and is
+// negligible where lengths exceed about 2^-40, that is 1e-36 of the whole. Smaller ones are decided exactly.
 #pragma once
 
 #include <algorithm>
@@ -38,11 +38,9 @@ template <class Real>
 struct Difference {
   Real x, y, s;
 
-  Difference(const Circle& u, const Circle& o)
-    requires std::same_as<Real, double>
+  Difference(const Circle& u, const Circle& o) requires std::same_as<Real, double>
       : x(u.x - o.x), y(u.y - o.y), s(u.r - o.r) {}
-  Difference(const Circle& u, const Circle& o)
-    requires std::same_as<Real, DoubleDouble>
+  Difference(const Circle& u, const Circle& o) requires std::same_as<Real, DoubleDouble>
       : x(DoubleDouble::difference(u.x, o.x)),
         y(DoubleDouble::difference(u.y, o.y)),
         s(DoubleDouble::difference(u.r, o.r)) {}
@@ -60,8 +58,8 @@ double size(const Difference<Real>& u) {
   return std::sqrt(x * x + y * y + s * s);
 }
 
-/// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face, the
-/// direction to the centre of the disc is (x, y) + w (o - c), each component within `error`. `rho` is w times the
+/// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face,
+/// the direction to the centre of the disc is (x, y) + w (o - c), each component within `error`. `rho` is w times the
 /// distance from o, within `error` too when the distance from another circle of the face is derived from it.
 template <class Real>
 struct HomogeneousDisc {
@@ -73,8 +71,8 @@ struct HomogeneousDisc {
 /// -d.s (d.x, d.y) + sqrt(g) (-d.y, d.x).
 ///
 /// Error: let l = |d|, each component right within u. g <= l^2 is right within 6 u l^2, so sqrt(g) <= l within
-/// 6 u l^2 / sqrt(g) + u l. Each component is a sum of two products of at most l^2: 2 * 4 u l^2, and l times the error of
-/// the root; together under 20 u l^3 / sqrt(g).
+/// 6 u l^2 / sqrt(g) + u l. Each component is a sum of two products of at most l^2: 2 * 4 u l^2, and l times the error
+/// of the root; together under 20 u l^3 / sqrt(g).
 template <class Real>
 HomogeneousDisc<Real> discAtInfinity(const Circle& a, const Circle& b) {
   using std::sqrt;
@@ -96,7 +94,8 @@ HomogeneousDisc<Real> discAtInfinity(const Circle& a, const Circle& b) {
 ///
 /// Error: let a = |A|, b = |B| in (x, y, s) space; differences are right within u relatively.
 /// - g11 <= a^2, g12 <= a b, g22 <= b^2, g33 <= (a + b)^2, each within 6 u of that bound.
-/// - M = g22 (g11 - g12) A' + ...: each of the two products is at most Q = a^2 b^2 (a + b), within 17 u Q; M within 36 u Q.
+/// - M = g22 (g11 - g12) A' + ...: each of the two products is at most Q = a^2 b^2 (a + b), within 17 u Q; M within 36
+/// u Q.
 /// - N <= a b in each component, within 5 u a b.
 /// - S^2 <= T^2 with T = a b (a + b), within 20 u T^2, so S is within 20 u T^2 / S + u S, provided that S^2 > 40 u T^2.
 /// - N S within 20 u Q T / S + 7 u Q, since a b T = Q. The final sum adds 3 u Q.
@@ -123,8 +122,8 @@ HomogeneousDisc<Real> discOf(const Circle& o, const Circle& p, const Circle& q) 
   const double lb = size(b);
   const double ab = la * lb;
   const double t = ab * (la + lb);
-  const double kError = 24 * u * ab * (std::abs(high(n.x)) + std::abs(high(n.y)) + std::abs(high(n.s))) +
-                        80 * u * u * ab * ab + kTiny;
+  const double kError =
+      24 * u * ab * (std::abs(high(n.x)) + std::abs(high(n.y)) + std::abs(high(n.s))) + 80 * u * u * ab * ab + kTiny;
   const Real square = g11 * g22 * g33;
   if (std::abs(high(k)) <= kError || high(square) <= 40 * u * t * t) return disc;
 
@@ -140,7 +139,8 @@ HomogeneousDisc<Real> discOf(const Circle& o, const Circle& p, const Circle& q) 
   return disc;
 }
 
-/// The corner of three circles, counter-clockwise, opposite their longest side: seen from it both differences are short.
+/// The corner of three circles, counter-clockwise, opposite their longest side: seen from it both differences are
+/// short.
 inline int cornerOfShortSides(const std::array<const Circle*, 3>& circles) {
   std::array<double, 3> sides{};
   for (int i = 0; i < 3; ++i) {
@@ -165,16 +165,16 @@ Direction<Real> seenFrom(const Circle& from, const HomogeneousDisc<Real>& disc, 
   return {disc.x + disc.w * shift.x, disc.y + disc.w * shift.y, disc.error};
 }
 
-/// The sign of f x g, 0 if the error bound does not decide: with the components of f within e and those of g within h it
-/// is right within e (|g.x| + |g.y|) + h (|f.x| + |f.y|) + 2 e h and 3 u of the products.
+/// The sign of f x g, 0 if the error bound does not decide: with the components of f within e and those of g within h
+/// it is right within e (|g.x| + |g.y|) + h (|f.x| + |f.y|) + 2 e h and 3 u of the products.
 template <class Real>
 int filteredCross(const Direction<Real>& f, const Direction<Real>& g) {
   const double fSize = std::abs(high(f.x)) + std::abs(high(f.y));
   const double gSize = std::abs(high(g.x)) + std::abs(high(g.y));
-  const double error = (f.error * gSize + g.error * fSize + 2 * f.error * g.error +
-                        3 * kUnitRoundoff<Real> * fSize * gSize) *
-                           (1 + 0x1p-40) +
-                       kTiny;
+  const double error =
+      (f.error * gSize + g.error * fSize + 2 * f.error * g.error + 3 * kUnitRoundoff<Real> * fSize * gSize) *
+          (1 + 0x1p-40) +
+      kTiny;
   const double value = high(f.x * g.y - f.y * g.x);
   return value > error ? 1 : value < -error ? -1 : 0;
 }

@@ -13,8 +13,8 @@ namespace {
 namespace multiprecision = boost::multiprecision;
 __extension__ using Int128 = __int128;
 template <unsigned kBits>
-using Fixed = multiprecision::number<multiprecision::cpp_int_backend<kBits, kBits, multiprecision::signed_magnitude,
-                                                                     multiprecision::unchecked, void>>;
+using Fixed = multiprecision::number<
+    multiprecision::cpp_int_backend<kBits, kBits, multiprecision::signed_magnitude, multiprecision::unchecked, void>>;
 
 // Filters by J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997,
 // section 4, with u = 2^-53; kTiny covers underflow (homogeneous_disc.h has the argument).

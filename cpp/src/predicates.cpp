@@ -130,8 +130,7 @@ int Predicates::quadrant(int from, const Triple& face, const FaceDisc& disc) {
   } else {
     const exact::Face circles = facing(circles_, face);
     const auto [wx, wy, wError] = refined(circles_[from], circles);
-    const double narrow =
-        (wError + 3 * kUnitRoundoff<DoubleDouble> * (std::abs(high(wx)) + std::abs(high(wy)))) * 2048;
+    const double narrow = (wError + 3 * kUnitRoundoff<DoubleDouble> * (std::abs(high(wx)) + std::abs(high(wy)))) * 2048;
     x = signWithin(high(kAxisX * wx + kAxisY * wy), narrow);
     y = signWithin(high(kAxisX * wy - kAxisY * wx), narrow);
     ++(x != 0 && y != 0 ? counts_.refined : counts_.exact);
