@@ -46,7 +46,8 @@ const SUITES = [
     report: `${RESULTS}/playwright.xml`,
     program: `${BIN}/playwright`,
     args: ['test', '--reporter=list,junit'],
-    env: { PLAYWRIGHT_JUNIT_OUTPUT_FILE: `${RESULTS}/playwright.xml` },
+    // Playwright colours its own way, and Node warns when both are set.
+    env: { NO_COLOR: undefined, PLAYWRIGHT_JUNIT_OUTPUT_FILE: `${RESULTS}/playwright.xml` },
   },
 ]
 

@@ -57,8 +57,16 @@ Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::mo
 Result<Options> optionsFrom(const val& options) {
   Options result;
   const val method = options["method"];
-  if (!method.isUndefined() && !method.strictlyEquals(val("touching-disc"))) {
-    return badOption("Unknown method: the choice is touching-disc.");
+  if (!method.isUndefined()) {
+    if (method.strictlyEquals(val("auto"))) {
+      result.method = Method::automatic;
+    } else if (method.strictlyEquals(val("touching-disc"))) {
+      result.method = Method::touchingDisc;
+    } else if (method.strictlyEquals(val("flip"))) {
+      result.method = Method::flip;
+    } else {
+      return badOption("Unknown method: the choice is auto, touching-disc or flip.");
+    }
   }
   const val candidates = options["candidates"];
   if (!candidates.isUndefined()) {
@@ -94,25 +102,41 @@ val errorValue(const Error& error) {
   return errorValue(std::string(errorCodeName(error.code)), error.circle, error.message);
 }
 
+val certificateValue(const Certificate& certificate) {
+  val result = val::object();
+  result.set("certified", certificate.certified());
+  result.set("flaw", std::string(flawName(certificate.flaw)));
+  result.set("circle", certificate.circle);
+  result.set("vertex", certificate.vertex);
+  result.set("edge", certificate.edge);
+  result.set("message", certificate.message);
+  return result;
+}
+
+/// Sets a property of `object` for each field; a JavaScript number holds every count that fits in memory.
+template <class Struct, class... Fields>
+void setFields(val& object, const Struct& values, const std::array<const char*, sizeof...(Fields)>& names,
+               Fields Struct::*... fields) {
+  static_assert(sizeof(Struct) == sizeof...(Fields) * sizeof(std::int64_t), "each field has a name");
+  std::size_t i = 0;
+  (object.set(names[i++], static_cast<double>(values.*fields)), ...);
+}
+
 val statsValue(const Stats& stats) {
   val counts = val::object();
-  counts.set("circles", static_cast<double>(stats.counts.circles));
-  counts.set("hidden", static_cast<double>(stats.counts.hidden));
-  counts.set("samples", static_cast<double>(stats.counts.samples));
-  counts.set("antipodalDiscs", static_cast<double>(stats.counts.antipodalDiscs));
-  counts.set("threeTouchDiscs", static_cast<double>(stats.counts.threeTouchDiscs));
-  counts.set("events", static_cast<double>(stats.counts.events));
-  counts.set("leftoverCycles", static_cast<double>(stats.counts.leftoverCycles));
-
+  setFields(counts, stats.counts,
+            {"circles", "hidden", "samples", "antipodalDiscs", "threeTouchDiscs", "events", "leftoverCycles", "flips",
+             "repairs", "filtered", "inCircle", "exact"},
+            &Counts::circles, &Counts::hidden, &Counts::samples, &Counts::antipodalDiscs, &Counts::threeTouchDiscs,
+            &Counts::events, &Counts::leftoverCycles, &Counts::flips, &Counts::repairs, &Counts::filtered,
+            &Counts::inCircle, &Counts::exact);
   val seconds = val::object();
-  seconds.set("hide", stats.seconds.hide);
-  seconds.set("sample", stats.seconds.sample);
-  seconds.set("pair", stats.seconds.pair);
-  seconds.set("touch", stats.seconds.touch);
-  seconds.set("total", stats.seconds.total);
-
+  setFields(seconds, stats.seconds, {"hide", "sample", "pair", "touch", "flip", "repair", "certify", "total"},
+            &Seconds::hide, &Seconds::sample, &Seconds::pair, &Seconds::touch, &Seconds::flip, &Seconds::repair,
+            &Seconds::certify, &Seconds::total);
   val result = val::object();
   result.set("method", stats.method);
+  result.set("way", stats.way);
   result.set("candidates", stats.candidates);
   result.set("counts", counts);
   result.set("seconds", seconds);
@@ -126,6 +150,7 @@ val diagramValue(const Diagram& diagram) {
   result.set("edges", int32Array(diagram.edges));
   result.set("hidden", int32Array(diagram.hidden));
   result.set("hull", int32Array(diagram.hull));
+  result.set("certificate", certificateValue(diagram.certificate));
   result.set("stats", statsValue(diagram.stats));
   return result;
 }

@@ -12,10 +12,12 @@ const NATIVE = `${ROOT}build/native/circle-voronoi`
 const LARGEST_OUTPUT = 2 ** 28
 
 const OPTIONS = [
-  { candidates: 'dynamic', samples: 1 },
-  { candidates: 'dynamic', samples: 3 },
-  { candidates: 'uniform', samples: 50 },
-  { candidates: 'all-pairs' },
+  { method: 'auto' },
+  { method: 'flip' },
+  { method: 'touching-disc', candidates: 'dynamic', samples: 1 },
+  { method: 'touching-disc', candidates: 'dynamic', samples: 3 },
+  { method: 'touching-disc', candidates: 'uniform', samples: 50 },
+  { method: 'touching-disc', candidates: 'all-pairs' },
 ]
 
 const library = await loadCircleVoronoi()
@@ -41,17 +43,16 @@ for (const options of OPTIONS) {
   })
 }
 
-function nativeDiagram(file, { candidates, samples }) {
-  const args = ['compute', file, '--candidates', candidates]
-  if (samples !== undefined) args.push('--samples', String(samples))
-  const output = execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
+function nativeDiagram(file, options) {
+  const flags = Object.entries(options).flatMap(([name, value]) => [`--${name}`, String(value)])
+  const output = execFileSync(NATIVE, ['compute', file, ...flags], { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
   // JSON has no sign of zero to lose: `-0` is read as -0, and deepStrictEqual tells the two apart.
   return JSON.parse(output)
 }
 
 /** The parts of a diagram that the native program prints, but for the circles and the time they took. */
 function asJson(diagram) {
-  const { vertices, vertexCircles, edges, hidden, hull } = diagram
+  const { vertices, vertexCircles, edges, hidden, hull, certificate } = diagram
   const { seconds: _, ...stats } = diagram.stats
   return {
     format: 'circle-voronoi',
@@ -66,6 +67,6 @@ function asJson(diagram) {
       return { circles: [left, right], vertices: [start, end] }
     }),
     hull: [...hull],
-    stats,
+    stats: { ...stats, certificate },
   }
 }

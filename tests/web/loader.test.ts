@@ -29,7 +29,8 @@ describe('compute', () => {
       const edge = edgeAt(diagram, e)
       expect([edge.start, edge.end].sort()).toEqual([-1, 0])
     }
-    expect(diagram.stats).toMatchObject({ method: 'touching-disc', candidates: 'dynamic', counts: { circles: 3 } })
+    expect(diagram.stats).toMatchObject({ method: 'auto', counts: { circles: 3 } })
+    expect(diagram.certificate).toMatchObject({ certified: true, flaw: 'none', message: '' })
   })
 
   it('takes objects as well', () => {
@@ -61,8 +62,14 @@ describe('compute', () => {
     expect([...library.compute(Float64Array.of(0, 0, 1, 0, 0, 5)).hidden]).toEqual([0, 1])
   })
 
+  it.each(['auto', 'touching-disc', 'flip'] as const)('can use the method %s', (method) => {
+    const diagram = library.compute(THREE, { method })
+    expect(diagram.stats.method).toBe(method)
+    expect(diagram.vertices).toHaveLength(3)
+  })
+
   it.each(['dynamic', 'uniform', 'all-pairs'] as const)('can use the candidates %s', (candidates) => {
-    const diagram = library.compute(THREE, { candidates })
+    const diagram = library.compute(THREE, { method: 'touching-disc', candidates })
     expect(diagram.stats.candidates).toBe(candidates)
     expect(diagram.vertices).toHaveLength(3)
   })
@@ -103,12 +110,12 @@ describe('errors', () => {
   })
 
   it.each([
-    { samples: -2 },
-    { samples: 1001 },
+    { method: 'touching-disc', samples: -2 },
+    { method: 'touching-disc', samples: 1001 },
     { samples: 0.5 },
     { samples: '3' },
     { samples: 2 ** 40 },
-    { candidates: 'uniform', samples: 0 },
+    { method: 'touching-disc', candidates: 'uniform', samples: 0 },
     { candidates: 'some' },
     { candidates: 3 },
     { method: 'magic' },
@@ -118,7 +125,9 @@ describe('errors', () => {
 
   it('refuses all pairs of too many circles, and goes on working', () => {
     const many = new Float64Array(3 * 10_001).map((_, i) => i)
-    expect(errorOf(() => library.compute(many, { candidates: 'all-pairs' })).code).toBe('tooManyCircles')
+    expect(errorOf(() => library.compute(many, { method: 'touching-disc', candidates: 'all-pairs' })).code).toBe(
+      'tooManyCircles',
+    )
     expect(library.compute(THREE).vertices).toHaveLength(3)
   })
 })

@@ -16,9 +16,10 @@ const DOT_RADIUS = 1.5
 const VERTEX_RADIUS = 2
 const DISC_OPACITY = 0.85
 
-// What suits cells of some width, in pixels: below these no tints, above those dots for the vertices.
+// From which average width of cells on they are tinted, small circles are drawn at all, and vertices are marked, in pixels.
 const SMALLEST_TINTED_CELL = 6
-const SMALLEST_CELL_WITH_DOTS = 60
+const SMALLEST_CELL_WITH_DOTS = 6
+const SMALLEST_CELL_WITH_VERTICES = 60
 const THINNEST_LINE = 0.35
 const THICKEST_LINE = 1.25
 const CELL_WIDTH_PER_LINE_WIDTH = 16
@@ -48,14 +49,14 @@ export class Scene {
     const tolerance = TOLERANCE / camera.scale
     const cellWidth = averageCellWidth(state.circles) * camera.scale
     const lineWidth = Math.min(Math.max(cellWidth / CELL_WIDTH_PER_LINE_WIDTH, THINNEST_LINE), THICKEST_LINE)
-    const pen: Pen = { cells, camera, size, box, tolerance, lineWidth }
+    const pen: Pen = { cells, camera, size, box, tolerance, cellWidth, lineWidth }
 
     if (cellWidth >= SMALLEST_TINTED_CELL) this.#drawTints(pen)
     this.#drawHighlights(state, pen)
     const circles = circlePaths(state, pen, this.#tintClassesOf(state.circles), this.#theme.tints.length)
     this.#fillDiscs(circles)
     this.#drawEdges(pen)
-    if (cellWidth >= SMALLEST_CELL_WITH_DOTS) this.#drawVertices(pen)
+    if (cellWidth >= SMALLEST_CELL_WITH_VERTICES) this.#drawVertices(pen)
     this.#strokeRims(circles, pen)
     this.#drawSelection(state, pen)
   }
@@ -151,13 +152,14 @@ export class Scene {
   }
 }
 
-/** What it takes to draw. `box` and `tolerance` are in units of the plane, `lineWidth` is in pixels. */
+/** What it takes to draw. `box` and `tolerance` are in units of the plane, the widths are in pixels. */
 interface Pen {
   readonly cells: Cells | undefined
   readonly camera: Camera
   readonly size: Size
   readonly box: Box
   readonly tolerance: number
+  readonly cellWidth: number
   readonly lineWidth: number
 }
 
@@ -168,7 +170,12 @@ interface CirclePaths {
   readonly hidden: Path2D
 }
 
-function circlePaths(state: State, { box, camera, size }: Pen, classes: Uint8Array, tints: number): CirclePaths {
+function circlePaths(
+  state: State,
+  { box, camera, size, cellWidth }: Pen,
+  classes: Uint8Array,
+  tints: number,
+): CirclePaths {
   const { circles, cells } = state
   const discs = Array.from({ length: tints }, () => new Path2D())
   const hidden = new Path2D()
@@ -180,6 +187,7 @@ function circlePaths(state: State, { box, camera, size }: Pen, classes: Uint8Arr
     if (!meets(box, x, y, r)) continue
     const radius = r * camera.scale
     const disc = discs[classes[i] as number] as Path2D
+    if (radius < DOT_RADIUS && cellWidth < SMALLEST_CELL_WITH_DOTS) continue
     const path = radius < DOT_RADIUS ? dots : isHidden(cells, i) ? hidden : disc
     addCircle(path, toScreen(camera, size, { x, y }), Math.max(radius, DOT_RADIUS))
   }

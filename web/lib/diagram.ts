@@ -37,6 +37,21 @@ export interface HiddenCircle {
   readonly by: number
 }
 
+/** The outcome of judging a diagram: a proof that it is the Voronoi diagram, or the first thing that is wrong. */
+export interface Certificate {
+  readonly certified: boolean
+  /** The first flaw by the name of the C++ enumeration `Flaw` (circle_voronoi/certificate.h); `none` if certified. */
+  readonly flaw: string
+  /** The circle concerned, or `NONE`. */
+  readonly circle: number
+  /** The vertex concerned, or `NONE`. */
+  readonly vertex: number
+  /** The edge concerned, or `NONE`. */
+  readonly edge: number
+  /** One sentence; empty if certified. */
+  readonly message: string
+}
+
 /** How much each stage had to do. */
 export interface Counts {
   readonly circles: number
@@ -46,6 +61,11 @@ export interface Counts {
   readonly threeTouchDiscs: number
   readonly events: number
   readonly leftoverCycles: number
+  readonly flips: number
+  readonly repairs: number
+  readonly filtered: number
+  readonly inCircle: number
+  readonly exact: number
 }
 
 /** Wall-clock seconds of each stage. */
@@ -54,11 +74,18 @@ export interface Seconds {
   readonly sample: number
   readonly pair: number
   readonly touch: number
+  readonly flip: number
+  readonly repair: number
+  readonly certify: number
   readonly total: number
 }
 
 export interface Stats {
+  /** The method asked for. */
   readonly method: string
+  /** The construction that made the result: `flip`, `repair`, `touching-disc` or `apollonius-graph`. */
+  readonly way: string
+  /** The candidates of the touching disc method, or empty. */
   readonly candidates: string
   readonly counts: Counts
   readonly seconds: Seconds
@@ -83,6 +110,7 @@ export interface Diagram {
   readonly hidden: Int32Array
   /** The circles on the convex hull, counter-clockwise; a circle recurs if the hull touches it more than once. */
   readonly hull: Int32Array
+  readonly certificate: Certificate
   readonly stats: Stats
 }
 

@@ -7,6 +7,7 @@ export const ERROR_CODES = [
   'coordinateTooLarge',
   'tooManyCircles',
   'badOption',
+  'notCertified',
   'badInput',
 ] as const
 
@@ -17,6 +18,7 @@ export const ERROR_CODES = [
  * - `coordinateTooLarge`: a coordinate or a radius exceeds 1e150;
  * - `tooManyCircles`: the input, or the candidates asked for, do not fit in memory;
  * - `badOption`: an option is out of its range;
+ * - `notCertified`: no construction led to a certified diagram;
  * - `badInput`: the input cannot be read as circles;
  * - `internal`: the program itself failed; please report it with the input.
  */

@@ -4,11 +4,16 @@ import { CircleVoronoiError, type ErrorCode } from './errors.ts'
 import createModule from './generated/circle-voronoi.js'
 
 export interface Options {
-  /** The paper's method: candidate pairs, then the event loop. */
-  readonly method?: 'touching-disc'
   /**
-   * Which pairs of circles get an antipodal disc: neighbours in the Delaunay graph of dynamically chosen samples, of
-   * equally spaced samples, or every pair (quadratic, at most 10,000 circles). Default: `dynamic`.
+   * How the diagram is built. `auto` (the default): the fastest construction that leads to a certified diagram.
+   * `touching-disc`: the paper's method, candidate pairs and then the event loop. `flip`: edge flips from the Delaunay
+   * triangulation of the centres. The last two may give a wrong diagram; its certificate then says so.
+   */
+  readonly method?: 'auto' | 'touching-disc' | 'flip'
+  /**
+   * For the touching disc method: which pairs of circles get an antipodal disc, neighbours in the Delaunay graph of
+   * dynamically chosen samples, of equally spaced samples, or every pair (quadratic, at most 10,000 circles). Default:
+   * `dynamic`.
    */
   readonly candidates?: 'dynamic' | 'uniform' | 'all-pairs'
   /**
@@ -31,7 +36,7 @@ export interface CircleVoronoi {
    * The Voronoi diagram of `circles`: x, y, r of each in one `Float64Array`, or objects. They may be disjoint,
    * intersecting, tangent, nested, equal or points, in any position, and any number from 0. The input is copied.
    *
-   * @throws CircleVoronoiError
+   * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
   compute(circles: Float64Array | readonly Circle[], options?: Options): Diagram
   /** The error codes of the C++ core, in order; the same as `ERROR_CODES`. */

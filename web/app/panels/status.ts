@@ -24,7 +24,7 @@ function statusParts(state: State): (string | Node)[] {
     count(vertices.length / 3, 'vertex', 'vertices'),
     count(edges.length / 4, 'edge'),
     ...(hidden.length > 0 ? [[bold(hidden.length / 2), ' hidden']] : []),
-    [bold(milliseconds(stats.seconds.total)), ' ms'],
+    duration(stats.seconds.total),
   ]
   return parts.flatMap((part, i) => (i === 0 ? part : [' · ', ...part]))
 }
@@ -39,6 +39,7 @@ function bold(value: number | string): Node {
   return element
 }
 
-function milliseconds(seconds: number): string {
-  return (1000 * seconds).toPrecision(seconds < 0.1 ? 2 : 3)
+function duration(seconds: number): (string | Node)[] {
+  if (seconds >= 1) return [bold(seconds.toFixed(1)), ' s']
+  return [bold((1000 * seconds).toFixed(seconds < 0.01 ? 1 : 0)), ' ms']
 }
