@@ -33,20 +33,24 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 
   const Vector3 u = relative(*circles[iu], o);
   const Vector3 v = relative(*circles[iv], o);
-  const double ku = cone(u, u) / 2;
-  const double kv = cone(v, v) / 2;
+  const Vector3 w = relative(*circles[iv], *circles[iu]);
+  const double uu = cone(u, u);
+  const double vv = cone(v, v);
   const Vector3 n = cross(u, v);
   const Vector3 vn = cross(v, n);
   const Vector3 nu = cross(n, u);
-  const double nn = n.x * n.x + n.y * n.y + n.s * n.s;
   // The point of the planes' common line nearest the origin; the line runs along n.
-  const Vector3 base = {(ku * vn.x + kv * nu.x) / nn, (ku * vn.y + kv * nu.y) / nn, (ku * vn.s + kv * nu.s) / nn};
+  const double scale = 1 / (2 * (n.x * n.x + n.y * n.y + n.s * n.s));
+  const Vector3 base = {scale * (uu * vn.x + vv * nu.x), scale * (uu * vn.y + vv * nu.y),
+                        scale * (uu * vn.s + vv * nu.s)};
   const double qa = cone(n, n);
   const double qb = cone(base, n);
   const double qc = cone(base, base);
-  const double discriminant = qb * qb - qa * qc;
+  // qb^2 - qa qc is a quarter of the product of the squared tangent lengths, which do not cancel and are positive
+  // unless one circle hides another.
+  const double discriminant = uu * vv * cone(w, w);
   if (!(discriminant >= 0)) return std::nullopt;
-  const double root = std::sqrt(discriminant);
+  const double root = std::sqrt(discriminant) / 2;
   // Both forms are the root (-qb - root) / qa; each is used where it does not cancel.
   const double t = qb > 0 ? (-qb - root) / qa : qc / (-qb + root);
   const Vector centre = {base.x + t * n.x, base.y + t * n.y};

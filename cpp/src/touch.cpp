@@ -273,8 +273,10 @@ class Touch {
     const auto& [radius, first, second] = candidate;
     const DirectedEdge ab = edges_[first];
     const DirectedEdge bc = edges_[second];
+    const bool isStale = !isAlive(first) || !isAlive(second) || adjacentAfter(ab) != second;
+    if (isStale && !observer_) return;
     const auto disc = threeTouchDisc(circles_[ab.a], circles_[bc.b], circles_[ab.b]);
-    if (!isAlive(first) || !isAlive(second) || adjacentAfter(ab) != second) {
+    if (isStale) {
       tell({TraceKind::threeTouchDiscStale, disc->disc, {ab.a, ab.b, bc.b}});
       return;
     }
