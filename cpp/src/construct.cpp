@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -48,24 +49,43 @@ Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pa
                     Stats& stats) {
   const Stopwatch watch(stats.seconds.touch);
   TouchResult touched = touch(circles, pairs, observer);
-  stats.counts.antipodalDiscs += static_cast<std::int64_t>(pairs.size());
-  stats.counts.threeTouchDiscs += touched.threeTouchDiscs;
-  stats.counts.events += touched.events;
+  stats.counts.antipodalDiscs = static_cast<std::int64_t>(pairs.size());
+  stats.counts.threeTouchDiscs = touched.threeTouchDiscs;
+  stats.counts.events = touched.events;
   stats.counts.leftoverCycles = touched.leftoverCycles;
   return std::move(touched.topology);
 }
 
-/// The Delaunay triangulation of the centres after flips.
-Dual flipped(const Sites& sites, Stats& stats) {
+/// A dual after flips.
+Dual flipped(Dual dual, const Sites& sites, Stats& stats) {
   const Stopwatch watch(stats.seconds.flip);
-  stats.way = "flip";
-  Dual dual = sites.centres;
   Predicates predicates(sites.circles);
   stats.counts.flips += flip(sites.circles, dual, predicates);
   addCounts(predicates, stats.counts);
   return dual;
 }
 
+/// The circles at what a certificate found wrong and their neighbours among the centres; all if it names none.
+std::vector<int> circlesAround(const Construction& construction, const Dual& centres) {
+  const auto& [topology, certificate] = construction;
+  std::set<int> named;
+  if (certificate.circle != kNone) named.insert(certificate.circle);
+  if (certificate.vertex != kNone) {
+    const auto& triple = topology.vertexCircles[certificate.vertex];
+    named.insert(triple.begin(), triple.end());
+  }
+  if (certificate.edge != kNone) {
+    named.insert({topology.edges[certificate.edge].left, topology.edges[certificate.edge].right});
+  }
+  std::set<int> around = named;
+  for (int h = 0; h < centres.halfEdgeCount(); ++h) {
+    const int i = centres.origin[h];
+    if (i != kInfinity && (named.empty() || named.contains(centres.target(h)))) around.insert(i);
+  }
+  return {around.begin(), around.end()};
+}
+
+constexpr int kMostRepairs = 6;
 constexpr int kAllPairsPatch = 64;
 constexpr int kLargestPatch = 4000;
 
@@ -75,7 +95,8 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Stats& stats) 
   if (n > kLargestPatch) return std::nullopt;
   const Sites sites = hide(circles);
   const std::vector<Pair> pairs =
-      n <= kAllPairsPatch ? pairAll(n) : pairNeighbors(sampleDynamically(sites.circles, sites.centres, 3), n);
+      n <= kAllPairsPatch ? pairAll(n)
+                          : pairNeighbors(sampleDynamically(sites.circles, sites.centres, std::vector<int>(n, 3)), n);
   auto solved = dualOf(touch(sites.circles, pairs, {}).topology, n);
   auto* dual = std::get_if<Dual>(&solved);
   const auto isRight = [&](const Dual& candidate) {
@@ -100,29 +121,48 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Stats& stats) 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
                                      Stats& stats) {
   const int n = static_cast<int>(sites.circles.size());
+  std::vector<int> angular(n, options.samples);
   stats.way = "touching-disc";
-  Samples samples;
-  if (options.candidates != Candidates::allPairs) {
-    const Stopwatch watch(stats.seconds.sample);
-    samples = options.candidates == Candidates::dynamic
-                  ? sampleDynamically(sites.circles, sites.centres, options.samples)
-                  : sampleUniformly(sites.circles, options.samples);
-    stats.counts.samples += static_cast<std::int64_t>(samples.points.size());
+  for (int round = 0;; ++round) {
+    Samples samples;
+    if (options.candidates != Candidates::allPairs) {
+      const Stopwatch watch(stats.seconds.sample);
+      samples = options.candidates == Candidates::dynamic ? sampleDynamically(sites.circles, sites.centres, angular)
+                                                          : sampleUniformly(sites.circles, options.samples);
+      stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
+    }
+    std::vector<Pair> pairs;
+    {
+      const Stopwatch watch(stats.seconds.pair);
+      pairs = options.candidates == Candidates::allPairs ? pairAll(n) : pairNeighbors(samples, n);
+    }
+    Construction result = judged(touchPairs(sites.circles, pairs, observer, stats), sites.circles, stats);
+    const bool mayRepair = options.repair && options.candidates == Candidates::dynamic && round < kMostRepairs;
+    if (result.certificate.certified() || !mayRepair) return result;
+    ++stats.counts.repairs;
+    // Where only rounding put the ends of an edge out of order, flips settle it; else pairs are missing.
+    auto dual = dualOf(result.topology, n);
+    if (auto* fitting = std::get_if<Dual>(&dual)) {
+      Construction flippedResult = judged(flipped(std::move(*fitting), sites, stats), sites.circles, stats);
+      if (flippedResult.certificate.certified()) return flippedResult;
+    }
+    // What is missing may lie farther off than what is seen to be wrong: at the third try, sample everywhere.
+    if (round >= 2) {
+      for (int& count : angular) count = 2 * count + 1;
+    } else {
+      for (const int i : circlesAround(result, sites.centres)) angular[i] = 2 * angular[i] + 1;
+    }
   }
-  std::vector<Pair> pairs;
-  {
-    const Stopwatch watch(stats.seconds.pair);
-    pairs = options.candidates == Candidates::allPairs ? pairAll(n) : pairNeighbors(samples, n);
-  }
-  return judged(touchPairs(sites.circles, pairs, observer, stats), sites.circles, stats);
 }
 
 Construction constructByFlips(const Sites& sites, Stats& stats) {
-  return judged(flipped(sites, stats), sites.circles, stats);
+  stats.way = "flip";
+  return judged(flipped(sites.centres, sites, stats), sites.circles, stats);
 }
 
 Construction constructAutomatically(const Sites& sites, Stats& stats) {
-  Dual dual = flipped(sites, stats);
+  stats.way = "flip";
+  Dual dual = flipped(sites.centres, sites, stats);
   Construction result = judged(dual, sites.circles, stats);
   for (const int reach : {2, 4, 8, 16}) {
     if (result.certificate.certified()) return result;

@@ -58,7 +58,7 @@ class Sampler {
 
 }  // namespace
 
-Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, int angular) {
+Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular) {
   Sampler sampler(circles);
   for (int h = 0; h < centres.halfEdgeCount(); ++h) {
     const int i = centres.origin[h];
@@ -69,7 +69,7 @@ Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, 
     if (!centres.isFinite(h / 3)) continue;
     const int k = centres.origin[Dual::previous(h)];
     const Vector across = unit(between(circles[i], circles[k]));
-    for (int part = 1; part <= angular; ++part) sampler.add(i, divideAngle(along, across, part, angular + 1));
+    for (int part = 1; part <= angular[i]; ++part) sampler.add(i, divideAngle(along, across, part, angular[i] + 1));
   }
   return std::move(sampler).take();
 }

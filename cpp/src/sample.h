@@ -22,7 +22,7 @@ struct Samples {
 ///
 /// The circles are taken less the smallest radius: the diagram does not change when a number is added to all radii,
 /// and less of them overlaps. `centres` has the centres of `circles` as corners.
-Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, int angular);
+Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular);
 
 /// `count` equally spaced points on each circle (paper, section 4.1), likewise less the smallest radius.
 Samples sampleUniformly(std::span<const Circle> circles, int count);

@@ -41,6 +41,8 @@ struct Options {
   /// uniform: m, samples on each circle, 1 to kMaxSamples.
   /// -1: the default of the candidates chosen. allPairs takes none.
   int samples = -1;
+  /// dynamic: if the diagram is not certified, take more samples around what is wrong and try again.
+  bool repair = false;
   /// Told each event of the loop; costs nothing when empty.
   Observer observer;
 };
