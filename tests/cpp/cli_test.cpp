@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program circle-voronoi, as a user runs it.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "circle_voronoi/families.h"
+
+namespace circle_voronoi {
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+class Cli : public testing::Test {
+ protected:
+  Cli() : folder_(std::filesystem::temp_directory_path() / ("circle-voronoi-test-" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~Cli() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name)) << text;
+    return path(name);
+  }
+
+  static std::string readFile(const std::string& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+
+  /// Runs the program with arguments as in a shell, and with some text as its standard input.
+  Outcome run(const std::string& arguments, const std::string& input = "") const {
+    const std::string in = write("stdin", input);
+    const std::string command = std::string(CIRCLE_VORONOI_PROGRAM) + " " + arguments + " <" + in + " >" +
+                                path("stdout") + " 2>" + path("stderr");
+    const int code = std::system(command.c_str());
+    return {WIFEXITED(code) ? WEXITSTATUS(code) : -1, readFile(path("stdout")), readFile(path("stderr"))};
+  }
+
+  /// A failure says one line and writes nothing.
+  static void expectFailure(const Outcome& run, int status, const std::string& message) {
+    EXPECT_EQ(run.status, status) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
+    EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+const std::string kFixture = CIRCLE_VORONOI_FIXTURES "/spruces.csv";
+
+TEST_F(Cli, ComputesAFile) {
+  const Outcome result = run("compute " + kFixture);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json.at("circles").size(), 134U);
+  EXPECT_TRUE(json.at("stats").at("certificate").at("certified"));
+}
+
+TEST_F(Cli, ReadsStandardInput) {
+  const Outcome result = run("compute -", "0,0,1\n6,0,1\n0,8,1\n");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto vertex = nlohmann::json::parse(result.out).at("vertices").at(0);
+  EXPECT_EQ(vertex.at("x"), 3.0);
+  EXPECT_EQ(vertex.at("radius"), 4.0);
+  EXPECT_EQ(nlohmann::json::parse(run("compute -", "[[0,0,1],[6,0,1]]").out).at("circles").size(), 2U);
+}
+
+TEST_F(Cli, WritesAFile) {
+  const Outcome result = run("compute " + kFixture + " -o " + path("out.json"));
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(nlohmann::json::parse(readFile(path("out.json"))).at("format"), "circle-voronoi");
+}
+
+TEST_F(Cli, WritesStatsAlone) {
+  const auto stats = nlohmann::json::parse(
+      run("compute " + kFixture + " --format stats --method touching-disc --candidates dynamic --samples 3").out);
+  EXPECT_EQ(stats.at("candidates"), "dynamic");
+  EXPECT_EQ(stats.at("counts").at("circles"), 134);
+  EXPECT_GT(stats.at("counts").at("samples"), 134);
+}
+
+TEST_F(Cli, AllMethodsMakeTheSameDiagram) {
+  const auto vertices = [&](const std::string& options) {
+    auto list = nlohmann::json::parse(run("compute " + kFixture + " " + options).out).at("vertices");
+    std::sort(list.begin(), list.end());
+    return list;
+  };
+  const auto expected = vertices("");
+  EXPECT_EQ(vertices("--method flip"), expected);
+  EXPECT_EQ(vertices("--method touching-disc"), expected);
+  EXPECT_EQ(vertices("--method touching-disc --candidates uniform"), expected);
+  EXPECT_EQ(vertices("--method touching-disc --candidates all-pairs"), expected);
+}
+
+TEST_F(Cli, BadLinesAreNamed) {
+  expectFailure(run("compute -", "1,2,3\n1,2\n"), 2, "standard input:2: ");
+  const std::string file = write("bad.csv", "x,y,r\n1,2,3\n1,2,three\n");
+  expectFailure(run("compute " + file), 2, file + ":3: r is not a number");
+  expectFailure(run("compute " + write("negative.csv", "1,2,-3\n")), 2, "negative.csv:1: ");
+  expectFailure(run("compute " + write("bad.json", "[[1,2,3],\n[1,2]]")), 2, "bad.json:2: ");
+}
+
+TEST_F(Cli, BadInputLeavesAnOutputFileAlone) {
+  const std::string file = write("kept.json", "before");
+  expectFailure(run("compute - -o " + file, "nothing\n"), 2, "standard input:1: ");
+  EXPECT_EQ(readFile(file), "before");
+}
+
+TEST_F(Cli, BadUsage) {
+  expectFailure(run(""), 2, "subcommand");
+  expectFailure(run("draw"), 2, "subcommand");
+  expectFailure(run("compute"), 2, "FILE");
+  expectFailure(run("compute - --format xml"), 2, "--format");
+  expectFailure(run("compute - --method magic"), 2, "--method");
+  expectFailure(run("compute - --candidates some"), 2, "--candidates");
+  expectFailure(run("compute - --samples -1"), 2, "--samples");
+  expectFailure(run("compute - --samples 1001"), 2, "--samples");
+  expectFailure(run("compute - --samples many"), 2, "--samples");
+  expectFailure(run("compute - --method touching-disc --candidates uniform --samples 0", "1,2,3\n"), 2, "samples");
+  expectFailure(run("generate nonsense 5"), 2, "nonsense");
+  expectFailure(run("generate uniform -5"), 2, "N");
+}
+
+TEST_F(Cli, FilesThatCannotBeReadOrWritten) {
+  expectFailure(run("compute " + path("missing.csv")), 1, "missing.csv");
+  expectFailure(run("compute " + path("")), 1, "Cannot read");
+  expectFailure(run("compute " + kFixture + " -o " + path("missing/out.json")), 1, "out.json");
+  if (std::filesystem::exists("/dev/full")) expectFailure(run("compute " + kFixture + " -o /dev/full"), 1, "/dev/full");
+}
+
+TEST_F(Cli, GeneratesWhatTheLibraryGenerates) {
+  const Outcome result = run("generate log-uniform 200 --seed 9");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(run("compute -", result.out).out);
+  const auto circles = generate(Family::logUniform, 200, 9);
+  ASSERT_EQ(json.at("circles").size(), circles.size());
+  for (std::size_t i = 0; i < circles.size(); ++i) EXPECT_EQ(json["circles"][i]["x"].get<double>(), circles[i].x);
+  EXPECT_EQ(run("generate log-uniform 200 --seed 9 -o " + path("circles.csv")).status, 0);
+  EXPECT_EQ(readFile(path("circles.csv")), result.out);
+}
+
+TEST_F(Cli, HelpAndVersion) {
+  for (const std::string arguments : {"--help", "compute --help", "generate --help", "--version"}) {
+    const Outcome result = run(arguments);
+    EXPECT_EQ(result.status, 0) << arguments;
+    EXPECT_NE(result.out, "") << arguments;
+    EXPECT_EQ(result.err, "") << arguments;
+  }
+  const std::string help = run("generate --help").out;
+  for (const FamilyInfo& family : families()) EXPECT_NE(help.find(std::string(family.name)), std::string::npos);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/compute.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "compare.h"
+#include "oracle.h"
+
+namespace circle_voronoi {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Diagram diagramOf(const std::vector<Circle>& circles, Method method) {
+  Options options;
+  options.method = method;
+  const auto diagram = compute(circles, options);
+  EXPECT_TRUE(diagram) << diagram.error().message;
+  EXPECT_EQ(test::structureProblem(diagram.value(), circles.size()), "");
+  EXPECT_TRUE(diagram.value().certificate.certified()) << diagram.value().certificate.message;
+  return diagram.value();
+}
+
+/// What must hold for each method.
+class Compute : public testing::TestWithParam<Method> {
+ protected:
+  Diagram diagramOf(const std::vector<Circle>& circles) const { return circle_voronoi::diagramOf(circles, GetParam()); }
+};
+
+std::string testName(const testing::TestParamInfo<Method>& method) {
+  constexpr const char* kNames[] = {"automatic", "touchingDisc", "flip"};
+  return kNames[static_cast<int>(method.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Compute, testing::Values(Method::automatic, Method::touchingDisc, Method::flip),
+                         testName);
+
+TEST_P(Compute, NoCircle) {
+  const Diagram diagram = diagramOf({});
+  EXPECT_TRUE(diagram.vertices.empty() && diagram.edges.empty() && diagram.hull.empty());
+}
+
+TEST_P(Compute, OneCircle) {
+  const Diagram diagram = diagramOf({{1, 2, 3}});
+  EXPECT_TRUE(diagram.vertices.empty() && diagram.edges.empty());
+  EXPECT_EQ(diagram.hull, std::vector<std::int32_t>{0});
+}
+
+TEST_P(Compute, TwoCirclesShareOneUnboundedEdge) {
+  const Diagram diagram = diagramOf({{0, 0, 1}, {5, 0, 2}});
+  EXPECT_TRUE(diagram.vertices.empty());
+  ASSERT_EQ(diagram.edges.size(), 1U);
+  EXPECT_EQ(diagram.edges[0].start, kNone);
+  EXPECT_EQ(diagram.edges[0].end, kNone);
+  EXPECT_EQ(diagram.hull.size(), 2U);
+}
+
+TEST_P(Compute, ThreeCirclesShareOneVertex) {
+  const Diagram diagram = diagramOf({{0, 0, 1}, {6, 0, 1}, {0, 8, 1}});
+  ASSERT_EQ(diagram.vertices.size(), 1U);
+  EXPECT_DOUBLE_EQ(diagram.vertices[0].x, 3);
+  EXPECT_DOUBLE_EQ(diagram.vertices[0].y, 4);
+  EXPECT_DOUBLE_EQ(diagram.vertices[0].radius, 4);
+  EXPECT_EQ(diagram.vertexCircles[0], (std::array<std::int32_t, 3>{0, 1, 2}));
+  EXPECT_EQ(diagram.edges.size(), 3U);
+}
+
+TEST_P(Compute, ASmallCircleBetweenTwoLargeOnesHasACellWithTwoEdges) {
+  const Diagram diagram = diagramOf({{-5, 0, 4}, {5, 0, 4}, {0, 0, 0.1}});
+  EXPECT_EQ(diagram.vertices.size(), 2U);
+  EXPECT_EQ(diagram.edges.size(), 4U) << "two for the small circle, and two that the large ones share";
+}
+
+TEST_P(Compute, CollinearCentres) {
+  const Diagram diagram = diagramOf({{0, 0, 1}, {3, 3, 1}, {6, 6, 1}, {9, 9, 1}});
+  EXPECT_TRUE(diagram.vertices.empty());
+  EXPECT_EQ(diagram.edges.size(), 3U);
+  EXPECT_EQ(diagram.hull.size(), 6U) << "there and back";
+}
+
+TEST_P(Compute, OfIdenticalCirclesTheFirstStaysVisible) {
+  const Diagram diagram = diagramOf({{0, 0, 1}, {0, 0, 1}, {4, 0, 1}, {0, 0, 1}});
+  EXPECT_EQ(diagram.hidden, (std::vector<HiddenCircle>{{1, 0}, {3, 0}}));
+}
+
+TEST_P(Compute, ContainedAndInternallyTangentCirclesAreHidden) {
+  const Diagram diagram = diagramOf({{0, 0, 1}, {0, 0, 4}, {3, 0, 1}, {1, 0, 0}, {9, 0, 1}});
+  EXPECT_EQ(diagram.hidden, (std::vector<HiddenCircle>{{0, 1}, {2, 1}, {3, 1}}));
+}
+
+TEST_P(Compute, ACircleThatReachesOutOfAnotherIsVisible) {
+  EXPECT_TRUE(diagramOf({{0, 0, 4}, {3, 0, 1.0000001}}).hidden.empty());
+}
+
+TEST_P(Compute, APointOnACircleIsHidden) {
+  EXPECT_EQ(diagramOf({{0, 0, 5}, {3, 4, 0}}).hidden, (std::vector<HiddenCircle>{{1, 0}}));
+}
+
+TEST_P(Compute, MutuallyIntersectingCirclesHaveAVertexInside) {
+  const Diagram diagram = diagramOf({{-1, 0, 2}, {1, 0, 2}, {0, 1.5, 2}});
+  ASSERT_EQ(diagram.vertices.size(), 1U);
+  EXPECT_LT(diagram.vertices[0].radius, 0);
+}
+
+TEST_P(Compute, NegativeZeroIsZero) {
+  EXPECT_EQ(diagramOf({{0, 0, 1}, {-0.0, -0.0, 1}, {3, 0, 1}}).hidden, (std::vector<HiddenCircle>{{1, 0}}));
+}
+
+TEST_P(Compute, TheLargestAndSmallestNumbers) {
+  for (const double scale : {1e-300, 1e-150, 1e149}) {
+    const Diagram diagram = diagramOf({{0, 0, scale}, {6 * scale, 0, scale}, {0, 8 * scale, scale}});
+    ASSERT_EQ(diagram.vertices.size(), 1U) << scale;
+    EXPECT_NEAR(diagram.vertices[0].x / scale, 3, 1e-15);
+  }
+}
+
+struct BadCircle {
+  Circle circle;
+  ErrorCode code;
+};
+
+TEST_P(Compute, NamesTheFirstBadCircle) {
+  const BadCircle kBadCircles[] = {{{kNan, 0, 1}, ErrorCode::nonFinite},
+                                   {{0, -kInfinite, 1}, ErrorCode::nonFinite},
+                                   {{0, 0, kInfinite}, ErrorCode::nonFinite},
+                                   {{0, 0, -1e-300}, ErrorCode::negativeRadius},
+                                   {{1.1e150, 0, 1}, ErrorCode::coordinateTooLarge},
+                                   {{0, -1.1e150, 1}, ErrorCode::coordinateTooLarge},
+                                   {{0, 0, 1.1e150}, ErrorCode::coordinateTooLarge}};
+  for (const auto& [circle, code] : kBadCircles) {
+    const std::vector<Circle> circles = {{0, 0, 1}, {5, 0, 1}, circle, {kNan, kNan, kNan}};
+    Options options;
+    options.method = GetParam();
+    const auto diagram = compute(circles, options);
+    ASSERT_FALSE(diagram) << errorCodeName(code);
+    EXPECT_EQ(diagram.error().code, code) << errorCodeName(code);
+    EXPECT_EQ(diagram.error().circle, 2);
+    EXPECT_NE(diagram.error().message.find("Circle 2 "), std::string::npos) << diagram.error().message;
+  }
+}
+
+TEST(ComputeOptions, SamplesAreChecked) {
+  struct Case {
+    Candidates candidates;
+    int samples;
+    bool isGood;
+  };
+  const Case kCases[] = {{Candidates::dynamic, 0, true},   {Candidates::dynamic, kMaxSamples, true},
+                         {Candidates::dynamic, -2, false}, {Candidates::dynamic, kMaxSamples + 1, false},
+                         {Candidates::uniform, 0, false},  {Candidates::uniform, 1, true},
+                         {Candidates::uniform, -1, true}};
+  for (const auto& [candidates, samples, isGood] : kCases) {
+    Options options;
+    options.method = Method::touchingDisc;
+    options.candidates = candidates;
+    options.samples = samples;
+    const auto diagram = compute(std::array{Circle{0, 0, 1}, Circle{5, 0, 1}}, options);
+    EXPECT_EQ(diagram.ok(), isGood) << samples;
+    if (!diagram) {
+      EXPECT_EQ(diagram.error().code, ErrorCode::badOption);
+    }
+  }
+}
+
+TEST(ComputeOptions, AllPairsOfTooManyCirclesAreRefused) {
+  Options options;
+  options.method = Method::touchingDisc;
+  options.candidates = Candidates::allPairs;
+  const std::vector<Circle> circles(kMaxAllPairsCircles + 1);
+  const auto diagram = compute(circles, options);
+  ASSERT_FALSE(diagram);
+  EXPECT_EQ(diagram.error().code, ErrorCode::tooManyCircles);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/io.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Circles = std::vector<Circle>;
+
+Circles read(std::string_view text) {
+  const auto circles = readCircles(text, "test");
+  EXPECT_TRUE(circles) << circles.error().message;
+  return circles ? circles.value() : Circles{};
+}
+
+std::string errorOf(std::string_view text) {
+  const auto circles = readCircles(text, "test");
+  return circles ? "" : circles.error().message;
+}
+
+const Circles kTwo = {{1, 2, 3}, {-4.5, 5e-3, 0}};
+
+TEST(ReadCsv, WithAndWithoutHeader) {
+  EXPECT_EQ(read("1,2,3\n-4.5,5e-3,0\n"), kTwo);
+  EXPECT_EQ(read("x,y,r\n1,2,3\n-4.5,5e-3,0\n"), kTwo);
+  EXPECT_EQ(read("\"X\", \"Y\", \"R\"\n1,2,3\n-4.5,5e-3,0\n"), kTwo);
+}
+
+TEST(ReadCsv, ToleratesWhatProgramsWrite) {
+  EXPECT_EQ(read("1,2,3\r\n-4.5,5e-3,0"), kTwo) << "CRLF, and no end of the last line";
+  EXPECT_EQ(read("\xEF\xBB\xBFx,y,r\r\n1,2,3\r\n-4.5,5e-3,0\r\n"), kTwo) << "byte order mark";
+  EXPECT_EQ(read("\n  \n 1 ,\t2 , 3\n\n-4.5,+5e-3,0\n\n"), kTwo) << "blank lines, spaces, a plus sign";
+}
+
+TEST(ReadCsv, NothingIsNoCircle) {
+  EXPECT_EQ(read(""), Circles{});
+  EXPECT_EQ(read("\n\n"), Circles{});
+  EXPECT_EQ(read("x,y,r\n"), Circles{});
+}
+
+TEST(ReadCsv, NamesTheBadLine) {
+  EXPECT_EQ(errorOf("1,2,3\n1,2\n"), "test:2: expected three numbers x,y,r separated by commas.");
+  EXPECT_EQ(errorOf("1,2,3,4\n"), "test:1: expected three numbers x,y,r separated by commas.");
+  EXPECT_EQ(errorOf("1;2;3\n"), "test:1: expected three numbers x,y,r separated by commas.");
+  EXPECT_EQ(errorOf("x,y,r\n\n1,2,abc\n"), "test:3: r is not a number: \"abc\".");
+  EXPECT_EQ(errorOf("1,,3\n"), "test:1: y is not a number: \"\".");
+  EXPECT_EQ(errorOf("1,2,3\nx,y,r\n"), "test:2: x is not a number: \"x\".") << "a header comes first";
+  EXPECT_EQ(errorOf("r,x,y\n1,2,3\n"), "test:1: x is not a number: \"r\".") << "columns have one order";
+  EXPECT_EQ(errorOf("1,2,1e999\n"), "test:1: r is beyond the range of a double: \"1e999\".");
+}
+
+TEST(ReadJson, ArraysAndObjects) {
+  EXPECT_EQ(read("[[1,2,3],[-4.5,5e-3,0]]"), kTwo);
+  EXPECT_EQ(read(" [\n {\"x\": 1, \"y\": 2, \"r\": 3}, {\"r\": 0, \"y\": 0.005, \"x\": -4.5} ]\n"), kTwo);
+  EXPECT_EQ(read("[]"), Circles{});
+}
+
+TEST(ReadJson, SkipsOtherKeys) {
+  EXPECT_EQ(read(R"([{"x": 1, "y": 2, "r": 3, "name": "a", "more": {"x": [7, {"r": null}]}, "n": 5},
+                     [-4.5, 0.005, 0]])"),
+            kTwo);
+}
+
+TEST(ReadJson, NamesTheBadLine) {
+  EXPECT_EQ(errorOf("[[1,2,3],\n[1,2]]"), "test:2: a circle has no r.");
+  EXPECT_EQ(errorOf("[[1,2,3],\n[1,2,3,4]]"), "test:2: a circle has three numbers, not more.");
+  EXPECT_EQ(errorOf("[[1,2,3],\n\n[1,\"2\",3]]"), "test:3: expected a number for y, not a string.");
+  EXPECT_EQ(errorOf("[{\"x\":1,\n\"y\":null,\"r\":1}]"), "test:2: expected a number for y, not null.");
+  EXPECT_EQ(errorOf("[{\"x\":1,\"x\":1}]"), "test:1: x is given twice.");
+  EXPECT_EQ(errorOf("[1,2,3]"), "test:1: expected a circle, [x,y,r] or {\"x\":..,\"y\":..,\"r\":..}, not a number.");
+  EXPECT_EQ(errorOf("{\"x\":1}"), "test:1: expected an array of circles, not an object.");
+  EXPECT_TRUE(errorOf("[[1,2,3],\n[1,2,").starts_with("test:2: bad JSON: "));
+  EXPECT_TRUE(errorOf("[[1,2,3]]\n]").starts_with("test:2: bad JSON: "));
+  EXPECT_TRUE(errorOf("[[1,2,1e999]]").starts_with("test:1: bad JSON: "));
+}
+
+TEST(ReadCircles, NamesTheLineOfACircleThatComputeWouldReject) {
+  const auto negative = readCircles("x,y,r\n1,2,3\n1,2,-3\n", "test");
+  ASSERT_FALSE(negative);
+  EXPECT_EQ(negative.error().code, ErrorCode::negativeRadius);
+  EXPECT_EQ(negative.error().circle, 1);
+  EXPECT_TRUE(negative.error().message.starts_with("test:3: ")) << negative.error().message;
+  EXPECT_EQ(readCircles("1,nan,3\n", "test").error().code, ErrorCode::nonFinite);
+  EXPECT_EQ(readCircles("1,inf,3\n", "test").error().code, ErrorCode::nonFinite);
+  EXPECT_EQ(readCircles("[[1e200,0,0]]", "test").error().code, ErrorCode::coordinateTooLarge);
+}
+
+TEST(WriteCsv, ReadsBackToTheSameBits) {
+  for (const FamilyInfo& family : families()) {
+    const auto circles = generate(family.family, 50, 3);
+    std::ostringstream text;
+    writeCsv(text, circles);
+    EXPECT_EQ(read(text.str()), circles) << family.name;
+  }
+}
+
+TEST(WriteJson, HoldsTheDiagramToTheBit) {
+  const auto circles = generate(Family::hidden, 60, 1);
+  const Diagram diagram = compute(circles).value();
+  std::ostringstream text;
+  writeJson(text, circles, diagram);
+  const auto json = nlohmann::json::parse(text.str());
+
+  EXPECT_EQ(json.at("format"), "circle-voronoi");
+  EXPECT_EQ(json.at("version"), 1);
+  EXPECT_EQ(read(json.at("circles").dump()), circles);
+  ASSERT_EQ(json.at("hidden").size(), diagram.hidden.size());
+  for (std::size_t i = 0; i < diagram.hidden.size(); ++i) {
+    EXPECT_EQ(json["hidden"][i]["circle"], diagram.hidden[i].circle);
+    EXPECT_EQ(json["hidden"][i]["by"], diagram.hidden[i].by);
+  }
+  ASSERT_EQ(json.at("vertices").size(), diagram.vertices.size());
+  for (std::size_t i = 0; i < diagram.vertices.size(); ++i) {
+    const auto& vertex = json["vertices"][i];
+    EXPECT_EQ(vertex["x"].get<double>(), diagram.vertices[i].x);
+    EXPECT_EQ(vertex["y"].get<double>(), diagram.vertices[i].y);
+    EXPECT_EQ(vertex["radius"].get<double>(), diagram.vertices[i].radius);
+    EXPECT_EQ(vertex["circles"], nlohmann::json(diagram.vertexCircles[i]));
+  }
+  ASSERT_EQ(json.at("edges").size(), diagram.edges.size());
+  for (std::size_t i = 0; i < diagram.edges.size(); ++i) {
+    const Edge& edge = diagram.edges[i];
+    EXPECT_EQ(json["edges"][i]["circles"], nlohmann::json({edge.left, edge.right}));
+    EXPECT_EQ(json["edges"][i]["vertices"], nlohmann::json({edge.start, edge.end}));
+  }
+  EXPECT_EQ(json.at("hull"), nlohmann::json(diagram.hull));
+  EXPECT_EQ(json.at("stats").at("counts").at("circles"), 60);
+  EXPECT_EQ(json.at("stats").at("seconds").at("total").get<double>(), diagram.stats.seconds.total);
+  EXPECT_EQ(json.at("stats").at("certificate").at("certified"), true);
+}
+
+TEST(WriteJson, TheStatsAloneAreTheSame) {
+  const auto circles = generate(Family::uniform, 5, 1);
+  const Diagram diagram = compute(circles).value();
+  std::ostringstream all;
+  std::ostringstream stats;
+  writeJson(all, circles, diagram);
+  writeStatsJson(stats, diagram);
+  EXPECT_EQ(nlohmann::json::parse(all.str()).at("stats"), nlohmann::json::parse(stats.str()));
+}
+
+TEST(WriteJson, OfNoCirclesIsValid) {
+  std::ostringstream text;
+  writeJson(text, {}, compute({}).value());
+  const auto json = nlohmann::json::parse(text.str());
+  EXPECT_EQ(json.at("circles").size(), 0U);
+  EXPECT_EQ(json.at("vertices").size(), 0U);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

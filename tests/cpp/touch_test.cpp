@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rules in which this implementation of the touching disc method differs from the paper's Algorithms 1 to 4, each
+// on the smallest input that needs it.
+#include "touch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "circle_voronoi/compute.h"
+#include "compare.h"
+#include "fixtures.h"
+#include "oracle.h"
+
+namespace circle_voronoi {
+namespace {
+
+struct Outcome {
+  std::vector<Circle> circles;
+  Diagram diagram;
+  std::map<TraceKind, int> events;
+  std::string problem;
+};
+
+Outcome solve(const std::vector<Circle>& circles, Options options) {
+  Outcome outcome;
+  outcome.circles = circles;
+  options.method = Method::touchingDisc;
+  options.observer = [&](const TraceEvent& event) { ++outcome.events[event.kind]; };
+  outcome.diagram = compute(circles, options).value();
+  outcome.problem = test::problemInGeneralPosition(outcome.diagram, oracle::exactDiagram(circles), circles);
+  return outcome;
+}
+
+Outcome solveAllPairs(const std::string& fixture) {
+  Options options;
+  options.candidates = Candidates::allPairs;
+  return solve(test::readFixture(fixture), options);
+}
+
+Outcome solveSampled(const std::string& fixture, int samples) {
+  Options options;
+  options.samples = samples;
+  return solve(test::readFixture(fixture), options);
+}
+
+// The paper finds hidden circles by the leftover DEs. Left in, they take part in antipodal discs and displace the
+// neighbours of the circle that contains them: here a copy of circle 0.
+TEST(TouchRule1, HiddenCirclesAreRemovedFirst) {
+  const Outcome outcome = solveSampled("missed-antipodal-disc-duplicates-4", 0);
+  EXPECT_EQ(outcome.problem, "");
+  ASSERT_EQ(outcome.diagram.hidden.size(), 1U);
+  EXPECT_EQ(outcome.diagram.hidden[0].circle, 3);
+  EXPECT_EQ(outcome.diagram.hidden[0].by, 0);
+}
+
+// DE(c,a) may exist and belong to another branch of the bisector of c and a: taking it for the third DE of the disc,
+// as Algorithm 3 does, closes the diagram of three circles in a row after one vertex.
+TEST(TouchRule2, TheThirdDirectedEdgeMustBeAdjacentAndForward) {
+  for (const std::string name : {"collinear-varied", "log-uniform", "one-huge", "two-huge"}) {
+    const Outcome outcome = solveAllPairs("third-edge-not-forward-" + name + "-3");
+    EXPECT_EQ(outcome.problem, "") << name;
+    EXPECT_EQ(outcome.diagram.vertices.size(), 2U) << name;
+  }
+}
+
+// Where a disc of R_min is not antipodal, a centre to the right of its DE may lie behind it on the bisector.
+TEST(TouchRule3, ForwardIsAlongTheBisector) {
+  for (const std::string name : {"intersecting-3", "lightly-intersecting-3", "lightly-intersecting-4", "hidden-3"}) {
+    EXPECT_EQ(solveAllPairs("centre-right-of-edge-" + name).problem, "") << name;
+  }
+}
+
+// When its turn comes a three-touch disc may name a DE that is gone. Discs are discarded then, and none is lost: the DE
+// that took its place has formed its own.
+TEST(TouchRule4, DiscsOfDeletedEdgesAreStale) {
+  const Outcome outcome = solveSampled("missed-antipodal-disc-duplicates-22", 1);
+  EXPECT_EQ(outcome.problem, "");
+  EXPECT_GT(outcome.events.at(TraceKind::threeTouchDiscStale), 0);
+  EXPECT_EQ(outcome.events.at(TraceKind::branchDisc), static_cast<int>(outcome.diagram.vertices.size()));
+}
+
+// All circles touch one disc. A DE sorted into the ring by an angle that rounding has changed would cross another one;
+// it takes the places of the two that it replaces.
+TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
+  for (const std::string name : {"tie-on-one-disc-cocircular-equal-4", "tie-on-one-disc-cocircular-varied-4",
+                                 "centre-right-of-edge-cocircular-varied-5"}) {
+    const Outcome outcome = solveAllPairs(name);
+    EXPECT_EQ(
+        test::problemInDegeneratePosition(outcome.diagram, oracle::exactDiagram(outcome.circles), outcome.circles), "")
+        << name;
+  }
+}
+
+// A touching disc whose footpoint lies exactly on the end of a used arc is used: four circles around one disc.
+TEST(TouchRule5, AFootpointAtAUsedArcIsUsed) {
+  Options options;
+  options.candidates = Candidates::allPairs;
+  const Outcome outcome = solve({{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}}, options);
+  EXPECT_EQ(outcome.diagram.vertices.size(), 2U);
+  EXPECT_EQ(outcome.diagram.stats.counts.leftoverCycles, 1);
+}
+
+// The antipodal disc of two intersecting circles has a negative radius and may meet a third one like any other.
+TEST(TouchRule6, DiscsOfIntersectingCirclesAreTestedForEmptiness) {
+  for (const std::string name : {"centre-right-of-edge-intersecting-4", "missed-antipodal-disc-intersecting-5",
+                                 "missed-antipodal-disc-intersecting-6"}) {
+    const Outcome outcome = solveAllPairs(name);
+    EXPECT_EQ(outcome.problem, "") << name;
+    EXPECT_GT(
+        outcome.events.count(TraceKind::antipodalDiscNotEmpty) + outcome.events.count(TraceKind::antipodalDiscUsed), 0U)
+        << name;
+  }
+}
+
+// Each edge has two segments that end in a vertex or at infinity. A DE that goes without a vertex would leave an edge
+// behind that nothing joins.
+TEST(TouchRule7, EveryEdgeHasItsVertices) {
+  for (const std::string& name : test::fixtureNames()) {
+    const Outcome outcome = solveAllPairs(name);
+    const auto ends = std::ranges::count_if(outcome.diagram.edges, [](const Edge& e) { return e.start != kNone; }) +
+                      std::ranges::count_if(outcome.diagram.edges, [](const Edge& e) { return e.end != kNone; });
+    EXPECT_EQ(ends, 3 * static_cast<std::ptrdiff_t>(outcome.diagram.vertices.size())) << name;
+  }
+}
+
+// Rule 8, which samples there are, has its tests in sample_test.cpp and pair_test.cpp.
+
+// Sampling may miss an antipodal disc; with every pair as a candidate nothing is missing.
+TEST(TouchRule9, AllPairsMissNothing) {
+  for (const std::string name : {"clustered-4", "log-uniform-4", "mixed-4", "one-huge-4"}) {
+    EXPECT_NE(solveSampled("missed-antipodal-disc-" + name, 0).problem, "") << name;
+    EXPECT_EQ(solveSampled("missed-antipodal-disc-" + name, 1).problem, "") << name;
+    EXPECT_EQ(solveAllPairs("missed-antipodal-disc-" + name).problem, "") << name;
+  }
+}
+
+// A three-touch disc may come before the antipodal disc of two of its circles by rounding alone. The DE that it places
+// stands for both; a second pair of DEs would count the edge twice.
+TEST(TouchRule, ADirectedEdgeStandsForTheAntipodalDiscOfItsCircles) {
+  const Outcome outcome = solveAllPairs("antipodal-disc-after-three-touch-disc-clustered-3");
+  EXPECT_EQ(outcome.problem, "");
+  EXPECT_EQ(outcome.diagram.edges.size(), 3U);
+}
+
+TEST(Touch, TellsEveryEvent) {
+  const Outcome outcome = solveAllPairs("spruces");
+  const auto count = [&](TraceKind kind) {
+    const auto found = outcome.events.find(kind);
+    return found == outcome.events.end() ? 0 : found->second;
+  };
+  const Counts& counts = outcome.diagram.stats.counts;
+  const int rejected = count(TraceKind::antipodalDiscUsed) + count(TraceKind::antipodalDiscNotEmpty);
+  EXPECT_EQ(count(TraceKind::antipodalDiscAccepted) + rejected, counts.antipodalDiscs);
+  EXPECT_EQ(count(TraceKind::threeTouchDiscFormed), counts.threeTouchDiscs);
+  EXPECT_EQ(count(TraceKind::branchDisc) + count(TraceKind::threeTouchDiscStale), counts.threeTouchDiscs);
+  EXPECT_EQ(counts.events, counts.antipodalDiscs + counts.threeTouchDiscs);
+  EXPECT_EQ(count(TraceKind::segmentFinished), count(TraceKind::directedEdgeDeleted));
+  // What is left of the DEs is the hull.
+  EXPECT_EQ(count(TraceKind::directedEdgePlaced) - count(TraceKind::directedEdgeDeleted),
+            static_cast<int>(outcome.diagram.hull.size()));
+}
+
+}  // namespace
+}  // namespace circle_voronoi
