@@ -40,7 +40,9 @@ void sortByKey(std::vector<Keyed>& items) {
   std::vector<Keyed> other(items.size());
   for (int shift = 0; shift < 2 * kHilbertBits; shift += kDigitBits) {
     std::array<std::size_t, (1u << kDigitBits) + 1> first{};
-    const auto digit = [shift](const Keyed& item) { return (item.key >> shift) & ((1u << kDigitBits) - 1); };
+    const auto digit = [shift](const Keyed& item) {
+      return static_cast<std::size_t>((item.key >> shift) & ((1u << kDigitBits) - 1));
+    };
     for (const Keyed& item : items) ++first[digit(item) + 1];
     for (std::size_t d = 1; d < first.size(); ++d) first[d] += first[d - 1];
     for (const Keyed& item : items) other[first[digit(item)]++] = item;
