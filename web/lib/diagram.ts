@@ -64,6 +64,8 @@ export interface Counts {
   readonly flips: number
   readonly repairs: number
   readonly filtered: number
+  /** Predicates decided in double-double arithmetic, with an error bound. */
+  readonly refined: number
   readonly inCircle: number
   readonly exact: number
 }
