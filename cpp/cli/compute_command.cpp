@@ -25,6 +25,7 @@ struct ComputeArguments {
   std::string method = "auto";
   std::string candidates = "dynamic";
   int samples = Options{}.samples;
+  bool repair = Options{}.repair;
 };
 
 void runCompute(const ComputeArguments& arguments) {
@@ -36,6 +37,7 @@ void runCompute(const ComputeArguments& arguments) {
   options.method = kMethods.at(arguments.method);
   options.candidates = kCandidates.at(arguments.candidates);
   options.samples = arguments.samples;
+  options.repair = arguments.repair;
   const auto diagram = compute(circles.value(), options);
   if (!diagram) {
     const Error& error = diagram.error();
@@ -72,6 +74,7 @@ void addComputeCommand(CLI::App& program) {
                    "dynamic: samples inside each angle of a Delaunay face (" + std::to_string(kDefaultDynamicSamples) +
                        "); uniform: samples on each circle (" + std::to_string(kDefaultUniformSamples) + ")")
       ->check(CLI::Range(0, kMaxSamples));
+  command->add_flag("--repair", arguments->repair, "dynamic: add samples where the certificate failed and try again");
   command->add_option("-o,--output", arguments->output, "The file to write; - is standard output");
   command->callback([arguments] { runCompute(*arguments); });
 }

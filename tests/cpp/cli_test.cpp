@@ -99,6 +99,17 @@ TEST_F(Cli, WritesStatsAlone) {
   EXPECT_GT(stats.at("counts").at("samples"), 134);
 }
 
+TEST_F(Cli, SaysWhereSamplingMissedSomethingAndRepairsIt) {
+  const std::string command = "compute " CIRCLE_VORONOI_FIXTURES
+                              "/missed-antipodal-disc-mixed-4.csv --format stats --method touching-disc --samples 0";
+  const auto certificate = [&](const std::string& options) {
+    return nlohmann::json::parse(run(command + options).out).at("certificate");
+  };
+  EXPECT_EQ(certificate("").at("certified"), false);
+  EXPECT_NE(certificate("").at("message"), "");
+  EXPECT_EQ(certificate(" --repair").at("certified"), true);
+}
+
 TEST_F(Cli, AllMethodsMakeTheSameDiagram) {
   const auto vertices = [&](const std::string& options) {
     auto list = nlohmann::json::parse(run("compute " + kFixture + " " + options).out).at("vertices");

@@ -15,7 +15,7 @@ namespace {
 Samples sample(const std::vector<Circle>& circles, int angular) {
   std::vector<Point> centres;
   for (const Circle& c : circles) centres.push_back({c.x, c.y});
-  return sampleDynamically(circles, delaunay(centres).dual, angular);
+  return sampleDynamically(circles, delaunay(centres).dual, std::vector<int>(circles.size(), angular));
 }
 
 std::int64_t countOn(const Samples& samples, int circle) { return std::ranges::count(samples.circles, circle); }
@@ -67,6 +67,15 @@ TEST(Samples, DivideAFacesAngleIntoEqualParts) {
   EXPECT_NEAR(heights[1], 0.5, 1e-15);
   EXPECT_NEAR(heights[2], std::sqrt(0.75), 1e-15);
   EXPECT_NEAR(heights[3], 1, 1e-15);
+}
+
+TEST(Samples, MayDifferFromCircleToCircle) {
+  const std::vector<Circle> triangle = {{0, 0, 1}, {9, 0, 2}, {0, 9, 3}};
+  const std::vector<Point> centres = {{0, 0}, {9, 0}, {0, 9}};
+  const Samples samples = sampleDynamically(triangle, delaunay(centres).dual, std::vector<int>{0, 1, 5});
+  EXPECT_EQ(countOn(samples, 0), 2);
+  EXPECT_EQ(countOn(samples, 1), 3);
+  EXPECT_EQ(countOn(samples, 2), 7);
 }
 
 TEST(Samples, OfCollinearCentresLieAlongTheirLine) {

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/cells.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "fixtures.h"
+#include "geometry.h"
+#include "random.h"
+
+namespace circle_voronoi {
+namespace {
+
+Diagram diagramOf(const std::vector<Circle>& circles) {
+  const auto diagram = compute(circles);
+  EXPECT_TRUE(diagram) << diagram.error().message;
+  return diagram.value();
+}
+
+/// A square around the middle of the circles; `share` 1: as wide as their bounding box is wide or high.
+Box boxAround(const std::vector<Circle>& circles, double share) {
+  Box box = {circles[0].x, circles[0].y, circles[0].x, circles[0].y};
+  for (const Circle& c : circles) {
+    box.minX = std::min(box.minX, c.x - c.r);
+    box.minY = std::min(box.minY, c.y - c.r);
+    box.maxX = std::max(box.maxX, c.x + c.r);
+    box.maxY = std::max(box.maxY, c.y + c.r);
+  }
+  const double size = std::max(box.maxX - box.minX, box.maxY - box.minY);
+  const double half = share * (size > 0 ? size : 1) / 2;
+  const Point middle = {box.minX / 2 + box.maxX / 2, box.minY / 2 + box.maxY / 2};
+  return {middle.x - half, middle.y - half, middle.x + half, middle.y + half};
+}
+
+std::int32_t nearest(const std::vector<Circle>& circles, Point p) {
+  std::int32_t best = 0;
+  for (std::size_t i = 1; i < circles.size(); ++i) {
+    if (distance(Metric::circles, circles[i], p) <
+        distance(Metric::circles, circles[static_cast<std::size_t>(best)], p))
+      best = static_cast<std::int32_t>(i);
+  }
+  return best;
+}
+
+Point randomPoint(const Box& box, Random& random) {
+  return {random.uniform(box.minX, box.maxX), random.uniform(box.minY, box.maxY)};
+}
+
+ConvexPolygon randomPolygon(const Box& box, Random& random) {
+  std::vector<double> turns;
+  for (std::size_t i = 3 + random.below(6); i > 0; --i) turns.push_back(random.unit());
+  std::ranges::sort(turns);
+  const Point middle = randomPoint(box, random);
+  const double radius = (box.maxX - box.minX) * random.logUniform(-2, 0);
+  std::vector<Point> corners;
+  for (const double turn : turns) {
+    const Vector direction = directionAt(turn);
+    corners.push_back({middle.x + radius * direction.x, middle.y + radius * direction.y});
+  }
+  return ConvexPolygon::from(corners).value();
+}
+
+/// Loops are closed without gaps, and their areas add up to the region's.
+void expectPartition(const Cells& cells, const ConvexPolygon& region) {
+  double sum = 0;
+  for (std::size_t i = 0; i < cells.circles().size(); ++i) {
+    const Outline parts = outline(cells, static_cast<std::int32_t>(i), region);
+    for (const auto& loop : parts) {
+      ASSERT_FALSE(loop.empty());
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        ASSERT_EQ(loop[k].curve.end, loop[(k + 1) % loop.size()].curve.start) << "cell " << i << " piece " << k;
+      }
+    }
+    const double part = area(parts);
+    ASSERT_GE(part, -1e-12 * region.area()) << "cell " << i;
+    sum += part;
+  }
+  EXPECT_NEAR(sum / region.area(), 1, 1e-9);
+}
+
+TEST(Cells, SidesTurnCounterClockwiseAndLinkUp) {
+  for (const FamilyInfo& family : families()) {
+    SCOPED_TRACE(family.name);
+    const auto circles = generate(family.family, 200, 1);
+    const Diagram diagram = diagramOf(circles);
+    const Cells cells(circles, diagram);
+    std::size_t count = 0;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+      const auto sides = cells.sides(i);
+      count += sides.size();
+      for (std::size_t k = 0; k < sides.size(); ++k) {
+        ASSERT_EQ(cells.circleOf(sides[k]), i);
+        ASSERT_EQ(cells.targetOf(sides[k]), cells.originOf(sides[(k + 1) % sides.size()]));
+      }
+      const auto neighbors = cells.neighbors(i);
+      for (const std::int32_t j : neighbors) {
+        const auto back = cells.neighbors(j);
+        ASSERT_EQ(std::ranges::count(back, i), std::ranges::count(neighbors, j));
+      }
+    }
+    EXPECT_EQ(count, 2 * diagram.edges.size());
+    for (const HiddenCircle& hidden : diagram.hidden) {
+      EXPECT_FALSE(cells.exists(hidden.circle));
+      EXPECT_TRUE(outline(cells, hidden.circle, boxAround(circles, 1.1)).empty());
+    }
+  }
+}
+
+TEST(Cells, ContainWhatIsNearest) {
+  Random random(2);
+  for (const FamilyInfo& family : families()) {
+    SCOPED_TRACE(family.name);
+    const auto circles = generate(family.family, 60, 2);
+    const Diagram diagram = diagramOf(circles);
+    const Cells cells(circles, diagram);
+    const Box box = boxAround(circles, 1.2);
+    for (int k = 0; k < 200; ++k) {
+      const Point p = randomPoint(box, random);
+      const double least = distance(Metric::circles, circles[static_cast<std::size_t>(nearest(circles, p))], p);
+      for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+        const double own = cells.distance(i, p);
+        EXPECT_EQ(cells.contains(i, p), cells.exists(i) && own == least) << i;
+      }
+    }
+  }
+}
+
+TEST(Cells, AreasAddUpToTheRegion) {
+  Random random(3);
+  for (const FamilyInfo& family : families()) {
+    for (const std::size_t count : {1U, 2U, 3U, 5U, 20U, 100U, 300U}) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(count));
+      const auto circles = generate(family.family, count, count);
+      const Diagram diagram = diagramOf(circles);
+      const Cells cells(circles, diagram);
+      expectPartition(cells, boxAround(circles, 1.5));
+      expectPartition(cells, boxAround(circles, 1));
+      expectPartition(cells, boxAround(circles, 1000));
+      expectPartition(cells, boxAround(circles, 0.3));
+      expectPartition(cells, randomPolygon(boxAround(circles, 1), random));
+    }
+  }
+}
+
+TEST(Cells, AreasAndCentroidsAreThoseOfPixels) {
+  const auto circles = generate(Family::extreme, 12, 4);
+  const Diagram diagram = diagramOf(circles);
+  const Cells cells(circles, diagram);
+  const Box box = boxAround(circles, 1.1);
+  constexpr int kPixels = 800;
+  const double width = (box.maxX - box.minX) / kPixels;
+  const double height = (box.maxY - box.minY) / kPixels;
+  std::map<std::int32_t, std::array<double, 3>> sums;
+  for (int row = 0; row < kPixels; ++row) {
+    for (int column = 0; column < kPixels; ++column) {
+      const Point p = {box.minX + (column + 0.5) * width, box.minY + (row + 0.5) * height};
+      auto& [count, x, y] = sums[nearest(circles, p)];
+      count += 1;
+      x += p.x;
+      y += p.y;
+    }
+  }
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+    const Outline parts = outline(cells, i, box);
+    const auto& [count, x, y] = sums[i];
+    EXPECT_NEAR(area(parts), count * width * height, perimeter(parts) * (width + height) / 4 + 4 * width * height) << i;
+    if (count < 1000) continue;
+    EXPECT_NEAR(centroid(parts).x, x / count, 0.01 * std::sqrt(count) * width) << i;
+    EXPECT_NEAR(centroid(parts).y, y / count, 0.01 * std::sqrt(count) * height) << i;
+  }
+}
+
+TEST(Cells, AreaCentroidAndPerimeterAreThoseOfAFinePolygon) {
+  Random random(5);
+  for (const Family family : {Family::logUniform, Family::twoHuge, Family::intersecting, Family::chaos}) {
+    const auto circles = generate(family, 30, 5);
+    const Diagram diagram = diagramOf(circles);
+    const Cells cells(circles, diagram);
+    const ConvexPolygon region = boxAround(circles, 1.3);
+    const double size = std::sqrt(region.area());
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+      const Outline parts = outline(cells, i, region);
+      if (parts.empty()) continue;
+      const Point origin = region.middle();
+      double twice = 0, x = 0, y = 0, around = 0;
+      for (const auto& loop : parts) {
+        for (const auto& piece : loop) {
+          const auto points = polyline(piece.curve, 0);
+          for (std::size_t k = 1; k < points.size(); ++k) {
+            const Vector u = {points[k - 1].x - origin.x, points[k - 1].y - origin.y};
+            const Vector v = {points[k].x - origin.x, points[k].y - origin.y};
+            twice += cross(u, v);
+            x += cross(u, v) * (u.x + v.x) / 3;
+            y += cross(u, v) * (u.y + v.y) / 3;
+            around += length({v.x - u.x, v.y - u.y});
+          }
+        }
+      }
+      EXPECT_NEAR(area(parts), twice / 2, 1e-7 * region.area());
+      EXPECT_NEAR(perimeter(parts), around, 1e-6 * around);
+      if (area(parts) < 1e-3 * region.area()) continue;
+      EXPECT_NEAR(centroid(parts).x, origin.x + x / twice, 1e-4 * size);
+      EXPECT_NEAR(centroid(parts).y, origin.y + y / twice, 1e-4 * size);
+    }
+  }
+}
+
+TEST(Cells, OneCircleHasTheWholeBox) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {0.1, 0, 0.5}};
+  const Diagram diagram = diagramOf(circles);
+  const Cells cells(circles, diagram);
+  const Box box = {2, 3, 5, 4};
+  EXPECT_TRUE(cells.sides(0).empty());
+  EXPECT_EQ(area(outline(cells, 0, box)), 3);
+  EXPECT_EQ(perimeter(outline(cells, 0, box)), 8);
+  EXPECT_EQ(centroid(outline(cells, 0, box)), (Point{3.5, 3.5}));
+  EXPECT_TRUE(outline(cells, 1, box).empty());
+}
+
+TEST(Cells, ARegionMayCutACellApart) {
+  // A tall cell between two large circles, seen through a window that misses its middle: a small circle in the way.
+  const std::vector<Circle> circles = {{0, 0, 10}, {0, 10.6, 0.1}};
+  const Diagram diagram = diagramOf(circles);
+  const Cells cells(circles, diagram);
+  // The branch bends around the small circle; a box below its apex sees the large circle's cell on both sides of it.
+  const Box box = {-8, 10.3, 8, 14};
+  EXPECT_EQ(outline(cells, 1, box).size(), 1U);
+  const Outline parts = outline(cells, 0, Box{-8, 10.5, 8, 14});
+  EXPECT_EQ(parts.size(), 2U);
+  EXPECT_NEAR(area(parts) + area(outline(cells, 1, Box{-8, 10.5, 8, 14})), 16 * 3.5, 1e-12);
+}
+
+TEST(Cells, ABoundaryAlongAnEdgeIsNoTrouble) {
+  const std::vector<Circle> circles = {{0, 0, 0.5}, {2, 0, 0.5}, {0, 2, 0.5}, {2, 2, 0.5}};
+  const Diagram diagram = diagramOf(circles);
+  const Cells cells(circles, diagram);
+  for (const Box& box : {Box{0, 0, 1, 1}, Box{0, 0, 1, 2}, Box{-1, -1, 1, 3}, Box{1, 1, 2, 2}, Box{0, 0, 2, 2}}) {
+    expectPartition(cells, box);
+  }
+  EXPECT_EQ(area(outline(cells, 3, Box{1, 1, 2, 2})), 1);
+}
+
+TEST(Cells, OfTheBronzeFilterFillItsBox) {
+  const auto circles = test::readFixture("bronzefilter");
+  const Diagram diagram = diagramOf(circles);
+  const Cells cells(circles, diagram);
+  const Box box = boxAround(circles, 1.02);
+  expectPartition(cells, box);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+    EXPECT_EQ(area(outline(cells, i, box)) > 0, cells.exists(i)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi

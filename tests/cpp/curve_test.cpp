@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/curve.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "geometry.h"
+#include "random.h"
+
+namespace circle_voronoi {
+namespace {
+
+double distanceBetween(Point p, Point q) { return length({p.x - q.x, p.y - q.y}); }
+
+/// How far a point is from being at the same distance from both circles, relative to the largest number involved.
+double residual(const Circle& left, const Circle& right, Point p) {
+  const double scale = std::max({std::abs(left.x), std::abs(left.y), left.r, std::abs(right.x), std::abs(right.y),
+                                 right.r, std::abs(p.x), std::abs(p.y)});
+  return std::abs(distance(Metric::circles, left, p) - distance(Metric::circles, right, p)) / scale;
+}
+
+struct Pair {
+  Circle left;
+  Circle right;
+};
+
+enum class Kind { ordinary, equalRadii, nearlyEqualRadii, hugeRatio, nearlyHidden };
+constexpr Kind kKinds[] = {Kind::ordinary, Kind::equalRadii, Kind::nearlyEqualRadii, Kind::hugeRatio,
+                           Kind::nearlyHidden};
+
+Pair randomPair(Kind kind, Random& random) {
+  Pair pair{{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1)}, {}};
+  const double gap = random.logUniform(-6, 1);
+  double r = random.uniform(0, 1);
+  double d = pair.left.r + r + gap;
+  switch (kind) {
+    case Kind::ordinary:
+      break;
+    case Kind::equalRadii:
+      r = pair.left.r;
+      d = 2 * r + gap;
+      break;
+    case Kind::nearlyEqualRadii:
+      r = pair.left.r + 1e-12;
+      break;
+    case Kind::hugeRatio:
+      r = pair.left.r * 1e6;
+      d = pair.left.r + r + gap;
+      break;
+    case Kind::nearlyHidden:
+      r = pair.left.r / 3;
+      d = pair.left.r - r + random.logUniform(-12, -2);
+      break;
+  }
+  const Vector direction = random.direction();
+  pair.right = {pair.left.x + d * direction.x, pair.left.y + d * direction.y, r};
+  if (random.unit() < 0.5) std::swap(pair.left, pair.right);
+  return pair;
+}
+
+EdgeCurve arcOf(const Bisector& bisector, double from, double to) {
+  EdgeCurve curve;
+  curve.bisector = bisector;
+  curve.from = from;
+  curve.to = to;
+  curve.start = pointAt(bisector, from);
+  curve.end = pointAt(bisector, to);
+  return curve;
+}
+
+EdgeCurve randomArc(const Bisector& bisector, Random& random) {
+  const double s = random.logUniform(-3, 3);
+  return arcOf(bisector, s, s * random.logUniform(0, 4));
+}
+
+/// The distance of a point from an arc, by a search among its points.
+double distanceFromArc(const EdgeCurve& curve, Point p) {
+  const double step = std::pow(curve.to / curve.from, 1.0 / 256);
+  double best = distanceBetween(p, curve.end);
+  double bestAt = curve.to;
+  for (int i = 0; i < 256; ++i) {
+    const double s = curve.from * std::pow(step, i);
+    const double d = distanceBetween(p, pointAt(curve.bisector, s));
+    if (d < best) {
+      best = d;
+      bestAt = s;
+    }
+  }
+  double low = std::max(curve.from, bestAt / step);
+  double high = std::min(curve.to, bestAt * step);
+  for (int i = 0; i < 100; ++i) {
+    const double first = low + (high - low) / 3;
+    const double second = high - (high - low) / 3;
+    const double atFirst = distanceBetween(p, pointAt(curve.bisector, first));
+    const double atSecond = distanceBetween(p, pointAt(curve.bisector, second));
+    (atFirst < atSecond ? high : low) = atFirst < atSecond ? second : first;
+    best = std::min({best, atFirst, atSecond});
+  }
+  return best;
+}
+
+Point pointOf(const CubicBezier& cubic, double u) {
+  const double v = 1 - u;
+  const double weights[] = {v * v * v, 3 * v * v * u, 3 * v * u * u, u * u * u};
+  const Point points[] = {cubic.start, cubic.control1, cubic.control2, cubic.end};
+  Point sum;
+  for (int i = 0; i < 4; ++i) {
+    sum.x += weights[i] * points[i].x;
+    sum.y += weights[i] * points[i].y;
+  }
+  return sum;
+}
+
+TEST(Curve, PointsOfABranchAndOfItsBezierCurveSatisfyBothDistanceEquations) {
+  Random random(1);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const auto [left, right] = randomPair(kKinds[trial % 5], random);
+    const EdgeCurve arc = randomArc(bisector(left, right), random);
+    const RationalBezier bezier = rationalBezier(arc);
+    for (int i = 0; i <= 10; ++i) {
+      const Point p = pointAt(bezier, i / 10.0);
+      ASSERT_LE(residual(left, right, p), 1e-12) << "trial " << trial << " at " << i;
+      ASSERT_LE(residual(left, right, pointAt(arc.bisector, arc.from + (arc.to - arc.from) * i / 10)), 1e-12);
+    }
+  }
+}
+
+TEST(Curve, HasTheFociAndTheDifferenceOfTheRadii) {
+  const Bisector b = bisector({1, 2, 5}, {11, 2, 1});
+  EXPECT_EQ(b.left, (Point{1, 2}));
+  EXPECT_EQ(b.right, (Point{11, 2}));
+  EXPECT_EQ(2 * b.a, 4);
+  EXPECT_EQ(b.a * b.a + b.b * b.b, 25);
+  EXPECT_EQ(pointAt(b, 1), (Point{8, 2}));  // midway across the gap of 4
+  EXPECT_LT(pointAt(b, 0.5).y, pointAt(b, 2).y);
+}
+
+TEST(Curve, HasItsLeftCircleOnTheLeft) {
+  Random random(2);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const auto [left, right] = randomPair(kKinds[trial % 4], random);
+    const Bisector b = bisector(left, right);
+    const double s = random.logUniform(-1, 1);
+    const Point p = pointAt(b, s);
+    const Point q = pointAt(b, s * 1.01);
+    const Vector toLeft = {left.x - p.x, left.y - p.y};
+    EXPECT_GT(cross({q.x - p.x, q.y - p.y}, toLeft), 0) << trial;
+  }
+}
+
+TEST(Curve, FindsTheParameterOfAPoint) {
+  Random random(3);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const auto [left, right] = randomPair(kKinds[trial % 5], random);
+    const Bisector b = bisector(left, right);
+    const Point p = pointAt(b, random.logUniform(-8, 8));
+    const Point q = pointAt(b, parameterAt(b, p));
+    const double scale = std::max({distanceBetween(p, b.left), distanceBetween(p, b.right), 1.0});
+    ASSERT_LE(distanceBetween(p, q), 1e-12 * scale) << trial;
+  }
+}
+
+TEST(Curve, EndsInItsVerticesAndStaysOnBothDistanceEquations) {
+  for (const FamilyInfo& family : families()) {
+    SCOPED_TRACE(family.name);
+    const auto circles = generate(family.family, 150, 4);
+    const auto diagram = compute(circles);
+    ASSERT_TRUE(diagram);
+    const auto& [vertices, vertexCircles, edges, hidden, hull, certificate, stats] = diagram.value();
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const EdgeCurve curve = edgeCurve(circles, diagram.value(), static_cast<std::int32_t>(e));
+      ASSERT_LE(curve.from, curve.to);
+      ASSERT_EQ(curve.startsAtInfinity(), edges[e].start == kNone);
+      ASSERT_EQ(curve.endsAtInfinity(), edges[e].end == kNone);
+      if (!curve.isBounded()) continue;
+      const Vertex& start = vertices[static_cast<std::size_t>(edges[e].start)];
+      ASSERT_EQ(curve.start, (Point{start.x, start.y}));
+      const RationalBezier bezier = rationalBezier(curve);
+      for (const double u : {0.0, 0.01, 0.3, 0.5, 0.9, 1.0}) {
+        ASSERT_LE(residual(circles[static_cast<std::size_t>(edges[e].left)],
+                           circles[static_cast<std::size_t>(edges[e].right)], pointAt(bezier, u)),
+                  1e-12)
+            << "edge " << e << " at " << u;
+      }
+    }
+  }
+}
+
+TEST(Curve, ReversedRunsThroughTheSamePoints) {
+  Random random(5);
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto [left, right] = randomPair(kKinds[trial % 5], random);
+    const EdgeCurve arc = randomArc(bisector(left, right), random);
+    const EdgeCurve back = reversed(arc);
+    EXPECT_EQ(back.start, arc.end);
+    const double scale = distanceBetween(arc.start, arc.end) + 10;
+    EXPECT_LE(distanceBetween(pointAt(back.bisector, back.to), arc.start), 1e-12 * scale);
+    EXPECT_LE(distanceBetween(pointAt(back.bisector, 1 / arc.to), arc.end), 1e-12 * scale);
+  }
+}
+
+TEST(Curve, CubicsAndPolylinesKeepTheTolerance) {
+  Random random(6);
+  for (int trial = 0; trial < 400; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto [left, right] = randomPair(kKinds[trial % 5], random);
+    const EdgeCurve arc = randomArc(bisector(left, right), random);
+    const double size = distanceBetween(arc.start, arc.end);
+    const double tolerance = size * random.logUniform(-5, -1);
+    const double allowed = tolerance + 1e-12 * size;
+
+    const auto cubics = cubicBeziers(arc, tolerance);
+    ASSERT_EQ(cubics.front().start, arc.start);
+    ASSERT_EQ(cubics.back().end, arc.end);
+    for (std::size_t i = 0; i < cubics.size(); ++i) {
+      if (i > 0) {
+        ASSERT_EQ(cubics[i].start, cubics[i - 1].end);
+      }
+      for (const double u : {0.1, 0.2113, 0.5, 0.7887, 0.9}) {
+        ASSERT_LE(distanceFromArc(arc, pointOf(cubics[i], u)), allowed);
+      }
+    }
+    const auto points = polyline(arc, tolerance);
+    ASSERT_EQ(points.front(), arc.start);
+    ASSERT_EQ(points.back(), arc.end);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      for (const double u : {0.3, 0.5, 0.7}) {
+        const Point p = {points[i - 1].x + u * (points[i].x - points[i - 1].x),
+                         points[i - 1].y + u * (points[i].y - points[i - 1].y)};
+        ASSERT_LE(distanceFromArc(arc, p), allowed);
+      }
+    }
+    EXPECT_LE(cubics.size(), points.size() - 1);
+  }
+}
+
+TEST(Curve, FewPiecesReachATightTolerance) {
+  const EdgeCurve arc = arcOf(bisector({0, 0, 1}, {4, 0, 0}), 0.2, 5);
+  EXPECT_EQ(cubicBeziers(arc, 1e-2).size(), 1U);
+  EXPECT_LE(cubicBeziers(arc, 1e-6).size(), 4U);
+  EXPECT_LE(cubicBeziers(arc, 1e-9).size(), 12U);
+  const EdgeCurve straight = arcOf(bisector({0, 0, 1}, {4, 0, 1}), 1e-3, 1e6);
+  EXPECT_EQ(cubicBeziers(straight, 1e-9).size(), 1U);
+  EXPECT_EQ(polyline(straight, 1e-9).size(), 2U);
+  // All of a branch but its bend is nearly straight.
+  const EdgeCurve far = arcOf(bisector({0, 0, 1}, {4, 0, 0}), 1e-12, 1e12);
+  EXPECT_LE(cubicBeziers(far, 1e-3).size(), 6U);
+}
+
+TEST(Curve, AnArcWithoutLengthIsOnePiece) {
+  const EdgeCurve arc = arcOf(bisector({0, 0, 1}, {4, 0, 0}), 2, 2);
+  EXPECT_EQ(cubicBeziers(arc, 0).size(), 1U);
+  EXPECT_EQ(polyline(arc, 0).size(), 2U);
+  EXPECT_EQ(arcLength(arc), 0);
+  EXPECT_EQ(rationalBezier(arc).weight, 1);
+}
+
+TEST(Curve, LengthIsThatOfAFinePolyline) {
+  Random random(7);
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto [left, right] = randomPair(kKinds[trial % 5], random);
+    const EdgeCurve arc = randomArc(bisector(left, right), random);
+    double sum = 0;
+    Point last = arc.start;
+    constexpr int kSteps = 20000;
+    for (int i = 1; i <= kSteps; ++i) {
+      const Point p = pointAt(arc.bisector, arc.from * std::pow(arc.to / arc.from, i / double{kSteps}));
+      sum += distanceBetween(last, p);
+      last = p;
+    }
+    EXPECT_NEAR(arcLength(arc) / sum, 1, 1e-6) << trial;
+  }
+}
+
+TEST(Curve, ClippingKeepsWhatIsInsideTheBox) {
+  Random random(8);
+  int severalPieces = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto [left, right] = randomPair(kKinds[trial % 5], random);
+    EdgeCurve curve;
+    curve.bisector = bisector(left, right);
+    if (random.unit() < 0.5) curve = randomArc(curve.bisector, random);
+    const Point p = pointAt(curve.bisector, random.logUniform(-1, 1));
+    const double width = random.logUniform(-2, 1);
+    const double height = random.logUniform(-2, 1);
+    const Box box = {p.x - width * random.unit() * 1.2, p.y - height * random.unit() * 1.2, p.x + width, p.y + height};
+    const auto pieces = clip(curve, box);
+    if (pieces.size() > 1) ++severalPieces;
+    const double scale = std::max({std::abs(p.x), std::abs(p.y), left.r, right.r, width, height, 1.0});
+    for (const EdgeCurve& piece : pieces) {
+      for (const Point q : {piece.start, piece.end}) {
+        ASSERT_GE(std::min({q.x - box.minX, q.y - box.minY, box.maxX - q.x, box.maxY - q.y}), -1e-12 * scale);
+      }
+    }
+    for (int i = 0; i < 200; ++i) {
+      const double s = random.logUniform(-6, 6);
+      const Point q = pointAt(curve.bisector, s);
+      const double depth = std::min({q.x - box.minX, q.y - box.minY, box.maxX - q.x, box.maxY - q.y});
+      if (std::abs(depth) < 1e-9 * scale) continue;
+      const bool isInside = depth > 0 && s > curve.from && s < curve.to;
+      ASSERT_EQ(std::ranges::any_of(pieces, [&](const EdgeCurve& c) { return c.from <= s && s <= c.to; }), isInside)
+          << "at " << s;
+    }
+  }
+  EXPECT_GT(severalPieces, 100);
+}
+
+TEST(Curve, SegmentIsStraight) {
+  const EdgeCurve curve = segment({1, 2}, {4, 6});
+  EXPECT_TRUE(curve.isStraight());
+  EXPECT_EQ(arcLength(curve), 5);
+  EXPECT_NEAR(pointAt(curve.bisector, 1).x, 2.5, 1e-15);
+  EXPECT_NEAR(pointAt(curve.bisector, curve.from).y, 2, 1e-15);
+  EXPECT_NEAR(pointAt(curve.bisector, curve.to).x, 4, 1e-15);
+}
+
+TEST(ConvexPolygon, RejectsWhatIsNotConvex) {
+  const auto from = [](std::vector<Point> corners) { return ConvexPolygon::from(corners); };
+  EXPECT_TRUE(from({{0, 0}, {1, 0}, {1, 1}}));
+  EXPECT_TRUE(from({{0, 0}, {1, 0}, {2, 0}, {1, 1}}));
+  EXPECT_FALSE(from({{0, 0}, {1, 0}}));
+  EXPECT_FALSE(from({{0, 0}, {1, 1}, {1, 0}}));            // clockwise
+  EXPECT_FALSE(from({{0, 0}, {2, 0}, {1, 0.5}, {2, 2}}));  // a reflex corner
+  EXPECT_FALSE(from({{0, 0}, {0, 0}, {1, 0}, {1, 1}}));    // a corner twice
+  EXPECT_FALSE(from({{0, 0}, {1, 0}, {2, 0}}));            // no area
+  EXPECT_FALSE(from({{0, 0}, {1, 0}, {1, std::nan("")}}));
+  const Point star[] = {{1, 0}, {-0.8, 0.6}, {0.3, -0.95}, {0.3, 0.95}, {-0.8, -0.6}};
+  EXPECT_FALSE(ConvexPolygon::from(star));  // turns left, but twice
+}
+
+}  // namespace
+}  // namespace circle_voronoi
