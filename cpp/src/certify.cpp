@@ -69,6 +69,7 @@ Topology topologyOf(const Diagram& diagram, const std::vector<std::int32_t>& sit
 bool isInPlace(const Vertex& given, const Circle& i, const Circle& j, const Circle& k) {
   const Vertex disc = vertexOf(i, j, k);
   if (given == disc) return true;
+  if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.radius)) return false;
   double reach = 0;
   for (const Circle* c : {&i, &j, &k}) {
     const double distance = length({given.x - c->x, given.y - c->y});
@@ -95,6 +96,16 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
   return kNone;
 }
 
+/// A circle that one of its neighbours hides, or kNone. The judge takes circles that do not hide one another: if no
+/// neighbours do, its signs are right, and by its theorem every circle's centre is nearest to that circle.
+std::int32_t hiddenByNeighbor(const Topology& topology, std::span<const Circle> circles, Predicates& predicates) {
+  for (const auto& [left, right, start, end] : topology.edges) {
+    if (predicates.contains(circles[left], circles[right])) return right;
+    if (predicates.contains(circles[right], circles[left])) return left;
+  }
+  return kNone;
+}
+
 Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Diagram& diagram) {
   auto found = visibleCircles(circles, diagram);
   if (const auto* certificate = std::get_if<Certificate>(&found)) return *certificate;
@@ -111,6 +122,8 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
             {}};
   }
   Predicates predicates(visible.circles);
+  if (const std::int32_t hidden = hiddenByNeighbor(topology, visible.circles, predicates); hidden != kNone)
+    return {Flaw::cellNotClosed, visible.indices[hidden], kNone, kNone, {}};
   Certificate certificate =
       certificateOf(judge(visible.circles, std::get<Dual>(dual), predicates), std::get<Dual>(dual), topology);
   if (certificate.circle != kNone) certificate.circle = visible.indices[certificate.circle];

@@ -52,10 +52,11 @@ Real cone(const Difference<Real>& u, const Difference<Real>& v) {
   return u.x * v.x + u.y * v.y - u.s * v.s;
 }
 
+/// The length, not below it by more than rounding even where the squares underflow.
 template <class Real>
 double size(const Difference<Real>& u) {
   const double x = high(u.x), y = high(u.y), s = high(u.s);
-  return std::sqrt(x * x + y * y + s * s);
+  return std::sqrt(x * x + y * y + s * s) + kTiny;
 }
 
 /// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face,

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The judge judged: right diagrams are certified, and no corrupted one is unless it is still right (a tie). For each
+// kind of corruption the flaw that is named is one of those expected.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "compare.h"
+#include "dual_edits.h"
+#include "report.h"
+#include "three_touch_disc.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Circles = std::span<const Circle>;
+
+template <class Item>
+Item& pick(std::vector<Item>& items, Random& random) {
+  return items[random.below(items.size())];
+}
+
+std::int32_t anyCircle(Circles circles, Random& random) {
+  return static_cast<std::int32_t>(random.below(circles.size()));
+}
+
+// Each corrupts a diagram; false: there is nothing in it that could be corrupted this way.
+
+bool flipEdges(Diagram& diagram, Circles circles, Random& random) {
+  if (diagram.edges.empty()) return false;
+  Dual dual = test::dualOf(diagram, circles.size());
+  if (test::flipRandomEdges(dual, 1 + static_cast<int>(random.below(6)), random) == 0) return false;
+  test::replaceTopology(diagram, dual, circles);
+  return true;
+}
+
+bool replaceCircleOfVertex(Diagram& diagram, Circles circles, Random& random) {
+  if (diagram.vertices.empty()) return false;
+  std::int32_t& index = pick(diagram.vertexCircles, random)[random.below(3)];
+  const std::int32_t other = anyCircle(circles, random);
+  return other != std::exchange(index, other);
+}
+
+bool turnTripleRound(Diagram& diagram, Circles circles, Random& random) {
+  if (diagram.vertices.empty()) return false;
+  const std::size_t vertex = random.below(diagram.vertices.size());
+  auto& [i, j, k] = diagram.vertexCircles[vertex];
+  std::swap(j, k);
+  diagram.vertices[vertex] = vertexOf(circles[i], circles[j], circles[k]);
+  return true;
+}
+
+bool indexOutOfRange(Diagram& diagram, Circles circles, Random& random) {
+  const std::int32_t index = random.below(2) == 0 ? -7 : static_cast<std::int32_t>(circles.size());
+  std::vector<std::int32_t*> all;
+  for (auto& triple : diagram.vertexCircles) {
+    for (std::int32_t& i : triple) all.push_back(&i);
+  }
+  for (Edge& edge : diagram.edges) all.insert(all.end(), {&edge.left, &edge.right});
+  for (HiddenCircle& hidden : diagram.hidden) all.insert(all.end(), {&hidden.circle, &hidden.by});
+  for (std::int32_t& i : diagram.hull) all.push_back(&i);
+  *pick(all, random) = index;
+  return true;
+}
+
+bool vertexOutOfRange(Diagram& diagram, Circles, Random& random) {
+  if (diagram.edges.empty()) return false;
+  Edge& edge = pick(diagram.edges, random);
+  (random.below(2) == 0 ? edge.start : edge.end) = static_cast<std::int32_t>(diagram.vertices.size());
+  return true;
+}
+
+bool forgetHidden(Diagram& diagram, Circles, Random& random) {
+  if (diagram.hidden.empty()) return false;
+  diagram.hidden.erase(diagram.hidden.begin() + static_cast<std::ptrdiff_t>(random.below(diagram.hidden.size())));
+  return true;
+}
+
+bool hideTwice(Diagram& diagram, Circles, Random& random) {
+  if (diagram.hidden.empty()) return false;
+  diagram.hidden.push_back(pick(diagram.hidden, random));
+  return true;
+}
+
+bool replaceHider(Diagram& diagram, Circles circles, Random& random) {
+  if (diagram.hidden.empty()) return false;
+  HiddenCircle& hidden = pick(diagram.hidden, random);
+  const std::int32_t other = anyCircle(circles, random);
+  return other != hidden.circle && other != std::exchange(hidden.by, other);
+}
+
+bool hideVisible(Diagram& diagram, Circles, Random& random) {
+  if (diagram.edges.empty()) return false;
+  const Edge& edge = pick(diagram.edges, random);
+  diagram.hidden.push_back({edge.left, edge.right});
+  return true;
+}
+
+/// Takes a hidden circle from the list and gives it a cell between others.
+bool showHidden(Diagram& diagram, Circles circles, Random& random) {
+  if (diagram.hidden.empty() || diagram.edges.empty()) return false;
+  const std::size_t place = random.below(diagram.hidden.size());
+  const auto [circle, by] = diagram.hidden[place];
+  diagram.hidden.erase(diagram.hidden.begin() + static_cast<std::ptrdiff_t>(place));
+  Dual dual = test::dualOf(diagram, circles.size());
+  // At random, or where it is most credible: next to its hider.
+  std::vector<int> places;
+  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+    if (random.below(2) == 0 || dual.origin[h] == by) places.push_back(h);
+  }
+  const int h = places.empty() ? 0 : pick(places, random);
+  if (random.below(2) == 0) {
+    test::insertInFace(dual, h / 3, circle);
+  } else {
+    test::insertOnEdge(dual, h, circle);
+  }
+  test::replaceTopology(diagram, dual, circles);
+  return true;
+}
+
+bool duplicateVertex(Diagram& diagram, Circles, Random& random) {
+  if (diagram.vertices.empty()) return false;
+  const std::size_t vertex = random.below(diagram.vertices.size());
+  diagram.vertices.push_back(Vertex(diagram.vertices[vertex]));
+  diagram.vertexCircles.push_back(std::array(diagram.vertexCircles[vertex]));
+  return true;
+}
+
+bool dropVertex(Diagram& diagram, Circles, Random&) {
+  if (diagram.vertices.empty()) return false;
+  diagram.vertices.pop_back();
+  return true;
+}
+
+bool crossEdges(Diagram& diagram, Circles, Random& random) {
+  if (diagram.edges.size() < 2) return false;
+  std::int32_t& i = pick(diagram.edges, random).end;
+  std::int32_t& j = pick(diagram.edges, random).end;
+  if (i == j) return false;
+  std::swap(i, j);
+  return true;
+}
+
+bool dropEdge(Diagram& diagram, Circles, Random& random) {
+  if (diagram.edges.empty()) return false;
+  diagram.edges.erase(diagram.edges.begin() + static_cast<std::ptrdiff_t>(random.below(diagram.edges.size())));
+  return true;
+}
+
+bool repeatEdge(Diagram& diagram, Circles, Random& random) {
+  if (diagram.edges.empty()) return false;
+  diagram.edges.push_back(Edge(pick(diagram.edges, random)));
+  return true;
+}
+
+bool swapEnds(Diagram& diagram, Circles, Random& random) {
+  if (diagram.edges.empty()) return false;
+  Edge& edge = pick(diagram.edges, random);
+  std::swap(edge.start, edge.end);
+  return edge.start != edge.end;
+}
+
+bool swapSides(Diagram& diagram, Circles, Random& random) {
+  if (diagram.edges.empty()) return false;
+  Edge& edge = pick(diagram.edges, random);
+  std::swap(edge.left, edge.right);
+  return edge.start != edge.end;
+}
+
+bool reverseHull(Diagram& diagram, Circles, Random&) {
+  if (diagram.hull.size() < 3) return false;
+  std::ranges::reverse(diagram.hull);
+  return true;
+}
+
+bool dropFromHull(Diagram& diagram, Circles, Random& random) {
+  diagram.hull.erase(diagram.hull.begin() + static_cast<std::ptrdiff_t>(random.below(diagram.hull.size())));
+  return true;
+}
+
+bool swapInHull(Diagram& diagram, Circles, Random& random) {
+  if (diagram.hull.size() < 3) return false;
+  std::swap(pick(diagram.hull, random), pick(diagram.hull, random));
+  return true;
+}
+
+/// Where a circle is on the hull three times, what lies between two visits changes places: the steps stay the same.
+bool swapLoopsOfHull(Diagram& diagram, Circles, Random&) {
+  std::map<std::int32_t, std::vector<std::ptrdiff_t>> visits;
+  for (std::size_t i = 0; i < diagram.hull.size(); ++i)
+    visits[diagram.hull[i]].push_back(static_cast<std::ptrdiff_t>(i));
+  for (const auto& [circle, places] : visits) {
+    if (places.size() < 3) continue;
+    const auto begin = diagram.hull.begin();
+    std::rotate(begin + places[0], begin + places[1], begin + places[2]);
+    return true;
+  }
+  return false;
+}
+
+bool moveVertex(Diagram& diagram, Circles circles, Random& random) {
+  if (diagram.vertices.empty()) return false;
+  const std::size_t vertex = random.below(diagram.vertices.size());
+  Vertex& v = diagram.vertices[vertex];
+  const Circle& c = circles[diagram.vertexCircles[vertex][0]];
+  const double reach = length({v.x - c.x, v.y - c.y}) + std::abs(c.x) + std::abs(c.y) + c.r;
+  const Vector direction = random.direction();
+  v.x += 1e-6 * reach * direction.x;
+  v.y += 1e-6 * reach * direction.y;
+  return true;
+}
+
+bool changeRadius(Diagram& diagram, Circles, Random& random) {
+  if (diagram.vertices.empty()) return false;
+  Vertex& v = pick(diagram.vertices, random);
+  v.radius = v.radius == 0 ? 1 : -v.radius;
+  return true;
+}
+
+/// The disc that touches the same circles clockwise.
+bool moveVertexToOtherDisc(Diagram& diagram, Circles circles, Random& random) {
+  std::vector<std::pair<std::size_t, Vertex>> others;
+  for (std::size_t vertex = 0; vertex < diagram.vertices.size(); ++vertex) {
+    const auto& [i, j, k] = diagram.vertexCircles[vertex];
+    if (const auto disc = threeTouchDisc(circles[i], circles[k], circles[j])) others.push_back({vertex, disc->disc});
+  }
+  if (others.empty()) return false;
+  const auto& [vertex, disc] = pick(others, random);
+  diagram.vertices[vertex] = disc;
+  return true;
+}
+
+bool makeVertexInfinite(Diagram& diagram, Circles, Random& random) {
+  if (diagram.vertices.empty()) return false;
+  Vertex& v = pick(diagram.vertices, random);
+  v.x = random.below(2) == 0 ? std::nan("") : HUGE_VAL;
+  return true;
+}
+
+struct Corruption {
+  std::string_view name;
+  bool (*apply)(Diagram&, Circles, Random&);
+  std::set<Flaw> expected;
+};
+
+const std::vector<Corruption> kCorruptions = {
+    {"edges flipped",
+     flipEdges,
+     {Flaw::vertexWithoutDisc, Flaw::edgeOutOfOrder, Flaw::cellNotClosed, Flaw::hullNotClosed}},
+    {"circle of a vertex replaced", replaceCircleOfVertex, {Flaw::badIndex, Flaw::adjacency}},
+    {"vertex turned round", turnTripleRound, {Flaw::adjacency}},
+    {"circle out of range", indexOutOfRange, {Flaw::badIndex}},
+    {"end of an edge out of range", vertexOutOfRange, {Flaw::adjacency}},
+    {"hidden circle forgotten", forgetHidden, {Flaw::eulerCount}},
+    {"hidden circle listed twice", hideTwice, {Flaw::badIndex}},
+    {"other hider", replaceHider, {Flaw::hiddenWithoutHider}},
+    {"visible circle hidden", hideVisible, {Flaw::hiddenWithoutHider}},
+    {"cell for a hidden circle", showHidden, {Flaw::cellNotClosed, Flaw::vertexWithoutDisc, Flaw::edgeOutOfOrder}},
+    {"vertex twice", duplicateVertex, {Flaw::adjacency}},
+    {"vertex without place", dropVertex, {Flaw::vertexMisplaced}},
+    {"ends of two edges exchanged", crossEdges, {Flaw::adjacency, Flaw::edgeOutOfOrder, Flaw::cellNotClosed}},
+    {"edge dropped", dropEdge, {Flaw::adjacency}},
+    {"edge twice", repeatEdge, {Flaw::adjacency}},
+    {"ends of an edge swapped", swapEnds, {Flaw::adjacency}},
+    {"sides of an edge swapped", swapSides, {Flaw::adjacency}},
+    {"hull reversed", reverseHull, {Flaw::adjacency, Flaw::cellNotClosed}},
+    {"circle dropped from the hull", dropFromHull, {Flaw::adjacency, Flaw::badIndex, Flaw::eulerCount}},
+    {"circles of the hull swapped", swapInHull, {Flaw::adjacency, Flaw::badIndex, Flaw::cellNotClosed}},
+    {"loops of the hull swapped", swapLoopsOfHull, {Flaw::cellNotClosed}},
+    {"vertex moved", moveVertex, {Flaw::vertexMisplaced}},
+    {"radius of a vertex changed", changeRadius, {Flaw::vertexMisplaced}},
+    {"clockwise disc", moveVertexToOtherDisc, {Flaw::vertexMisplaced}},
+    {"vertex at infinity", makeVertexInfinite, {Flaw::vertexMisplaced}},
+};
+
+/// What became of one kind of corruption.
+struct Outcome {
+  int refused = 0;
+  int stillRight = 0;
+  std::map<Flaw, int> flaws;
+};
+
+std::string whatIsWrong(const Diagram& diagram, const Diagram& right, Circles circles, bool isDegenerate) {
+  std::string problem = test::structureProblem(diagram, circles.size());
+  if (!problem.empty()) return problem;
+  return isDegenerate ? test::differenceAfterMerging(diagram, right, circles) : test::difference(diagram, right);
+}
+
+void print(const std::vector<Outcome>& outcomes) {
+  int total = 0;
+  for (std::size_t kind = 0; kind < outcomes.size(); ++kind) {
+    const auto& [refused, stillRight, flaws] = outcomes[kind];
+    std::cout << std::setw(32) << kCorruptions[kind].name << ": " << refused << " refused, " << stillRight
+              << " still right;";
+    for (const auto& [flaw, count] : flaws) std::cout << ' ' << flawName(flaw) << ' ' << count;
+    std::cout << '\n';
+    total += refused + stillRight;
+  }
+  std::cout << total << " corrupted diagrams\n";
+}
+
+TEST(CertificateMutation, AcceptsNoDiagramThatDiffers) {
+  const std::uint64_t seed = test::seedOr(1);
+  std::vector<Outcome> outcomes(kCorruptions.size());
+  for (const FamilyInfo& family : families()) {
+    for (std::uint64_t trial = 0; trial < 300; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      const auto circles = generate(family.family, 2 + random.below(30), random.next());
+      const auto right = compute(circles);
+      ASSERT_TRUE(right.ok()) << right.error().message << test::describe(circles);
+      ASSERT_TRUE(certify(circles, right.value()).value().certified()) << test::describe(circles);
+      for (std::size_t kind = 0; kind < kCorruptions.size(); ++kind) {
+        const Corruption& corruption = kCorruptions[kind];
+        Diagram diagram = right.value();
+        if (!corruption.apply(diagram, circles, random)) continue;
+        const auto certificate = certify(circles, diagram);
+        ASSERT_TRUE(certificate.ok());
+        const Flaw flaw = certificate.value().flaw;
+        const auto about = [&] {
+          return std::string(corruption.name) + ", " + std::string(family.name) + ", trial " + std::to_string(trial) +
+                 ": " + std::string(flawName(flaw)) + test::describe(circles);
+        };
+        ++outcomes[kind].flaws[flaw];
+        if (flaw == Flaw::none) {
+          ++outcomes[kind].stillRight;
+          EXPECT_EQ(whatIsWrong(diagram, right.value(), circles, family.isDegenerate), "") << about();
+        } else {
+          ++outcomes[kind].refused;
+          EXPECT_TRUE(corruption.expected.contains(flaw)) << about();
+          EXPECT_NE(certificate.value().message, "") << about();
+        }
+      }
+    }
+  }
+  print(outcomes);
+  for (std::size_t kind = 0; kind < outcomes.size(); ++kind)
+    EXPECT_GT(outcomes[kind].refused, 0) << kCorruptions[kind].name;
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dual_edits.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "three_touch_disc.h"
+#include "topology.h"
+
+namespace circle_voronoi::test {
+namespace {
+
+void link(Dual& dual, int h, int t) {
+  dual.twin[h] = t;
+  dual.twin[t] = h;
+}
+
+int addFace(Dual& dual, int a, int b, int c) {
+  dual.origin.insert(dual.origin.end(), {a, b, c});
+  dual.twin.insert(dual.twin.end(), {kNone, kNone, kNone});
+  return dual.faceCount() - 1;
+}
+
+}  // namespace
+
+void flipEdge(Dual& dual, int h) {
+  const int t = dual.twin[h];
+  const int bc = Dual::next(h);
+  const int ad = Dual::next(t);
+  const int beyondAd = dual.twin[ad];
+  const int beyondBc = dual.twin[bc];
+  const int c = dual.origin[Dual::previous(h)];
+  const int d = dual.origin[Dual::previous(t)];
+  link(dual, h, beyondAd);
+  link(dual, t, beyondBc);
+  dual.origin[bc] = d;
+  dual.origin[ad] = c;
+  link(dual, bc, ad);
+}
+
+int flipRandomEdges(Dual& dual, int count, Random& random) {
+  int flips = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto h = static_cast<int>(random.below(static_cast<std::size_t>(dual.halfEdgeCount())));
+    if (dual.origin[Dual::previous(h)] == dual.origin[Dual::previous(dual.twin[h])]) continue;
+    flipEdge(dual, h);
+    ++flips;
+  }
+  return flips;
+}
+
+void insertInFace(Dual& dual, int face, int circle) {
+  const int ab = 3 * face;
+  const int a = dual.origin[ab];
+  const int b = dual.origin[ab + 1];
+  const int c = dual.origin[ab + 2];
+  const int beyondBc = dual.twin[ab + 1];
+  const int beyondCa = dual.twin[ab + 2];
+  dual.origin[ab + 2] = circle;  // (a, b, circle)
+  const int bc = 3 * addFace(dual, b, c, circle);
+  const int ca = 3 * addFace(dual, c, a, circle);
+  link(dual, bc, beyondBc);
+  link(dual, ca, beyondCa);
+  link(dual, ab + 1, bc + 2);
+  link(dual, bc + 1, ca + 2);
+  link(dual, ca + 1, ab + 2);
+}
+
+void insertOnEdge(Dual& dual, int h, int circle) {
+  const int t = dual.twin[h];
+  const int a = dual.origin[h];
+  const int b = dual.origin[t];
+  const int left = 3 * addFace(dual, b, a, circle);   // beyond h
+  const int right = 3 * addFace(dual, a, b, circle);  // beyond t
+  link(dual, h, left);
+  link(dual, t, right);
+  link(dual, left + 1, right + 2);
+  link(dual, left + 2, right + 1);
+}
+
+Dual dualOf(const Diagram& diagram, std::size_t circleCount) {
+  return std::get<Dual>(circle_voronoi::dualOf(Topology{diagram.vertexCircles, diagram.edges, diagram.hull},
+                                               static_cast<int>(circleCount)));
+}
+
+void replaceTopology(Diagram& diagram, const Dual& dual, std::span<const Circle> circles) {
+  Topology topology = topologyOf(dual, static_cast<int>(circles.size()));
+  diagram.vertexCircles = std::move(topology.vertexCircles);
+  diagram.edges = std::move(topology.edges);
+  diagram.hull = std::move(topology.hull);
+  rotateHull(diagram.hull);
+  diagram.vertices.clear();
+  for (auto& triple : diagram.vertexCircles) {
+    std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
+    const auto& [i, j, k] = triple;
+    diagram.vertices.push_back(vertexOf(circles[i], circles[j], circles[k]));
+  }
+}
+
+}  // namespace circle_voronoi::test

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exact tests of points against determinants of rational numbers.
+#include "in_circle.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "report.h"
+#include "tie_inputs.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+struct RationalPoint {
+  Rational x, y;
+  explicit RationalPoint(Point p) : x(p.x), y(p.y) {}
+};
+
+Rational orientationOf(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The in-circle determinant by its last column, without differences.
+Rational inCircleOf(const std::array<Point, 4>& points) {
+  Rational sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const RationalPoint p(points[i]);
+    const Rational minor = orientationOf(RationalPoint(points[(i + 1) % 4]), RationalPoint(points[(i + 2) % 4]),
+                                         RationalPoint(points[(i + 3) % 4]));
+    const Rational term = (p.x * p.x + p.y * p.y) * minor;
+    sum += i % 2 == 0 ? term : Rational(-term);
+  }
+  return sum;
+}
+
+void compare(std::array<Point, 4> p) {
+  const int side = orientation(p[0], p[1], p[2]);
+  ASSERT_EQ(side, orientationOf(RationalPoint(p[0]), RationalPoint(p[1]), RationalPoint(p[2])).sign());
+  if (side < 0) std::swap(p[0], p[1]);
+  if (side == 0) return;
+  EXPECT_EQ(inCircle(p[0], p[1], p[2], p[3]), inCircleOf(p).sign());
+}
+
+TEST(InCircle, AgreesWithRationalArithmetic) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (int disturbance = 0; disturbance < test::kDisturbances; ++disturbance) {
+      const test::Disturbance how{disturbance};
+      // The library compares points only after scaling, when none is so large.
+      if (how == test::Disturbance::scaled) continue;
+      for (std::uint64_t trial = 0; trial < 50; ++trial) {
+        Random random(seed * 1'000'003 + trial);
+        auto circles = kind.make(4, random);
+        test::disturb(circles, how, random);
+        std::array<Point, 4> points;
+        for (std::size_t i = 0; i < 4; ++i) points[i] = {circles[i].x, circles[i].y};
+        compare(points);
+        if (testing::Test::HasFailure()) FAIL() << kind.name << ", disturbance " << disturbance << ", trial " << trial;
+      }
+    }
+  }
+}
+
+TEST(InCircle, KnowsTheInside) {
+  const Point a = {0, 0}, b = {1, 0}, c = {0, 1};
+  EXPECT_EQ(inCircle(a, b, c, {0.5, 0.5}), 1);
+  EXPECT_EQ(inCircle(a, b, c, {1, 1}), 0);
+  EXPECT_EQ(inCircle(a, b, c, {1, 1 + 0x1p-52}), -1);
+  EXPECT_EQ(inCircle(a, b, c, {1, 1 - 0x1p-53}), 1);
+  EXPECT_EQ(orientation(a, b, c), 1);
+  EXPECT_EQ(orientation(a, c, b), -1);
+  EXPECT_EQ(orientation({0, 0}, {1, 1}, {0x1p60, 0x1p60}), 0);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

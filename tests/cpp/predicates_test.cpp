@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever stage of a predicate decides, the sign is that of integer arithmetic.
+#include "predicates.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "exact.h"
+#include "hide.h"
+#include "report.h"
+#include "tie_inputs.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Triple = Predicates::Triple;
+
+/// Compares all predicates of a few circles, none of which hides another, with exact arithmetic.
+class Comparison {
+ public:
+  explicit Comparison(std::span<const Circle> circles)
+      : circles_(circles), count_(static_cast<int>(circles.size())), predicates_(circles) {}
+
+  void run() {
+    compareContains();
+    compareTangentSides();
+    findFaces();
+    compareQuadrants();
+    compareTurns();
+    compareEdgeOrders();
+  }
+
+  const FilterCounts& counts() const { return predicates_.counts(); }
+
+ private:
+  struct Face {
+    Triple triple;
+    exact::Face circles;
+    FaceDisc disc;
+  };
+
+  const Circle* at(int i) const { return i == kInfinity ? nullptr : &circles_[i]; }
+
+  void compareContains() {
+    for (const Circle& outer : circles_) {
+      for (const Circle& inner : circles_) EXPECT_EQ(predicates_.contains(outer, inner), exact::contains(outer, inner));
+    }
+  }
+
+  void compareTangentSides() {
+    for (int a = 0; a < count_; ++a) {
+      for (int b = 0; b < count_; ++b) {
+        for (int c = 0; c < count_; ++c) {
+          if (a == b || b == c || c == a) continue;
+          EXPECT_EQ(predicates_.tangentSide(a, b, c), exact::tangentSide(circles_[a], circles_[b], circles_[c]))
+              << a << ", " << b << ", " << c;
+        }
+      }
+    }
+  }
+
+  /// All ordered triples, infinity last, whose disc exists.
+  void findFaces() {
+    for (int a = 0; a < count_; ++a) {
+      for (int b = 0; b < count_; ++b) {
+        for (int c = kInfinity; c < count_; ++c) {
+          if (a == b || b == c || c == a) continue;
+          const Triple triple = {a, b, c};
+          const exact::Face circles = {at(a), at(b), at(c)};
+          const FaceDisc disc = predicates_.disc(triple);
+          EXPECT_EQ(disc.exists, exact::hasDisc(circles)) << a << ", " << b << ", " << c;
+          if (disc.exists) faces_[triple] = {triple, circles, disc};
+        }
+      }
+    }
+  }
+
+  void compareQuadrants() {
+    for (const auto& [triple, face] : faces_) {
+      const int x = exact::directionSign(face.circles, circles_[triple[0]], 0);
+      const int y = exact::directionSign(face.circles, circles_[triple[0]], 1);
+      const int quadrant = y > 0 ? (x > 0 ? 0 : 1) : y < 0 ? (x < 0 ? 2 : 3) : (x > 0 ? 0 : 2);
+      EXPECT_EQ(predicates_.quadrant(triple[0], face.triple, face.disc), quadrant);
+    }
+  }
+
+  void compareTurns() {
+    for (const auto& [first, f] : faces_) {
+      for (const auto& [second, g] : faces_) {
+        if (first[0] != second[0]) continue;
+        EXPECT_EQ(predicates_.cross(first[0], first, f.disc, second, g.disc),
+                  exact::crossSign(f.circles, g.circles, circles_[first[0]]));
+      }
+    }
+  }
+
+  void compareEdgeOrders() {
+    for (const auto& [abc, f] : faces_) {
+      const auto [a, b, c] = abc;
+      for (int d = 0; d < count_; ++d) {
+        const auto bad = faces_.find({b, a, d});
+        if (d == c || bad == faces_.end()) continue;
+        const Face& g = bad->second;
+        const int order = predicates_.edgeOrder(a, b, c, d, f.disc, g.disc);
+        const double ra = circles_[a].r;
+        const double rb = circles_[b].r;
+        if (c == kInfinity) {
+          EXPECT_EQ(order, 1);
+          continue;
+        }
+        // Seen from the larger circle; of equal ones from either.
+        if (ra >= rb) {
+          EXPECT_EQ(order, exact::crossSign(g.circles, f.circles, circles_[a])) << a << b << c << d;
+        }
+        if (rb >= ra) {
+          EXPECT_EQ(order, exact::crossSign(f.circles, g.circles, circles_[b])) << a << b << c << d;
+        }
+      }
+    }
+  }
+
+  std::span<const Circle> circles_;
+  int count_;
+  Predicates predicates_;
+  std::map<Triple, Face> faces_;
+};
+
+/// Compares all predicates of circles that may hide one another. Returns how often each stage decided.
+FilterCounts compare(std::span<const Circle> circles) {
+  const auto scaled = validate(circles);
+  EXPECT_TRUE(scaled.ok());
+  if (!scaled) return {};
+  const Sites sites = hide(scaled.value().circles);
+  Comparison comparison(sites.circles);
+  comparison.run();
+  return comparison.counts();
+}
+
+struct Decided {
+  std::int64_t filtered = 0;
+  std::int64_t later = 0;
+};
+
+TEST(Predicates, AgreeWithExactArithmeticInAndNearTies) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (int disturbance = 0; disturbance < test::kDisturbances; ++disturbance) {
+      Decided decided;
+      for (std::uint64_t trial = 0; trial < 20; ++trial) {
+        Random random(seed * 1'000'003 + trial * 64 + static_cast<std::uint64_t>(disturbance));
+        auto circles = kind.make(5, random);
+        test::disturb(circles, test::Disturbance{disturbance}, random);
+        const FilterCounts counts = compare(circles);
+        decided.filtered += counts.filtered;
+        decided.later += counts.refined + counts.inCircle + counts.exact;
+        if (testing::Test::HasFailure())
+          FAIL() << kind.name << ", disturbance " << disturbance << test::describe(circles);
+      }
+      // The inputs are worth nothing if they never come near a tie.
+      EXPECT_GT(decided.filtered, 0) << kind.name << ", disturbance " << disturbance;
+      EXPECT_GT(decided.later, 0) << kind.name << ", disturbance " << disturbance;
+    }
+  }
+}
+
+TEST(Predicates, AgreeWithExactArithmeticOnRandomCircles) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (std::uint64_t trial = 0; trial < 80; ++trial) {
+    Random random(seed * 1'000'003 + trial);
+    std::vector<Circle> circles;
+    for (int i = 0; i < 6; ++i) {
+      const double size = trial % 2 == 0 ? 1 : random.logUniform(-20, 20);
+      circles.push_back({size * random.uniform(-1, 1), size * random.uniform(-1, 1), size * random.uniform(0, 0.7)});
+    }
+    compare(circles);
+    if (testing::Test::HasFailure()) FAIL() << "trial " << trial << test::describe(circles);
+  }
+}
+
+TEST(Predicates, TangentSideOfACircleSoNearThatSquaresUnderflow) {
+  Random random(test::seedOr(1));
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double near = std::ldexp(1 + random.unit(), -530 - static_cast<int>(random.below(30)));
+    const Vector far = random.direction();
+    const Vector v = random.direction();
+    const double r = 4 * near;
+    // The third circle nearly touches the tangent line of the others, at a distance of 1e-160.
+    const std::array<Circle, 3> circles = {
+        {{0, 0, r}, {0x1p79 * far.x, 0x1p79 * far.y, r}, {near * v.x, near * v.y, r - near * cross(far, v)}}};
+    Predicates predicates(circles);
+    EXPECT_EQ(predicates.tangentSide(0, 1, 2), exact::tangentSide(circles[0], circles[1], circles[2]));
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "random.h"
+
+namespace circle_voronoi::test {
+
+/// Circles in special position, exactly: integers of a few digits.
+struct TieKind {
+  std::string_view name;
+  std::vector<Circle> (*make)(std::size_t count, Random& random);
+};
+
+/// Grid points with small radii; on one circle, equal; touching one disc, from outside or around it; touching one line;
+/// touching one another inside; on a line, equal; radii growing from column to column.
+std::span<const TieKind> tieKinds();
+
+/// How exact ties are disturbed.
+enum class Disturbance {
+  none,
+  lastPlace,  ///< a few numbers moved to the next double
+  slight,     ///< all numbers changed by up to 1e-12 of themselves
+  scaled,     ///< times a power of ten from 1e-150 to 1e144, which rounds
+  far,        ///< moved 1e7 to 1e15 away
+  oneHuge,    ///< one circle 2^20 to 2^60 times as large and as far
+  oneTiny,    ///< one circle drawn near to another: 2^-20 to 2^-600 of its distance
+};
+inline constexpr int kDisturbances = 7;
+
+void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& random);
+
+}  // namespace circle_voronoi::test

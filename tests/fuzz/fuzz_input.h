@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+
+namespace circle_voronoi::fuzz {
+
+/// A number of a diagram to be overwritten.
+struct Edit {
+  std::uint8_t field = 0;  ///< which list, and which number of its items
+  std::uint8_t item = 0;
+  std::int8_t value = 0;
+};
+
+struct Input {
+  std::vector<Circle> circles;
+  std::vector<Edit> edits;
+};
+
+/// Reads any bytes as circles and edits. The first byte says how:
+///   bits 0-1  numbers: 0 small integers (3 bytes a circle), 1 the same scaled by a power of two and moved far away,
+///             2 doubles bit by bit (24 bytes), 3 small integers times powers of two, each its own (6 bytes)
+///   bits 2-4  how many edits, from the end of the data
+/// At most kMostCircles circles are read.
+Input decode(std::span<const std::uint8_t> bytes);
+
+inline constexpr std::size_t kMostCircles = 24;
+
+/// The diagram with numbers overwritten, which may be right or wrong afterwards.
+Diagram corrupted(Diagram diagram, std::span<const Edit> edits);
+
+}  // namespace circle_voronoi::fuzz
