@@ -1,18 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apollonius.h"
 
-#include <CGAL/Apollonius_graph_2.h>
-#include <CGAL/Apollonius_graph_filtered_traits_2.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <array>
+#include <iostream>
 #include <map>
+
+// CGAL's headers below write to std::cerr in branches that are never reached. That alone links the whole of the
+// iostreams into the WebAssembly module, a third of its size; so does the locale in their messages. Here they write to
+// a stream that is none, in the C locale.
+#define BOOST_LEXICAL_CAST_ASSUME_C_LOCALE
+namespace std {
+struct CircleVoronoiNullStream {
+  template <class T>
+  CircleVoronoiNullStream& operator<<(const T&) {
+    return *this;
+  }
+  CircleVoronoiNullStream& operator<<(ostream& (*)(ostream&)) { return *this; }
+};
+inline CircleVoronoiNullStream circleVoronoiNullStream;
+}  // namespace std
+#define cerr circleVoronoiNullStream
+#include <CGAL/Apollonius_graph_2.h>
+#include <CGAL/Apollonius_graph_traits_2.h>
+#include <CGAL/MP_Float.h>
+#include <CGAL/Simple_cartesian.h>
+#undef cerr
 
 namespace circle_voronoi {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Traits = CGAL::Apollonius_graph_filtered_traits_2<Kernel>;
+// Exact arithmetic throughout. CGAL's filtered traits would be faster here, but they compile every predicate three
+// times, which doubles the size of the WebAssembly module, and the last resort need not be fast.
+using Kernel = CGAL::Simple_cartesian<CGAL::MP_Float>;
+using Traits = CGAL::Apollonius_graph_traits_2<Kernel, CGAL::Integral_domain_without_division_tag>;
 using Graph = CGAL::Apollonius_graph_2<Traits>;
 
 }  // namespace
@@ -32,7 +52,8 @@ Dual apolloniusGraph(std::span<const Circle> circles) {
   const auto cornerOf = [&](Graph::Vertex_handle vertex) {
     if (graph.is_infinite(vertex)) return kInfinity;
     const auto& site = vertex->site();
-    return indexOf.at({site.point().x(), site.point().y(), site.weight()});
+    return indexOf.at(
+        {CGAL::to_double(site.point().x()), CGAL::to_double(site.point().y()), CGAL::to_double(site.weight())});
   };
   std::map<Graph::Face_handle, int> faceOf;
   for (auto face = graph.all_faces_begin(); face != graph.all_faces_end(); ++face) {

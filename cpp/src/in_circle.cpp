@@ -12,9 +12,8 @@ namespace {
 
 namespace multiprecision = boost::multiprecision;
 __extension__ using Int128 = __int128;
-template <unsigned kBits>
-using Fixed = multiprecision::number<
-    multiprecision::cpp_int_backend<kBits, kBits, multiprecision::signed_magnitude, multiprecision::unchecked, void>>;
+using Wide = multiprecision::number<
+    multiprecision::cpp_int_backend<512, 512, multiprecision::signed_magnitude, multiprecision::unchecked, void>>;
 
 // Filters by J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997,
 // section 4, with u = 2^-53; kTiny covers underflow (homogeneous_disc.h has the argument).
@@ -79,7 +78,7 @@ int orientation(Point a, Point b, Point c) {
   // Differences have one bit more, and the sum of two products of two of them one more.
   const int bits = 2 * (unit.bits() + 1) + 1;
   if (bits < 127) return orientationOf<Int128>(unit, a, b, c);
-  if (bits < 256) return orientationOf<Fixed<256>>(unit, a, b, c);
+  if (bits < 512) return orientationOf<Wide>(unit, a, b, c);
   return orientationOf<multiprecision::cpp_int>(unit, a, b, c);
 }
 
@@ -100,8 +99,7 @@ int inCircle(Point a, Point b, Point c, Point d) {
   // Differences have one bit more, and the sum of twelve products of four of them has four more.
   const int bits = 4 * (unit.bits() + 1) + 4;
   if (bits < 127) return inCircleOf<Int128>(unit, a, b, c, d);
-  if (bits < 256) return inCircleOf<Fixed<256>>(unit, a, b, c, d);
-  if (bits < 512) return inCircleOf<Fixed<512>>(unit, a, b, c, d);
+  if (bits < 512) return inCircleOf<Wide>(unit, a, b, c, d);
   return inCircleOf<multiprecision::cpp_int>(unit, a, b, c, d);
 }
 
