@@ -4,19 +4,9 @@
 #include <cmath>
 
 #include "circle_voronoi/circle.h"
+#include "circle_voronoi/point.h"
 
 namespace circle_voronoi {
-
-struct Point {
-  double x = 0;
-  double y = 0;
-};
-
-/// A difference of points, or a direction of any length.
-struct Vector {
-  double x = 0;
-  double y = 0;
-};
 
 inline double cross(Vector u, Vector v) { return u.x * v.y - u.y * v.x; }
 inline double dot(Vector u, Vector v) { return u.x * v.x + u.y * v.y; }

@@ -178,7 +178,7 @@ TEST(Cells, AreasAndCentroidsAreThoseOfPixels) {
 TEST(Cells, AreaCentroidAndPerimeterAreThoseOfAFinePolygon) {
   Random random(5);
   for (const Family family : {Family::logUniform, Family::twoHuge, Family::intersecting, Family::chaos}) {
-    const auto circles = generate(family, 30, 5);
+    const auto circles = generate(family, 10, 5);
     const Diagram diagram = diagramOf(circles);
     const Cells cells(circles, diagram);
     const ConvexPolygon region = boxAround(circles, 1.3);
@@ -243,6 +243,16 @@ TEST(Cells, ABoundaryAlongAnEdgeIsNoTrouble) {
     expectPartition(cells, box);
   }
   EXPECT_EQ(area(outline(cells, 3, Box{1, 1, 2, 2})), 1);
+}
+
+TEST(Cells, AnEdgeMayTouchTheBoundary) {
+  const std::vector<Circle> circles = {{1, 3, 0}, {1, 0, 1}};  // the apex of their edge is (1, 2)
+  const Diagram diagram = diagramOf(circles);
+  const Cells cells(circles, diagram);
+  for (const Box& box : {Box{1, 0, 3, 2}, Box{0, 0, 2, 2}, Box{0, 2, 2, 3}, Box{-1, 1, 1, 2}}) {
+    expectPartition(cells, box);
+  }
+  EXPECT_EQ(area(outline(cells, 0, Box{0, 0, 2, 2})), 0);
 }
 
 TEST(Cells, OfTheBronzeFilterFillItsBox) {

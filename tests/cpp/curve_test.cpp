@@ -77,28 +77,24 @@ EdgeCurve randomArc(const Bisector& bisector, Random& random) {
   return arcOf(bisector, s, s * random.logUniform(0, 4));
 }
 
-/// The distance of a point from an arc, by a search among its points.
+/// The distance of a point from an arc, by a search around each of many points that is nearer than those next to it.
 double distanceFromArc(const EdgeCurve& curve, Point p) {
-  const double step = std::pow(curve.to / curve.from, 1.0 / 256);
-  double best = distanceBetween(p, curve.end);
-  double bestAt = curve.to;
-  for (int i = 0; i < 256; ++i) {
-    const double s = curve.from * std::pow(step, i);
-    const double d = distanceBetween(p, pointAt(curve.bisector, s));
-    if (d < best) {
-      best = d;
-      bestAt = s;
+  constexpr int kCount = 256;
+  const double step = std::pow(curve.to / curve.from, 1.0 / kCount);
+  const auto at = [&](double s) { return distanceBetween(p, pointAt(curve.bisector, s)); };
+  std::vector<double> distances;
+  for (int i = 0; i <= kCount; ++i) distances.push_back(at(curve.from * std::pow(step, i)));
+  double best = *std::ranges::min_element(distances);
+  for (std::size_t i = 0; i <= kCount; ++i) {
+    if ((i > 0 && distances[i - 1] < distances[i]) || (i < kCount && distances[i + 1] < distances[i])) continue;
+    double low = curve.from * std::pow(step, std::max(static_cast<double>(i) - 1, 0.0));
+    double high = std::min(curve.to, curve.from * std::pow(step, static_cast<double>(i) + 1));
+    for (int k = 0; k < 80; ++k) {
+      const double first = low + (high - low) / 3;
+      const double second = high - (high - low) / 3;
+      best = std::min({best, at(first), at(second)});
+      (at(first) < at(second) ? high : low) = at(first) < at(second) ? second : first;
     }
-  }
-  double low = std::max(curve.from, bestAt / step);
-  double high = std::min(curve.to, bestAt * step);
-  for (int i = 0; i < 100; ++i) {
-    const double first = low + (high - low) / 3;
-    const double second = high - (high - low) / 3;
-    const double atFirst = distanceBetween(p, pointAt(curve.bisector, first));
-    const double atSecond = distanceBetween(p, pointAt(curve.bisector, second));
-    (atFirst < atSecond ? high : low) = atFirst < atSecond ? second : first;
-    best = std::min({best, atFirst, atSecond});
   }
   return best;
 }
@@ -240,9 +236,9 @@ TEST(Curve, CubicsAndPolylinesKeepTheTolerance) {
 
 TEST(Curve, FewPiecesReachATightTolerance) {
   const EdgeCurve arc = arcOf(bisector({0, 0, 1}, {4, 0, 0}), 0.2, 5);
-  EXPECT_EQ(cubicBeziers(arc, 1e-2).size(), 1U);
-  EXPECT_LE(cubicBeziers(arc, 1e-6).size(), 4U);
-  EXPECT_LE(cubicBeziers(arc, 1e-9).size(), 12U);
+  EXPECT_EQ(cubicBeziers(arc, 2e-2).size(), 1U);
+  EXPECT_LE(cubicBeziers(arc, 1e-6).size(), 5U);
+  EXPECT_LE(cubicBeziers(arc, 1e-9).size(), 15U);
   const EdgeCurve straight = arcOf(bisector({0, 0, 1}, {4, 0, 1}), 1e-3, 1e6);
   EXPECT_EQ(cubicBeziers(straight, 1e-9).size(), 1U);
   EXPECT_EQ(polyline(straight, 1e-9).size(), 2U);

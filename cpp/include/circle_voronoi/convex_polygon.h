@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/error.h"
+#include "circle_voronoi/point.h"
+
+namespace circle_voronoi {
+
+/// An axis-parallel rectangle, minX < maxX and minY < maxY.
+struct Box {
+  double minX = 0;
+  double minY = 0;
+  double maxX = 1;
+  double maxY = 1;
+};
+
+/// The closed region that curves and cells are clipped to.
+class ConvexPolygon {
+ public:
+  /// Precondition: the box is not empty.
+  ConvexPolygon(const Box& box);
+
+  /// From corners in counter-clockwise order; corners on the line through their neighbours are allowed.
+  /// Errors: badOption, if there are fewer than three corners, one is not finite, two in a row are equal, or they do
+  /// not turn left exactly once.
+  static Result<ConvexPolygon> from(std::span<const Point> corners);
+
+  /// Counter-clockwise.
+  std::span<const Point> corners() const { return corners_; }
+  std::size_t size() const { return corners_.size(); }
+  /// The corner at which side `k`, which begins at corner `k`, ends.
+  Point cornerAfter(std::size_t k) const { return corners_[k + 1 == corners_.size() ? 0 : k + 1]; }
+
+  bool contains(Point p) const;
+  double area() const;
+  /// The mean of the corners, which lies inside.
+  Point middle() const;
+
+ private:
+  explicit ConvexPolygon(std::vector<Point> corners) : corners_(std::move(corners)) {}
+
+  std::vector<Point> corners_;
+};
+
+}  // namespace circle_voronoi

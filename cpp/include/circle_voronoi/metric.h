@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/point.h"
+
+namespace circle_voronoi {
+
+/// The distance from a circle that makes a diagram: a point belongs to the cell of the circle of smallest distance.
+enum class Metric {
+  circles,  ///< |p - c| - r, signed: the Voronoi diagram of circles
+  centres,  ///< |p - c|: the ordinary Voronoi diagram of the centres
+  power,    ///< |p - c|^2 - r^2: the power (Laguerre) diagram
+};
+
+double distance(Metric metric, const Circle& circle, Point p);
+
+}  // namespace circle_voronoi

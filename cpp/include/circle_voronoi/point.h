@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace circle_voronoi {
+
+struct Point {
+  double x = 0;
+  double y = 0;
+
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// A difference of points, or a direction of any length.
+struct Vector {
+  double x = 0;
+  double y = 0;
+};
+
+}  // namespace circle_voronoi

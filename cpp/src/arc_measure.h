@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "circle_voronoi/curve.h"
+
+namespace circle_voronoi {
+
+/// A region's area and the integrals of x and y over it, relative to a point.
+struct Moments {
+  double area = 0;
+  double x = 0;
+  double y = 0;
+};
+
+/// The region between a bounded arc and its chord, counted positive where the arc bends to the right of its chord.
+Moments momentsOverChord(const EdgeCurve& curve, Point reference);
+
+}  // namespace circle_voronoi

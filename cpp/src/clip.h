@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "circle_voronoi/curve.h"
+
+namespace circle_voronoi {
+
+/// A range of the parameter of a curve inside a region, and the sides of the region that cut it off there; kNone where
+/// it ends with the curve.
+struct Span {
+  double from = 0;
+  double to = 0;
+  std::int32_t cutFrom = kNone;
+  std::int32_t cutTo = kNone;
+};
+
+/// The parts of a curve inside a region, in order. A part that is not cut reaches the end of the curve.
+std::vector<Span> clipSpans(const EdgeCurve& curve, const ConvexPolygon& region);
+
+/// That part of the curve; where it is cut, its ends lie on the side of the region.
+EdgeCurve part(const EdgeCurve& curve, const Span& span, const ConvexPolygon& region);
+
+/// Where a branch crosses the line through a point along a direction.
+class LineCrossing {
+ public:
+  LineCrossing(const Bisector& bisector, Point p, Vector direction);
+
+  /// The parameters, increasing: none, one or two.
+  const std::vector<double>& parameters() const { return parameters_; }
+
+  /// Whether the branch is to the right of the line between two parameters; ends at infinity are 0 and infinity.
+  /// Precondition: it does not cross the line between them.
+  bool isRight(double from, double to) const;
+
+ private:
+  double growth_;
+  double half_;
+  double decay_;
+  std::vector<double> parameters_;
+};
+
+}  // namespace circle_voronoi
