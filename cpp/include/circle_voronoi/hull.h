@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/point.h"
+
+namespace circle_voronoi {
+
+/// An arc of a circle on the convex hull, counter-clockwise from `start` to `end`. A point (radius 0) has an arc too:
+/// it turns, but has no length.
+struct HullArc {
+  std::int32_t circle = kNone;
+  Point start;
+  Point end;
+  double angle = 0;  ///< from 0 to 2 pi
+};
+
+/// The convex hull of circles: arcs, each joined to the next by the tangent segment from its end to the next start, the
+/// last to the first. The angles add up to 2 pi.
+struct Hull {
+  std::vector<HullArc> arcs;
+  double length = 0;
+  double area = 0;
+};
+
+/// The hull of a certified diagram of `circles`, in the order of `diagram.hull`. That of a single circle is the circle:
+/// one arc of 2 pi. Angles, lengths and areas use std::atan2 and std::sin, whose last bit may differ between platforms;
+/// points do not.
+Hull hull(std::span<const Circle> circles, const Diagram& diagram);
+
+}  // namespace circle_voronoi
