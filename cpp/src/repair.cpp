@@ -28,9 +28,11 @@ std::vector<int> wrongFaces(const Dual& dual, Predicates& predicates) {
     const int t = dual.twin[h];
     if (h > t || !discs[h / 3].exists || !discs[t / 3].exists) continue;
     const auto [a, b, c] = cornersOf(dual, h);
-    if (a == kInfinity || b == kInfinity) continue;
     const int d = dual.origin[Dual::previous(t)];
-    if (predicates.edgeOrder(a, b, c, d, discs[h / 3], discs[t / 3]) < 0) wrong.insert(wrong.end(), {h / 3, t / 3});
+    const bool isWrong = a == kInfinity   ? predicates.tangentSide(d, c, b) < 0
+                         : b == kInfinity ? predicates.tangentSide(c, d, a) < 0
+                                          : predicates.edgeOrder(a, b, c, d, discs[h / 3], discs[t / 3]) < 0;
+    if (isWrong) wrong.insert(wrong.end(), {h / 3, t / 3});
   }
   return wrong;
 }
@@ -113,6 +115,8 @@ bool replacePatch(std::span<const Circle> circles, Dual& dual, const std::vector
   for (const int t : outside) {
     const auto found = localHalfEdges.find(cornersOf(dual, t));
     if (found == localHalfEdges.end()) return false;
+    // A wrong dual may hold the same face twice.
+    if (outsideOf[found->second] != kNone) return false;
     outsideOf[found->second] = t;
   }
   // Flood the inside from the boundary.
@@ -124,6 +128,8 @@ bool replacePatch(std::span<const Circle> circles, Dual& dual, const std::vector
   for (int h = 0; h < solved->halfEdgeCount(); ++h) {
     if (outsideOf[h] != kNone) enter(solved->twin[h] / 3);
   }
+  // Without a boundary the patch is the whole dual.
+  if (outside.empty() && solved->faceCount() > 0) enter(0);
   for (std::size_t i = 0; i < inside.size() && inside.size() <= patch.size(); ++i) {
     for (int h = 3 * inside[i]; h < 3 * inside[i] + 3; ++h) {
       if (outsideOf[solved->twin[h]] == kNone) enter(solved->twin[h] / 3);

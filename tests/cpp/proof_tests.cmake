@@ -1,17 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The tests of the certificate and what it rests on, and of the promise that every result is certified.
 add_executable(circle_voronoi_proof_tests
+  automatic_test.cpp
   certificate_mutation_test.cpp
   certificate_test.cpp
   compare.cpp
   dual_edits.cpp
   exact_test.cpp
+  fixtures.cpp
   in_circle_test.cpp
   predicates_test.cpp
+  repair_test.cpp
   report.cpp
-  tie_inputs.cpp)
+  tie_inputs.cpp
+  trial.cpp)
+target_compile_definitions(circle_voronoi_proof_tests PRIVATE
+  CIRCLE_VORONOI_FIXTURES="${PROJECT_SOURCE_DIR}/tests/fixtures")
 target_include_directories(circle_voronoi_proof_tests PRIVATE ${PROJECT_SOURCE_DIR}/cpp/src)
 target_link_libraries(circle_voronoi_proof_tests PRIVATE
-  circle_voronoi::circle_voronoi circle_voronoi_options circle_voronoi_oracle
+  circle_voronoi::circle_voronoi circle_voronoi::io circle_voronoi_options circle_voronoi_oracle
   GTest::gtest_main Threads::Threads)
 gtest_discover_tests(circle_voronoi_proof_tests DISCOVERY_MODE PRE_TEST)
+
+# The same trials for as long as one likes.
+if(CIRCLE_VORONOI_BUILD_CLI)
+  add_subdirectory(${PROJECT_SOURCE_DIR}/tests/soak ${PROJECT_BINARY_DIR}/tests/soak)
+endif()

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+
+namespace circle_voronoi::test {
+
+/// What became of one input.
+struct TrialResult {
+  std::string problem;  ///< empty: certified, and the same as the exact diagram
+  std::string way;      ///< the construction that made the diagram
+};
+
+/// Computes the diagram by Method::automatic, judges it again, and compares it with the exact one; in degenerate
+/// position after merging.
+TrialResult tryAutomatic(std::span<const Circle> circles, bool isDegenerate);
+
+/// The same without the comparison, which takes too long for many circles in degenerate position.
+TrialResult tryCertified(std::span<const Circle> circles);
+
+/// As few of the circles as still fail, by leaving out ever smaller parts.
+std::vector<Circle> shrink(std::vector<Circle> circles, const std::function<bool(std::span<const Circle>)>& fails);
+
+/// How often each construction made the result, by family; a Markdown table.
+class WayTable {
+ public:
+  void add(std::string_view family, const TrialResult& result);
+  std::string text() const;
+  int trials() const;
+  int problems() const;
+
+ private:
+  static constexpr std::string_view kWays[] = {"flip", "repair", "touching-disc", "apollonius-graph"};
+  struct Row {
+    std::string_view family;
+    int ways[4] = {};
+    int problems = 0;
+    int trials = 0;
+  };
+  std::vector<Row> rows_;
+};
+
+}  // namespace circle_voronoi::test

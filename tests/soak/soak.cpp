@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random inputs of every family for as long as one likes: each diagram certified and the same as the exact one. Prints
+// how to repeat each failure and its shrunk input; the exit status is 1 if there was any.
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <mutex>
+#include <random>
+#include <thread>
+
+#include "report.h"
+#include "tie_inputs.h"
+#include "trial.h"
+
+namespace circle_voronoi::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kManyCircles = 100'000;
+constexpr std::uint64_t kRoundsBetweenMany = 50;
+constexpr std::array kFamiliesOfMany = {Family::uniform,      Family::logUniform, Family::oneHuge,
+                                        Family::intersecting, Family::hidden,     Family::grid};
+
+class Soak {
+ public:
+  Soak(std::uint64_t seed, Clock::time_point end) : seed_(seed), end_(end) {}
+
+  /// One worker of several.
+  void work() {
+    while (Clock::now() < end_) round(seed_ + round_++);
+  }
+
+  int report() const {
+    std::cout << table_.text() << table_.trials() << " inputs, " << table_.problems() << " problems\n";
+    return table_.problems() == 0 ? 0 : 1;
+  }
+
+ private:
+  /// One input of every family and of every kind of tie; now and then many circles.
+  void round(std::uint64_t seed) {
+    for (const FamilyInfo& family : families()) {
+      Random random(seed);
+      const std::size_t count = 3 + random.below(198);
+      const std::string repeat = "circle-voronoi generate " + std::string(family.name) + " " + std::to_string(count) +
+                                 " --seed " + std::to_string(seed);
+      attempt(family.name, repeat, generate(family.family, count, seed),
+              [&](std::span<const Circle> circles) { return tryAutomatic(circles, family.isDegenerate); });
+    }
+    for (const TieKind& kind : tieKinds()) {
+      Random random(seed);
+      std::vector<Circle> circles = kind.make(3 + random.below(60), random);
+      disturb(circles, Disturbance{static_cast<int>(random.below(kDisturbances))}, random);
+      attempt(kind.name, "--seed " + std::to_string(seed), circles, tryCertified);
+    }
+    if (seed % kRoundsBetweenMany == 0) {
+      const Family family = kFamiliesOfMany[seed / kRoundsBetweenMany % kFamiliesOfMany.size()];
+      const bool isGrid = family == Family::grid;
+      const std::string repeat = "circle-voronoi generate " + std::string(familyName(family)) + " " +
+                                 std::to_string(kManyCircles) + " --seed " + std::to_string(seed);
+      attempt("100,000 circles", repeat, generate(family, kManyCircles, seed), [&](std::span<const Circle> circles) {
+        return isGrid ? tryCertified(circles) : tryAutomatic(circles, false);
+      });
+    }
+  }
+
+  template <class Try>
+  void attempt(std::string_view name, const std::string& repeat, const std::vector<Circle>& circles, Try tryOnce) {
+    if (Clock::now() >= end_) return;
+    const TrialResult result = tryOnce(circles);
+    const std::lock_guard lock(mutex_);
+    table_.add(name, result);
+    if (result.problem.empty()) return;
+    const auto fails = [&](std::span<const Circle> fewer) { return !tryOnce(fewer).problem.empty(); };
+    const auto shrunk = circles.size() < kManyCircles ? shrink(circles, fails) : std::vector<Circle>{};
+    std::cout << name << " (" << repeat << "): " << result.problem << describe(shrunk) << std::endl;
+  }
+
+  std::uint64_t seed_;
+  Clock::time_point end_;
+  std::atomic<std::uint64_t> round_ = 0;
+  std::mutex mutex_;
+  WayTable table_;
+};
+
+}  // namespace
+}  // namespace circle_voronoi::test
+
+int main(int argumentCount, char** arguments) {
+  using namespace circle_voronoi::test;
+  double minutes = 1;
+  std::uint64_t seed = std::random_device{}();
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App program("Computes and checks diagrams of random circles", "circle-voronoi-soak");
+  program.add_option("--minutes", minutes, "How long")->check(CLI::PositiveNumber)->capture_default_str();
+  program.add_option("--seed", seed, "The same seed gives the same inputs; random if not given");
+  program.add_option("--threads", threads, "How many inputs at a time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  CLI11_PARSE(program, argumentCount, arguments);
+
+  std::cout << "--seed " << seed << std::endl;
+  Soak soak(seed,
+            Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(60 * minutes)));
+  std::vector<std::jthread> workers;
+  for (unsigned i = 0; i < threads; ++i) workers.emplace_back([&] { soak.work(); });
+  workers.clear();  // waits for them
+  return soak.report();
+}
