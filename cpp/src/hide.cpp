@@ -12,116 +12,109 @@
 namespace circle_voronoi {
 namespace {
 
-/// Larger circles first, of equal ones the first of the input: a circle can only be hidden by one before it.
-struct Before {
-  std::span<const Circle> circles;
-  bool operator()(int i, int j) const { return circles[i].r != circles[j].r ? circles[i].r > circles[j].r : i < j; }
-};
+constexpr int kFanOut = 8;
 
-/// The neighbours of each corner of a triangulation, in one array.
-class Neighbors {
- public:
-  Neighbors(const Dual& dual, std::size_t cornerCount) : first_(cornerCount + 1, 0) {
-    for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-      if (isEdge(dual, h)) ++first_[dual.origin[h] + 1];
-    }
-    for (std::size_t i = 0; i < cornerCount; ++i) first_[i + 1] += first_[i];
-    targets_.resize(first_.back());
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-      if (isEdge(dual, h)) targets_[next[dual.origin[h]]++] = dual.target(h);
-    }
+/// A box around centres, and the range of their radii.
+struct Box {
+  Point low = {kUnknownError, kUnknownError};
+  Point high = {-kUnknownError, -kUnknownError};
+  double smallest = kUnknownError;
+  double largest = -kUnknownError;
+
+  void include(const Box& other) {
+    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+    smallest = std::min(smallest, other.smallest);
+    largest = std::max(largest, other.largest);
   }
 
-  std::span<const int> of(int corner) const {
-    return std::span(targets_).subspan(first_[corner], first_[corner + 1] - first_[corner]);
+  static Box of(const Circle& c) { return {{c.x, c.y}, {c.x, c.y}, c.r, c.r}; }
+
+  /// Whether a circle of this box may contain one of the other: false only if none does, rounding included.
+  bool mayHide(const Box& other) const {
+    const double reach = largest - other.smallest;
+    if (reach < 0) return false;
+    const double x = std::max({0.0, low.x - other.high.x, other.low.x - high.x});
+    const double y = std::max({0.0, low.y - other.high.y, other.low.y - high.y});
+    return x * x + y * y <= reach * reach * (1 + 1e-12);
+  }
+};
+
+/// A packed tree of boxes over circles in spatial order: level 0 has a box for every kFanOut circles, each further
+/// level one for every kFanOut boxes below.
+class BoxTree {
+ public:
+  explicit BoxTree(std::span<const Circle> circles) {
+    std::vector<Box> below;
+    below.reserve(circles.size());
+    for (const Circle& c : circles) below.push_back(Box::of(c));
+    do {
+      std::vector<Box> level((below.size() + kFanOut - 1) / kFanOut);
+      for (std::size_t i = 0; i < below.size(); ++i) level[i / kFanOut].include(below[i]);
+      levels_.push_back(level);
+      below = std::move(level);
+    } while (below.size() > 1);
+  }
+
+  const std::vector<Box>& leaves() const { return levels_.front(); }
+
+  /// Calls visit(leaf) for each leaf that may hide a circle of the query, in order, until it returns false.
+  template <class Visit>
+  void forEachHider(const Box& query, Visit visit) const {
+    descend(levels_.size() - 1, 0, query, visit);
   }
 
  private:
-  static bool isEdge(const Dual& dual, int h) { return dual.origin[h] != kInfinity && dual.target(h) != kInfinity; }
+  template <class Visit>
+  bool descend(std::size_t level, std::size_t node, const Box& query, Visit& visit) const {
+    if (!levels_[level][node].mayHide(query)) return true;
+    if (level == 0) return visit(node);
+    const std::size_t end = std::min((node + 1) * kFanOut, levels_[level - 1].size());
+    for (std::size_t child = node * kFanOut; child < end; ++child) {
+      if (!descend(level - 1, child, query, visit)) return false;
+    }
+    return true;
+  }
 
-  std::vector<int> first_;
-  std::vector<int> targets_;
+  std::vector<std::vector<Box>> levels_;
 };
 
-/// The circles whose disc, less the smallest radius, contains the centre of a neighbour: the others hide nothing.
-std::vector<bool> mayHide(std::span<const Circle> circles, const std::vector<double>& reachSquared,
-                          const Dual& centres) {
-  std::vector<bool> result(circles.size(), false);
-  for (int h = 0; h < centres.halfEdgeCount(); ++h) {
-    const int i = centres.origin[h];
-    const int j = centres.target(h);
-    if (i == kInfinity || j == kInfinity) continue;
-    const Vector v = between(circles[i], circles[j]);
-    if (dot(v, v) <= reachSquared[i]) result[i] = true;
-  }
-  return result;
-}
-
-/// For each circle a visible one that hides it, or kNone. `centres` triangulates all centres.
-std::vector<int> findHiders(std::span<const Circle> circles, const Delaunay& centres) {
-  const int n = static_cast<int>(circles.size());
-  const Before before{circles};
-  std::vector<int> hider(n, kNone);
-
-  // Of circles with one centre only the first in order can be visible; it stands for them in the triangulation.
-  std::vector<int> first(n, kNone);
-  for (int i = 0; i < n; ++i) {
-    int& stand = first[centres.representative[i]];
-    if (stand == kNone || before(i, stand)) stand = i;
-  }
-  double smallest = n == 0 ? 0 : circles[0].r;
-  for (int i = 0; i < n; ++i) {
-    const int stand = first[centres.representative[i]];
-    if (stand != i) hider[i] = stand;
-    smallest = std::min(smallest, circles[i].r);
-  }
-
-  // Of each corner, by the circle that stands for it: how far a centre that it hides can be, squared. Rounding must not
-  // stop the walk early; `contains` decides.
-  std::vector<Circle> standing(circles.begin(), circles.end());
-  std::vector<double> reachSquared(n, 0);
-  for (int corner = 0; corner < n; ++corner) {
-    if (first[corner] == kNone) continue;
-    standing[corner] = circles[first[corner]];
-    const double reach = standing[corner].r - smallest;
-    reachSquared[corner] = reach * reach * (1 + 1e-12);
-  }
-  const std::vector<bool> active = mayHide(standing, reachSquared, centres.dual);
-  std::vector<int> order;
-  for (int corner = 0; corner < n; ++corner) {
-    if (active[corner] && first[corner] != kNone) order.push_back(corner);
-  }
-  if (!order.empty()) {
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return before(first[a], first[b]); });
-    const Neighbors neighbors(centres.dual, n);
-    Predicates predicates(circles);
-    // The centres that a disc around a centre contains are connected in the Delaunay graph: walk over them.
-    std::vector<int> seenBy(n, kNone);
-    std::vector<int> stack;
-    for (const int start : order) {
-      const int i = first[start];
-      if (hider[i] != kNone) continue;
-      stack.push_back(start);
-      seenBy[start] = start;
-      while (!stack.empty()) {
-        const int corner = stack.back();
-        stack.pop_back();
-        for (const int neighbor : neighbors.of(corner)) {
-          if (seenBy[neighbor] == start) continue;
-          seenBy[neighbor] = start;
-          const Vector v = between(standing[start], standing[neighbor]);
-          if (dot(v, v) > reachSquared[start]) continue;
-          const int j = first[neighbor];
-          if (hider[j] == kNone && before(i, j) && predicates.contains(circles[i], circles[j])) hider[j] = i;
-          stack.push_back(neighbor);
+/// For each circle a visible one that hides it, or kNone.
+std::vector<int> findHiders(std::span<const Circle> circles) {
+  std::vector<int> hider(circles.size(), kNone);
+  if (circles.empty()) return hider;
+  // Only a larger circle hides another, or an equal one that comes first: spatial order keeps equal circles in the
+  // order of the input.
+  const auto isBefore = [&](int i, int j) {
+    return circles[i].r != circles[j].r ? circles[i].r > circles[j].r : i < j;
+  };
+  const auto circlesOf = [&](std::size_t leaf) {
+    return std::pair(static_cast<int>(leaf * kFanOut),
+                     static_cast<int>(std::min((leaf + 1) * kFanOut, circles.size())));
+  };
+  const BoxTree tree(circles);
+  Predicates predicates(circles);
+  for (std::size_t query = 0; query < tree.leaves().size(); ++query) {
+    const auto [first, last] = circlesOf(query);
+    int visible = last - first;
+    tree.forEachHider(tree.leaves()[query], [&](std::size_t leaf) {
+      const auto [begin, end] = circlesOf(leaf);
+      for (int i = begin; i < end; ++i) {
+        for (int j = first; j < last; ++j) {
+          if (i == j || hider[j] != kNone || !isBefore(i, j)) continue;
+          const Vector v = between(circles[i], circles[j]);
+          const double slack = circles[i].r - circles[j].r;
+          if (dot(v, v) > slack * slack * (1 + 1e-12) || !predicates.contains(circles[i], circles[j])) continue;
+          hider[j] = i;
+          --visible;
         }
       }
-    }
+      return visible > 0;
+    });
   }
-  for (int i = 0; i < n; ++i) {
-    // The first of a common centre may be hidden itself.
-    if (hider[i] != kNone && hider[hider[i]] != kNone) hider[i] = hider[hider[i]];
+  // What hides the hider hides the hidden; hiders come before, so the chains end.
+  for (int& by : hider) {
+    while (by != kNone && hider[by] != kNone) by = hider[by];
   }
   return hider;
 }
@@ -141,9 +134,10 @@ Sites hide(std::span<const Circle> circles) {
   sorted.reserve(order.size());
   for (const int i : order) sorted.push_back(circles[i]);
 
-  Delaunay centres = delaunay(centresOf(sorted));
-  const std::vector<int> hider = findHiders(sorted, centres);
+  const std::vector<int> hider = findHiders(sorted);
   Sites sites;
+  sites.indices.reserve(order.size());
+  sites.circles.reserve(order.size());
   for (int i = 0; i < static_cast<int>(sorted.size()); ++i) {
     if (hider[i] == kNone) {
       sites.indices.push_back(order[i]);
@@ -154,8 +148,7 @@ Sites hide(std::span<const Circle> circles) {
   }
   std::sort(sites.hidden.begin(), sites.hidden.end(),
             [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
-  if (!sites.hidden.empty()) centres = delaunay(centresOf(sites.circles));
-  sites.centres = std::move(centres.dual);
+  sites.centres = delaunay(centresOf(sites.circles)).dual;
   return sites;
 }
 
