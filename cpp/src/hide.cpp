@@ -119,6 +119,33 @@ std::vector<int> findHiders(std::span<const Circle> circles) {
   return hider;
 }
 
+/// Whether no circle contains the centre of a neighbour in the Delaunay graph, its radius taken less the smallest one.
+/// Then none hides another, for the centres that a disc around a centre contains are connected in that graph.
+bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centres) {
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    if (centres.representative[i] != static_cast<int>(i)) return false;
+  }
+  const Dual& dual = centres.dual;
+  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+    const int i = dual.origin[h];
+    const int j = dual.target(h);
+    if (i == kInfinity || j == kInfinity) continue;
+    if (Box::of(circles[i]).mayHide({{circles[j].x, circles[j].y}, {circles[j].x, circles[j].y}, smallest, smallest}))
+      return false;
+  }
+  return true;
+}
+
+/// The same test on successive circles alone: quick, and rarely passed where circles hide one another.
+bool lookClear(std::span<const Circle> circles, double smallest) {
+  for (std::size_t i = 1; i < circles.size(); ++i) {
+    const Vector v = between(circles[i - 1], circles[i]);
+    const double reach = std::max(circles[i - 1].r, circles[i].r) - smallest;
+    if (dot(v, v) <= reach * reach) return false;
+  }
+  return true;
+}
+
 std::vector<Point> centresOf(std::span<const Circle> circles) {
   std::vector<Point> centres;
   centres.reserve(circles.size());
@@ -133,6 +160,13 @@ Sites hide(std::span<const Circle> circles) {
   std::vector<Circle> sorted;
   sorted.reserve(order.size());
   for (const int i : order) sorted.push_back(circles[i]);
+
+  double smallest = kUnknownError;
+  for (const Circle& c : circles) smallest = std::min(smallest, c.r);
+  if (lookClear(sorted, smallest)) {
+    Delaunay centres = delaunay(centresOf(sorted));
+    if (areClear(sorted, smallest, centres)) return {std::move(sorted), order, {}, std::move(centres.dual)};
+  }
 
   const std::vector<int> hider = findHiders(sorted);
   Sites sites;

@@ -143,13 +143,14 @@ HomogeneousDisc<Real> discOf(const Circle& o, const Circle& p, const Circle& q) 
 /// The corner of three circles, counter-clockwise, opposite their longest side: seen from it both differences are
 /// short.
 inline int cornerOfShortSides(const std::array<const Circle*, 3>& circles) {
-  std::array<double, 3> sides{};
-  for (int i = 0; i < 3; ++i) {
-    const Circle& a = *circles[(i + 1) % 3];
-    const Circle& b = *circles[(i + 2) % 3];
-    sides[i] = (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
-  }
-  return static_cast<int>(std::max_element(sides.begin(), sides.end()) - sides.begin());
+  const auto side = [](const Circle* a, const Circle* b) {
+    return (a->x - b->x) * (a->x - b->x) + (a->y - b->y) * (a->y - b->y);
+  };
+  const double opposite0 = side(circles[1], circles[2]);
+  const double opposite1 = side(circles[2], circles[0]);
+  const double opposite2 = side(circles[0], circles[1]);
+  if (opposite0 >= opposite1) return opposite0 >= opposite2 ? 0 : 2;
+  return opposite1 >= opposite2 ? 1 : 2;
 }
 
 /// A direction seen from a circle, each component within `error`.

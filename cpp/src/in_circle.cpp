@@ -90,11 +90,17 @@ int inCircle(Point a, Point b, Point c, Point d) {
   const double bb = bx * bx + by * by;
   const double cc = cx * cx + cy * cy;
   const double determinant = aa * (bx * cy - by * cx) + bb * (cx * ay - cy * ax) + cc * (ax * by - ay * bx);
-  const double permanent = aa * (std::abs(bx * cy) + std::abs(by * cx)) + bb * (std::abs(cx * ay) + std::abs(cy * ax)) +
-                           cc * (std::abs(ax * by) + std::abs(ay * bx));
-  const double error = kInCircleError * permanent + kTiny;
+  // Shewchuk's bound is in aa (|bx cy| + |by cx|) + ..., which is at most aa sqrt(bb cc) + ... and so at most
+  // aa bb + bb cc + cc aa <= (aa + bb + cc)^2 / 3: cheaper, and hardly ever too coarse for points near one another.
+  const double size = aa + bb + cc;
+  const double error = kInCircleError * size * size + kTiny;
   if (determinant > error) return 1;
   if (determinant < -error) return -1;
+  const double permanent = aa * (std::abs(bx * cy) + std::abs(by * cx)) + bb * (std::abs(cx * ay) + std::abs(cy * ax)) +
+                           cc * (std::abs(ax * by) + std::abs(ay * bx));
+  const double fineError = kInCircleError * permanent + kTiny;
+  if (determinant > fineError) return 1;
+  if (determinant < -fineError) return -1;
   const CommonUnit unit = commonUnit({a, b, c, d});
   // Differences have one bit more, and the sum of twelve products of four of them has four more.
   const int bits = 4 * (unit.bits() + 1) + 4;

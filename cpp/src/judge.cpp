@@ -41,9 +41,16 @@ class Judge {
 
   Verdict checkDiscs() {
     discs_.reserve(dual_.faceCount());
+    quadrants_.resize(dual_.halfEdgeCount());
     for (int face = 0; face < dual_.faceCount(); ++face) {
-      discs_.push_back(predicates_.disc(triple(face)));
-      if (!discs_.back().exists) return {Flaw::vertexWithoutDisc, kNone, face};
+      const Predicates::Triple corners = triple(face);
+      const FaceDisc disc = predicates_.disc(corners);
+      if (!disc.exists) return {Flaw::vertexWithoutDisc, kNone, face};
+      for (int i = 0; i < 3; ++i) {
+        if (corners[i] == kInfinity) continue;
+        quadrants_[3 * face + i] = static_cast<signed char>(predicates_.quadrant(corners[i], corners, disc));
+      }
+      discs_.push_back(disc);
     }
     return {};
   }
@@ -79,7 +86,6 @@ class Judge {
   }
 
   Verdict checkTurns() {
-    quadrants_.resize(dual_.halfEdgeCount());
     std::vector<int> first(circleCount_, kNone);
     int finiteCorners = 0;
     for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
@@ -87,7 +93,6 @@ class Judge {
       if (circle == kInfinity) continue;
       ++finiteCorners;
       first[circle] = h;
-      quadrants_[h] = static_cast<signed char>(predicates_.quadrant(circle, triple(h / 3), discs_[h / 3]));
     }
 
     int hullTurn = 0;

@@ -53,10 +53,9 @@ Direction<DoubleDouble> refined(const Circle& from, const exact::Face& face) {
 /// 1 if a disc is at a positive distance from the smallest circle of its face, -1 if at a negative one, 0 if unknown.
 template <class Real>
 int filteredExistence(const exact::Face& face, const Placed<Real>& placed) {
-  const Circle& o = *face[placed.corner];
-  const Circle* smallest =
-      *std::min_element(face.begin(), face.end(), [](const Circle* a, const Circle* b) { return a->r < b->r; });
-  const Difference<Real> shift(*smallest, o);
+  const Circle* smallest = face[0]->r <= face[1]->r ? face[0] : face[1];
+  if (face[2]->r < smallest->r) smallest = face[2];
+  const Difference<Real> shift(*smallest, *face[placed.corner]);
   return signWithin(high(placed.disc.rho + placed.disc.w * shift.s), placed.disc.error);
 }
 

@@ -3,23 +3,24 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
 namespace circle_voronoi {
 namespace {
 
-constexpr int kHilbertBits = 24;
-constexpr int kDigitBits = 12;
+constexpr int kHilbertBits = 16;
+constexpr int kDigitBits = 11;
 
 struct Keyed {
-  std::uint64_t key;
+  std::uint32_t key;
   int index;
 };
 
 /// Position along the Hilbert curve of order kHilbertBits (H. S. Warren, "Hacker's Delight", section 16-2).
-std::uint64_t hilbertKey(std::uint32_t x, std::uint32_t y) {
-  std::uint64_t key = 0;
+std::uint32_t hilbertKey(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t key = 0;
   for (int bit = kHilbertBits - 1; bit >= 0; --bit) {
     const std::uint32_t right = (x >> bit) & 1;
     const std::uint32_t upper = (y >> bit) & 1;

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Times every method on the same circles, family by family, and prints one table and a JSON file. Each case runs in a
+// process of its own, so that its peak memory is its own; times are medians of Google Benchmark's repetitions.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/io.h"
+#include "reference.h"
+
+namespace {
+
+using namespace circle_voronoi;
+
+using Circles = std::vector<Circle>;
+
+struct Contestant {
+  std::string name;
+  std::function<void(const Circles&)> run;
+  std::size_t largest;  ///< more circles would take minutes
+};
+
+std::function<void(const Circles&)> computing(Options options) {
+  return [options](const Circles& circles) {
+    auto result = compute(circles, options);
+    if (!result) {
+      std::cerr << result.error().message << '\n';
+      std::exit(1);
+    }
+    benchmark::DoNotOptimize(result);
+  };
+}
+
+Options touchingDisc(Candidates candidates, int samples) {
+  Options options;
+  options.method = Method::touchingDisc;
+  options.candidates = candidates;
+  options.samples = samples;
+  return options;
+}
+
+std::vector<Contestant> allContestants() {
+  const auto referring = [](std::size_t (*run)(std::span<const Circle>)) {
+    return [run](const Circles& circles) { benchmark::DoNotOptimize(run(circles)); };
+  };
+  return {
+      {"cgal-delaunay", referring(reference::delaunay), 1'000'000},
+      {"auto", computing({}), 1'000'000},
+      {"touching-disc-0", computing(touchingDisc(Candidates::dynamic, 0)), 1'000'000},
+      {"touching-disc-1", computing(touchingDisc(Candidates::dynamic, 1)), 1'000'000},
+      {"touching-disc-3", computing(touchingDisc(Candidates::dynamic, 3)), 100'000},
+      {"touching-disc-uniform-50", computing(touchingDisc(Candidates::uniform, 50)), 10'000},
+      {"cgal-hierarchy", referring(reference::apolloniusHierarchy), 1'000'000},
+      {"cgal-exact", referring(reference::apolloniusExact), 1'000},
+  };
+}
+
+struct Measurement {
+  double seconds = 0;
+  double megabytes = 0;
+};
+
+/// Keeps the median of the repetitions and prints nothing.
+class MedianReporter : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type == Run::RT_Aggregate && run.aggregate_name == "median") {
+        median = run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
+      }
+    }
+  }
+  double median = 0;
+};
+
+double medianSeconds(const Contestant& method, const Circles& circles, int repetitions) {
+  benchmark::RegisterBenchmark("case",
+                               [&](benchmark::State& state) {
+                                 for (auto _ : state) method.run(circles);
+                               })
+      ->Iterations(1)
+      ->Repetitions(repetitions)
+      ->Unit(benchmark::kSecond)
+      ->UseRealTime();
+  MedianReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  return reporter.median;
+}
+
+/// Runs one case in a child process; nothing if it fails or takes longer than the limit.
+std::optional<Measurement> measure(const Contestant& method, const Circles& circles, int repetitions,
+                                   unsigned limitSeconds) {
+  int ends[2];
+  if (pipe(ends) != 0) return std::nullopt;
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(limitSeconds);
+    const double seconds = medianSeconds(method, circles, repetitions);
+    const bool written = write(ends[1], &seconds, sizeof seconds) == sizeof seconds;
+    _exit(written ? 0 : 1);
+  }
+  close(ends[1]);
+  Measurement result;
+  const bool read_ = read(ends[0], &result.seconds, sizeof result.seconds) == sizeof result.seconds;
+  close(ends[0]);
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  if (!read_ || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
+  result.megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
+  return result;
+}
+
+struct Input {
+  std::string family;
+  Circles circles;
+};
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> items;
+  std::stringstream stream(list);
+  for (std::string item; std::getline(stream, item, ',');) items.push_back(item);
+  return items;
+}
+
+std::optional<Input> inputOf(const std::string& family, std::size_t count) {
+  if (const auto known = familyFromName(family)) return Input{family, generate(*known, count, 1)};
+  std::ifstream file(family);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto circles = readCircles(text, family);
+  if (!file || !circles) return std::nullopt;
+  return Input{std::filesystem::path(family).stem().string(), circles.value()};
+}
+
+int usage() {
+  std::cerr << "usage: circle-voronoi-bench [--families NAME|FILE.csv,...] [--sizes N,...] [--methods NAME,...]\n"
+               "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n";
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::map<std::string, std::string> options = {
+      {"--families", "uniform,log-uniform,one-huge,ring,intersecting,hidden,grid,hexagonal"},
+      {"--sizes", "1000,10000,100000,1000000"},
+      {"--methods", ""},
+      {"--repetitions", "5"},
+      {"--limit", "120"},
+      {"-o", "build/bench/native.json"}};
+  for (int i = 1; i < argc; i += 2) {
+    if (!options.contains(argv[i]) || i + 1 == argc) return usage();
+    options[argv[i]] = argv[i + 1];
+  }
+  const std::vector<std::string> chosen = split(options["--methods"]);
+  std::vector<Contestant> methods = allContestants();
+  std::erase_if(methods, [&](const Contestant& method) {
+    return !chosen.empty() && std::find(chosen.begin(), chosen.end(), method.name) == chosen.end();
+  });
+  const int repetitions = std::atoi(options["--repetitions"].c_str());
+  const auto limit = static_cast<unsigned>(std::atoi(options["--limit"].c_str()));
+
+  std::ostringstream json;
+  json << "[";
+  std::printf("%-14s %8s  %-26s %10s %9s %12s %12s\n", "family", "n", "method", "median s", "peak MB", "/ delaunay",
+              "hierarchy /");
+  for (const std::string& family : split(options["--families"])) {
+    const bool isFile = !familyFromName(family);
+    for (const std::string& size : isFile ? std::vector<std::string>{"0"} : split(options["--sizes"])) {
+      const auto input = inputOf(family, std::strtoull(size.c_str(), nullptr, 10));
+      if (!input) {
+        std::cerr << family << " is neither a family nor a file of circles\n";
+        return 2;
+      }
+      std::map<std::string, Measurement> measured;
+      for (const Contestant& method : methods) {
+        if (input->circles.size() > 2 * method.largest) continue;
+        const auto result = measure(method, input->circles, repetitions, limit);
+        if (result) measured[method.name] = *result;
+      }
+      for (const Contestant& method : methods) {
+        if (!measured.contains(method.name)) continue;
+        const auto [seconds, megabytes] = measured[method.name];
+        const auto ratio = [&](double numerator, double denominator) {
+          char text[16] = "";
+          if (numerator > 0 && denominator > 0) std::snprintf(text, sizeof text, "%.2f", numerator / denominator);
+          return std::string(text);
+        };
+        std::printf("%-14s %8zu  %-26s %10.4f %9.0f %12s %12s\n", input->family.c_str(), input->circles.size(),
+                    method.name.c_str(), seconds, megabytes, ratio(seconds, measured["cgal-delaunay"].seconds).c_str(),
+                    ratio(measured["cgal-hierarchy"].seconds, seconds).c_str());
+        json << (json.tellp() > 1 ? ",\n " : "\n ") << R"({"family": ")" << input->family << R"(", "n": )"
+             << input->circles.size() << R"(, "method": ")" << method.name << R"(", "seconds": )" << seconds
+             << R"(, "peakMegabytes": )" << megabytes << "}";
+      }
+      std::fflush(stdout);
+    }
+  }
+  json << "\n]\n";
+  const std::filesystem::path path = options["-o"];
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+  std::ofstream(path) << json.str();
+}

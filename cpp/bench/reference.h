@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "circle_voronoi/circle.h"
+
+namespace circle_voronoi::reference {
+
+/// What CGAL takes for the same circles. Each returns a number of vertices, so that nothing is optimised away.
+
+/// Delaunay_triangulation_2 of the centres.
+[[gnu::visibility("default")]] std::size_t delaunay(std::span<const Circle> circles);
+
+/// Apollonius_graph_hierarchy_2 with filtered traits: CGAL's fast one.
+[[gnu::visibility("default")]] std::size_t apolloniusHierarchy(std::span<const Circle> circles);
+
+/// Apollonius_graph_2 with an exact number type throughout.
+[[gnu::visibility("default")]] std::size_t apolloniusExact(std::span<const Circle> circles);
+
+}  // namespace circle_voronoi::reference
