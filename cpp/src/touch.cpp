@@ -27,6 +27,10 @@ namespace {
 
 constexpr int kNoEdge = -1;
 
+/// Footpoints nearer than this angle in radians are taken for one: above the rounding error of a three-touch disc, and
+/// below the distance of footpoints on a large circle with many small neighbours.
+constexpr double kSameFootpoint = 0x1p-36;
+
 struct AntipodalDisc {
   double radius = 0;
   int a = 0;
@@ -193,8 +197,9 @@ class Touch {
     // The two DEs of one antipodal disc that is alone on the circle leave all of it unused but its footpoint.
     if (before == after && from.x == to.x && from.y == to.y)
       return cross(from, direction) == 0 && dot(from, direction) > 0;
-    // A footpoint that touches a used arc counts as used.
-    return !strictlyBetween(from, direction, to);
+    // A footpoint that touches a used arc counts as used: opposite circles around one disc have it for antipodal disc.
+    return sameDirection(from, direction, kSameFootpoint) || sameDirection(direction, to, kSameFootpoint) ||
+           !strictlyBetween(from, direction, to);
   }
 
   /// A circle next to the footpoint at `slot` of circle i that meets the disc, or kNone (paper, section 3.3).

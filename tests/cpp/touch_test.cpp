@@ -93,12 +93,13 @@ TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
   }
 }
 
-// A touching disc whose footpoint lies exactly on the end of a used arc is used: four circles around one disc.
-TEST(TouchRule5, AFootpointAtAUsedArcIsUsed) {
-  Options options;
-  options.candidates = Candidates::allPairs;
-  const Outcome outcome = solve({{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}}, options);
-  EXPECT_EQ(outcome.diagram.vertices.size(), 2U);
+// Opposite circles around one disc have it for antipodal disc. Its footpoints are those of three-touch discs before it,
+// but for rounding: they end the used arcs, and count as used.
+TEST(TouchRule5, AFootpointAtTheEndOfAUsedArcIsUsed) {
+  const Outcome outcome = solveAllPairs("tie-of-antipodal-disc-cocircular-equal-8");
+  EXPECT_EQ(test::problemInDegeneratePosition(outcome.diagram, oracle::exactDiagram(outcome.circles), outcome.circles),
+            "");
+  EXPECT_EQ(outcome.diagram.vertices.size(), 6U);
   EXPECT_EQ(outcome.diagram.stats.counts.leftoverCycles, 1);
 }
 
