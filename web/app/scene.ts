@@ -15,6 +15,7 @@ const CELLS_PER_FILL = 64
 const DOT_RADIUS = 1.5
 const VERTEX_RADIUS = 2
 const DISC_OPACITY = 0.85
+const HOVER_OPACITY = 0.55
 
 // From which average width of cells on they are tinted, small circles are drawn at all, and vertices are marked, in pixels.
 const SMALLEST_TINTED_CELL = 6
@@ -58,7 +59,7 @@ export class Scene {
     this.#drawEdges(pen)
     if (cellWidth >= SMALLEST_CELL_WITH_VERTICES) this.#drawVertices(pen)
     this.#strokeRims(circles, pen)
-    this.#drawSelection(state, pen)
+    this.#drawSelection(state, circles, pen)
   }
 
   #drawTints(pen: Pen): void {
@@ -86,22 +87,29 @@ export class Scene {
     return classes
   }
 
-  /** The selected cell and its neighbours, or else those of the cell that the pointer is over; that one in any case. */
+  /** The cell of the selected circle and its neighbours; fainter, those of the circle under the pointer. */
   #drawHighlights({ selected, hovered }: State, pen: Pen): void {
-    const { cells } = pen
-    const circle = selected === NOBODY ? hovered : selected
-    if (cells !== undefined && hasCell(cells, circle)) {
-      this.#fill(cellsPath(cells.neighbors(circle), pen), this.#theme.neighborCell)
-      this.#fill(cellsPath([circle], pen), this.#theme.selectedCell)
-    }
-    if (hovered !== circle) this.#fill(cellsPath([hovered], pen), this.#theme.neighborCell)
+    if (selected !== NOBODY) this.#highlight(selected, pen)
+    if (hovered === NOBODY || hovered === selected) return
+    this.#context.globalAlpha = HOVER_OPACITY
+    if (selected === NOBODY) this.#highlight(hovered, pen)
+    else this.#fill(cellsPath([hovered], pen), this.#theme.selectedCell)
+    this.#context.globalAlpha = 1
   }
 
-  #fillDiscs({ discs }: CirclePaths): void {
+  #highlight(circle: number, pen: Pen): void {
+    const { cells } = pen
+    if (cells === undefined || !hasCell(cells, circle)) return
+    this.#fill(cellsPath(cells.neighbors(circle), pen), this.#theme.neighborCell)
+    this.#fill(cellsPath([circle], pen), this.#theme.selectedCell)
+  }
+
+  #fillDiscs({ discs, selected }: CirclePaths): void {
     this.#context.globalAlpha = DISC_OPACITY
     discs.forEach((disc, tint) => {
       this.#fill(disc, this.#theme.tints[tint] as string)
     })
+    this.#fill(selected, this.#theme.selectedDisc)
     this.#context.globalAlpha = 1
   }
 
@@ -128,15 +136,10 @@ export class Scene {
     this.#stroke(hidden, this.#theme.hidden, 1.25, [3, 3])
   }
 
-  #drawSelection({ circles, selected }: State, pen: Pen): void {
+  #drawSelection({ selected }: State, circles: CirclePaths, pen: Pen): void {
     if (selected === NOBODY) return
     this.#stroke(cellsPath([selected], pen), this.#theme.accent, 2)
-    const center = { x: at(circles, 3 * selected), y: at(circles, 3 * selected + 1) }
-    const radius = Math.max(at(circles, 3 * selected + 2) * pen.camera.scale, DOT_RADIUS)
-    const path = new Path2D()
-    addCircle(path, toScreen(pen.camera, pen.size, center), radius)
-    this.#fill(path, this.#theme.selectedDisc)
-    this.#stroke(path, this.#theme.accent, 2, isHidden(pen.cells, selected) ? [4, 4] : [])
+    this.#stroke(circles.selected, this.#theme.accent, 2, isHidden(pen.cells, selected) ? [4, 4] : [])
   }
 
   #fill(path: Path2D, color: string): void {
@@ -163,8 +166,9 @@ interface Pen {
   readonly lineWidth: number
 }
 
-/** The circles in view: discs by tint, those too small to be seen as dots, and hidden ones. */
+/** The circles in view: discs by tint, those too small to be seen as dots, hidden ones, and the selected one. */
 interface CirclePaths {
+  readonly selected: Path2D
   readonly discs: readonly Path2D[]
   readonly dots: Path2D
   readonly hidden: Path2D
@@ -176,22 +180,24 @@ function circlePaths(
   classes: Uint8Array,
   tints: number,
 ): CirclePaths {
-  const { circles, cells } = state
+  const { circles, cells, selected } = state
   const discs = Array.from({ length: tints }, () => new Path2D())
   const hidden = new Path2D()
   const dots = new Path2D()
+  const chosen = new Path2D()
   for (let i = 0; i < circleCount(state); i++) {
     const x = at(circles, 3 * i)
     const y = at(circles, 3 * i + 1)
     const r = at(circles, 3 * i + 2)
     if (!meets(box, x, y, r)) continue
     const radius = r * camera.scale
-    const disc = discs[classes[i] as number] as Path2D
-    if (radius < DOT_RADIUS && cellWidth < SMALLEST_CELL_WITH_DOTS) continue
-    const path = radius < DOT_RADIUS ? dots : isHidden(cells, i) ? hidden : disc
+    const isDot = radius < DOT_RADIUS
+    if (isDot && i !== selected && cellWidth < SMALLEST_CELL_WITH_DOTS) continue
+    const path =
+      i === selected ? chosen : isDot ? dots : isHidden(cells, i) ? hidden : (discs[classes[i] as number] as Path2D)
     addCircle(path, toScreen(camera, size, { x, y }), Math.max(radius, DOT_RADIUS))
   }
-  return { discs, dots, hidden }
+  return { discs, dots, hidden, selected: chosen }
 }
 
 /** The outlines of the cells of these circles. */

@@ -58,7 +58,9 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
 
     if (title.textContent !== `Circle ${state.selected}`) title.textContent = `Circle ${state.selected}`
     fields.forEach((field, i) => {
-      const text = shortest(circle[FIELDS[i] as Field])
+      const value = circle[FIELDS[i] as Field]
+      const text = shortest(value)
+      field.title = String(value)
       field.setAttribute('aria-invalid', String(field === typing && state.problem !== ''))
       if (field !== typing && field.value !== text) field.value = text
     })
@@ -99,7 +101,7 @@ function chip(index: number, actions: Actions): HTMLLIElement {
   return item
 }
 
-/** Seven digits are enough to read, and the number is only rounded for display. */
+/** Six digits are enough to read; the number itself keeps all of its own. */
 function shortest(value: number): string {
-  return String(Number(value.toPrecision(7)))
+  return String(Number(value.toPrecision(6)))
 }
