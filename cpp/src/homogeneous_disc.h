@@ -10,10 +10,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <tuple>
 
 #include "circle_voronoi/circle.h"
 #include "double_double.h"
@@ -54,9 +54,21 @@ Real cone(const Difference<Real>& u, const Difference<Real>& v) {
 
 /// The length, not below it by more than rounding even where the squares underflow.
 template <class Real>
+Difference<Real> operator-(const Difference<Real>& u) {
+  return {-u.x, -u.y, -u.s};
+}
+
+template <class Real>
+double sizeSquared(const Difference<Real>& u) {
+  const double x = high(u.x);
+  const double y = high(u.y);
+  const double s = high(u.s);
+  return x * x + y * y + s * s;
+}
+
+template <class Real>
 double size(const Difference<Real>& u) {
-  const double x = high(u.x), y = high(u.y), s = high(u.s);
-  return std::sqrt(x * x + y * y + s * s) + kTiny;
+  return std::sqrt(sizeSquared(u));
 }
 
 /// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face,
@@ -90,7 +102,15 @@ HomogeneousDisc<Real> discAtInfinity(const Circle& a, const Circle& b) {
   return disc;
 }
 
-/// The disc of circles o, p, q counter-clockwise, relative to o, by the formula of exact.cpp:
+/// The disc of three circles counter-clockwise, relative to one of them: the `corner` opposite the longest side, from
+/// which both differences are short.
+template <class Real>
+struct CornerDisc {
+  HomogeneousDisc<Real> disc;
+  int corner = 0;
+};
+
+/// By the formula of exact.cpp, with A and B the differences from the corner o, C = B - A:
 ///   -sign(k) (g22 (g11 - g12) A' + g11 (g22 - g12) B' + N S),  w = 2 |k|,  k = <N,N>,  S = sqrt(g11 g22 g33).
 ///
 /// Error: let a = |A|, b = |B| in (x, y, s) space; differences are right within u relatively.
@@ -105,12 +125,22 @@ HomogeneousDisc<Real> discAtInfinity(const Circle& a, const Circle& b) {
 /// Seen from another corner, w times a difference of at most max(a, b) is added: within max(a, b) (error of w + 4 u w),
 /// and 2 u of the sum, which is below the Q T / S terms counted (80 against 67) and 2 u max(a, b) w.
 template <class Real>
-HomogeneousDisc<Real> discOf(const Circle& o, const Circle& p, const Circle& q) {
+CornerDisc<Real> discOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   using std::sqrt;
   constexpr double u = kUnitRoundoff<Real>;
-  const Difference<Real> a(p, o);
-  const Difference<Real> b(q, o);
-  const Difference<Real> c(q, p);
+  const Difference<Real> d01(c1, c0);
+  const Difference<Real> d12(c2, c1);
+  const Difference<Real> d20(c0, c2);
+  const double size01 = sizeSquared(d01);
+  const double size12 = sizeSquared(d12);
+  const double size20 = sizeSquared(d20);
+  CornerDisc<Real> result;
+  result.corner = size12 >= size01 ? (size12 >= size20 ? 0 : 1) : (size20 >= size01 ? 1 : 2);
+  const auto& [a, minusB, c, aa, bb] = result.corner == 0   ? std::tie(d01, d20, d12, size01, size20)
+                                       : result.corner == 1 ? std::tie(d12, d01, d20, size12, size01)
+                                                            : std::tie(d20, d12, d01, size20, size12);
+  const Difference<Real> b = -minusB;
+
   const Real g11 = cone(a, a);
   const Real g22 = cone(b, b);
   const Real g12 = cone(a, b);
@@ -118,15 +148,15 @@ HomogeneousDisc<Real> discOf(const Circle& o, const Circle& p, const Circle& q) 
   const Difference<Real> n(a.y * b.s - a.s * b.y, a.s * b.x - a.x * b.s, a.x * b.y - a.y * b.x);
   const Real k = cone(n, n);
 
-  HomogeneousDisc<Real> disc;
-  const double la = size(a);
-  const double lb = size(b);
+  HomogeneousDisc<Real>& disc = result.disc;
+  const double la = std::sqrt(aa);
+  const double lb = std::sqrt(bb);
   const double ab = la * lb;
   const double t = ab * (la + lb);
   const double kError =
       24 * u * ab * (std::abs(high(n.x)) + std::abs(high(n.y)) + std::abs(high(n.s))) + 80 * u * u * ab * ab + kTiny;
   const Real square = g11 * g22 * g33;
-  if (std::abs(high(k)) <= kError || high(square) <= 40 * u * t * t) return disc;
+  if (std::abs(high(k)) <= kError || high(square) <= 40 * u * t * t) return result;
 
   const Real s = sqrt(square);
   const Real alpha = g22 * (g11 - g12);
@@ -137,20 +167,7 @@ HomogeneousDisc<Real> discOf(const Circle& o, const Circle& p, const Circle& q) 
   disc.rho = turn * (n.s * s - alpha * a.s - beta * b.s);
   disc.w = -2 * turn * k;
   disc.error = 80 * u * ab * t * (t / high(s)) + kTiny + std::max(la, lb) * (2 * kError + 6 * u * high(disc.w));
-  return disc;
-}
-
-/// The corner of three circles, counter-clockwise, opposite their longest side: seen from it both differences are
-/// short.
-inline int cornerOfShortSides(const std::array<const Circle*, 3>& circles) {
-  const auto side = [](const Circle* a, const Circle* b) {
-    return (a->x - b->x) * (a->x - b->x) + (a->y - b->y) * (a->y - b->y);
-  };
-  const double opposite0 = side(circles[1], circles[2]);
-  const double opposite1 = side(circles[2], circles[0]);
-  const double opposite2 = side(circles[0], circles[1]);
-  if (opposite0 >= opposite1) return opposite0 >= opposite2 ? 0 : 2;
-  return opposite1 >= opposite2 ? 1 : 2;
+  return result;
 }
 
 /// A direction seen from a circle, each component within `error`.

@@ -58,15 +58,25 @@ class Judge {
   Verdict checkEdges() {
     for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
       const int t = dual_.twin[h];
-      const int a = dual_.origin[h];
-      const int b = dual_.origin[t];
-      if (h > t || a == kInfinity || b == kInfinity) continue;
-      const int c = dual_.origin[Dual::previous(h)];
-      const int d = dual_.origin[Dual::previous(t)];
-      if (predicates_.edgeOrder(a, b, c, d, discs_[h / 3], discs_[t / 3]) < 0)
-        return {Flaw::edgeOutOfOrder, kNone, h / 3, h};
+      if (h < t && isOutOfOrder(h, t)) return {Flaw::edgeOutOfOrder, kNone, h / 3, h};
     }
     return {};
+  }
+
+  bool isOutOfOrder(int h, int t) {
+    const int a = dual_.origin[h];
+    const int b = dual_.origin[t];
+    const int c = dual_.origin[Dual::previous(h)];
+    const int d = dual_.origin[Dual::previous(t)];
+    if (a == kInfinity || b == kInfinity || c == kInfinity || d == kInfinity) return false;
+    // Seen from the larger circle the edge spans less than half a turn: from one quadrant into the next it is in order,
+    // into the one before it is not, and else the predicate tells.
+    const bool fromA = circles_[a].r >= circles_[b].r;
+    const int from = fromA ? quadrants_[Dual::next(t)] : quadrants_[Dual::next(h)];
+    const int to = fromA ? quadrants_[h] : quadrants_[t];
+    const int quarters = (to - from) & 3;
+    if (quarters % 2 == 1) return quarters == 3;
+    return predicates_.edgeOrder(a, b, c, d, discs_[h / 3], discs_[t / 3]) < 0;
   }
 
   /// The quarter turns, counted by quadrants entered, from the face of half-edge h to the next face around its origin.

@@ -30,29 +30,21 @@ exact::Face facing(std::span<const Circle> circles, const Triple& face) {
   return result;
 }
 
-/// A disc and the corner of the face, 0 to 2, that it is relative to.
 template <class Real>
-struct Placed {
-  HomogeneousDisc<Real> disc;
-  int corner;
-};
-
-template <class Real>
-Placed<Real> placedDisc(const exact::Face& face) {
+CornerDisc<Real> discOf(const exact::Face& face) {
   if (face[2] == nullptr) return {discAtInfinity<Real>(*face[0], *face[1]), 0};
-  const int at = cornerOfShortSides(face);
-  return {discOf<Real>(*face[at], *face[(at + 1) % 3], *face[(at + 2) % 3]), at};
+  return discOf<Real>(*face[0], *face[1], *face[2]);
 }
 
 /// From circle `from` to the disc of a face, in double-double arithmetic.
 Direction<DoubleDouble> refined(const Circle& from, const exact::Face& face) {
-  const auto [disc, corner] = placedDisc<DoubleDouble>(face);
+  const auto [disc, corner] = discOf<DoubleDouble>(face);
   return seenFrom(from, disc, *face[corner]);
 }
 
 /// 1 if a disc is at a positive distance from the smallest circle of its face, -1 if at a negative one, 0 if unknown.
 template <class Real>
-int filteredExistence(const exact::Face& face, const Placed<Real>& placed) {
+int filteredExistence(const exact::Face& face, const CornerDisc<Real>& placed) {
   const Circle* smallest = face[0]->r <= face[1]->r ? face[0] : face[1];
   if (face[2]->r < smallest->r) smallest = face[2];
   const Difference<Real> shift(*smallest, *face[placed.corner]);
@@ -63,7 +55,7 @@ int filteredExistence(const exact::Face& face, const Placed<Real>& placed) {
 
 FaceDisc Predicates::disc(const Triple& face) {
   const exact::Face circles = facing(circles_, face);
-  const auto placed = placedDisc<double>(circles);
+  const auto placed = discOf<double>(circles);
   FaceDisc result;
   result.v = {placed.disc.x, placed.disc.y};
   result.w = placed.disc.w;
@@ -74,7 +66,7 @@ FaceDisc Predicates::disc(const Triple& face) {
   } else if (const int sign = filteredExistence(circles, placed); sign != 0) {
     ++counts_.filtered;
     result.exists = sign > 0;
-  } else if (const int refinedSign = filteredExistence(circles, placedDisc<DoubleDouble>(circles)); refinedSign != 0) {
+  } else if (const int refinedSign = filteredExistence(circles, discOf<DoubleDouble>(circles)); refinedSign != 0) {
     ++counts_.refined;
     result.exists = refinedSign > 0;
   } else {
