@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/finder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "random.h"
+
+namespace circle_voronoi {
+namespace {
+
+std::vector<Point> pointsAround(const std::vector<Circle>& circles, std::size_t count, Random& random) {
+  std::vector<Point> points;
+  while (points.size() < count) {
+    const Circle& c = circles[random.below(circles.size())];
+    const Vector direction = random.direction();
+    const double d = (c.r > 0 ? c.r : 1) * random.logUniform(-2, 3);
+    points.push_back({c.x + d * direction.x, c.y + d * direction.y});
+  }
+  return points;
+}
+
+TEST(Finder, FindsANearestCircle) {
+  Random random(1);
+  for (const FamilyInfo& family : families()) {
+    for (const std::size_t count : {1U, 2U, 3U, 10U, 100U, 1000U}) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(count));
+      const auto circles = generate(family.family, count, count);
+      const auto diagram = compute(circles);
+      ASSERT_TRUE(diagram);
+      const Cells cells(circles, diagram.value());
+      const Finder finder(cells);
+      const auto points = pointsAround(circles, 300, random);
+      const auto found = finder.findAll(points);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const Point p = points[k];
+        double least = distance(Metric::circles, circles[0], p);
+        for (const Circle& c : circles) least = std::min(least, distance(Metric::circles, c, p));
+        const double rounding = 1e-14 * (std::abs(p.x) + std::abs(p.y) + std::abs(least));
+        ASSERT_LE(cells.distance(found[k], p), least + rounding) << "point " << k;
+        const auto hint = static_cast<std::int32_t>(random.below(circles.size()));
+        ASSERT_LE(cells.distance(finder.find(p, hint), p), least + rounding) << "point " << k << " from " << hint;
+      }
+    }
+  }
+}
+
+TEST(Finder, FindsNothingAmongNoCircles) {
+  const Diagram diagram = compute({}).value();
+  const Cells cells({}, diagram);
+  EXPECT_EQ(Finder(cells).find({0, 0}), kNone);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

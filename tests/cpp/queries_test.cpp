@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/queries.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/hull.h"
+#include "geometry.h"
+#include "random.h"
+
+namespace circle_voronoi {
+namespace {
+
+double clearance(const std::vector<Circle>& circles, Point p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Circle& c : circles) least = std::min(least, distance(Metric::circles, c, p));
+  return least;
+}
+
+/// Whether a disc with its centre at p and radius 0 lies inside the hull: seen from everywhere some circle reaches as
+/// far.
+double depthInHull(const std::vector<Circle>& circles, Point p) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3000; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 3000;
+    const Vector u = {std::cos(angle), std::sin(angle)};
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const Circle& c : circles) reach = std::max(reach, (c.x - p.x) * u.x + (c.y - p.y) * u.y + c.r);
+    depth = std::min(depth, reach);
+  }
+  return depth;
+}
+
+Box boxOf(const std::vector<Circle>& circles) {
+  Box box = {circles[0].x, circles[0].y, circles[0].x, circles[0].y};
+  for (const Circle& c : circles) {
+    box.minX = std::min(box.minX, c.x - c.r);
+    box.minY = std::min(box.minY, c.y - c.r);
+    box.maxX = std::max(box.maxX, c.x + c.r);
+    box.maxY = std::max(box.maxY, c.y + c.r);
+  }
+  if (box.minX == box.maxX) box.maxX += 1;
+  if (box.minY == box.maxY) box.maxY += 1;
+  return box;
+}
+
+class Queries : public testing::TestWithParam<Family> {};
+
+TEST_P(Queries, ClosestPairHasTheSmallestGap) {
+  for (const std::size_t count : {2U, 3U, 10U, 80U}) {
+    SCOPED_TRACE(count);
+    const auto circles = generate(GetParam(), count, count);
+    const Diagram diagram = compute(circles).value();
+    std::vector<bool> isHidden(circles.size(), false);
+    for (const HiddenCircle& hidden : diagram.hidden) isHidden[static_cast<std::size_t>(hidden.circle)] = true;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (isHidden[i] || isHidden[j]) continue;
+        least = std::min(least, length(between(circles[i], circles[j])) - circles[i].r - circles[j].r);
+      }
+    }
+    const auto closest = closestPair(circles, diagram);
+    ASSERT_EQ(closest.has_value(), std::isfinite(least));
+    if (!closest) continue;
+    const Circle& c = circles[static_cast<std::size_t>(closest->first)];
+    EXPECT_NEAR(closest->gap, least, 1e-14 * (std::abs(c.x) + std::abs(c.y) + c.r + std::abs(least)));
+  }
+}
+
+TEST_P(Queries, NoSampledDiscIsLarger) {
+  Random random(1);
+  for (const std::size_t count : {1U, 2U, 3U, 4U, 10U, 60U}) {
+    SCOPED_TRACE(count);
+    const auto circles = generate(GetParam(), count, count);
+    const Diagram diagram = compute(circles).value();
+    const Cells cells(circles, diagram);
+    const Box whole = boxOf(circles);
+    const double size = std::max(whole.maxX - whole.minX, whole.maxY - whole.minY);
+    const double rounding = 1e-12 * (size + std::abs(whole.minX) + std::abs(whole.minY));
+
+    for (int trial = 0; trial < 5; ++trial) {
+      const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
+      const double width = size * random.logUniform(-2, 0.3);
+      const Box box = {p.x - width, p.y - width / 2, p.x + width, p.y + width / 2};
+      const auto largest = largestEmptyDisc(cells, box);
+      ASSERT_TRUE(largest);
+      const Vertex& disc = largest->disc;
+      EXPECT_TRUE(disc.x >= box.minX && disc.x <= box.maxX && disc.y >= box.minY && disc.y <= box.maxY);
+      EXPECT_NEAR(clearance(circles, {disc.x, disc.y}), disc.radius, rounding);
+      double best = -std::numeric_limits<double>::infinity();
+      for (int k = 0; k < 2000; ++k) {
+        best = std::max(best,
+                        clearance(circles, {random.uniform(box.minX, box.maxX), random.uniform(box.minY, box.maxY)}));
+      }
+      EXPECT_LE(best, disc.radius + rounding);
+      EXPECT_GE(best, disc.radius - width / 5);
+    }
+
+    const auto inHull = largestEmptyDiscInHull(cells);
+    ASSERT_TRUE(inHull);
+    const Vertex& disc = inHull->disc;
+    EXPECT_GE(disc.radius, 0);
+    EXPECT_NEAR(clearance(circles, {disc.x, disc.y}), disc.radius, rounding);
+    EXPECT_GE(depthInHull(circles, {disc.x, disc.y}), -rounding);
+    for (int k = 0; k < 1000; ++k) {
+      const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
+      if (clearance(circles, p) <= disc.radius + rounding) continue;
+      // The directions sampled may miss that p is outside by a little.
+      EXPECT_LE(depthInHull(circles, p), 1e-5 * size) << p.x << ' ' << p.y;
+    }
+  }
+}
+
+std::string testName(const testing::TestParamInfo<Family>& family) {
+  std::string name(familyName(family.param));
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+std::vector<Family> allFamilies() {
+  std::vector<Family> result;
+  for (const FamilyInfo& family : families()) result.push_back(family.family);
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Queries, testing::ValuesIn(allFamilies()), testName);
+
+TEST(Query, NoCirclesHaveNoAnswers) {
+  const Diagram diagram = compute({}).value();
+  const Cells cells({}, diagram);
+  EXPECT_FALSE(closestPair({}, diagram));
+  EXPECT_FALSE(largestEmptyDisc(cells, Box{0, 0, 1, 1}));
+  EXPECT_FALSE(largestEmptyDiscInHull(cells));
+}
+
+TEST(Query, NeighborPairsAreThoseOfTheEdges) {
+  const auto circles = generate(Family::oneHuge, 100, 3);
+  const Diagram diagram = compute(circles).value();
+  std::set<std::array<std::int32_t, 2>> expected;
+  for (const Edge& edge : diagram.edges) {
+    expected.insert({std::min(edge.left, edge.right), std::max(edge.left, edge.right)});
+  }
+  const auto pairs = neighborPairs(diagram);
+  EXPECT_TRUE(std::ranges::equal(pairs, expected));
+}
+
+TEST(Query, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {10, 0, 1}};
+  const Diagram diagram = compute(circles).value();
+  const auto largest = largestEmptyDiscInHull(Cells(circles, diagram));
+  ASSERT_TRUE(largest);
+  EXPECT_NEAR(largest->disc.x, 5, 1e-14);
+  EXPECT_NEAR(std::abs(largest->disc.y), 1, 1e-14);
+  EXPECT_NEAR(largest->disc.radius, std::sqrt(26) - 1, 1e-14);
+}
+
+}  // namespace
+}  // namespace circle_voronoi
