@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/merged.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Around = std::vector<std::int32_t>;
+
+/// The circles around each merged vertex, by their names in `names`, counter-clockwise from the smallest.
+std::multiset<Around> circlesAround(const MergedDiagram& merged, const std::vector<std::int32_t>& names) {
+  std::multiset<Around> result;
+  for (std::size_t v = 0; v < merged.vertices.size(); ++v) {
+    Around around;
+    for (std::int32_t i = merged.firstCircle[v]; i < merged.firstCircle[v + 1]; ++i)
+      around.push_back(names[merged.circles[i]]);
+    std::rotate(around.begin(), std::min_element(around.begin(), around.end()), around.end());
+    result.insert(around);
+  }
+  return result;
+}
+
+std::vector<std::int32_t> identity(std::size_t count) {
+  std::vector<std::int32_t> names(count);
+  std::iota(names.begin(), names.end(), 0);
+  return names;
+}
+
+TEST(Merged, GridHasVerticesOfDegreeFour) {
+  std::vector<Circle> circles;
+  for (int y = 0; y < 10; ++y) {
+    for (int x = 0; x < 10; ++x) circles.push_back({0.1 * x, 0.1 * y, 0.03});
+  }
+  const Diagram diagram = compute(circles).value();
+  const MergedDiagram merged = mergeVertices(circles, diagram);
+  ASSERT_EQ(diagram.vertices.size(), 162u);
+  ASSERT_EQ(merged.vertices.size(), 81u);
+  for (std::size_t v = 0; v < 81; ++v) EXPECT_EQ(merged.firstCircle[v + 1] - merged.firstCircle[v], 4);
+  EXPECT_EQ(merged.edges.size(), 180u);  // 9 * 10 in each direction
+  // The four circles of a square, counter-clockwise: i, i + 1, i + 11, i + 10.
+  for (std::size_t v = 0; v < 81; ++v) {
+    const std::int32_t* around = &merged.circles[merged.firstCircle[v]];
+    EXPECT_EQ((Around{around, around + 4}), (Around{around[0], around[0] + 1, around[0] + 11, around[0] + 10}));
+  }
+}
+
+TEST(Merged, CocircularCirclesMeetInOneVertex) {
+  const auto circles = generate(Family::cocircularEqual, 100, 1);
+  const MergedDiagram merged = mergeVertices(circles, compute(circles).value());
+  ASSERT_EQ(merged.vertices.size(), 1u);
+  EXPECT_EQ(merged.circles.size(), 100u);
+  EXPECT_EQ(merged.edges.size(), 100u);
+}
+
+TEST(Merged, DoesNotDependOnTheOrderOfTheInput) {
+  std::mt19937 random(20);
+  for (const Family family : {Family::grid, Family::gridColumns, Family::cocircularVaried, Family::hexagonal}) {
+    const auto circles = generate(family, 64, 3);
+    std::vector<std::int32_t> names = identity(circles.size());
+    const auto expected = circlesAround(mergeVertices(circles, compute(circles).value()), names);
+    for (int trial = 0; trial < 10; ++trial) {
+      std::shuffle(names.begin(), names.end(), random);
+      std::vector<Circle> shuffled;
+      for (const std::int32_t i : names) shuffled.push_back(circles[i]);
+      EXPECT_EQ(circlesAround(mergeVertices(shuffled, compute(shuffled).value()), names), expected)
+          << familyName(family) << ", trial " << trial;
+    }
+  }
+}
+
+TEST(Merged, GeneralPositionStaysAsItIs) {
+  const auto circles = generate(Family::logUniform, 300, 5);
+  const Diagram diagram = compute(circles).value();
+  const MergedDiagram merged = mergeVertices(circles, diagram);
+  EXPECT_EQ(merged.vertices, diagram.vertices);
+  EXPECT_EQ(merged.edges, diagram.edges);
+}
+
+TEST(Merged, LargeNearZeroMergesAll) {
+  const auto circles = generate(Family::uniform, 50, 2);
+  const MergedDiagram merged = mergeVertices(circles, compute(circles).value(), 1e6);
+  EXPECT_EQ(merged.vertices.size(), 1u);
+  EXPECT_EQ(mergeVertices({}, Diagram{}).vertices.size(), 0u);
+}
+
+}  // namespace
+}  // namespace circle_voronoi
