@@ -9,5 +9,6 @@ namespace circle_voronoi::cli {
 
 void addComputeCommand(CLI::App& program);
 void addGenerateCommand(CLI::App& program);
+void addVerifyCommand(CLI::App& program);
 
 }  // namespace circle_voronoi::cli

@@ -25,6 +25,7 @@ int main(int argumentCount, char** arguments) {
     program.require_subcommand(1);
     addComputeCommand(program);
     addGenerateCommand(program);
+    addVerifyCommand(program);
     try {
       program.parse(argumentCount, arguments);
     } catch (const CLI::Success& success) {  // --help and --version

@@ -6,6 +6,7 @@ add_library(circle_voronoi_io STATIC
   src/io_csv.cpp
   src/io_json.cpp
   src/io_read.cpp
+  src/io_read_diagram.cpp
   src/io_write_json.cpp)
 add_library(circle_voronoi::io ALIAS circle_voronoi_io)
 set_target_properties(circle_voronoi_io PROPERTIES EXPORT_NAME io)

@@ -2,69 +2,18 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "io_text.h"
+#include "json_reading.h"
 
 namespace circle_voronoi {
 namespace {
 
-using Json = nlohmann::json;
-
-/// Tells how far the parser has read, so that an error can name its line.
-class Position {
- public:
-  explicit Position(std::string_view text) : text_(text) {}
-
-  void advance() { ++read_; }
-
-  /// The line of the last character read.
-  int line() {
-    const std::size_t last = read_ == 0 ? 0 : std::min(read_ - 1, text_.size());
-    line_ +=
-        static_cast<int>(std::count(text_.begin() + counted_, text_.begin() + static_cast<std::ptrdiff_t>(last), '\n'));
-    counted_ = static_cast<std::ptrdiff_t>(last);
-    return line_;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t read_ = 0;
-  std::ptrdiff_t counted_ = 0;
-  int line_ = 1;
-};
-
-/// An input iterator over text that keeps a Position up to date.
-class CountingIterator {
- public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  CountingIterator(const char* at, Position& position) : at_(at), position_(&position) {}
-
-  reference operator*() const { return *at_; }
-  CountingIterator& operator++() {
-    ++at_;
-    position_->advance();
-    return *this;
-  }
-  friend bool operator==(const CountingIterator& i, const CountingIterator& j) { return i.at_ == j.at_; }
-  friend bool operator!=(const CountingIterator& i, const CountingIterator& j) { return i.at_ != j.at_; }
-
- private:
-  const char* at_;
-  Position* position_;
-};
-
 /// Takes the parser's events; false stops it.
 class CircleHandler : public Json::json_sax_t {
  public:
-  CircleHandler(std::string_view name, Position& position) : name_(name), position_(position) {}
+  CircleHandler(std::string_view name, JsonPosition& position) : name_(name), position_(position) {}
 
   Result<NumberedCircles> take() && {
     if (error_) return *std::move(error_);
@@ -108,10 +57,7 @@ class CircleHandler : public Json::json_sax_t {
   bool end_object() override { return skipped_ > 0 ? endSkipped() : finishCircle(); }
 
   bool parse_error(std::size_t, const std::string&, const Json::exception& exception) override {
-    // The parser's message starts with its own tag and position.
-    const std::string_view what = exception.what();
-    const std::size_t reason = what.find(": ");
-    return fail("bad JSON: " + std::string(reason == std::string_view::npos ? what : what.substr(reason + 2)) + ".");
+    return fail(reasonOf(exception));
   }
 
  private:
@@ -176,7 +122,7 @@ class CircleHandler : public Json::json_sax_t {
   }
 
   std::string_view name_;
-  Position& position_;
+  JsonPosition& position_;
   NumberedCircles result_;
   std::optional<Error> error_;
 
@@ -189,10 +135,9 @@ class CircleHandler : public Json::json_sax_t {
 }  // namespace
 
 Result<NumberedCircles> readJson(std::string_view text, std::string_view name) {
-  Position position(text);
+  JsonPosition position(text);
   CircleHandler handler(name, position);
-  Json::sax_parse(CountingIterator(text.data(), position), CountingIterator(text.data() + text.size(), position),
-                  &handler);
+  parseJson(text, position, handler);
   return std::move(handler).take();
 }
 

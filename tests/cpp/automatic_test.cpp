@@ -22,7 +22,7 @@ TEST(Automatic, IsCertifiedAndExactOnEveryFamily) {
       const std::size_t count = 3 + random.below(198);
       const auto circles = generate(family.family, count, random.next());
       const auto result = test::tryAutomatic(circles, family.isDegenerate);
-      table.add(family.name, result);
+      table.add(std::string(family.name), result);
       EXPECT_EQ(result.problem, "") << family.name << ", trial " << trial << test::describe(circles);
     }
   }
@@ -38,7 +38,7 @@ TEST(Automatic, IsCertifiedInAndNearTies) {
       auto circles = kind.make(2 + random.below(40), random);
       test::disturb(circles, test::Disturbance{static_cast<int>(trial % test::kDisturbances)}, random);
       const auto result = test::tryCertified(circles);
-      table.add(kind.name, result);
+      table.add(std::string(kind.name), result);
       EXPECT_EQ(result.problem, "") << kind.name << ", trial " << trial << test::describe(circles);
     }
   }

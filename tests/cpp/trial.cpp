@@ -54,9 +54,9 @@ std::vector<Circle> shrink(std::vector<Circle> circles, const std::function<bool
   return circles;
 }
 
-void WayTable::add(std::string_view family, const TrialResult& result) {
+void WayTable::add(const std::string& family, const TrialResult& result) {
   auto row = std::ranges::find(rows_, family, &Row::family);
-  if (row == rows_.end()) row = rows_.insert(row, Row{family});
+  if (row == rows_.end()) row = rows_.insert(row, Row{.family = family});
   ++row->trials;
   if (!result.problem.empty()) ++row->problems;
   const auto* way = std::ranges::find(kWays, result.way);

@@ -33,7 +33,7 @@ std::vector<Circle> shrink(std::vector<Circle> circles, const std::function<bool
 /// How often each construction made the result, by family; a Markdown table.
 class WayTable {
  public:
-  void add(std::string_view family, const TrialResult& result);
+  void add(const std::string& family, const TrialResult& result);
   std::string text() const;
   int trials() const;
   int problems() const;
@@ -41,7 +41,7 @@ class WayTable {
  private:
   static constexpr std::string_view kWays[] = {"flip", "repair", "touching-disc", "apollonius-graph"};
   struct Row {
-    std::string_view family;
+    std::string family;
     int ways[4] = {};
     int problems = 0;
     int trials = 0;

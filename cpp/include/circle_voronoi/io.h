@@ -26,6 +26,18 @@ void writeCsv(std::ostream& out, std::span<const Circle> circles);
 /// Writes a diagram in the project's JSON format, version 1 (README). Reading a number back gives the same bits.
 void writeJson(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram);
 
+/// Circles and a diagram that is said to be theirs.
+struct DiagramFile {
+  std::vector<Circle> circles;
+  Diagram diagram;
+};
+
+/// Reads what `writeJson` wrote, or anybody else in that format: numbers to the bit, and nothing of `stats`, for `certify`
+/// to judge. Other keys than those of the format are skipped.
+///
+/// Errors as those of `readCircles`; badInput for another format or version as well. Indices need not fit the circles.
+Result<DiagramFile> readDiagram(std::string_view text, std::string_view name);
+
 /// Writes the `stats` object of that format alone.
 void writeStatsJson(std::ostream& out, const Diagram& diagram);
 

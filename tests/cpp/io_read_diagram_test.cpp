@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/io.h"
+
+namespace circle_voronoi {
+namespace {
+
+std::string written(std::span<const Circle> circles, const Diagram& diagram) {
+  std::ostringstream text;
+  writeJson(text, circles, diagram);
+  return text.str();
+}
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+TEST(ReadDiagram, ReadsBackWhatWasWrittenToTheBit) {
+  for (const FamilyInfo& family : families()) {
+    auto circles = generate(family.family, 40, 1);
+    circles[3].x = -0.0;
+    circles[5].y = 0x1p62;
+    const Diagram diagram = compute(circles).value();
+    const auto file = readDiagram(written(circles, diagram), "file");
+    ASSERT_TRUE(file.ok()) << file.error().message;
+    ASSERT_EQ(file.value().circles.size(), circles.size());
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      const Circle& c = file.value().circles[i];
+      EXPECT_EQ(bits(c.x), bits(circles[i].x));
+      EXPECT_EQ(bits(c.y), bits(circles[i].y));
+      EXPECT_EQ(bits(c.r), bits(circles[i].r));
+    }
+    const Diagram& read = file.value().diagram;
+    EXPECT_EQ(read.vertices, diagram.vertices);
+    EXPECT_EQ(read.vertexCircles, diagram.vertexCircles);
+    EXPECT_EQ(read.edges, diagram.edges);
+    EXPECT_EQ(read.hidden, diagram.hidden);
+    EXPECT_EQ(read.hull, diagram.hull);
+    EXPECT_TRUE(certify(file.value().circles, read).value().certified());
+  }
+}
+
+TEST(ReadDiagram, ReadsNoCircles) {
+  const auto file = readDiagram(written({}, compute({}).value()), "file");
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_TRUE(file.value().circles.empty());
+}
+
+TEST(ReadDiagram, SkipsOtherKeys) {
+  const auto file = readDiagram(R"({"note": {"a": [1, {"circles": []}]}, "format": "circle-voronoi", "version": 1,
+      "circles": [{"x": 1, "colour": "red", "y": 2, "size": [1, 2], "r": 3}],
+      "hidden": [], "vertices": [], "edges": [], "hull": [0], "stats": null})",
+                                "file");
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_EQ(file.value().circles, (std::vector<Circle>{{1, 2, 3}}));
+}
+
+/// A small file with one part of its text replaced.
+std::string errorAfter(const std::string& part, const std::string& other) {
+  std::string text = R"({"format": "circle-voronoi", "version": 1,
+ "circles": [
+  {"x": 0, "y": 0, "r": 5},
+  {"x": 1, "y": 0, "r": 1}],
+ "hidden": [{"circle": 1, "by": 0}],
+ "vertices": [
+  {"x": 0, "y": 0, "radius": 1, "circles": [0, 1, 2]}],
+ "edges": [
+  {"circles": [0, 1], "vertices": [-1, 0]}],
+ "hull": [0]})";
+  const std::size_t at = text.find(part);
+  if (at == std::string::npos) return "the part is not there";
+  text.replace(at, part.size(), other);
+  const auto file = readDiagram(text, "file");
+  return file ? "" : file.error().message;
+}
+
+TEST(ReadDiagram, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(errorAfter("5}", "5.5}"), "");
+  EXPECT_EQ(errorAfter("\"circle-voronoi\"", "\"svg\""), "file:1: the format is \"svg\", not \"circle-voronoi\".");
+  EXPECT_EQ(errorAfter("\"version\": 1", "\"version\": 2"),
+            "file:1: the version is not 1, the only one that can be read.");
+  EXPECT_EQ(errorAfter("\"version\": 1,", ""), "file:10: there is no version.");
+  EXPECT_EQ(errorAfter("\"format\": \"circle-voronoi\",", ""),
+            "file:10: there is no format; a diagram has \"format\": \"circle-voronoi\".");
+  EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hulls\": [0]"), "file:10: there is no list of hull.");
+  EXPECT_EQ(errorAfter("\"hidden\": [{\"circle\": 1, \"by\": 0}]", "\"circles\": []"),
+            "file:5: circles is given twice.");
+  EXPECT_EQ(errorAfter("\"r\": 5}", "\"r\": -5}"), "file:3: Circle 0 has a negative radius.");
+  EXPECT_EQ(errorAfter("\"r\": 5}", "\"r\": null}"), "file:3: expected a number for r of circles[0], not null.");
+  EXPECT_EQ(errorAfter("\"r\": 1}", "\"x\": 1}"), "file:4: x of circles[1] is given twice.");
+  EXPECT_EQ(errorAfter("\"radius\": 1, ", ""), "file:7: vertices[0] has no radius.");
+  EXPECT_EQ(errorAfter("[0, 1, 2]", "[0, 1]"), "file:7: expected 3 numbers for circles of vertices[0].");
+  EXPECT_EQ(errorAfter("[0, 1, 2]", "[0, 1, 2, 3]"), "file:7: expected 3 numbers for circles of vertices[0].");
+  EXPECT_EQ(errorAfter("[0, 1, 2]", "[0, 1, 0.5]"), "file:7: circles of vertices[0] is no index.");
+  EXPECT_EQ(errorAfter("[-1, 0]", "[-1, 3000000000]"), "file:9: vertices of edges[0] is no index.");
+  EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hull\": [[0]]"), "file:10: expected a number for hull[0], not an array.");
+  EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hull\": 0"), "file:10: expected an array for hull, not a number.");
+  EXPECT_EQ(errorAfter("\"hull\": [0]}", "\"hull\": [0"),
+            "file:10: bad JSON: syntax error while parsing array - unexpected end of input; expected ']'.");
+}
+
+}  // namespace
+}  // namespace circle_voronoi
