@@ -109,6 +109,7 @@ double medianSeconds(const Contestant& method, const Circles& circles, int repet
 /// Runs one case in a child process; nothing if it fails or takes longer than the limit.
 std::optional<Measurement> measure(const Contestant& method, const Circles& circles, int repetitions,
                                    unsigned limitSeconds) {
+  std::fflush(stdout);  // a child must not print what is waiting here
   int ends[2];
   if (pipe(ends) != 0) return std::nullopt;
   const pid_t child = fork();
@@ -200,14 +201,15 @@ int main(int argc, char** argv) {
       for (const Contestant& method : methods) {
         if (!measured.contains(method.name)) continue;
         const auto [seconds, megabytes] = measured[method.name];
+        const auto secondsOf = [&](const char* name) { return measured.contains(name) ? measured[name].seconds : 0; };
         const auto ratio = [&](double numerator, double denominator) {
           char text[16] = "";
           if (numerator > 0 && denominator > 0) std::snprintf(text, sizeof text, "%.2f", numerator / denominator);
           return std::string(text);
         };
         std::printf("%-14s %8zu  %-26s %10.4f %9.0f %12s %12s\n", input->family.c_str(), input->circles.size(),
-                    method.name.c_str(), seconds, megabytes, ratio(seconds, measured["cgal-delaunay"].seconds).c_str(),
-                    ratio(measured["cgal-hierarchy"].seconds, seconds).c_str());
+                    method.name.c_str(), seconds, megabytes, ratio(seconds, secondsOf("cgal-delaunay")).c_str(),
+                    ratio(secondsOf("cgal-hierarchy"), seconds).c_str());
         json << (json.tellp() > 1 ? ",\n " : "\n ") << R"({"family": ")" << input->family << R"(", "n": )"
              << input->circles.size() << R"(, "method": ")" << method.name << R"(", "seconds": )" << seconds
              << R"(, "peakMegabytes": )" << megabytes << "}";
