@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "circle_voronoi/cells.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/finder.h"
+#include "random.h"
+
+namespace circle_voronoi {
+namespace {
+
+Box boxOf(const std::vector<Circle>& circles) {
+  Box box = {circles[0].x, circles[0].y, circles[0].x, circles[0].y};
+  for (const Circle& c : circles) {
+    box.minX = std::min(box.minX, c.x - c.r);
+    box.minY = std::min(box.minY, c.y - c.r);
+    box.maxX = std::max(box.maxX, c.x + c.r);
+    box.maxY = std::max(box.maxY, c.y + c.r);
+  }
+  if (box.minX == box.maxX) box.maxX += 1;
+  if (box.minY == box.maxY) box.maxY += 1;
+  return box;
+}
+
+class Comparison : public testing::TestWithParam<Metric> {};
+
+TEST_P(Comparison, CellsContainWhatIsNearestAndFillTheBox) {
+  Random random(1);
+  for (const FamilyInfo& family : families()) {
+    for (const std::size_t count : {1U, 2U, 3U, 10U, 100U}) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(count));
+      const auto circles = generate(family.family, count, count);
+      const auto diagram = computeComparison(circles, GetParam());
+      ASSERT_TRUE(diagram) << diagram.error().message;
+      const Cells cells(circles, diagram.value(), GetParam());
+      const Finder finder(cells);
+      const Box box = boxOf(circles);
+      for (int k = 0; k < 100; ++k) {
+        const Point p = {random.uniform(box.minX, box.maxX), random.uniform(box.minY, box.maxY)};
+        double least = std::numeric_limits<double>::infinity();
+        double largest = 0;
+        for (const Circle& c : circles) {
+          least = std::min(least, distance(GetParam(), c, p));
+          largest = std::max({largest, std::abs(p.x), std::abs(p.y), c.r});
+        }
+        const double rounding = 1e-14 * largest * (GetParam() == Metric::power ? largest : 1);
+        ASSERT_LE(cells.distance(finder.find(p), p), least + rounding);
+      }
+      double sum = 0;
+      for (std::size_t i = 0; i < count; ++i) sum += area(outline(cells, static_cast<std::int32_t>(i), box));
+      EXPECT_NEAR(sum / ((box.maxX - box.minX) * (box.maxY - box.minY)), 1, 1e-9);
+    }
+  }
+}
+
+TEST_P(Comparison, EdgesAreStraightAndAtEqualDistances) {
+  if (GetParam() == Metric::circles) return;
+  const auto circles = generate(Family::uniform, 200, 5);
+  const Diagram diagram = computeComparison(circles, GetParam()).value();
+  for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
+    const EdgeCurve curve = edgeCurve(circles, diagram, static_cast<std::int32_t>(e), GetParam());
+    EXPECT_TRUE(curve.isStraight());
+    const auto at = [&](std::int32_t i, double s) {
+      return distance(GetParam(), circles[static_cast<std::size_t>(i)], pointAt(curve.bisector, s));
+    };
+    for (const double s : {0.5, 1.0, 4.0}) {
+      EXPECT_NEAR(at(diagram.edges[e].left, s), at(diagram.edges[e].right, s), 1e-9);
+    }
+  }
+}
+
+TEST_P(Comparison, OfEqualCirclesIsTheirDiagram) {
+  auto circles = generate(Family::uniform, 300, 6);
+  for (Circle& c : circles) c.r = 0.5;
+  const Diagram expected = compute(circles).value();
+  const Diagram actual = computeComparison(circles, GetParam()).value();
+  const auto sorted = [](std::vector<std::array<std::int32_t, 3>> triples) {
+    for (auto& triple : triples) std::ranges::rotate(triple, std::ranges::min_element(triple));
+    std::ranges::sort(triples);
+    return triples;
+  };
+  EXPECT_EQ(sorted(actual.vertexCircles), sorted(expected.vertexCircles));
+  EXPECT_EQ(actual.hull, expected.hull);
+}
+
+TEST_P(Comparison, RejectsWhatComputeRejects) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {1, 0, -1}};
+  const auto result = computeComparison(circles, GetParam());
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::negativeRadius);
+  EXPECT_TRUE(computeComparison({}, GetParam()));
+}
+
+std::string testName(const testing::TestParamInfo<Metric>& metric) {
+  constexpr const char* kNames[] = {"circles", "centres", "power"};
+  return kNames[static_cast<int>(metric.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Metrics, Comparison, testing::Values(Metric::circles, Metric::centres, Metric::power),
+                         testName);
+
+TEST(ComparisonOfPower, TheRadiusOfAVertexIsThatOfTheCircleAtRightAngles) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {8, 0, 1}, {0, 8, 1}};
+  const Diagram diagram = computeComparison(circles, Metric::power).value();
+  ASSERT_EQ(diagram.vertices.size(), 1U);
+  EXPECT_EQ(diagram.vertices[0].x, 4);
+  EXPECT_EQ(diagram.vertices[0].y, 4);
+  EXPECT_DOUBLE_EQ(diagram.vertices[0].radius, std::sqrt(31));
+}
+
+TEST(ComparisonOfPower, ACircleMayHaveNoCellThoughNoneContainsIt) {
+  const std::vector<Circle> circles = {{0, 0, 3}, {4, 0, 3}, {2, 3, 1}, {2, 0.3, 1.9}};
+  EXPECT_TRUE(compute(circles).value().hidden.empty());
+  EXPECT_EQ(computeComparison(circles, Metric::power).value().hidden, (std::vector<HiddenCircle>{{3, kNone}}));
+}
+
+}  // namespace
+}  // namespace circle_voronoi
