@@ -95,7 +95,8 @@ std::vector<int> findHiders(std::span<const Circle> circles) {
   const BoxTree tree(circles);
   Predicates predicates(circles);
   for (std::size_t query = 0; query < tree.leaves().size(); ++query) {
-    const auto [first, last] = circlesOf(query);
+    const int first = circlesOf(query).first;
+    const int last = circlesOf(query).second;
     int visible = last - first;
     tree.forEachHider(tree.leaves()[query], [&](std::size_t leaf) {
       const auto [begin, end] = circlesOf(leaf);
