@@ -10,6 +10,7 @@ add_executable(circle_voronoi_proof_tests
   fixtures.cpp
   in_circle_test.cpp
   io_read_diagram_test.cpp
+  metamorphic_test.cpp
   predicates_test.cpp
   repair_test.cpp
   report.cpp
