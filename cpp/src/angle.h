@@ -11,9 +11,9 @@ namespace circle_voronoi {
 /// it is far above the rounding error of a three-touch disc and far below what two different discs need to differ.
 inline constexpr double kSameDirection = 0x1p-30;
 
-inline bool sameDirection(Vector u, Vector v, double angle = kSameDirection) {
+inline bool sameDirection(Vector u, Vector v) {
   const double along = dot(u, v);
-  return along > 0 && std::abs(cross(u, v)) <= angle * along;
+  return along > 0 && std::abs(cross(u, v)) <= kSameDirection * along;
 }
 
 /// A number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; NaN for the zero vector.

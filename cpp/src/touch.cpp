@@ -27,9 +27,8 @@ namespace {
 
 constexpr int kNoEdge = -1;
 
-/// Footpoints nearer than this angle in radians are taken for one: above the rounding error of a three-touch disc, and
-/// below the distance of footpoints on a large circle with many small neighbours.
-constexpr double kSameFootpoint = 0x1p-36;
+/// A multiple of the rounding error of a distance, relative to the numbers that it comes from.
+constexpr double kRounding = 0x1p-46;
 
 struct AntipodalDisc {
   double radius = 0;
@@ -189,26 +188,31 @@ class Touch {
     const int in = in_[before];
     const int out = out_[after];
     if (in == kNoEdge || out == kNoEdge) return true;
-    // No disc on the bisector is smaller than the antipodal one: if a DE of the two circles is there before it, then the
-    // two differ by rounding only, and that DE stands for both.
+    // No disc on the bisector is smaller than the antipodal one: if a DE of the two circles is there before it, then
+    // the two differ by rounding only, and that DE stands for both.
     if (edges_[in].a == partner || edges_[out].b == partner) return true;
     const Vector from = edges_[in].fromB;
     const Vector to = edges_[out].fromA;
     // The two DEs of one antipodal disc that is alone on the circle leave all of it unused but its footpoint.
     if (before == after && from.x == to.x && from.y == to.y)
       return cross(from, direction) == 0 && dot(from, direction) > 0;
-    // A footpoint that touches a used arc counts as used: opposite circles around one disc have it for antipodal disc.
-    return sameDirection(from, direction, kSameFootpoint) || sameDirection(direction, to, kSameFootpoint) ||
-           !strictlyBetween(from, direction, to);
+    // A footpoint that touches a used arc counts as used.
+    return !strictlyBetween(from, direction, to);
   }
 
-  /// A circle next to the footpoint at `slot` of circle i that meets the disc, or kNone (paper, section 3.3).
+  /// A circle next to the footpoint at `slot` of circle i that meets or touches the disc, or kNone (paper,
+  /// section 3.3).
+  ///
+  /// A circle that touches an antipodal disc makes it a three-touch disc, which places the same DEs. Taking touching
+  /// for meeting leaves ties to those: two antipodal discs of opposite circles around one disc would cross.
   int meetingCircle(int i, int slot, const Vertex& disc) const {
     if (!touched_[i]) return kNone;
     for (const int near : {edges_[in_[slotBefore(i, slot)]].a, edges_[out_[slotAfter(i, slot)]].b}) {
       const Circle& c = circles_[near];
       const Vector v = {disc.x - c.x, disc.y - c.y};
-      if (length(v) - c.r < disc.radius) return near;
+      const double distance = length(v);
+      const double rounding = kRounding * (distance + c.r + std::abs(disc.x) + std::abs(disc.y));
+      if (distance - c.r <= disc.radius + rounding) return near;
     }
     return kNone;
   }

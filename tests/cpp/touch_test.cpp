@@ -93,9 +93,9 @@ TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
   }
 }
 
-// Opposite circles around one disc have it for antipodal disc. Its footpoints are those of three-touch discs before it,
-// but for rounding: they end the used arcs, and count as used.
-TEST(TouchRule5, AFootpointAtTheEndOfAUsedArcIsUsed) {
+// Opposite circles around one disc all have it for antipodal disc. An antipodal disc that touches a neighbour, but for
+// rounding, is left to the three-touch discs; two that were both accepted would cross.
+TEST(TouchRule5, AnAntipodalDiscThatTouchesANeighborIsNotEmpty) {
   const Outcome outcome = solveAllPairs("tie-of-antipodal-disc-cocircular-equal-8");
   EXPECT_EQ(test::problemInDegeneratePosition(outcome.diagram, oracle::exactDiagram(outcome.circles), outcome.circles),
             "");
