@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "circle_voronoi/certificate.h"
 #include "circle_voronoi/compute.h"
 
 namespace {
@@ -40,15 +41,17 @@ val float64Array(const std::vector<Item>& items) {
   return typedArray<double>("Float64Array", items);
 }
 
-/// `coordinates`: a Float64Array of x, y, r per circle.
-std::vector<Circle> circlesFrom(const val& coordinates) {
-  static_assert(std::is_standard_layout_v<Circle> && sizeof(Circle) == 3 * sizeof(double));
-  const std::size_t length = coordinates["length"].as<std::size_t>();
-  std::vector<Circle> circles(length / 3);
-  if (!circles.empty()) {
-    val(emscripten::typed_memory_view(circles.size() * 3, &circles[0].x)).call<void>("set", coordinates);
+/// The contents of a typed array as items of `size / sizeof(Scalar)` numbers each, in one copy.
+template <class Scalar, class Item>
+std::vector<Item> itemsFrom(const val& array) {
+  static_assert(std::is_standard_layout_v<Item> && sizeof(Item) % sizeof(Scalar) == 0);
+  constexpr std::size_t kScalars = sizeof(Item) / sizeof(Scalar);
+  std::vector<Item> items(array["length"].as<std::size_t>() / kScalars);
+  if (!items.empty()) {
+    auto* scalars = reinterpret_cast<Scalar*>(items.data());
+    val(emscripten::typed_memory_view(items.size() * kScalars, scalars)).call<void>("set", array);
   }
-  return circles;
+  return items;
 }
 
 Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::move(message)}; }
@@ -85,6 +88,8 @@ Result<Options> optionsFrom(const val& options) {
     if (!samples.isNumber()) return badOption("The number of samples is not a number.");
     result.samples = samples.as<int>();
   }
+  const val repair = options["repair"];
+  if (!repair.isUndefined()) result.repair = repair.as<bool>();
   return result;
 }
 
@@ -155,15 +160,12 @@ val diagramValue(const Diagram& diagram) {
   return result;
 }
 
-/// Either the diagram or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would reach
-/// JavaScript as a bare number.
-val computeValue(const val& coordinates, const val& options) {
+/// The value of `body`, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would reach JavaScript
+/// as a bare number.
+template <class Body>
+val guarded(Body body) {
   try {
-    const Result<Options> chosen = optionsFrom(options);
-    if (!chosen.ok()) return errorValue(chosen.error());
-    const std::vector<Circle> circles = circlesFrom(coordinates);
-    const Result<Diagram> diagram = compute(circles, chosen.value());
-    return diagram.ok() ? diagramValue(diagram.value()) : errorValue(diagram.error());
+    return body();
   } catch (const std::bad_alloc&) {
     return errorValue({ErrorCode::tooManyCircles, -1, "There is not enough memory for this many circles."});
   } catch (const std::length_error&) {
@@ -173,6 +175,31 @@ val computeValue(const val& coordinates, const val& options) {
   } catch (...) {
     return errorValue("internal", -1, "The computation failed.");
   }
+}
+
+val computeValue(const val& coordinates, const val& options) {
+  return guarded([&] {
+    const Result<Options> chosen = optionsFrom(options);
+    if (!chosen.ok()) return errorValue(chosen.error());
+    const auto circles = itemsFrom<double, Circle>(coordinates);
+    const Result<Diagram> diagram = compute(circles, chosen.value());
+    return diagram.ok() ? diagramValue(diagram.value()) : errorValue(diagram.error());
+  });
+}
+
+/// `value`: a diagram with its circles, as `compute` in web/lib returns it.
+val certifyValue(const val& value) {
+  return guarded([&] {
+    const auto circles = itemsFrom<double, Circle>(value["circles"]);
+    Diagram diagram;
+    diagram.vertices = itemsFrom<double, Vertex>(value["vertices"]);
+    diagram.vertexCircles = itemsFrom<std::int32_t, std::array<std::int32_t, 3>>(value["vertexCircles"]);
+    diagram.edges = itemsFrom<std::int32_t, Edge>(value["edges"]);
+    diagram.hidden = itemsFrom<std::int32_t, HiddenCircle>(value["hidden"]);
+    diagram.hull = itemsFrom<std::int32_t, std::int32_t>(value["hull"]);
+    const Result<Certificate> certificate = certify(circles, diagram);
+    return certificate.ok() ? certificateValue(certificate.value()) : errorValue(certificate.error());
+  });
 }
 
 val errorCodeNames() {
@@ -188,5 +215,6 @@ val errorCodeNames() {
 
 EMSCRIPTEN_BINDINGS(circle_voronoi) {
   emscripten::function("compute", &computeValue);
+  emscripten::function("certify", &certifyValue);
   emscripten::function("errorCodeNames", &errorCodeNames);
 }

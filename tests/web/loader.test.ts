@@ -137,3 +137,42 @@ it('loads from bytes', async () => {
   const wasmBinary = readFileSync(new URL('../../web/lib/generated/circle-voronoi.wasm', import.meta.url))
   expect((await loadCircleVoronoi({ wasmBinary })).compute(THREE).vertices).toHaveLength(3)
 })
+
+describe('certify', () => {
+  it('certifies a diagram that compute made', () => {
+    expect(library.certify(library.compute(THREE))).toMatchObject({ certified: true, flaw: 'none', message: '' })
+  })
+
+  it('names what is wrong', () => {
+    const diagram = library.compute(THREE)
+    const [i, j, k] = diagram.vertexCircles
+    const swapped = { ...diagram, vertexCircles: Int32Array.of(j as number, i as number, k as number) }
+    expect(library.certify(swapped)).toMatchObject({ certified: false, flaw: 'adjacency' })
+    const moved = { ...diagram, vertices: diagram.vertices.map((value) => value + 0.001) }
+    expect(library.certify(moved)).toMatchObject({ certified: false, flaw: 'vertexMisplaced', vertex: 0 })
+    const hidden = { ...diagram, hidden: Int32Array.of(0, 1) }
+    expect(library.certify(hidden)).toMatchObject({ certified: false, flaw: 'hiddenWithoutHider', circle: 0 })
+  })
+
+  it('refuses arrays of another type or length', () => {
+    const diagram = library.compute(THREE)
+    const error = errorOf(() => library.certify({ ...diagram, edges: new Int32Array(3) }))
+    expect(error).toMatchObject({ code: 'badInput', message: 'edges is not an Int32Array of 4 numbers each.' })
+    // @ts-expect-error: the wrong type
+    expect(errorOf(() => library.certify({ ...diagram, vertices: [1, 2, 3] })).code).toBe('badInput')
+  })
+})
+
+describe('repair', () => {
+  it('makes the touching disc method right where samples are too few', () => {
+    // Equal circles around one point: rounding alone puts zero-length edges out of order.
+    const circles = Float64Array.from({ length: 36 }, (_, i) => {
+      const angle = (Math.floor(i / 3) * Math.PI) / 6
+      return [10 * Math.cos(angle), 10 * Math.sin(angle), 1][i % 3] as number
+    })
+    const options = { method: 'touching-disc' } as const
+    expect(library.compute(circles, { ...options, repair: true }).certificate.certified).toBe(true)
+    // @ts-expect-error: the wrong type
+    expect(errorOf(() => library.compute(circles, { ...options, repair: 1 })).code).toBe('badOption')
+  })
+})

@@ -135,6 +135,6 @@ export function edgeAt({ edges }: Diagram, e: number): Edge {
 }
 
 /** Precondition: 0 <= index < array.length. */
-export function at(array: Float64Array | Int32Array, index: number): number {
+export function at(array: Float64Array | Int32Array | Uint8Array, index: number): number {
   return array[index] as number
 }

@@ -13,6 +13,7 @@ export {
 export { Cells } from './cells.ts'
 export {
   at,
+  type Certificate,
   type Circle,
   type Counts,
   circleAt,

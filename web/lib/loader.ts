@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle, Diagram } from './diagram.ts'
+import type { Certificate, Circle, Diagram } from './diagram.ts'
 import { CircleVoronoiError, type ErrorCode } from './errors.ts'
 import createModule from './generated/circle-voronoi.js'
 
@@ -22,6 +22,8 @@ export interface Options {
    * `all-pairs` takes none.
    */
   readonly samples?: number
+  /** `dynamic`: if the diagram is not certified, take more samples around what is wrong and try again. Default: false. */
+  readonly repair?: boolean
 }
 
 export interface LoadOptions {
@@ -39,6 +41,13 @@ export interface CircleVoronoi {
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
   compute(circles: Float64Array | readonly Circle[], options?: Options): Diagram
+  /**
+   * Judges in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, however it was
+   * made; only its typed arrays are looked at.
+   *
+   * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is none.
+   */
+  certify(diagram: Omit<Diagram, 'certificate' | 'stats'>): Certificate
   /** The error codes of the C++ core, in order; the same as `ERROR_CODES`. */
   errorCodeNames(): readonly string[]
 }
@@ -50,18 +59,29 @@ export async function loadCircleVoronoi(options: LoadOptions = {}): Promise<Circ
   const module = await createModule(wasmBinary ? { wasmBinary } : { locateFile: () => url.href })
 
   return {
-    compute(circles, { method, candidates, samples } = {}) {
+    compute(circles, { method, candidates, samples, repair } = {}) {
       const coordinates = flatten(circles)
-      checkOptions({ method, candidates, samples })
-      const result = module.compute(coordinates, { method, candidates, samples })
-      if ('error' in result) {
-        const { code, circle, message } = result.error
-        throw new CircleVoronoiError(code as ErrorCode, circle, message)
-      }
-      return { circles: coordinates, ...result }
+      checkOptions({ method, candidates, samples, repair })
+      return { circles: coordinates, ...unwrap(module.compute(coordinates, { method, candidates, samples, repair })) }
+    },
+    certify({ circles, vertices, vertexCircles, edges, hidden, hull }) {
+      checkArray('circles', circles, Float64Array, 3)
+      checkArray('vertices', vertices, Float64Array, 3)
+      checkArray('vertexCircles', vertexCircles, Int32Array, 3)
+      checkArray('edges', edges, Int32Array, 4)
+      checkArray('hidden', hidden, Int32Array, 2)
+      checkArray('hull', hull, Int32Array, 1)
+      return unwrap(module.certify({ circles, vertices, vertexCircles, edges, hidden, hull }))
     },
     errorCodeNames: () => module.errorCodeNames(),
   }
+}
+
+/** A result of the module, or its error thrown. */
+function unwrap<Value extends object>(result: Value | WasmError): Value {
+  if (!('error' in result)) return result
+  const { code, circle, message } = result.error
+  throw new CircleVoronoiError(code as ErrorCode, circle, message)
 }
 
 /** Node's fetch does not read files. */
@@ -97,7 +117,7 @@ function flatten(circles: Float64Array | readonly Circle[]): Float64Array {
   return flat
 }
 
-function checkOptions({ method, candidates, samples }: { [Name in keyof Options]: unknown }): void {
+function checkOptions({ method, candidates, samples, repair }: { [Name in keyof Options]: unknown }): void {
   const isText = (value: unknown) => value === undefined || typeof value === 'string'
   if (!isText(method) || !isText(candidates)) {
     throw new CircleVoronoiError('badOption', -1, 'The options method and candidates are strings.')
@@ -105,4 +125,17 @@ function checkOptions({ method, candidates, samples }: { [Name in keyof Options]
   if (samples !== undefined && !(Number.isInteger(samples) && Math.abs(samples as number) < 2 ** 31)) {
     throw new CircleVoronoiError('badOption', -1, 'The option samples is a whole number.')
   }
+  if (repair !== undefined && typeof repair !== 'boolean') {
+    throw new CircleVoronoiError('badOption', -1, 'The option repair is true or false.')
+  }
+}
+
+function checkArray(
+  name: string,
+  array: unknown,
+  type: Float64ArrayConstructor | Int32ArrayConstructor,
+  size: number,
+): void {
+  if (array instanceof type && array.length % size === 0) return
+  throw new CircleVoronoiError('badInput', -1, `${name} is not an ${type.name} of ${size} numbers each.`)
 }

@@ -9,10 +9,14 @@ interface WasmOptions {
   readonly method: string | undefined
   readonly candidates: string | undefined
   readonly samples: number | undefined
+  readonly repair: boolean | undefined
 }
 
 interface WasmModule {
   compute(circles: Float64Array, options: WasmOptions): WasmError | Omit<import('./diagram.ts').Diagram, 'circles'>
+  certify(
+    diagram: Omit<import('./diagram.ts').Diagram, 'certificate' | 'stats'>,
+  ): WasmError | import('./diagram.ts').Certificate
   errorCodeNames(): string[]
 }
 
