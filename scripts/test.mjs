@@ -39,6 +39,7 @@ const SUITES = [
       '--test-reporter=junit',
       `--test-reporter-destination=${RESULTS}/node.xml`,
       'tests/wasm/native.test.mjs',
+      'tests/wasm/equal-radii.test.mjs',
     ],
   },
   {
