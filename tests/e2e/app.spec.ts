@@ -228,4 +228,21 @@ test.describe('on a phone', () => {
       expect((box?.x as number) + (box?.width as number)).toBeLessThanOrEqual(390)
     }
   })
+
+  test('a pinch zooms, with what is between the fingers in its place', async ({ app }) => {
+    const session = await app.page.context().newCDPSession(app.page)
+    const { x, y } = app.center(BRONZE, 650)
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', spread?: number) => {
+      const touchPoints = spread === undefined ? [] : [-1, 1].map((side, id) => ({ x: x + side * spread, y, id }))
+      return session.send('Input.dispatchTouchEvent', { type, touchPoints })
+    }
+    await touch('touchStart', 20)
+    for (const spread of [30, 45, 60, 80]) await touch('touchMove', spread)
+    await touch('touchEnd')
+    // Four times as large, a point that was a few pixels away is still on the circle.
+    await app.page.touchscreen.tap(x + 12, y)
+    await expect(app.inspector).toContainText('Circle 650')
+    const radius = (BRONZE[3 * 650 + 2] as number) * app.camera(BRONZE).scale
+    expect(radius).toBeLessThan(12)
+  })
 })
