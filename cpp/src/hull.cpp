@@ -19,7 +19,7 @@ constexpr double kFullTurn = 2 * std::numbers::pi;
 void turnOnce(std::vector<HullArc>& arcs) {
   const double sum = std::accumulate(arcs.begin(), arcs.end(), 0.0,
                                      [](double partial, const HullArc& arc) { return partial + arc.angle; });
-  for (double excess = std::round(sum / kFullTurn) - 1; excess != 0; excess -= std::copysign(1, excess)) {
+  for (auto excess = std::lround(sum / kFullTurn) - 1; excess != 0; excess -= excess > 0 ? 1 : -1) {
     HullArc& arc = excess > 0 ? *std::ranges::max_element(arcs, {}, &HullArc::angle)
                               : *std::ranges::min_element(arcs, {}, &HullArc::angle);
     arc.angle = excess > 0 ? 0 : kFullTurn;

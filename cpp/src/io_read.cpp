@@ -14,8 +14,8 @@ Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view 
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
 
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  const bool isJson = first != std::string_view::npos && (text[first] == '[' || text[first] == '{');
-  auto read = isJson ? readJson(text, name) : readCsv(text, name);
+  const char begin = first == std::string_view::npos ? '\n' : text[first];
+  auto read = begin == '[' ? readJson(text, name) : begin == '{' ? readGeoJson(text, name) : readCsv(text, name);
   if (!read) return read.error();
   auto& [circles, lines] = read.value();
 

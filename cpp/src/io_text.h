@@ -25,4 +25,7 @@ Result<NumberedCircles> readCsv(std::string_view text, std::string_view name);
 /// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`; other keys of an object are skipped.
 Result<NumberedCircles> readJson(std::string_view text, std::string_view name);
 
+/// A GeoJSON FeatureCollection of Points with a property `radius` or `r`.
+Result<NumberedCircles> readGeoJson(std::string_view text, std::string_view name);
+
 }  // namespace circle_voronoi

@@ -123,20 +123,17 @@ class Clipper {
     bool firstIsAtOrigin = false;  // whether the first chain begins where its side begins
     const auto sides = cells_.sides(circle_);
     for (const std::int32_t side : sides) {
-      const EdgeCurve curve = cells_.curveOf(side);
       bool goesOn = false;
-      for (const Span& span : clipSpans(curve, region_)) {
-        const EdgeCurve piece = part(curve, span, region_);
-        if (!piece.isBounded()) continue;
-        const bool isAtOrigin = span.cutFrom == kNone;
+      for (const auto& [piece, cutFrom, cutTo] : piecesOf(side)) {
+        const bool isAtOrigin = cutFrom == kNone;
         if (!linked || !isAtOrigin) {
           if (chains_.empty()) firstIsAtOrigin = isAtOrigin && side == sides.front();
-          chains_.emplace_back().entry = place(span.cutFrom, piece.start);
+          chains_.emplace_back().entry = place(cutFrom, piece.start);
         }
         linked = false;
-        goesOn = span.cutTo == kNone;
+        goesOn = cutTo == kNone;
         chains_.back().pieces.push_back({piece, side, cells_.neighborOf(side)});
-        chains_.back().exit = place(span.cutTo, piece.end);
+        chains_.back().exit = place(cutTo, piece.end);
       }
       linked = goesOn;
     }
@@ -147,6 +144,30 @@ class Clipper {
     std::ranges::move(chains_.front().pieces, std::back_inserter(last.pieces));
     chains_.erase(chains_.begin());
     return false;
+  }
+
+  struct Piece {
+    EdgeCurve curve;
+    std::int32_t cutFrom = kNone;
+    std::int32_t cutTo = kNone;
+  };
+
+  /// The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the
+  /// cells on either side meet bit for bit.
+  std::vector<Piece> piecesOf(std::int32_t side) const {
+    const EdgeCurve curve = edgeCurve(cells_.circles(), cells_.diagram(), side / 2, cells_.metric());
+    std::vector<Piece> pieces;
+    for (const auto& span : clipSpans(curve, region_)) {
+      const EdgeCurve piece = part(curve, span, region_);
+      if (piece.isBounded()) pieces.push_back({piece, span.cutFrom, span.cutTo});
+    }
+    if (side % 2 == 0) return pieces;
+    std::ranges::reverse(pieces);
+    for (auto& [piece, cutFrom, cutTo] : pieces) {
+      piece = reversed(piece);
+      std::swap(cutFrom, cutTo);
+    }
+    return pieces;
   }
 
   /// Where a chain begins or ends. Rounding may end it at a vertex next to the boundary.

@@ -14,8 +14,7 @@ std::vector<std::array<std::int32_t, 2>> neighborPairs(const Diagram& diagram) {
     pairs.push_back({std::min(edge.left, edge.right), std::max(edge.left, edge.right)});
   }
   std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);
-  pairs.erase(repeated.begin(), repeated.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

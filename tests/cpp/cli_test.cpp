@@ -99,6 +99,24 @@ TEST_F(Cli, WritesStatsAlone) {
   EXPECT_GT(stats.at("counts").at("samples"), 134);
 }
 
+TEST_F(Cli, WritesEveryFormat) {
+  const auto textOf = [&](const std::string& options) {
+    const Outcome result = run("compute " + kFixture + " " + options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out;
+  };
+  EXPECT_EQ(nlohmann::json::parse(textOf("--format geojson")).at("features").size(), 134U);
+  EXPECT_TRUE(textOf("--format svg").starts_with("<svg "));
+  EXPECT_TRUE(textOf("--format wkt --tolerance 0.01").starts_with("POLYGON "));
+  EXPECT_NE(textOf("--format obj --box -1,-2,3,4").find("\no cells\n"), std::string::npos);
+  EXPECT_TRUE(textOf("--format csv").starts_with("type,index,"));
+  expectFailure(run("compute " + kFixture + " --format svg --box 0,0,-1,1"), 2, "--box");
+  expectFailure(run("compute " + kFixture + " --format svg --tolerance 0"), 2, "--tolerance");
+  expectFailure(run("compute " CIRCLE_VORONOI_FIXTURES "/missed-antipodal-disc-mixed-4.csv --format svg "
+                    "--method touching-disc --samples 0"),
+                1, "not certified");
+}
+
 TEST_F(Cli, SaysWhereSamplingMissedSomethingAndRepairsIt) {
   const std::string command = "compute " CIRCLE_VORONOI_FIXTURES
                               "/missed-antipodal-disc-mixed-4.csv --format stats --method touching-disc --samples 0";

@@ -56,6 +56,36 @@ TEST(ReadCsv, NamesTheBadLine) {
   EXPECT_EQ(errorOf("1,2,1e999\n"), "test:1: r is beyond the range of a double: \"1e999\".");
 }
 
+std::string feature(const std::string& geometry, const std::string& properties) {
+  return R"({"type": "Feature", "properties": )" + properties + R"(, "geometry": )" + geometry + "}";
+}
+
+std::string collection(const std::string& features) {
+  return R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "x"}}, "features": [)" +
+         features + "]}";
+}
+
+TEST(ReadGeoJson, PointsWithARadius) {
+  EXPECT_EQ(read(collection(feature(R"({"type": "Point", "coordinates": [1, 2]})", R"({"radius": 3, "name": "a"})") +
+                            "," + feature(R"({"type": "Point", "coordinates": [-4.5, 0.005, 7]})", R"({"r": 0})"))),
+            kTwo);
+  EXPECT_EQ(read(collection("")), Circles{});
+}
+
+TEST(ReadGeoJson, NamesTheBadLine) {
+  const std::string point = R"({"type": "Point", "coordinates": [1, 2]})";
+  EXPECT_EQ(errorOf(collection(std::string(1, '\n') + feature(point, "{}"))),
+            "test:2: a feature has no number as its property radius.");
+  EXPECT_EQ(errorOf(collection(std::string(2, '\n') + feature(point, "null"))),
+            "test:3: a feature has no number as its property radius.");
+  EXPECT_EQ(errorOf(collection(feature("null", "{}"))), "test:1: the geometry of a feature is not a Point.");
+  EXPECT_EQ(errorOf(collection(feature(R"({"type": "Point", "coordinates": [1]})", R"({"r": 1})"))),
+            "test:1: a Point has no two numbers as its coordinates.");
+  EXPECT_EQ(errorOf(collection(std::string(1, '\n') + feature(point, R"({"r": -1})"))),
+            "test:2: Circle 0 has a negative radius.");
+  EXPECT_TRUE(errorOf("{\"type\":\n]").starts_with("test:2: bad JSON: "));
+}
+
 TEST(ReadJson, ArraysAndObjects) {
   EXPECT_EQ(read("[[1,2,3],[-4.5,5e-3,0]]"), kTwo);
   EXPECT_EQ(read(" [\n {\"x\": 1, \"y\": 2, \"r\": 3}, {\"r\": 0, \"y\": 0.005, \"x\": -4.5} ]\n"), kTwo);
@@ -75,7 +105,7 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf("[{\"x\":1,\n\"y\":null,\"r\":1}]"), "test:2: expected a number for y, not null.");
   EXPECT_EQ(errorOf("[{\"x\":1,\"x\":1}]"), "test:1: x is given twice.");
   EXPECT_EQ(errorOf("[1,2,3]"), "test:1: expected a circle, [x,y,r] or {\"x\":..,\"y\":..,\"r\":..}, not a number.");
-  EXPECT_EQ(errorOf("{\"x\":1}"), "test:1: expected an array of circles, not an object.");
+  EXPECT_EQ(errorOf("{\"x\":1}"), "test:1: expected an array of circles or a GeoJSON FeatureCollection.");
   EXPECT_TRUE(errorOf("[[1,2,3],\n[1,2,").starts_with("test:2: bad JSON: "));
   EXPECT_TRUE(errorOf("[[1,2,3]]\n]").starts_with("test:2: bad JSON: "));
   EXPECT_TRUE(errorOf("[[1,2,1e999]]").starts_with("test:1: bad JSON: "));

@@ -14,7 +14,8 @@
 namespace circle_voronoi {
 
 /// Reads circles from text: CSV lines `x,y,r` (a header line and blank lines are allowed), or JSON
-/// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`. Text whose first character is `[` or `{` is JSON.
+/// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`, or a GeoJSON FeatureCollection of Points with a property `radius` or
+/// `r`. Text whose first character is `[` is JSON, and `{` GeoJSON.
 ///
 /// Errors, each with one sentence that starts with `name:line:`: badInput, and, so that the line can be named, what
 /// `compute` would reject (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles).

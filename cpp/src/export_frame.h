@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "circle_voronoi/cells.h"
+#include "circle_voronoi/export.h"
+
+namespace circle_voronoi {
+
+/// What every writer needs: the cells, the region and the tolerance.
+struct ExportFrame {
+  ExportFrame(std::span<const Circle> circles, const Diagram& diagram, const ExportOptions& options);
+
+  Cells cells;
+  Box box;
+  double tolerance;
+};
+
+/// The curve of a piece in the direction of its edge: the same bits from either side. A piece of the boundary as it is.
+EdgeCurve edgeDirection(const Cells& cells, const OutlinePiece& piece);
+/// Whether that is against the direction of the outline.
+inline bool isAgainstEdge(const OutlinePiece& piece) { return piece.side != kNone && piece.side % 2 == 1; }
+
+/// Closed rings of a cell inside the box, without the first point at the end and without points in a row that are
+/// equal; rings of fewer than three points are left out.
+std::vector<std::vector<Point>> ringsOf(const ExportFrame& frame, std::int32_t circle);
+
+}  // namespace circle_voronoi

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/export.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "fixtures.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class Write>
+std::string textOf(Write write, const std::vector<Circle>& circles, const ExportOptions& options = {}) {
+  std::ostringstream out;
+  write(out, circles, compute(circles).value(), options);
+  return out.str();
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::size_t countOf(const std::string& text, std::string_view part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+using Ring = std::vector<std::array<double, 2>>;
+
+std::vector<Ring> ringsOf(const Json& geometry) {
+  if (geometry.is_null()) return {};
+  std::vector<Ring> rings;
+  if (geometry["type"] == "Polygon") {
+    for (const auto& ring : geometry["coordinates"]) rings.push_back(ring);
+  } else {
+    for (const auto& polygon : geometry["coordinates"]) {
+      for (const auto& ring : polygon) rings.push_back(ring);
+    }
+  }
+  return rings;
+}
+
+double areaOf(const Ring& ring) {
+  double twice = 0;
+  for (std::size_t k = 1; k < ring.size(); ++k) {
+    twice += (ring[k - 1][0] - ring[0][0]) * (ring[k][1] - ring[0][1]) -
+             (ring[k][0] - ring[0][0]) * (ring[k - 1][1] - ring[0][1]);
+  }
+  return twice / 2;
+}
+
+TEST(Export, GeoJsonPolygonsHaveTheAreasAndShareTheirPoints) {
+  for (const Family family : {Family::logUniform, Family::twoHuge, Family::hidden, Family::grid, Family::chaos}) {
+    SCOPED_TRACE(familyName(family));
+    const auto circles = generate(family, 80, 3);
+    const Box box = exportBox(circles);
+    const double whole = (box.maxX - box.minX) * (box.maxY - box.minY);
+    const Json file = Json::parse(textOf(writeGeoJson, circles));
+    EXPECT_EQ(file["type"], "FeatureCollection");
+    ASSERT_EQ(file["features"].size(), circles.size());
+    using Step = std::pair<std::array<double, 2>, std::array<double, 2>>;
+    std::map<Step, int> steps;
+    double sum = 0;
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      const Json& feature = file["features"][i];
+      EXPECT_EQ(feature["properties"]["circle"], i);
+      EXPECT_EQ(feature["properties"]["radius"], circles[i].r);
+      EXPECT_EQ(feature["properties"].contains("hiddenBy"), feature["properties"]["neighbours"].empty());
+      double polygons = 0;
+      for (const Ring& ring : ringsOf(feature["geometry"])) {
+        EXPECT_EQ(ring.front(), ring.back());
+        EXPECT_GE(ring.size(), 4U);
+        polygons += areaOf(ring);
+        for (std::size_t k = 1; k < ring.size(); ++k) ++steps[{ring[k - 1], ring[k]}];
+      }
+      const double area = feature["properties"]["area"];
+      EXPECT_NEAR(polygons, area, 1e-3 * whole);
+      sum += polygons;
+    }
+    EXPECT_NEAR(sum / whole, 1, 1e-9);
+    for (const auto& [step, count] : steps) {
+      const auto& [p, q] = step;
+      EXPECT_EQ(count, 1);
+      const bool isOnBox = (p[0] == q[0] && (p[0] == box.minX || p[0] == box.maxX)) ||
+                           (p[1] == q[1] && (p[1] == box.minY || p[1] == box.maxY));
+      EXPECT_TRUE(isOnBox || steps.contains({q, p})) << p[0] << ' ' << p[1];
+    }
+  }
+}
+
+TEST(Export, WktHasALineForEachCircle) {
+  const std::vector<Circle> circles = {{0, 0, 10}, {0, 10.6, 0.1}, {1, 1, 1}};
+  ExportOptions options;
+  options.box = Box{-8, 10.5, 8, 14};
+  const auto lines = linesOf(textOf(writeWkt, circles, options));
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_TRUE(lines[0].starts_with("MULTIPOLYGON (((")) << lines[0];
+  EXPECT_TRUE(lines[1].starts_with("POLYGON ((")) << lines[1];
+  EXPECT_EQ(lines[2], "POLYGON EMPTY");
+}
+
+TEST(Export, ObjElementsNameVerticesThatCameBefore) {
+  const auto circles = generate(Family::mixed, 40, 1);
+  int vertices = 0;
+  int faces = 0;
+  for (const std::string& line : linesOf(textOf(writeObj, circles))) {
+    std::istringstream in(line);
+    std::string kind;
+    in >> kind;
+    if (kind == "v") ++vertices;
+    if (kind == "f") ++faces;
+    if (kind != "l" && kind != "f") continue;
+    for (int index = 0; in >> index;) EXPECT_TRUE(index >= 1 && index <= vertices);
+  }
+  EXPECT_EQ(faces, 40);
+}
+
+TEST(Export, CsvHasTheVerticesAndEdges) {
+  const auto circles = generate(Family::mixed, 40, 1);
+  const Diagram diagram = compute(circles).value();
+  std::ostringstream out;
+  writeDiagramCsv(out, diagram);
+  const auto lines = linesOf(out.str());
+  EXPECT_EQ(lines.size(), 1 + diagram.vertices.size() + diagram.edges.size());
+  for (const std::string& line : lines) EXPECT_EQ(std::ranges::count(line, ','), 9) << line;
+}
+
+TEST(Export, SvgHasItsLayers) {
+  const auto circles = test::readFixture("bronzefilter");
+  const std::string svg = textOf(writeSvg, circles);
+  for (const char* name : {"cells", "edges", "dual", "hull", "circles", "vertices"}) {
+    EXPECT_EQ(countOf(svg, "<g id=\"" + std::string(name) + "\""), 1U);
+  }
+  EXPECT_EQ(countOf(svg, "<g"), countOf(svg, "</g>"));
+  EXPECT_EQ(countOf(svg, "r=\"") - countOf(svg, "data-vertex"), circles.size());
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(Export, NoCirclesGiveValidFiles) {
+  EXPECT_TRUE(Json::parse(textOf(writeGeoJson, {}))["features"].empty());
+  EXPECT_EQ(textOf(writeWkt, {}), "");
+  EXPECT_NE(textOf(writeSvg, {}).find("</svg>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace circle_voronoi
