@@ -66,9 +66,11 @@ Topology topologyOf(const Diagram& diagram, const std::vector<std::int32_t>& sit
 /// Whether a vertex is where the disc of its circles is, up to rounding. Our own vertices are so to the bit. Others may
 /// be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather than near the one
 /// that touches the same circles clockwise.
-bool isInPlace(const Vertex& given, const Circle& i, const Circle& j, const Circle& k) {
+bool isInPlace(const Vertex& vertex, double unit, const Circle& i, const Circle& j, const Circle& k) {
   const Vertex disc = vertexOf(i, j, k);
-  if (given == disc) return true;
+  // In the units of the input, in which small numbers may have lost bits.
+  if (vertex == Vertex{disc.x * unit, disc.y * unit, disc.radius * unit}) return true;
+  const Vertex given = {vertex.x / unit, vertex.y / unit, vertex.radius / unit};
   if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.radius)) return false;
   double reach = 0;
   for (const Circle* c : {&i, &j, &k}) {
@@ -88,8 +90,7 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
     auto triple = topology.vertexCircles[vertex];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto& [i, j, k] = triple;
-    const Vertex& given = diagram.vertices[vertex];
-    if (!isInPlace({given.x / unit, given.y / unit, given.radius / unit}, circles[i], circles[j], circles[k])) {
+    if (!isInPlace(diagram.vertices[vertex], unit, circles[i], circles[j], circles[k])) {
       return static_cast<std::int32_t>(vertex);
     }
   }

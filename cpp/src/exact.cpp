@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
 
 #include "integers.h"
@@ -50,16 +52,20 @@ class Scale {
   Integers of(const Circle& c) const {
     return {unit_.in<Integer>(c.x), unit_.in<Integer>(c.y), unit_.in<Integer>(c.r)};
   }
+  /// The unit is two to the power of this.
+  int exponent() const { return unit_.exponent(); }
 
  private:
   CommonUnit unit_;
 };
 
-/// A direction (P + Q sqrt(d)) / w with w > 0 dropped; s is the distance from the centre of the circle looked from.
+/// A direction (P + Q sqrt(d)) / w, w > 0; s is the distance from the centre of the circle looked from. At infinity w
+/// is of no account.
 struct Direction {
   Integers p;
   Integers q;
   Integer d;
+  Integer w = 1;
   bool exists = true;
 };
 
@@ -84,18 +90,23 @@ Direction toDisc(const Integers& o, const Integers& u, const Integers& v) {
     const Integers bp = {b.x, b.y, -b.s};
     const Integer alpha = g22 * (g11 - g12);
     const Integer beta = g11 * (g22 - g12);
-    const Integer w = qa.sign() < 0 ? 1 : -1;
-    x.p = w * (alpha * ap + beta * bp);
-    x.q = w * n;
+    const Integer turn = qa.sign() < 0 ? 1 : -1;
+    x.p = turn * (alpha * ap + beta * bp);
+    x.q = turn * n;
     x.d = g11 * g22 * (g11 + g22 - 2 * g12);
+    x.w = 2 * abs(qa);
     return x;
   }
   // Twice the squared length of N times the point of the line nearest the origin.
   const Integers base = g11 * cross(b, n) + g22 * cross(n, a);
   const Integer along = cone(base, n);
-  if (along.sign() >= 0) return {{}, {}, 0, false};
+  if (along.sign() >= 0) {
+    x.exists = false;
+    return x;
+  }
   x.p = Integer(-2 * along) * base + cone(base, base) * n;
   x.d = 0;
+  x.w = -4 * along * (n.x * n.x + n.y * n.y + n.s * n.s);
   return x;
 }
 
@@ -109,13 +120,45 @@ Direction seenFrom(const Circle& from, const Face& face, const Scale& scale) {
   const Integers a = v == nullptr ? scale.of(from) : scale.of(*v);
   const Integers b = v == nullptr ? scale.of(*u) : scale.of(from);
   const Integers d = b - a;
-  return {{-d.s * d.x, -d.s * d.y, 0}, {-d.y, d.x, 0}, cone(d, d)};
+  return {{-d.s * d.x, -d.s * d.y, 0}, {-d.y, d.x, 0}, cone(d, d), 1};
 }
 
 Direction seenFrom(const Circle& from, const Face& face) {
   Scale scale;
   scale.include(face);
   return seenFrom(from, face, scale);
+}
+
+/// mantissa * 2^exponent, the mantissa of at most 53 bits.
+struct Floating {
+  double mantissa = 0;
+  int exponent = 0;
+};
+
+int bitCount(const Integer& a) { return a.is_zero() ? 0 : static_cast<int>(msb(abs(a))) + 1; }
+
+Integer shifted(const Integer& a, int bits) { return bits >= 0 ? Integer(a << bits) : Integer(a >> -bits); }
+
+/// (p + q sqrt(d)) / w to 50 bits.
+Floating quotient(const Integer& p, const Integer& q, const Integer& d, const Integer& w) {
+  if (sign(p, q, d) == 0) return {};
+  // p and q sqrt(d) may cancel: more bits of the root until enough are left. The root is wrong by less than one.
+  Integer sum = p;
+  int bits = 0;
+  if (!q.is_zero() && !d.is_zero()) {
+    constexpr int kEnough = 60;
+    for (bits = 64;; bits *= 2) {
+      const Integer root = sqrt(shifted(Integer(q * q * d), 2 * bits));
+      sum = shifted(p, bits) + (q.sign() < 0 ? Integer(-root) : root);
+      if (bitCount(sum) >= kEnough) break;
+    }
+  }
+  constexpr int kQuotientBits = 53;
+  const int shift = kQuotientBits - bitCount(sum) + bitCount(w);
+  const Integer magnitude = shift >= 0 ? Integer(shifted(abs(sum), shift) / w) : Integer(abs(sum) / shifted(w, -shift));
+  // 53 or 54 bits; the last one may go.
+  const double mantissa = static_cast<double>(static_cast<std::uint64_t>(magnitude));
+  return {sum.sign() < 0 ? -mantissa : mantissa, -shift - bits};
 }
 
 }  // namespace
@@ -128,6 +171,26 @@ bool hasDisc(const Face& face) {
   }
   const Direction x = seenFrom(*smallest, face);
   return x.exists && sign(x.p.s, x.q.s, x.d) >= 0;
+}
+
+Vertex disc(const Face& face) {
+  Scale scale;
+  scale.include(face);
+  const Circle& from = *face[0];
+  const Direction x = seenFrom(from, face, scale);
+  if (!x.exists || x.d.sign() < 0) return {};
+  const Integers o = scale.of(from);
+  std::array<Floating, 3> numbers = {quotient(x.p.x + o.x * x.w, x.q.x, x.d, x.w),
+                                     quotient(x.p.y + o.y * x.w, x.q.y, x.d, x.w),
+                                     quotient(x.p.s - o.s * x.w, x.q.s, x.d, x.w)};
+  constexpr int kMostExponent = 512 - 54;
+  int beyond = 0;
+  for (Floating& number : numbers) {
+    number.exponent += scale.exponent();
+    if (number.mantissa != 0) beyond = std::max(beyond, number.exponent - kMostExponent);
+  }
+  const auto value = [&](const Floating& number) { return std::ldexp(number.mantissa, number.exponent - beyond); };
+  return {value(numbers[0]), value(numbers[1]), value(numbers[2])};
 }
 
 int directionSign(const Face& face, const Circle& from, int axis) {

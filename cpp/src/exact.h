@@ -4,6 +4,7 @@
 #include <array>
 
 #include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
 
 namespace circle_voronoi::exact {
 
@@ -21,6 +22,10 @@ inline constexpr int kAxisY = 613;
 
 /// Whether the face has a disc: radius + r >= 0 for its smallest circle. Always for a face at infinity.
 bool hasDisc(const Face& face);
+
+/// The disc of a face without the point at infinity: each number right to 50 bits. Beyond 2^512 all three are scaled
+/// down together, so that the direction stays. If the face has none: anything.
+Vertex disc(const Face& face);
 
 /// Signs of the direction from circle `from`, a corner of the face, to the centre of its disc: along the axis (0) or
 /// along the axis turned by +90 degrees (1). At infinity: of the normal of the tangent line.

@@ -52,7 +52,6 @@ Real cone(const Difference<Real>& u, const Difference<Real>& v) {
   return u.x * v.x + u.y * v.y - u.s * v.s;
 }
 
-/// The length, not below it by more than rounding even where the squares underflow.
 template <class Real>
 Difference<Real> operator-(const Difference<Real>& u) {
   return {-u.x, -u.y, -u.s};
@@ -66,9 +65,10 @@ double sizeSquared(const Difference<Real>& u) {
   return x * x + y * y + s * s;
 }
 
+/// The length, not below it by more than rounding even where the squares underflow.
 template <class Real>
 double size(const Difference<Real>& u) {
-  return std::sqrt(sizeSquared(u));
+  return std::sqrt(sizeSquared(u)) + kTiny;
 }
 
 /// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face,

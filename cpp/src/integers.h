@@ -33,6 +33,9 @@ class CommonUnit {
     if (top > top_) top_ = top;
   }
 
+  /// Two to the power of this; 0 if all values are zero.
+  int exponent() const { return top_ < unit_ ? 0 : unit_; }
+
   /// The bits of the largest magnitude.
   int bits() const { return top_ < unit_ ? 0 : top_ - unit_; }
 

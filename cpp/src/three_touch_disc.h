@@ -25,7 +25,9 @@ struct ThreeTouchDisc {
 /// threeTouchDisc(a, b, c) == threeTouchDisc(b, c, a) up to the order of toCentre, bit for bit unless radii are equal.
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c);
 
-/// Its disc alone; zero if there is none.
+/// The disc of three circles that have one, counter-clockwise. However near they come to having none, or to one that is
+/// infinitely large, it is right to 36 bits of the circles' distances from each other and from its centre.
+/// Of circles that have none it is anything.
 Vertex vertexOf(const Circle& a, const Circle& b, const Circle& c);
 
 }  // namespace circle_voronoi

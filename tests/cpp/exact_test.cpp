@@ -29,6 +29,7 @@ struct Point2 {
   Real x, y;
 };
 Point2 operator-(const Point2& u, const Point2& v) { return {u.x - v.x, u.y - v.y}; }
+Point2 operator+(const Point2& u, const Point2& v) { return {u.x + v.x, u.y + v.y}; }
 Real crossOf(const Point2& u, const Point2& v) { return u.x * v.y - u.y * v.x; }
 Point2 centreOf(const Circle& c) { return {c.x, c.y}; }
 
@@ -142,6 +143,19 @@ void compareContains(const std::vector<Circle>& circles) {
   }
 }
 
+/// All three numbers of a disc to 50 bits.
+void compareDisc(const exact::Face& face, const Point2& centre) {
+  const Vertex disc = exact::disc(face);
+  const Point2 v = centre - centreOf(*face[0]);
+  const Real radius = sqrt(Real(v.x * v.x + v.y * v.y)) - face[0]->r;
+  const auto compare = [](double actual, const Real& expected) {
+    EXPECT_LE(abs(Real(actual) - expected), 0x1p-50 * abs(expected) + kZero);
+  };
+  compare(disc.x, centre.x);
+  compare(disc.y, centre.y);
+  compare(disc.radius, radius);
+}
+
 /// Directions from the first circle to all its discs.
 void compareFrom(const std::vector<Circle>& circles) {
   const Circle& from = circles[0];
@@ -154,7 +168,9 @@ void compareFrom(const std::vector<Circle>& circles) {
       const exact::Face face = {&from, &circles[i], &circles[j]};
       const auto direction = directionOf(face, from);
       ASSERT_EQ(exact::hasDisc(face), direction.has_value()) << i << ", " << j;
-      if (direction) seen.push_back({face, *direction});
+      if (!direction) continue;
+      seen.push_back({face, *direction});
+      compareDisc(face, *direction + centreOf(from));
     }
   }
   for (const Seen& s : seen) {

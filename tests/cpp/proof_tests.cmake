@@ -15,7 +15,8 @@ add_executable(circle_voronoi_proof_tests
   repair_test.cpp
   report.cpp
   tie_inputs.cpp
-  trial.cpp)
+  trial.cpp
+  vertex_test.cpp)
 target_compile_definitions(circle_voronoi_proof_tests PRIVATE
   CIRCLE_VORONOI_FIXTURES="${PROJECT_SOURCE_DIR}/tests/fixtures")
 target_include_directories(circle_voronoi_proof_tests PRIVATE ${PROJECT_SOURCE_DIR}/cpp/src)
