@@ -7,7 +7,7 @@ namespace circle_voronoi {
 namespace {
 
 constexpr double kMargin = 0.05;
-constexpr double kTolerance = 1e-4;
+constexpr double kTolerance = 1e-5;
 
 double sizeOf(const Box& box) { return std::max(box.maxX - box.minX, box.maxY - box.minY); }
 

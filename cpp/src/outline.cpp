@@ -217,12 +217,12 @@ class Clipper {
     return outline;
   }
 
-  /// The middle of one of the largest gaps between entries and exits, that where the cell's own circle and the others
-  /// differ most.
+  /// A place in one of the largest gaps between entries and exits: of several that where the cell's own circle and the
+  /// others differ most. One alone may lie on the boundary of both the region and the cell.
   double clearPlace() const {
     struct Gap {
       double size;
-      double middle;
+      double start;
     };
     std::vector<double> places;
     for (const Chain& chain : chains_) places.insert(places.end(), {chain.entry, chain.exit});
@@ -230,8 +230,7 @@ class Clipper {
     std::vector<Gap> gaps;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const double next = i + 1 < places.size() ? places[i + 1] : places.front() + ring_.total();
-      const double middle = places[i] + (next - places[i]) / 2;
-      gaps.push_back({next - places[i], middle < ring_.total() ? middle : middle - ring_.total()});
+      gaps.push_back({next - places[i], places[i]});
     }
     constexpr std::size_t kTried = 4;
     const auto tried = gaps.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, gaps.size()));
@@ -239,10 +238,14 @@ class Clipper {
     double best = -1;
     double place = 0;
     for (auto gap = gaps.begin(); gap != tried; ++gap) {
-      const double difference = std::abs(lead(ring_.at(gap->middle)));
-      if (difference > best) {
-        best = difference;
-        place = gap->middle;
+      for (const double share : {0.5, 0.3, 0.8}) {
+        const double ahead = gap->start + share * gap->size;
+        const double candidate = ahead < ring_.total() ? ahead : ahead - ring_.total();
+        const double difference = std::abs(lead(ring_.at(candidate)));
+        if (difference > best) {
+          best = difference;
+          place = candidate;
+        }
       }
     }
     return place;

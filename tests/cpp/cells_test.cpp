@@ -245,6 +245,12 @@ TEST(Cells, ABoundaryAlongAnEdgeIsNoTrouble) {
   EXPECT_EQ(area(outline(cells, 3, Box{1, 1, 2, 2})), 1);
 }
 
+TEST(Cells, TwoSidesOfARegionMayLieOnTheBoundaryOfACell) {
+  const std::vector<Circle> circles = {{25, 0, 1}, {27, 0, 1}, {21, 0, 1}};
+  const Diagram diagram = diagramOf(circles);
+  expectPartition(Cells(circles, diagram), Box{23, -1, 26, 1});
+}
+
 TEST(Cells, AnEdgeMayTouchTheBoundary) {
   const std::vector<Circle> circles = {{1, 3, 0}, {1, 0, 1}};  // the apex of their edge is (1, 2)
   const Diagram diagram = diagramOf(circles);

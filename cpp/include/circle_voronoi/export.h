@@ -16,7 +16,7 @@ struct ExportOptions {
   /// Cells and unbounded edges are clipped to it; by default it has room for a twentieth of the circles' extent around
   /// them.
   std::optional<Box> box;
-  /// The largest distance of what is written from the true curves, above 0; by default a ten thousandth of the box.
+  /// The largest distance of what is written from the true curves, above 0; by default a hundred-thousandth of the box.
   std::optional<double> tolerance;
 };
 
