@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "circle_voronoi/families.h"
 
@@ -186,6 +187,36 @@ TEST_F(Cli, GeneratesWhatTheLibraryGenerates) {
   for (std::size_t i = 0; i < circles.size(); ++i) EXPECT_EQ(json["circles"][i]["x"].get<double>(), circles[i].x);
   EXPECT_EQ(run("generate log-uniform 200 --seed 9 -o " + path("circles.csv")).status, 0);
   EXPECT_EQ(readFile(path("circles.csv")), result.out);
+}
+
+TEST_F(Cli, VerifiesWhatItComputes) {
+  const std::string file = path("diagram.json");
+  ASSERT_EQ(run("compute " + kFixture + " -o " + file).status, 0);
+  const Outcome verified = run("verify " + file);
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_EQ(verified.out, "certified: 134 circles, 0 of them hidden; 249 vertices, 382 edges\n");
+  const Outcome piped = run("verify -", readFile(file));
+  EXPECT_EQ(piped.status, 0) << piped.err;
+  EXPECT_EQ(piped.out, verified.out);
+}
+
+TEST_F(Cli, VerifyNamesTheFlawOfAWrongDiagram) {
+  auto json = nlohmann::json::parse(run("compute " + kFixture).out);
+  auto moved = json;
+  moved["vertices"][7]["x"] = moved["vertices"][7]["x"].get<double>() + 0.001;
+  expectFailure(run("verify " + write("moved.json", moved.dump())), 1, "Vertex 7 (circles ");
+  auto crossed = json;
+  std::swap(crossed["edges"][3]["vertices"], crossed["edges"][4]["vertices"]);
+  expectFailure(run("verify " + write("crossed.json", crossed.dump())), 1, "Edge 3 (circles ");
+}
+
+TEST_F(Cli, VerifyRefusesWhatIsNoDiagram) {
+  expectFailure(run("verify " + kFixture), 2, "spruces.csv:1: bad JSON");
+  expectFailure(run("verify " + write("circles.json", "[[0, 0, 1]]")), 2, "circles.json:1: expected an object");
+  expectFailure(run("verify -", "{\"format\": \"svg\"}"), 2, "standard input:1: the format is \"svg\"");
+  expectFailure(run("verify -", "{\"format\": \"circle-voronoi\",\n \"version\": 2}"), 2,
+                "standard input:2: the version is not 1");
+  expectFailure(run("verify " + path("absent.json")), 1, "Cannot read");
 }
 
 TEST_F(Cli, HelpAndVersion) {
