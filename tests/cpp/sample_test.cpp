@@ -85,6 +85,14 @@ TEST(Samples, OfCollinearCentresLieAlongTheirLine) {
   for (const Point& p : samples.points) EXPECT_EQ(p.y, 0);
 }
 
+TEST(Samples, OfCentresSoNearThatSquaresUnderflow) {
+  const std::vector<Circle> circles = {{0, 0, 0}, {0x1p-1000, 0x1p-1074, 0}, {8, 0, 3}};
+  const std::vector<Point> centres = {{0, 0}, {0x1p-1000, 0x1p-1074}, {8, 0}};
+  const Samples samples = sampleDynamically(circles, delaunay(centres).dual, std::vector<int>{3, 3, 3});
+  EXPECT_FALSE(samples.points.empty());
+  for (const Point& p : samples.points) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
+}
+
 TEST(Samples, UniformOnesAreEquallySpaced) {
   const Samples samples = sampleUniformly(std::vector<Circle>{{0, 0, 1}, {9, 0, 0}}, 5);
   ASSERT_EQ(samples.points.size(), 10U);

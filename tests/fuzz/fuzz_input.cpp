@@ -39,9 +39,13 @@ Circle scaledIntegers(Bytes bytes) {
 struct Format {
   std::size_t size;
   Circle (*read)(Bytes);
+  std::size_t mostCircles;
 };
 
-constexpr Format kFormats[] = {{3, integers}, {3, farIntegers}, {24, doubles}, {6, scaledIntegers}};
+constexpr Format kFormats[] = {{3, integers, kMostCircles},
+                               {3, farIntegers, kMostCircles},
+                               {24, doubles, kMostCircles / 2},
+                               {6, scaledIntegers, kMostCircles / 2}};
 
 template <class Item>
 Item* pick(std::vector<Item>& list, std::uint8_t index) {
@@ -83,7 +87,7 @@ Input decode(Bytes bytes) {
     bytes = bytes.first(bytes.size() - 3);
   }
   const Format& format = kFormats[head & 3];
-  while (bytes.size() >= format.size && input.circles.size() < kMostCircles) {
+  while (bytes.size() >= format.size && input.circles.size() < format.mostCircles) {
     input.circles.push_back(format.read(bytes));
     bytes = bytes.subspan(format.size);
   }

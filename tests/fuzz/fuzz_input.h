@@ -26,7 +26,8 @@ struct Input {
 ///   bits 0-1  numbers: 0 small integers (3 bytes a circle), 1 the same scaled by a power of two and moved far away,
 ///             2 doubles bit by bit (24 bytes), 3 small integers times powers of two, each its own (6 bytes)
 ///   bits 2-4  how many edits, from the end of the data
-/// At most kMostCircles circles are read.
+/// At most kMostCircles circles are read; of those that differ by hundreds of decades half as many, as exact arithmetic
+/// takes long on them.
 Input decode(std::span<const std::uint8_t> bytes);
 
 inline constexpr std::size_t kMostCircles = 24;
