@@ -105,12 +105,13 @@ Diagram diagramOf(Construction construction, Sites sites, double unit) {
 }
 
 Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options) {
-  Stats stats;
+  Journal journal(options.progress);
+  Stats& stats = journal.stats;
   stats.method = nameOf(options.method);
   stats.counts.circles = static_cast<std::int64_t>(scaled.circles.size());
   Sites sites;
   {
-    const Stopwatch watch(stats.seconds.hide);
+    const Stopwatch watch = journal.enter(Stage::hide);
     sites = hide(scaled.circles);
   }
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
@@ -118,17 +119,17 @@ Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options
   Construction construction;
   switch (options.method) {
     case Method::automatic:
-      construction = constructAutomatically(sites, stats);
+      construction = constructAutomatically(sites, journal);
       break;
     case Method::flip:
-      construction = constructByFlips(sites, stats);
+      construction = constructByFlips(sites, journal);
       break;
     case Method::touchingDisc: {
       stats.candidates = nameOf(options.candidates);
       Options complete = options;
       complete.samples = sampleCount(options);
       const Observer observer = observerOfInput(options.observer, sites.indices, scaled.unit);
-      construction = constructByTouchingDisc(sites, complete, observer, stats);
+      construction = constructByTouchingDisc(sites, complete, observer, journal);
       break;
     }
   }

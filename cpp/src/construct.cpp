@@ -14,7 +14,6 @@
 #include "pair.h"
 #include "repair.h"
 #include "sample.h"
-#include "stopwatch.h"
 #include "touch.h"
 
 namespace circle_voronoi {
@@ -27,41 +26,41 @@ void addCounts(const Predicates& predicates, Counts& counts) {
   counts.exact += predicates.counts().exact;
 }
 
-Construction judged(const Dual& dual, std::span<const Circle> circles, Stats& stats) {
-  const Stopwatch watch(stats.seconds.certify);
+Construction judged(const Dual& dual, std::span<const Circle> circles, Journal& journal) {
+  const Stopwatch watch = journal.enter(Stage::certify);
   Predicates predicates(circles);
   const Verdict verdict = judge(circles, dual, predicates);
-  addCounts(predicates, stats.counts);
+  addCounts(predicates, journal.stats.counts);
   Topology topology = topologyOf(dual, static_cast<int>(circles.size()));
   Certificate certificate = certificateOf(verdict, dual, topology);
   return {std::move(topology), std::move(certificate)};
 }
 
 /// A topology of `touch` need not be a triangulated sphere.
-Construction judged(Topology topology, std::span<const Circle> circles, Stats& stats) {
+Construction judged(Topology topology, std::span<const Circle> circles, Journal& journal) {
   auto dual = dualOf(topology, static_cast<int>(circles.size()));
-  if (const auto* fitting = std::get_if<Dual>(&dual)) return judged(*fitting, circles, stats);
+  if (const auto* fitting = std::get_if<Dual>(&dual)) return judged(*fitting, circles, journal);
   const auto& misfit = std::get<Misfit>(dual);
   return {std::move(topology), {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}}};
 }
 
 Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pairs, const Observer& observer,
-                    Stats& stats) {
-  const Stopwatch watch(stats.seconds.touch);
-  TouchResult touched = touch(circles, pairs, observer);
-  stats.counts.antipodalDiscs = static_cast<std::int64_t>(pairs.size());
-  stats.counts.threeTouchDiscs = touched.threeTouchDiscs;
-  stats.counts.events = touched.events;
-  stats.counts.leftoverCycles = touched.leftoverCycles;
+                    Journal& journal) {
+  const Stopwatch watch = journal.enter(Stage::touch);
+  TouchResult touched = touch(circles, pairs, observer, [&journal](double done) { journal.tell(Stage::touch, done); });
+  journal.stats.counts.antipodalDiscs = static_cast<std::int64_t>(pairs.size());
+  journal.stats.counts.threeTouchDiscs = touched.threeTouchDiscs;
+  journal.stats.counts.events = touched.events;
+  journal.stats.counts.leftoverCycles = touched.leftoverCycles;
   return std::move(touched.topology);
 }
 
 /// A dual after flips.
-Dual flipped(Dual dual, const Sites& sites, Stats& stats) {
-  const Stopwatch watch(stats.seconds.flip);
+Dual flipped(Dual dual, const Sites& sites, Journal& journal) {
+  const Stopwatch watch = journal.enter(Stage::flip);
   Predicates predicates(sites.circles);
-  stats.counts.flips += flip(sites.circles, dual, predicates);
-  addCounts(predicates, stats.counts);
+  journal.stats.counts.flips += flip(sites.circles, dual, predicates);
+  addCounts(predicates, journal.stats.counts);
   return dual;
 }
 
@@ -90,7 +89,7 @@ constexpr int kAllPairsPatch = 64;
 constexpr int kLargestPatch = 4000;
 
 /// Solves a patch by the touching disc method, on all pairs if it is small, and if that is not certified by CGAL.
-std::optional<Dual> solveLocally(std::span<const Circle> circles, Stats& stats) {
+std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journal) {
   const int n = static_cast<int>(circles.size());
   if (n > kLargestPatch) return std::nullopt;
   const Sites sites = hide(circles);
@@ -102,7 +101,7 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Stats& stats) 
   const auto isRight = [&](const Dual& candidate) {
     Predicates predicates(sites.circles);
     const bool right = judge(sites.circles, candidate, predicates).isRight();
-    addCounts(predicates, stats.counts);
+    addCounts(predicates, journal.stats.counts);
     return right;
   };
   if (dual == nullptr || !isRight(*dual)) {
@@ -119,31 +118,31 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Stats& stats) 
 }  // namespace
 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
-                                     Stats& stats) {
+                                     Journal& journal) {
   const int n = static_cast<int>(sites.circles.size());
   std::vector<int> angular(n, options.samples);
-  stats.way = "touching-disc";
+  journal.stats.way = "touching-disc";
   for (int round = 0;; ++round) {
     Samples samples;
     if (options.candidates != Candidates::allPairs) {
-      const Stopwatch watch(stats.seconds.sample);
+      const Stopwatch watch = journal.enter(Stage::sample);
       samples = options.candidates == Candidates::dynamic ? sampleDynamically(sites.circles, sites.centres, angular)
                                                           : sampleUniformly(sites.circles, options.samples);
-      stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
+      journal.stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
     }
     std::vector<Pair> pairs;
     {
-      const Stopwatch watch(stats.seconds.pair);
+      const Stopwatch watch = journal.enter(Stage::pair);
       pairs = options.candidates == Candidates::allPairs ? pairAll(n) : pairNeighbors(samples, n);
     }
-    Construction result = judged(touchPairs(sites.circles, pairs, observer, stats), sites.circles, stats);
+    Construction result = judged(touchPairs(sites.circles, pairs, observer, journal), sites.circles, journal);
     const bool mayRepair = options.repair && options.candidates == Candidates::dynamic && round < kMostRepairs;
     if (result.certificate.certified() || !mayRepair) return result;
-    ++stats.counts.repairs;
+    ++journal.stats.counts.repairs;
     // Where only rounding put the ends of an edge out of order, flips settle it; else pairs are missing.
     auto dual = dualOf(result.topology, n);
     if (auto* fitting = std::get_if<Dual>(&dual)) {
-      Construction flippedResult = judged(flipped(std::move(*fitting), sites, stats), sites.circles, stats);
+      Construction flippedResult = judged(flipped(std::move(*fitting), sites, journal), sites.circles, journal);
       if (flippedResult.certificate.certified()) return flippedResult;
     }
     // What is missing may lie farther off than what is seen to be wrong: at the third try, sample everywhere.
@@ -155,36 +154,37 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
   }
 }
 
-Construction constructByFlips(const Sites& sites, Stats& stats) {
-  stats.way = "flip";
-  return judged(flipped(sites.centres, sites, stats), sites.circles, stats);
+Construction constructByFlips(const Sites& sites, Journal& journal) {
+  journal.stats.way = "flip";
+  return judged(flipped(sites.centres, sites, journal), sites.circles, journal);
 }
 
-Construction constructAutomatically(const Sites& sites, Stats& stats) {
-  stats.way = "flip";
-  Dual dual = flipped(sites.centres, sites, stats);
-  Construction result = judged(dual, sites.circles, stats);
+Construction constructAutomatically(const Sites& sites, Journal& journal) {
+  journal.stats.way = "flip";
+  Dual dual = flipped(sites.centres, sites, journal);
+  Construction result = judged(dual, sites.circles, journal);
   for (const int reach : {2, 4, 8, 16}) {
     if (result.certificate.certified()) return result;
-    stats.way = "repair";
+    journal.stats.way = "repair";
     {
-      const Stopwatch watch(stats.seconds.repair);
+      const Stopwatch watch = journal.enter(Stage::repair);
       Predicates predicates(sites.circles);
-      stats.counts.repairs += repair(sites.circles, dual, predicates, reach,
-                                     [&](std::span<const Circle> circles) { return solveLocally(circles, stats); });
-      addCounts(predicates, stats.counts);
+      journal.stats.counts.repairs +=
+          repair(sites.circles, dual, predicates, reach,
+                 [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
+      addCounts(predicates, journal.stats.counts);
     }
-    result = judged(dual, sites.circles, stats);
+    result = judged(dual, sites.circles, journal);
   }
   for (const int samples : {1, 3}) {
     if (result.certificate.certified()) return result;
     Options options;
     options.samples = samples;
-    result = constructByTouchingDisc(sites, options, {}, stats);
+    result = constructByTouchingDisc(sites, options, {}, journal);
   }
   if (result.certificate.certified()) return result;
-  stats.way = "apollonius-graph";
-  return judged(apolloniusGraph(sites.circles), sites.circles, stats);
+  journal.stats.way = "apollonius-graph";
+  return judged(apolloniusGraph(sites.circles), sites.circles, journal);
 }
 
 }  // namespace circle_voronoi

@@ -3,6 +3,7 @@
 
 #include "circle_voronoi/compute.h"
 #include "hide.h"
+#include "journal.h"
 #include "topology.h"
 
 namespace circle_voronoi {
@@ -16,13 +17,13 @@ struct Construction {
 /// The touching disc method on the candidates of `options`, judged; with `options.repair`, again with more samples
 /// around what was wrong. Events go to `observer`, in sites and scaled units.
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
-                                     Stats& stats);
+                                     Journal& journal);
 
 /// Flips from the Delaunay triangulation of the centres, judged.
-Construction constructByFlips(const Sites& sites, Stats& stats);
+Construction constructByFlips(const Sites& sites, Journal& journal);
 
 /// The fastest construction that leads to a certified topology: flips; local repair; the touching disc method with
 /// dynamic sampling, N_s = 1, then 3; CGAL's Apollonius graph. If none does, the last one, with its certificate.
-Construction constructAutomatically(const Sites& sites, Stats& stats);
+Construction constructAutomatically(const Sites& sites, Journal& journal);
 
 }  // namespace circle_voronoi

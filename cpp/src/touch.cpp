@@ -74,12 +74,16 @@ class Touch {
     makeSlots(pairs);
   }
 
-  TouchResult run() {
+  TouchResult run(const std::function<void(double)>& progress) {
+    constexpr std::size_t kDiscsPerReport = 1 << 14;
     std::size_t next = 0;
     while (next < discs_.size() || !queue_.empty()) {
       ++result_.events;
       if (next < discs_.size() && (queue_.empty() || discs_[next].radius < queue_.top().radius)) {
         processAntipodalDisc(discs_[next++]);
+        if (progress && next % kDiscsPerReport == 0) {
+          progress(static_cast<double>(next) / static_cast<double>(discs_.size()));
+        }
       } else {
         const Candidate candidate = queue_.top();
         queue_.pop();
@@ -366,8 +370,9 @@ class Touch {
 
 }  // namespace
 
-TouchResult touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer) {
-  return Touch(circles, pairs, observer).run();
+TouchResult touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer,
+                  const std::function<void(double)>& progress) {
+  return Touch(circles, pairs, observer).run(progress);
 }
 
 }  // namespace circle_voronoi

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "circle_voronoi/circle.h"
@@ -24,6 +25,8 @@ struct TouchResult {
 /// `circles` must not hide one another; `pairs` are the candidates. The result is the Voronoi diagram if `pairs` holds
 /// every pair whose antipodal disc is empty and needed; it is a planar structure in any case, to be judged.
 /// The leftover directed edges are the hull: one cycle if all went well (paper, Lemma 2).
-TouchResult touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer);
+/// `progress` is told now and then which part of the pairs is done.
+TouchResult touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer = {},
+                  const std::function<void(double)>& progress = {});
 
 }  // namespace circle_voronoi

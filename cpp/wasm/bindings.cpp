@@ -56,7 +56,8 @@ std::vector<Item> itemsFrom(const val& array) {
 
 Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::move(message)}; }
 
-/// `options`: `method`, `candidates` and `samples`, each possibly undefined.
+/// `options`: `method`, `candidates`, `samples`, `repair` and `progress`, each possibly undefined. The caller sees to
+/// it that `progress`, called with the name of a stage and the part of it that is done, does not throw.
 Result<Options> optionsFrom(const val& options) {
   Options result;
   const val method = options["method"];
@@ -90,6 +91,10 @@ Result<Options> optionsFrom(const val& options) {
   }
   const val repair = options["repair"];
   if (!repair.isUndefined()) result.repair = repair.as<bool>();
+  const val progress = options["progress"];
+  if (!progress.isUndefined()) {
+    result.progress = [progress](Stage stage, double done) { progress(std::string(stageName(stage)), done); };
+  }
   return result;
 }
 
@@ -160,8 +165,8 @@ val diagramValue(const Diagram& diagram) {
   return result;
 }
 
-/// The value of `body`, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would reach JavaScript
-/// as a bare number.
+/// The value of `body`, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would reach
+/// JavaScript as a bare number.
 template <class Body>
 val guarded(Body body) {
   try {

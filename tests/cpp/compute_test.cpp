@@ -3,10 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "circle_voronoi/families.h"
 #include "compare.h"
 #include "oracle.h"
 
@@ -175,6 +180,34 @@ TEST(ComputeOptions, AllPairsOfTooManyCirclesAreRefused) {
   const auto diagram = compute(circles, options);
   ASSERT_FALSE(diagram);
   EXPECT_EQ(diagram.error().code, ErrorCode::tooManyCircles);
+}
+
+std::vector<std::pair<std::string, double>> progressOf(const std::vector<Circle>& circles, Method method) {
+  std::vector<std::pair<std::string, double>> told;
+  Options options;
+  options.method = method;
+  options.progress = [&](Stage stage, double done) { told.emplace_back(stageName(stage), done); };
+  EXPECT_TRUE(compute(circles, options));
+  return told;
+}
+
+TEST(ComputeOptions, ProgressTellsEachStageAsItBegins) {
+  using Told = std::vector<std::pair<std::string, double>>;
+  const std::vector<Circle> circles = {{0, 0, 1}, {5, 0, 1}, {0, 5, 2}};
+  EXPECT_EQ(progressOf(circles, Method::automatic), (Told{{"hide", 0}, {"flip", 0}, {"certify", 0}}));
+  EXPECT_EQ(progressOf(circles, Method::touchingDisc),
+            (Told{{"hide", 0}, {"sample", 0}, {"pair", 0}, {"touch", 0}, {"certify", 0}}));
+}
+
+TEST(ComputeOptions, ProgressGrowsInTheEventLoop) {
+  const auto circles = generate(Family::uniform, 10000, 1);
+  std::vector<double> parts;
+  for (const auto& [stage, done] : progressOf(circles, Method::touchingDisc)) {
+    if (stage == "touch") parts.push_back(done);
+  }
+  EXPECT_GT(parts.size(), 1u);
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  EXPECT_LE(parts.back(), 1);
 }
 
 }  // namespace

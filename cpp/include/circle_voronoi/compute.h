@@ -6,6 +6,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/progress.h"
 #include "circle_voronoi/trace.h"
 
 namespace circle_voronoi {
@@ -45,15 +46,17 @@ struct Options {
   bool repair = false;
   /// Told each event of the loop; costs nothing when empty.
   Observer observer;
+  /// Told how far the computation has come; costs nothing when empty.
+  Progress progress;
 };
 
 /// The Voronoi diagram of `circles`.
 ///
 /// Circles may be disjoint, intersecting, tangent, nested, equal or points, in any position, and any number from 0.
 /// The same input gives the same bits on every platform.
-/// The whole is scaled by a power of two first, which is exact unless a number is smaller than the largest by a factor of
-/// 2^1100 (1e331): such a number is rounded to the nearest multiple of 2^-1154 of the largest, and right is what is right
-/// for the rounded circles.
+/// The whole is scaled by a power of two first, which is exact unless a number is smaller than the largest by a factor
+/// of 2^1100 (1e331): such a number is rounded to the nearest multiple of 2^-1154 of the largest, and right is what is
+/// right for the rounded circles.
 ///
 /// By `automatic` the diagram is certified, or there is an error. By the other methods the diagram comes with the
 /// certificate's verdict and may be wrong where that says so.

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+namespace circle_voronoi {
+
+/// A stage of `compute`, named as its time in Seconds.
+enum class Stage { hide, sample, pair, touch, flip, repair, certify };
+
+/// The name of a stage, as in JSON and JavaScript: that of the enumerator.
+std::string_view stageName(Stage stage);
+
+/// Told when a stage begins (0) and, in the event loop, which part of its candidates is done, up to 1. Which stages
+/// there are, and how often, is up to the method and the input. It must not throw.
+using Progress = std::function<void(Stage stage, double done)>;
+
+}  // namespace circle_voronoi
