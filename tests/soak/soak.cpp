@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random inputs of every family for as long as one likes: each diagram certified and the same as the exact one. Prints
-// how to repeat each failure and its shrunk input; the exit status is 1 if there was any.
+// Random inputs of every family, for as long or as many as one likes: each diagram certified and the same as the exact
+// one. Prints how to repeat each failure and its shrunk input; the exit status is 1 if there was any.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <iostream>
+#include <limits>
 #include <mutex>
 #include <random>
 #include <thread>
@@ -39,11 +40,11 @@ std::string commandOf(Family family, std::size_t count, std::uint64_t seed) {
 
 class Soak {
  public:
-  Soak(std::uint64_t seed, Clock::time_point end) : seed_(seed), end_(end) {}
+  Soak(std::uint64_t seed, std::uint64_t rounds, Clock::time_point end) : seed_(seed), rounds_(rounds), end_(end) {}
 
   /// One worker of several.
   void work() {
-    while (Clock::now() < end_) round(seed_ + round_++);
+    for (std::uint64_t i = round_++; i < rounds_ && Clock::now() < end_; i = round_++) round(seed_ + i);
   }
 
   int report() const {
@@ -89,6 +90,7 @@ class Soak {
   }
 
   std::uint64_t seed_;
+  std::uint64_t rounds_;
   Clock::time_point end_;
   std::atomic<std::uint64_t> round_ = 0;
   std::mutex mutex_;
@@ -101,10 +103,14 @@ class Soak {
 int main(int argumentCount, char** arguments) {
   using namespace circle_voronoi::test;
   double minutes = 1;
+  std::uint64_t rounds = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t seed = std::random_device{}();
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App program("Computes and checks diagrams of random circles", "circle-voronoi-soak");
-  program.add_option("--minutes", minutes, "How long")->check(CLI::PositiveNumber)->capture_default_str();
+  auto* time = program.add_option("--minutes", minutes, "How long at most; 1 if the rounds are not given either");
+  time->check(CLI::PositiveNumber);
+  auto* count = program.add_option("--rounds", rounds, "How many inputs of each family at most");
+  count->check(CLI::PositiveNumber);
   program.add_option("--seed", seed, "The same seed gives the same inputs; random if not given");
   program.add_option("--threads", threads, "How many inputs at a time")
       ->check(CLI::Range(1, 256))
@@ -112,8 +118,9 @@ int main(int argumentCount, char** arguments) {
   CLI11_PARSE(program, argumentCount, arguments);
 
   std::cout << "--seed " << seed << std::endl;
-  Soak soak(seed,
-            Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(60 * minutes)));
+  const bool isTimed = time->count() > 0 || count->count() == 0;
+  const auto limit = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(60 * minutes));
+  Soak soak(seed, rounds, isTimed ? Clock::now() + limit : Clock::time_point::max());
   std::vector<std::jthread> workers;
   for (unsigned i = 0; i < threads; ++i) workers.emplace_back([&] { soak.work(); });
   workers.clear();  // waits for them
