@@ -89,15 +89,15 @@ Dual dualOf(Triangulation& triangulation, std::size_t pointCount) {
   triangulation.infinite_vertex()->info() = kInfinity;
   // Number the faces by their smallest corner, so that the faces around a circle are near in memory.
   std::vector<int> first(pointCount + 2, 0);
-  const auto key = [](Triangulation::All_faces_iterator face) {
-    return std::min({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()}) + 1;
-  };
-  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
-    ++first[key(face) + 1];
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) {
+    const int smallest = std::min({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+    face->info() = smallest + 1;
+    ++first[smallest + 2];
+  }
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
   const auto count = static_cast<std::size_t>(first.back());
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) {
-    face->info() = first[key(face)]++;
+    face->info() = first[face->info()]++;
   }
   Dual dual;
   dual.origin.resize(3 * count);

@@ -15,18 +15,20 @@ class Flipper {
   }
 
   std::int64_t run() {
-    for (int h = dual_.halfEdgeCount() - 1; h >= 0; --h) {
-      if (h < dual_.twin[h]) stack_.push_back(h);
-    }
     // Far more flips than any input seen needs: going on means going round in circles.
     const std::int64_t limit = 1000 + 10 * static_cast<std::int64_t>(dual_.faceCount());
     std::int64_t flips = 0;
-    while (!stack_.empty() && flips < limit) {
-      const int h = stack_.back();
-      stack_.pop_back();
-      if (!isWrong(h)) continue;
-      flipEdge(h);
-      ++flips;
+    for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
+      if (first > dual_.twin[first]) continue;
+      stack_.push_back(first);
+      while (!stack_.empty()) {
+        const int h = stack_.back();
+        stack_.pop_back();
+        if (!isWrong(h)) continue;
+        if (flips == limit) return flips;
+        flipEdge(h);
+        ++flips;
+      }
     }
     return flips;
   }

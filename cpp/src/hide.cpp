@@ -120,6 +120,13 @@ std::vector<int> findHiders(std::span<const Circle> circles) {
   return hider;
 }
 
+/// Whether the larger of two circles, its radius taken less the smallest one, may contain the centre of the other.
+bool mayReach(const Circle& a, const Circle& b, double smallest) {
+  const Vector v = between(a, b);
+  const double reach = std::max(a.r, b.r) - smallest;
+  return dot(v, v) <= reach * reach * (1 + 1e-12);
+}
+
 /// Whether no circle contains the centre of a neighbour in the Delaunay graph, its radius taken less the smallest one.
 /// Then none hides another, for the centres that a disc around a centre contains are connected in that graph.
 bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centres) {
@@ -129,9 +136,8 @@ bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& 
   const Dual& dual = centres.dual;
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
     const int i = dual.origin[h];
-    const int j = dual.target(h);
-    if (i == kInfinity || j == kInfinity) continue;
-    if (Box::of(circles[i]).mayHide({{circles[j].x, circles[j].y}, {circles[j].x, circles[j].y}, smallest, smallest}))
+    const int j = dual.origin[dual.twin[h]];
+    if (h < dual.twin[h] && i != kInfinity && j != kInfinity && mayReach(circles[i], circles[j], smallest))
       return false;
   }
   return true;
@@ -140,9 +146,7 @@ bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& 
 /// The same test on successive circles alone: quick, and rarely passed where circles hide one another.
 bool lookClear(std::span<const Circle> circles, double smallest) {
   for (std::size_t i = 1; i < circles.size(); ++i) {
-    const Vector v = between(circles[i - 1], circles[i]);
-    const double reach = std::max(circles[i - 1].r, circles[i].r) - smallest;
-    if (dot(v, v) <= reach * reach) return false;
+    if (mayReach(circles[i - 1], circles[i], smallest)) return false;
   }
   return true;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "judge.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace circle_voronoi {
@@ -16,7 +17,7 @@ class Judge {
     if (circleCount_ < 2) return {};
     if (Verdict verdict = checkDiscs(); !verdict.isRight()) return verdict;
     if (Verdict verdict = checkEdges(); !verdict.isRight()) return verdict;
-    if (Verdict verdict = checkTurns(); !verdict.isRight()) return verdict;
+    if (Verdict verdict = checkWindings(); !verdict.isRight()) return verdict;
     return checkConnected();
   }
 
@@ -24,6 +25,8 @@ class Judge {
   Predicates::Triple triple(int face) const {
     return {dual_.origin[3 * face], dual_.origin[3 * face + 1], dual_.origin[3 * face + 2]};
   }
+
+  static bool isFinite(int corner) { return corner != kInfinity; }
 
   Verdict checkAdjacency() const {
     const int faceCount = circleCount_ < 2 ? 0 : 2 * circleCount_ - 2;
@@ -40,111 +43,106 @@ class Judge {
   }
 
   Verdict checkDiscs() {
-    discs_.reserve(dual_.faceCount());
-    quadrants_.resize(dual_.halfEdgeCount());
+    toDisc_.resize(dual_.halfEdgeCount());
+    isLower_.resize(dual_.halfEdgeCount());
+    error_.reserve(dual_.faceCount());
     for (int face = 0; face < dual_.faceCount(); ++face) {
       const Predicates::Triple corners = triple(face);
       const FaceDisc disc = predicates_.disc(corners);
       if (!disc.exists) return {Flaw::vertexWithoutDisc, kNone, face};
+      error_.push_back(disc.error);
       for (int i = 0; i < 3; ++i) {
         if (corners[i] == kInfinity) continue;
-        quadrants_[3 * face + i] = static_cast<signed char>(predicates_.quadrant(corners[i], corners, disc));
+        const Direction<double> toDisc = predicates_.direction(corners[i], disc);
+        toDisc_[3 * face + i] = {toDisc.x, toDisc.y};
+        isLower_[3 * face + i] = predicates_.isLower(corners[i], corners, toDisc);
       }
-      discs_.push_back(disc);
     }
     return {};
   }
 
+  /// The ends of each edge, and how often the two regions beside it pass the axis along it.
   Verdict checkEdges() {
+    windings_.resize(circleCount_);
     for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
       const int t = dual_.twin[h];
-      if (h < t && isOutOfOrder(h, t)) return {Flaw::edgeOutOfOrder, kNone, h / 3, h};
+      if (h > t) continue;
+      const int a = dual_.origin[h];
+      const int b = dual_.origin[t];
+      if (a == kInfinity || b == kInfinity) {
+        const int finite = a == kInfinity ? t : h;
+        const bool passes = passesAxis(finite);
+        hullWinding_ += passes;
+        windings_[dual_.origin[finite]] += passes;
+        continue;
+      }
+      const int larger = predicates_.looksFromFirst(a, b) ? h : t;
+      const int smaller = dual_.twin[larger];
+      const bool isBounded = isFinite(dual_.origin[Dual::previous(h)]) && isFinite(dual_.origin[Dual::previous(t)]);
+      if (isBounded && !isInOrder(larger)) return {Flaw::edgeOutOfOrder, kNone, h / 3, h};
+      windings_[dual_.origin[larger]] += isBounded ? passesAxisInOrder(larger) : passesAxis(larger);
+      windings_[dual_.origin[smaller]] +=
+          isBounded && circles_[a].r == circles_[b].r ? passesAxisInOrder(smaller) : passesAxis(smaller);
     }
     return {};
   }
 
-  bool isOutOfOrder(int h, int t) {
-    const int a = dual_.origin[h];
-    const int b = dual_.origin[t];
-    const int c = dual_.origin[Dual::previous(h)];
-    const int d = dual_.origin[Dual::previous(t)];
-    if (a == kInfinity || b == kInfinity || c == kInfinity || d == kInfinity) return false;
-    // Seen from the larger circle the edge spans less than half a turn: from one quadrant into the next it is in order,
-    // into the one before it is not, and else the predicate tells.
-    const bool fromA = circles_[a].r >= circles_[b].r;
-    const int from = fromA ? quadrants_[Dual::next(t)] : quadrants_[Dual::next(h)];
-    const int to = fromA ? quadrants_[h] : quadrants_[t];
-    const int quarters = (to - from) & 3;
-    if (quarters % 2 == 1) return quarters == 3;
-    return predicates_.edgeOrder(a, b, c, d, discs_[h / 3], discs_[t / 3]) < 0;
+  // Around the origin of half-edge h, counter-clockwise, the face on its right comes before the face on its left. The
+  // region of the origin turns from the disc of the one to that of the other, by less than a full turn.
+
+  /// The corner of the face on the right of h that is the origin of h.
+  int cornerBefore(int h) const { return Dual::next(dual_.twin[h]); }
+
+  Direction<double> toDisc(int corner) const { return {toDisc_[corner].x, toDisc_[corner].y, error_[corner / 3]}; }
+
+  /// Whether the turn around the origin of h, the larger circle of a bounded edge, is less than half a turn.
+  bool isInOrder(int h) {
+    const int sign = predicates_.filteredCross(toDisc(cornerBefore(h)), toDisc(h));
+    if (sign != 0) return sign > 0;
+    const int t = dual_.twin[h];
+    return predicates_.refinedEdgeOrder(dual_.origin[h], dual_.origin[t], dual_.origin[Dual::previous(h)],
+                                        dual_.origin[Dual::previous(t)]) >= 0;
   }
 
-  /// The quarter turns, counted by quadrants entered, from the face of half-edge h to the next face around its origin.
-  /// Summed over a closed boundary they are four times its winding number.
-  int turn(int h, int next) {
-    const int quarters = (quadrants_[next] - quadrants_[h]) & 3;
-    if (quarters != 0) return quarters;
-    // Within one quadrant: hardly a turn, or nearly a full one. Around the larger circle of a bisector it is under half
-    // a turn, as its ends are in order; around the smaller one, or along the hull, the cross product tells.
-    const int circle = dual_.origin[h];
-    const int across = dual_.target(next);
-    if (across != kInfinity && dual_.isFinite(h / 3) && dual_.isFinite(next / 3) &&
-        circles_[circle].r >= circles_[across].r) {
-      return 0;
-    }
-    return predicates_.cross(circle, triple(h / 3), discs_[h / 3], triple(next / 3), discs_[next / 3]) < 0 ? 4 : 0;
+  /// Whether the turn passes the axis from the lower half to the upper one, given that it is less than half a turn.
+  bool passesAxisInOrder(int h) const { return isLower_[cornerBefore(h)] > isLower_[h]; }
+
+  /// The same of any turn: one within a half passes if it is nearly a full one.
+  bool passesAxis(int h) {
+    const int before = cornerBefore(h);
+    if (isLower_[before] != isLower_[h]) return isLower_[before] != 0;
+    int sign = predicates_.filteredCross(toDisc(before), toDisc(h));
+    if (sign == 0) sign = predicates_.refinedCross(dual_.origin[h], triple(before / 3), triple(h / 3));
+    return sign < 0;
   }
 
-  Verdict checkTurns() {
-    std::vector<int> first(circleCount_, kNone);
-    int finiteCorners = 0;
-    for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
-      const int circle = dual_.origin[h];
-      if (circle == kInfinity) continue;
-      ++finiteCorners;
-      first[circle] = h;
-    }
-
-    int hullTurn = 0;
-    int corners = 0;
+  /// One full turn of every region, and of the hull.
+  Verdict checkWindings() const {
     for (int circle = 0; circle < circleCount_; ++circle) {
-      const int start = first[circle];
-      if (start == kNone) return {Flaw::cellNotClosed, circle};
-      int sum = 0;
-      int h = start;
-      do {
-        const int next = dual_.twin[Dual::previous(h)];
-        const int quarters = turn(h, next);
-        sum += quarters;
-        if (dual_.target(next) == kInfinity) {
-          hullTurn += quarters;
-        }
-        ++corners;
-        h = next;
-      } while (h != start);
-      if (sum != 4) return {Flaw::cellNotClosed, circle};
+      if (windings_[circle] != 1) return {Flaw::cellNotClosed, circle};
     }
-    // A circle with two cells would leave corners that its one walk does not meet.
-    if (corners != finiteCorners) return {Flaw::eulerCount};
-    if (hullTurn != 4) return {Flaw::hullNotClosed};
+    if (hullWinding_ != 1) return {Flaw::hullNotClosed};
     return {};
   }
 
+  /// Every circle and infinity occur by now. So if the faces are connected, the m + 1 corners and 2 m - 2 faces leave
+  /// Euler's formula no choice: the surface is a sphere, and the faces around each circle are one fan.
   Verdict checkConnected() const {
-    std::vector<bool> seen(dual_.faceCount(), false);
-    std::vector<int> stack = {0};
-    seen[0] = true;
-    int reached = 0;
-    while (!stack.empty()) {
-      const int face = stack.back();
-      stack.pop_back();
-      ++reached;
-      for (int i = 0; i < 3; ++i) {
-        const int neighbor = dual_.twin[3 * face + i] / 3;
-        if (!seen[neighbor]) {
-          seen[neighbor] = true;
-          stack.push_back(neighbor);
-        }
+    std::vector<std::uint8_t> isSeen(dual_.faceCount(), 0);
+    std::vector<int> stack(dual_.faceCount());
+    isSeen[0] = 1;
+    int reached = 1;
+    int size = 1;
+    while (size > 0) {
+      const int face = stack[--size];
+      for (int h = 3 * face; h < 3 * face + 3; ++h) {
+        const int neighbor = dual_.twin[h] / 3;
+        // Without a branch that would often be predicted wrongly.
+        const int isNew = 1 - isSeen[neighbor];
+        isSeen[neighbor] = 1;
+        if (reached < dual_.faceCount()) stack[size] = neighbor;
+        size += isNew;
+        reached += isNew;
       }
     }
     if (reached != dual_.faceCount()) return {Flaw::eulerCount};
@@ -155,8 +153,11 @@ class Judge {
   const Dual& dual_;
   Predicates& predicates_;
   int circleCount_;
-  std::vector<FaceDisc> discs_;
-  std::vector<signed char> quadrants_;  ///< of each half-edge: of its face, seen from its origin
+  std::vector<Vector> toDisc_;         ///< of each half-edge: from its origin to the disc of its face, of any length
+  std::vector<double> error_;          ///< of each face: of the components of the three directions to its disc
+  std::vector<std::uint8_t> isLower_;  ///< of each half-edge: whether that direction lies in the lower half
+  std::vector<int> windings_;          ///< of each circle: how often its region passes the axis
+  int hullWinding_ = 0;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "predicates.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "exact.h"
@@ -10,9 +9,6 @@
 
 namespace circle_voronoi {
 namespace {
-
-constexpr double kAxisX = exact::kAxisX;
-constexpr double kAxisY = exact::kAxisY;
 
 /// The sign of a value that is known within `error`; 0 if that does not decide.
 int signWithin(double value, double error) { return value > error ? 1 : value < -error ? -1 : 0; }
@@ -76,62 +72,36 @@ FaceDisc Predicates::disc(const Triple& face) {
   return result;
 }
 
-int Predicates::cross(int from, const Triple& first, const FaceDisc& firstDisc, const Triple& second,
-                      const FaceDisc& secondDisc) {
-  if (const int sign = filteredCross(direction(from, firstDisc), direction(from, secondDisc)); sign != 0) {
-    ++counts_.filtered;
-    return sign;
-  }
+int Predicates::refinedCross(int from, const Triple& first, const Triple& second) {
   const Circle& circle = circles_[from];
   const exact::Face firstFace = facing(circles_, first);
   const exact::Face secondFace = facing(circles_, second);
-  if (const int sign = filteredCross(refined(circle, firstFace), refined(circle, secondFace)); sign != 0) {
-    ++counts_.refined;
-    return sign;
-  }
-  ++counts_.exact;
-  return exact::crossSign(firstFace, secondFace, circle);
+  const int sign = circle_voronoi::filteredCross(refined(circle, firstFace), refined(circle, secondFace));
+  ++(sign != 0 ? counts_.refined : counts_.exact);
+  return sign != 0 ? sign : exact::crossSign(firstFace, secondFace, circle);
 }
 
-int Predicates::edgeOrder(int a, int b, int c, int d, const FaceDisc& abc, const FaceDisc& bad) {
-  if (c == kInfinity || d == kInfinity) return 1;
+int Predicates::refinedEdgeOrder(int a, int b, int c, int d) {
   const double r = circles_[a].r;
-  const bool equalRadii = circles_[b].r == r && circles_[c].r == r && circles_[d].r == r;
-  // Seen from the larger circle the bisector spans less than half a turn, so a cross product orders it.
-  const bool fromA = r >= circles_[b].r;
-  if (equalRadii) {
-    if (const int sign = filteredCross(direction(a, bad), direction(a, abc)); sign != 0) {
-      ++counts_.filtered;
-      return sign;
-    }
+  if (circles_[b].r == r && circles_[c].r == r && circles_[d].r == r) {
     ++counts_.inCircle;
     return -inCircle(centre(a), centre(b), centre(c), centre(d));
   }
-  return fromA ? cross(a, {b, a, d}, bad, {a, b, c}, abc) : cross(b, {a, b, c}, abc, {b, a, d}, bad);
+  return looksFromFirst(a, b) ? refinedCross(a, {b, a, d}, {a, b, c}) : refinedCross(b, {a, b, c}, {b, a, d});
 }
 
-int Predicates::quadrant(int from, const Triple& face, const FaceDisc& disc) {
-  const auto [vx, vy, vError] = direction(from, disc);
-  // Two products more, with factors below 2^10.
-  const double error = (vError + 3 * kUnitRoundoff<double> * (std::abs(vx) + std::abs(vy))) * 2048;
-  int x = signWithin(kAxisX * vx + kAxisY * vy, error);
-  int y = signWithin(kAxisX * vy - kAxisY * vx, error);
-  if (x != 0 && y != 0) {
-    ++counts_.filtered;
-  } else {
-    const exact::Face circles = facing(circles_, face);
-    const auto [wx, wy, wError] = refined(circles_[from], circles);
-    const double narrow = (wError + 3 * kUnitRoundoff<DoubleDouble> * (std::abs(high(wx)) + std::abs(high(wy)))) * 2048;
-    x = signWithin(high(kAxisX * wx + kAxisY * wy), narrow);
-    y = signWithin(high(kAxisX * wy - kAxisY * wx), narrow);
-    ++(x != 0 && y != 0 ? counts_.refined : counts_.exact);
-    if (x == 0) x = exact::directionSign(circles, circles_[from], 0);
-    if (y == 0) y = exact::directionSign(circles, circles_[from], 1);
+bool Predicates::isLowerRefined(int from, const Triple& face) {
+  const exact::Face circles = facing(circles_, face);
+  const auto [x, y, error] = refined(circles_[from], circles);
+  const double height = high(exact::kAxisX * y - exact::kAxisY * x);
+  const double bound = (error + 3 * kUnitRoundoff<DoubleDouble> * (std::abs(high(x)) + std::abs(high(y)))) * 2048;
+  if (std::abs(height) > bound) {
+    ++counts_.refined;
+    return height < 0;
   }
-  // Each quadrant owns the half-axis it starts with.
-  if (y > 0) return x > 0 ? 0 : 1;
-  if (y < 0) return x < 0 ? 2 : 3;
-  return x > 0 ? 0 : 2;
+  ++counts_.exact;
+  const int sign = exact::directionSign(circles, circles_[from], 1);
+  return sign < 0 || (sign == 0 && exact::directionSign(circles, circles_[from], 0) < 0);
 }
 
 bool Predicates::contains(const Circle& outer, const Circle& inner) {
@@ -163,12 +133,6 @@ int Predicates::tangentSide(int a, int b, int c) {
   }
   ++counts_.exact;
   return exact::tangentSide(circles_[a], circles_[b], circles_[c]);
-}
-
-Direction<double> Predicates::direction(int from, const FaceDisc& disc) const {
-  const Circle& o = circles_[disc.origin];
-  const Circle& c = circles_[from];
-  return {disc.v.x + disc.w * (o.x - c.x), disc.v.y + disc.w * (o.y - c.y), disc.error};
 }
 
 }  // namespace circle_voronoi

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
 #include "circle_voronoi/circle.h"
 #include "dual.h"
+#include "exact.h"
 #include "geometry.h"
 #include "homogeneous_disc.h"
 
@@ -43,16 +45,51 @@ class Predicates {
   /// The disc of three circles counter-clockwise; one of them may be kInfinity.
   FaceDisc disc(const Triple& face);
 
-  /// The sign of the cross product of the directions to two discs, seen from circle `from`, a corner of both faces.
-  int cross(int from, const Triple& first, const FaceDisc& firstDisc, const Triple& second, const FaceDisc& secondDisc);
+  /// The direction to a disc from circle `from`, a corner of its face.
+  Direction<double> direction(int from, const FaceDisc& disc) const {
+    const Circle& o = circles_[disc.origin];
+    const Circle& c = circles_[from];
+    return {disc.v.x + disc.w * (o.x - c.x), disc.v.y + disc.w * (o.y - c.y), disc.error};
+  }
+
+  /// The sign of the cross product u x v of two directions, 0 if their error bounds do not decide.
+  int filteredCross(const Direction<double>& u, const Direction<double>& v) {
+    const int sign = circle_voronoi::filteredCross(u, v);
+    counts_.filtered += sign != 0;
+    return sign;
+  }
+
+  /// The sign of the cross product of the directions to the discs of two faces, seen from a corner of both, by the
+  /// stages after the filter.
+  int refinedCross(int from, const Triple& first, const Triple& second);
 
   /// For faces (a, b, c) and (b, a, d) that have discs: 1 if the discs lie in order along the bisector, that of (b, a,
   /// d) first when going with a on the left; 0 if they are the same; -1 if they are out of order. An end at infinity is
   /// always in order. a and b are finite.
-  int edgeOrder(int a, int b, int c, int d, const FaceDisc& abc, const FaceDisc& bad);
+  int edgeOrder(int a, int b, int c, int d, const FaceDisc& abc, const FaceDisc& bad) {
+    if (c == kInfinity || d == kInfinity) return 1;
+    const int sign = looksFromFirst(a, b) ? filteredCross(direction(a, bad), direction(a, abc))
+                                          : filteredCross(direction(b, abc), direction(b, bad));
+    return sign != 0 ? sign : refinedEdgeOrder(a, b, c, d);
+  }
 
-  /// The quadrant, 0 to 3 counter-clockwise, of the direction from a corner to the disc, in a fixed frame.
-  int quadrant(int from, const Triple& face, const FaceDisc& disc);
+  /// The same by the stages after the filter; c and d are finite.
+  int refinedEdgeOrder(int a, int b, int c, int d);
+
+  /// Whether a bisector is ordered as seen from its first circle, the larger one: there it spans less than half a turn,
+  /// so that a cross product orders it.
+  bool looksFromFirst(int a, int b) const { return circles_[a].r >= circles_[b].r; }
+
+  /// Whether the direction from a corner of a face to its disc lies in the lower half of a fixed frame, which begins
+  /// with the half-axis at 180 degrees and ends before the one at 360.
+  bool isLower(int from, const Triple& face, const Direction<double>& toDisc) {
+    // Two products more, with factors below 2^10.
+    const double height = exact::kAxisX * toDisc.y - exact::kAxisY * toDisc.x;
+    const double error = (toDisc.error + 3 * kUnitRoundoff<double> * (std::abs(toDisc.x) + std::abs(toDisc.y))) * 2048;
+    if (std::abs(height) <= error) return isLowerRefined(from, face);
+    ++counts_.filtered;
+    return height < 0;
+  }
 
   bool contains(const Circle& outer, const Circle& inner);
 
@@ -62,7 +99,7 @@ class Predicates {
   const FilterCounts& counts() const { return counts_; }
 
  private:
-  Direction<double> direction(int from, const FaceDisc& disc) const;
+  bool isLowerRefined(int from, const Triple& face);
   Point centre(int i) const { return {circles_[i].x, circles_[i].y}; }
 
   std::span<const Circle> circles_;

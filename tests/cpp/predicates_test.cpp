@@ -29,7 +29,7 @@ class Comparison {
     compareContains();
     compareTangentSides();
     findFaces();
-    compareQuadrants();
+    compareHalves();
     compareTurns();
     compareEdgeOrders();
   }
@@ -79,12 +79,12 @@ class Comparison {
     }
   }
 
-  void compareQuadrants() {
+  void compareHalves() {
     for (const auto& [triple, face] : faces_) {
       const int x = exact::directionSign(face.circles, circles_[triple[0]], 0);
       const int y = exact::directionSign(face.circles, circles_[triple[0]], 1);
-      const int quadrant = y > 0 ? (x > 0 ? 0 : 1) : y < 0 ? (x < 0 ? 2 : 3) : (x > 0 ? 0 : 2);
-      EXPECT_EQ(predicates_.quadrant(triple[0], face.triple, face.disc), quadrant);
+      EXPECT_EQ(predicates_.isLower(triple[0], face.triple, predicates_.direction(triple[0], face.disc)),
+                y < 0 || (y == 0 && x < 0));
     }
   }
 
@@ -92,8 +92,12 @@ class Comparison {
     for (const auto& [first, f] : faces_) {
       for (const auto& [second, g] : faces_) {
         if (first[0] != second[0]) continue;
-        EXPECT_EQ(predicates_.cross(first[0], first, f.disc, second, g.disc),
-                  exact::crossSign(f.circles, g.circles, circles_[first[0]]));
+        const int from = first[0];
+        const int sign = exact::crossSign(f.circles, g.circles, circles_[from]);
+        const int filtered =
+            predicates_.filteredCross(predicates_.direction(from, f.disc), predicates_.direction(from, g.disc));
+        EXPECT_TRUE(filtered == 0 || filtered == sign) << filtered << " for " << sign;
+        EXPECT_EQ(predicates_.refinedCross(from, first, second), sign);
       }
     }
   }
