@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import AxeBuilder from '@axe-core/playwright'
 import { pointAt } from '../../web/lib/bisector.ts'
+import { edgeCurve, isBounded } from '../../web/lib/curve.ts'
 import { loadCircleVoronoi } from '../../web/lib/loader.ts'
-import { bisectorOf, rangeOf } from '../../web/lib/sides.ts'
 import { dataSet, expect, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')
@@ -32,12 +32,10 @@ test('draws the edges as arcs, not as chords', async ({ app }) => {
   const { scale } = app.camera(INTRODUCTION)
   const middles = []
   for (let e = 0; e < diagram.edges.length / 4; e++) {
-    const curve = bisectorOf(diagram, 2 * e)
-    const { from, to } = rangeOf(diagram, 2 * e, curve)
-    if (!Number.isFinite(from) || !Number.isFinite(to)) continue
-    const [start, end] = [pointAt(curve, from), pointAt(curve, to)]
-    const chord = { x: (start.x + end.x) / 2, y: (start.y + end.y) / 2 }
-    const arc = pointAt(curve, (from + to) / 2)
+    const curve = edgeCurve(diagram, e)
+    if (!isBounded(curve)) continue
+    const chord = { x: (curve.start.x + curve.end.x) / 2, y: (curve.start.y + curve.end.y) / 2 }
+    const arc = pointAt(curve.bisector, Math.sqrt(curve.from * curve.to))
     const isShown = [arc, chord].every((point) => app.isShown(app.locate(INTRODUCTION, point)))
     if (isShown && Math.hypot(arc.x - chord.x, arc.y - chord.y) * scale > 6) middles.push(arc, chord)
   }

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs'
 import { test as base, expect, type Page } from '@playwright/test'
 import { boundingBox, type Camera, fitted, toScreen } from '../../web/app/camera.ts'
 import { parseCircles } from '../../web/app/csv.ts'
-import { at } from '../../web/lib/diagram.ts'
+import { at } from '../../web/lib/diagram-data.ts'
 import type { Point } from '../../web/lib/index.ts'
 
 /** What the page keeps free for its panels (`padding` in main.ts). */

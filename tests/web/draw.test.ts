@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { randomCircles } from '../../web/app/random-circles.ts'
-import { type Box, Cells, circleAt, type Point, traceCell, traceEdge } from '../../web/lib/index.ts'
+import { ConvexPolygon, Diagram, type Point } from '../../web/lib/index.ts'
 import { dataSet, library, seededRandom } from './library.ts'
+import { boxAround, leastDistance, signedDistance } from './oracle.ts'
 import { doubleArea, RecordingSink } from './recording-sink.ts'
 
 const SETS: readonly (readonly [string, Float64Array])[] = [
@@ -18,26 +19,8 @@ const SETS: readonly (readonly [string, Float64Array])[] = [
   ['one circle', Float64Array.of(0, 0, 3)],
 ]
 
-function boxAround(circles: Float64Array, margin: number): Box {
-  const xs = [...circles].filter((_, i) => i % 3 === 0)
-  const ys = [...circles].filter((_, i) => i % 3 === 1)
-  const size = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys), 1) * margin
-  return {
-    minX: Math.min(...xs) - size,
-    minY: Math.min(...ys) - size,
-    maxX: Math.max(...xs) + size,
-    maxY: Math.max(...ys) + size,
-  }
-}
-
-function signedDistance(circles: Float64Array, i: number, { x, y }: Point): number {
-  const circle = circleAt(circles, i)
-  return Math.hypot(x - circle.x, y - circle.y) - circle.r
-}
-
 describe.each(SETS)('%s', (_, circles) => {
   const diagram = library.compute(circles)
-  const cells = new Cells(diagram)
   const box = boxAround(circles, 0.5)
   const size = box.maxX - box.minX
   const tolerance = 1e-6 * size
@@ -46,39 +29,37 @@ describe.each(SETS)('%s', (_, circles) => {
   it('draws every edge where both circles are equally near and no other is nearer', () => {
     for (let e = 0; e < diagram.edges.length / 4; e++) {
       const sink = new RecordingSink(4)
-      traceEdge(sink, diagram, e, box, tolerance)
+      diagram.edgePath(e, sink, box, tolerance)
       const [left, right] = diagram.edges.subarray(4 * e, 4 * e + 2) as unknown as [number, number]
       for (const point of sink.points) {
         const distance = signedDistance(circles, left, point)
         expect(Math.abs(distance - signedDistance(circles, right, point))).toBeLessThan(4 * tolerance)
-        const nearest = Math.min(...indices.map((i) => signedDistance(circles, i, point)))
-        expect(distance - nearest).toBeLessThan(4 * tolerance)
+        expect(distance - leastDistance(circles, point)).toBeLessThan(4 * tolerance)
       }
     }
   })
 
-  it('draws nothing far outside the box', () => {
-    const reach = 4 * (box.maxX - box.minX + box.maxY - box.minY)
-    for (let e = 0; e < diagram.edges.length / 4; e++) {
-      const sink = new RecordingSink(4)
-      traceEdge(sink, diagram, e, box, tolerance)
-      for (const { x, y } of sink.points) expect(Math.hypot(x - box.minX, y - box.minY)).toBeLessThan(reach)
+  it('draws nothing outside the box', () => {
+    const sink = new RecordingSink(4)
+    diagram.render(sink, box, tolerance)
+    for (const i of indices) diagram.cellPath(i, box, sink, tolerance)
+    for (const { x, y } of sink.points) {
+      expect(Math.max(box.minX - x, x - box.maxX, box.minY - y, y - box.maxY)).toBeLessThanOrEqual(tolerance)
     }
   })
 
   it('draws each cell as a counter-clockwise outline, where its own circle is the nearest', () => {
     for (const i of indices) {
       const sink = new RecordingSink(8)
-      traceCell(sink, cells, i, box, tolerance)
-      if (!cells.exists(i)) {
+      diagram.cellPath(i, box, sink, tolerance)
+      if (diagram.cell(i) === undefined) {
         expect(sink.strokes).toEqual([])
         continue
       }
-      expect(sink.strokes).toHaveLength(1)
-      expect(doubleArea(sink.points)).toBeGreaterThanOrEqual(0)
+      expect(sink.strokes.length).toBeGreaterThan(0)
+      for (const stroke of sink.strokes) expect(doubleArea(stroke)).toBeGreaterThanOrEqual(-1e-9 * size * size)
       for (const point of sink.points) {
-        const nearest = Math.min(...indices.map((j) => signedDistance(circles, j, point)))
-        expect(signedDistance(circles, i, point) - nearest).toBeLessThan(4 * tolerance)
+        expect(signedDistance(circles, i, point) - leastDistance(circles, point)).toBeLessThan(4 * tolerance)
       }
     }
   })
@@ -87,8 +68,8 @@ describe.each(SETS)('%s', (_, circles) => {
     const random = seededRandom(1)
     const outlines = indices.map((i) => {
       const sink = new RecordingSink(16)
-      traceCell(sink, cells, i, box, tolerance)
-      return sink.points
+      diagram.cellPath(i, box, sink, tolerance)
+      return sink.strokes
     })
     for (let k = 0; k < 100; k++) {
       const point = {
@@ -98,12 +79,8 @@ describe.each(SETS)('%s', (_, circles) => {
       const distances = indices.map((i) => signedDistance(circles, i, point)).sort((one, other) => one - other)
       // The outlines are sampled: a point next to an edge may fall on the wrong side.
       if ((distances[1] ?? Number.POSITIVE_INFINITY) - (distances[0] as number) < 0.01 * size) continue
-      expect(outlines.filter((outline) => isInside(outline, point))).toHaveLength(1)
+      expect(outlines.flat().filter((stroke) => isInside(stroke, point))).toHaveLength(1)
     }
-  })
-
-  it('has symmetric neighbours', () => {
-    for (const i of indices) for (const j of cells.neighbors(i)) expect(cells.neighbors(j)).toContain(i)
   })
 })
 
@@ -113,11 +90,11 @@ it('draws the same curve when magnified ten million times', () => {
   const size = 1e-6
   for (let e = 0; e < diagram.edges.length / 4; e++) {
     const whole = new RecordingSink(3)
-    traceEdge(whole, diagram, e, boxAround(circles, 0.5), 1e-12)
+    diagram.edgePath(e, whole, boxAround(circles, 0.5), 1e-12)
     for (const { x, y } of whole.points.slice(0, 40)) {
       const box = { minX: x - size, minY: y - size, maxX: x + size, maxY: y + size }
       const part = new RecordingSink(64)
-      traceEdge(part, diagram, e, box, 1e-9)
+      diagram.edgePath(e, part, box, 1e-9)
       expect(Math.min(...part.strokes.map((stroke) => distanceToPolyline(stroke, { x, y })))).toBeLessThan(size / 10)
     }
   }
@@ -143,3 +120,96 @@ function distanceToPolyline(polyline: readonly Point[], { x, y }: Point): number
   }
   return least
 }
+
+describe('an SVG path', () => {
+  const circles = dataSet('introduction')
+  const diagram = library.compute(circles)
+
+  /** What a path draws, by the same numbers. */
+  function replayed(path: string): RecordingSink {
+    const sink = new RecordingSink()
+    for (const [, command, text] of path.matchAll(/([MLCZ])([^MLCZA]*)/g)) {
+      const numbers = (text as string).split(/[ ,]/).filter(Boolean).map(Number)
+      if (command === 'M') sink.moveTo(...(numbers as [number, number]))
+      if (command === 'L') sink.lineTo(...(numbers as [number, number]))
+      if (command === 'C') sink.bezierCurveTo(...(numbers as [number, number, number, number, number, number]))
+      if (command === 'Z') sink.closePath()
+    }
+    return sink
+  }
+
+  it('says the same as a context is told', () => {
+    const bounds = ConvexPolygon.of(boxAround(circles, 0.05))
+    const all = new RecordingSink()
+    diagram.render(all, bounds)
+    expect(replayed(diagram.render(undefined, bounds)).strokes).toEqual(all.strokes)
+    for (let e = 0; e < diagram.edges.length / 4; e++) {
+      const sink = new RecordingSink()
+      diagram.edgePath(e, sink)
+      expect(replayed(diagram.edgePath(e)).strokes).toEqual(sink.strokes)
+    }
+    for (let i = 0; i < circles.length / 3; i++) {
+      const sink = new RecordingSink()
+      diagram.cellPath(i, bounds, sink)
+      expect(replayed(diagram.cellPath(i)).strokes).toEqual(sink.strokes)
+    }
+  })
+
+  it('of one circle is the default box, with room for a twentieth', () => {
+    expect(library.compute(Float64Array.of(1, 2, 10)).cellPath(0)).toBe('M-10,-9L12,-9L12,13L-10,13L-10,-9Z')
+  })
+
+  it('of a hidden circle, or of no circles, is empty', () => {
+    const nested = library.compute(Float64Array.of(0, 0, 5, 1, 0, 1))
+    expect(nested.cellPath(1)).toBe('')
+    expect(library.compute([]).render()).toBe('')
+    expect(library.compute([]).renderHull()).toBe('')
+  })
+
+  it('draws circles, the dual and the hull', () => {
+    const two = library.compute(Float64Array.of(0, 0, 1, 4, 0, 1))
+    const number = '-?[0-9.e-]+'
+    const disc = (right: number, left: number) =>
+      `M${right},0A1,1 0 0 1 ${left},${number}A1,1 0 0 1 ${right},${number}Z`
+    expect(two.renderCircles()).toMatch(new RegExp(`^${disc(1, -1)}${disc(5, 3)}$`))
+    expect(two.renderDual()).toMatch(/^M[04],0L[04],0$/)
+    const hull = two.renderHull()
+    expect(hull.match(/A1,1 0 0 1/g)).toHaveLength(4)
+    expect(hull).toMatch(/^M.*Z$/)
+  })
+})
+
+describe('a hull drawn on a context', () => {
+  it.each(SETS)('of %s has every circle inside', (_, circles) => {
+    const diagram = library.compute(circles)
+    const sink = new RecordingSink(400)
+    diagram.renderHull(sink)
+    const box = boxAround(circles, 0)
+    const size = Math.max(box.maxX - box.minX, box.maxY - box.minY)
+    const [stroke] = sink.strokes as [Point[]]
+    expect(sink.strokes).toHaveLength(1)
+    for (let turn = 0; turn < 1; turn += 1 / 64) {
+      const [x, y] = [Math.cos(2 * Math.PI * turn), Math.sin(2 * Math.PI * turn)]
+      const drawn = Math.max(...stroke.map((point) => point.x * x + point.y * y))
+      let reach = Number.NEGATIVE_INFINITY
+      for (let i = 0; i < circles.length; i += 3) {
+        const [cx, cy, r] = circles.subarray(i, i + 3) as unknown as [number, number, number]
+        reach = Math.max(reach, cx * x + cy * y + r)
+      }
+      expect(Math.abs(drawn - reach)).toBeLessThan(1e-4 * size)
+    }
+  })
+})
+
+it('goes to a worker and back as plain data', () => {
+  const diagram = library.compute(dataSet('introduction'))
+  const path = diagram.render()
+  const data = structuredClone(diagram)
+  expect(data).not.toBeInstanceOf(Diagram)
+  expect(Object.keys(data)).toEqual([
+    ...['metric', 'circles', 'vertices', 'vertexCircles', 'edges', 'hidden', 'hull', 'certificate', 'stats'],
+  ])
+  const revived = new Diagram(data)
+  expect(revived.render()).toBe(path)
+  expect(revived.find(0, 0)).toBe(diagram.find(0, 0))
+})

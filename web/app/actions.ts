@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram.ts'
+import { at } from '../lib/diagram-data.ts'
 import type { Point } from '../lib/index.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, type Size, zoomed } from './camera.ts'
 import { DATA_SETS } from './data-sets.ts'

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
+import { CircleVoronoiError, type DiagramData, loadCircleVoronoi } from '../lib/index.ts'
 
 /** What comes back for the circles of one message. */
-export type Reply = { readonly diagram: Diagram } | { readonly problem: string }
+export type Reply = { readonly diagram: DiagramData } | { readonly problem: string }
 
 const library = loadCircleVoronoi()
 

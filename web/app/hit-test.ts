@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram.ts'
+import { at } from '../lib/diagram-data.ts'
 import type { Point } from '../lib/index.ts'
 
 /** The circle under the pointer, and which part of it: its rim, its disc, or only its cell. */

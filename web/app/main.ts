@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { Cells } from '../lib/index.ts'
+import { Diagram } from '../lib/index.ts'
 import { Actions } from './actions.ts'
 import type { Padding, Size } from './camera.ts'
 import { Computer } from './computer.ts'
@@ -34,7 +34,7 @@ const actions = new Actions(store, size, padding)
 
 const computer = new Computer((reply) => {
   store.update((state) =>
-    'diagram' in reply ? { ...state, cells: new Cells(reply.diagram) } : refused(state, reply.problem),
+    'diagram' in reply ? { ...state, diagram: new Diagram(reply.diagram) } : refused(state, reply.problem),
   )
 })
 

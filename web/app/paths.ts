@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram.ts'
-import { type Box, type Cells, type Point, traceCell, traceEdge } from '../lib/index.ts'
+import { at } from '../lib/diagram-data.ts'
+import type { Box, ConvexPolygon, Diagram, Point } from '../lib/index.ts'
 import { type Camera, type Size, toScreen } from './camera.ts'
 import { ScreenSink } from './screen-sink.ts'
 import { circleCount, NOBODY, type State } from './state.ts'
@@ -9,12 +9,12 @@ import { circleCount, NOBODY, type State } from './state.ts'
 const DOT_RADIUS = 1.5
 const VERTEX_RADIUS = 2
 
-/** What is looked at, and through what. `box` and `tolerance` are in units of the plane. */
+/** What is looked at, and through what. `region` and `tolerance` are in units of the plane. */
 export interface Viewport {
-  readonly cells: Cells | undefined
+  readonly diagram: Diagram | undefined
   readonly camera: Camera
   readonly size: Size
-  readonly box: Box
+  readonly region: ConvexPolygon
   readonly tolerance: number
 }
 
@@ -29,7 +29,7 @@ export interface CirclePaths {
 /** `tints`: for each circle which of the `tintCount` discs it belongs to. */
 export function circlePaths(state: State, viewport: Viewport, tints: Uint8Array, tintCount: number): CirclePaths {
   const { circles, selected } = state
-  const { box, camera, size } = viewport
+  const { region, camera, size } = viewport
   const paths: CirclePaths = {
     discs: Array.from({ length: tintCount }, () => new Path2D()),
     dots: new Path2D(),
@@ -45,50 +45,49 @@ export function circlePaths(state: State, viewport: Viewport, tints: Uint8Array,
     const x = at(circles, 3 * i)
     const y = at(circles, 3 * i + 1)
     const r = at(circles, 3 * i + 2)
-    if (!meets(box, x, y, r)) continue
+    if (!meets(region.box, x, y, r)) continue
     const radius = r * camera.scale
     addCircle(pathOf(i, radius), toScreen(camera, size, { x, y }), Math.max(radius, DOT_RADIUS))
   }
   return paths
 }
 
-export function edgesPath({ cells, camera, size, box, tolerance }: Viewport): Path2D {
+export function edgesPath({ diagram, camera, size, region, tolerance }: Viewport): Path2D {
   const sink = new ScreenSink(camera, size)
-  const edgeCount = cells === undefined ? 0 : cells.diagram.edges.length / 4
-  for (let e = 0; e < edgeCount; e++) traceEdge(sink, (cells as Cells).diagram, e, box, tolerance)
+  diagram?.render(sink, region, tolerance)
   return sink.path
 }
 
-export function verticesPath({ cells, camera, size, box }: Viewport): Path2D {
+export function verticesPath({ diagram, camera, size, region }: Viewport): Path2D {
   const path = new Path2D()
-  const vertices = cells?.diagram.vertices ?? new Float64Array(0)
+  const vertices = diagram?.vertices ?? new Float64Array(0)
   for (let v = 0; v < vertices.length; v += 3) {
     const point = { x: at(vertices, v), y: at(vertices, v + 1) }
-    if (meets(box, point.x, point.y, 0)) addCircle(path, toScreen(camera, size, point), VERTEX_RADIUS)
+    if (meets(region.box, point.x, point.y, 0)) addCircle(path, toScreen(camera, size, point), VERTEX_RADIUS)
   }
   return path
 }
 
 /** The outlines of the cells of these circles, as far as they have one. */
-export function cellsPath(indices: readonly number[], { cells, camera, size, box, tolerance }: Viewport): Path2D {
+export function cellsPath(indices: readonly number[], { diagram, camera, size, region, tolerance }: Viewport): Path2D {
   const sink = new ScreenSink(camera, size)
   for (const circle of indices) {
-    if (isInDiagram(circle, cells)) traceCell(sink, cells, circle, box, tolerance)
+    if (isInDiagram(circle, diagram)) diagram.cellPath(circle, region, sink, tolerance)
   }
   return sink.path
 }
 
-export function neighborsOf(circle: number, { cells }: Viewport): readonly number[] {
-  return isInDiagram(circle, cells) ? cells.neighbors(circle) : []
+export function neighborsOf(circle: number, { diagram }: Viewport): readonly number[] {
+  return isInDiagram(circle, diagram) ? [...new Set(diagram.neighbors(circle))] : []
 }
 
-export function isHidden(circle: number, { cells }: Viewport): boolean {
-  return isInDiagram(circle, cells) && !cells.exists(circle)
+export function isHidden(circle: number, { diagram }: Viewport): boolean {
+  return isInDiagram(circle, diagram) && !diagram.cells.exists(circle)
 }
 
 /** The diagram may be of circles before the last edit, and then have fewer of them. */
-function isInDiagram(circle: number, cells: Cells | undefined): cells is Cells {
-  return circle !== NOBODY && cells !== undefined && circle < cells.diagram.circles.length / 3
+function isInDiagram(circle: number, diagram: Diagram | undefined): diagram is Diagram {
+  return circle !== NOBODY && diagram !== undefined && circle < diagram.circles.length / 3
 }
 
 function addCircle(path: Path2D, center: Point, radius: number): void {

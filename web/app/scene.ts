@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { ConvexPolygon } from '../lib/index.ts'
 import { boundingBox, type Size, visibleBox } from './camera.ts'
 import {
   type CirclePaths,
@@ -14,6 +15,8 @@ import { NOBODY, type State } from './state.ts'
 import type { Theme } from './theme.ts'
 import { tintClasses } from './tints.ts'
 
+/** What lies so far outside the canvas, in pixels, is not drawn; the outlines of cells run along that border. */
+const MARGIN = 4
 /** How far a drawn curve may be from the true one, in pixels. */
 const TOLERANCE = 0.05
 /** Browsers fill paths of many cells in more than linear time. */
@@ -49,12 +52,12 @@ export class Scene {
     context.lineJoin = 'round'
     context.lineCap = 'round'
 
-    const { cells, camera, circles } = state
+    const { diagram, camera, circles } = state
     const viewport: Viewport = {
-      cells,
+      diagram,
       camera,
       size,
-      box: visibleBox(camera, size, THICKEST_LINE),
+      region: ConvexPolygon.of(visibleBox(camera, size, MARGIN)),
       tolerance: TOLERANCE / camera.scale,
     }
     const cellWidth = averageCellWidth(circles) * camera.scale
@@ -73,15 +76,15 @@ export class Scene {
   }
 
   #fillCells(viewport: Viewport): void {
-    const { cells } = viewport
-    if (cells === undefined) return
+    const { diagram } = viewport
+    if (diagram === undefined) return
     const cellsByTint: number[][] = this.#theme.tints.map(() => [])
     const fill = (tint: number) => {
       this.#fill(cellsPath(cellsByTint[tint] as number[], viewport), this.#theme.tints[tint] as string)
       cellsByTint[tint] = []
     }
     this.#context.globalAlpha = this.#theme.cellOpacity
-    this.#tintClassesOf(cells.diagram.circles).forEach((tint, circle) => {
+    this.#tintClassesOf(diagram.circles).forEach((tint, circle) => {
       const count = cellsByTint[tint]?.push(circle)
       if (count === CELLS_PER_FILL) fill(tint)
     })

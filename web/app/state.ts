@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram.ts'
-import type { Cells } from '../lib/index.ts'
+import { at } from '../lib/diagram-data.ts'
+import type { Diagram } from '../lib/index.ts'
 import type { Camera } from './camera.ts'
 import { applyEdit, type Edit } from './edits.ts'
 import { EMPTY_HISTORY, type History, record, stepBack, stepForth } from './history.ts'
@@ -15,7 +15,7 @@ export interface State {
   readonly circles: Float64Array
   readonly history: History
   /** The last diagram that was computed. It has its own circles, which lag behind `circles` for a moment. */
-  readonly cells: Cells | undefined
+  readonly diagram: Diagram | undefined
   /** One sentence about what was refused, or empty. */
   readonly problem: string
   readonly selected: number
@@ -28,7 +28,7 @@ export const INITIAL_STATE: State = {
   dataSet: '',
   circles: new Float64Array(0),
   history: EMPTY_HISTORY,
-  cells: undefined,
+  diagram: undefined,
   problem: '',
   selected: NOBODY,
   hovered: NOBODY,
@@ -62,7 +62,7 @@ export function refused(state: State, problem: string): State {
 
 /** Other circles from the start, without a history. */
 export function loaded(state: State, dataSet: string, circles: Float64Array): State {
-  return { ...INITIAL_STATE, camera: state.camera, cells: state.cells, dataSet, circles }
+  return { ...INITIAL_STATE, camera: state.camera, diagram: state.diagram, dataSet, circles }
 }
 
 /** An edit of one circle leaves that circle selected; any other selects none. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram.ts'
+import { at } from '../lib/diagram-data.ts'
 
 /** A class from 0 to `classes` - 1 for each circle, by radius: each class has about as many circles, equal radii one class. */
 export function tintClasses(circles: Float64Array, classes: number): Uint8Array {

@@ -1,171 +1,104 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from './diagram.ts'
-import type { PathSink } from './path-sink.ts'
+import { at } from './diagram-data.ts'
+import type { Metric } from './metric.ts'
+import type { Point, Vector } from './point.ts'
 
 /**
- * The bisector of two circles, the points at the same signed distance from both: one branch of a hyperbola whose foci
- * are the centres. With m the middle of the centres, u the unit vector from the left centre to the right one and v = u
- * turned by 90 degrees counter-clockwise,
+ * The bisector of two circles, the points at the same distance from both: one branch of a hyperbola whose foci are the
+ * centres and whose axis has length 2 |a| = |r_left - r_right|, bent around the smaller circle. Seen from the centre of
+ * the smaller circle, the origin,
  *
- *     point(t) = m + a cosh(t) u + b sinh(t) v,      a = (r_left - r_right) / 2,  a^2 + b^2 = c^2,
+ *     point(s) = origin + (apex - |a| (s - 1)^2 / (2 s)) along + b (s - 1 / s) / 2 across,      0 < s < infinity,
  *
- * where c is half the distance of the centres. Growing t has the left circle on its left. For equal radii a is 0 and the
- * branch is a straight line. The distance to the left centre is c cosh(t) + a, so it grows with |t|.
+ * so s = 1 is the apex, on the line of centres, and growing s has the left circle on its left. With s = e^t this is the
+ * usual (|a| cosh t, b sinh t), without cancellation near the smaller circle and without functions that differ between
+ * platforms. For equal radii a is 0 and the branch is a straight line, as it is for the other metrics.
  *
- * A shift of t is an affine map of the branch onto itself, so an arc is as curved as its range of t is wide, wherever it
- * lies: every formula below depends on the half-width h of the range alone.
+ * Multiplying s by a number is an affine map of the branch onto itself: an arc is as curved as the ratio of the parameters
+ * of its ends says, wherever it lies.
  */
 export interface Bisector {
-  readonly mx: number
-  readonly my: number
-  readonly ux: number
-  readonly uy: number
+  /** The foci: the centre of the left circle, */
+  readonly left: Point
+  /** and of the right one. */
+  readonly right: Point
+  /** (r_left - r_right) / 2 */
   readonly a: number
+  /** a^2 + b^2 = c^2, where c is half the distance of the centres; above 0 */
   readonly b: number
-  readonly c: number
+  /** The focus of the smaller circle, the left one if radii are equal. */
+  readonly origin: Point
+  /** Unit vector from the origin to the other focus. */
+  readonly along: Vector
+  /** Unit vector at right angles to it, with the left circle on its left. */
+  readonly across: Vector
+  /**
+   * The distance c - |a| from the origin to the apex. For the metric `power` it is where the radical axis crosses the line
+   * of centres, and may be negative.
+   */
+  readonly apex: number
 }
 
-export interface Point {
-  readonly x: number
-  readonly y: number
-}
-
-/** A range of the parameter t, `from` less than `to`; the ends may be infinite. */
-export interface Range {
-  readonly from: number
-  readonly to: number
-}
-
+/** Finite parameters keep away from what stands for infinity. */
+const SMALLEST_PARAMETER = 1e-300
+const LARGEST_PARAMETER = 1e300
 /** Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray. */
 const SMALLEST_B = 2 ** -50
 
-/** `circles`: x, y, r each. Precondition: neither circle contains the other. */
-export function bisector(circles: Float64Array, left: number, right: number): Bisector {
-  const xl = at(circles, 3 * left)
-  const yl = at(circles, 3 * left + 1)
-  const dx = at(circles, 3 * right) - xl
-  const dy = at(circles, 3 * right + 1) - yl
-  const dr = at(circles, 3 * left + 2) - at(circles, 3 * right + 2)
+/** The bisector of two circles with cells; `circles`: x, y, r each. */
+export function bisector(circles: Float64Array, left: number, right: number, metric: Metric = 'circles'): Bisector {
+  const leftCentre = { x: at(circles, 3 * left), y: at(circles, 3 * left + 1) }
+  const rightCentre = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
+  const leftRadius = at(circles, 3 * left + 2)
+  const rightRadius = at(circles, 3 * right + 2)
+  const difference = metric === 'circles' ? leftRadius - rightRadius : 0
+  const size = Math.abs(difference)
+  const originIsLeft = difference <= 0
+  const origin = originIsLeft ? leftCentre : rightCentre
+  const other = originIsLeft ? rightCentre : leftCentre
+  const dx = other.x - origin.x
+  const dy = other.y - origin.y
   const d = Math.sqrt(dx * dx + dy * dy)
+  const along = { x: dx / d, y: dy / d }
   return {
-    mx: xl + dx / 2,
-    my: yl + dy / 2,
-    ux: dx / d,
-    uy: dy / d,
-    a: dr / 2,
+    left: leftCentre,
+    right: rightCentre,
+    a: difference / 2,
     // Not c^2 - a^2, which cancels for a circle almost inside the other.
-    b: Math.max(Math.sqrt(Math.max((d - dr) * (d + dr), 0)), d * SMALLEST_B) / 2,
-    c: d / 2,
+    b: Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2,
+    origin,
+    along,
+    across: originIsLeft ? { x: -along.y, y: along.x } : { x: along.y, y: -along.x },
+    apex:
+      metric === 'power' ? d / 2 + (leftRadius - rightRadius) * ((leftRadius + rightRadius) / (2 * d)) : (d - size) / 2,
   }
 }
 
-export function pointAt({ mx, my, ux, uy, a, b }: Bisector, t: number): Point {
-  const along = a * Math.cosh(t)
-  const across = b * Math.sinh(t)
-  return { x: mx + along * ux - across * uy, y: my + along * uy + across * ux }
+/** The point of the bisector with parameter 0 < s < infinity. */
+export function pointAt({ origin, along, across, apex, a, b }: Bisector, s: number): Point {
+  const u = apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2))
+  const v = (b * (s - 1 / s)) / 2
+  return { x: origin.x + (u * along.x + v * across.x), y: origin.y + (u * along.y + v * across.y) }
 }
 
-/** The parameter of a point of the bisector. */
-export function parameterAt({ mx, my, ux, uy, b }: Bisector, x: number, y: number): number {
-  return Math.asinh(((y - my) * ux - (x - mx) * uy) / b)
+/** The parameter of the point of the bisector next to (x, y), a point on it but for rounding. */
+export function parameterAt({ origin, across, apex, a, b }: Bisector, x: number, y: number): number {
+  const dx = x - origin.x
+  const dy = y - origin.y
+  const sine = (dx * across.x + dy * across.y) / b
+  const c = apex + Math.abs(a)
+  // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
+  // changes faster. Of a narrow branch that is the distance.
+  const isSteep = a !== 0 && c * Math.abs(sine) > b * Math.sqrt(sine * sine + 1)
+  const rise = (Math.sqrt(dx * dx + dy * dy) - apex) / c
+  if (!isSteep || !(rise > 0)) return exponentialOf(sine)
+  const size = Math.sqrt(rise) * Math.sqrt(rise + 2)
+  return exponentialOf(sine < 0 ? -size : size)
 }
 
-/**
- * The part of `range` whose points are at a distance from the left centre between `near` and `far`: no range, one, or
- * one on either side of the apex t = 0. It is bounded if `far` is finite.
- */
-export function rangesWithin({ a, c }: Bisector, range: Range, near: number, far: number): Range[] {
-  const farthest = (far - a) / c
-  if (!(farthest >= 1)) return []
-  const outer = Math.acosh(farthest)
-  const nearest = (near - a) / c
-  if (nearest <= 1) return intersections(range, [{ from: -outer, to: outer }])
-  const inner = Math.acosh(nearest)
-  return intersections(range, [
-    { from: -outer, to: -inner },
-    { from: inner, to: outer },
-  ])
-}
-
-function intersections(range: Range, others: readonly Range[]): Range[] {
-  return others
-    .map(({ from, to }) => ({ from: Math.max(from, range.from), to: Math.min(to, range.to) }))
-    .filter(({ from, to }) => from < to)
-}
-
-/** An arc as a rational quadratic Bezier curve: exact, with weights 1, `weight`, 1. */
-export interface RationalBezier {
-  readonly start: Point
-  readonly control: Point
-  readonly end: Point
-  readonly weight: number
-}
-
-/** The arc from parameter `from` to parameter `to`, both finite. */
-export function rationalBezier(curve: Bisector, from: number, to: number): RationalBezier {
-  const weight = Math.cosh((to - from) / 2)
-  const apex = pointAt(curve, (from + to) / 2)
-  return {
-    start: pointAt(curve, from),
-    // The tangents at both ends meet on the ray from the middle of the hyperbola through the arc's apex.
-    control: { x: curve.mx + (apex.x - curve.mx) / weight, y: curve.my + (apex.y - curve.my) / weight },
-    end: pointAt(curve, to),
-    weight,
-  }
-}
-
-/**
- * Draws the arc from parameter `from` (where the path already is) to parameter `to`, in either direction, as cubic Bezier
- * curves no farther than `tolerance` from it. The last one ends at `end`, which is the arc's end up to rounding: arcs that
- * meet in a vertex then meet exactly.
- */
-export function traceArc(
-  sink: PathSink,
-  curve: Bisector,
-  from: number,
-  to: number,
-  end: Point,
-  tolerance: number,
-): void {
-  const { mx, my, ux, uy, a, b } = curve
-  const size = Math.abs(a)
-  // The chord is at most |a| (cosh h - 1) off.
-  if (size * (Math.cosh((to - from) / 2) - 1) <= tolerance) {
-    sink.lineTo(end.x, end.y)
-    return
-  }
-  const pieces = Math.max(1, Math.ceil(Math.abs(to - from) / (2 * halfWidthWithin(tolerance / size))))
-  const step = (to - from) / pieces
-  // The cubic with the arc's tangents at its ends that also meets it in the middle.
-  const handle = (4 / 3) * Math.tanh(step / 4)
-  let along = a * Math.cosh(from)
-  let across = b * Math.sinh(from)
-  for (let piece = 1; piece <= pieces; piece++) {
-    const t = piece === pieces ? to : from + piece * step
-    const nextAlong = a * Math.cosh(t)
-    const nextAcross = b * Math.sinh(t)
-    // The derivative of (a cosh t, b sinh t) is (across a / b, along b / a); a is not 0 here.
-    const along1 = along + handle * across * (a / b)
-    const across1 = across + handle * along * (b / a)
-    const along2 = nextAlong - handle * nextAcross * (a / b)
-    const across2 = nextAcross - handle * nextAlong * (b / a)
-    sink.bezierCurveTo(
-      mx + along1 * ux - across1 * uy,
-      my + along1 * uy + across1 * ux,
-      mx + along2 * ux - across2 * uy,
-      my + along2 * uy + across2 * ux,
-      piece === pieces ? end.x : mx + nextAlong * ux - nextAcross * uy,
-      piece === pieces ? end.y : my + nextAlong * uy + nextAcross * ux,
-    )
-    along = nextAlong
-    across = nextAcross
-  }
-}
-
-/**
- * The half-width h up to which one cubic stays within `ratio` times |a| of its arc. The cubic's distance is at most
- * 4/27 s^3 / (1 + s) |a| with s = sinh^2(h / 2).
- */
-function halfWidthWithin(ratio: number): number {
-  return 2 * Math.asinh(Math.sqrt(Math.cbrt((27 / 4) * ratio)))
+/** e^t for t = arsinh(sine). */
+export function exponentialOf(sine: number): number {
+  const size = Math.abs(sine)
+  const s = size < 1e100 ? size + Math.sqrt(size * size + 1) : 2 * size
+  return Math.min(Math.max(sine < 0 ? 1 / s : s, SMALLEST_PARAMETER), LARGEST_PARAMETER)
 }

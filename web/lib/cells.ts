@@ -1,112 +1,158 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at, type Diagram, NONE } from './diagram.ts'
-import { bisectorOf, circleOf, neighborOf, originOf, reachOf, targetOf } from './sides.ts'
+import { type EdgeCurve, edgeCurve, reversed } from './curve.ts'
+import { at, type DiagramData, NONE } from './diagram-data.ts'
+import { distance } from './metric.ts'
 
-/** The cells of a diagram: which sides (see sides.ts) each has, in order. Made once per diagram, in linear time. */
+/**
+ * The cells of a diagram: which sides each has, in order. Made once per diagram, in linear time.
+ *
+ * An edge seen from one of its two cells is a *side* of that cell. Side 2 e of edge e belongs to the left circle and runs
+ * from start to end; side 2 e + 1 belongs to the right circle and runs back. So every side has its own cell on its left,
+ * and the sides of a cell run counter-clockwise around it.
+ *
+ * The diagram must be certified, or a comparison diagram.
+ */
 export class Cells {
-  readonly diagram: Diagram
+  readonly diagram: DiagramData
   /** The sides of cell i are those from `#first[i]` to `#first[i + 1]` in `#sides`. */
   readonly #first: Int32Array
   readonly #sides: Int32Array
-  /** For each cell the largest distance of its points from the centre of its circle. */
   readonly #reach: Float64Array
 
-  constructor(diagram: Diagram) {
+  constructor(diagram: DiagramData) {
     const circleCount = diagram.circles.length / 3
     const sideCount = diagram.edges.length / 2
     this.diagram = diagram
     this.#first = new Int32Array(circleCount + 1)
     this.#sides = new Int32Array(sideCount)
-    this.#reach = new Float64Array(circleCount).fill(Number.NEGATIVE_INFINITY)
+    this.#reach = new Float64Array(circleCount)
 
-    for (let side = 0; side < sideCount; side++) {
-      const circle = circleOf(diagram, side)
+    const some = new Int32Array(circleCount)
+    for (let side = sideCount - 1; side >= 0; side--) {
+      const circle = this.circleOf(side)
+      some[circle] = side
       this.#first[circle + 1] = at(this.#first, circle + 1) + 1
-      this.#reach[circle] = Math.max(at(this.#reach, circle), reachOf(diagram, side))
+      this.#reach[circle] = Math.max(at(this.#reach, circle), this.#reachOf(side))
     }
     for (let i = 0; i < circleCount; i++) this.#first[i + 1] = at(this.#first, i + 1) + at(this.#first, i)
 
-    const place = this.#first.slice()
-    for (const side of sidesInOrder(diagram)) {
-      const circle = circleOf(diagram, side)
-      this.#sides[at(place, circle)] = side
-      place[circle] = at(place, circle) + 1
+    // The sides of a cell form one cycle, infinity included.
+    const next = this.#nextSides()
+    let place = 0
+    for (let i = 0; i < circleCount; i++) {
+      for (let side = at(some, i); place < at(this.#first, i + 1); side = at(next, side)) this.#sides[place++] = side
+      // A circle without sides has the whole plane, unless it is hidden.
+      if (at(this.#first, i) === place) this.#reach[i] = Number.POSITIVE_INFINITY
     }
-
-    // A circle without sides has no cell, or the whole plane if it is the only one that is not hidden.
-    const hiddenCount = diagram.hidden.length / 2
-    if (sideCount === 0 && hiddenCount === circleCount - 1) this.#reach.fill(Number.POSITIVE_INFINITY)
-    for (let h = 0; h < hiddenCount; h++) this.#reach[at(diagram.hidden, 2 * h)] = Number.NEGATIVE_INFINITY
+    for (let h = 0; h < diagram.hidden.length; h += 2) this.#reach[at(diagram.hidden, h)] = Number.NaN
   }
 
   /** Hidden circles have no cell. */
   exists(circle: number): boolean {
-    return at(this.#reach, circle) !== Number.NEGATIVE_INFINITY
+    return this.reach(circle) >= 0
   }
 
-  /** The largest distance from the circle's centre to a point of its cell; infinite for an unbounded one. */
+  /** The largest distance from the circle's centre to a point of its cell; infinite for an unbounded one, NaN for none. */
   reach(circle: number): number {
     return at(this.#reach, circle)
   }
 
+  /** Whether there is a cell, and it does not go to infinity. */
   isBounded(circle: number): boolean {
-    return this.exists(circle) && Number.isFinite(this.reach(circle))
+    return this.reach(circle) < Number.POSITIVE_INFINITY
   }
 
-  /** The sides of a cell, counter-clockwise. Those of an unbounded cell begin with one that comes from infinity. */
+  /**
+   * The sides of a cell, counter-clockwise; none if there is no cell, or it is the whole plane. Where the cell goes to
+   * infinity, the next side after one that ends there begins there.
+   */
   sides(circle: number): Int32Array {
     return this.#sides.subarray(at(this.#first, circle), at(this.#first, circle + 1))
   }
 
-  /** The circles whose cells share an edge with that of `circle`, each once, in the order of the edges. */
-  neighbors(circle: number): number[] {
-    return [...new Set(Array.from(this.sides(circle), (side) => neighborOf(this.diagram, side)))]
+  /** The circle whose cell the side belongs to. */
+  circleOf(side: number): number {
+    return at(this.diagram.edges, 4 * (side >> 1) + (side & 1))
   }
-}
 
-/** All sides, those of one cell in counter-clockwise order. */
-function* sidesInOrder(diagram: Diagram): Generator<number> {
-  const sideCount = diagram.edges.length / 2
-  const next = nextSides(diagram)
-  const seen = new Uint8Array(sideCount)
-  function* chain(head: number): Generator<number> {
-    for (let side = head; side !== NONE && seen[side] === 0; side = at(next, side)) {
-      seen[side] = 1
-      yield side
+  /** The circle on the other side of the edge. */
+  neighborOf(side: number): number {
+    return this.circleOf(side ^ 1)
+  }
+
+  /** The vertex where a side begins, or `NONE`. */
+  originOf(side: number): number {
+    return at(this.diagram.edges, 4 * (side >> 1) + 2 + (side & 1))
+  }
+
+  /** The vertex where a side ends, or `NONE`. */
+  targetOf(side: number): number {
+    return this.originOf(side ^ 1)
+  }
+
+  /** The curve of a side, with its cell on the left. */
+  curveOf(side: number): EdgeCurve {
+    const curve = edgeCurve(this.diagram, side >> 1)
+    return side & 1 ? reversed(curve) : curve
+  }
+
+  /** The circles across the sides of a cell, in their order: a circle recurs if the two share several edges. */
+  neighbors(circle: number): Int32Array {
+    return this.sides(circle).map((side) => this.neighborOf(side))
+  }
+
+  /**
+   * Whether no circle is nearer to (x, y), up to rounding. It suffices to ask the neighbours: a ray from the centre that
+   * leaves the cell across a side stays nearer to the neighbour there, and for the metric `power` a cell is the
+   * intersection of half-planes, one for each neighbour. False for a hidden circle.
+   */
+  contains(circle: number, x: number, y: number): boolean {
+    const own = distance(this.diagram, circle, x, y)
+    return (
+      this.exists(circle) &&
+      this.sides(circle).every((side) => own <= distance(this.diagram, this.neighborOf(side), x, y))
+    )
+  }
+
+  /** The largest distance from the centre of the side's circle to a point of the side: that of one of its ends. */
+  #reachOf(side: number): number {
+    const { circles, vertices } = this.diagram
+    const circle = this.circleOf(side)
+    const distanceTo = (vertex: number) => {
+      const dx = at(vertices, 3 * vertex) - at(circles, 3 * circle)
+      const dy = at(vertices, 3 * vertex + 1) - at(circles, 3 * circle + 1)
+      return vertex === NONE ? Number.POSITIVE_INFINITY : Math.sqrt(dx * dx + dy * dy)
     }
+    return Math.max(distanceTo(this.originOf(side)), distanceTo(this.targetOf(side)))
   }
 
-  // An unbounded cell is bounded by chains from infinity to infinity; a bounded one by a single loop.
-  const heads: { side: number; angle: number }[] = []
-  for (let side = 0; side < sideCount; side++) {
-    if (originOf(diagram, side) === NONE) heads.push({ side, angle: angleAtInfinity(diagram, side) })
+  /** For each side the one that follows it counter-clockwise around its cell. */
+  #nextSides(): Int32Array {
+    const { circles, vertexCircles, edges, hull } = this.diagram
+    // Each of the three cells at a vertex has one side that begins there.
+    const departures = new Int32Array(vertexCircles.length)
+    const slot = (vertex: number, circle: number) =>
+      3 * vertex + (at(vertexCircles, 3 * vertex) === circle ? 0 : at(vertexCircles, 3 * vertex + 1) === circle ? 1 : 2)
+    // A side that ends at infinity belongs to the hull's step from its neighbour to its circle, one that begins there to
+    // the step from its circle to its neighbour; each step occurs once.
+    const step = (from: number, to: number) => (from * circles.length) / 3 + to
+    const fromInfinity = new Map<number, number>()
+    const sides = new Int32Array(edges.length / 2)
+    sides.forEach((_, side) => {
+      const origin = this.originOf(side)
+      if (origin === NONE) fromInfinity.set(step(this.circleOf(side), this.neighborOf(side)), side)
+      else departures[slot(origin, this.circleOf(side))] = side
+    })
+    const following = new Map<number, number>()
+    hull.forEach((circle, i) => {
+      const [before, after] = [hull.at(i - 1) as number, hull[(i + 1) % hull.length] as number]
+      following.set(step(before, circle), step(circle, after))
+    })
+    return sides.map((_, side) => {
+      const target = this.targetOf(side)
+      if (target !== NONE) return at(departures, slot(target, this.circleOf(side)))
+      const next = following.get(step(this.neighborOf(side), this.circleOf(side))) as number
+      return fromInfinity.get(next) as number
+    })
   }
-  heads.sort((one, other) => one.angle - other.angle)
-  for (const { side } of heads) yield* chain(side)
-  for (let side = 0; side < sideCount; side++) yield* chain(side)
-}
-
-/** For each side the next one of its cell, or `NONE` where the side goes to infinity. */
-function nextSides(diagram: Diagram): Int32Array {
-  const { vertexCircles, edges } = diagram
-  const sideCount = edges.length / 2
-  // Each of the three cells at a vertex has one side that begins there.
-  const departures = new Int32Array(vertexCircles.length).fill(NONE)
-  const slot = (vertex: number, circle: number) =>
-    3 * vertex + (at(vertexCircles, 3 * vertex) === circle ? 0 : at(vertexCircles, 3 * vertex + 1) === circle ? 1 : 2)
-  for (let side = 0; side < sideCount; side++) {
-    const origin = originOf(diagram, side)
-    if (origin !== NONE) departures[slot(origin, circleOf(diagram, side))] = side
-  }
-  return new Int32Array(sideCount).map((_, side) => {
-    const target = targetOf(diagram, side)
-    return target === NONE ? NONE : at(departures, slot(target, circleOf(diagram, side)))
-  })
-}
-
-/** The direction from which a side comes that begins at infinity. */
-function angleAtInfinity(diagram: Diagram, side: number): number {
-  const { ux, uy, a, b } = bisectorOf(diagram, side)
-  // The limit of a cosh(t) u + b sinh(t) v is along a u - b v.
-  return Math.atan2(a * uy - b * ux, a * ux + b * uy)
 }

@@ -1,140 +1,187 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
-/** "None": the unbounded end of an edge. */
-export const NONE = -1
-
-/** A circle with centre (x, y) and radius r >= 0; r = 0 is a point. Mathematics is y-up. */
-export interface Circle {
-  readonly x: number
-  readonly y: number
-  readonly r: number
-}
-
-/**
- * A Voronoi vertex: the centre of the disc that touches its three circles from outside. `radius` is signed: it is
- * negative where the three circles overlap.
- */
-export interface Vertex {
-  readonly x: number
-  readonly y: number
-  readonly radius: number
-}
+import { Cells } from './cells.ts'
+import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
+import { type Certificate, type DiagramData, NONE, type Stats } from './diagram-data.ts'
+import { drawCell, drawCircle, drawDual, drawEdge, drawHull } from './draw.ts'
+import { exportBox, exportTolerance } from './export-box.ts'
+import { Finder } from './finder.ts'
+import type { Metric } from './metric.ts'
+import type { PathSink } from './path-sink.ts'
+import { SvgPath } from './svg-path.ts'
 
 /**
- * An arc of the bisector of circles `left` and `right`, as seen when going from vertex `start` to vertex `end`; an end
- * at infinity is `NONE`. Two circles may share several edges.
+ * The cell of a circle. Its sides are listed counter-clockwise; where it goes to infinity, the next side after one that ends
+ * there begins there. There are none if the cell is the whole plane.
  */
-export interface Edge {
-  readonly left: number
-  readonly right: number
-  readonly start: number
-  readonly end: number
-}
-
-/** A circle without a cell, and a circle that contains it and is not hidden itself. */
-export interface HiddenCircle {
+export interface Cell {
   readonly circle: number
-  readonly by: number
-}
-
-/** The outcome of judging a diagram: a proof that it is the Voronoi diagram, or the first thing that is wrong. */
-export interface Certificate {
-  readonly certified: boolean
-  /** The first flaw by the name of the C++ enumeration `Flaw` (circle_voronoi/certificate.h); `none` if certified. */
-  readonly flaw: string
-  /** The circle concerned, or `NONE`. */
-  readonly circle: number
-  /** The vertex concerned, or `NONE`. */
-  readonly vertex: number
-  /** The edge concerned, or `NONE`. */
-  readonly edge: number
-  /** One sentence; empty if certified. */
-  readonly message: string
-}
-
-/** How much each stage had to do. */
-export interface Counts {
-  readonly circles: number
-  readonly hidden: number
-  readonly samples: number
-  readonly antipodalDiscs: number
-  readonly threeTouchDiscs: number
-  readonly events: number
-  readonly leftoverCycles: number
-  readonly flips: number
-  readonly repairs: number
-  readonly filtered: number
-  /** Predicates decided in double-double arithmetic, with an error bound. */
-  readonly refined: number
-  readonly inCircle: number
-  readonly exact: number
-}
-
-/** Wall-clock seconds of each stage. */
-export interface Seconds {
-  readonly hide: number
-  readonly sample: number
-  readonly pair: number
-  readonly touch: number
-  readonly flip: number
-  readonly repair: number
-  readonly certify: number
-  readonly total: number
-}
-
-export interface Stats {
-  /** The method asked for. */
-  readonly method: string
-  /** The construction that made the result: `flip`, `repair`, `touching-disc` or `apollonius-graph`. */
-  readonly way: string
-  /** The candidates of the touching disc method, or empty. */
-  readonly candidates: string
-  readonly counts: Counts
-  readonly seconds: Seconds
-}
-
-/**
- * The Voronoi diagram of n circles, by indices into flat arrays. Plain data: it can be posted to and from a worker.
- *
- * A vertex that touches more than three circles appears as several vertices joined by edges of length zero, so every
- * vertex has exactly three circles and three edges.
- */
-export interface Diagram {
-  /** Three per circle: x, y, r, in input order. */
-  readonly circles: Float64Array
-  /** Three per vertex: x, y, radius. */
-  readonly vertices: Float64Array
-  /** Three per vertex: its circles, counter-clockwise. */
-  readonly vertexCircles: Int32Array
-  /** Four per edge: left, right, start, end. */
+  /** For each side 2 e, or 2 e + 1 if the cell is on the right of edge e. */
+  readonly sides: Int32Array
+  /** For each side its edge. */
   readonly edges: Int32Array
-  /** Two per hidden circle: circle, by; in increasing order of `circle`. */
+  /** For each side the circle across; one recurs if the two cells share several edges. */
+  readonly neighbors: Int32Array
+  /** For each side the vertex where it begins, or `NONE` if it comes from infinity. */
+  readonly vertices: Int32Array
+  /** Whether it does not go to infinity. */
+  readonly isBounded: boolean
+}
+
+/**
+ * The Voronoi diagram of n circles: flat arrays, and what one asks of them. A structured clone, as `postMessage` makes, is
+ * its `DiagramData`; `new Diagram(data)` gives that its methods back. There is nothing to free.
+ *
+ * What draws takes a canvas, a `Path2D` or any other `PathSink`, or returns the `d` attribute of an SVG path. Curves are
+ * Bezier curves no farther than `tolerance` from the true ones, by default a hundred-thousandth of the bounds. Bounds are
+ * a box or a convex polygon in the units of the input, by default a box with room for a twentieth of the circles' extent
+ * around them.
+ *
+ * The methods presume a certified diagram. What is made to answer them, in linear time, is made once, when first needed.
+ */
+export class Diagram implements DiagramData {
+  readonly metric: Metric
+  readonly circles: Float64Array
+  readonly vertices: Float64Array
+  readonly vertexCircles: Int32Array
+  readonly edges: Int32Array
   readonly hidden: Int32Array
-  /** The circles on the convex hull, counter-clockwise; a circle recurs if the hull touches it more than once. */
   readonly hull: Int32Array
   readonly certificate: Certificate
   readonly stats: Stats
-}
+  #cells: Cells | undefined
+  #finder: Finder | undefined
+  #bounds: ConvexPolygon | undefined
 
-/** Circle `i` of a flat array of x, y, r. */
-export function circleAt(circles: Float64Array, i: number): Circle {
-  return { x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) }
-}
+  constructor(data: DiagramData) {
+    this.metric = data.metric
+    this.circles = data.circles
+    this.vertices = data.vertices
+    this.vertexCircles = data.vertexCircles
+    this.edges = data.edges
+    this.hidden = data.hidden
+    this.hull = data.hull
+    this.certificate = data.certificate
+    this.stats = data.stats
+  }
 
-export function vertexAt({ vertices }: Diagram, v: number): Vertex {
-  return { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1), radius: at(vertices, 3 * v + 2) }
-}
+  /** The sides of all cells in order. */
+  get cells(): Cells {
+    this.#cells ??= new Cells(this)
+    return this.#cells
+  }
 
-export function edgeAt({ edges }: Diagram, e: number): Edge {
-  return {
-    left: at(edges, 4 * e),
-    right: at(edges, 4 * e + 1),
-    start: at(edges, 4 * e + 2),
-    end: at(edges, 4 * e + 3),
+  /** The cell of circle `i`; `undefined` if it is hidden. */
+  cell(i: number): Cell | undefined {
+    const { cells } = this
+    if (!cells.exists(i)) return undefined
+    const sides = cells.sides(i).slice()
+    return {
+      circle: i,
+      sides,
+      edges: sides.map((side) => side >> 1),
+      neighbors: cells.neighbors(i),
+      vertices: sides.map((side) => cells.originOf(side)),
+      isBounded: cells.isBounded(i),
+    }
+  }
+
+  /**
+   * The circles whose cells share an edge with that of circle `i`, counter-clockwise: one recurs if they share several.
+   */
+  neighbors(i: number): Int32Array {
+    return this.cells.neighbors(i)
+  }
+
+  /** Whether (x, y) is in the cell of circle `i`: no circle is nearer, up to rounding. False if `i` is hidden. */
+  contains(i: number, x: number, y: number): boolean {
+    return this.cells.contains(i, x, y)
+  }
+
+  /**
+   * The circle nearest to (x, y) by the signed distance to its boundary; one of them, if several are up to rounding. A walk
+   * from a circle near the point, or from `hint` if that is nearer: for circles spread evenly a step or two. `NONE` if there
+   * are no circles, or a coordinate is not finite.
+   */
+  find(x: number, y: number, hint: number = NONE): number {
+    this.#finder ??= new Finder(this.cells)
+    return this.#finder.find(x, y, hint)
+  }
+
+  /** For each of many points, x and y each, the same; it is fastest if points near in the list are near in the plane. */
+  findAll(points: Float64Array): Int32Array {
+    this.#finder ??= new Finder(this.cells)
+    return this.#finder.findAll(points)
+  }
+
+  /** What of edge `e` lies in the bounds. */
+  edgePath(e: number, context?: undefined, bounds?: Bounds, tolerance?: number): string
+  edgePath(e: number, context: PathSink, bounds?: Bounds, tolerance?: number): void
+  edgePath(e: number, context?: PathSink, bounds?: Bounds, tolerance?: number): string | undefined {
+    const region = this.#regionOf(bounds)
+    return drawn(context, (sink) => drawEdge(sink, this, e, region, toleranceOr(tolerance, region)))
+  }
+
+  /**
+   * The outline of what of the cell of circle `i` lies in the bounds: a closed counter-clockwise path for each of its parts,
+   * nothing if it is hidden.
+   */
+  cellPath(i: number, bounds?: Bounds, context?: undefined, tolerance?: number): string
+  cellPath(i: number, bounds: Bounds | undefined, context: PathSink, tolerance?: number): void
+  cellPath(i: number, bounds?: Bounds, context?: PathSink, tolerance?: number): string | undefined {
+    const region = this.#regionOf(bounds)
+    return drawn(context, (sink) => drawCell(sink, this.cells, i, region, toleranceOr(tolerance, region)))
+  }
+
+  /** All edges within the bounds. */
+  render(context?: undefined, bounds?: Bounds, tolerance?: number): string
+  render(context: PathSink, bounds?: Bounds, tolerance?: number): void
+  render(context?: PathSink, bounds?: Bounds, tolerance?: number): string | undefined {
+    const region = this.#regionOf(bounds)
+    return drawn(context, (sink) => {
+      for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, region, toleranceOr(tolerance, region))
+    })
+  }
+
+  /** All circles, hidden ones too. */
+  renderCircles(context?: undefined): string
+  renderCircles(context: PathSink): void
+  renderCircles(context?: PathSink): string | undefined {
+    return drawn(context, (sink) => {
+      for (let i = 0; i < this.circles.length / 3; i++) drawCircle(sink, this, i)
+    })
+  }
+
+  /** The dual: a segment from centre to centre for each edge. */
+  renderDual(context?: undefined): string
+  renderDual(context: PathSink): void
+  renderDual(context?: PathSink): string | undefined {
+    return drawn(context, (sink) => drawDual(sink, this))
+  }
+
+  /** The convex hull of the circles: arcs and the tangent segments between them. */
+  renderHull(context?: undefined): string
+  renderHull(context: PathSink): void
+  renderHull(context?: PathSink): string | undefined {
+    return drawn(context, (sink) => drawHull(sink, this))
+  }
+
+  #regionOf(bounds: Bounds | undefined): ConvexPolygon {
+    if (bounds !== undefined) return ConvexPolygon.of(bounds)
+    this.#bounds ??= ConvexPolygon.of(exportBox(this.circles))
+    return this.#bounds
   }
 }
 
-/** Precondition: 0 <= index < array.length. */
-export function at(array: Float64Array | Int32Array | Uint8Array, index: number): number {
-  return array[index] as number
+function toleranceOr(tolerance: number | undefined, region: ConvexPolygon): number {
+  return tolerance ?? exportTolerance(region.box)
+}
+
+function drawn(context: PathSink | undefined, draw: (sink: PathSink) => void): string | undefined {
+  if (context !== undefined) {
+    draw(context)
+    return undefined
+  }
+  const path = new SvgPath()
+  draw(path)
+  return path.toString()
 }

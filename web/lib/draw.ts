@@ -1,104 +1,101 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { type Point, pointAt, rangesWithin, traceArc } from './bisector.ts'
+import { traceArc } from './bezier.ts'
 import type { Cells } from './cells.ts'
-import { at, circleAt, type Diagram } from './diagram.ts'
+import { clipSpans, part } from './clip.ts'
+import type { ConvexPolygon } from './convex-polygon.ts'
+import { edgeCurve, isBounded } from './curve.ts'
+import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
+import { hull } from './hull.ts'
+import { outline } from './outline.ts'
 import type { PathSink } from './path-sink.ts'
-import { bisectorOf, circleOf, originOf, rangeOf, reachOf, targetOf, vertexPoint } from './sides.ts'
 
-/** A window on the plane: what lies outside it need not be drawn. */
-export interface Box {
-  readonly minX: number
-  readonly minY: number
-  readonly maxX: number
-  readonly maxY: number
-}
-
-/** Draws the part of edge `e` that lies in the box, and little more, no farther than `tolerance` from the true curve. */
-export function traceEdge(sink: PathSink, diagram: Diagram, e: number, box: Box, tolerance: number): void {
-  const side = 2 * e
-  const { near, far } = distancesTo(box, diagram.circles, circleOf(diagram, side))
-  if (reachOf(diagram, side) < near) return
-  const curve = bisectorOf(diagram, side)
-  const range = rangeOf(diagram, side, curve)
-  // The margin outweighs rounding where the curve runs across the box at a steady distance from the centre.
-  const margin = (far - near) / 2
-  for (const { from, to } of rangesWithin(curve, range, near - margin, far + margin)) {
-    const start = from === range.from ? vertexPoint(diagram, originOf(diagram, side)) : pointAt(curve, from)
-    const end = to === range.to ? vertexPoint(diagram, targetOf(diagram, side)) : pointAt(curve, to)
-    sink.moveTo(start.x, start.y)
-    traceArc(sink, curve, from, to, end, tolerance)
+/** Draws what of edge `e` lies in a region, no farther than `tolerance` from the true curve. */
+export function drawEdge(
+  sink: PathSink,
+  diagram: DiagramData,
+  e: number,
+  region: ConvexPolygon,
+  tolerance: number,
+): void {
+  if (isBeyondEdge(diagram, e, region)) return
+  const curve = edgeCurve(diagram, e)
+  for (const span of clipSpans(curve, region)) {
+    const piece = part(curve, span, region)
+    if (!isBounded(piece)) continue
+    sink.moveTo(piece.start.x, piece.start.y)
+    traceArc(sink, piece, tolerance)
   }
 }
 
-/**
- * Draws the outline of a cell, cut by a circle around the cell's own circle that contains the box: a cell is star-shaped
- * seen from there, so the cut is an arc wherever the cell goes on. A hidden circle and a cell outside the box draw nothing.
- */
-export function traceCell(sink: PathSink, cells: Cells, circle: number, box: Box, tolerance: number): void {
-  const { diagram } = cells
-  const { near, far: cut } = distancesTo(box, diagram.circles, circle)
-  if (!cells.exists(circle) || cells.reach(circle) < near) return
-
-  const { x, y } = circleAt(diagram.circles, circle)
-  const angleOf = (point: Point) => Math.atan2(point.y - y, point.x - x)
-  let first: Point | undefined
-  let last: Point | undefined
-  let lastIsCut = false
-  let swept = 0
-
-  const arcAlongCut = (from: Point, to: Point) => {
-    const angle = angleOf(from)
-    const sweep = turn(angle, angleOf(to))
-    // A gap of no width may come out as a full turn; what is drawn already tells the two apart.
-    if (swept + sweep < FULL_TURN + ANGLE_ROUNDING) sink.arc(x, y, cut, angle, angle + sweep)
-    swept += sweep
+/** Draws the outline of what of a cell lies in a region, counter-clockwise: a closed path for each of its parts. */
+export function drawCell(sink: PathSink, cells: Cells, circle: number, region: ConvexPolygon, tolerance: number): void {
+  const reach = cells.reach(circle)
+  if (!(squaredDistanceTo(region, cells.diagram, circle) <= reach * reach)) return
+  for (const loop of outline(cells, circle, region)) {
+    loop.forEach(({ curve }, k) => {
+      if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
+      traceArc(sink, curve, tolerance)
+    })
+    sink.closePath()
   }
+}
 
-  for (const side of cells.sides(circle)) {
-    const curve = bisectorOf(diagram, side)
-    const range = rangeOf(diagram, side, curve)
-    const visible = rangesWithin(curve, range, 0, cut)[0]
-    if (visible === undefined) continue
-    const { from, to } = visible
-    const start = from === range.from ? vertexPoint(diagram, originOf(diagram, side)) : pointAt(curve, from)
-    const end = to === range.to ? vertexPoint(diagram, targetOf(diagram, side)) : pointAt(curve, to)
-    if (first === undefined || last === undefined) {
-      first = start
-      sink.moveTo(start.x, start.y)
-    } else if (lastIsCut) {
-      arcAlongCut(last, start)
-    }
-    traceArc(sink, curve, from, to, end, tolerance)
-    swept += turn(angleOf(start), angleOf(end))
-    last = end
-    lastIsCut = to < range.to
-  }
+/** Draws the convex hull: arcs of circles and the tangent segments between them. */
+export function drawHull(sink: PathSink, diagram: DiagramData): void {
+  const { arcs } = hull(diagram)
+  arcs.forEach(({ circle, start, angle }, k) => {
+    const { x, y } = circleAt(diagram.circles, circle)
+    const radius = Math.sqrt((start.x - x) * (start.x - x) + (start.y - y) * (start.y - y))
+    const from = Math.atan2(start.y - y, start.x - x)
+    if (k === 0) sink.moveTo(start.x, start.y)
+    else sink.lineTo(start.x, start.y)
+    if (radius > 0) sink.arc(x, y, radius, from, from + angle)
+  })
+  if (arcs.length > 0) sink.closePath()
+}
 
-  if (first === undefined || last === undefined) {
-    sink.moveTo(x + cut, y)
-    sink.arc(x, y, cut, 0, FULL_TURN)
-  } else if (lastIsCut) {
-    arcAlongCut(last, first)
+/** Draws a segment from centre to centre for each edge. */
+export function drawDual(sink: PathSink, { circles, edges }: DiagramData): void {
+  for (let e = 0; e < edges.length; e += 4) {
+    const [left, right] = [at(edges, e), at(edges, e + 1)]
+    sink.moveTo(at(circles, 3 * left), at(circles, 3 * left + 1))
+    sink.lineTo(at(circles, 3 * right), at(circles, 3 * right + 1))
   }
+}
+
+/** Draws a circle. */
+export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number): void {
+  const { x, y, r } = circleAt(circles, i)
+  sink.moveTo(x + r, y)
+  sink.arc(x, y, r, 0, 2 * Math.PI)
   sink.closePath()
 }
 
-const FULL_TURN = 2 * Math.PI
-const ANGLE_ROUNDING = 1e-6
-
-/** The counter-clockwise angle from one direction to another, from 0 to a full turn. */
-function turn(from: number, to: number): number {
-  const difference = to - from
-  return difference < 0 ? difference + FULL_TURN : difference
+/**
+ * Spares the work for most of the edges outside a small region: the distance from the left centre grows along a branch from
+ * its apex either way, so it is largest at a vertex.
+ */
+function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): boolean {
+  const { circles, edges, vertices } = diagram
+  const left = at(edges, 4 * e)
+  const start = at(edges, 4 * e + 2)
+  const end = at(edges, 4 * e + 3)
+  if (start === NONE || end === NONE) return false
+  const x = at(circles, 3 * left)
+  const y = at(circles, 3 * left + 1)
+  const startX = at(vertices, 3 * start) - x
+  const startY = at(vertices, 3 * start + 1) - y
+  const endX = at(vertices, 3 * end) - x
+  const endY = at(vertices, 3 * end + 1) - y
+  const reach = Math.max(startX * startX + startY * startY, endX * endX + endY * endY)
+  return reach < squaredDistanceTo(region, diagram, left)
 }
 
-/** The least and the greatest distance from a circle's centre to the points of the box. */
-function distancesTo(box: Box, circles: Float64Array, circle: number): { near: number; far: number } {
+/** At most the squared distance from a circle's centre to the region. */
+function squaredDistanceTo({ box }: ConvexPolygon, { circles }: DiagramData, circle: number): number {
   const x = at(circles, 3 * circle)
   const y = at(circles, 3 * circle + 1)
-  const nearX = Math.max(box.minX - x, 0, x - box.maxX)
-  const nearY = Math.max(box.minY - y, 0, y - box.maxY)
-  const farX = Math.max(box.maxX - x, x - box.minX)
-  const farY = Math.max(box.maxY - y, y - box.minY)
-  return { near: Math.sqrt(nearX * nearX + nearY * nearY), far: Math.sqrt(farX * farX + farY * farY) }
+  const dx = Math.max(box.minX - x, 0, x - box.maxX)
+  const dy = Math.max(box.minY - y, 0, y - box.maxY)
+  return dx * dx + dy * dy
 }

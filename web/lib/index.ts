@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 export {
-  type Bisector,
-  bisector,
-  type Point,
-  parameterAt,
-  pointAt,
-  type Range,
+  bezierPointAt,
+  type CubicBezier,
+  cubicBeziers,
+  polyline,
   type RationalBezier,
   rationalBezier,
   traceArc,
-} from './bisector.ts'
+} from './bezier.ts'
+export { type Bisector, bisector, parameterAt, pointAt } from './bisector.ts'
 export { Cells } from './cells.ts'
+export { type ClearestPath, clearestPath } from './clearest-path.ts'
+export { clip } from './clip.ts'
+export { type Bounds, type Box, ConvexPolygon } from './convex-polygon.ts'
+export { type BoundedCurve, type EdgeCurve, edgeCurve, isBounded, reversed, segment } from './curve.ts'
+export { type Cell, Diagram } from './diagram.ts'
 export {
   at,
   type Certificate,
   type Circle,
   type Counts,
   circleAt,
-  type Diagram,
+  type DiagramData,
   type Edge,
   edgeAt,
   type HiddenCircle,
@@ -26,8 +30,17 @@ export {
   type Stats,
   type Vertex,
   vertexAt,
-} from './diagram.ts'
-export { type Box, traceCell, traceEdge } from './draw.ts'
+} from './diagram-data.ts'
 export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './errors.ts'
+export { exportBox } from './export-box.ts'
+export { type Hull, type HullArc, hull } from './hull.ts'
+export { type EmptyDisc, largestEmptyDisc, largestEmptyDiscInHull } from './largest-empty-disc.ts'
 export { type CircleVoronoi, type LoadOptions, loadCircleVoronoi, type Options } from './loader.ts'
+export { arcLength, area, centroid, perimeter } from './measure.ts'
+export { type MergedDiagram, mergeVertices } from './merged.ts'
+export { distance, type Metric } from './metric.ts'
+export { type Outline, type OutlinePiece, outline } from './outline.ts'
 export type { PathSink } from './path-sink.ts'
+export type { Point, Vector } from './point.ts'
+export { type ClosestPair, closestPair, neighborPairs } from './queries.ts'
+export { SvgPath } from './svg-path.ts'

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Certificate, Circle, Diagram } from './diagram.ts'
+import { Diagram } from './diagram.ts'
+import type { Certificate, Circle, DiagramData } from './diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from './errors.ts'
 import createModule from './generated/circle-voronoi.js'
 
@@ -47,7 +48,7 @@ export interface CircleVoronoi {
    *
    * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is none.
    */
-  certify(diagram: Omit<Diagram, 'certificate' | 'stats'>): Certificate
+  certify(diagram: Omit<DiagramData, 'metric' | 'certificate' | 'stats'>): Certificate
   /** The error codes of the C++ core, in order; the same as `ERROR_CODES`. */
   errorCodeNames(): readonly string[]
 }
@@ -62,7 +63,8 @@ export async function loadCircleVoronoi(options: LoadOptions = {}): Promise<Circ
     compute(circles, { method, candidates, samples, repair } = {}) {
       const coordinates = flatten(circles)
       checkOptions({ method, candidates, samples, repair })
-      return { circles: coordinates, ...unwrap(module.compute(coordinates, { method, candidates, samples, repair })) }
+      const result = unwrap(module.compute(coordinates, { method, candidates, samples, repair }))
+      return new Diagram({ metric: 'circles', circles: coordinates, ...result })
     },
     certify({ circles, vertices, vertexCircles, edges, hidden, hull }) {
       checkArray('circles', circles, Float64Array, 3)

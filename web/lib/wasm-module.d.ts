@@ -13,10 +13,13 @@ interface WasmOptions {
 }
 
 interface WasmModule {
-  compute(circles: Float64Array, options: WasmOptions): WasmError | Omit<import('./diagram.ts').Diagram, 'circles'>
+  compute(
+    circles: Float64Array,
+    options: WasmOptions,
+  ): WasmError | Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'circles'>
   certify(
-    diagram: Omit<import('./diagram.ts').Diagram, 'certificate' | 'stats'>,
-  ): WasmError | import('./diagram.ts').Certificate
+    diagram: Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'certificate' | 'stats'>,
+  ): WasmError | import('./diagram-data.ts').Certificate
   errorCodeNames(): string[]
 }
 

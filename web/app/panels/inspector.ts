@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../lib/diagram.ts'
-import type { Cells } from '../../lib/index.ts'
+import { at } from '../../lib/diagram-data.ts'
+import type { Diagram } from '../../lib/index.ts'
 import type { Actions } from '../actions.ts'
 import { NOBODY, type State, selectedCircle } from '../state.ts'
 import type { Store } from '../store.ts'
@@ -64,7 +64,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
       field.setAttribute('aria-invalid', String(field === typing && state.problem !== ''))
       if (field !== typing && field.value !== text) field.value = text
     })
-    const [description, indices] = describeCell(state.cells, state.selected)
+    const [description, indices] = describeCell(state.diagram, state.selected)
     cell.textContent = description
     showNeighbors(indices)
   })
@@ -72,18 +72,19 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
   return () => (fields[0] as HTMLInputElement).focus()
 }
 
-function describeCell(cells: Cells | undefined, circle: number): [string, readonly number[]] {
-  if (cells === undefined || circle >= cells.diagram.circles.length / 3) return ['', []]
-  if (!cells.exists(circle)) {
-    const by = hiderOf(cells, circle)
+function describeCell(diagram: Diagram | undefined, circle: number): [string, readonly number[]] {
+  if (diagram === undefined || circle >= diagram.circles.length / 3) return ['', []]
+  const cell = diagram.cell(circle)
+  if (cell === undefined) {
+    const by = hiderOf(diagram, circle)
     return [`Hidden inside circle ${by}: it has no cell.`, [by]]
   }
-  const neighbors = cells.neighbors(circle)
-  const kind = cells.isBounded(circle) ? 'Bounded cell' : 'Unbounded cell'
+  const neighbors = [...new Set(cell.neighbors)]
+  const kind = cell.isBounded ? 'Bounded cell' : 'Unbounded cell'
   return [`${kind}, ${neighbors.length} ${neighbors.length === 1 ? 'neighbour' : 'neighbours'}`, neighbors]
 }
 
-function hiderOf({ diagram: { hidden } }: Cells, circle: number): number {
+function hiderOf({ hidden }: Diagram, circle: number): number {
   for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h) === circle) return at(hidden, h + 1)
   return NOBODY
 }

@@ -16,9 +16,8 @@ export function mountStatus(store: Store<State>): void {
 }
 
 function statusParts(state: State): (string | Node)[] {
-  const { cells } = state
-  if (cells === undefined) return ['Loading …']
-  const { vertices, edges, hidden, stats } = cells.diagram
+  if (state.diagram === undefined) return ['Loading …']
+  const { vertices, edges, hidden, stats } = state.diagram
   const parts = [
     count(circleCount(state), 'circle'),
     count(vertices.length / 3, 'vertex', 'vertices'),

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random circles for property tests, each kind named for what it shows.
+import fc from 'fast-check'
+
+type Circle = readonly [number, number, number]
+
+const unit = fc.double({ min: 0, max: 1, noNaN: true })
+const coordinate = fc.double({ min: -100, max: 100, noNaN: true }).map((value) => Math.round(value * 1e6) / 1e6)
+const MOST = 24
+
+function circles(circle: fc.Arbitrary<Circle>, minLength = 1): fc.Arbitrary<Float64Array> {
+  return fc.array(circle, { minLength, maxLength: MOST }).map((list) => Float64Array.from(list.flat()))
+}
+
+const intersecting = circles(fc.tuple(coordinate, coordinate, fc.double({ min: 0, max: 40, noNaN: true })))
+
+/** Each circle shrunk until it meets none before it. */
+const disjoint = intersecting.map((flat) => {
+  for (let i = 0; i < flat.length; i += 3) {
+    for (let j = 0; j < i; j += 3) {
+      const [x, y, r] = [0, 1, 2].map((k) => flat[j + k] as number) as [number, number, number]
+      const room = Math.hypot((flat[i] as number) - x, (flat[i + 1] as number) - y) - r
+      flat[i + 2] = Math.min(flat[i + 2] as number, Math.max(room, 0) * 0.9)
+    }
+  }
+  return flat
+})
+
+/** Circles inside circles, some of them touching from inside. */
+const nested = fc
+  .array(fc.tuple(coordinate, coordinate, fc.double({ min: 1, max: 40, noNaN: true }), unit, unit, unit), {
+    minLength: 1,
+    maxLength: MOST / 2,
+  })
+  .map((list) =>
+    Float64Array.from(
+      list.flatMap(([x, y, r, turn, share, place]) => {
+        const inner = r * share
+        const offset = (r - inner) * (place > 0.5 ? 1 : place)
+        return [x, y, r, x + offset * Math.cos(7 * turn), y + offset * Math.sin(7 * turn), inner]
+      }),
+    ),
+  )
+
+/** Circles of radius 1 in rows, most of which touch each other: every vertex is a tie. */
+const tangent = circles(
+  fc.tuple(fc.integer({ min: -3, max: 3 }), fc.integer({ min: -3, max: 3 })).map(([x, y]) => [2 * x, 2 * y, 1]),
+)
+
+const equalRadii = fc
+  .tuple(circles(fc.tuple(coordinate, coordinate, fc.constant(0))), fc.double({ min: 0, max: 20, noNaN: true }))
+  .map(([flat, radius]) => flat.map((value, k) => (k % 3 === 2 ? radius : value)))
+
+const points = circles(fc.tuple(coordinate, coordinate, fc.constant(0)))
+
+/** Small circles around and inside one that is much larger. */
+const oneHuge = fc.tuple(disjoint, fc.double({ min: 1e2, max: 1e6, noNaN: true }), unit).map(([flat, radius, turn]) => {
+  const distance = radius + 30
+  return Float64Array.of(...flat, distance * Math.cos(7 * turn), distance * Math.sin(7 * turn), radius)
+})
+
+const integers = circles(
+  fc.tuple(fc.integer({ min: -6, max: 6 }), fc.integer({ min: -6, max: 6 }), fc.integer({ min: 0, max: 3 })),
+)
+
+/** Kinds of circles, x, y, r each in one array, up to about two dozen. */
+export const KINDS = { disjoint, intersecting, nested, tangent, equalRadii, points, oneHuge, integers } as const
+
+/** Circles of any kind. */
+export const anyCircles: fc.Arbitrary<Float64Array> = fc.oneof(...Object.values(KINDS))
+
+/** Two circles of which neither contains the other, from equal radii to one almost inside the other. */
+export const circlePair: fc.Arbitrary<Float64Array> = fc
+  .record({
+    x: coordinate,
+    y: coordinate,
+    turn: unit,
+    distance: fc.double({ min: 1e-3, max: 100, noNaN: true }),
+    // (r_left - r_right) / distance
+    lean: fc.oneof(
+      fc.constant(0),
+      fc.constantFrom(1e-12, -1e-12, 1 - 1e-9, 1e-9 - 1),
+      fc.double({ min: -0.999, max: 0.999, noNaN: true }),
+    ),
+    smaller: fc.double({ min: 0, max: 50, noNaN: true }),
+  })
+  .map(({ x, y, turn, distance, lean, smaller }) => {
+    const left = smaller + Math.max(0, lean) * distance
+    const right = smaller + Math.max(0, -lean) * distance
+    return Float64Array.of(x, y, left, x + distance * Math.cos(7 * turn), y + distance * Math.sin(7 * turn), right)
+  })

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the library tells, by scanning all circles or many points.
+import type { Box } from '../../web/lib/convex-polygon.ts'
+import { type BoundedCurve, type Point, pointAt } from '../../web/lib/index.ts'
+
+/** The signed distance from circle `i` of a flat array. */
+export function signedDistance(circles: Float64Array, i: number, { x, y }: Point): number {
+  const [cx, cy, r] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
+  return Math.hypot(x - cx, y - cy) - r
+}
+
+/** The distance from the nearest circle. */
+export function leastDistance(circles: Float64Array, point: Point): number {
+  let least = Number.POSITIVE_INFINITY
+  for (let i = 0; i < circles.length / 3; i++) least = Math.min(least, signedDistance(circles, i, point))
+  return least
+}
+
+/** The largest number of the circles: what rounding errors are relative to. */
+export function scaleOf(circles: Float64Array): number {
+  return circles.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0)
+}
+
+/** A box around the circles, `share` of their extent larger on each side. */
+export function boxAround(circles: Float64Array, share: number): Box {
+  let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
+  for (let i = 0; i < circles.length; i += 3) {
+    const [x, y, r] = circles.subarray(i, i + 3) as unknown as [number, number, number]
+    minX = Math.min(minX, x - r)
+    minY = Math.min(minY, y - r)
+    maxX = Math.max(maxX, x + r)
+    maxY = Math.max(maxY, y + r)
+  }
+  const size = Math.max(maxX - minX, maxY - minY)
+  const margin = size > 0 ? share * size : 1
+  return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
+}
+
+/** The point at shares of the width and the height of a box. */
+export function pointIn({ minX, minY, maxX, maxY }: Box, across: number, up: number): Point {
+  return { x: minX + across * (maxX - minX), y: minY + up * (maxY - minY) }
+}
+
+/** The distance of a point from an arc, by a search around each of many points that is nearer than those next to it. */
+export function distanceFromArc({ bisector, from, to }: BoundedCurve, { x, y }: Point): number {
+  const count = 128
+  const parameterAt = (share: number) => from * (to / from) ** Math.min(Math.max(share, 0), 1)
+  const distanceAt = (share: number) => {
+    const point = pointAt(bisector, parameterAt(share))
+    return Math.hypot(point.x - x, point.y - y)
+  }
+  const distances = Array.from({ length: count + 1 }, (_, k) => distanceAt(k / count))
+  let best = Math.min(...distances)
+  distances.forEach((distance, k) => {
+    if ((distances[k - 1] ?? distance) < distance || (distances[k + 1] ?? distance) < distance) return
+    let [low, high] = [(k - 1) / count, (k + 1) / count]
+    for (let step = 0; step < 60; step++) {
+      const [first, second] = [low + (high - low) / 3, high - (high - low) / 3]
+      best = Math.min(best, distanceAt(first), distanceAt(second))
+      if (distanceAt(first) < distanceAt(second)) high = second
+      else low = first
+    }
+  })
+  return best
+}

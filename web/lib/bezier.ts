@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arcs of bisectors as Bezier curves and polylines.
+//
+// Each error depends on the middle of an arc's range and on its half-width h alone, since multiplying the parameter is an
+// affine map. Let w = cosh h, the weight of the arc as a rational Bezier curve, be
+//
+//     w = (sqrt(to / from) + sqrt(from / to)) / 2.
+import { type Bisector, pointAt } from './bisector.ts'
+import type { BoundedCurve } from './curve.ts'
+import type { PathSink } from './path-sink.ts'
+import { between, length, type Point } from './point.ts'
+
+/** A conic section as a rational quadratic Bezier curve, with the weights 1, `weight`, 1 of its points. */
+export interface RationalBezier {
+  readonly start: Point
+  readonly control: Point
+  readonly end: Point
+  readonly weight: number
+}
+
+/** A cubic Bezier curve. */
+export interface CubicBezier {
+  readonly start: Point
+  readonly control1: Point
+  readonly control2: Point
+  readonly end: Point
+}
+
+/** A bounded arc exactly. */
+export function rationalBezier({ bisector, from, to, start, end }: BoundedCurve): RationalBezier {
+  return { start, control: controlPoint(bisector, from, to), end, weight: 1 + excessOf(from, to) }
+}
+
+/** The point at 0 <= u <= 1 of a rational Bezier curve. */
+export function bezierPointAt({ start, control, end, weight }: RationalBezier, u: number): Point {
+  const first = (1 - u) * (1 - u)
+  const second = 2 * u * (1 - u) * weight
+  const third = u * u
+  const sum = first + second + third
+  return {
+    x: (first * start.x + second * control.x + third * end.x) / sum,
+    y: (first * start.y + second * control.y + third * end.y) / sum,
+  }
+}
+
+/**
+ * A bounded arc as cubic Bezier curves that keep within `tolerance` of it: each has the arc's tangents at both ends and
+ * meets it in the middle, or is straight, and is as long as the tolerance allows. A tolerance below 1e-12 of the arc's
+ * extent counts as that.
+ */
+export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezier[] {
+  const pieces: CubicBezier[] = []
+  let start = curve.start
+  const add = (control1: Point, control2: Point, end: Point) => {
+    pieces.push({ start, control1, control2, end })
+    start = end
+  }
+  const sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'> = {
+    lineTo(x, y) {
+      const end = { x, y }
+      add(mix(start, end, 1 / 3), mix(end, start, 1 / 3), end)
+    },
+    bezierCurveTo(x1, y1, x2, y2, x, y) {
+      add({ x: x1, y: y1 }, { x: x2, y: y2 }, { x, y })
+    },
+  }
+  traceArc(sink, curve, tolerance)
+  return pieces
+}
+
+/** Draws a bounded arc, from its start, where the path already is, as the curves of `cubicBeziers`. */
+export function traceArc(
+  sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>,
+  curve: BoundedCurve,
+  tolerance: number,
+): void {
+  const { bisector, to: last } = curve
+  const limit = atLeast(1e-12, curve, tolerance)
+  let from = curve.from
+  let start = curve.start
+  for (let isLast = false; !isLast; ) {
+    const byLine = farthest(bisector, from, last, limit, chordError)
+    const byCubic = byLine === last ? 0 : farthest(bisector, from, last, limit, cubicError)
+    const to = Math.max(byLine, byCubic)
+    isLast = to >= last
+    const end = isLast ? curve.end : pointAt(bisector, to)
+    if (byLine >= byCubic) {
+      sink.lineTo(end.x, end.y)
+    } else {
+      const control = controlPoint(bisector, from, to)
+      const weight = 1 + excessOf(from, to)
+      const share = (4 * weight) / (3 * (1 + weight))
+      const control1 = mix(start, control, share)
+      const control2 = mix(end, control, share)
+      sink.bezierCurveTo(control1.x, control1.y, control2.x, control2.y, end.x, end.y)
+    }
+    from = to
+    start = end
+  }
+}
+
+/**
+ * A bounded arc as the points of a polyline that keeps within `tolerance` of it, two at least, with chords as long as the
+ * tolerance allows. A tolerance below 1e-9 of the arc's extent counts as that.
+ */
+export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
+  const { bisector, to } = curve
+  const limit = atLeast(1e-9, curve, tolerance)
+  const points = [curve.start]
+  let from = farthest(bisector, curve.from, to, limit, chordError)
+  while (from < to) {
+    points.push(pointAt(bisector, from))
+    from = farthest(bisector, from, to, limit, chordError)
+  }
+  points.push(curve.end)
+  return points
+}
+
+/** Where the tangents at two parameters meet: the polar form of the branch. */
+export function controlPoint({ origin, along, across, apex, a, b }: Bisector, from: number, to: number): Point {
+  const u = apex - Math.abs(a) * (((from - 1) / (from + to)) * (to - 1))
+  const v = b * ((from * to - 1) / (from + to))
+  return { x: origin.x + (u * along.x + v * across.x), y: origin.y + (u * along.y + v * across.y) }
+}
+
+/** w - 1 */
+function excessOf(from: number, to: number): number {
+  const difference = Math.sqrt(to) - Math.sqrt(from)
+  return ((difference / Math.sqrt(from)) * (difference / Math.sqrt(to))) / 2
+}
+
+/**
+ * The largest distance of an arc from its chord. It is at the middle parameter, where the tangent is parallel to the
+ * chord: w - 1 times the distance of that tangent from the middle of the hyperbola.
+ */
+function chordError({ a, b }: Bisector, from: number, to: number): number {
+  if (a === 0) return 0
+  const middle = Math.sqrt(from) * Math.sqrt(to)
+  const x = (a * (middle - 1 / middle)) / 2
+  const y = (b * (middle + 1 / middle)) / 2
+  return excessOf(from, to) * (Math.abs(a) * (b / Math.sqrt(x * x + y * y)))
+}
+
+/**
+ * A bound for the largest distance of an arc from the cubic with its tangents at both ends and its middle point.
+ *
+ * In the affine frame where the arc is (cosh t, sinh t), |t| <= h, the cubic (X, Y)(u) has
+ *
+ *     X^2 - Y^2 = 1 - 4 (w - 1)^3 / (w + 1) q^2 (1 - 4 q),      q = u (1 - u),
+ *
+ * so 0 <= 1 - X^2 + Y^2 <= f = (w - 1)^3 / (27 (w + 1)). That holds in the frame of the hyperbola's axes as well, where
+ * the way to the branch along one axis is at most |a| f / (2 k cosh t), along the other b f / (k sinh t), with
+ * k^2 = 1 - f and t the parameter of the arc nearest to the apex.
+ */
+function cubicError({ a, b }: Bisector, from: number, to: number): number {
+  const excess = excessOf(from, to)
+  const f = (excess * excess * excess) / (27 * (excess + 2))
+  if (!(f < 0.5)) return Number.POSITIVE_INFINITY
+  const k = Math.sqrt(1 - f)
+  const nearest = Math.min(Math.max(1, from), to)
+  const sine = Math.abs(nearest - 1 / nearest) / 2
+  const cosine = (nearest + 1 / nearest) / 2
+  const error = (Math.abs(a) * f) / (2 * k * cosine)
+  return k * k * sine * sine > f ? Math.min(error, (b * f) / (k * sine)) : error
+}
+
+/** The largest parameter, `to` at most, up to which an arc keeps the tolerance; errors grow with it. */
+function farthest(
+  bisector: Bisector,
+  from: number,
+  to: number,
+  tolerance: number,
+  error: (bisector: Bisector, from: number, to: number) => number,
+): number {
+  if (error(bisector, from, to) <= tolerance) return to
+  const halvings = 50
+  let good = from
+  let bad = to
+  for (let i = 0; i < halvings; i++) {
+    const middle = Math.sqrt(good) * Math.sqrt(bad)
+    if (error(bisector, from, middle) <= tolerance) good = middle
+    else bad = middle
+  }
+  return good > from ? good : bad
+}
+
+function atLeast(share: number, { bisector, from, to, start, end }: BoundedCurve, tolerance: number): number {
+  const least = share * (length(between(start, end)) + chordError(bisector, from, to))
+  return tolerance > least ? tolerance : least
+}
+
+function mix(p: Point, q: Point, share: number): Point {
+  return { x: p.x + share * (q.x - p.x), y: p.y + share * (q.y - p.y) }
+}

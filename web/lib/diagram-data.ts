@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Metric } from './metric.ts'
+
+/** "None": the unbounded end of an edge. */
+export const NONE = -1
+
+/** A circle with centre (x, y) and radius r >= 0; r = 0 is a point. Mathematics is y-up. */
+export interface Circle {
+  readonly x: number
+  readonly y: number
+  readonly r: number
+}
+
+/**
+ * A Voronoi vertex: the centre of the disc that touches its three circles from outside. `radius` is signed: it is
+ * negative where the three circles overlap.
+ */
+export interface Vertex {
+  readonly x: number
+  readonly y: number
+  readonly radius: number
+}
+
+/**
+ * An arc of the bisector of circles `left` and `right`, as seen when going from vertex `start` to vertex `end`; an end
+ * at infinity is `NONE`. Two circles may share several edges.
+ */
+export interface Edge {
+  readonly left: number
+  readonly right: number
+  readonly start: number
+  readonly end: number
+}
+
+/** A circle without a cell, and a circle that contains it and is not hidden itself. */
+export interface HiddenCircle {
+  readonly circle: number
+  readonly by: number
+}
+
+/** The outcome of judging a diagram: a proof that it is the Voronoi diagram, or the first thing that is wrong. */
+export interface Certificate {
+  readonly certified: boolean
+  /** The first flaw by the name of the C++ enumeration `Flaw` (circle_voronoi/certificate.h); `none` if certified. */
+  readonly flaw: string
+  /** The circle concerned, or `NONE`. */
+  readonly circle: number
+  /** The vertex concerned, or `NONE`. */
+  readonly vertex: number
+  /** The edge concerned, or `NONE`. */
+  readonly edge: number
+  /** One sentence; empty if certified. */
+  readonly message: string
+}
+
+/** How much each stage had to do. */
+export interface Counts {
+  readonly circles: number
+  readonly hidden: number
+  readonly samples: number
+  readonly antipodalDiscs: number
+  readonly threeTouchDiscs: number
+  readonly events: number
+  readonly leftoverCycles: number
+  readonly flips: number
+  readonly repairs: number
+  readonly filtered: number
+  /** Predicates decided in double-double arithmetic, with an error bound. */
+  readonly refined: number
+  readonly inCircle: number
+  readonly exact: number
+}
+
+/** Wall-clock seconds of each stage. */
+export interface Seconds {
+  readonly hide: number
+  readonly sample: number
+  readonly pair: number
+  readonly touch: number
+  readonly flip: number
+  readonly repair: number
+  readonly certify: number
+  readonly total: number
+}
+
+export interface Stats {
+  /** The method asked for. */
+  readonly method: string
+  /** The construction that made the result: `flip`, `repair`, `touching-disc` or `apollonius-graph`. */
+  readonly way: string
+  /** The candidates of the touching disc method, or empty. */
+  readonly candidates: string
+  readonly counts: Counts
+  readonly seconds: Seconds
+}
+
+/**
+ * The Voronoi diagram of n circles, by indices into flat arrays. Plain data: it can be posted to and from a worker, and
+ * `new Diagram(data)` gives it its methods back.
+ *
+ * A vertex that touches more than three circles appears as several vertices joined by edges of length zero, so every
+ * vertex has exactly three circles and three edges.
+ */
+export interface DiagramData {
+  /** The distance that makes the cells. */
+  readonly metric: Metric
+  /** Three per circle: x, y, r, in input order. */
+  readonly circles: Float64Array
+  /** Three per vertex: x, y, radius. */
+  readonly vertices: Float64Array
+  /** Three per vertex: its circles, counter-clockwise. */
+  readonly vertexCircles: Int32Array
+  /** Four per edge: left, right, start, end. */
+  readonly edges: Int32Array
+  /** Two per hidden circle: circle, by; in increasing order of `circle`. */
+  readonly hidden: Int32Array
+  /** The circles on the convex hull, counter-clockwise; a circle recurs if the hull touches it more than once. */
+  readonly hull: Int32Array
+  readonly certificate: Certificate
+  readonly stats: Stats
+}
+
+/** Circle `i` of a flat array of x, y, r. */
+export function circleAt(circles: Float64Array, i: number): Circle {
+  return { x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) }
+}
+
+/** Vertex `v` of a diagram. */
+export function vertexAt({ vertices }: DiagramData, v: number): Vertex {
+  return { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1), radius: at(vertices, 3 * v + 2) }
+}
+
+/** Edge `e` of a diagram. */
+export function edgeAt({ edges }: DiagramData, e: number): Edge {
+  return {
+    left: at(edges, 4 * e),
+    right: at(edges, 4 * e + 1),
+    start: at(edges, 4 * e + 2),
+    end: at(edges, 4 * e + 3),
+  }
+}
+
+/** The number at an index of a typed array. Precondition: 0 <= index < array.length. */
+export function at(array: Float64Array | Int32Array | Uint8Array, index: number): number {
+  return array[index] as number
+}

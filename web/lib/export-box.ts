@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import type { Box } from './convex-polygon.ts'
+import { at } from './diagram-data.ts'
+
+const MARGIN = 0.05
+const TOLERANCE = 1e-5
+
+/** The box that drawings are clipped to by default: with room for a twentieth of the circles' extent around them. */
+export function exportBox(circles: Float64Array): Box {
+  if (circles.length === 0) return { minX: 0, minY: 0, maxX: 1, maxY: 1 }
+  let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
+  for (let i = 0; i < circles.length; i += 3) {
+    const [x, y, r] = [at(circles, i), at(circles, i + 1), at(circles, i + 2)]
+    minX = Math.min(minX, x - r)
+    minY = Math.min(minY, y - r)
+    maxX = Math.max(maxX, x + r)
+    maxY = Math.max(maxY, y + r)
+  }
+  const size = Math.max(maxX - minX, maxY - minY)
+  const margin = size > 0 ? MARGIN * size : 1
+  return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
+}
+
+/** How far drawn curves may be from the true ones by default: a hundred-thousandth of the box. */
+export function exportTolerance({ minX, minY, maxX, maxY }: Box): number {
+  return TOLERANCE * Math.max(maxX - minX, maxY - minY)
+}

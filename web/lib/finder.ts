@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Cells } from './cells.ts'
+import { at, NONE } from './diagram-data.ts'
+import { distance } from './metric.ts'
+import { cross, dot, type Vector } from './point.ts'
+
+/** Up to so many sides it is quicker to ask every neighbour, and the nearest one makes the longest step. */
+const FEW_SIDES = 24
+/** Circles for each bucket of the grid, on average. */
+const PER_BUCKET = 2
+
+/**
+ * Finds the nearest circle by a walk through the cells.
+ *
+ * From cell i the walk goes on to a neighbour that is nearer to p, until there is none. That cannot end too early: the
+ * cells are star-shaped around their centres, so if p is outside cell i, the segment from c_i to p leaves it across a side,
+ * and from there on it is nearer to the neighbour across that side (the points nearer to i than to j are star-shaped around
+ * c_i too). Of a cell with many sides that one is found by bisection. For the metric `power` cells are intersections of
+ * half-planes, one for each neighbour, and one of them excludes p.
+ *
+ * A grid of starting circles makes the walk short: for circles spread evenly a step or two.
+ */
+export class Finder {
+  readonly #cells: Cells
+  /** Of the grid, which has as many rows as columns. */
+  readonly #minX: number = 0
+  readonly #minY: number = 0
+  readonly #columns: number = 0
+  /** Of a bucket. Centres on one line leave a grid without width or height; any size does there. */
+  readonly #width: number = 1
+  readonly #height: number = 1
+  /** A visible circle for each bucket, row by row. */
+  readonly #starts: Int32Array
+
+  /** In linear time. */
+  constructor(cells: Cells) {
+    this.#cells = cells
+    const { circles } = cells.diagram
+    let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
+    let visible = 0
+    for (let i = 0; i < circles.length / 3; i++) {
+      if (!cells.exists(i)) continue
+      visible += 1
+      minX = Math.min(minX, at(circles, 3 * i))
+      minY = Math.min(minY, at(circles, 3 * i + 1))
+      maxX = Math.max(maxX, at(circles, 3 * i))
+      maxY = Math.max(maxY, at(circles, 3 * i + 1))
+    }
+    if (visible > 0) {
+      this.#minX = minX
+      this.#minY = minY
+      this.#columns = Math.floor(Math.sqrt(visible / PER_BUCKET)) + 1
+      if (maxX > minX) this.#width = (maxX - minX) / this.#columns
+      if (maxY > minY) this.#height = (maxY - minY) / this.#columns
+    }
+    this.#starts = this.#filledGrid()
+  }
+
+  /**
+   * The circle of smallest distance to (x, y), one of them up to rounding where several are. The walk starts near the
+   * point, or from `hint`, if that is nearer. `NONE` if there are no circles, or a coordinate is not finite.
+   */
+  find(x: number, y: number, hint: number = NONE): number {
+    if (this.#columns === 0 || !Number.isFinite(x) || !Number.isFinite(y)) return NONE
+    const { diagram } = this.#cells
+    let circle = at(this.#starts, this.#bucketOf(x, y))
+    if (this.#cells.exists(hint) && distance(diagram, hint, x, y) < distance(diagram, circle, x, y)) circle = hint
+    // Each step comes strictly nearer, so none is made twice.
+    for (let next = circle; next !== NONE; next = this.#nearerNeighbor(circle, x, y)) circle = next
+    return circle
+  }
+
+  /**
+   * For each of many points, x and y each, the same; points near in the list that are near in the plane help. Half as many
+   * indices as numbers.
+   */
+  findAll(points: Float64Array): Int32Array {
+    let circle = NONE
+    return new Int32Array(points.length >> 1).map((_, k) => {
+      circle = this.find(at(points, 2 * k), at(points, 2 * k + 1), circle)
+      return circle
+    })
+  }
+
+  #bucketOf(x: number, y: number): number {
+    const last = this.#columns - 1
+    const column = Math.min(Math.max(Math.floor((x - this.#minX) / this.#width), 0), last)
+    const row = Math.min(Math.max(Math.floor((y - this.#minY) / this.#height), 0), last)
+    return row * this.#columns + column
+  }
+
+  #filledGrid(): Int32Array {
+    const { circles } = this.#cells.diagram
+    const columns = this.#columns
+    const starts = new Int32Array(columns * columns).fill(NONE)
+    const filled: number[] = []
+    for (let i = 0; i < circles.length / 3; i++) {
+      if (!this.#cells.exists(i)) continue
+      const bucket = this.#bucketOf(at(circles, 3 * i), at(circles, 3 * i + 1))
+      if (at(starts, bucket) === NONE) filled.push(bucket)
+      starts[bucket] = i
+    }
+    // Empty buckets take the start of a filled one near them. The list grows while it is gone through.
+    for (const bucket of filled) {
+      const column = bucket % columns
+      const near = [bucket - columns, bucket + columns]
+      if (column > 0) near.push(bucket - 1)
+      if (column + 1 < columns) near.push(bucket + 1)
+      for (const next of near) {
+        if (starts[next] !== NONE) continue
+        starts[next] = at(starts, bucket)
+        filled.push(next)
+      }
+    }
+    return starts
+  }
+
+  /** A neighbour nearer to the point than the circle itself, or `NONE`. */
+  #nearerNeighbor(circle: number, x: number, y: number): number {
+    const cells = this.#cells
+    const { diagram } = cells
+    const sides = cells.sides(circle)
+    const count = sides.length
+    let first = 0
+    let asked = count
+    if (count > FEW_SIDES && diagram.metric !== 'power') {
+      // Rounding may be off by a side of next to no length.
+      asked = 4
+      first = this.#sidesUpTo(sides, circle, x, y) + count - 2
+    }
+    let least = distance(diagram, circle, x, y)
+    let nearest = NONE
+    for (let k = first; k < first + asked; k++) {
+      const neighbor = cells.neighborOf(at(sides, k % count))
+      const toNeighbor = distance(diagram, neighbor, x, y)
+      if (toNeighbor >= least) continue
+      least = toNeighbor
+      nearest = neighbor
+    }
+    return nearest
+  }
+
+  /** How many sides of a cell begin before the direction of a point, counted from where the first begins. */
+  #sidesUpTo(sides: Int32Array, circle: number, x: number, y: number): number {
+    const { circles } = this.#cells.diagram
+    const toPoint = { x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) }
+    const reference = this.#beginningOf(at(sides, 0))
+    let low = 0
+    let high = sides.length
+    while (low < high) {
+      const middle = (low + high) >> 1
+      if (noLater(reference, this.#beginningOf(at(sides, middle)), toPoint)) low = middle + 1
+      else high = middle
+    }
+    return low
+  }
+
+  /** The direction from the cell's centre in which a side begins. */
+  #beginningOf(side: number): Vector {
+    const { circles, vertices } = this.#cells.diagram
+    const circle = this.#cells.circleOf(side)
+    const origin = this.#cells.originOf(side)
+    if (origin !== NONE) {
+      return {
+        x: at(vertices, 3 * origin) - at(circles, 3 * circle),
+        y: at(vertices, 3 * origin + 1) - at(circles, 3 * circle + 1),
+      }
+    }
+    // The limit of point(s) as s goes to 0.
+    const { a, b, along, across } = this.#cells.curveOf(side).bisector
+    const size = Math.abs(a)
+    return { x: -size * along.x - b * across.x, y: -size * along.y - b * across.y }
+  }
+}
+
+/** Whether turning counter-clockwise from `reference` one meets v no later than w. */
+function noLater(reference: Vector, v: Vector, w: Vector): boolean {
+  const isSecondHalf = (u: Vector) => {
+    const side = cross(reference, u)
+    return side < 0 || (side === 0 && dot(reference, u) < 0)
+  }
+  if (isSecondHalf(v) !== isSecondHalf(w)) return isSecondHalf(w)
+  return cross(v, w) >= 0
+}

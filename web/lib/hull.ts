@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at, type Circle, circleAt, type DiagramData } from './diagram-data.ts'
+import { between, cross, dot, length, type Point } from './point.ts'
+import { pointOn, tangentNormal } from './tangent.ts'
+
+/**
+ * An arc of a circle on the convex hull, counter-clockwise from `start` to `end`. A point (radius 0) has an arc too: it
+ * turns, but has no length.
+ */
+export interface HullArc {
+  readonly circle: number
+  readonly start: Point
+  readonly end: Point
+  /** From 0 to 2 pi. */
+  readonly angle: number
+}
+
+/**
+ * The convex hull of circles: arcs, each joined to the next by the tangent segment from its end to the next start, the last
+ * to the first. The angles add up to 2 pi.
+ */
+export interface Hull {
+  readonly arcs: readonly HullArc[]
+  readonly length: number
+  readonly area: number
+}
+
+const FULL_TURN = 2 * Math.PI
+
+/**
+ * The hull of a certified diagram, in the order of `diagram.hull`. That of a single circle is the circle: one arc of 2 pi.
+ * For the metrics `centres` and `power` it is the hull of the centres.
+ */
+export function hull(diagram: DiagramData): Hull {
+  const circles = Array.from(diagram.hull, (circle) => hullCircleAt(diagram, circle))
+  const count = circles.length
+  if (count === 0) return { arcs: [], length: 0, area: 0 }
+  const circleOf = (step: number) => circles[(step + count) % count] as Circle
+  let angles = [FULL_TURN]
+  let normals = [{ x: 1, y: 0 }]
+  if (count !== 1) {
+    normals = circles.map((circle, step) => tangentNormal(circleOf(step - 1), circle))
+    angles = turnedOnce(
+      normals.map((normal, step) => {
+        const out = normals[(step + 1) % count] as Point
+        const angle = Math.atan2(cross(normal, out), dot(normal, out))
+        return angle < 0 ? angle + FULL_TURN : angle
+      }),
+    )
+  }
+  const arcs = circles.map((circle, step) => ({
+    circle: at(diagram.hull, step),
+    start: pointOn(circle, normals[step] as Point),
+    end: pointOn(circle, normals[(step + 1) % count] as Point),
+    angle: angles[step] as number,
+  }))
+
+  let [perimeter, area] = [0, 0]
+  arcs.forEach(({ start, end, angle }, step) => {
+    const origin = (arcs[0] as HullArc).start
+    const next = (arcs[(step + 1) % count] as HullArc).start
+    const triangle = (p: Point, q: Point) => cross(between(origin, p), between(origin, q)) / 2
+    const { r } = circleOf(step)
+    perimeter += r * angle + length(between(end, next))
+    area += triangle(start, end) + triangle(end, next) + (r * r * (angle - Math.sin(angle))) / 2
+  })
+  return { arcs, length: perimeter, area }
+}
+
+/** A circle as far as it matters to the hull. */
+function hullCircleAt({ circles, metric }: DiagramData, circle: number): Circle {
+  const { x, y, r } = circleAt(circles, circle)
+  return { x, y, r: metric === 'circles' ? r : 0 }
+}
+
+/**
+ * Rounding may turn an arc of next to no angle into one of nearly a full turn, or the other way round. The hull turns once.
+ */
+function turnedOnce(angles: readonly number[]): number[] {
+  const result = [...angles]
+  const sum = angles.reduce((partial, angle) => partial + angle, 0)
+  for (let excess = Math.round(sum / FULL_TURN) - 1; excess !== 0; excess -= Math.sign(excess)) {
+    const worst = result.reduce((one, other) => (excess > 0 ? Math.max(one, other) : Math.min(one, other)))
+    result[result.indexOf(worst)] = excess > 0 ? 0 : FULL_TURN
+  }
+  return result
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { pointAt } from './bisector.ts'
+import { clipSpans, LineCrossing, part } from './clip.ts'
+import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
+import { edgeCurve } from './curve.ts'
+import type { Diagram } from './diagram.ts'
+import { at, type Circle, circleAt, type DiagramData, edgeAt, NONE, type Vertex, vertexAt } from './diagram-data.ts'
+import { distance } from './metric.ts'
+import { between, dot, type Point } from './point.ts'
+import { pointOn, tangentNormal } from './tangent.ts'
+
+/** A disc that meets no circle but for touching. */
+export interface EmptyDisc {
+  readonly disc: Vertex
+  /** The circles it touches, of up to three of them. */
+  readonly circles: readonly number[]
+}
+
+/**
+ * The largest disc with its centre inside a region that meets no circle but for touching; its radius is negative if circles
+ * cover the region. `undefined` if there are no circles. The diagram is of the metric `circles`.
+ *
+ * The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
+ * cell it is convex along every line.
+ */
+export function largestEmptyDisc(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+  const region = ConvexPolygon.of(bounds)
+  const largest = new Largest(diagram)
+  for (const corner of region.corners) {
+    const nearest = diagram.find(corner.x, corner.y)
+    if (nearest !== NONE) largest.offerAround(corner, nearest)
+  }
+  for (let v = 0; v < diagram.vertices.length / 3; v++) {
+    if (region.contains(vertexAt(diagram, v))) largest.offerVertex(v)
+  }
+  for (let e = 0; e < diagram.edges.length / 4; e++) {
+    const { left, right, start, end } = edgeAt(diagram, e)
+    const radiusAt = (v: number) => (v === NONE ? Number.POSITIVE_INFINITY : at(diagram.vertices, 3 * v + 2))
+    // Along an edge the distance is largest at one of its ends.
+    if (Math.max(radiusAt(start), radiusAt(end)) <= largest.radius) continue
+    const curve = edgeCurve(diagram, e)
+    for (const span of clipSpans(curve, region)) {
+      const piece = part(curve, span, region)
+      if (span.cutFrom !== NONE) largest.offerAround(piece.start as Point, left, right)
+      if (span.cutTo !== NONE) largest.offerAround(piece.end as Point, left, right)
+    }
+  }
+  return largest.best
+}
+
+/**
+ * The same inside the convex hull of the circles. Its radius is not negative.
+ *
+ * What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
+ * from infinity by an edge of i and j. Seen from there every circle's centre is below the tangent line. So
+ *   - an edge is never parallel to the line: at such a point its two circles' centres would lie in one direction;
+ *   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centres lie
+ *     outermost, never the third, since the unit vectors from the centres to the vertex lie on a convex arc;
+ *   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
+ * So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
+ * inside the hull.
+ */
+export function largestEmptyDiscInHull(diagram: Diagram): EmptyDisc | undefined {
+  const { cells, circles, hull, vertices, edges } = diagram
+  const largest = new Largest(diagram)
+  if (hull.length === 0) return undefined
+  if (hull.length === 1) {
+    const circle = at(hull, 0)
+    largest.offerTouch(pointOn(circleAt(circles, circle), { x: 1, y: 0 }), circle)
+    return largest.best
+  }
+
+  const sidesFrom = departures(diagram)
+  const isOutside = new Uint8Array(vertices.length / 3)
+  for (let top = 0; top < edges.length / 2; top++) {
+    if (cells.originOf(top) !== NONE) continue
+    // The unbounded side of i next to j belongs to the hull's step from i to j.
+    const i = cells.circleOf(top)
+    const circle: Circle = circleAt(circles, i)
+    const normal = tangentNormal(circle, circleAt(circles, cells.neighborOf(top)))
+    const touch = pointOn(circle, normal)
+    largest.offerTouch(touch, i)
+    const pending = [top]
+    for (let side = pending.pop(); side !== undefined; side = pending.pop()) {
+      const { bisector, from, to } = cells.curveOf(side)
+      const line = new LineCrossing(bisector, touch, { x: -normal.y, y: normal.x })
+      const crossings = line.parameters.filter((s) => from < s && s < to)
+      const target = cells.targetOf(side)
+      // An edge that crosses the line twice has come out of the hull again elsewhere.
+      if (target !== NONE && crossings.length < 2 && dot(normal, between(touch, vertexAt(diagram, target))) > 0) {
+        // Only rounding leads to a vertex twice.
+        if (isOutside[target] === 0) {
+          isOutside[target] = 1
+          for (const next of sidesFrom.subarray(3 * target, 3 * target + 3)) if (next !== (side ^ 1)) pending.push(next)
+        }
+      } else if (crossings[0] !== undefined) {
+        largest.offerAround(pointAt(bisector, crossings[0]), cells.circleOf(side), cells.neighborOf(side))
+      }
+    }
+  }
+  isOutside.forEach((outside, v) => {
+    if (outside === 0) largest.offerVertex(v)
+  })
+  return largest.best
+}
+
+/** Keeps the largest disc. */
+class Largest {
+  best: EmptyDisc | undefined
+  readonly #diagram: DiagramData
+
+  constructor(diagram: DiagramData) {
+    this.#diagram = diagram
+  }
+
+  get radius(): number {
+    return this.best?.disc.radius ?? Number.NEGATIVE_INFINITY
+  }
+
+  offerVertex(v: number): void {
+    this.#offer(vertexAt(this.#diagram, v), this.#diagram.vertexCircles.subarray(3 * v, 3 * v + 3))
+  }
+
+  /** The disc around a point that touches these circles. */
+  offerAround({ x, y }: Point, ...circles: readonly number[]): void {
+    this.#offer({ x, y, radius: distance(this.#diagram, circles[0] as number, x, y) }, circles)
+  }
+
+  /** A point of a circle. */
+  offerTouch({ x, y }: Point, circle: number): void {
+    this.#offer({ x, y, radius: 0 }, [circle])
+  }
+
+  #offer(disc: Vertex, circles: Iterable<number>): void {
+    if (disc.radius > this.radius) this.best = { disc, circles: [...circles] }
+  }
+}
+
+/** The three sides that begin at each vertex. */
+function departures({ cells, vertexCircles, edges }: Diagram): Int32Array {
+  const sides = new Int32Array(vertexCircles.length)
+  const counts = new Uint8Array(vertexCircles.length / 3)
+  for (let side = 0; side < edges.length / 2; side++) {
+    const origin = cells.originOf(side)
+    if (origin === NONE) continue
+    const count = at(counts, origin)
+    sides[3 * origin + count] = side
+    counts[origin] = count + 1
+  }
+  return sides
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at, type DiagramData } from './diagram-data.ts'
+
+/**
+ * The distance from circle (c, r) to a point p that makes a diagram: a point belongs to the cell of the circle of smallest
+ * distance.
+ * - `circles`: |p - c| - r, negative inside: the Voronoi diagram of circles;
+ * - `centres`: |p - c|: the ordinary Voronoi diagram of the centres;
+ * - `power`: |p - c|^2 - r^2: the power (Laguerre) diagram.
+ */
+export type Metric = 'circles' | 'centres' | 'power'
+
+/** The distance from a circle of the diagram to the point (x, y), in the diagram's metric. */
+export function distance({ circles, metric }: DiagramData, circle: number, x: number, y: number): number {
+  const dx = x - at(circles, 3 * circle)
+  const dy = y - at(circles, 3 * circle + 1)
+  const r = at(circles, 3 * circle + 2)
+  const toCentre = Math.sqrt(dx * dx + dy * dy)
+  if (metric === 'circles') return toCentre - r
+  return metric === 'centres' ? toCentre : (toCentre - r) * (toCentre + r)
+}

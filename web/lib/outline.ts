@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Cells } from './cells.ts'
+import { clipSpans, part } from './clip.ts'
+import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
+import { type BoundedCurve, edgeCurve, isBounded, reversed, segment } from './curve.ts'
+import { NONE } from './diagram-data.ts'
+import { distance } from './metric.ts'
+import type { Point } from './point.ts'
+import { Ring } from './ring.ts'
+
+/** A piece of the outline of a clipped cell, with the cell on its left. */
+export interface OutlinePiece {
+  readonly curve: BoundedCurve
+  /** The side of the cell (see `Cells`); `NONE`: a piece of the boundary of the region. */
+  readonly side: number
+  /** The circle on the other side; `NONE` likewise. */
+  readonly neighbor: number
+}
+
+/**
+ * Closed loops of pieces, counter-clockwise, one for each component: the end of a piece is the start of the next. Pieces
+ * of length zero occur.
+ */
+export type Outline = readonly (readonly OutlinePiece[])[]
+
+/** The part of a cell inside a region: empty if they do not meet, several loops if the region cuts the cell apart. */
+export function outline(cells: Cells, circle: number, bounds: Bounds): Outline {
+  if (!cells.exists(circle)) return []
+  const region = ConvexPolygon.of(bounds)
+  const ring = new Ring(region)
+  const { chains, isClosed } = chainsOf(cells, circle, region, ring)
+  if (chains.length === 0) {
+    const { x, y } = region.middle()
+    return cells.contains(circle, x, y) ? [boundaryOf(region)] : []
+  }
+  return isClosed ? chains.map(({ pieces }) => pieces) : joined(cells, circle, ring, chains)
+}
+
+/** Sides of a cell inside the region that follow each other without a gap, and where on the ring they begin and end. */
+interface Chain {
+  readonly pieces: OutlinePiece[]
+  readonly entry: number
+  exit: number
+}
+
+/** `isClosed`: the sides close by themselves, for the cell lies inside the region. */
+function chainsOf(
+  cells: Cells,
+  circle: number,
+  region: ConvexPolygon,
+  ring: Ring,
+): { chains: Chain[]; isClosed: boolean } {
+  // Rounding may end a chain at a vertex next to the boundary.
+  const place = (cut: number, p: Point) => (cut === NONE ? ring.placeNear(p) : ring.placeOn(cut, p))
+  const chains: Chain[] = []
+  const sides = cells.sides(circle)
+  let isLinked = false // whether the last chain goes on with the next side
+  let firstIsAtOrigin = false // whether the first chain begins where its side begins
+  for (const side of sides) {
+    let goesOn = false
+    for (const { curve, cutFrom, cutTo } of piecesOf(cells, side, region)) {
+      const isAtOrigin = cutFrom === NONE
+      if (!isLinked || !isAtOrigin) {
+        if (chains.length === 0) firstIsAtOrigin = isAtOrigin && side === sides[0]
+        chains.push({ pieces: [], entry: place(cutFrom, curve.start), exit: 0 })
+      }
+      isLinked = false
+      goesOn = cutTo === NONE
+      const chain = chains.at(-1) as Chain
+      chain.pieces.push({ curve, side, neighbor: cells.neighborOf(side) })
+      chain.exit = place(cutTo, curve.end)
+    }
+    isLinked = goesOn
+  }
+  if (!isLinked || !firstIsAtOrigin) return { chains, isClosed: false }
+  if (chains.length === 1) return { chains, isClosed: true }
+  const first = chains.shift() as Chain
+  const last = chains.at(-1) as Chain
+  last.exit = first.exit
+  for (const piece of first.pieces) last.pieces.push(piece)
+  return { chains, isClosed: false }
+}
+
+interface Piece {
+  readonly curve: BoundedCurve
+  readonly cutFrom: number
+  readonly cutTo: number
+}
+
+/**
+ * The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the cells on
+ * either side meet bit for bit.
+ */
+function piecesOf({ diagram }: Cells, side: number, region: ConvexPolygon): Piece[] {
+  const whole = edgeCurve(diagram, side >> 1)
+  const pieces: Piece[] = []
+  for (const span of clipSpans(whole, region)) {
+    const curve = part(whole, span, region)
+    if (isBounded(curve)) pieces.push({ curve, cutFrom: span.cutFrom, cutTo: span.cutTo })
+  }
+  if (side % 2 === 0) return pieces
+  return pieces
+    .reverse()
+    .map(({ curve, cutFrom, cutTo }) => ({ curve: reversed(curve), cutFrom: cutTo, cutTo: cutFrom }))
+}
+
+/**
+ * Along the ring exits and entries of the cell alternate. To pair the k-th exit with the k-th entry, or the one after it,
+ * is right wherever rounding confuses the order of an exit and an entry next to each other; it takes a place to begin that
+ * is neither, and is known to be inside the cell or not.
+ */
+function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain[]): Outline {
+  const begin = clearPlace(cells, circle, ring, chains)
+  const beginsInside = leadAt(cells, circle, ring.at(begin)) > 0
+  const ahead = (place: number) => (place < begin ? place + ring.total : place)
+  const byExit = [...chains].sort((one, other) => ahead(one.exit) - ahead(other.exit))
+  const byEntry = [...chains].sort((one, other) => ahead(one.entry) - ahead(other.entry))
+  if (beginsInside) byEntry.push(byEntry.shift() as Chain)
+
+  const next = new Map<Chain, Chain>()
+  byExit.forEach((chain, k) => {
+    const after = byEntry[k] as Chain
+    next.set(chain, after)
+    const isAround = beginsInside && k + 1 === chains.length
+    const to = ahead(after.entry) + (isAround ? ring.total : 0)
+    let last = (chain.pieces.at(-1) as OutlinePiece).curve.end
+    for (const corner of ring.cornersBetween(ahead(chain.exit), to)) {
+      appendSegment(chain.pieces, last, corner)
+      last = corner
+    }
+    appendSegment(chain.pieces, last, (after.pieces[0] as OutlinePiece).curve.start)
+  })
+
+  const loops: OutlinePiece[][] = []
+  const isDone = new Set<Chain>()
+  for (const start of chains) {
+    const loop: OutlinePiece[] = []
+    for (let chain = start; !isDone.has(chain); chain = next.get(chain) as Chain) {
+      isDone.add(chain)
+      for (const piece of chain.pieces) loop.push(piece)
+    }
+    if (loop.length > 0) loops.push(loop)
+  }
+  return loops
+}
+
+/**
+ * A place in one of the largest gaps between entries and exits: of several that where the cell's own circle and the others
+ * differ most. One alone may lie on the boundary of both the region and the cell.
+ */
+function clearPlace(cells: Cells, circle: number, ring: Ring, chains: readonly Chain[]): number {
+  const tried = 4
+  const places = chains.flatMap(({ entry, exit }) => [entry, exit]).sort((one, other) => one - other)
+  const gaps = places.map((start, i) => ({
+    start,
+    size: (places[i + 1] ?? (places[0] as number) + ring.total) - start,
+  }))
+  let best = -1
+  let clear = 0
+  for (const { start, size } of gaps.sort((one, other) => other.size - one.size).slice(0, tried)) {
+    for (const share of [0.5, 0.3, 0.8]) {
+      const place = (start + share * size) % ring.total
+      const difference = Math.abs(leadAt(cells, circle, ring.at(place)))
+      if (difference <= best) continue
+      best = difference
+      clear = place
+    }
+  }
+  return clear
+}
+
+/** How much nearer the circle is to a point than its nearest neighbour. */
+function leadAt(cells: Cells, circle: number, { x, y }: Point): number {
+  let least = Number.POSITIVE_INFINITY
+  for (const side of cells.sides(circle)) least = Math.min(least, distance(cells.diagram, cells.neighborOf(side), x, y))
+  return least - distance(cells.diagram, circle, x, y)
+}
+
+function boundaryOf(region: ConvexPolygon): OutlinePiece[] {
+  const loop: OutlinePiece[] = []
+  region.corners.forEach((corner, k) => {
+    appendSegment(loop, corner, region.cornerAfter(k))
+  })
+  return loop
+}
+
+function appendSegment(loop: OutlinePiece[], from: Point, to: Point): void {
+  if (from.x !== to.x || from.y !== to.y) loop.push({ curve: segment(from, to), side: NONE, neighbor: NONE })
+}

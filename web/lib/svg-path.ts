@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { PathSink } from './path-sink.ts'
+
+/** Collects what is drawn as the `d` attribute of an SVG path; numbers to the last bit. */
+export class SvgPath implements PathSink {
+  #text = ''
+  #x = Number.NaN
+  #y = Number.NaN
+
+  /** The text; empty if nothing was drawn. */
+  toString(): string {
+    return this.#text
+  }
+
+  moveTo(x: number, y: number): void {
+    this.#go('M', x, y)
+  }
+
+  lineTo(x: number, y: number): void {
+    this.#go('L', x, y)
+  }
+
+  bezierCurveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void {
+    this.#go(`C${x1},${y1} ${x2},${y2} `, x, y)
+  }
+
+  /** As on a canvas, a line leads to the start of the arc. */
+  arc(x: number, y: number, radius: number, startAngle: number, endAngle: number, counterclockwise = false): void {
+    const pointAt = (angle: number) => [x + radius * Math.cos(angle), y + radius * Math.sin(angle)] as const
+    const [startX, startY] = pointAt(startAngle)
+    if (this.#text === '') this.moveTo(startX, startY)
+    else if (this.#x !== startX || this.#y !== startY) this.lineTo(startX, startY)
+    // An arc of SVG is less than a full turn: two halves are as good as any.
+    const middle = (startAngle + endAngle) / 2
+    for (const angle of [middle, endAngle]) {
+      this.#go(`A${radius},${radius} 0 0 ${counterclockwise ? 0 : 1} `, ...pointAt(angle))
+    }
+  }
+
+  closePath(): void {
+    this.#text += 'Z'
+  }
+
+  #go(command: string, x: number, y: number): void {
+    this.#text += `${command}${x},${y}`
+    this.#x = x
+    this.#y = y
+  }
+}
