@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { CircleVoronoiError, ERROR_CODES, edgeAt, loadCircleVoronoi, vertexAt } from '../../web/lib/index.ts'
+import {
+  CircleVoronoiError,
+  ERROR_CODES,
+  edgeAt,
+  type LoadOptions,
+  loadCircleVoronoi,
+  vertexAt,
+} from '../../web/lib/index.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -119,6 +127,7 @@ describe('errors', () => {
     { candidates: 'some' },
     { candidates: 3 },
     { method: 'magic' },
+    { progress: 1 },
   ])('refuses the options %j', (options) => {
     expect(errorOf(() => library.compute(THREE, options as object))).toMatchObject({ code: 'badOption', circle: -1 })
   })
@@ -132,10 +141,80 @@ describe('errors', () => {
   })
 })
 
-it('loads from bytes', async () => {
-  const { readFileSync } = await import('node:fs')
-  const wasmBinary = readFileSync(new URL('../../web/lib/generated/circle-voronoi.wasm', import.meta.url))
-  expect((await loadCircleVoronoi({ wasmBinary })).compute(THREE).vertices).toHaveLength(3)
+describe('progress', () => {
+  it('tells the stages in order and a growing part of the event loop', () => {
+    // A square grid, unequal radii: enough for the event loop to tell of its way.
+    const circles = Array.from({ length: 22_500 }, (_, i) => ({ x: i % 150, y: Math.floor(i / 150), r: (i % 7) / 20 }))
+    const told: [string, number][] = []
+    const { stats } = library.compute(circles, {
+      method: 'touching-disc',
+      progress: (stage, done) => told.push([stage, done]),
+    })
+    const stages = [...new Set(told.map(([stage]) => stage))]
+    expect(stages).toEqual(['hide', 'sample', 'pair', 'touch', 'certify'])
+    expect(Object.keys(stats.seconds)).toEqual(expect.arrayContaining(stages))
+    const touched = told.filter(([stage]) => stage === 'touch').map(([, done]) => done)
+    expect(touched[0]).toBe(0)
+    expect(touched.length).toBeGreaterThan(2)
+    expect(touched).toEqual(touched.toSorted((a, b) => a - b))
+    expect(touched.at(-1)).toBeLessThanOrEqual(1)
+  })
+
+  it('throws what the callback throws, once, and goes on working', () => {
+    let calls = 0
+    const progress = () => {
+      calls += 1
+      throw new RangeError('mine')
+    }
+    expect(() => library.compute(THREE, { progress })).toThrow(new RangeError('mine'))
+    expect(calls).toBe(1)
+    expect(library.compute(THREE).certificate.certified).toBe(true)
+  })
+})
+
+describe('the WebAssembly', () => {
+  const file = new URL('../../web/lib/generated/circle-voronoi.wasm', import.meta.url)
+  const bytes = readFileSync(file)
+  const response = (type: string) => new Response(bytes, { headers: { 'Content-Type': type } })
+
+  it.each<[string, () => LoadOptions['wasm']]>([
+    ['a URL', () => file],
+    ['an address', () => file.href],
+    ['bytes', () => bytes],
+    ['an ArrayBuffer', () => new Uint8Array(bytes).buffer],
+    ['a module', () => new WebAssembly.Module(bytes)],
+    ['a response', () => response('application/wasm')],
+    ['a response of another type', () => response('application/octet-stream')],
+    ['a promise of any of them', () => Promise.resolve(response('application/wasm'))],
+  ])('loads from %s', async (_, wasm) => {
+    const loaded = await loadCircleVoronoi({ wasm: wasm() as NonNullable<LoadOptions['wasm']> })
+    expect(loaded.compute(THREE).certificate.certified).toBe(true)
+  })
+
+  it('is apart for each of two loads at a time', async () => {
+    const [one, two] = await Promise.all([loadCircleVoronoi(), loadCircleVoronoi()])
+    expect(one).not.toBe(two)
+    const inOne = () => one.compute(THREE, { progress: () => expect(two.compute(THREE).vertices).toHaveLength(3) })
+    expect(inOne().vertices).toHaveLength(3)
+  })
+
+  it.each<[string, () => LoadOptions['wasm'], string]>([
+    ['a missing file', () => new URL('missing.wasm', file), 'missing.wasm'],
+    ['an answer that is none', () => new Response('', { status: 404, statusText: 'Not Found' }), '404 Not Found'],
+    ['bytes that are none', () => Uint8Array.of(1, 2, 3, 4), 'what was given'],
+    ['another module', () => Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0), 'this module'],
+    ['no address', () => 'circle-voronoi.wasm', 'what was given'],
+    ['a fetch that failed', () => Promise.reject(new Error('offline')), 'offline'],
+  ])('refuses %s', async (_, wasm, words) => {
+    const error = await loadCircleVoronoi({ wasm: wasm() as NonNullable<LoadOptions['wasm']> }).then(
+      () => undefined,
+      (reason) => reason,
+    )
+    expect(error).toMatchObject({ name: 'CircleVoronoiError', code: 'notLoaded', circle: -1 })
+    expect(error.message).toContain(words)
+    expect(error.message).toMatch(/[^.]\.$/)
+    expect(error.cause).toBeInstanceOf(Error)
+  })
 })
 
 describe('certify', () => {

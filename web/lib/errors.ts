@@ -20,19 +20,21 @@ export const ERROR_CODES = [
  * - `badOption`: an option is out of its range;
  * - `notCertified`: no construction led to a certified diagram;
  * - `badInput`: the input cannot be read as circles;
+ * - `notLoaded`: the WebAssembly cannot be loaded; `cause` says why;
  * - `internal`: the program itself failed; please report it with the input.
  */
-export type ErrorCode = (typeof ERROR_CODES)[number] | 'internal'
+export type ErrorCode = (typeof ERROR_CODES)[number] | 'notLoaded' | 'internal'
 
 /** What every function of this library throws. `message` is one sentence. */
 export class CircleVoronoiError extends Error {
   override readonly name = 'CircleVoronoiError'
+  /** What went wrong. */
   readonly code: ErrorCode
   /** Index of the circle concerned, or -1. */
   readonly circle: number
 
-  constructor(code: ErrorCode, circle: number, message: string) {
-    super(message)
+  constructor(code: ErrorCode, circle: number, message: string, options?: ErrorOptions) {
+    super(message, options)
     this.code = code
     this.circle = circle
   }

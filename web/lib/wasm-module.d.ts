@@ -10,6 +10,8 @@ interface WasmOptions {
   readonly candidates: string | undefined
   readonly samples: number | undefined
   readonly repair: boolean | undefined
+  /** Must not throw. */
+  readonly progress: import('./options.ts').Progress | undefined
 }
 
 interface WasmModule {
@@ -24,8 +26,5 @@ interface WasmModule {
 }
 
 declare module '*/generated/circle-voronoi.js' {
-  export default function createModule(options: {
-    wasmBinary?: Uint8Array
-    locateFile?(name: string): string
-  }): Promise<WasmModule>
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmModule>
 }

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { coordinatesOf } from './coordinates.ts'
+import { Diagram } from './diagram.ts'
+import type { Certificate, Circle, DiagramData } from './diagram-data.ts'
+import { CircleVoronoiError, type ErrorCode } from './errors.ts'
+import createModule from './generated/circle-voronoi.js'
+import { checkOptions, type Options, type Progress } from './options.ts'
+import { instantiate } from './wasm.ts'
+
+/** The library, loaded. */
+export interface CircleVoronoi {
+  /**
+   * The Voronoi diagram of `circles`: x, y, r of each in one `Float64Array`, or objects. They may be disjoint,
+   * intersecting, tangent, nested, equal or points, in any position, and any number from 0. The input is copied.
+   *
+   * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
+   */
+  compute(circles: Float64Array | readonly Circle[], options?: Options): Diagram
+  /**
+   * Judges in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, however it was
+   * made; only its typed arrays are looked at. `compute` has done so for its results. On the command line this is
+   * `circle-voronoi verify`.
+   *
+   * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is none.
+   */
+  certify(diagram: Omit<DiagramData, 'metric' | 'certificate' | 'stats'>): Certificate
+  /** The error codes of the C++ core, in order; the same as `ERROR_CODES`. */
+  errorCodeNames(): readonly string[]
+}
+
+/** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
+export async function circleVoronoiOf(wasm: WebAssembly.Module): Promise<CircleVoronoi> {
+  const module = await instantiate(createModule, wasm)
+
+  return {
+    compute(circles, options = {}) {
+      const coordinates = coordinatesOf(circles)
+      checkOptions(options)
+      const { method, candidates, samples, repair } = options
+      const reporter = new Reporter(options.progress)
+      const result = module.compute(coordinates, { method, candidates, samples, repair, progress: reporter.progress })
+      reporter.rethrow()
+      return new Diagram({ metric: 'circles', circles: coordinates, ...unwrap(result) })
+    },
+    certify({ circles, vertices, vertexCircles, edges, hidden, hull }) {
+      checkArray('circles', circles, Float64Array, 3)
+      checkArray('vertices', vertices, Float64Array, 3)
+      checkArray('vertexCircles', vertexCircles, Int32Array, 3)
+      checkArray('edges', edges, Int32Array, 4)
+      checkArray('hidden', hidden, Int32Array, 2)
+      checkArray('hull', hull, Int32Array, 1)
+      return unwrap(module.certify({ circles, vertices, vertexCircles, edges, hidden, hull }))
+    },
+    errorCodeNames: () => module.errorCodeNames(),
+  }
+}
+
+/** Keeps what a callback throws until the core has returned: the core cannot be left in the middle. */
+class Reporter {
+  readonly progress: Progress | undefined
+  #thrown: { readonly error: unknown } | undefined
+
+  constructor(callback: Progress | undefined) {
+    if (callback === undefined) return
+    this.progress = (stage, done) => {
+      if (this.#thrown !== undefined) return
+      try {
+        callback(stage, done)
+      } catch (error) {
+        this.#thrown = { error }
+      }
+    }
+  }
+
+  rethrow(): void {
+    if (this.#thrown !== undefined) throw this.#thrown.error
+  }
+}
+
+/** A result of the module, or its error thrown. */
+function unwrap<Value extends object>(result: Value | WasmError): Value {
+  if (!('error' in result)) return result
+  const { code, circle, message } = result.error
+  throw new CircleVoronoiError(code as ErrorCode, circle, message)
+}
+
+function checkArray(
+  name: string,
+  array: unknown,
+  type: Float64ArrayConstructor | Int32ArrayConstructor,
+  size: number,
+): void {
+  if (array instanceof type && array.length % size === 0) return
+  throw new CircleVoronoiError('badInput', -1, `${name} is not an ${type.name} of ${size} numbers each.`)
+}

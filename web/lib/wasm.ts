@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { CircleVoronoiError } from './errors.ts'
+
+/**
+ * Where a WebAssembly module comes from: its address (a page resolves a relative one against itself; Node takes `file:`
+ * and, if it is asked to, `https:`), the answer of a `fetch`, the bytes, or the compiled module.
+ */
+export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView<ArrayBuffer> | WebAssembly.Module
+
+/** What Emscripten's modules call to get at the WebAssembly. */
+export interface EmscriptenOptions {
+  instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void): object
+}
+
+/**
+ * The compiled module.
+ *
+ * @throws CircleVoronoiError `notLoaded`
+ */
+export async function compileWasm(source: WasmSource | Promise<WasmSource>): Promise<WebAssembly.Module> {
+  let place = 'what was given'
+  try {
+    const given = await source
+    if (given instanceof WebAssembly.Module) return given
+    if (typeof given === 'string' || given instanceof URL) {
+      const url = new URL(given, globalThis.document?.baseURI ?? globalThis.location?.href)
+      place = url.href
+      return await compileFrom(url)
+    }
+    if ('arrayBuffer' in given) return await compileResponse(given)
+    return await WebAssembly.compile(given)
+  } catch (cause) {
+    throw notLoaded(`from ${place}`, cause)
+  }
+}
+
+/**
+ * An instance of a module of Emscripten, with a memory of its own.
+ *
+ * @throws CircleVoronoiError `notLoaded`: it is another module, or there is no memory for it.
+ */
+export function instantiate<Exports>(
+  create: (options: EmscriptenOptions) => Promise<Exports>,
+  module: WebAssembly.Module,
+): Promise<Exports> {
+  return new Promise((resolve, reject) => {
+    const fail = (cause: unknown) => reject(notLoaded('from this module', cause))
+    const instantiateWasm: EmscriptenOptions['instantiateWasm'] = (imports, receive) => {
+      WebAssembly.instantiate(module, imports).then(receive).catch(fail)
+      return {}
+    }
+    create({ instantiateWasm }).then(resolve, fail)
+  })
+}
+
+async function compileFrom(url: URL): Promise<WebAssembly.Module> {
+  if (url.protocol === 'file:') {
+    // Node's fetch does not read files. Not an import, so that no bundler looks for node:fs in a page.
+    const files = globalThis.process?.getBuiltinModule?.('node:fs/promises')
+    if (files !== undefined) return WebAssembly.compile(await files.readFile(url))
+  }
+  return compileResponse(await fetch(url))
+}
+
+async function compileResponse(response: Response): Promise<WebAssembly.Module> {
+  if (!response.ok) throw new Error(`the answer is ${response.status} ${response.statusText}`.trim())
+  // Servers that do not know .wasm send another type, which the streaming compiler refuses.
+  const isTyped = response.headers.get('Content-Type')?.startsWith('application/wasm') ?? false
+  return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer())
+}
+
+function notLoaded(place: string, cause: unknown): CircleVoronoiError {
+  const reason = (cause instanceof Error ? cause.message : String(cause)).replace(/\.$/, '')
+  return new CircleVoronoiError('notLoaded', -1, `The WebAssembly cannot be loaded ${place}: ${reason}.`, { cause })
+}
