@@ -40,6 +40,7 @@ const SUITES = [
       `--test-reporter-destination=${RESULTS}/node.xml`,
       'tests/wasm/native.test.mjs',
       'tests/wasm/equal-radii.test.mjs',
+      'tests/wasm/worker.test.mjs',
     ],
   },
   {

@@ -1,33 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Reply } from './compute-worker.ts'
+import type { Diagram } from '../lib/index.ts'
+import { createWorker } from '../lib/worker.ts'
+
+/** What comes back for the circles of one request. */
+export type Reply = { readonly diagram: Diagram } | { readonly problem: string }
 
 /**
  * Computes diagrams in a worker, one at a time. Circles that arrive meanwhile wait, and newer ones take their place: a
  * drag never queues up work.
  */
 export class Computer {
-  readonly #worker = new Worker(new URL('./compute-worker.ts', import.meta.url), { type: 'module' })
+  readonly #worker = createWorker()
   readonly #onReply: (reply: Reply) => void
   #isBusy = false
   #waiting: Float64Array | undefined
 
   constructor(onReply: (reply: Reply) => void) {
     this.#onReply = onReply
-    this.#worker.addEventListener('message', ({ data }: MessageEvent<Reply>) => {
-      this.#isBusy = false
-      this.#onReply(data)
-      if (this.#waiting !== undefined) this.request(this.#waiting)
-    })
-    this.#worker.addEventListener('error', () => this.#onReply({ problem: 'The computation could not be loaded.' }))
   }
 
-  request(circles: Float64Array): void {
-    if (this.#isBusy) {
-      this.#waiting = circles
-      return
-    }
-    this.#waiting = undefined
+  async request(circles: Float64Array): Promise<void> {
+    this.#waiting = circles
+    if (this.#isBusy) return
     this.#isBusy = true
-    this.#worker.postMessage(circles)
+    while (this.#waiting !== undefined) {
+      const next = this.#waiting
+      this.#waiting = undefined
+      this.#onReply(await this.#replyTo(next))
+    }
+    this.#isBusy = false
+  }
+
+  async #replyTo(circles: Float64Array): Promise<Reply> {
+    try {
+      return { diagram: await this.#worker.computeAsync(circles) }
+    } catch (error) {
+      return { problem: error instanceof Error ? error.message : String(error) }
+    }
   }
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { Diagram } from '../lib/index.ts'
 import { Actions } from './actions.ts'
 import type { Padding, Size } from './camera.ts'
 import { Computer } from './computer.ts'
@@ -33,9 +32,7 @@ const padding = (): Padding => ({ top: 72, right: 32, bottom: 64, left: 32 })
 const actions = new Actions(store, size, padding)
 
 const computer = new Computer((reply) => {
-  store.update((state) =>
-    'diagram' in reply ? { ...state, diagram: new Diagram(reply.diagram) } : refused(state, reply.problem),
-  )
+  store.update((state) => ('diagram' in reply ? { ...state, diagram: reply.diagram } : refused(state, reply.problem)))
 })
 
 let computed = INITIAL_STATE.circles

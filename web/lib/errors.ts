@@ -39,3 +39,8 @@ export class CircleVoronoiError extends Error {
     this.circle = circle
   }
 }
+
+/** What a caught value says, to be put into a sentence. */
+export function reasonOf(cause: unknown): string {
+  return (cause instanceof Error ? cause.message : String(cause)).replace(/\.$/, '')
+}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from './errors.ts'
+import { CircleVoronoiError, reasonOf } from './errors.ts'
 
 /**
  * Where a WebAssembly module comes from: its address (a page resolves a relative one against itself; Node takes `file:`
@@ -70,6 +70,6 @@ async function compileResponse(response: Response): Promise<WebAssembly.Module> 
 }
 
 function notLoaded(place: string, cause: unknown): CircleVoronoiError {
-  const reason = (cause instanceof Error ? cause.message : String(cause)).replace(/\.$/, '')
-  return new CircleVoronoiError('notLoaded', -1, `The WebAssembly cannot be loaded ${place}: ${reason}.`, { cause })
+  const message = `The WebAssembly cannot be loaded ${place}: ${reasonOf(cause)}.`
+  return new CircleVoronoiError('notLoaded', -1, message, { cause })
 }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Worker as NodeWorker } from 'node:worker_threads'
+import type { Reply, Request, Start } from './worker-messages.ts'
+
+/** A running `worker-thread.js`, in a browser or in Node. */
+export interface Thread {
+  /** Sends a message; the memory of the arrays in `transfer` goes with it. */
+  post(message: Start | Request, transfer?: ArrayBuffer[]): void
+  /** Whether it keeps Node from ending; a browser's never does. */
+  keepAlive(isNeeded: boolean): void
+  /** Ends it at once, in the middle of whatever it does. */
+  terminate(): void
+}
+
+/** What is told of a thread. */
+export interface ThreadEvents {
+  onReply(reply: Reply): void
+  /** It could not be loaded, or broke down. */
+  onFailure(cause: unknown): void
+}
+
+/** Starts a thread, with the means of where this runs. */
+export function startThread(events: ThreadEvents): Thread {
+  return typeof Worker === 'function' ? startWebWorker(events) : startNodeThread(events)
+}
+
+function startWebWorker({ onReply, onFailure }: ThreadEvents): Thread {
+  // Bundlers look for exactly this expression.
+  const worker = new Worker(new URL('./worker-thread.js', import.meta.url), { type: 'module' })
+  worker.onmessage = ({ data }: MessageEvent<Reply>) => onReply(data)
+  worker.onerror = (event) => onFailure(event.message ?? 'its file is not there')
+  return {
+    post: (message, transfer = []) => worker.postMessage(message, transfer),
+    keepAlive: () => {},
+    terminate: () => worker.terminate(),
+  }
+}
+
+function startNodeThread({ onReply, onFailure }: ThreadEvents): Thread {
+  const threads = globalThis.process?.getBuiltinModule?.('node:worker_threads')
+  if (threads === undefined) throw new Error('There are none here')
+  // Not the expression that bundlers look for: they would copy the file for every page.
+  const here = import.meta.url
+  // It needs none of the options of this process, and some (--input-type) would break it.
+  const worker: NodeWorker = new threads.Worker(new URL('./worker-thread.js', here), { execArgv: [] })
+  worker.on('message', onReply)
+  worker.on('error', onFailure)
+  return {
+    post: (message, transfer = []) => worker.postMessage(message, transfer),
+    keepAlive: (isNeeded) => (isNeeded ? worker.ref() : worker.unref()),
+    terminate: () => void worker.terminate(),
+  }
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// <reference lib="esnext.disposable" preserve="true" />
+import { coordinatesOf } from './coordinates.ts'
+import { Diagram } from './diagram.ts'
+import type { Circle } from './diagram-data.ts'
+import { CircleVoronoiError, reasonOf } from './errors.ts'
+import { compileCircleVoronoi, type LoadOptions } from './load-options.ts'
+import { checkOptions, type Options } from './options.ts'
+import { startThread, type Thread } from './thread.ts'
+import type { Reply, Request } from './worker-messages.ts'
+
+export type { LoadOptions, Options }
+
+/** How a diagram is computed in a worker. */
+export interface AsyncOptions extends Options {
+  /** Aborting it cancels the computation at once, and rejects the promise with the signal's reason. */
+  readonly signal?: AbortSignal
+}
+
+/** Computes diagrams in a worker of its own, one after the other. */
+export interface CircleVoronoiWorker {
+  /**
+   * As `compute` of the library, elsewhere: what waits or goes on here is not held up. Arrays are handed over to the
+   * worker and back without a copy, but for the one of the input. What `progress` throws cancels the computation and
+   * rejects the promise.
+   *
+   * @throws CircleVoronoiError with one of the codes of `ErrorCode`; the reason of `signal`; a `DOMException` named
+   * AbortError if the worker is disposed of. Each as a rejection.
+   */
+  computeAsync(circles: Float64Array | readonly Circle[], options?: AsyncOptions): Promise<Diagram>
+  /** Ends the worker and cancels what it has to do. */
+  dispose(): void
+  /** The same, for `using`. */
+  [Symbol.dispose](): void
+}
+
+/**
+ * A worker, in a page, in another worker or in Node. Its thread starts with the first computation; while it is idle it does
+ * not keep Node from ending.
+ */
+export function createWorker(options: LoadOptions = {}): CircleVoronoiWorker {
+  return new Client(options)
+}
+
+/** A computation that waits or runs. */
+interface Job {
+  readonly request: Request
+  readonly options: AsyncOptions
+  readonly resolve: (diagram: Diagram) => void
+  readonly reject: (reason: unknown) => void
+  readonly onAbort: () => void
+}
+
+class Client implements CircleVoronoiWorker {
+  readonly #loadOptions: LoadOptions
+  #module: Promise<WebAssembly.Module> | undefined
+  #thread: Thread | undefined
+  /** The first is the thread's, the others wait. */
+  #jobs: Job[] = []
+  /** The job that the thread has been given. */
+  #running: Job | undefined
+  #isDisposed = false
+
+  constructor(loadOptions: LoadOptions) {
+    this.#loadOptions = loadOptions
+  }
+
+  async computeAsync(circles: Float64Array | readonly Circle[], options: AsyncOptions = {}): Promise<Diagram> {
+    const { signal, progress, ...rest } = options
+    if (this.#isDisposed) throw disposed()
+    signal?.throwIfAborted()
+    checkOptions(options)
+    const request = { circles: coordinatesOf(circles), options: rest, tellsProgress: progress !== undefined }
+    return new Promise((resolve, reject) => {
+      const onAbort = () => this.#cancel(job, signal?.reason)
+      const job: Job = { request, options, resolve, reject, onAbort }
+      signal?.addEventListener('abort', onAbort)
+      this.#jobs.push(job)
+      if (this.#jobs.length === 1) this.#begin(job)
+    })
+  }
+
+  dispose(): void {
+    this.#isDisposed = true
+    // From the last to the first, so that none of them begins.
+    for (const job of this.#jobs.toReversed()) this.#cancel(job, disposed())
+    this.#stopThread()
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose()
+  }
+
+  #begin(job: Job): void {
+    this.#module ??= compileCircleVoronoi(this.#loadOptions)
+    this.#module
+      .then((module) => {
+        // It may have been cancelled meanwhile.
+        if (this.#jobs[0] === job) this.#run(job, module)
+      })
+      .catch((error) => {
+        // The next computation tries again.
+        this.#module = undefined
+        this.#settle(job, () => job.reject(error))
+      })
+  }
+
+  #run(job: Job, module: WebAssembly.Module): void {
+    this.#thread ??= this.#startThread(module)
+    this.#thread.keepAlive(true)
+    this.#thread.post(job.request, [job.request.circles.buffer])
+    this.#running = job
+  }
+
+  #startThread(module: WebAssembly.Module): Thread {
+    // What a thread says after it has been ended is not listened to.
+    const ifCurrent = (action: () => void) => this.#thread === thread && action()
+    const thread = startThread({
+      onReply: (reply) => ifCurrent(() => this.#receive(reply)),
+      onFailure: (cause) => ifCurrent(() => this.#fail(cause)),
+    })
+    thread.post({ module })
+    return thread
+  }
+
+  #receive(reply: Reply): void {
+    const job = this.#running
+    if (job === undefined) return
+    if ('progress' in reply) {
+      try {
+        job.options.progress?.(...reply.progress)
+      } catch (error) {
+        this.#cancel(job, error)
+      }
+      return
+    }
+    this.#running = undefined
+    this.#settle(job, () => {
+      if ('diagram' in reply) return job.resolve(new Diagram(reply.diagram))
+      const { code, circle, message } = reply.error
+      job.reject(new CircleVoronoiError(code, circle, message))
+    })
+  }
+
+  #fail(cause: unknown): void {
+    const job = this.#running
+    this.#stopThread()
+    if (job === undefined) return
+    const error = new CircleVoronoiError('internal', -1, `The worker failed: ${reasonOf(cause)}.`, { cause })
+    this.#settle(job, () => job.reject(error))
+  }
+
+  #cancel(job: Job, reason: unknown): void {
+    // Only the end of the thread stops a computation.
+    if (this.#running === job) this.#stopThread()
+    this.#settle(job, () => job.reject(reason))
+  }
+
+  /** Takes a job from the queue, settles its promise, and goes on with the next. */
+  #settle(job: Job, settlePromise: () => void): void {
+    const wasFirst = this.#jobs[0] === job
+    this.#jobs = this.#jobs.filter((other) => other !== job)
+    job.options.signal?.removeEventListener('abort', job.onAbort)
+    settlePromise()
+    const [next] = this.#jobs
+    if (next === undefined) this.#thread?.keepAlive(false)
+    else if (wasFirst) this.#begin(next)
+  }
+
+  #stopThread(): void {
+    this.#thread?.terminate()
+    this.#thread = undefined
+    this.#running = undefined
+  }
+}
+
+function disposed(): DOMException {
+  return new DOMException('The worker has been disposed of.', 'AbortError')
+}
