@@ -2,6 +2,8 @@
 #include "construct.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -85,6 +87,8 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
 }
 
 constexpr int kMostRepairs = 6;
+/// In the angles of Delaunay faces, of which a circle has six on average.
+constexpr std::int64_t kMostRepairSamples = 4'000'000;
 constexpr int kAllPairsPatch = 64;
 constexpr int kLargestPatch = 4000;
 
@@ -145,9 +149,10 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       Construction flippedResult = judged(flipped(std::move(*fitting), sites, journal), sites.circles, journal);
       if (flippedResult.certificate.certified()) return flippedResult;
     }
-    // What is missing may lie farther off than what is seen to be wrong: at the third try, sample everywhere.
+    // What is missing may lie farther off than what is seen to be wrong: from the third try on, sample everywhere.
     if (round >= 2) {
-      for (int& count : angular) count = 2 * count + 1;
+      for (int& count : angular) count = std::min(4 * count + 3, kMaxSamples);
+      if (std::accumulate(angular.begin(), angular.end(), std::int64_t{0}) > kMostRepairSamples) return result;
     } else {
       for (const int i : circlesAround(result, sites.centres)) angular[i] = 2 * angular[i] + 1;
     }

@@ -36,16 +36,24 @@ TEST_P(Fixture, AllPairs) {
 
 TEST_P(Fixture, DynamicSampling) {
   // Here dynamic sampling misses an antipodal disc that the diagram needs.
-  static const std::set<std::pair<std::string, int>> kMissed = {{"missed-antipodal-disc-clustered-4", 0},
-                                                                {"missed-antipodal-disc-log-uniform-4", 0},
-                                                                {"missed-antipodal-disc-mixed-4", 0},
-                                                                {"missed-antipodal-disc-one-huge-4", 0}};
+  static const std::set<std::pair<std::string, int>> kMissed = {
+      {"missed-antipodal-disc-chaos-75", 0},      {"missed-antipodal-disc-chaos-75", 1},
+      {"missed-antipodal-disc-chaos-75", 3},      {"missed-antipodal-disc-clustered-4", 0},
+      {"missed-antipodal-disc-log-uniform-4", 0}, {"missed-antipodal-disc-mixed-4", 0},
+      {"missed-antipodal-disc-one-huge-4", 0}};
   for (const int samples : {0, 1, 3}) {
     Options options;
     options.samples = samples;
     const std::string found = problem(GetParam(), options);
     EXPECT_EQ(found.empty(), !kMissed.contains({GetParam(), samples})) << samples << " samples: " << found;
   }
+}
+
+TEST_P(Fixture, DynamicSamplingWithRepair) {
+  Options options;
+  options.samples = 0;
+  options.repair = true;
+  EXPECT_EQ(problem(GetParam(), options), "");
 }
 
 std::string testName(const testing::TestParamInfo<std::string>& fixture) {
