@@ -4,15 +4,21 @@ import fc from 'fast-check'
 
 type Circle = readonly [number, number, number]
 
-const unit = fc.double({ min: 0, max: 1, noNaN: true })
-const coordinate = fc.double({ min: -100, max: 100, noNaN: true }).map((value) => Math.round(value * 1e6) / 1e6)
+/** Numbers of six digits after the point: such shrink quickly, and do not shrink to what is next to nothing. */
+function numbers(min: number, max: number): fc.Arbitrary<number> {
+  return fc.integer({ min: Math.round(min * 1e6), max: Math.round(max * 1e6) }).map((value) => value / 1e6)
+}
+
+/** From 0 to 1. */
+export const unit: fc.Arbitrary<number> = numbers(0, 1)
+const coordinate = numbers(-100, 100)
 const MOST = 24
 
 function circles(circle: fc.Arbitrary<Circle>, minLength = 1): fc.Arbitrary<Float64Array> {
   return fc.array(circle, { minLength, maxLength: MOST }).map((list) => Float64Array.from(list.flat()))
 }
 
-const intersecting = circles(fc.tuple(coordinate, coordinate, fc.double({ min: 0, max: 40, noNaN: true })))
+const intersecting = circles(fc.tuple(coordinate, coordinate, numbers(0, 40)))
 
 /** Each circle shrunk until it meets none before it. */
 const disjoint = intersecting.map((flat) => {
@@ -28,7 +34,7 @@ const disjoint = intersecting.map((flat) => {
 
 /** Circles inside circles, some of them touching from inside. */
 const nested = fc
-  .array(fc.tuple(coordinate, coordinate, fc.double({ min: 1, max: 40, noNaN: true }), unit, unit, unit), {
+  .array(fc.tuple(coordinate, coordinate, numbers(1, 40), unit, unit, unit), {
     minLength: 1,
     maxLength: MOST / 2,
   })
@@ -48,13 +54,13 @@ const tangent = circles(
 )
 
 const equalRadii = fc
-  .tuple(circles(fc.tuple(coordinate, coordinate, fc.constant(0))), fc.double({ min: 0, max: 20, noNaN: true }))
+  .tuple(circles(fc.tuple(coordinate, coordinate, fc.constant(0))), numbers(0, 20))
   .map(([flat, radius]) => flat.map((value, k) => (k % 3 === 2 ? radius : value)))
 
 const points = circles(fc.tuple(coordinate, coordinate, fc.constant(0)))
 
 /** Small circles around and inside one that is much larger. */
-const oneHuge = fc.tuple(disjoint, fc.double({ min: 1e2, max: 1e6, noNaN: true }), unit).map(([flat, radius, turn]) => {
+const oneHuge = fc.tuple(disjoint, numbers(1e2, 1e6), unit).map(([flat, radius, turn]) => {
   const distance = radius + 30
   return Float64Array.of(...flat, distance * Math.cos(7 * turn), distance * Math.sin(7 * turn), radius)
 })
@@ -75,14 +81,10 @@ export const circlePair: fc.Arbitrary<Float64Array> = fc
     x: coordinate,
     y: coordinate,
     turn: unit,
-    distance: fc.double({ min: 1e-3, max: 100, noNaN: true }),
+    distance: numbers(1e-3, 100),
     // (r_left - r_right) / distance
-    lean: fc.oneof(
-      fc.constant(0),
-      fc.constantFrom(1e-12, -1e-12, 1 - 1e-9, 1e-9 - 1),
-      fc.double({ min: -0.999, max: 0.999, noNaN: true }),
-    ),
-    smaller: fc.double({ min: 0, max: 50, noNaN: true }),
+    lean: fc.oneof(fc.constantFrom(0, 1e-12, -1e-12, 1 - 1e-9, 1e-9 - 1), numbers(-0.999, 0.999)),
+    smaller: numbers(0, 50),
   })
   .map(({ x, y, turn, distance, lean, smaller }) => {
     const left = smaller + Math.max(0, lean) * distance

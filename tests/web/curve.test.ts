@@ -19,12 +19,11 @@ import {
   segment,
   traceArc,
 } from '../../web/lib/index.ts'
-import { anyCircles, circlePair } from './arbitrary-circles.ts'
+import { anyCircles, circlePair, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { distanceFromArc, scaleOf, signedDistance } from './oracle.ts'
 import { RecordingSink } from './recording-sink.ts'
 
-const unit = fc.double({ min: 0, max: 1, noNaN: true })
 const parameter = fc.double({ min: -7, max: 7, noNaN: true }).map((t) => Math.exp(t))
 const tolerances = fc.constantFrom(1, 0.1, 1e-2, 1e-4, 1e-6)
 

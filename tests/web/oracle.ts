@@ -21,7 +21,7 @@ export function scaleOf(circles: Float64Array): number {
   return circles.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0)
 }
 
-/** A box around the circles, `share` of their extent larger on each side. */
+/** A box around the circles, `share` of their extent larger on each side; a row of points has some height too. */
 export function boxAround(circles: Float64Array, share: number): Box {
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
   for (let i = 0; i < circles.length; i += 3) {
@@ -33,7 +33,9 @@ export function boxAround(circles: Float64Array, share: number): Box {
   }
   const size = Math.max(maxX - minX, maxY - minY)
   const margin = size > 0 ? share * size : 1
-  return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
+  const marginOf = (extent: number) => (extent + 2 * margin > 0 ? margin : size / 10)
+  const [x, y] = [marginOf(maxX - minX), marginOf(maxY - minY)]
+  return { minX: minX - x, minY: minY - y, maxX: maxX + x, maxY: maxY + y }
 }
 
 /** The point at shares of the width and the height of a box. */
@@ -44,7 +46,7 @@ export function pointIn({ minX, minY, maxX, maxY }: Box, across: number, up: num
 /** The distance of a point from an arc, by a search around each of many points that is nearer than those next to it. */
 export function distanceFromArc({ bisector, from, to }: BoundedCurve, { x, y }: Point): number {
   const count = 128
-  const parameterAt = (share: number) => from * (to / from) ** Math.min(Math.max(share, 0), 1)
+  const parameterAt = (share: number) => from * (to / from) ** share
   const distanceAt = (share: number) => {
     const point = pointAt(bisector, parameterAt(share))
     return Math.hypot(point.x - x, point.y - y)
@@ -53,7 +55,7 @@ export function distanceFromArc({ bisector, from, to }: BoundedCurve, { x, y }: 
   let best = Math.min(...distances)
   distances.forEach((distance, k) => {
     if ((distances[k - 1] ?? distance) < distance || (distances[k + 1] ?? distance) < distance) return
-    let [low, high] = [(k - 1) / count, (k + 1) / count]
+    let [low, high] = [Math.max(k - 1, 0) / count, Math.min(k + 1, count) / count]
     for (let step = 0; step < 60; step++) {
       const [first, second] = [low + (high - low) / 3, high - (high - low) / 3]
       best = Math.min(best, distanceAt(first), distanceAt(second))

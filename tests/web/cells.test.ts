@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// @ts-expect-error: it has no types
+import { Delaunay } from 'd3-delaunay'
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import {
+  type Bounds,
+  type Box,
+  ConvexPolygon,
+  clip,
+  type Diagram,
+  edgeCurve,
+  NONE,
+  outline,
+  type Point,
+  pointAt,
+} from '../../web/lib/index.ts'
+import { area, centroid, perimeter } from '../../web/lib/measure.ts'
+import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
+import { dataSet, library, seededRandom } from './library.ts'
+import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
+import { doubleArea } from './recording-sink.ts'
+
+/** A convex polygon somewhere about the middle of a box. */
+function polygonIn(box: Box, turns: readonly number[], size: number): ConvexPolygon {
+  const middle = pointIn(box, 0.3 + 0.4 * size, 0.6 - 0.3 * size)
+  const radius = (0.05 + size) * (box.maxX - box.minX)
+  return ConvexPolygon.from(
+    [...new Set(turns.map((turn) => Math.round(turn * 1000)))]
+      .sort((one, other) => one - other)
+      .map((turn) => ({
+        x: middle.x + radius * Math.cos((2 * Math.PI * turn) / 1001),
+        y: middle.y + radius * Math.sin((2 * Math.PI * turn) / 1001),
+      })),
+  )
+}
+
+const turns = fc
+  .uniqueArray(fc.integer({ min: 0, max: 1000 }), { minLength: 3, maxLength: 8 })
+  .map((list) => list.map((turn) => turn / 1000))
+
+/** Loops are closed without gaps, no part is negative, and together they have the region's area. */
+function expectPartition(diagram: Diagram, bounds: Bounds): void {
+  const whole = ConvexPolygon.of(bounds).area()
+  let sum = 0
+  for (let i = 0; i < diagram.circles.length / 3; i++) {
+    const parts = outline(diagram.cells, i, bounds)
+    for (const loop of parts) {
+      loop.forEach(({ curve }, k) => {
+        expect(curve.end).toEqual(loop[(k + 1) % loop.length]?.curve.start)
+      })
+    }
+    const part = area(parts)
+    expect(part).toBeGreaterThanOrEqual(-1e-12 * whole)
+    sum += part
+  }
+  expect(Math.abs(sum / whole - 1)).toBeLessThan(1e-9)
+}
+
+describe.each(Object.entries(KINDS))('cells of circles that are %s', (_, arbitrary) => {
+  it('have sides that turn counter-clockwise and link up', () => {
+    fc.assert(
+      fc.property(arbitrary, (circles) => {
+        const diagram = library.compute(circles)
+        const isHidden = new Set(diagram.hidden.filter((__, k) => k % 2 === 0))
+        let count = 0
+        for (let i = 0; i < circles.length / 3; i++) {
+          const cell = diagram.cell(i)
+          expect(cell === undefined).toBe(isHidden.has(i))
+          if (cell === undefined) continue
+          const { sides, edges, neighbors, vertices, isBounded } = cell
+          count += sides.length
+          expect(isBounded).toBe(sides.length > 0 && !vertices.includes(NONE))
+          expect(diagram.neighbors(i)).toEqual(neighbors)
+          sides.forEach((side, k) => {
+            expect(edges[k]).toBe(side >> 1)
+            expect(diagram.cells.circleOf(side)).toBe(i)
+            expect(diagram.cells.targetOf(side)).toBe(vertices[(k + 1) % sides.length])
+          })
+          for (const j of neighbors) {
+            const times = (list: Int32Array, circle: number) => list.filter((other) => other === circle).length
+            expect(times(diagram.neighbors(j), i)).toBe(times(neighbors, j))
+          }
+        }
+        expect(count).toBe(diagram.edges.length / 2)
+      }),
+    )
+  })
+
+  it('contain what is nearest, which find finds', () => {
+    fc.assert(
+      fc.property(arbitrary, unit, unit, fc.nat(), (circles, across, up, hint) => {
+        const diagram = library.compute(circles)
+        const point = pointIn(boxAround(circles, 0.2), across, up)
+        const rounding = 1e-14 * (scaleOf(circles) + Math.hypot(point.x, point.y))
+        const least = leastDistance(circles, point)
+        for (let i = 0; i < circles.length / 3; i++) {
+          const lead = signedDistance(circles, i, point) - least
+          if (diagram.contains(i, point.x, point.y)) expect(lead).toBeLessThanOrEqual(rounding)
+          else if (diagram.cell(i) !== undefined) expect(lead).toBeGreaterThanOrEqual(-rounding)
+        }
+        for (const found of [
+          diagram.find(point.x, point.y),
+          diagram.find(point.x, point.y, hint % (circles.length / 3)),
+        ]) {
+          expect(diagram.cell(found)).toBeDefined()
+          expect(signedDistance(circles, found, point) - least).toBeLessThanOrEqual(rounding)
+        }
+      }),
+      { numRuns: 200 },
+    )
+  })
+
+  it('fill every box and every convex polygon, to 1e-9 of its area', () => {
+    fc.assert(
+      fc.property(arbitrary, turns, unit, (circles, corners, size) => {
+        const diagram = library.compute(circles)
+        const whole = boxAround(circles, 0.25)
+        expectPartition(diagram, whole)
+        expectPartition(diagram, boxAround(circles, 0))
+        expectPartition(diagram, boxAround(circles, 500))
+        expectPartition(diagram, polygonIn(whole, corners, size))
+      }),
+    )
+  })
+})
+
+describe('the outline of a cell', () => {
+  const boxes = fc.tuple(anyCircles, fc.constantFrom(-0.2, 0, 0.3))
+
+  it('has the area, centroid and perimeter of a polygon with thousands of corners', () => {
+    fc.assert(
+      fc.property(boxes, ([circles, share]) => {
+        const diagram = library.compute(circles)
+        const box = boxAround(circles, share)
+        const size = box.maxX - box.minX
+        if (!(size > 0 && box.maxY > box.minY)) return
+        for (let i = 0; i < circles.length / 3; i++) {
+          const parts = outline(diagram.cells, i, box)
+          const origin = pointIn(box, 0.5, 0.5)
+          let [twice, x, y, around] = [0, 0, 0, 0]
+          for (const { bisector, from, to } of parts.flat().map(({ curve }) => curve)) {
+            const count = bisector.a === 0 ? 1 : 2000
+            let q = pointAt(bisector, from)
+            for (let k = 1; k <= count; k++) {
+              const p = pointAt(bisector, from * (to / from) ** (k / count))
+              const [ux, uy, vx, vy] = [q.x - origin.x, q.y - origin.y, p.x - origin.x, p.y - origin.y]
+              const cross = ux * vy - uy * vx
+              twice += cross
+              x += (cross * (ux + vx)) / 3
+              y += (cross * (uy + vy)) / 3
+              around += Math.hypot(p.x - q.x, p.y - q.y)
+              q = p
+            }
+          }
+          expect(Math.abs(area(parts) - twice / 2)).toBeLessThan(2e-5 * size * (around + size))
+          expect(Math.abs(perimeter(parts) - around)).toBeLessThan(1e-4 * (around + size))
+          if (twice < 0.01 * size * size) continue
+          const middle = centroid(parts)
+          expect(Math.hypot(middle.x - origin.x - x / twice, middle.y - origin.y - y / twice)).toBeLessThan(1e-3 * size)
+        }
+      }),
+      { numRuns: 25 },
+    )
+  })
+
+  it('has the area that pixels have', () => {
+    const circles = dataSet('introduction')
+    const diagram = library.compute(circles)
+    const box = boxAround(circles, 0.1)
+    const pixels = 400
+    const counts = new Float64Array(circles.length / 3)
+    for (let k = 0; k < pixels * pixels; k++) {
+      const point = pointIn(box, ((k % pixels) + 0.5) / pixels, (Math.floor(k / pixels) + 0.5) / pixels)
+      const least = leastDistance(circles, point)
+      const nearest = counts.findIndex((__, i) => signedDistance(circles, i, point) === least)
+      counts[nearest] = (counts[nearest] as number) + 1
+    }
+    const pixel = ((box.maxX - box.minX) * (box.maxY - box.minY)) / pixels ** 2
+    counts.forEach((count, i) => {
+      const parts = outline(diagram.cells, i, box)
+      // Each pixel on the outline may be wrong by one half.
+      const wrong = (0.5 * perimeter(parts)) / Math.sqrt(pixel)
+      expect(Math.abs(area(parts) / pixel - count)).toBeLessThan(wrong + 4)
+    })
+  })
+
+  it('is the box of a single circle', () => {
+    const diagram = library.compute(Float64Array.of(0, 0, 1, 0.1, 0, 0.5))
+    const box = { minX: 2, minY: 3, maxX: 5, maxY: 4 }
+    const parts = outline(diagram.cells, 0, box)
+    expect(diagram.cell(0)).toMatchObject({ sides: new Int32Array(0), isBounded: false })
+    expect([area(parts), perimeter(parts), centroid(parts)]).toEqual([3, 8, { x: 3.5, y: 3.5 }])
+    expect(outline(diagram.cells, 1, box)).toEqual([])
+    expect([area([]), perimeter([]), centroid([])]).toEqual([0, 0, { x: 0, y: 0 }])
+  })
+
+  it('has two loops where a box cuts the cell apart', () => {
+    // The branch bends around the small circle: a box above its apex sees the large circle's cell on both sides of it.
+    const { cells } = library.compute(Float64Array.of(0, 0, 10, 0, 10.6, 0.1))
+    const box = { minX: -8, minY: 10.5, maxX: 8, maxY: 14 }
+    expect(outline(cells, 0, box)).toHaveLength(2)
+    expect(outline(cells, 1, { ...box, minY: 10.3 })).toHaveLength(1)
+    expect(area(outline(cells, 0, box)) + area(outline(cells, 1, box))).toBeCloseTo(56, 11)
+  })
+
+  it('bears a boundary along an edge, or touching one', () => {
+    const square = library.compute(Float64Array.of(0, 0, 0.5, 2, 0, 0.5, 0, 2, 0.5, 2, 2, 0.5))
+    for (const [minX, minY, maxX, maxY] of [
+      [0, 0, 1, 1],
+      [0, 0, 1, 2],
+      [-1, -1, 1, 3],
+      [1, 1, 2, 2],
+    ] as const) {
+      expectPartition(square, { minX, minY, maxX, maxY })
+    }
+    expect(area(outline(square.cells, 3, { minX: 1, minY: 1, maxX: 2, maxY: 2 }))).toBe(1)
+    const touching = library.compute(Float64Array.of(1, 3, 0, 1, 0, 1)) // the apex of their edge is (1, 2)
+    for (const [minX, minY, maxX, maxY] of [
+      [1, 0, 3, 2],
+      [0, 0, 2, 2],
+      [0, 2, 2, 3],
+      [-1, 1, 1, 2],
+    ] as const) {
+      expectPartition(touching, { minX, minY, maxX, maxY })
+    }
+  })
+
+  it('of the bronze filter: all cells fill its box', () => {
+    const circles = dataSet('bronzefilter')
+    const diagram = library.compute(circles)
+    const box = boxAround(circles, 0.01)
+    expectPartition(diagram, box)
+    for (let i = 0; i < circles.length / 3; i++) {
+      expect(area(outline(diagram.cells, i, box)) > 0).toBe(diagram.cell(i) !== undefined)
+    }
+  })
+})
+
+describe('clip', () => {
+  it('leaves what is inside, all of it and nothing else', () => {
+    fc.assert(
+      fc.property(anyCircles, turns, unit, (circles, corners, size) => {
+        const diagram = library.compute(circles)
+        const whole = boxAround(circles, 0.25)
+        const region = polygonIn(whole, corners, size)
+        const extent = whole.maxX - whole.minX
+        const depth = ({ x, y }: Point) =>
+          Math.min(
+            ...region.corners.map((p, k) => {
+              const q = region.cornerAfter(k)
+              return ((q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x)) / Math.hypot(q.x - p.x, q.y - p.y)
+            }),
+          )
+        for (let e = 0; e < diagram.edges.length / 4; e++) {
+          const curve = edgeCurve(diagram, e)
+          const pieces = clip(curve, region)
+          for (const piece of pieces) {
+            expect(depth(piece.start)).toBeGreaterThan(-1e-11 * extent)
+            expect(depth(piece.end)).toBeGreaterThan(-1e-11 * extent)
+          }
+          const [from, to] = [Math.max(curve.from, 1e-4), Math.min(curve.to, 1e4)]
+          for (let k = 0; k <= 20; k++) {
+            const s = Math.min(from * (to / from) ** (k / 20), to)
+            const inside = depth(pointAt(curve.bisector, s))
+            if (Math.abs(inside) < 1e-9 * extent) continue
+            expect(pieces.some((piece) => piece.from <= s && s <= piece.to)).toBe(inside > 0)
+          }
+        }
+      }),
+    )
+  })
+
+  it('cuts an arc that leaves and comes back into two', () => {
+    const diagram = library.compute(Float64Array.of(-2, 0, 1, 2, 0, 0))
+    const pieces = clip(edgeCurve(diagram, 0), { minX: 1, minY: -9, maxX: 9, maxY: 9 })
+    expect(pieces).toHaveLength(2)
+    expect(pieces.map(({ start, end }) => [start.x, end.x].some((x) => x === 1))).toEqual([true, true])
+  })
+})
+
+describe('a convex polygon', () => {
+  const corner = (x: number, y: number) => ({ x, y })
+
+  it('is measured', () => {
+    const polygon = ConvexPolygon.from([corner(0, 0), corner(4, 0), corner(4, 2), corner(2, 2), corner(0, 2)])
+    expect(polygon.area()).toBe(8)
+    expect(polygon.middle().x).toBe(2)
+    expect(polygon.middle().y).toBeCloseTo(1.2, 14)
+    expect(polygon.box).toEqual({ minX: 0, minY: 0, maxX: 4, maxY: 2 })
+    expect(polygon.contains(corner(4, 1))).toBe(true)
+    expect(polygon.contains(corner(4.1, 1))).toBe(false)
+  })
+
+  it.each([
+    ['two corners', [corner(0, 0), corner(1, 0)]],
+    ['a corner at infinity', [corner(0, 0), corner(1, 0), corner(Number.POSITIVE_INFINITY, 1)]],
+    ['equal corners in a row', [corner(0, 0), corner(1, 0), corner(1, 0), corner(0, 1)]],
+    ['clockwise corners', [corner(0, 0), corner(0, 1), corner(1, 0)]],
+    ['a dent', [corner(0, 0), corner(4, 0), corner(1, 1), corner(0, 4)]],
+    ['no area', [corner(0, 0), corner(1, 0), corner(0, 0), corner(-1, 0)]],
+    ['two turns', [0, 2, 4, 1, 3].map((k) => corner(Math.cos(0.4 * Math.PI * k), Math.sin(0.4 * Math.PI * k)))],
+  ])('refuses %s', (__, corners) => {
+    expect(() => ConvexPolygon.from(corners)).toThrow(expect.objectContaining({ code: 'badOption', circle: -1 }))
+  })
+
+  it.each([
+    { minX: 0, minY: 0, maxX: 0, maxY: 1 },
+    { minX: 0, minY: 1, maxX: 1, maxY: 0 },
+    { minX: Number.NaN, minY: 0, maxX: 1, maxY: 1 },
+    { minX: 0, minY: 0, maxX: Number.POSITIVE_INFINITY, maxY: 1 },
+  ])('refuses the box %j', (box) => {
+    expect(() => library.compute(Float64Array.of(0, 0, 1)).cellPath(0, box)).toThrow(/^The box is empty/)
+  })
+})
+
+describe('of equal radii, as d3-delaunay', () => {
+  const random = seededRandom(5)
+  const points = Array.from({ length: 300 }, () => [random() * 100, random() * 100] as const)
+  const diagram = library.compute(points.map(([x, y]) => ({ x, y, r: 0.2 })))
+  const delaunay = Delaunay.from(points)
+  const box = { minX: -10, minY: -20, maxX: 110, maxY: 102 }
+  const voronoi = delaunay.voronoi([box.minX, box.minY, box.maxX, box.maxY])
+
+  it('neighbours are the same, in the same turn', () => {
+    points.forEach((_, i) => {
+      const theirs = [...delaunay.neighbors(i)]
+      const ours = [...diagram.neighbors(i)]
+      expect([...ours].sort()).toEqual([...theirs].sort())
+      const start = ours.indexOf(theirs[0] as number)
+      const turned = [...ours.slice(start), ...ours.slice(0, start)]
+      if (diagram.cell(i)?.isBounded) expect(turned).toEqual(theirs)
+    })
+  })
+
+  it('cells are the same polygons', () => {
+    points.forEach((_, i) => {
+      const polygon = (voronoi.cellPolygon(i) as [number, number][]).slice(1).map(([x, y]) => ({ x, y }))
+      const parts = outline(diagram.cells, i, box)
+      expect(area(parts)).toBeCloseTo(Math.abs(doubleArea(polygon)) / 2, 7)
+      const corners = parts.flat().map(({ curve }) => curve.start)
+      for (const { x, y } of polygon) {
+        expect(Math.min(...corners.map((corner) => Math.hypot(corner.x - x, corner.y - y)))).toBeLessThan(1e-7)
+      }
+    })
+  })
+
+  it('find and contains give the same circle', () => {
+    for (let k = 0; k < 1000; k++) {
+      const { x, y } = pointIn(box, random(), random())
+      const found = diagram.find(x, y)
+      expect(found).toBe(delaunay.find(x, y))
+      expect(diagram.contains(found, x, y)).toBe(true)
+    }
+  })
+})

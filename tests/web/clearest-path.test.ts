@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import {
+  type Box,
+  clearestPath,
+  type Diagram,
+  edgeAt,
+  edgeCurve,
+  NONE,
+  type Point,
+  pointAt,
+} from '../../web/lib/index.ts'
+import { KINDS, unit } from './arbitrary-circles.ts'
+import { library } from './library.ts'
+import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
+
+const COUNT = 60
+
+/** The best clearance of a path from pixel to pixel, by flooding from the clearest pixels down. */
+function clearanceByPixels(circles: Float64Array, box: Box, p: Point, q: Point): number {
+  const centre = (k: number) => pointIn(box, ((k % COUNT) + 0.5) / COUNT, (Math.floor(k / COUNT) + 0.5) / COUNT)
+  const pixelOf = ({ x, y }: Point) =>
+    Math.floor((COUNT * (y - box.minY)) / (box.maxY - box.minY)) * COUNT +
+    Math.floor((COUNT * (x - box.minX)) / (box.maxX - box.minX))
+  const clearances = Array.from({ length: COUNT * COUNT }, (_, k) => leastDistance(circles, centre(k)))
+  const [from, to] = [pixelOf(p), pixelOf(q)]
+  const parent = clearances.map((_, k) => k)
+  const root = (k: number): number => {
+    let r = k
+    while (parent[r] !== r) {
+      parent[r] = parent[parent[r] as number] as number
+      r = parent[r] as number
+    }
+    return r
+  }
+  const isOpen = clearances.map(() => false)
+  const order = clearances
+    .map((_, k) => k)
+    .sort((one, other) => (clearances[other] as number) - (clearances[one] as number))
+  for (const k of order) {
+    isOpen[k] = true
+    const [column, row] = [k % COUNT, Math.floor(k / COUNT)]
+    for (const [dx, dy] of [
+      [-1, -1],
+      [0, -1],
+      [1, -1],
+      [-1, 0],
+      [1, 0],
+      [-1, 1],
+      [0, 1],
+      [1, 1],
+    ] as const) {
+      if (column + dx < 0 || column + dx >= COUNT || row + dy < 0 || row + dy >= COUNT) continue
+      const next = k + dx + COUNT * dy
+      if (isOpen[next]) parent[root(next)] = root(k)
+    }
+    if (isOpen[from] && isOpen[to] && root(from) === root(to)) return clearances[k] as number
+  }
+  throw new Error('The pixels are not connected.')
+}
+
+/** The least distance from all circles at many points of the parts of the edges that a path follows. */
+function clearanceAlong({ circles, ...rest }: Diagram, path: ReturnType<typeof clearestPath>): number {
+  const diagram = { circles, ...rest }
+  let least = Number.POSITIVE_INFINITY
+  // Whole edges, but for the first and the last.
+  for (const e of path.edges.slice(1, -1)) {
+    const { bisector, from, to } = edgeCurve(diagram, e)
+    const [low, high] = [Math.max(from, 1e-3), Math.min(to, 1e3)]
+    for (let k = 0; k <= 32; k++) {
+      least = Math.min(least, leastDistance(circles, pointAt(bisector, low * (high / low) ** (k / 32))))
+    }
+  }
+  return least
+}
+
+describe.each(Object.entries(KINDS).filter(([name]) => name !== 'oneHuge'))(
+  'among circles that are %s',
+  (_, arbitrary) => {
+    it('is as clear as that of pixels, both ways', () => {
+      fc.assert(
+        fc.property(arbitrary, unit, unit, unit, unit, (circles, a, b, c, d) => {
+          const diagram = library.compute(circles)
+          const inner = boxAround(circles, 0)
+          // Room to go around everything.
+          const extent = Math.max(inner.maxX - inner.minX, inner.maxY - inner.minY)
+          const box = {
+            minX: inner.minX - extent,
+            minY: inner.minY - extent,
+            maxX: inner.maxX + extent,
+            maxY: inner.maxY + extent,
+          }
+          const [p, q] = [pointIn(inner, a, b), pointIn(inner, c, d)]
+          const size = Math.max(box.maxX - box.minX, box.maxY - box.minY)
+          const path = clearestPath(diagram, p, q)
+          expect(Math.abs(path.clearance - clearanceByPixels(circles, box, p, q))).toBeLessThan((2 * size) / COUNT)
+          expect(clearestPath(diagram, q, p).clearance).toBeCloseTo(path.clearance, 7)
+          expect(path.clearance).toBeLessThanOrEqual(leastDistance(circles, p) + 1e-9)
+        }),
+        { numRuns: 12 },
+      )
+    })
+  },
+)
+
+it('follows edges that meet, and keeps clear all the way', () => {
+  fc.assert(
+    fc.property(fc.oneof(...Object.values(KINDS)), unit, unit, unit, unit, (circles, a, b, c, d) => {
+      const diagram = library.compute(circles)
+      const box = boxAround(circles, 0.1)
+      const [p, q] = [pointIn(box, a, b), pointIn(box, c, d)]
+      const path = clearestPath(diagram, p, q)
+      const rounding = 1e-8 * scaleOf(circles)
+      const ends = (e: number) => [edgeAt(diagram, e).start, edgeAt(diagram, e).end]
+      path.edges.forEach((e, k) => {
+        const before = path.edges[k - 1]
+        if (before !== undefined) expect(ends(before).some((end) => ends(e).includes(end))).toBe(true)
+      })
+      expect(clearanceAlong(diagram, path)).toBeGreaterThanOrEqual(path.clearance - rounding)
+      for (const [point, end] of [
+        [path.entry, p],
+        [path.exit, q],
+      ] as const) {
+        if (point === undefined) continue
+        expect(leastDistance(circles, point)).toBeGreaterThanOrEqual(path.clearance - rounding)
+        // Straight away from the nearest circle's centre.
+        const nearest = diagram.find(end.x, end.y)
+        expect(signedDistance(circles, nearest, point)).toBeGreaterThanOrEqual(
+          signedDistance(circles, nearest, end) - rounding,
+        )
+      }
+      // Without an entry the path comes from infinity.
+      const [first, last] = [path.edges[0], path.edges.at(-1)]
+      if (first === undefined || last === undefined) expect([path.entry, path.exit]).toEqual([undefined, undefined])
+      else if (path.entry === undefined) expect(ends(first)).toContain(NONE)
+      else if (path.exit === undefined) expect(ends(last)).toContain(NONE)
+    }),
+    { numRuns: 300 },
+  )
+})
+
+it('goes through the wider gap', () => {
+  // A ring of six circles with gaps of 1, but for one that leaves 1.5 on either side of it.
+  const h = (5 * Math.sqrt(3)) / 2
+  const circles = [
+    [5, 0, 2],
+    [2.5, h, 2],
+    [-2.5, h, 2],
+    [-5, 0, 1.5],
+    [-2.5, -h, 2],
+    [2.5, -h, 2],
+  ].flat()
+  const diagram = library.compute(Float64Array.from(circles))
+  expect(clearestPath(diagram, { x: 0.1, y: 0 }, { x: 20, y: 0 }).clearance).toBeCloseTo(0.75, 12)
+  // Outside there is room without limit: the ends alone bound the clearance.
+  const around = clearestPath(diagram, { x: 0, y: 20 }, { x: 0, y: -20 })
+  expect(around.clearance).toBeCloseTo(Math.hypot(2.5, 20 - h) - 2, 12)
+})
+
+it('leads around a single circle by way of infinity', () => {
+  const path = clearestPath(library.compute(Float64Array.of(0, 0, 1)), { x: 3, y: 0 }, { x: -4, y: 0 })
+  expect(path).toEqual({ clearance: 2, edges: new Int32Array(0), entry: undefined, exit: undefined })
+})

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { describe, expect, it } from 'vitest'
+import { randomCircles } from '../../web/app/random-circles.ts'
+import { NONE } from '../../web/lib/index.ts'
+import { library, seededRandom } from './library.ts'
+import { boxAround, leastDistance, pointIn, signedDistance } from './oracle.ts'
+
+describe('find', () => {
+  it('finds one of many, within one and far outside', () => {
+    const circles = randomCircles(20_000, seededRandom(3))
+    const diagram = library.compute(circles)
+    const random = seededRandom(4)
+    for (const share of [0, 0.5, 1000]) {
+      for (let k = 0; k < 100; k++) {
+        const point = pointIn(boxAround(circles, share), random(), random())
+        const least = leastDistance(circles, point)
+        const rounding = 1e-13 * Math.hypot(point.x, point.y)
+        expect(signedDistance(circles, diagram.find(point.x, point.y), point) - least).toBeLessThanOrEqual(rounding)
+      }
+    }
+  })
+
+  it('finds the way around a circle with a thousand neighbours', () => {
+    const random = seededRandom(9)
+    const circles = new Float64Array(3 * 1001)
+    circles.set([5, 7, 100])
+    for (let i = 1; i <= 1000; i++) {
+      const turn = 2 * Math.PI * random()
+      circles.set([5 + 102 * Math.cos(turn), 7 + 102 * Math.sin(turn), 0.01], 3 * i)
+    }
+    const diagram = library.compute(circles)
+    expect(diagram.neighbors(0).length).toBeGreaterThan(500)
+    for (let k = 0; k < 2000; k++) {
+      const point = pointIn(boxAround(circles, 0.2), random(), random())
+      // From the large circle, whatever is near.
+      for (const found of [diagram.find(point.x, point.y), diagram.find(point.x, point.y, 0)]) {
+        expect(signedDistance(circles, found, point) - leastDistance(circles, point)).toBeLessThanOrEqual(1e-12)
+      }
+    }
+  })
+
+  it.each([
+    ['one circle', [0, 0, 1]],
+    ['two circles', [0, 0, 1, 9, 0, 1]],
+    ['a column', [0, 0, 1, 0, 9, 1, 0, 20, 3, 0, 33, 0]],
+    ['one that hides all others', [0, 0, 9, 1, 1, 1, 2, 2, 2]],
+  ])('works for %s', (_, numbers) => {
+    const circles = Float64Array.from(numbers)
+    const diagram = library.compute(circles)
+    for (let k = 0; k < 50; k++) {
+      const point = { x: 7 * Math.cos(k), y: k - 9 }
+      expect(signedDistance(circles, diagram.find(point.x, point.y), point)).toBe(leastDistance(circles, point))
+    }
+  })
+
+  it('finds nothing where there is nothing, or no place', () => {
+    expect(library.compute([]).find(0, 0)).toBe(NONE)
+    const diagram = library.compute(Float64Array.of(0, 0, 1))
+    for (const [x, y] of [
+      [Number.NaN, 0],
+      [0, Number.NEGATIVE_INFINITY],
+    ] as const) {
+      expect(diagram.find(x, y)).toBe(NONE)
+    }
+  })
+
+  it('does not mind a hint that is no circle, or a hidden one', () => {
+    const diagram = library.compute(Float64Array.of(0, 0, 5, 1, 0, 1, 20, 0, 1))
+    for (const hint of [-1, 99, 1, Number.NaN, 0.5]) expect(diagram.find(1, 0, hint)).toBe(0)
+  })
+})
+
+describe('findAll', () => {
+  it('is find of each', () => {
+    const circles = randomCircles(500, seededRandom(6))
+    const diagram = library.compute(circles)
+    const random = seededRandom(7)
+    const points = Float64Array.from({ length: 2000 }, () => 400 * random() - 100)
+    points[100] = Number.NaN
+    const found = diagram.findAll(points)
+    expect(found).toHaveLength(1000)
+    expect(found).toEqual(
+      Int32Array.from({ length: 1000 }, (_, k) => diagram.find(points[2 * k] as number, points[2 * k + 1] as number)),
+    )
+    expect(diagram.findAll(new Float64Array(0))).toHaveLength(0)
+  })
+})

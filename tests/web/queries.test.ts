@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import {
+  type Circle,
+  ConvexPolygon,
+  circleAt,
+  closestPair,
+  hull,
+  largestEmptyDisc,
+  largestEmptyDiscInHull,
+  neighborPairs,
+  type Point,
+} from '../../web/lib/index.ts'
+import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
+import { library } from './library.ts'
+import { boxAround, leastDistance, pointIn, scaleOf } from './oracle.ts'
+
+const DIRECTIONS = Array.from({ length: 720 }, (_, k) => ({
+  x: Math.cos((2 * Math.PI * k) / 720),
+  y: Math.sin((2 * Math.PI * k) / 720),
+}))
+
+/** How far circles reach in each direction, seen from a point: the least of it is how deep the point is in the hull. */
+function reaches(circles: Float64Array, from: Point): number[] {
+  const all: Circle[] = Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))
+  return DIRECTIONS.map(({ x, y }) =>
+    all.reduce((most, c) => Math.max(most, (c.x - from.x) * x + (c.y - from.y) * y + c.r), Number.NEGATIVE_INFINITY),
+  )
+}
+
+describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
+  it('have a hull as long and as large as that of how far they reach', () => {
+    fc.assert(
+      fc.property(arbitrary, (circles) => {
+        const { arcs, length, area } = hull(library.compute(circles))
+        const origin = circleAt(circles, 0)
+        const reach = reaches(circles, origin)
+        const step = (2 * Math.PI) / reach.length
+        // Cauchy: the length is the integral of the reach h. The area is that of (h^2 - h'^2) / 2, from the polygon of
+        // the tangents.
+        const expected = reach.reduce((sum, h) => sum + h * step, 0)
+        const size = Math.max(...reach)
+        expect(Math.abs(length - expected)).toBeLessThanOrEqual(1e-3 * size)
+        const corners = DIRECTIONS.map((u, k) => {
+          const [v, h, g] = [DIRECTIONS[(k + 1) % 720] as Point, reach[k] as number, reach[(k + 1) % 720] as number]
+          return { x: (h * v.y - g * u.y) / Math.sin(step), y: (g * u.x - h * v.x) / Math.sin(step) }
+        })
+        const around = corners.reduce((sum, p, k) => {
+          const q = corners[(k + 1) % 720] as Point
+          return sum + (p.x * q.y - q.x * p.y) / 2
+        }, 0)
+        expect(Math.abs(area - around)).toBeLessThanOrEqual(0.02 * size * size)
+        expect(arcs.reduce((sum, { angle }) => sum + angle, 0)).toBeCloseTo(2 * Math.PI, 6)
+        const rounding = 1e-12 * (scaleOf(circles) + 1)
+        for (const { circle, start, end } of arcs) {
+          const { x, y, r } = circleAt(circles, circle)
+          for (const p of [start, end]) expect(Math.abs(Math.hypot(p.x - x, p.y - y) - r)).toBeLessThan(rounding)
+        }
+      }),
+    )
+  })
+
+  it('have the closest pair that scanning finds', () => {
+    fc.assert(
+      fc.property(arbitrary, (circles) => {
+        const diagram = library.compute(circles)
+        let least = Number.POSITIVE_INFINITY
+        for (let i = 0; i < circles.length / 3; i++) {
+          for (let j = 0; j < i; j++) {
+            if (diagram.cell(i) === undefined || diagram.cell(j) === undefined) continue
+            const [c, d] = [circleAt(circles, i), circleAt(circles, j)]
+            least = Math.min(least, Math.hypot(c.x - d.x, c.y - d.y) - c.r - d.r)
+          }
+        }
+        const closest = closestPair(diagram)
+        expect(closest?.gap ?? Number.POSITIVE_INFINITY).toBeCloseTo(least, 8)
+        if (closest === undefined) return
+        expect(closest.first).toBeLessThan(closest.second)
+        const [c, d] = [circleAt(circles, closest.first), circleAt(circles, closest.second)]
+        expect(Math.hypot(c.x - d.x, c.y - d.y) - c.r - d.r).toBeCloseTo(closest.gap, 8)
+      }),
+    )
+  })
+
+  it('have no larger empty disc in a box than that which is found', () => {
+    fc.assert(
+      fc.property(
+        arbitrary,
+        fc.constantFrom(-0.3, 0, 0.4),
+        fc.array(fc.tuple(unit, unit), { minLength: 300, maxLength: 300 }),
+        (circles, share, places) => {
+          const diagram = library.compute(circles)
+          const box = boxAround(circles, share)
+          const largest = largestEmptyDisc(diagram, box)
+          if (largest === undefined) throw new Error('There is no disc.')
+          const { x, y, radius } = largest.disc
+          const rounding = 1e-12 * (scaleOf(circles) + Math.abs(radius))
+          expect(ConvexPolygon.of(box).contains({ x, y })).toBe(true)
+          expect(Math.abs(leastDistance(circles, { x, y }) - radius)).toBeLessThanOrEqual(rounding)
+          for (const i of largest.circles) {
+            const c = circleAt(circles, i)
+            expect(Math.abs(Math.hypot(x - c.x, y - c.y) - c.r - radius)).toBeLessThanOrEqual(rounding)
+          }
+          for (const [across, up] of places) {
+            expect(leastDistance(circles, pointIn(box, across, up))).toBeLessThanOrEqual(radius + rounding)
+          }
+        },
+      ),
+      { numRuns: 50 },
+    )
+  })
+
+  it('have no larger empty disc in their hull than that which is found', () => {
+    fc.assert(
+      fc.property(arbitrary, fc.array(fc.tuple(unit, unit), { minLength: 60, maxLength: 60 }), (circles, places) => {
+        const largest = largestEmptyDiscInHull(library.compute(circles))
+        if (largest === undefined) throw new Error('There is no disc.')
+        const { x, y, radius } = largest.disc
+        const box = boxAround(circles, 0)
+        const rounding = 1e-11 * scaleOf(circles)
+        expect(radius).toBeGreaterThanOrEqual(0)
+        expect(Math.abs(leastDistance(circles, { x, y }) - radius)).toBeLessThanOrEqual(rounding)
+        expect(Math.min(...reaches(circles, { x, y }))).toBeGreaterThanOrEqual(-rounding)
+        for (const [across, up] of places) {
+          const point = pointIn(box, across, up)
+          if (leastDistance(circles, point) <= radius + rounding) continue
+          // The directions sampled may miss that the point is outside by a little.
+          expect(Math.min(...reaches(circles, point))).toBeLessThan(1e-3 * (box.maxX - box.minX + box.maxY - box.minY))
+        }
+      }),
+      { numRuns: 50 },
+    )
+  })
+})
+
+it('neighbour pairs are those of the edges, in order, each once', () => {
+  fc.assert(
+    fc.property(anyCircles, (circles) => {
+      const diagram = library.compute(circles)
+      const pairs = neighborPairs(diagram)
+      const texts = Array.from({ length: pairs.length / 2 }, (_, k) => [...pairs.subarray(2 * k, 2 * k + 2)])
+      const expected = new Set<string>()
+      for (let e = 0; e < diagram.edges.length; e += 4) {
+        expected.add(String([...diagram.edges.subarray(e, e + 2)].sort((one, other) => one - other)))
+      }
+      expect(texts.map(String)).toEqual(
+        [...expected].sort((one, other) => {
+          const [a, b, c, d] = `${one},${other}`.split(',').map(Number) as [number, number, number, number]
+          return a - c || b - d
+        }),
+      )
+    }),
+  )
+})
+
+it('the largest empty disc may touch two circles from the edge of the hull', () => {
+  const largest = largestEmptyDiscInHull(library.compute(Float64Array.of(0, 0, 1, 10, 0, 1)))
+  expect(largest?.disc.x).toBeCloseTo(5, 14)
+  expect(Math.abs(largest?.disc.y as number)).toBeCloseTo(1, 14)
+  expect(largest?.disc.radius).toBeCloseTo(Math.sqrt(26) - 1, 13)
+  expect([...(largest?.circles ?? [])].sort()).toEqual([0, 1])
+})
+
+it('no circles have no answers', () => {
+  const diagram = library.compute([])
+  expect(closestPair(diagram)).toBeUndefined()
+  expect(largestEmptyDisc(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
+  expect(largestEmptyDiscInHull(diagram)).toBeUndefined()
+  expect(neighborPairs(diagram)).toHaveLength(0)
+  expect(hull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
+})
+
+it('one circle is its own hull', () => {
+  const { arcs, length, area } = hull(library.compute(Float64Array.of(1, 2, 3)))
+  expect(arcs).toEqual([{ circle: 0, start: { x: 4, y: 2 }, end: { x: 4, y: 2 }, angle: 2 * Math.PI }])
+  expect(length).toBeCloseTo(6 * Math.PI, 12)
+  expect(area).toBeCloseTo(9 * Math.PI, 12)
+})
+
+it('the hull of two circles has two arcs and two tangent segments', () => {
+  const { arcs, length, area } = hull(library.compute(Float64Array.of(0, 0, 1, 4, 0, 1)))
+  expect(arcs.map(({ angle }) => angle)).toEqual([Math.PI, Math.PI])
+  expect(length).toBeCloseTo(2 * Math.PI + 8, 12)
+  expect(area).toBeCloseTo(Math.PI + 8, 12)
+})
