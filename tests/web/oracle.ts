@@ -43,25 +43,33 @@ export function pointIn({ minX, minY, maxX, maxY }: Box, across: number, up: num
   return { x: minX + across * (maxX - minX), y: minY + up * (maxY - minY) }
 }
 
-/** The distance of a point from an arc, by a search around each of many points that is nearer than those next to it. */
+/** The distance of a point from an arc, by bisection around each of many points that is nearer than those next to it. */
 export function distanceFromArc({ bisector, from, to }: BoundedCurve, { x, y }: Point): number {
   const count = 128
+  const { a, b, along, across } = bisector
   const parameterAt = (share: number) => from * (to / from) ** share
   const distanceAt = (share: number) => {
     const point = pointAt(bisector, parameterAt(share))
     return Math.hypot(point.x - x, point.y - y)
+  }
+  /** Whether the way along the arc comes nearer there. */
+  const isAhead = (share: number) => {
+    const s = parameterAt(share)
+    const point = pointAt(bisector, s)
+    const [u, v] = [-Math.abs(a) * (1 - 1 / (s * s)), b * (1 + 1 / (s * s))]
+    return (x - point.x) * (u * along.x + v * across.x) + (y - point.y) * (u * along.y + v * across.y) > 0
   }
   const distances = Array.from({ length: count + 1 }, (_, k) => distanceAt(k / count))
   let best = Math.min(...distances)
   distances.forEach((distance, k) => {
     if ((distances[k - 1] ?? distance) < distance || (distances[k + 1] ?? distance) < distance) return
     let [low, high] = [Math.max(k - 1, 0) / count, Math.min(k + 1, count) / count]
-    for (let step = 0; step < 60; step++) {
-      const [first, second] = [low + (high - low) / 3, high - (high - low) / 3]
-      best = Math.min(best, distanceAt(first), distanceAt(second))
-      if (distanceAt(first) < distanceAt(second)) high = second
-      else low = first
+    for (let step = 0; step < 50; step++) {
+      const middle = (low + high) / 2
+      if (isAhead(middle)) low = middle
+      else high = middle
     }
+    best = Math.min(best, distanceAt(low))
   })
   return best
 }
