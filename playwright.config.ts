@@ -4,7 +4,10 @@ import { defineConfig } from '@playwright/test'
 const PORT = 4173
 
 export default defineConfig({
-  testDir: 'tests/e2e',
+  projects: [
+    { name: 'page', testDir: 'tests/e2e' },
+    { name: 'package', testDir: 'tests/pack' },
+  ],
   outputDir: 'build/playwright',
   // Two cores: one for the browser, one for its worker.
   workers: 1,

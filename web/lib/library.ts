@@ -5,7 +5,7 @@ import type { Certificate, Circle, DiagramData } from './diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from './errors.ts'
 import createModule from './generated/circle-voronoi.js'
 import { checkOptions, type Options, type Progress } from './options.ts'
-import { instantiate } from './wasm.ts'
+import { type CompiledWasm, instantiate } from './wasm.ts'
 
 /** The library, loaded. */
 export interface CircleVoronoi {
@@ -29,7 +29,7 @@ export interface CircleVoronoi {
 }
 
 /** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
-export async function circleVoronoiOf(wasm: WebAssembly.Module): Promise<CircleVoronoi> {
+export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
   const module = await instantiate(createModule, wasm)
 
   return {

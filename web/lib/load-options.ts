@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { compileWasm, type WasmSource } from './wasm.ts'
+import { type CompiledWasm, compileWasm, type WasmSource } from './wasm.ts'
 
 /** How the WebAssembly is found. */
 export interface LoadOptions {
@@ -8,6 +8,6 @@ export interface LoadOptions {
 }
 
 /** `circle-voronoi.wasm`, compiled. */
-export function compileCircleVoronoi({ wasm }: LoadOptions): Promise<WebAssembly.Module> {
+export function compileCircleVoronoi({ wasm }: LoadOptions): Promise<CompiledWasm> {
   return compileWasm(wasm ?? new URL('./generated/circle-voronoi.wasm', import.meta.url))
 }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError, reasonOf } from './errors.ts'
 
+/** `WebAssembly.Module`, where the types of the DOM are known: Node's leave it out. */
+export type CompiledWasm = typeof globalThis extends { WebAssembly: { Module: { prototype: infer Module } } }
+  ? Module
+  : never
+
 /**
  * Where a WebAssembly module comes from: its address (a page resolves a relative one against itself; Node takes `file:`
  * and, if it is asked to, `https:`), the answer of a `fetch`, the bytes, or the compiled module.
  */
-export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView<ArrayBuffer> | WebAssembly.Module
+export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView<ArrayBuffer> | CompiledWasm
 
 /** What Emscripten's modules call to get at the WebAssembly. */
 export interface EmscriptenOptions {
-  instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void): object
+  instantiateWasm(imports: object, receive: (instance: object) => void): object
 }
 
 /**
@@ -17,7 +22,7 @@ export interface EmscriptenOptions {
  *
  * @throws CircleVoronoiError `notLoaded`
  */
-export async function compileWasm(source: WasmSource | Promise<WasmSource>): Promise<WebAssembly.Module> {
+export async function compileWasm(source: WasmSource | Promise<WasmSource>): Promise<CompiledWasm> {
   let place = 'what was given'
   try {
     const given = await source
@@ -41,19 +46,21 @@ export async function compileWasm(source: WasmSource | Promise<WasmSource>): Pro
  */
 export function instantiate<Exports>(
   create: (options: EmscriptenOptions) => Promise<Exports>,
-  module: WebAssembly.Module,
+  module: CompiledWasm,
 ): Promise<Exports> {
   return new Promise((resolve, reject) => {
     const fail = (cause: unknown) => reject(notLoaded('from this module', cause))
     const instantiateWasm: EmscriptenOptions['instantiateWasm'] = (imports, receive) => {
-      WebAssembly.instantiate(module, imports).then(receive).catch(fail)
+      WebAssembly.instantiate(module, imports as WebAssembly.Imports)
+        .then(receive)
+        .catch(fail)
       return {}
     }
     create({ instantiateWasm }).then(resolve, fail)
   })
 }
 
-async function compileFrom(url: URL): Promise<WebAssembly.Module> {
+async function compileFrom(url: URL): Promise<CompiledWasm> {
   if (url.protocol === 'file:') {
     // Node's fetch does not read files. Not an import, so that no bundler looks for node:fs in a page.
     const files = globalThis.process?.getBuiltinModule?.('node:fs/promises')
@@ -62,7 +69,7 @@ async function compileFrom(url: URL): Promise<WebAssembly.Module> {
   return compileResponse(await fetch(url))
 }
 
-async function compileResponse(response: Response): Promise<WebAssembly.Module> {
+async function compileResponse(response: Response): Promise<CompiledWasm> {
   if (!response.ok) throw new Error(`the answer is ${response.status} ${response.statusText}`.trim())
   // Servers that do not know .wasm send another type, which the streaming compiler refuses.
   const isTyped = response.headers.get('Content-Type')?.startsWith('application/wasm') ?? false

@@ -4,9 +4,10 @@
 import type { DiagramData } from './diagram-data.ts'
 import type { ErrorCode } from './errors.ts'
 import type { Options, Stage } from './options.ts'
+import type { CompiledWasm } from './wasm.ts'
 
 export interface Start {
-  readonly module: WebAssembly.Module
+  readonly module: CompiledWasm
 }
 
 export interface Request {

@@ -7,6 +7,7 @@ import { CircleVoronoiError, reasonOf } from './errors.ts'
 import { compileCircleVoronoi, type LoadOptions } from './load-options.ts'
 import { checkOptions, type Options } from './options.ts'
 import { startThread, type Thread } from './thread.ts'
+import type { CompiledWasm } from './wasm.ts'
 import type { Reply, Request } from './worker-messages.ts'
 
 export type { LoadOptions, Options }
@@ -53,7 +54,7 @@ interface Job {
 
 class Client implements CircleVoronoiWorker {
   readonly #loadOptions: LoadOptions
-  #module: Promise<WebAssembly.Module> | undefined
+  #module: Promise<CompiledWasm> | undefined
   #thread: Thread | undefined
   /** The first is the thread's, the others wait. */
   #jobs: Job[] = []
@@ -105,14 +106,14 @@ class Client implements CircleVoronoiWorker {
       })
   }
 
-  #run(job: Job, module: WebAssembly.Module): void {
+  #run(job: Job, module: CompiledWasm): void {
     this.#thread ??= this.#startThread(module)
     this.#thread.keepAlive(true)
     this.#thread.post(job.request, [job.request.circles.buffer])
     this.#running = job
   }
 
-  #startThread(module: WebAssembly.Module): Thread {
+  #startThread(module: CompiledWasm): Thread {
     // What a thread says after it has been ended is not listened to.
     const ifCurrent = (action: () => void) => this.#thread === thread && action()
     const thread = startThread({

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Uses the package as its README says, the same in Node and in a page.
+import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
+import { createWorker } from 'circle-voronoi/worker'
+
+export const CIRCLES = [
+  { x: 0, y: 0, r: 1 },
+  { x: 6, y: 0, r: 1 },
+  { x: 0, y: 8, r: 1 },
+]
+
+/** What came out, as text. */
+export async function use(options) {
+  const library = await loadCircleVoronoi(options)
+  const here = library.compute(CIRCLES)
+  const worker = createWorker(options)
+  const stages = []
+  const there = await worker.computeAsync(CIRCLES, { progress: (stage) => stages.push(stage) })
+  worker.dispose()
+  return JSON.stringify({
+    vertex: [...here.vertices],
+    certified: library.certify(there).certified,
+    found: [here.find(5, 1), there.find(1, 7)],
+    path: there.render() === here.render(),
+    stages: stages.includes('certify'),
+    code: codeOf(() => library.compute([{ x: 0, y: 0, r: -1 }])),
+  })
+}
+
+function codeOf(action) {
+  try {
+    action()
+  } catch (error) {
+    return error instanceof CircleVoronoiError ? error.code : String(error)
+  }
+}

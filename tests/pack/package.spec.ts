@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The package as its users have it: packed, installed in a project of its own, and used in each of the ways it promises.
+import { readdirSync, readFileSync, statSync } from 'node:fs'
+import { join } from 'node:path'
+import { expect, type Page, test } from '@playwright/test'
+import { build, createServer } from 'vite'
+import webpack from 'webpack'
+import { BIN, Project, ROOT, run } from './project.ts'
+import { serve } from './static-server.ts'
+
+/** What consumer/main.js finds: three circles of radius 1 at the corners of a triangle with sides 6, 8 and 10. */
+const EXPECTED = {
+  vertex: [3, 4, 4],
+  certified: true,
+  found: [1, 2],
+  path: true,
+  stages: true,
+  code: 'negativeRadius',
+}
+
+test.describe.configure({ timeout: 120_000 })
+
+let project: Project
+test.beforeAll(() => {
+  project = new Project()
+})
+test.afterAll(() => project.remove())
+
+test('holds the built library and nothing else', () => {
+  const files = readdirSync(project.path('node_modules/circle-voronoi'), { recursive: true, encoding: 'utf8' })
+    .filter((name) => statSync(join(project.path('node_modules/circle-voronoi'), name)).isFile())
+    .sort()
+  expect(files).toEqual(expect.arrayContaining(['LICENSE', 'README.md', 'package.json', 'dist/lib/index.d.ts']))
+  for (const name of files) {
+    expect(name).toMatch(
+      /^(LICENSE|README\.md|package\.json|dist\/lib\/([\w-]+\.(js|js\.map|d\.ts)|generated\/[\w-]+\.(js|wasm)))$/,
+    )
+  }
+  for (const name of files.filter((file) => file.endsWith('.map'))) {
+    const map = JSON.parse(readFileSync(project.path(`node_modules/circle-voronoi/${name}`), 'utf8'))
+    expect(map.sourcesContent, name).toHaveLength(map.sources.length)
+  }
+})
+
+test('depends on nothing', () => {
+  expect(readdirSync(project.path('node_modules')).filter((name) => !name.startsWith('.'))).toEqual(['circle-voronoi'])
+})
+
+test.describe('is well made', () => {
+  test('to publint', () => {
+    expect(project.run(join(BIN, 'publint'), 'run', project.tarball, '--strict')).toContain('All good!')
+  })
+
+  test('to are-the-types-wrong', () => {
+    const options = ['--profile', 'esm-only', '--exclude-entrypoints', 'circle-voronoi.wasm', '--no-emoji']
+    const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
+    for (const name of ['circle-voronoi', 'circle-voronoi/worker']) expect(judged).toContain(`"${name}"`)
+      /^.*(?<!ignored.*)(failed|problem)/im,
+    )
+  })
+
+  test('to size-limit', () => {
+    const sizes = JSON.parse(run(ROOT, join(BIN, 'size-limit'), '--json'))
+    expect(sizes.map(({ name }: { name: string }) => name)).toEqual(['WebAssembly and its glue', 'TypeScript layer'])
+    for (const { name, passed, size } of sizes) expect(passed, `${name}: ${size} bytes`).toBe(true)
+  })
+})
+
+test.describe('in Node', () => {
+  for (const source of ['default', 'url', 'bytes']) {
+    test(`as a module and in a worker, the WebAssembly from the ${source}`, () => {
+      expect(JSON.parse(project.run(process.execPath, 'node.js', source))).toEqual(EXPECTED)
+    })
+  }
+
+  test('where code generation from strings is forbidden', () => {
+    const printed = project.run(process.execPath, '--disallow-code-generation-from-strings', 'node.js', 'default')
+    expect(JSON.parse(printed)).toEqual(EXPECTED)
+  })
+
+  test('by require, where Node requires modules', () => {
+    const requires = (process.features as { require_module?: boolean }).require_module === true
+    const command = ['--no-warnings', 'require.cjs']
+    if (requires) expect(project.run(process.execPath, ...command)).toBe('3,4,4\n')
+    else expect(() => project.run(process.execPath, ...command)).toThrow('ERR_REQUIRE_ESM')
+  })
+})
+
+test.describe('in a page', () => {
+  test('from a Vite build', async ({ page }) => {
+    const outDir = project.path('vite-build')
+    await build({ root: project.folder, configFile: false, logLevel: 'error', build: { outDir, target: 'es2022' } })
+    await expectToWork(page, outDir)
+  })
+
+  test('from the server of Vite', async ({ page }) => {
+    const server = await createServer({
+      root: project.folder,
+      configFile: false,
+      logLevel: 'error',
+      server: { host: '127.0.0.1', port: 0 },
+    })
+    await server.listen()
+    try {
+      await expectToPrint(page, server.resolvedUrls?.local[0] as string)
+    } finally {
+      await server.close()
+    }
+  })
+
+  test('from a webpack build', async ({ page }) => {
+    const outDir = project.path('webpack-build')
+    await buildWithWebpack(outDir)
+    project.write('webpack-build/index.html', '<output></output><script src="main.js" defer></script>')
+    await expectToWork(page, outDir)
+  })
+
+  test('from a script without a bundler', async ({ page }) => {
+    // A page finds modules by their addresses.
+    const plain = readFileSync(project.path('main.js'), 'utf8').replace(
+      /'circle-voronoi(\/worker)?'/g,
+      (_, worker) => `'./node_modules/circle-voronoi/dist/lib/${worker ? 'worker' : 'index'}.js'`,
+    )
+    project.write('plain-main.js', plain)
+    project.write('plain.js', readFileSync(project.path('page.js'), 'utf8').replace('./main.js', './plain-main.js'))
+    project.write('plain.html', '<output></output><script type="module" src="plain.js"></script>')
+    await expectToWork(page, project.folder, 'plain.html')
+  })
+})
+
+test.describe('has types', () => {
+  const SETTINGS = {
+    'a page with a bundler': { module: 'esnext', moduleResolution: 'bundler', lib: ['es2022', 'dom'], types: [] },
+    Node: { module: 'nodenext', moduleResolution: 'nodenext', lib: ['es2022'], types: ['node'] },
+  }
+  for (const [place, settings] of Object.entries(SETTINGS)) {
+    for (const compiler of ['tsc', 'tsc6']) {
+      test(`for ${place}, to ${compiler}`, () => {
+        const compilerOptions = {
+          ...settings,
+          target: 'es2022',
+          strict: true,
+          skipLibCheck: false,
+          noEmit: true,
+          typeRoots: [join(ROOT, 'node_modules/@types')],
+        }
+        project.write('tsconfig.json', JSON.stringify({ compilerOptions, files: ['types.ts'] }))
+        expect(project.run(join(BIN, compiler), '-p', 'tsconfig.json')).toBe('')
+      })
+    }
+  }
+})
+
+/** The page that a server of files serves prints what is expected. */
+async function expectToWork(page: Page, folder: string, name = ''): Promise<void> {
+  const server = await serve(folder)
+  try {
+    await expectToPrint(page, server.address + name)
+  } finally {
+    await server.close()
+  }
+}
+
+async function expectToPrint(page: Page, address: string): Promise<void> {
+  const complaints: string[] = []
+  page.on('pageerror', (error) => complaints.push(error.message))
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(message.text())
+  })
+  await page.goto(address)
+  const output = page.locator('output')
+  await expect(output, complaints.join('\n')).not.toBeEmpty({ timeout: 30_000 })
+  expect(await output.textContent()).toBe(JSON.stringify(EXPECTED))
+}
+
+async function buildWithWebpack(path: string): Promise<void> {
+  const compiler = webpack({
+    mode: 'production',
+    context: project.folder,
+    entry: './page.js',
+    output: { path },
+    // It advises against files over 244 KiB, before compression.
+    performance: { hints: false },
+  })
+  const stats = await new Promise<webpack.Stats | undefined>((resolve, reject) =>
+    compiler.run((error, result) => (error ? reject(error) : resolve(result))),
+  )
+  expect(stats?.toJson({ all: false, errors: true, warnings: true })).toMatchObject({ errors: [], warnings: [] })
+  await new Promise((resolve) => compiler.close(resolve))
+}

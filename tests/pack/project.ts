@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { execFileSync, spawnSync } from 'node:child_process'
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+
+export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
+/** Where the programs of this repository's tools are. */
+export const BIN = join(ROOT, 'node_modules/.bin')
+
+/** An empty project outside the repository into which the packed package is installed, without a network. */
+export class Project {
+  readonly folder: string
+  readonly tarball: string
+  readonly #parent: string
+
+  constructor() {
+    this.#parent = mkdtempSync(join(tmpdir(), 'circle-voronoi-'))
+    this.folder = join(this.#parent, 'project')
+    const packed = join(this.#parent, 'circle-voronoi')
+    for (const folder of [this.folder, packed]) mkdirSync(folder)
+    // What `npm pack` would build first is built: the tests' builds are up to date by then.
+    execFileSync('npm', ['pack', '--silent', '--ignore-scripts', '--pack-destination', packed], { cwd: ROOT })
+    this.tarball = join(packed, readdirSync(packed)[0] as string)
+    writeFileSync(join(this.folder, 'package.json'), JSON.stringify({ private: true, type: 'module' }))
+    const install = ['install', '--silent', '--offline', '--no-audit', '--no-fund']
+    execFileSync('npm', [...install, this.tarball], { cwd: this.folder })
+    cpSync(new URL('consumer', import.meta.url), this.folder, { recursive: true })
+  }
+
+  path(name: string): string {
+    return join(this.folder, name)
+  }
+
+  write(name: string, text: string): void {
+    writeFileSync(this.path(name), text)
+  }
+
+  /** As `run`, in its folder. */
+  run(program: string, ...args: string[]): string {
+    return run(this.folder, program, ...args)
+  }
+
+  remove(): void {
+    rmSync(this.#parent, { recursive: true, force: true })
+  }
+}
+
+/** What a program prints on both outputs; throws with it if the program fails. */
+export function run(folder: string, program: string, ...args: string[]): string {
+  const { status, error, stdout, stderr } = spawnSync(program, args, { cwd: folder, encoding: 'utf8' })
+  if (status === 0) return stdout + stderr
+  throw new Error(`${program} ${args.join(' ')} failed: ${error?.message ?? status}\n${stdout}${stderr}`)
+}
