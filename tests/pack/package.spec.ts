@@ -55,8 +55,6 @@ test.describe('is well made', () => {
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', 'circle-voronoi.wasm', '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
     for (const name of ['circle-voronoi', 'circle-voronoi/worker']) expect(judged).toContain(`"${name}"`)
-      /^.*(?<!ignored.*)(failed|problem)/im,
-    )
   })
 
   test('to size-limit', () => {
