@@ -101,6 +101,7 @@ std::vector<int> findHiders(std::span<const Circle> circles) {
     tree.forEachHider(tree.leaves()[query], [&](std::size_t leaf) {
       const auto [begin, end] = circlesOf(leaf);
       for (int i = begin; i < end; ++i) {
+        if (!Box::of(circles[i]).mayHide(tree.leaves()[query])) continue;
         for (int j = first; j < last; ++j) {
           if (i == j || hider[j] != kNone || !isBefore(i, j)) continue;
           const Vector v = between(circles[i], circles[j]);
