@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -75,6 +76,7 @@ std::vector<Contestant> allContestants() {
 
 struct Measurement {
   double seconds = 0;
+  bool isOver = false;  ///< stopped at the limit: a repetition takes more than `seconds`
   double megabytes = 0;
 };
 
@@ -84,7 +86,8 @@ class MedianReporter : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      if (run.run_type == Run::RT_Aggregate && run.aggregate_name == "median") {
+      // A single repetition has no aggregates; else they come last.
+      if (run.run_type == Run::RT_Iteration || run.aggregate_name == "median") {
         median = run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
       }
     }
@@ -106,7 +109,7 @@ double medianSeconds(const Contestant& method, const Circles& circles, int repet
   return reporter.median;
 }
 
-/// Runs one case in a child process; nothing if it fails or takes longer than the limit.
+/// Runs one case in a child process, at most up to the limit for all repetitions; nothing if it fails.
 std::optional<Measurement> measure(const Contestant& method, const Circles& circles, int repetitions,
                                    unsigned limitSeconds) {
   std::fflush(stdout);  // a child must not print what is waiting here
@@ -126,7 +129,12 @@ std::optional<Measurement> measure(const Contestant& method, const Circles& circ
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
-  if (!read_ || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return std::nullopt;
+  result.isOver = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+  if (result.isOver) {
+    result.seconds = static_cast<double>(limitSeconds) / repetitions;
+  } else if (!read_ || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    return std::nullopt;
+  }
   result.megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
   return result;
 }
@@ -150,6 +158,22 @@ std::optional<Input> inputOf(const std::string& family, std::size_t count) {
   const auto circles = readCircles(text, family);
   if (!file || !circles) return std::nullopt;
   return Input{std::filesystem::path(family).stem().string(), circles.value()};
+}
+
+/// A number, after a > if it is a lower bound.
+std::string text(const char* format, double value, bool isOver) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, format, value);
+  return (isOver ? "> " : "") + std::string(digits);
+}
+
+/// How many times longer one method takes than another; empty if that cannot be told.
+std::string ratio(const std::map<std::string, Measurement>& measured, const std::string& slow,
+                  const std::string& fast) {
+  const auto numerator = measured.find(slow);
+  const auto denominator = measured.find(fast);
+  if (numerator == measured.end() || denominator == measured.end() || denominator->second.isOver) return "";
+  return text("%.2f", numerator->second.seconds / denominator->second.seconds, numerator->second.isOver);
 }
 
 int usage() {
@@ -200,19 +224,15 @@ int main(int argc, char** argv) {
       }
       for (const Contestant& method : methods) {
         if (!measured.contains(method.name)) continue;
-        const auto [seconds, megabytes] = measured[method.name];
-        const auto secondsOf = [&](const char* name) { return measured.contains(name) ? measured[name].seconds : 0; };
-        const auto ratio = [&](double numerator, double denominator) {
-          char text[16] = "";
-          if (numerator > 0 && denominator > 0) std::snprintf(text, sizeof text, "%.2f", numerator / denominator);
-          return std::string(text);
-        };
-        std::printf("%-14s %8zu  %-26s %10.4f %9.0f %12s %12s\n", input->family.c_str(), input->circles.size(),
-                    method.name.c_str(), seconds, megabytes, ratio(seconds, secondsOf("cgal-delaunay")).c_str(),
-                    ratio(secondsOf("cgal-hierarchy"), seconds).c_str());
+        const auto [seconds, isOver, megabytes] = measured[method.name];
+        std::printf("%-14s %8zu  %-26s %10s %9.0f %12s %12s\n", input->family.c_str(), input->circles.size(),
+                    method.name.c_str(), text("%.4f", seconds, isOver).c_str(), megabytes,
+                    ratio(measured, method.name, "cgal-delaunay").c_str(),
+                    ratio(measured, "cgal-hierarchy", method.name).c_str());
         json << (json.tellp() > 1 ? ",\n " : "\n ") << R"({"family": ")" << input->family << R"(", "n": )"
-             << input->circles.size() << R"(, "method": ")" << method.name << R"(", "seconds": )" << seconds
-             << R"(, "peakMegabytes": )" << megabytes << "}";
+             << input->circles.size() << R"(, "method": ")" << method.name << R"(", ")"
+             << (isOver ? "secondsOver" : "seconds") << R"(": )" << seconds << R"(, "peakMegabytes": )" << megabytes
+             << "}";
       }
       std::fflush(stdout);
     }
