@@ -47,9 +47,11 @@ export class Project {
   }
 }
 
-/** What a program prints on both outputs; throws with it if the program fails. */
+/** What a program prints; throws with that if the program fails. */
 export function run(folder: string, program: string, ...args: string[]): string {
-  const { status, error, stdout, stderr } = spawnSync(program, args, { cwd: folder, encoding: 'utf8' })
-  if (status === 0) return stdout + stderr
+  // Playwright asks for colours, which are not for comparing.
+  const env = { ...process.env, FORCE_COLOR: '0' }
+  const { status, error, stdout, stderr } = spawnSync(program, args, { cwd: folder, env, encoding: 'utf8' })
+  if (status === 0) return stdout
   throw new Error(`${program} ${args.join(' ')} failed: ${error?.message ?? status}\n${stdout}${stderr}`)
 }

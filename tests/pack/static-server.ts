@@ -10,20 +10,33 @@ const TYPES: Record<string, string> = {
   '.wasm': 'application/wasm',
 }
 
-/** As strict as a page can be that uses WebAssembly: no `eval`, nothing from elsewhere. */
-const HEADERS = { 'Content-Security-Policy': "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'" }
+/** As strict as a page can be that uses WebAssembly: no `eval`, nothing from elsewhere, no script in the page itself. */
+export const STRICT_POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'"
+/** Scripts in the page itself are allowed. */
+export const INLINE_POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'unsafe-inline'"
 
-/** Serves a folder as any server of files does. `address` ends with a slash. */
-export async function serve(folder: string): Promise<{ readonly address: string; close(): Promise<void> }> {
+export interface Server {
+  /** Ends with a slash. */
+  readonly address: string
+  close(): Promise<void>
+}
+
+/** Serves a folder as any server of files does, under a Content-Security-Policy. */
+export async function serve(folder: string, policy = STRICT_POLICY): Promise<Server> {
+  const headersOf = (path: string) => ({
+    'Content-Security-Policy': policy,
+    'Content-Type': TYPES[extname(path)] ?? 'application/octet-stream',
+  })
   const server = createServer(async ({ url = '/' }, response) => {
     const { pathname } = new URL(url, 'http://localhost')
     const path = normalize(pathname.endsWith('/') ? `${pathname}index.html` : pathname)
     try {
       const body = await readFile(join(folder, path))
-      response.writeHead(200, { ...HEADERS, 'Content-Type': TYPES[extname(path)] ?? 'application/octet-stream' })
+      response.writeHead(200, headersOf(path))
       response.end(body)
     } catch {
-      response.writeHead(404).end()
+      // Browsers ask for an icon on their own.
+      response.writeHead(pathname === '/favicon.ico' ? 204 : 404).end()
     }
   })
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve))

@@ -19,6 +19,7 @@ export class Cells {
   readonly #sides: Int32Array
   readonly #reach: Float64Array
 
+  /** Sorts the sides of all cells, in linear time. */
   constructor(diagram: DiagramData) {
     const circleCount = diagram.circles.length / 3
     const sideCount = diagram.edges.length / 2

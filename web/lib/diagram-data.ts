@@ -55,19 +55,31 @@ export interface Certificate {
 
 /** How much each stage had to do. */
 export interface Counts {
+  /** Input circles. */
   readonly circles: number
+  /** Of these, hidden ones. */
   readonly hidden: number
+  /** Sample points on circles. */
   readonly samples: number
+  /** Candidate pairs, each with one antipodal disc. */
   readonly antipodalDiscs: number
+  /** Three-touch discs formed. */
   readonly threeTouchDiscs: number
+  /** Discs taken from the queue. */
   readonly events: number
+  /** Cycles of leftover directed edges; 1 in a right diagram of two circles or more. */
   readonly leftoverCycles: number
+  /** Edges flipped. */
   readonly flips: number
+  /** Places where a local diagram was spliced in. */
   readonly repairs: number
+  /** Predicates decided in floating point, with an error bound. */
   readonly filtered: number
   /** Predicates decided in double-double arithmetic, with an error bound. */
   readonly refined: number
+  /** Predicates decided by the exact in-circle test of centres (equal radii). */
   readonly inCircle: number
+  /** Predicates decided in full integer arithmetic. */
   readonly exact: number
 }
 
@@ -83,6 +95,7 @@ export interface Seconds {
   readonly total: number
 }
 
+/** How a diagram came about. */
 export interface Stats {
   /** The method asked for. */
   readonly method: string

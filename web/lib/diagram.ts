@@ -52,6 +52,7 @@ export class Diagram implements DiagramData {
   #finder: Finder | undefined
   #bounds: ConvexPolygon | undefined
 
+  /** Around the arrays of `data`, which are not copied. */
   constructor(data: DiagramData) {
     this.metric = data.metric
     this.circles = data.circles

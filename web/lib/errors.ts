@@ -33,6 +33,7 @@ export class CircleVoronoiError extends Error {
   /** Index of the circle concerned, or -1. */
   readonly circle: number
 
+  /** `options`: its cause, if there is one. */
   constructor(code: ErrorCode, circle: number, message: string, options?: ErrorOptions) {
     super(message, options)
     this.code = code

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The Voronoi diagram of circles: `loadCircleVoronoi`, then `compute`, then the methods of `Diagram`. What is not needed
+ * for every diagram is a function of its own.
+ *
+ * @module circle-voronoi
+ */
 export {
   bezierPointAt,
   type CubicBezier,
@@ -47,4 +53,4 @@ export type { PathSink } from './path-sink.ts'
 export type { Point, Vector } from './point.ts'
 export { type ClosestPair, closestPair, neighborPairs } from './queries.ts'
 export { SvgPath } from './svg-path.ts'
-export type { WasmSource } from './wasm.ts'
+export type { CompiledWasm, WasmSource } from './wasm.ts'

@@ -2,7 +2,14 @@
 import type { Seconds } from './diagram-data.ts'
 import { CircleVoronoiError } from './errors.ts'
 
-/** A stage of the computation. */
+/**
+ * A stage of the computation:
+ * - `hide`: circles that another contains are found, and the centres of the rest are triangulated;
+ * - `sample`, `pair`, `touch`: the touching disc method, its points on circles, its pairs of circles, its event loop;
+ * - `flip`: edges of a triangulation are flipped;
+ * - `repair`: what is wrong in places is computed anew;
+ * - `certify`: the result is judged.
+ */
 export type Stage = Exclude<keyof Seconds, 'total'>
 
 /**

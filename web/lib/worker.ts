@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// <reference lib="esnext.disposable" preserve="true" />
+/**
+ * Diagrams computed in a worker, with progress and cancelling.
+ *
+ * @module circle-voronoi/worker
+ */
 import { coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
 import type { Circle } from './diagram-data.ts'

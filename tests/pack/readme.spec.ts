@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The code under "From JavaScript" in README.md, run as a reader would.
+import { basename } from 'node:path'
+import { expect, test } from '@playwright/test'
+import { readmeSnippets } from '../readme/snippets.mjs'
+import { Project } from './project.ts'
+import { INLINE_POLICY, serve } from './static-server.ts'
+
+const SNIPPETS = readmeSnippets('From JavaScript')
+const inLanguage = (name: string) => SNIPPETS.filter(({ language }) => language === name)
+
+test.describe.configure({ timeout: 120_000 })
+
+let project: Project
+test.beforeAll(() => {
+  project = new Project()
+})
+test.afterAll(() => project.remove())
+
+test('all of it is run', () => {
+  expect(SNIPPETS.map(({ language }) => language)).toEqual(['sh', 'js', 'html', 'js'])
+})
+
+test('install', () => {
+  const [pack, install] = (inLanguage('sh')[0]?.code ?? '').split('\n')
+  expect(pack).toMatch(/^npm pack +# .*: builds ([\w.-]+\.tgz)$/)
+  expect(pack).toContain(basename(project.tarball))
+  expect(project.run('sh', '-c', `npm_config_offline=true ${install}`)).toContain('up to date')
+})
+
+for (const [i, { code, line }] of inLanguage('js').entries()) {
+  test(`line ${line}, in Node`, () => {
+    // What it prints stands behind each call, as a comment.
+    const expected = [...code.matchAll(/^console\.log\(.*\) \/\/ (.*)$/gm)].map(([, text]) => `${text}\n`)
+    expect(expected).not.toHaveLength(0)
+    project.write(`readme-${i}.js`, code)
+    expect(project.run(process.execPath, `readme-${i}.js`)).toBe(expected.join(''))
+  })
+}
+
+for (const { code, line } of inLanguage('html')) {
+  test(`line ${line}, in a page`, async ({ page }) => {
+    project.write('index.html', `<!doctype html>\n${code}`)
+    const complaints: string[] = []
+    page.on('pageerror', (error) => complaints.push(error.message))
+    page.on('console', (message) => complaints.push(message.text()))
+    const server = await serve(project.folder, INLINE_POLICY)
+    try {
+      await page.goto(server.address)
+      await expect
+        .poll(() => page.locator('canvas').evaluate(inkOf), { message: complaints.join() })
+        .toBeGreaterThan(500)
+      expect(complaints).toEqual([])
+    } finally {
+      await server.close()
+    }
+  })
+}
+
+/** How many pixels of a canvas are drawn on. */
+function inkOf(canvas: Element): number {
+  const { width, height } = canvas as HTMLCanvasElement
+  const context = (canvas as HTMLCanvasElement).getContext('2d') as CanvasRenderingContext2D
+  const { data } = context.getImageData(0, 0, width, height)
+  return data.filter((value, i) => i % 4 === 3 && value > 0).length
+}
