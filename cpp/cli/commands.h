@@ -8,6 +8,7 @@ namespace circle_voronoi::cli {
 // Each adds one command to the program. A command runs while the command line is parsed, and may throw Failure.
 
 void addComputeCommand(CLI::App& program);
+void addConvertCommand(CLI::App& program);
 void addGenerateCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);
 

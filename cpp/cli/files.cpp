@@ -37,6 +37,8 @@ void writeAll(std::ostream& out, const std::string& file, const std::function<vo
 
 }  // namespace
 
+std::string inputName(const std::string& file) { return file == kStandardStream ? "standard input" : file; }
+
 std::string readText(const std::string& file) {
   errno = 0;
   if (file == kStandardStream) return readAll(std::cin, file);

@@ -10,6 +10,9 @@ namespace circle_voronoi::cli {
 /// The name of standard input and standard output on the command line.
 inline constexpr const char* kStandardStream = "-";
 
+/// What an input is called in an error.
+std::string inputName(const std::string& file);
+
 /// All of a file or of standard input. Throws Failure.
 std::string readText(const std::string& file);
 

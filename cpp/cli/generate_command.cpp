@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
+#include <iomanip>
+#include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "circle_voronoi/families.h"
@@ -8,33 +11,37 @@
 #include "commands.h"
 #include "failure.h"
 #include "files.h"
+#include "output.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
 /// Far more than fits in memory with its diagram, and few enough to be held.
 constexpr std::int64_t kMostCircles = 100'000'000;
+/// Longer than the name of any family.
+constexpr int kNameWidth = 22;
 
 struct GenerateArguments {
   std::string family;
   std::int64_t count = 0;
   std::uint64_t seed = 1;
-  std::string output = kStandardStream;
+  Output output;
 };
 
 void runGenerate(const GenerateArguments& arguments) {
   const auto family = familyFromName(arguments.family);
-  if (!family) throw Failure{kBadInput, "There is no family \"" + arguments.family + "\"; see generate --help."};
+  if (!family) throw Failure{kBadInput, "There is no family \"" + arguments.family + "\"; see generate --list."};
   const auto circles = generate(*family, static_cast<std::size_t>(arguments.count), arguments.seed);
-  writeText(arguments.output, [&](std::ostream& out) { writeCsv(out, circles); });
+  writeText(arguments.output.file, [&](std::ostream& out) { writeCirclesCsv(out, circles); });
 }
 
-std::string listOfFamilies() {
-  std::string list = "Families:";
+/// A line for each family: its name and what it is.
+std::string listOfFamilies(std::string_view indent) {
+  std::ostringstream list;
   for (const FamilyInfo& info : families()) {
-    list += "\n  " + std::string(info.name) + ": " + std::string(info.description);
+    list << indent << std::left << std::setw(kNameWidth) << info.name << info.description << '\n';
   }
-  return list;
+  return list.str();
 }
 
 }  // namespace
@@ -42,13 +49,23 @@ std::string listOfFamilies() {
 void addGenerateCommand(CLI::App& program) {
   const auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* command = program.add_subcommand("generate", "Write a random set of circles as CSV");
-  command->add_option("FAMILY", arguments->family, "A family of the list below")->required();
-  command->add_option("N", arguments->count, "How many circles")
+  command->add_option("FAMILY", arguments->family, "A family of the list below")->type_name("")->required();
+  command->add_option("N", arguments->count, "How many circles, at most " + std::to_string(kMostCircles))
+      ->type_name("")
       ->required()
-      ->check(CLI::Range(std::int64_t{0}, kMostCircles));
-  command->add_option("--seed", arguments->seed, "The same seed gives the same circles")->capture_default_str();
-  command->add_option("-o,--output", arguments->output, "The file to write; - is standard output");
-  command->footer(listOfFamilies());
+      ->check(CLI::Range(std::int64_t{0}, kMostCircles).description(""));
+  command->add_option("--seed", arguments->seed, "The same seed gives the same circles")
+      ->type_name("SEED")
+      ->capture_default_str();
+  addOutputFile(*command, arguments->output);
+  command->add_flag_callback(
+      "--list",
+      [] {
+        std::cout << listOfFamilies("");
+        throw CLI::Success();
+      },
+      "Print the names of the families, each with what it is");
+  command->footer("Families; a figure is that of the paper:\n" + listOfFamilies("  "));
   command->callback([arguments] { runGenerate(*arguments); });
 }
 

@@ -24,6 +24,7 @@ int main(int argumentCount, char** arguments) {
     program.set_version_flag("--version", "circle-voronoi " CIRCLE_VORONOI_VERSION);
     program.require_subcommand(1);
     addComputeCommand(program);
+    addConvertCommand(program);
     addGenerateCommand(program);
     addVerifyCommand(program);
     try {

@@ -5,19 +5,30 @@
 
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/progress.h"
 #include "commands.h"
 #include "failure.h"
 #include "files.h"
+#include "progress_line.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
-void runVerify(const std::string& input) {
-  const std::string name = input == kStandardStream ? "standard input" : input;
-  const auto file = readDiagram(readText(input), name);
+struct VerifyArguments {
+  std::string input;
+  std::string progress = "auto";
+};
+
+void runVerify(const VerifyArguments& arguments) {
+  ProgressLine progress(arguments.progress);
+  progress.show("read");
+  const std::string name = inputName(arguments.input);
+  const auto file = readDiagram(readText(arguments.input), name);
   if (!file) throw Failure{kBadInput, file.error().message};
   const auto& [circles, diagram] = file.value();
+  progress.show(stageName(Stage::certify));
   const auto certificate = certify(circles, diagram);
+  progress.end();
   if (!certificate) throw Failure{kBadInput, name + ": " + certificate.error().message};
   if (!certificate.value().certified()) throw Failure{kFailure, name + ": " + certificate.value().message};
   writeText(kStandardStream, [&](std::ostream& out) {
@@ -29,12 +40,13 @@ void runVerify(const std::string& input) {
 }  // namespace
 
 void addVerifyCommand(CLI::App& program) {
-  const auto input = std::make_shared<std::string>();
+  const auto arguments = std::make_shared<VerifyArguments>();
   CLI::App* command =
       program.add_subcommand("verify", "Judge whether a diagram, as compute writes it, is right for its circles");
-  command->add_option("FILE", *input, "A diagram as JSON; - is standard input")->required();
+  command->add_option("FILE", arguments->input, "A diagram as JSON; - is standard input")->type_name("")->required();
+  addProgressOption(*command, arguments->progress);
   command->footer("The exit status is 0 if the diagram is certified, 1 if it is wrong, 2 if it cannot be read.");
-  command->callback([input] { runVerify(*input); });
+  command->callback([arguments] { runVerify(*arguments); });
 }
 
 }  // namespace circle_voronoi::cli

@@ -6,9 +6,12 @@ add_library(circle_voronoi_io STATIC
   src/export_frame.cpp
   src/io_csv.cpp
   src/io_geojson.cpp
+  src/io_holds_diagram.cpp
   src/io_json.cpp
   src/io_read.cpp
   src/io_read_diagram.cpp
+  src/io_read_stats.cpp
+  src/io_write_circles.cpp
   src/io_write_csv.cpp
   src/io_write_geojson.cpp
   src/io_write_json.cpp

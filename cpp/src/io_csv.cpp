@@ -4,9 +4,7 @@
 #include <optional>
 #include <system_error>
 
-#include "circle_voronoi/io.h"
 #include "io_text.h"
-#include "io_writer.h"
 
 namespace circle_voronoi {
 namespace {
@@ -90,12 +88,6 @@ Result<NumberedCircles> readCsv(std::string_view text, std::string_view name) {
     result.lines.push_back(lineNumber);
   }
   return result;
-}
-
-void writeCsv(std::ostream& stream, std::span<const Circle> circles) {
-  Writer out(stream);
-  out << "x,y,r\n";
-  for (const Circle& c : circles) out << c.x << "," << c.y << "," << c.r << "\n";
 }
 
 }  // namespace circle_voronoi

@@ -14,9 +14,6 @@ bool hasType(const Json& value, std::string_view type) {
   return found != value.end() && *found == type;
 }
 
-/// The value under a key; null if there is none.
-Json at(const Json& value, const char* key) { return value.is_object() ? value.value(key, Json()) : Json(); }
-
 /// Reads the circle of a feature, or says what is wrong with it.
 std::optional<std::string> readFeature(const Json& feature, Circle& circle) {
   const Json geometry = at(feature, "geometry");
@@ -29,7 +26,7 @@ std::optional<std::string> readFeature(const Json& feature, Circle& circle) {
   Json radius = at(properties, "radius");
   if (radius.is_null()) radius = at(properties, "r");
   if (!radius.is_number()) return "a feature has no number as its property radius.";
-  circle = {coordinates[0].get<double>(), coordinates[1].get<double>(), radius.get<double>()};
+  circle = {numberOf(coordinates[0]), numberOf(coordinates[1]), numberOf(radius)};
   return std::nullopt;
 }
 

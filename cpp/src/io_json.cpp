@@ -24,7 +24,7 @@ class CircleHandler : public Json::json_sax_t {
   bool boolean(bool) override { return other("a boolean"); }
   bool string(std::string&) override { return other("a string"); }
   bool binary(Json::binary_t&) override { return other("binary data"); }
-  bool number_integer(Json::number_integer_t value) override { return number(static_cast<double>(value)); }
+  bool number_integer(Json::number_integer_t value) override { return number(negative(value)); }
   bool number_unsigned(Json::number_unsigned_t value) override { return number(static_cast<double>(value)); }
   bool number_float(Json::number_float_t value, const std::string&) override { return number(value); }
 

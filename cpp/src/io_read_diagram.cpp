@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "circle_voronoi/io.h"
+#include "io_stats.h"
 #include "io_text.h"
 #include "json_reading.h"
 #include "validate.h"
@@ -73,7 +74,8 @@ const std::vector<Section> kSections = {
 /// Takes the parser's events; false stops it.
 class DiagramHandler : public Json::json_sax_t {
  public:
-  DiagramHandler(std::string_view name, JsonPosition& position) : name_(name), position_(position) {}
+  DiagramHandler(std::string_view text, std::string_view name, JsonPosition& position)
+      : text_(text), name_(name), position_(position) {}
 
   Result<DiagramFile> take() && {
     if (error_) return *std::move(error_);
@@ -89,10 +91,7 @@ class DiagramHandler : public Json::json_sax_t {
   bool null() override { return isSkipped() || fail(expected() + ", not null."); }
   bool boolean(bool) override { return isSkipped() || fail(expected() + ", not a boolean."); }
   bool binary(Json::binary_t&) override { return isSkipped() || fail(expected() + ", not binary data."); }
-  // Of the integers only those with a minus sign come here; one that is zero is -0.
-  bool number_integer(Json::number_integer_t value) override {
-    return number(value == 0 ? -0.0 : static_cast<double>(value));
-  }
+  bool number_integer(Json::number_integer_t value) override { return number(negative(value)); }
   bool number_unsigned(Json::number_unsigned_t value) override { return number(static_cast<double>(value)); }
   bool number_float(Json::number_float_t value, const std::string&) override { return number(value); }
 
@@ -189,23 +188,28 @@ class DiagramHandler : public Json::json_sax_t {
     return true;
   }
   bool deeper() {
+    if (depth_ == 0) skippedFrom_ = position_.read() - 1;
     ++depth_;
     place_ = Place::skipped;
     return true;
   }
   bool shallower() {
-    if (--depth_ == 0) place_ = before_;
+    if (--depth_ > 0) return true;
+    place_ = before_;
+    if (isStats_) file_.diagram.stats = readStats(text_.substr(skippedFrom_, position_.read() - skippedFrom_));
     return true;
+  }
+  bool skip(const std::string& key) {
+    isStats_ = place_ == Place::file && key == "stats";
+    before_ = place_;
+    return go(Place::skipped);
   }
 
   bool isPlainList() const { return section_->fields[0].key.empty(); }
 
   bool enterKeyOfFile(const std::string& key) {
     const auto section = std::ranges::find(kSections, key, &Section::key);
-    if (section == kSections.end() && key != "format" && key != "version") {
-      before_ = Place::file;
-      return go(Place::skipped);
-    }
+    if (section == kSections.end() && key != "format" && key != "version") return skip(key);
     if (seen_.contains(key)) return fail(key + " is given twice.");
     if (key == "format") return go(Place::format);
     if (key == "version") return go(Place::version);
@@ -218,10 +222,7 @@ class DiagramHandler : public Json::json_sax_t {
 
   bool enterKeyOfItem(const std::string& key) {
     const auto field = std::ranges::find(section_->fields, key, &Field::key);
-    if (field == section_->fields.end()) {
-      before_ = Place::item;
-      return go(Place::skipped);
-    }
+    if (field == section_->fields.end()) return skip(key);
     field_ = &*field;
     if (given_[field_->first]) return fail(key + " of " + item() + " is given twice.");
     return go(Place::field);
@@ -277,6 +278,7 @@ class DiagramHandler : public Json::json_sax_t {
     return true;
   }
 
+  std::string_view text_;
   std::string_view name_;
   JsonPosition& position_;
   DiagramFile file_;
@@ -284,8 +286,10 @@ class DiagramHandler : public Json::json_sax_t {
   std::optional<Error> error_;
 
   Place place_ = Place::outside;
-  Place before_ = Place::file;  ///< where a skipped value stands
-  int depth_ = 0;               ///< inside a skipped value
+  Place before_ = Place::file;   ///< where a skipped value stands
+  int depth_ = 0;                ///< inside a skipped value
+  std::size_t skippedFrom_ = 0;  ///< where in the text it begins
+  bool isStats_ = false;         ///< whether it is that of `stats`
   std::set<std::string, std::less<>> seen_;
   const Section* section_ = nullptr;
   std::size_t items_ = 0;  ///< items of the section that are complete
@@ -299,7 +303,7 @@ class DiagramHandler : public Json::json_sax_t {
 
 Result<DiagramFile> readDiagram(std::string_view text, std::string_view name) {
   JsonPosition position(text);
-  DiagramHandler handler(name, position);
+  DiagramHandler handler(text, name, position);
   parseJson(text, position, handler);
   return std::move(handler).take();
 }

@@ -46,7 +46,7 @@ void writeGeoJson(std::ostream& stream, std::span<const Circle> circles, const D
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     out << (i == 0 ? "\n" : ",\n") << R"({"type":"Feature","properties":{"circle":)" << i << R"(,"radius":)"
         << circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << area(outline(frame.cells, i, frame.box))
-        << R"(,"neighbours":[)";
+        << R"(,"neighbors":[)";
     std::string_view separator;
     for (const std::int32_t neighbor : frame.cells.neighbors(i)) {
       out << separator << neighbor;

@@ -1,46 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "circle_voronoi/io.h"
+#include "io_stats.h"
 #include "io_writer.h"
 
 namespace circle_voronoi {
 namespace {
-
-template <class Struct, class Field>
-struct NamedField {
-  std::string_view name;
-  Field Struct::*field;
-};
-
-constexpr auto kCounts = std::to_array<NamedField<Counts, std::int64_t>>({
-    {"circles", &Counts::circles},
-    {"hidden", &Counts::hidden},
-    {"samples", &Counts::samples},
-    {"antipodalDiscs", &Counts::antipodalDiscs},
-    {"threeTouchDiscs", &Counts::threeTouchDiscs},
-    {"events", &Counts::events},
-    {"leftoverCycles", &Counts::leftoverCycles},
-    {"flips", &Counts::flips},
-    {"repairs", &Counts::repairs},
-    {"filtered", &Counts::filtered},
-    {"refined", &Counts::refined},
-    {"inCircle", &Counts::inCircle},
-    {"exact", &Counts::exact},
-});
-static_assert(sizeof(Counts) == kCounts.size() * sizeof(std::int64_t), "each count has a name");
-
-constexpr auto kSeconds = std::to_array<NamedField<Seconds, double>>({
-    {"hide", &Seconds::hide},
-    {"sample", &Seconds::sample},
-    {"pair", &Seconds::pair},
-    {"touch", &Seconds::touch},
-    {"flip", &Seconds::flip},
-    {"repair", &Seconds::repair},
-    {"certify", &Seconds::certify},
-    {"total", &Seconds::total},
-});
-static_assert(sizeof(Seconds) == kSeconds.size() * sizeof(double), "each time has a name");
 
 /// `[` the items, each written by `item(i)`, a line each, `]`.
 template <class Item>

@@ -19,6 +19,9 @@ class JsonPosition {
 
   void advance() { ++read_; }
 
+  /// How many characters are read.
+  std::size_t read() const { return read_; }
+
   /// The line of the last character read.
   int line() {
     const std::size_t last = read_ == 0 ? 0 : std::min(read_ - 1, text_.size());
@@ -59,6 +62,20 @@ class JsonIterator {
   const char* at_;
   JsonPosition* position_;
 };
+
+/// The value under a key; null if there is none.
+inline Json at(const Json& value, std::string_view key) {
+  return value.is_object() ? value.value(std::string(key), Json()) : Json();
+}
+
+/// An integer with a minus sign, as the parser gives it: one that is zero is -0.
+inline double negative(Json::number_integer_t value) { return value == 0 ? -0.0 : static_cast<double>(value); }
+
+/// A number to the bit. Precondition: value.is_number().
+inline double numberOf(const Json& value) {
+  const bool isNegative = value.is_number_integer() && !value.is_number_unsigned();
+  return isNegative ? negative(value.get<Json::number_integer_t>()) : value.get<double>();
+}
 
 /// Hands the events of `text` to `handler` until it returns false or the text ends.
 inline void parseJson(std::string_view text, JsonPosition& position, Json::json_sax_t& handler) {

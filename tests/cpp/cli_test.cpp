@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program circle-voronoi, as a user runs it.
+#include "cli.h"
+
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -18,52 +16,8 @@
 namespace circle_voronoi {
 namespace {
 
-struct Outcome {
-  int status = -1;
-  std::string out;
-  std::string err;
-};
-
-class Cli : public testing::Test {
- protected:
-  Cli() : folder_(std::filesystem::temp_directory_path() / ("circle-voronoi-test-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Cli() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name)) << text;
-    return path(name);
-  }
-
-  static std::string readFile(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-  }
-
-  /// Runs the program with arguments as in a shell, and with some text as its standard input.
-  Outcome run(const std::string& arguments, const std::string& input = "") const {
-    const std::string in = write("stdin", input);
-    const std::string command = std::string(CIRCLE_VORONOI_PROGRAM) + " " + arguments + " <" + in + " >" +
-                                path("stdout") + " 2>" + path("stderr");
-    const int code = std::system(command.c_str());
-    return {WIFEXITED(code) ? WEXITSTATUS(code) : -1, readFile(path("stdout")), readFile(path("stderr"))};
-  }
-
-  /// A failure says one line and writes nothing.
-  static void expectFailure(const Outcome& run, int status, const std::string& message) {
-    EXPECT_EQ(run.status, status) << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
-    EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
-  }
-
- private:
-  std::filesystem::path folder_;
-};
+using test::Cli;
+using test::Outcome;
 
 const std::string kFixture = CIRCLE_VORONOI_FIXTURES "/spruces.csv";
 
@@ -112,7 +66,12 @@ TEST_F(Cli, WritesEveryFormat) {
   EXPECT_NE(textOf("--format obj --box -1,-2,3,4").find("\no cells\n"), std::string::npos);
   EXPECT_TRUE(textOf("--format csv").starts_with("type,index,"));
   expectFailure(run("compute " + kFixture + " --format svg --box 0,0,-1,1"), 2, "--box");
-  expectFailure(run("compute " + kFixture + " --format svg --tolerance 0"), 2, "--tolerance");
+  for (const char* box : {"0,0,1", "0,0,1,1,1", "0,0,1,x", "0,0,1,inf", "0,0,1,1,"}) {
+    expectFailure(run("compute " + kFixture + " --format svg --box " + box), 2, "--box: expected MINX,MINY,MAXX,MAXY.");
+  }
+  for (const char* tolerance : {"0", "-1", "inf", "small"}) {
+    expectFailure(run("compute " + kFixture + " --format svg --tolerance " + tolerance), 2, "--tolerance: expected");
+  }
   expectFailure(run("compute " CIRCLE_VORONOI_FIXTURES "/missed-antipodal-disc-mixed-4.csv --format svg "
                     "--method touching-disc --samples 0"),
                 1, "not certified");
@@ -154,6 +113,32 @@ TEST_F(Cli, BadInputLeavesAnOutputFileAlone) {
   const std::string file = write("kept.json", "before");
   expectFailure(run("compute - -o " + file, "nothing\n"), 2, "standard input:1: ");
   EXPECT_EQ(readFile(file), "before");
+}
+
+TEST_F(Cli, TheNameOfTheOutputTellsTheFormat) {
+  ASSERT_EQ(run("compute " + kFixture + " -o " + path("drawing.svg")).status, 0);
+  EXPECT_TRUE(readFile(path("drawing.svg")).starts_with("<svg "));
+  ASSERT_EQ(run("compute " + kFixture + " -o " + path("table.csv")).status, 0);
+  EXPECT_TRUE(readFile(path("table.csv")).starts_with("type,index,"));
+}
+
+TEST_F(Cli, DiesOfABrokenPipeWithoutAWord) {
+  const Outcome result = shell(std::string(CIRCLE_VORONOI_PROGRAM) + " generate uniform 100000 | head -n 1");
+  EXPECT_EQ(result.out, "x,y,r\n");
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(Cli, ListsTheFamilies) {
+  const Outcome result = run("generate --list");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  std::istringstream lines(result.out);
+  for (const FamilyInfo& family : families()) {
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_TRUE(line.starts_with(std::string(family.name) + "  ")) << line;
+    EXPECT_TRUE(line.ends_with(family.description)) << line;
+  }
 }
 
 TEST_F(Cli, BadUsage) {

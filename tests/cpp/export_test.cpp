@@ -77,7 +77,7 @@ TEST(Export, GeoJsonPolygonsHaveTheAreasAndShareTheirPoints) {
       const Json& feature = file["features"][i];
       EXPECT_EQ(feature["properties"]["circle"], i);
       EXPECT_EQ(feature["properties"]["radius"], circles[i].r);
-      EXPECT_EQ(feature["properties"].contains("hiddenBy"), feature["properties"]["neighbours"].empty());
+      EXPECT_EQ(feature["properties"].contains("hiddenBy"), feature["properties"]["neighbors"].empty());
       double polygons = 0;
       for (const Ring& ring : ringsOf(feature["geometry"])) {
         EXPECT_EQ(ring.front(), ring.back());

@@ -126,7 +126,7 @@ TEST(WriteCsv, ReadsBackToTheSameBits) {
   for (const FamilyInfo& family : families()) {
     const auto circles = generate(family.family, 50, 3);
     std::ostringstream text;
-    writeCsv(text, circles);
+    writeCirclesCsv(text, circles);
     EXPECT_EQ(read(text.str()), circles) << family.name;
   }
 }

@@ -32,7 +32,7 @@ void writeSvg(std::ostream& out, std::span<const Circle> circles, const Diagram&
               const ExportOptions& options = {});
 
 /// RFC 7946: a feature for each circle, its cell as a Polygon, a MultiPolygon if the box cuts it apart, or null; with
-/// the properties circle, radius, area, neighbours (circles), and hiddenBy of a hidden circle.
+/// the properties circle, radius, area, neighbors (circles), and hiddenBy of a hidden circle.
 void writeGeoJson(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
                   const ExportOptions& options = {});
 

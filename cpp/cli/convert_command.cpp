@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/io.h"
+#include "circle_voronoi/progress.h"
+#include "commands.h"
+#include "failure.h"
+#include "files.h"
+#include "output.h"
+#include "progress_line.h"
+
+namespace circle_voronoi::cli {
+namespace {
+
+struct ConvertArguments {
+  std::string input;
+  Output output;
+  bool circlesAlone = false;
+  std::string progress = "auto";
+};
+
+void convertCircles(const ConvertArguments& arguments, const std::string& text, ProgressLine& progress) {
+  const auto circles = readCircles(text, inputName(arguments.input));
+  if (!circles) throw Failure{kBadInput, circles.error().message};
+  writeCircles(arguments.output, circles.value(), progress);
+}
+
+void convertDiagram(const ConvertArguments& arguments, const std::string& text, ProgressLine& progress) {
+  const std::string name = inputName(arguments.input);
+  auto file = readDiagram(text, name);
+  if (!file) throw Failure{kBadInput, file.error().message};
+  auto& [circles, diagram] = file.value();
+  if (arguments.circlesAlone) return writeCircles(arguments.output, circles, progress);
+  progress.show(stageName(Stage::certify));
+  // What is written is drawn from the diagram, so it has to be one, whatever its file says.
+  const auto certificate = certify(circles, diagram);
+  if (!certificate) throw Failure{kBadInput, name + ": " + certificate.error().message};
+  diagram.certificate = certificate.value();
+  writeDiagram(arguments.output, name, circles, diagram, progress);
+}
+
+void runConvert(const ConvertArguments& arguments) {
+  ProgressLine progress(arguments.progress);
+  progress.show("read");
+  const std::string text = readText(arguments.input);
+  if (holdsDiagram(text)) return convertDiagram(arguments, text, progress);
+  convertCircles(arguments, text, progress);
+}
+
+}  // namespace
+
+void addConvertCommand(CLI::App& program) {
+  const auto arguments = std::make_shared<ConvertArguments>();
+  CLI::App* command =
+      program.add_subcommand("convert", "Write circles, or a diagram that was computed, in another format");
+  command
+      ->add_option("FILE", arguments->input, "Circles as compute reads them, or a diagram as JSON; - is standard input")
+      ->type_name("")
+      ->required();
+  addOutputOptions(*command, arguments->output);
+  command->add_flag("--circles", arguments->circlesAlone, "Of a diagram, write the circles alone");
+  addProgressOption(*command, arguments->progress);
+  command->footer(
+      "Circles become csv, json or geojson (points with a radius). A diagram becomes any format of compute, without "
+      "being\n"
+      "computed again.");
+  command->callback([arguments] { runConvert(*arguments); });
+}
+
+}  // namespace circle_voronoi::cli

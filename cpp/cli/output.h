@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <span>
+#include <string>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+#include "files.h"
+#include "progress_line.h"
+
+namespace circle_voronoi::cli {
+
+/// What is written, how and where: the options that commands share.
+struct Output {
+  std::string file = kStandardStream;
+  std::string format;    ///< empty: that of the file's name, or else json
+  std::string box;       ///< MINX,MINY,MAXX,MAXY; empty: the default
+  double tolerance = 0;  ///< 0: the default
+};
+
+void addOutputFile(CLI::App& command, Output& output);
+/// Adds the options above.
+void addOutputOptions(CLI::App& command, Output& output);
+
+/// Writes a diagram of circles. `name` is what the input is called. Throws Failure if the format needs a certified
+/// diagram and this is not, or if anything could not be written.
+void writeDiagram(const Output& output, const std::string& name, std::span<const Circle> circles,
+                  const Diagram& diagram, ProgressLine& progress);
+
+/// Writes circles alone. Throws Failure if the format is one of a diagram only, or if anything could not be written.
+void writeCircles(const Output& output, std::span<const Circle> circles, ProgressLine& progress);
+
+}  // namespace circle_voronoi::cli

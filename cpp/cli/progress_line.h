@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace circle_voronoi::cli {
+
+/// Adds `--progress` to a command; `when` becomes what the user says.
+void addProgressOption(CLI::App& command, std::string& when);
+
+/// A line on standard error that says what is being done and since when, rewritten in place and erased in the end.
+/// `when`: `auto` shows it for work over a second if standard error is a terminal, `always` at once, `never` not at
+/// all. It has a thread of its own, so that it goes on while a stage has nothing to tell.
+class ProgressLine {
+ public:
+  explicit ProgressLine(const std::string& when);
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() { end(); }
+
+  /// What is being done, and the part of it that is: 0 to 1, 0 also where that is not known.
+  void show(std::string_view stage, double done = 0);
+
+  /// Erases the line for good.
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void refresh();
+  /// Both with the mutex held.
+  void write();
+  void replaceLine(const std::string& line);
+
+  const Clock::time_point begin_ = Clock::now();
+  Clock::duration delay_{};  ///< until it is first shown
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool isEnding_ = false;
+  std::string stage_;
+  double done_ = 0;
+  std::size_t width_ = 0;  ///< of the line that is shown
+  std::thread refresher_;
+};
+
+}  // namespace circle_voronoi::cli

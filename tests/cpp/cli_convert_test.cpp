@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// circle-voronoi convert: circles and diagrams in other formats.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/io.h"
+#include "cli.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Json = nlohmann::json;
+
+class CliConvert : public test::Cli {
+ protected:
+  const std::string fixture_ = CIRCLE_VORONOI_FIXTURES "/waka.csv";
+
+  std::string textOf(const std::string& arguments, const std::string& input = "") const {
+    const auto [status, out, err] = run(arguments, input);
+    EXPECT_EQ(status, 0) << err;
+    EXPECT_EQ(err, "");
+    return out;
+  }
+
+  std::string computed() const {
+    textOf("compute " + fixture_ + " -o " + path("diagram.json"));
+    return path("diagram.json");
+  }
+};
+
+TEST_F(CliConvert, CirclesGoThroughEveryFormatToTheBit) {
+  auto circles = generate(Family::logUniform, 50, 1);
+  circles[7].x = -0.0;
+  std::ostringstream csv;
+  writeCirclesCsv(csv, circles);
+  std::string text = csv.str();
+  for (const char* format : {"geojson", "json", "geojson", "csv", "json", "csv"}) {
+    text = textOf("convert - --format " + std::string(format), text);
+  }
+  EXPECT_EQ(text, csv.str());
+}
+
+TEST_F(CliConvert, CirclesAreWhatTheFormatsPromise) {
+  const std::string csv = "1,2,3\n-4.5,0.005,0\n";
+  EXPECT_EQ(textOf("convert - --format csv", csv), "x,y,r\n1,2,3\n-4.5,0.005,0\n");
+  EXPECT_EQ(Json::parse(textOf("convert -", csv)),
+            Json::parse(R"([{"x": 1, "y": 2, "r": 3}, {"x": -4.5, "y": 0.005, "r": 0}])"));
+  EXPECT_EQ(Json::parse(textOf("convert - --format geojson", csv)),
+            Json::parse(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"circle": 0, "radius": 3}, "geometry": {"type": "Point", "coordinates": [1, 2]}},
+    {"type": "Feature", "properties": {"circle": 1, "radius": 0},
+     "geometry": {"type": "Point", "coordinates": [-4.5, 0.005]}}]})"));
+  for (const char* format : {"csv", "json", "geojson"}) {
+    const std::string none = textOf("convert - --format " + std::string(format));
+    EXPECT_TRUE(readCircles(none, "none").value().empty()) << none;
+  }
+}
+
+TEST_F(CliConvert, TheNameOfTheOutputTellsTheFormat) {
+  for (const char* name : {"circles.csv", "circles.geojson", "circles.json", "circles"}) {
+    EXPECT_EQ(textOf("convert " + fixture_ + " -o " + path(name)), "");
+  }
+  EXPECT_EQ(readFile(path("circles.csv")), textOf("convert --format csv " + fixture_));
+  EXPECT_EQ(readFile(path("circles.geojson")), textOf("convert --format geojson " + fixture_));
+  EXPECT_EQ(readFile(path("circles.json")), textOf("convert " + fixture_));
+  EXPECT_EQ(readFile(path("circles")), readFile(path("circles.json")));
+  textOf("convert " + fixture_ + " --format csv -o " + path("other.json"));
+  EXPECT_EQ(readFile(path("other.json")), readFile(path("circles.csv"))) << "what the user says comes first";
+}
+
+TEST_F(CliConvert, ADiagramBecomesWhatComputeWrites) {
+  const std::string diagram = computed();
+  for (const char* format : {"csv", "svg", "geojson", "wkt", "obj"}) {
+    const std::string options = " --format " + std::string(format);
+    EXPECT_EQ(textOf("convert " + diagram + options), textOf("compute " + fixture_ + options)) << format;
+  }
+  const std::string box = " --format wkt --box 0,0,5,5 --tolerance 0.1";
+  EXPECT_EQ(textOf("convert " + diagram + box), textOf("compute " + fixture_ + box));
+  EXPECT_EQ(textOf("convert - --format svg", readFile(diagram)), textOf("convert " + diagram + " --format svg"));
+}
+
+TEST_F(CliConvert, ADiagramKeepsItsStats) {
+  const std::string diagram = computed();
+  EXPECT_EQ(textOf("convert " + diagram), readFile(diagram));
+  EXPECT_EQ(Json::parse(textOf("convert --format stats " + diagram)), Json::parse(readFile(diagram)).at("stats"));
+}
+
+TEST_F(CliConvert, StatsThatFitNothingAreLeftOut) {
+  Json json = Json::parse(readFile(computed()));
+  json["stats"] =
+      Json::parse(R"({"method": "\"quoted\"", "way": 7, "counts": [1], "seconds": {"hide": "long", "total": 2},
+                                  "certificate": {"certified": false, "message": "wrong"}})");
+  const Json stats = Json::parse(textOf("convert - --format stats", json.dump()));
+  EXPECT_EQ(stats.at("method"), "");
+  EXPECT_EQ(stats.at("way"), "");
+  EXPECT_EQ(stats.at("counts").at("circles"), 0);
+  EXPECT_EQ(stats.at("seconds").at("hide"), 0);
+  EXPECT_EQ(stats.at("seconds").at("total"), 2);
+  EXPECT_EQ(stats.at("certificate").at("certified"), true) << "judged, not believed";
+  json.erase("stats");
+  EXPECT_EQ(Json::parse(textOf("convert -", json.dump())).at("stats").at("certificate").at("certified"), true);
+}
+
+TEST_F(CliConvert, TakesTheCirclesOfADiagram) {
+  EXPECT_EQ(textOf("convert --circles --format csv " + computed()), textOf("convert --format csv " + fixture_));
+}
+
+TEST_F(CliConvert, RefusesWhatCannotBe) {
+  expectFailure(run("convert --format svg " + fixture_), 2, "Circles alone cannot be written as svg");
+  expectFailure(run("convert --circles --format svg " + computed()), 2, "Circles alone cannot be written as svg");
+  expectFailure(run("convert -", "{\"format\": \"svg\"}"), 2, "standard input:1: the format is \"svg\"");
+  expectFailure(run("convert -", "{\"type\": \"Feature\"}"), 2, "standard input:1: expected an array of circles");
+  expectFailure(run("convert -", "{\"features\": [\n}"), 2, "standard input:2: bad JSON");
+  expectFailure(run("convert " + path("absent.csv")), 1, "absent.csv");
+
+  Json moved = Json::parse(readFile(computed()));
+  moved["vertices"][7]["x"] = moved["vertices"][7]["x"].get<double>() + 0.001;
+  const std::string wrong = write("wrong.json", moved.dump());
+  expectFailure(run("convert --format svg " + wrong), 1, "wrong.json: the diagram is not certified: Vertex 7");
+  EXPECT_EQ(Json::parse(textOf("convert --format stats " + wrong)).at("certificate").at("vertex"), 7);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line on standard error that says how far the work is.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "cli.h"
+
+namespace circle_voronoi {
+namespace {
+
+class CliProgress : public test::Cli {
+ protected:
+  const std::string program_ = CIRCLE_VORONOI_PROGRAM;
+  const std::string fixture_ = CIRCLE_VORONOI_FIXTURES "/spruces.csv";
+
+  /// A computation that waits for its input for more than a second.
+  std::string slow(const std::string& options) const {
+    return "(sleep 1.3; cat " + fixture_ + ") | " + program_ + " compute - -o " + path("out.json") + options;
+  }
+
+  /// What a terminal gets from a command.
+  std::string terminal(const std::string& command) const {
+    const std::string file = write("command", command + "\n");
+    const auto [status, out, err] = shell("script -qec 'sh " + file + "' /dev/null");
+    EXPECT_EQ(status, 0) << out << err;
+    return out;
+  }
+
+  std::string quick(const std::string& options) const {
+    return program_ + " compute " + fixture_ + " -o " + path("out.json") + options;
+  }
+};
+
+/// What a terminal shows after `text`: each carriage return begins the line again.
+std::string shown(const std::string& text) {
+  std::string line;
+  std::size_t at = 0;
+  for (const char c : text) {
+    if (c == '\r') {
+      at = 0;
+    } else {
+      line.resize(std::max(line.size(), at + 1), ' ');
+      line[at++] = c;
+    }
+  }
+  return line.substr(0, line.find_last_not_of(' ') + 1);
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(CliProgress, IsShownOnATerminalForWorkOverASecond) {
+  const std::string text = terminal(slow(""));
+  EXPECT_TRUE(has(text, "read, 1 s")) << text;
+  EXPECT_FALSE(has(text, "read, 0 s")) << text;
+  EXPECT_EQ(shown(text), "");
+  EXPECT_EQ(terminal(quick("")), "");
+}
+
+TEST_F(CliProgress, IsNotShownElsewhere) { EXPECT_EQ(shell(slow("")).err, ""); }
+
+TEST_F(CliProgress, IsShownOrNotAsTheUserSays) {
+  EXPECT_EQ(terminal(slow(" --progress never")), "");
+  const std::string text = shell(quick(" --progress always")).err;
+  for (const char* stage : {"read, 0 s", "hide, 0 s", "flip, 0 s", "certify, 0 s", "write, 0 s"}) {
+    EXPECT_TRUE(has(text, stage)) << stage << " in " << text;
+  }
+  EXPECT_EQ(shown(text), "");
+  expectFailure(run("compute - --progress often"), 2, "--progress");
+}
+
+TEST_F(CliProgress, TellsThePartOfTheEventLoopThatIsDone) {
+  const std::string text =
+      shell(program_ + " generate uniform 3000 | " + program_ +
+            " compute - --method touching-disc --candidates all-pairs --progress always -o " + path("out.json"))
+          .err;
+  EXPECT_TRUE(has(text, "touch")) << text;
+  EXPECT_TRUE(has(text, " %")) << text;
+  EXPECT_EQ(shown(text), "");
+}
+
+TEST_F(CliProgress, LeavesOneLineForAnError) {
+  const auto [status, out, err] = run("compute - --progress always", "1,2\n");
+  EXPECT_EQ(status, 2);
+  EXPECT_EQ(shown(err.substr(0, err.find('\n'))),
+            "circle-voronoi: standard input:1: expected three numbers x,y,r separated by commas.");
+}
+
+TEST_F(CliProgress, EndsBeforeStandardOutputBegins) {
+  const auto [status, out, err] = shell(program_ + " compute " + fixture_ + " --progress always 2>&1");
+  EXPECT_EQ(status, 0);
+  const std::size_t begin = out.find("{\"format\"");
+  ASSERT_NE(begin, std::string::npos);
+  EXPECT_EQ(shown(out.substr(0, begin)), "");
+  EXPECT_FALSE(has(out.substr(begin), "\r"));
+}
+
+TEST_F(CliProgress, IsThereForConvertAndVerify) {
+  ASSERT_EQ(shell(quick("")).status, 0);
+  EXPECT_TRUE(has(run("verify --progress always " + path("out.json")).err, "certify, "));
+  EXPECT_TRUE(has(run("convert --progress always " + path("out.json") + " -o " + path("out.svg")).err, "certify, "));
+}
+
+}  // namespace
+}  // namespace circle_voronoi
