@@ -18,4 +18,8 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/circle_voronoi-config-version.cmake DE
 
 if(CIRCLE_VORONOI_BUILD_CLI)
   install(TARGETS circle_voronoi_cli)
+  install(FILES cli/circle-voronoi.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  # Where bash-completion looks for the completion of a program, by its name.
+  install(FILES cli/circle-voronoi.bash
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME circle-voronoi)
 endif()
