@@ -3,7 +3,6 @@
 import { resolve } from 'node:path'
 
 const LIB = 'dist/lib'
-const GLUE = './generated/circle-voronoi.js'
 
 /** All of it once, though a worker has a part of it again. */
 const LAYER = `
@@ -16,7 +15,7 @@ export default [
   {
     name: 'WebAssembly and its glue',
     limit: '150 kB',
-    path: [`${LIB}/generated/circle-voronoi.wasm`, `${LIB}/${GLUE}`],
+    path: ['wasm', 'js'].map((type) => `${LIB}/generated/circle-voronoi.${type}`),
     gzip: true,
     modifyEsbuildConfig: (config) => ({ ...config, format: 'esm', loader: { '.wasm': 'copy' } }),
   },
@@ -24,7 +23,7 @@ export default [
     name: 'TypeScript layer',
     limit: '15 kB',
     path: `${LIB}/index.js`,
-    ignore: [GLUE],
+    ignore: ['./generated/*'],
     gzip: true,
     modifyEsbuildConfig: ({ entryPoints: _, ...config }) => ({
       ...config,

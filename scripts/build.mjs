@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The four builds: native (library, command line, tests), wasm, lib (the TypeScript library) and app (the page).
-import { copyFileSync, existsSync, mkdirSync, readdirSync, statSync } from 'node:fs'
+import { copyFileSync, existsSync, mkdirSync, readdirSync, rmSync, statSync } from 'node:fs'
 import { delimiter } from 'node:path'
 import { isMain, main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
@@ -28,6 +28,8 @@ export async function buildWasm() {
 export async function buildLib() {
   const outputs = ['dist/lib/index.js', ...WASM_OUTPUT.map((name) => `dist/lib/generated/${name}`)]
   if (isUpToDate(outputs, ['web/lib', 'tsconfig.json', 'tsconfig.lib.json', 'package-lock.json'])) return
+  // Files whose source is gone would be packed.
+  rmSync(`${ROOT}dist/lib`, { recursive: true, force: true })
   await run(`${NPM_BIN}/tsc`, ['-p', 'tsconfig.lib.json'])
   mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
   for (const name of WASM_OUTPUT) {

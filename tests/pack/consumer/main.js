@@ -9,12 +9,18 @@ export const CIRCLES = [
   { x: 0, y: 8, r: 1 },
 ]
 
+/** Too many to be done before they are cancelled. */
+const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).map((value, i) =>
+  i % 3 === 2 ? Math.abs(value) / 1000 : value,
+)
+
 /** What came out, as text. */
 export async function use(options) {
   const library = await loadCircleVoronoi(options)
   const here = library.compute(CIRCLES)
   const worker = createWorker(options)
   const stages = []
+  const cancelled = await cancelledIn(worker)
   const there = await worker.computeAsync(CIRCLES, { progress: (stage) => stages.push(stage) })
   worker.dispose()
   return JSON.stringify({
@@ -23,6 +29,7 @@ export async function use(options) {
     found: [here.find(5, 1), there.find(1, 7)],
     path: there.render() === here.render(),
     stages: stages.includes('certify'),
+    cancelled,
     code: codeOf(() => library.compute([{ x: 0, y: 0, r: -1 }])),
   })
 }
@@ -33,4 +40,10 @@ function codeOf(action) {
   } catch (error) {
     return error instanceof CircleVoronoiError ? error.code : String(error)
   }
+}
+
+async function cancelledIn(worker) {
+  const controller = new AbortController()
+  const progress = () => controller.abort('changed my mind')
+  return worker.computeAsync(MANY, { progress, signal: controller.signal }).catch((reason) => reason)
 }
