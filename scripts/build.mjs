@@ -6,14 +6,14 @@ import { isMain, main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
 const NPM_BIN = `${ROOT}node_modules/.bin`
-const WASM_OUTPUT = ['circle-voronoi.js', 'circle-voronoi.wasm']
+const WASM_OUTPUT = ['circle-voronoi', 'circle-voronoi-comparison'].flatMap((name) => [`${name}.js`, `${name}.wasm`])
 
 /** build/native: the library, the program build/native/circle-voronoi and the tests. */
 export async function buildNative() {
   await cmakeBuild('build/native', 'cmake', ['--preset', 'native'])
 }
 
-/** web/lib/generated: the WebAssembly module. */
+/** web/lib/generated: the WebAssembly modules. */
 export async function buildWasm() {
   await cmakeBuild('build/wasm', 'emcmake', [
     ...['cmake', '-S', '.', '-B', 'build/wasm', '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release'],
@@ -24,7 +24,7 @@ export async function buildWasm() {
   ])
 }
 
-/** dist/lib: web/lib as JavaScript with declarations, and the WebAssembly module. */
+/** dist/lib: web/lib as JavaScript with declarations, and the WebAssembly modules. */
 export async function buildLib() {
   const outputs = ['dist/lib/index.js', ...WASM_OUTPUT.map((name) => `dist/lib/generated/${name}`)]
   if (isUpToDate(outputs, ['web/lib', 'tsconfig.json', 'tsconfig.lib.json', 'package-lock.json'])) return

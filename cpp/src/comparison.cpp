@@ -11,21 +11,13 @@ namespace circle_voronoi {
 
 Result<Diagram> computeComparison(std::span<const Circle> circles, Metric metric) {
   if (metric == Metric::circles) return compute(circles);
+  if (metric == Metric::power) return powerDiagram(circles);
+  // Without radii nobody would see what is wrong with them.
   const auto scaled = validate(circles);
   if (!scaled) return scaled.error();
-  if (metric == Metric::centres) {
-    std::vector<Circle> centres(circles.begin(), circles.end());
-    for (Circle& c : centres) c.r = 0;
-    return compute(centres);
-  }
-  Diagram diagram = powerDiagram(scaled.value().circles);
-  const double unit = scaled.value().unit;
-  for (auto& [x, y, radius] : diagram.vertices) {
-    x *= unit;
-    y *= unit;
-    radius *= unit;
-  }
-  return diagram;
+  std::vector<Circle> centres(circles.begin(), circles.end());
+  for (Circle& c : centres) c.r = 0;
+  return compute(centres);
 }
 
 }  // namespace circle_voronoi

@@ -12,6 +12,7 @@
 
 #include "geometry.h"
 #include "topology.h"
+#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -87,9 +88,7 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
   } while (--corner != first);
 }
 
-}  // namespace
-
-Diagram powerDiagram(std::span<const Circle> circles) {
+Diagram powerDiagramOf(std::span<const Circle> circles) {
   Triangulation triangulation;
   std::vector<Triangulation::Weighted_point> points;
   points.reserve(circles.size());
@@ -117,6 +116,21 @@ Diagram powerDiagram(std::span<const Circle> circles) {
   }
   if (!diagram.hull.empty()) rotateHull(diagram.hull);
   diagram.stats.method = "power";
+  return diagram;
+}
+
+}  // namespace
+
+Result<Diagram> powerDiagram(std::span<const Circle> circles) {
+  const auto scaled = validate(circles);
+  if (!scaled) return scaled.error();
+  Diagram diagram = powerDiagramOf(scaled.value().circles);
+  const double unit = scaled.value().unit;
+  for (auto& [x, y, radius] : diagram.vertices) {
+    x *= unit;
+    y *= unit;
+    radius *= unit;
+  }
   return diagram;
 }
 

@@ -5,11 +5,13 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
 
 namespace circle_voronoi {
 
 /// The power diagram, as the dual of CGAL's regular triangulation of the centres with weights r^2: exact for the
 /// weights as rounded.
-Diagram powerDiagram(std::span<const Circle> circles);
+/// Errors: those of `validate`.
+Result<Diagram> powerDiagram(std::span<const Circle> circles);
 
 }  // namespace circle_voronoi

@@ -4,55 +4,17 @@
 #include <emscripten/val.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <new>
-#include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <vector>
 
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/compute.h"
+#include "values.h"
 
 namespace {
 
 using namespace circle_voronoi;
 using emscripten::val;
-
-/// A new typed array with the bytes of `items`, read as a flat list of `Scalar`.
-template <class Scalar, class Item>
-val typedArray(const char* arrayType, const std::vector<Item>& items) {
-  static_assert(std::is_standard_layout_v<Item> && sizeof(Item) % sizeof(Scalar) == 0);
-  const auto* scalars = reinterpret_cast<const Scalar*>(items.data());
-  // A view of the heap dies when the memory grows; the array made from it is a copy.
-  return val::global(arrayType).new_(
-      emscripten::typed_memory_view(items.size() * (sizeof(Item) / sizeof(Scalar)), scalars));
-}
-
-template <class Item>
-val int32Array(const std::vector<Item>& items) {
-  return typedArray<std::int32_t>("Int32Array", items);
-}
-
-template <class Item>
-val float64Array(const std::vector<Item>& items) {
-  return typedArray<double>("Float64Array", items);
-}
-
-/// The contents of a typed array as items of `size / sizeof(Scalar)` numbers each, in one copy.
-template <class Scalar, class Item>
-std::vector<Item> itemsFrom(const val& array) {
-  static_assert(std::is_standard_layout_v<Item> && sizeof(Item) % sizeof(Scalar) == 0);
-  constexpr std::size_t kScalars = sizeof(Item) / sizeof(Scalar);
-  std::vector<Item> items(array["length"].as<std::size_t>() / kScalars);
-  if (!items.empty()) {
-    auto* scalars = reinterpret_cast<Scalar*>(items.data());
-    val(emscripten::typed_memory_view(items.size() * kScalars, scalars)).call<void>("set", array);
-  }
-  return items;
-}
 
 Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::move(message)}; }
 
@@ -96,90 +58,6 @@ Result<Options> optionsFrom(const val& options) {
     result.progress = [progress](Stage stage, double done) { progress(std::string(stageName(stage)), done); };
   }
   return result;
-}
-
-val errorValue(const std::string& code, std::int64_t circle, const std::string& message) {
-  val error = val::object();
-  error.set("code", code);
-  error.set("circle", static_cast<double>(circle));
-  error.set("message", message);
-  val result = val::object();
-  result.set("error", error);
-  return result;
-}
-
-val errorValue(const Error& error) {
-  return errorValue(std::string(errorCodeName(error.code)), error.circle, error.message);
-}
-
-val certificateValue(const Certificate& certificate) {
-  val result = val::object();
-  result.set("certified", certificate.certified());
-  result.set("flaw", std::string(flawName(certificate.flaw)));
-  result.set("circle", certificate.circle);
-  result.set("vertex", certificate.vertex);
-  result.set("edge", certificate.edge);
-  result.set("message", certificate.message);
-  return result;
-}
-
-/// Sets a property of `object` for each field; a JavaScript number holds every count that fits in memory.
-template <class Struct, class... Fields>
-void setFields(val& object, const Struct& values, const std::array<const char*, sizeof...(Fields)>& names,
-               Fields Struct::*... fields) {
-  static_assert(sizeof(Struct) == sizeof...(Fields) * sizeof(std::int64_t), "each field has a name");
-  std::size_t i = 0;
-  (object.set(names[i++], static_cast<double>(values.*fields)), ...);
-}
-
-val statsValue(const Stats& stats) {
-  val counts = val::object();
-  setFields(counts, stats.counts,
-            {"circles", "hidden", "samples", "antipodalDiscs", "threeTouchDiscs", "events", "leftoverCycles", "flips",
-             "repairs", "filtered", "refined", "inCircle", "exact"},
-            &Counts::circles, &Counts::hidden, &Counts::samples, &Counts::antipodalDiscs, &Counts::threeTouchDiscs,
-            &Counts::events, &Counts::leftoverCycles, &Counts::flips, &Counts::repairs, &Counts::filtered,
-            &Counts::refined, &Counts::inCircle, &Counts::exact);
-  val seconds = val::object();
-  setFields(seconds, stats.seconds, {"hide", "sample", "pair", "touch", "flip", "repair", "certify", "total"},
-            &Seconds::hide, &Seconds::sample, &Seconds::pair, &Seconds::touch, &Seconds::flip, &Seconds::repair,
-            &Seconds::certify, &Seconds::total);
-  val result = val::object();
-  result.set("method", stats.method);
-  result.set("way", stats.way);
-  result.set("candidates", stats.candidates);
-  result.set("counts", counts);
-  result.set("seconds", seconds);
-  return result;
-}
-
-val diagramValue(const Diagram& diagram) {
-  val result = val::object();
-  result.set("vertices", float64Array(diagram.vertices));
-  result.set("vertexCircles", int32Array(diagram.vertexCircles));
-  result.set("edges", int32Array(diagram.edges));
-  result.set("hidden", int32Array(diagram.hidden));
-  result.set("hull", int32Array(diagram.hull));
-  result.set("certificate", certificateValue(diagram.certificate));
-  result.set("stats", statsValue(diagram.stats));
-  return result;
-}
-
-/// The value of `body`, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would reach
-/// JavaScript as a bare number.
-template <class Body>
-val guarded(Body body) {
-  try {
-    return body();
-  } catch (const std::bad_alloc&) {
-    return errorValue({ErrorCode::tooManyCircles, -1, "There is not enough memory for this many circles."});
-  } catch (const std::length_error&) {
-    return errorValue({ErrorCode::tooManyCircles, -1, "There is not enough memory for this many circles."});
-  } catch (const std::exception& exception) {
-    return errorValue("internal", -1, exception.what());
-  } catch (...) {
-    return errorValue("internal", -1, "The computation failed.");
-  }
 }
 
 val computeValue(const val& coordinates, const val& options) {

@@ -55,9 +55,12 @@ test.describe('is well made', () => {
   })
 
   test('to are-the-types-wrong', () => {
-    const options = ['--profile', 'esm-only', '--exclude-entrypoints', 'circle-voronoi.wasm', '--no-emoji']
+    const wasm = ['circle-voronoi.wasm', 'circle-voronoi-comparison.wasm']
+    const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...wasm, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
-    for (const name of ['circle-voronoi', 'circle-voronoi/worker']) expect(judged).toContain(`"${name}"`)
+    for (const name of ['circle-voronoi', 'circle-voronoi/worker', 'circle-voronoi/comparison']) {
+      expect(judged).toContain(`"${name}"`)
+    }
   })
 
   test('to size-limit', () => {

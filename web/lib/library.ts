@@ -2,10 +2,10 @@
 import { coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
 import type { Certificate, Circle, DiagramData } from './diagram-data.ts'
-import { CircleVoronoiError, type ErrorCode } from './errors.ts'
+import { CircleVoronoiError } from './errors.ts'
 import createModule from './generated/circle-voronoi.js'
 import { checkOptions, type Options, type Progress } from './options.ts'
-import { type CompiledWasm, instantiate } from './wasm.ts'
+import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
 /** The library, loaded. */
 export interface CircleVoronoi {
@@ -75,13 +75,6 @@ class Reporter {
   rethrow(): void {
     if (this.#thrown !== undefined) throw this.#thrown.error
   }
-}
-
-/** A result of the module, or its error thrown. */
-function unwrap<Value extends object>(result: Value | WasmError): Value {
-  if (!('error' in result)) return result
-  const { code, circle, message } = result.error
-  throw new CircleVoronoiError(code as ErrorCode, circle, message)
 }
 
 function checkArray(

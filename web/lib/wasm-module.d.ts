@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The types of what cpp/wasm/bindings.cpp exports.
+// The types of what cpp/wasm/bindings.cpp and comparison_bindings.cpp export.
 
 interface WasmError {
   readonly error: { readonly code: string; readonly circle: number; readonly message: string }
@@ -14,17 +14,24 @@ interface WasmOptions {
   readonly progress: import('./options.ts').Progress | undefined
 }
 
+type WasmDiagram = Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'circles'>
+
 interface WasmModule {
-  compute(
-    circles: Float64Array,
-    options: WasmOptions,
-  ): WasmError | Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'circles'>
+  compute(circles: Float64Array, options: WasmOptions): WasmError | WasmDiagram
   certify(
     diagram: Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'certificate' | 'stats'>,
   ): WasmError | import('./diagram-data.ts').Certificate
   errorCodeNames(): string[]
 }
 
+interface WasmComparisonModule {
+  powerDiagram(circles: Float64Array): WasmError | WasmDiagram
+}
+
 declare module '*/generated/circle-voronoi.js' {
   export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmModule>
+}
+
+declare module '*/generated/circle-voronoi-comparison.js' {
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmComparisonModule>
 }

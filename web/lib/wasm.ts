@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError, reasonOf } from './errors.ts'
+import { CircleVoronoiError, type ErrorCode, reasonOf } from './errors.ts'
 
 /** `WebAssembly.Module`, where the types of the DOM are known: Node's leave it out. */
 export type CompiledWasm = typeof globalThis extends { WebAssembly: { Module: { prototype: infer Module } } }
@@ -58,6 +58,13 @@ export function instantiate<Exports>(
     }
     create({ instantiateWasm }).then(resolve, fail)
   })
+}
+
+/** A result of a module, or its error thrown. */
+export function unwrap<Value extends object>(result: Value | WasmError): Value {
+  if (!('error' in result)) return result
+  const { code, circle, message } = result.error
+  throw new CircleVoronoiError(code as ErrorCode, circle, message)
 }
 
 async function compileFrom(url: URL): Promise<CompiledWasm> {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The power diagram as a JavaScript module of its own: hardly anyone needs it, and it has CGAL's
+// Regular_triangulation_2. Its only caller is web/lib/comparison.ts.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include "power_diagram.h"
+#include "values.h"
+
+namespace {
+
+using namespace circle_voronoi;
+
+val powerDiagramValue(const val& coordinates) {
+  return guarded([&] {
+    const auto circles = itemsFrom<double, Circle>(coordinates);
+    const Result<Diagram> diagram = powerDiagram(circles);
+    return diagram.ok() ? diagramValue(diagram.value()) : errorValue(diagram.error());
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(circle_voronoi_comparison) { emscripten::function("powerDiagram", &powerDiagramValue); }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { coordinatesOf } from './coordinates.ts'
+import { Diagram } from './diagram.ts'
+import type { Circle } from './diagram-data.ts'
+import { CircleVoronoiError } from './errors.ts'
+import createModule from './generated/circle-voronoi-comparison.js'
+import type { CircleVoronoi } from './library.ts'
+import type { LoadOptions } from './load-options.ts'
+import type { Metric } from './metric.ts'
+import { compileWasm, instantiate, unwrap } from './wasm.ts'
+
+/** The largest coordinate or radius that is accepted (kCoordinateLimit of circle_voronoi/compute.h). */
+const COORDINATE_LIMIT = 1e150
+
+/** Diagrams of the same circles by other distances, to show how they differ. */
+export interface Comparison {
+  /**
+   * The diagram of `circles`, x, y, r each or objects, by another distance: with `centres` the ordinary Voronoi diagram of
+   * the centres, with `power` the power diagram, with `circles` that of `compute`. The methods of the result and the
+   * functions of cells and curves take that distance too.
+   *
+   * Of `centres`: a vertex has the distance from its three centres as its radius, and of circles with one centre the first
+   * has a cell. Of `power`: the radius of a vertex is that of the circle at right angles to its three, or, negative, the
+   * root of minus their power where they overlap; a circle without a cell is listed as hidden by `NONE`, though no circle
+   * need contain it; a circle's centre may lie outside its cell; and no certificate is made.
+   *
+   * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
+   */
+  computeComparison(circles: Float64Array | readonly Circle[], metric: Metric): Diagram
+}
+
+/**
+ * Loads what makes power diagrams, a WebAssembly module of its own, beside a loaded library.
+ *
+ * @param options `wasm`: `circle-voronoi-comparison.wasm`. Default: the file beside this module.
+ * @throws CircleVoronoiError `notLoaded`
+ */
+export async function loadComparison(library: CircleVoronoi, { wasm }: LoadOptions = {}): Promise<Comparison> {
+  const source = wasm ?? new URL('./generated/circle-voronoi-comparison.wasm', import.meta.url)
+  const module = await instantiate(createModule, await compileWasm(source))
+
+  return {
+    computeComparison(circles, metric) {
+      const coordinates = coordinatesOf(circles)
+      if (metric === 'power') {
+        return new Diagram({ metric, circles: coordinates, ...unwrap(module.powerDiagram(coordinates)) })
+      }
+      // Without radii nobody would see what is wrong with them.
+      const isRefused = coordinates.some((value, k) => k % 3 === 2 && !(value >= 0 && value <= COORDINATE_LIMIT))
+      if (metric === 'circles' || isRefused) return library.compute(coordinates)
+      if (metric !== 'centres') {
+        throw new CircleVoronoiError('badOption', -1, 'Unknown metric: the choice is circles, centres or power.')
+      }
+      const centres = library.compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
+      return new Diagram({ ...centres, metric, circles: coordinates })
+    },
+  }
+}
