@@ -10,7 +10,7 @@ export type CompiledWasm = typeof globalThis extends { WebAssembly: { Module: { 
  * Where a WebAssembly module comes from: its address (a page resolves a relative one against itself; Node takes `file:`
  * and, if it is asked to, `https:`), the answer of a `fetch`, the bytes, or the compiled module.
  */
-export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView<ArrayBuffer> | CompiledWasm
+export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView | CompiledWasm
 
 /** What Emscripten's modules call to get at the WebAssembly. */
 export interface EmscriptenOptions {
@@ -33,7 +33,7 @@ export async function compileWasm(source: WasmSource | Promise<WasmSource>): Pro
       return await compileFrom(url)
     }
     if ('arrayBuffer' in given) return await compileResponse(given)
-    return await WebAssembly.compile(given)
+    return await WebAssembly.compile(given as BufferSource)
   } catch (cause) {
     throw notLoaded(`from ${place}`, cause)
   }
