@@ -120,15 +120,28 @@ test.describe('in a page', () => {
   })
 
   test('from a script without a bundler', async ({ page }) => {
-    // A page finds modules by their addresses.
-    const plain = readFileSync(project.path('main.js'), 'utf8').replace(
-      /'circle-voronoi(\/worker)?'/g,
-      (_, worker) => `'./node_modules/circle-voronoi/dist/lib/${worker ? 'worker' : 'index'}.js'`,
-    )
-    project.write('plain-main.js', plain)
-    project.write('plain.js', readFileSync(project.path('page.js'), 'utf8').replace('./main.js', './plain-main.js'))
-    project.write('plain.html', '<output></output><script type="module" src="plain.js"></script>')
+    writePlainPage()
     await expectToWork(page, project.folder, 'plain.html')
+  })
+
+  test('that cannot fetch a file, with an error that says so', async ({ page }) => {
+    const server = await serve(project.folder)
+    const output = page.locator('output')
+    const openWithout = async (file: string) => {
+      await page.route(`**/${file}`, (route) => route.fulfill({ status: 404 }))
+      await page.goto(`${server.address}plain.html`)
+      await expect(output).not.toBeEmpty()
+      await page.unrouteAll()
+    }
+    try {
+      writePlainPage()
+      await openWithout('circle-voronoi.wasm')
+      expect(await output.textContent()).toMatch(/^The WebAssembly cannot be loaded from http:.*\.wasm: .*404.*\.$/)
+      await openWithout('worker-thread.js')
+      expect(await output.textContent()).toBe('The worker failed: its file cannot be loaded.')
+    } finally {
+      await server.close()
+    }
   })
 })
 
@@ -175,6 +188,17 @@ async function expectToPrint(page: Page, address: string): Promise<void> {
   const output = page.locator('output')
   await expect(output, complaints.join('\n')).not.toBeEmpty({ timeout: 30_000 })
   expect(await output.textContent()).toBe(JSON.stringify(EXPECTED))
+}
+
+/** plain.html: a page without a bundler, which finds modules by their addresses. */
+function writePlainPage(): void {
+  const plain = readFileSync(project.path('main.js'), 'utf8').replace(
+    /'circle-voronoi(\/worker)?'/g,
+    (_, worker) => `'./node_modules/circle-voronoi/dist/lib/${worker ? 'worker' : 'index'}.js'`,
+  )
+  project.write('plain-main.js', plain)
+  project.write('plain.js', readFileSync(project.path('page.js'), 'utf8').replace('./main.js', './plain-main.js'))
+  project.write('plain.html', '<output></output><script type="module" src="plain.js"></script>')
 }
 
 async function buildWithWebpack(path: string): Promise<void> {

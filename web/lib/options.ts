@@ -13,8 +13,8 @@ import { CircleVoronoiError } from './errors.ts'
 export type Stage = Exclude<keyof Seconds, 'total'>
 
 /**
- * Told when a stage begins (`done` is 0) and, in the event loop of the touching disc method, which part of it is done, up
- * to 1. Which stages there are depends on the method and the input.
+ * Told when a stage begins (`done` is 0) and, in the event loop of the touching disc method, which part of it is done,
+ * up to 1. Which stages there are depends on the method and the input.
  */
 export type Progress = (stage: Stage, done: number) => void
 
@@ -38,9 +38,9 @@ export interface Options {
    * `all-pairs` takes none.
    */
   readonly samples?: number
-  /** `dynamic`: if the diagram is not certified, take more samples around what is wrong and try again. Default: false. */
+  /** `dynamic`: if the diagram is not certified, take more samples near what is wrong and try again. Default: false. */
   readonly repair?: boolean
-  /** Called during the computation. If it throws, it is not called again, and the call that computes throws the same. */
+  /** Called during the computation. If it throws, it is not called again, and `compute` throws the same at its end. */
   readonly progress?: Progress
 }
 

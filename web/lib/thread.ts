@@ -28,7 +28,7 @@ function startWebWorker({ onReply, onFailure }: ThreadEvents): Thread {
   // Bundlers look for exactly this expression.
   const worker = new Worker(new URL('./worker-thread.js', import.meta.url), { type: 'module' })
   worker.onmessage = ({ data }: MessageEvent<Reply>) => onReply(data)
-  worker.onerror = (event) => onFailure(event.message ?? 'its file is not there')
+  worker.onerror = (event) => onFailure(event.message ?? 'its file cannot be loaded')
   return {
     post: (message, transfer = []) => worker.postMessage(message, transfer),
     keepAlive: () => {},

@@ -41,8 +41,8 @@ export interface CircleVoronoiWorker {
 }
 
 /**
- * A worker, in a page, in another worker or in Node. Its thread starts with the first computation; while it is idle it does
- * not keep Node from ending.
+ * A worker, in a page, in another worker or in Node. Its thread starts with the first computation; while it is idle it
+ * does not keep Node from ending.
  */
 export function createWorker(options: LoadOptions = {}): CircleVoronoiWorker {
   return new Client(options)
