@@ -86,7 +86,7 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
   return {around.begin(), around.end()};
 }
 
-constexpr int kMostRepairs = 6;
+constexpr int kMostRepairs = 4;
 /// In the angles of Delaunay faces, of which a circle has six on average.
 constexpr std::int64_t kMostRepairSamples = 4'000'000;
 constexpr int kAllPairsPatch = 64;
@@ -151,7 +151,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
     }
     // What is missing may lie farther off than what is seen to be wrong: from the third try on, sample everywhere.
     if (round >= 2) {
-      for (int& count : angular) count = std::min(4 * count + 3, kMaxSamples);
+      for (int& count : angular) count = std::clamp(4 * count + 3, 15, kMaxSamples);
       if (std::accumulate(angular.begin(), angular.end(), std::int64_t{0}) > kMostRepairSamples) return result;
     } else {
       for (const int i : circlesAround(result, sites.centres)) angular[i] = 2 * angular[i] + 1;
