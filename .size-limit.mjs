@@ -8,17 +8,21 @@ const LIB = 'dist/lib'
 const LAYER = `
   export * from './index.js'
   export * from './worker.js'
+  export * from './comparison.js'
   import './worker-thread.js'
 `
 
+const wasm = (name, limit, module) => ({
+  name,
+  limit,
+  path: ['wasm', 'js'].map((type) => `${LIB}/generated/${module}.${type}`),
+  gzip: true,
+  modifyEsbuildConfig: (config) => ({ ...config, format: 'esm', loader: { '.wasm': 'copy' } }),
+})
+
 export default [
-  {
-    name: 'WebAssembly and its glue',
-    limit: '150 kB',
-    path: ['wasm', 'js'].map((type) => `${LIB}/generated/circle-voronoi.${type}`),
-    gzip: true,
-    modifyEsbuildConfig: (config) => ({ ...config, format: 'esm', loader: { '.wasm': 'copy' } }),
-  },
+  wasm('WebAssembly and its glue', '150 kB', 'circle-voronoi'),
+  wasm('The same for comparisons, fetched when asked for', '60 kB', 'circle-voronoi-comparison'),
   {
     name: 'TypeScript layer',
     limit: '15 kB',

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The diagrams that are confused with that of circles: of their centres, and by their power.
+ *
+ * @module circle-voronoi/comparison
+ */
 import { coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
 import type { Circle } from './diagram-data.ts'

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The types of what cpp/wasm/bindings.cpp and comparison_bindings.cpp export.
 
-interface WasmError {
-  readonly error: { readonly code: string; readonly circle: number; readonly message: string }
-}
+type WasmError = import('./wasm.ts').WasmError
 
 interface WasmOptions {
   readonly method: string | undefined

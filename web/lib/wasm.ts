@@ -12,6 +12,11 @@ export type CompiledWasm = typeof globalThis extends { WebAssembly: { Module: { 
  */
 export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView | CompiledWasm
 
+/** What a function of the core returns in place of its result. */
+export interface WasmError {
+  readonly error: { readonly code: string; readonly circle: number; readonly message: string }
+}
+
 /** What Emscripten's modules call to get at the WebAssembly. */
 export interface EmscriptenOptions {
   instantiateWasm(imports: object, receive: (instance: object) => void): object

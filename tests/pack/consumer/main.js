@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uses the package as its README says, the same in Node and in a page.
 import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
+import { loadComparison } from 'circle-voronoi/comparison'
 import { createWorker } from 'circle-voronoi/worker'
 
 export const CIRCLES = [
@@ -18,6 +19,8 @@ const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).m
 export async function use(options) {
   const library = await loadCircleVoronoi(options)
   const here = library.compute(CIRCLES)
+  const { computeComparison } = await loadComparison(library)
+  const power = computeComparison(CIRCLES, 'power')
   const worker = createWorker(options)
   const stages = []
   const cancelled = await cancelledIn(worker)
@@ -28,6 +31,7 @@ export async function use(options) {
     certified: library.certify(there).certified,
     found: [here.find(5, 1), there.find(1, 7)],
     path: there.render() === here.render(),
+    power: [...power.vertices.slice(0, 2)],
     stages: stages.includes('certify'),
     cancelled,
     code: codeOf(() => library.compute([{ x: 0, y: 0, r: -1 }])),

@@ -8,6 +8,7 @@ import {
   loadCircleVoronoi,
   type Stage,
 } from 'circle-voronoi'
+import { loadComparison } from 'circle-voronoi/comparison'
 import { type CircleVoronoiWorker, createWorker } from 'circle-voronoi/worker'
 
 const library = await loadCircleVoronoi({ wasm: new URL('https://example.org/circle-voronoi.wasm') })
@@ -16,6 +17,7 @@ export const certificate: Certificate = library.certify(diagram)
 export const path: string = diagram.render()
 export const neighbors: Int32Array = diagram.neighbors(0)
 export const code: ErrorCode | undefined = ERROR_CODES[0]
+export const power: Diagram = (await loadComparison(library)).computeComparison([], 'power')
 
 const worker: CircleVoronoiWorker = createWorker({ wasm: new Uint8Array(8) })
 export const later: Diagram = await worker.computeAsync(new Float64Array(3), {
