@@ -18,7 +18,7 @@ test.beforeAll(() => {
 test.afterAll(() => project.remove())
 
 test('all of it is run', () => {
-  expect(SNIPPETS.map(({ language }) => language)).toEqual(['sh', 'js', 'html', 'js'])
+  expect(SNIPPETS.map(({ language }) => language)).toEqual(['sh', 'js', 'html', 'js', 'js'])
 })
 
 test('install', () => {
