@@ -107,7 +107,7 @@ Diagram powerDiagramOf(std::span<const Circle> circles) {
   if (triangulation.dimension() == 2) {
     addTriangles(triangulation, indices, circles, diagram);
   } else if (!visible.empty()) {
-    std::ranges::sort(visible, [](VertexHandle a, VertexHandle b) {
+    std::sort(visible.begin(), visible.end(), [](VertexHandle a, VertexHandle b) {
       return std::pair(a->point().x(), a->point().y()) < std::pair(b->point().x(), b->point().y());
     });
     std::vector<std::int32_t> chain;
