@@ -41,6 +41,7 @@ const SUITES = [
       'tests/wasm/native.test.mjs',
       'tests/wasm/equal-radii.test.mjs',
       'tests/wasm/worker.test.mjs',
+      'tests/wasm/geometry.test.mjs',
     ],
   },
   {

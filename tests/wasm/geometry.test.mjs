@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The geometry in TypeScript against that of the native program, on every fixture: areas and neighbours of cells from its
+// GeoJSON, curves of edges and cells, hull and dual from its SVG.
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { readdirSync } from 'node:fs'
+import { describe, it } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import {
+  area,
+  clip,
+  cubicBeziers,
+  edgeCurve,
+  exportBox,
+  hull,
+  loadCircleVoronoi,
+  neighborPairs,
+  outline,
+} from '../../dist/lib/index.js'
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url))
+const NATIVE = `${ROOT}build/native/circle-voronoi`
+const LARGEST_OUTPUT = 2 ** 28
+
+const library = await loadCircleVoronoi()
+const fixtures = readdirSync(`${ROOT}tests/fixtures`).filter((name) => name.endsWith('.csv'))
+
+for (const fixture of fixtures) {
+  describe(fixture, () => {
+    const circles = JSON.parse(native(fixture, 'json')).circles
+    const diagram = library.compute(circles)
+    const box = exportBox(diagram.circles)
+    const size = Math.max(box.maxX - box.minX, box.maxY - box.minY)
+    const near = (one, other, tolerance, message) =>
+      assert.ok(Math.abs(one - other) <= tolerance, `${message}: ${one} and ${other}`)
+
+    it('has the cells of the GeoJSON', () => {
+      const { features } = JSON.parse(native(fixture, 'geojson'))
+      assert.equal(features.length, circles.length)
+      for (const { properties, geometry } of features) {
+        const i = properties.circle
+        const parts = outline(diagram.cells, i, box)
+        assert.deepEqual([...diagram.neighbors(i)], properties.neighbors)
+        near(area(parts), properties.area, 1e-13 * size * size, `area of cell ${i}`)
+        assert.equal(parts.length === 0, geometry === null)
+      }
+    })
+
+    it('has the curves of the SVG', () => {
+      const paths = elements(native(fixture, 'svg'), 'edges', 'path')
+      const drawn = new Map(paths.map((path) => [Number(path['data-edge']), numbersOf(path.d)]))
+      for (let e = 0; e < diagram.edges.length / 4; e++) {
+        const pieces = clip(edgeCurve(diagram, e), box)
+        const numbers = pieces.flatMap((piece) => {
+          const { start, end, bisector } = piece
+          if (bisector.a === 0) return [start, end].flatMap(({ x, y }) => [x, y])
+          const cubics = cubicBeziers(piece, 1e-5 * size)
+          return [start, ...cubics.flatMap(({ control1, control2, end: last }) => [control1, control2, last])].flatMap(
+            ({ x, y }) => [x, y],
+          )
+        })
+        const expected = drawn.get(e) ?? []
+        assert.equal(numbers.length, expected.length, `edge ${e}`)
+        numbers.forEach((number, k) => {
+          near(number, expected[k], 1e-12 * size, `number ${k} of edge ${e}`)
+        })
+      }
+    })
+
+    it('has the hull and the dual of the SVG', () => {
+      const svg = native(fixture, 'svg')
+      assert.equal(elements(svg, 'dual', 'line').length, neighborPairs(diagram).length / 2)
+      const [path] = elements(svg, 'hull', 'path')
+      const { arcs } = hull(diagram)
+      const points = arcs.flatMap(({ start, end }) => [start.x, start.y, end.x, end.y])
+      // Of each arc: where it begins, two radii, three flags, where it ends.
+      const expected = path === undefined ? [] : numbersOf(path.d).filter((_, k) => k % 9 < 2 || k % 9 > 6)
+      assert.equal(arcs.length > 1 ? points.length : 0, expected.length)
+      expected.forEach((number, k) => {
+        near(points[k], number, 1e-12 * size, `number ${k} of the hull`)
+      })
+    })
+  })
+}
+
+function native(fixture, format) {
+  const args = ['compute', `${ROOT}tests/fixtures/${fixture}`, '--format', format]
+  return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
+}
+
+/** The attributes of the elements of one name in a group of the SVG. */
+function elements(svg, group, name) {
+  const [, content] = svg.match(new RegExp(`<g id="${group}"[^>]*>\n([^]*?)</g>`))
+  return [...content.matchAll(new RegExp(`<${name} ([^>]*)/>`, 'g'))].map(([, attributes]) =>
+    Object.fromEntries([...attributes.matchAll(/([\w-]+)="([^"]*)"/g)].map(([, key, value]) => [key, value])),
+  )
+}
+
+function numbersOf(d) {
+  return [...d.matchAll(/-?[\d.]+(e[+-]?\d+)?/g)].map(([text]) => Number(text))
+}
