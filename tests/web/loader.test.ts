@@ -220,6 +220,7 @@ describe('the WebAssembly', () => {
 describe('certify', () => {
   it('certifies a diagram that compute made', () => {
     expect(library.certify(library.compute(THREE))).toMatchObject({ certified: true, flaw: 'none', message: '' })
+    expect(library.verify(library.compute(THREE))).toEqual(library.certify(library.compute(THREE)))
   })
 
   it('names what is wrong', () => {
@@ -230,6 +231,7 @@ describe('certify', () => {
     const moved = { ...diagram, vertices: diagram.vertices.map((value) => value + 0.001) }
     expect(library.certify(moved)).toMatchObject({ certified: false, flaw: 'vertexMisplaced', vertex: 0 })
     const hidden = { ...diagram, hidden: Int32Array.of(0, 1) }
+    expect(library.verify(hidden)).toEqual(library.certify(hidden))
     expect(library.certify(hidden)).toMatchObject({ certified: false, flaw: 'hiddenWithoutHider', circle: 0 })
   })
 

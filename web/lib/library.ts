@@ -7,6 +7,9 @@ import createModule from './generated/circle-voronoi.js'
 import { checkOptions, type Options, type Progress } from './options.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
+/** What of a diagram is judged. */
+export type Verifiable = Omit<DiagramData, 'metric' | 'certificate' | 'stats'>
+
 /** The library, loaded. */
 export interface CircleVoronoi {
   /**
@@ -18,12 +21,13 @@ export interface CircleVoronoi {
   compute(circles: Float64Array | readonly Circle[], options?: Options): Diagram
   /**
    * Judges in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, however it was
-   * made; only its typed arrays are looked at. `compute` has done so for its results. On the command line this is
-   * `circle-voronoi verify`.
+   * made; only its typed arrays are looked at. `compute` has done so for its results.
    *
    * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is none.
    */
-  certify(diagram: Omit<DiagramData, 'metric' | 'certificate' | 'stats'>): Certificate
+  certify(diagram: Verifiable): Certificate
+  /** `certify` by its name on the command line, `circle-voronoi verify`. */
+  verify(diagram: Verifiable): Certificate
   /** The error codes of the C++ core, in order; the same as `ERROR_CODES`. */
   errorCodeNames(): readonly string[]
 }
@@ -31,6 +35,16 @@ export interface CircleVoronoi {
 /** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
 export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
   const module = await instantiate(createModule, wasm)
+
+  const certify = ({ circles, vertices, vertexCircles, edges, hidden, hull }: Verifiable): Certificate => {
+    checkArray('circles', circles, Float64Array, 3)
+    checkArray('vertices', vertices, Float64Array, 3)
+    checkArray('vertexCircles', vertexCircles, Int32Array, 3)
+    checkArray('edges', edges, Int32Array, 4)
+    checkArray('hidden', hidden, Int32Array, 2)
+    checkArray('hull', hull, Int32Array, 1)
+    return unwrap(module.certify({ circles, vertices, vertexCircles, edges, hidden, hull }))
+  }
 
   return {
     compute(circles, options = {}) {
@@ -42,15 +56,8 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       reporter.rethrow()
       return new Diagram({ metric: 'circles', circles: coordinates, ...unwrap(result) })
     },
-    certify({ circles, vertices, vertexCircles, edges, hidden, hull }) {
-      checkArray('circles', circles, Float64Array, 3)
-      checkArray('vertices', vertices, Float64Array, 3)
-      checkArray('vertexCircles', vertexCircles, Int32Array, 3)
-      checkArray('edges', edges, Int32Array, 4)
-      checkArray('hidden', hidden, Int32Array, 2)
-      checkArray('hull', hull, Int32Array, 1)
-      return unwrap(module.certify({ circles, vertices, vertexCircles, edges, hidden, hull }))
-    },
+    certify,
+    verify: certify,
     errorCodeNames: () => module.errorCodeNames(),
   }
 }
