@@ -17,13 +17,10 @@ using Triple = Predicates::Triple;
 
 /// The circles of a face, rotated so that a point at infinity comes last.
 exact::Face facing(std::span<const Circle> circles, const Triple& face) {
-  const int shift = face[0] == kInfinity ? 1 : face[1] == kInfinity ? 2 : 0;
-  exact::Face result{};
-  for (int i = 0; i < 3; ++i) {
-    const int circle = face[(i + shift) % 3];
-    result[i] = circle == kInfinity ? nullptr : &circles[circle];
-  }
-  return result;
+  const auto at = [&](int i) { return i == kInfinity ? nullptr : &circles[i]; };
+  if (face[0] == kInfinity) return {at(face[1]), at(face[2]), nullptr};
+  if (face[1] == kInfinity) return {at(face[2]), at(face[0]), nullptr};
+  return {at(face[0]), at(face[1]), at(face[2])};
 }
 
 template <class Real>

@@ -119,6 +119,8 @@ Topology topologyOf(const Dual& dual, int circleCount) {
   Topology topology;
   std::vector<std::int32_t> vertexOf(dual.faceCount(), kNone);
   int atInfinity = kNone;
+  topology.vertexCircles.reserve(dual.faceCount());
+  topology.edges.reserve(dual.halfEdgeCount() / 2);
   for (int face = 0; face < dual.faceCount(); ++face) {
     if (dual.isFinite(face)) {
       vertexOf[face] = static_cast<std::int32_t>(topology.vertexCircles.size());
