@@ -18,9 +18,11 @@ constexpr std::string_view kStyle = R"(<style>
 path, line, circle { vector-effect: non-scaling-stroke; }
 .cells { fill: #f6f4ee; stroke: none; }
 .edges { fill: none; stroke: #1f4e79; stroke-width: 1.5; }
-.dual { stroke: #c9c4b8; stroke-width: 0.5; }
+.dual { stroke: #a59d8a; stroke-width: 0.75; }
 .hull { fill: none; stroke: #8a6d1d; stroke-width: 1; stroke-dasharray: 6 4; }
 .circles { fill: #d9822b; fill-opacity: 0.35; stroke: #a85a10; stroke-width: 1; }
+.circles .hidden { fill: #8c8c8c; stroke: #6e6e6e; stroke-dasharray: 3 2; }
+.circles .point { stroke-width: 4; stroke-linecap: round; stroke-dasharray: none; }
 .vertices { fill: #1f4e79; stroke: none; }
 </style>
 )";
@@ -120,9 +122,21 @@ void writeHull(Writer& out, const ExportFrame& frame) {
 
 void writeCircles(Writer& out, const ExportFrame& frame) {
   const auto circles = frame.cells.circles();
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    out << "<circle data-circle=\"" << static_cast<std::int64_t>(i) << "\" cx=\"" << circles[i].x << "\" cy=\""
-        << circles[i].y << "\" r=\"" << circles[i].r << "\"/>\n";
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+    const auto& [x, y, r] = circles[static_cast<std::size_t>(i)];
+    const bool isHidden = !frame.cells.exists(i);
+    // SVG draws no circle of radius 0, but a stroke of length 0.
+    const bool isPoint = r == 0;
+    out << (isPoint ? "<path" : "<circle") << " data-circle=\"" << i << "\"";
+    if (isPoint || isHidden) {
+      out << " class=\"" << (isPoint ? "point" : "") << (isPoint && isHidden ? " " : "") << (isHidden ? "hidden" : "")
+          << "\"";
+    }
+    if (isPoint) {
+      out << " d=\"M" << x << " " << y << "h0\"/>\n";
+    } else {
+      out << " cx=\"" << x << "\" cy=\"" << y << "\" r=\"" << r << "\"/>\n";
+    }
   }
 }
 
@@ -147,6 +161,10 @@ void writeSvg(std::ostream& stream, std::span<const Circle> circles, const Diagr
   const double unit = std::max(width, height) / kPixels;  // what a pixel stands for
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
       << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height << "\">\n"
+      << "<title>Voronoi diagram of circles</title>\n<desc>" << static_cast<std::int64_t>(circles.size())
+      << " circles, " << static_cast<std::int64_t>(diagram.hidden.size()) << " of them hidden; "
+      << static_cast<std::int64_t>(diagram.vertices.size()) << " vertices, "
+      << static_cast<std::int64_t>(diagram.edges.size()) << " edges</desc>\n"
       << kStyle << "<g transform=\"scale(1,-1)\">\n";
   const auto group = [&](std::string_view name, auto write) {
     out << "<g id=\"" << name << "\" class=\"" << name << "\">\n";

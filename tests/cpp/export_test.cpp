@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
@@ -100,6 +101,50 @@ TEST(Export, GeoJsonPolygonsHaveTheAreasAndShareTheirPoints) {
   }
 }
 
+double turn(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r) {
+  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+/// Whether no two sides of a closed ring cross, and none of its points recurs.
+bool isSimple(const Ring& ring) {
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    for (std::size_t j = i + 1; j < ring.size(); ++j) {
+      const auto& [p, q, r, s] = std::tie(ring[i - 1], ring[i], ring[j - 1], ring[j]);
+      if (q == s || (turn(p, q, r) * turn(p, q, s) < 0 && turn(r, s, p) * turn(r, s, q) < 0)) return false;
+    }
+  }
+  return true;
+}
+
+TEST(Export, EveryVisibleCircleHasASimplePolygonHoweverLargeTheTolerance) {
+  for (const FamilyInfo& family : families()) {
+    const auto circles = generate(family.family, 100, 4);
+    const double size = exportBox(circles).maxX - exportBox(circles).minX;
+    for (const double tolerance : {1e-5, 0.1, 10.0}) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(tolerance));
+      ExportOptions options;
+      options.tolerance = tolerance * size;
+      for (const Json& feature : Json::parse(textOf(writeGeoJson, circles, options))["features"]) {
+        const auto rings = ringsOf(feature["geometry"]);
+        EXPECT_EQ(rings.empty(), feature["properties"].contains("hiddenBy")) << feature["properties"];
+        for (const Ring& ring : rings) {
+          EXPECT_GT(areaOf(ring), 0);
+          EXPECT_TRUE(isSimple(ring)) << feature;
+        }
+      }
+    }
+  }
+}
+
+TEST(Export, PolygonsAreSimpleWhereTheBoxMeetsVertices) {
+  const auto circles = generate(Family::hexagonal, 300, 1);
+  ExportOptions options;
+  options.box = Box{3, 3, 9, 8};
+  for (const Json& feature : Json::parse(textOf(writeGeoJson, circles, options))["features"]) {
+    for (const Ring& ring : ringsOf(feature["geometry"])) EXPECT_TRUE(isSimple(ring)) << feature;
+  }
+}
+
 TEST(Export, WktHasALineForEachCircle) {
   const std::vector<Circle> circles = {{0, 0, 10}, {0, 10.6, 0.1}, {1, 1, 1}};
   ExportOptions options;
@@ -147,6 +192,15 @@ TEST(Export, SvgHasItsLayers) {
   EXPECT_EQ(countOf(svg, "r=\"") - countOf(svg, "data-vertex"), circles.size());
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(Export, SvgTellsHiddenCirclesAndPoints) {
+  const std::string svg = textOf(writeSvg, {{0, 0, 3}, {1, 1, 1}, {9, 2, 0}, {0, 1, 0}});
+  EXPECT_NE(svg.find("<circle data-circle=\"0\" cx=\"0\" cy=\"0\" r=\"3\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<circle data-circle=\"1\" class=\"hidden\" cx=\"1\" cy=\"1\" r=\"1\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<path data-circle=\"2\" class=\"point\" d=\"M9 2h0\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<path data-circle=\"3\" class=\"point hidden\" d=\"M0 1h0\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<desc>4 circles, 2 of them hidden; 0 vertices, 1 edges</desc>"), std::string::npos);
 }
 
 TEST(Export, NoCirclesGiveValidFiles) {

@@ -26,8 +26,9 @@ Box exportBox(std::span<const Circle> circles);
 // Each writes a certified diagram of `circles`. Polygons of cells are counter-clockwise, and those of neighbours share
 // their points bit for bit.
 
-/// A drawing, y upwards, that fits the box: groups of class cells, edges, dual, hull, circles and vertices, styled by a
-/// style sheet. Curves are cubic Bezier curves.
+/// A drawing, y upwards, that fits the box: groups of class cells, dual, circles, edges, vertices and hull, styled by a
+/// style sheet. Curves are cubic Bezier curves. Hidden circles have the class hidden, circles of radius 0 the class
+/// point.
 void writeSvg(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
               const ExportOptions& options = {});
 
