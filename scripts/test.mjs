@@ -45,6 +45,20 @@ const SUITES = [
     ],
   },
   {
+    name: 'Files and README in Node',
+    report: `${RESULTS}/files.xml`,
+    program: process.execPath,
+    args: [
+      '--test',
+      '--test-reporter=spec',
+      '--test-reporter-destination=stdout',
+      '--test-reporter=junit',
+      `--test-reporter-destination=${RESULTS}/files.xml`,
+      'tests/files/geojson.test.mjs',
+      'tests/readme/native.test.mjs',
+    ],
+  },
+  {
     name: 'Playwright',
     report: `${RESULTS}/playwright.xml`,
     program: `${BIN}/playwright`,

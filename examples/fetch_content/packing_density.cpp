@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How densely particles are packed, each in its own cell: packing_density PARTICLES.csv
+// Prints the circle, the area of its cell inside the bounding box, and the part of it that the circle takes.
+#include <circle_voronoi/cells.h>
+#include <circle_voronoi/compute.h>
+#include <circle_voronoi/io.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <numbers>
+#include <sstream>
+
+namespace cv = circle_voronoi;
+
+/// The box around the circles. Precondition: there are some.
+cv::Box boundingBox(const std::vector<cv::Circle>& circles) {
+  const auto& [x, y, r] = circles.front();
+  cv::Box box = {x - r, y - r, x + r, y + r};
+  for (const cv::Circle& c : circles) {
+    box = {std::min(box.minX, c.x - c.r), std::min(box.minY, c.y - c.r), std::max(box.maxX, c.x + c.r),
+           std::max(box.maxY, c.y + c.r)};
+  }
+  return box;
+}
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::cerr << "Usage: packing_density PARTICLES.csv\n";
+    return 2;
+  }
+  std::ostringstream text;
+  text << std::ifstream(arguments[1]).rdbuf();
+  const auto particles = cv::readCircles(text.str(), arguments[1]);
+  if (!particles || particles.value().empty()) {
+    std::cerr << (particles ? "There are no particles." : particles.error().message) << '\n';
+    return 2;
+  }
+  const auto& circles = particles.value();
+  const auto diagram = cv::compute(circles);
+  if (!diagram) {
+    std::cerr << diagram.error().message << '\n';
+    return 1;
+  }
+
+  const cv::ConvexPolygon box = boundingBox(circles);
+  const cv::Cells cells(circles, diagram.value());
+  std::cout << "circle,area,density\n";
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+    if (!cells.exists(i)) continue;
+    const double area = cv::area(cv::outline(cells, i, box));
+    const double r = circles[static_cast<std::size_t>(i)].r;
+    std::cout << i << ',' << area << ',' << std::numbers::pi * r * r / area << '\n';
+  }
+}
