@@ -5,8 +5,9 @@ import { type BoundedCurve, type Point, pointAt } from '../../web/lib/index.ts'
 
 /** The signed distance from circle `i` of a flat array. */
 export function signedDistance(circles: Float64Array, i: number, { x, y }: Point): number {
-  const [cx, cy, r] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
-  return Math.hypot(x - cx, y - cy) - r
+  const dx = x - (circles[3 * i] as number)
+  const dy = y - (circles[3 * i + 1] as number)
+  return Math.sqrt(dx * dx + dy * dy) - (circles[3 * i + 2] as number)
 }
 
 /** The distance from the nearest circle. */
