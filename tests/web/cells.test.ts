@@ -195,6 +195,16 @@ describe('the outline of a cell', () => {
     expect([area([]), perimeter([]), centroid([])]).toEqual([0, 0, { x: 0, y: 0 }])
   })
 
+  it('is empty for what is no circle', () => {
+    const diagram = library.compute(Float64Array.of(0, 0, 1, 5, 0, 1, 2, 7, 1))
+    for (const i of [-1, 3, 99]) {
+      expect(diagram.cell(i)).toBeUndefined()
+      expect(diagram.neighbors(i)).toHaveLength(0)
+      expect(diagram.contains(i, 0, 0)).toBe(false)
+      expect(diagram.cellPath(i)).toBe('')
+    }
+  })
+
   it('has two loops where a box cuts the cell apart', () => {
     // The branch bends around the small circle: a box above its apex sees the large circle's cell on both sides of it.
     const { cells } = library.compute(Float64Array.of(0, 0, 10, 0, 10.6, 0.1))

@@ -75,12 +75,17 @@ export function traceArc(
   tolerance: number,
 ): void {
   const { bisector, to: last } = curve
+  let { from, start } = curve
+  if (isNearlyStraight(bisector, from, last, tolerance)) {
+    sink.lineTo(curve.end.x, curve.end.y)
+    return
+  }
   const limit = atLeast(1e-12, curve, tolerance)
-  let from = curve.from
-  let start = curve.start
   for (let isLast = false; !isLast; ) {
-    const byLine = farthest(bisector, from, last, limit, chordError)
-    const byCubic = byLine === last ? 0 : farthest(bisector, from, last, limit, cubicError)
+    // To know that one curve does for the rest spares the search for how far a line would do.
+    const byOneCubic = chordError(bisector, from, last) > limit && cubicError(bisector, from, last) <= limit
+    const byLine = byOneCubic ? from : farthest(bisector, from, last, limit, chordError)
+    const byCubic = byOneCubic || byLine === last ? last : farthest(bisector, from, last, limit, cubicError)
     const to = Math.max(byLine, byCubic)
     isLast = to >= last
     const end = isLast ? curve.end : pointAt(bisector, to)
@@ -139,6 +144,15 @@ function chordError({ a, b }: Bisector, from: number, to: number): number {
   const x = (a * (middle - 1 / middle)) / 2
   const y = (b * (middle + 1 / middle)) / 2
   return excessOf(from, to) * (Math.abs(a) * (b / Math.sqrt(x * x + y * y)))
+}
+
+/**
+ * Whether a bound without roots tells that an arc keeps within a tolerance of its chord, as most in a drawing do: the error
+ * is at most |a| (w - 1), and w - 1 = (w^2 - 1) / (w + 1) at most (to - from)^2 / (8 from to).
+ */
+function isNearlyStraight({ a }: Bisector, from: number, to: number, tolerance: number): boolean {
+  const difference = to - from
+  return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * tolerance
 }
 
 /**

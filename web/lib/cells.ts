@@ -68,7 +68,8 @@ export class Cells {
    * infinity, the next side after one that ends there begins there.
    */
   sides(circle: number): Int32Array {
-    return this.#sides.subarray(at(this.#first, circle), at(this.#first, circle + 1))
+    // Past the circles there are no sides either.
+    return this.#sides.subarray(this.#first[circle] ?? 0, this.#first[circle + 1] ?? 0)
   }
 
   /** The circle whose cell the side belongs to. */

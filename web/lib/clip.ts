@@ -73,6 +73,7 @@ function placeOf(
 
 /** That part of the curve; where it is cut, its ends lie on the side of the region. */
 export function part(curve: EdgeCurve, { from, to, cutFrom, cutTo }: Span, region: ConvexPolygon): EdgeCurve {
+  if (cutFrom === NONE && cutTo === NONE) return curve
   const { bisector } = curve
   return {
     bisector,

@@ -47,9 +47,9 @@ export function edgeCurve({ circles, metric, vertices, edges }: DiagramData, edg
 export function reversed(curve: BoundedCurve): BoundedCurve
 export function reversed(curve: EdgeCurve): EdgeCurve
 export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCurve {
-  const { left, right, a, across } = bisector
+  const { left, right, a, b, origin, along, across, apex } = bisector
   return {
-    bisector: { ...bisector, left: right, right: left, a: -a, across: { x: -across.x, y: -across.y } },
+    bisector: { left: right, right: left, a: -a, b, origin, along, across: { x: -across.x, y: -across.y }, apex },
     // 1 / infinity is 0, and the other way round.
     from: 1 / to,
     to: 1 / from,

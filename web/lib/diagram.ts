@@ -71,7 +71,7 @@ export class Diagram implements DiagramData {
     return this.#cells
   }
 
-  /** The cell of circle `i`; `undefined` if it is hidden. */
+  /** The cell of circle `i`; `undefined` if it is hidden, or there is no such circle. */
   cell(i: number): Cell | undefined {
     const { cells } = this
     if (!cells.exists(i)) return undefined
@@ -99,9 +99,9 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * The circle nearest to (x, y) by the signed distance to its boundary; one of them, if several are up to rounding. A walk
-   * from a circle near the point, or from `hint` if that is nearer: for circles spread evenly a step or two. `NONE` if there
-   * are no circles, or a coordinate is not finite.
+   * The circle nearest to (x, y), by the signed distance to its boundary or the diagram's other metric; one of them, if
+   * several are up to rounding. A walk from a circle near the point, or from `hint` if that is nearer: for circles spread
+   * evenly a step or two. `NONE` if there are no circles, or a coordinate is not finite.
    */
   find(x: number, y: number, hint: number = NONE): number {
     this.#finder ??= new Finder(this.cells)

@@ -27,31 +27,25 @@ export type Outline = readonly (readonly OutlinePiece[])[]
 export function outline(cells: Cells, circle: number, bounds: Bounds): Outline {
   if (!cells.exists(circle)) return []
   const region = ConvexPolygon.of(bounds)
-  const ring = new Ring(region)
-  const { chains, isClosed } = chainsOf(cells, circle, region, ring)
+  const { chains, isClosed } = chainsOf(cells, circle, region)
   if (chains.length === 0) {
     const { x, y } = region.middle()
     return cells.contains(circle, x, y) ? [boundaryOf(region)] : []
   }
-  return isClosed ? chains.map(({ pieces }) => pieces) : joined(cells, circle, ring, chains)
+  return isClosed ? chains.map(({ pieces }) => pieces) : joined(cells, circle, new Ring(region), chains)
 }
 
-/** Sides of a cell inside the region that follow each other without a gap, and where on the ring they begin and end. */
+/** Sides of a cell inside the region that follow each other without a gap. */
 interface Chain {
   readonly pieces: OutlinePiece[]
-  readonly entry: number
-  exit: number
+  /** The side of the region that it comes in by; `NONE` where rounding begins it at a vertex next to the boundary. */
+  readonly cutFrom: number
+  /** That which it leaves by, likewise. */
+  cutTo: number
 }
 
 /** `isClosed`: the sides close by themselves, for the cell lies inside the region. */
-function chainsOf(
-  cells: Cells,
-  circle: number,
-  region: ConvexPolygon,
-  ring: Ring,
-): { chains: Chain[]; isClosed: boolean } {
-  // Rounding may end a chain at a vertex next to the boundary.
-  const place = (cut: number, p: Point) => (cut === NONE ? ring.placeNear(p) : ring.placeOn(cut, p))
+function chainsOf(cells: Cells, circle: number, region: ConvexPolygon): { chains: Chain[]; isClosed: boolean } {
   const chains: Chain[] = []
   const sides = cells.sides(circle)
   let isLinked = false // whether the last chain goes on with the next side
@@ -62,13 +56,13 @@ function chainsOf(
       const isAtOrigin = cutFrom === NONE
       if (!isLinked || !isAtOrigin) {
         if (chains.length === 0) firstIsAtOrigin = isAtOrigin && side === sides[0]
-        chains.push({ pieces: [], entry: place(cutFrom, curve.start), exit: 0 })
+        chains.push({ pieces: [], cutFrom, cutTo })
       }
       isLinked = false
       goesOn = cutTo === NONE
       const chain = chains.at(-1) as Chain
       chain.pieces.push({ curve, side, neighbor: cells.neighborOf(side) })
-      chain.exit = place(cutTo, curve.end)
+      chain.cutTo = cutTo
     }
     isLinked = goesOn
   }
@@ -76,7 +70,7 @@ function chainsOf(
   if (chains.length === 1) return { chains, isClosed: true }
   const first = chains.shift() as Chain
   const last = chains.at(-1) as Chain
-  last.exit = first.exit
+  last.cutTo = first.cutTo
   for (const piece of first.pieces) last.pieces.push(piece)
   return { chains, isClosed: false }
 }
@@ -92,16 +86,30 @@ interface Piece {
  * either side meet bit for bit.
  */
 function piecesOf({ diagram }: Cells, side: number, region: ConvexPolygon): Piece[] {
+  const isAgainst = side % 2 === 1
   const whole = edgeCurve(diagram, side >> 1)
   const pieces: Piece[] = []
   for (const span of clipSpans(whole, region)) {
     const curve = part(whole, span, region)
-    if (isBounded(curve)) pieces.push({ curve, cutFrom: span.cutFrom, cutTo: span.cutTo })
+    if (!isBounded(curve)) continue
+    const [cutFrom, cutTo] = isAgainst ? [span.cutTo, span.cutFrom] : [span.cutFrom, span.cutTo]
+    pieces.push({ curve: isAgainst ? reversed(curve) : curve, cutFrom, cutTo })
   }
-  if (side % 2 === 0) return pieces
-  return pieces
-    .reverse()
-    .map(({ curve, cutFrom, cutTo }) => ({ curve: reversed(curve), cutFrom: cutTo, cutTo: cutFrom }))
+  return isAgainst ? pieces.reverse() : pieces
+}
+
+/** A chain, and where on the ring it begins and ends. */
+interface Passage {
+  readonly pieces: OutlinePiece[]
+  readonly entry: number
+  readonly exit: number
+}
+
+function passageOf({ pieces, cutFrom, cutTo }: Chain, ring: Ring): Passage {
+  const place = (cut: number, p: Point) => (cut === NONE ? ring.placeNear(p) : ring.placeOn(cut, p))
+  const { curve: first } = pieces[0] as OutlinePiece
+  const { curve: last } = pieces.at(-1) as OutlinePiece
+  return { pieces, entry: place(cutFrom, first.start), exit: place(cutTo, last.end) }
 }
 
 /**
@@ -110,34 +118,35 @@ function piecesOf({ diagram }: Cells, side: number, region: ConvexPolygon): Piec
  * is neither, and is known to be inside the cell or not.
  */
 function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain[]): Outline {
-  const begin = clearPlace(cells, circle, ring, chains)
+  const passages = chains.map((chain) => passageOf(chain, ring))
+  const begin = clearPlace(cells, circle, ring, passages)
   const beginsInside = leadAt(cells, circle, ring.at(begin)) > 0
   const ahead = (place: number) => (place < begin ? place + ring.total : place)
-  const byExit = [...chains].sort((one, other) => ahead(one.exit) - ahead(other.exit))
-  const byEntry = [...chains].sort((one, other) => ahead(one.entry) - ahead(other.entry))
-  if (beginsInside) byEntry.push(byEntry.shift() as Chain)
+  const byExit = [...passages].sort((one, other) => ahead(one.exit) - ahead(other.exit))
+  const byEntry = [...passages].sort((one, other) => ahead(one.entry) - ahead(other.entry))
+  if (beginsInside) byEntry.push(byEntry.shift() as Passage)
 
-  const next = new Map<Chain, Chain>()
-  byExit.forEach((chain, k) => {
-    const after = byEntry[k] as Chain
-    next.set(chain, after)
-    const isAround = beginsInside && k + 1 === chains.length
+  const next = new Map<Passage, Passage>()
+  byExit.forEach((passage, k) => {
+    const after = byEntry[k] as Passage
+    next.set(passage, after)
+    const isAround = beginsInside && k + 1 === passages.length
     const to = ahead(after.entry) + (isAround ? ring.total : 0)
-    let last = (chain.pieces.at(-1) as OutlinePiece).curve.end
-    for (const corner of ring.cornersBetween(ahead(chain.exit), to)) {
-      appendSegment(chain.pieces, last, corner)
+    let last = (passage.pieces.at(-1) as OutlinePiece).curve.end
+    for (const corner of ring.cornersBetween(ahead(passage.exit), to)) {
+      appendSegment(passage.pieces, last, corner)
       last = corner
     }
-    appendSegment(chain.pieces, last, (after.pieces[0] as OutlinePiece).curve.start)
+    appendSegment(passage.pieces, last, (after.pieces[0] as OutlinePiece).curve.start)
   })
 
   const loops: OutlinePiece[][] = []
-  const isDone = new Set<Chain>()
-  for (const start of chains) {
+  const isDone = new Set<Passage>()
+  for (const start of passages) {
     const loop: OutlinePiece[] = []
-    for (let chain = start; !isDone.has(chain); chain = next.get(chain) as Chain) {
-      isDone.add(chain)
-      for (const piece of chain.pieces) loop.push(piece)
+    for (let passage = start; !isDone.has(passage); passage = next.get(passage) as Passage) {
+      isDone.add(passage)
+      for (const piece of passage.pieces) loop.push(piece)
     }
     if (loop.length > 0) loops.push(loop)
   }
@@ -148,9 +157,9 @@ function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain
  * A place in one of the largest gaps between entries and exits: of several that where the cell's own circle and the others
  * differ most. One alone may lie on the boundary of both the region and the cell.
  */
-function clearPlace(cells: Cells, circle: number, ring: Ring, chains: readonly Chain[]): number {
+function clearPlace(cells: Cells, circle: number, ring: Ring, passages: readonly Passage[]): number {
   const tried = 4
-  const places = chains.flatMap(({ entry, exit }) => [entry, exit]).sort((one, other) => one - other)
+  const places = passages.flatMap(({ entry, exit }) => [entry, exit]).sort((one, other) => one - other)
   const gaps = places.map((start, i) => ({
     start,
     size: (places[i + 1] ?? (places[0] as number) + ring.total) - start,
