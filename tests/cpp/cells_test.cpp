@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
@@ -259,6 +260,39 @@ TEST(Cells, AnEdgeMayTouchTheBoundary) {
     expectPartition(cells, box);
   }
   EXPECT_EQ(area(outline(cells, 0, Box{0, 0, 2, 2})), 0);
+}
+
+/// The distance from the centre of circle i at which its cell ends in a direction: where another circle becomes as
+/// near, for one at d from the centre and with a radius larger by s at (d^2 - s^2) / (2 (d u + s)), or at the box.
+double reach(const std::vector<Circle>& circles, std::size_t i, Vector u, const Box& box) {
+  const Circle& c = circles[i];
+  double end = u.x > 0 ? (box.maxX - c.x) / u.x : (box.minX - c.x) / u.x;
+  end = std::min(end, u.y > 0 ? (box.maxY - c.y) / u.y : (box.minY - c.y) / u.y);
+  for (std::size_t j = 0; j < circles.size(); ++j) {
+    const Vector d = {circles[j].x - c.x, circles[j].y - c.y};
+    const double s = circles[j].r - c.r;
+    const double forward = d.x * u.x + d.y * u.y + s;
+    if (j != i && forward > 0) end = std::min(end, (d.x * d.x + d.y * d.y - s * s) / (2 * forward));
+  }
+  return end;
+}
+
+TEST(Cells, OfTheBronzeFilterHaveTheAreasOfAQuadratureOverAllCircles) {
+  const auto circles = test::readFixture("bronzefilter");
+  const Diagram diagram = diagramOf(circles);
+  const Cells cells(circles, diagram);
+  const Box box = boxAround(circles, 1.02);
+  constexpr int kRays = 2000;
+  constexpr double kFullTurn = 2 * std::numbers::pi;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    double sum = 0;
+    for (int k = 0; k < kRays; ++k) {
+      const double end = reach(circles, i, directionAt((k + 0.5) / kRays), box);
+      sum += end * end / 2;
+    }
+    const double expected = sum * kFullTurn / kRays;
+    EXPECT_NEAR(area(outline(cells, static_cast<std::int32_t>(i), box)), expected, 1e-3 * expected) << i;
+  }
 }
 
 TEST(Cells, OfTheBronzeFilterFillItsBox) {
