@@ -21,7 +21,7 @@ constexpr bool kDegenerate = true;
 // In the order of the enumeration.
 // clang-format off
 constexpr auto kEntries = std::to_array<Entry>({
-    {{Family::uniform, "uniform", "radii 0.5 to 1, covering a quarter of a square", kDisjoint, kGeneral},
+    {{Family::uniform, "uniform", "radii 0.5 to 1, covering a quarter of a square (like figure 14: 100000 circles)", kDisjoint, kGeneral},
      generateUniform},
     {{Family::logUniform, "log-uniform", "radii over three decades, covering 30 % of a square", kDisjoint, kGeneral},
      generateLogUniform},
@@ -43,7 +43,7 @@ constexpr auto kEntries = std::to_array<Entry>({
      generateTiny},
     {{Family::oneHuge, "one-huge", "one of radius 1, the others tiny in a band around it", kDisjoint, kGeneral},
      generateOneHuge},
-    {{Family::twoHuge, "two-huge", "a narrow gap between two, filled with tiny ones (figure 5d)", kDisjoint, kGeneral},
+    {{Family::twoHuge, "two-huge", "a narrow gap between two, filled with tiny ones (figures 5d, 13a)", kDisjoint, kGeneral},
      generateTwoHuge},
     {{Family::ring, "ring", "equal ones around one (figure 7: 49 and 199 circles)", kDisjoint, kGeneral},
      generateRing},
@@ -69,7 +69,7 @@ constexpr auto kEntries = std::to_array<Entry>({
      generateCollinearVaried},
     {{Family::nearCollinear, "near-collinear", "a thousand times as wide as high", kDisjoint, kGeneral},
      generateNearCollinear},
-    {{Family::grid, "grid", "equal ones on a square grid (figure 15d)", kDisjoint, kDegenerate},
+    {{Family::grid, "grid", "equal ones on a square grid (figures 11: 4 circles, 15d)", kDisjoint, kDegenerate},
      generateGrid},
     {{Family::gridTangent, "grid-tangent", "the same, tangent to each other (figure 15e)", kDisjoint, kDegenerate},
      generateGridTangent},
@@ -79,7 +79,7 @@ constexpr auto kEntries = std::to_array<Entry>({
      generateHexagonal},
     {{Family::cocircularVaried, "cocircular-varied", "tangent to one reference circle (figure 15a)", kDisjoint, kDegenerate},
      generateCocircularVaried},
-    {{Family::cocircularEqual, "cocircular-equal", "the same, of equal radius (figure 15b)", kDisjoint, kDegenerate},
+    {{Family::cocircularEqual, "cocircular-equal", "the same, of equal radius (figures 10: 12 circles, 15b: 100)", kDisjoint, kDegenerate},
      generateCocircularEqual},
 });
 // clang-format on

@@ -8,6 +8,9 @@
 namespace circle_voronoi {
 namespace {
 
+/// Of an item of the list `features` of the outermost object; a feature may hold others among its properties.
+constexpr int kFeatureDepth = 2;
+
 bool hasType(const Json& value, std::string_view type) {
   if (!value.is_object()) return false;
   const auto found = value.find("type");
@@ -37,8 +40,10 @@ Result<NumberedCircles> readGeoJson(std::string_view text, std::string_view name
   NumberedCircles result;
   std::optional<Error> error;
   // Features are dropped as soon as they are read, so that memory holds one at a time.
-  const auto take = [&](int, Json::parse_event_t event, const Json& value) {
-    if (event != Json::parse_event_t::object_end || !hasType(value, "Feature")) return true;
+  const auto take = [&](int depth, Json::parse_event_t event, const Json& value) {
+    const bool isFeature =
+        depth == kFeatureDepth && event == Json::parse_event_t::object_end && hasType(value, "Feature");
+    if (!isFeature) return true;
     Circle circle;
     const auto problem = readFeature(value, circle);
     if (problem && !error) error = errorAt(name, position.line(), *problem);

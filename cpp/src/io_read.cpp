@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "circle_voronoi/io.h"
 #include "io_text.h"
 #include "validate.h"
 
 namespace circle_voronoi {
 
+namespace {
+
+/// The reason as one line of printable text, whatever it quotes from a file.
+std::string printable(std::string reason) {
+  constexpr std::size_t kMostCharacters = 300;
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  std::replace_if(reason.begin(), reason.end(), isControl, '?');
+  if (reason.size() > kMostCharacters) reason = reason.substr(0, kMostCharacters) + "...";
+  return reason;
+}
+
+}  // namespace
+
 Error errorAt(std::string_view name, int line, const std::string& reason) {
-  return {ErrorCode::badInput, -1, std::string(name) + ":" + std::to_string(line) + ": " + reason};
+  return {ErrorCode::badInput, -1, std::string(name) + ":" + std::to_string(line) + ": " + printable(reason)};
 }
 
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name) {

@@ -53,6 +53,8 @@ TEST(ReadCsv, NamesTheBadLine) {
   EXPECT_EQ(errorOf("1,,3\n"), "test:1: y is not a number: \"\".");
   EXPECT_EQ(errorOf("1,2,3\nx,y,r\n"), "test:2: x is not a number: \"x\".") << "a header comes first";
   EXPECT_EQ(errorOf("r,x,y\n1,2,3\n"), "test:1: x is not a number: \"r\".") << "columns have one order";
+  EXPECT_EQ(errorOf("1,2,\x1b[31m\n"), "test:1: r is not a number: \"?[31m\".") << "nothing for a terminal to obey";
+  EXPECT_LT(errorOf("1,2," + std::string(1000, 'x') + "\n").size(), 350U);
   EXPECT_EQ(errorOf("1,2,1e999\n"), "test:1: r is beyond the range of a double: \"1e999\".");
 }
 
@@ -70,6 +72,10 @@ TEST(ReadGeoJson, PointsWithARadius) {
                             "," + feature(R"({"type": "Point", "coordinates": [-4.5, 0.005, 7]})", R"({"r": 0})"))),
             kTwo);
   EXPECT_EQ(read(collection("")), Circles{});
+  const std::string other = feature(R"({"type": "Point", "coordinates": [7, 8]})", R"({"radius": 9})");
+  EXPECT_EQ(
+      read(collection(feature(R"({"type": "Point", "coordinates": [1, 2]})", R"({"radius": 3, "of": )" + other + "}"))),
+      (Circles{{1, 2, 3}}));
 }
 
 TEST(ReadGeoJson, NamesTheBadLine) {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random changes of good files, and random bytes: the readers survive them (read_anything.h).
+#include <gtest/gtest.h>
+
+#include <array>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/io.h"
+#include "random.h"
+#include "read_anything.h"
+
+namespace circle_voronoi {
+namespace {
+
+constexpr int kTrials = 10000;
+
+/// What is likely to mean something to a reader.
+constexpr auto kPieces =
+    std::to_array<std::string_view>({"{",     "}",        "[",           "]",         ",",
+                                     ":",     "\"",       "\n",          "-",         "-0",
+                                     "0",     "1e999",    "-1",          "1e150",     "2e150",
+                                     "nan",   "inf",      "null",        "true",      "\\n",
+                                     "\"x\"", "\"r\": 1", "\"circles\"", "\"stats\"", "\"type\": \"Feature\"",
+                                     "\\",    "\xff",     "\xEF\xBB\xBF"});
+
+std::string randomBytes(Random& random) {
+  std::string text(random.below(60), ' ');
+  for (char& c : text) c = static_cast<char>(random.below(256));
+  return text;
+}
+
+/// The text with a part of it cut out, doubled, or overwritten.
+std::string changed(std::string text, Random& random) {
+  for (std::size_t changes = 1 + random.below(4); changes > 0; --changes) {
+    const std::size_t at = random.below(text.size() + 1);
+    const std::size_t size = std::min<std::size_t>(random.below(20), text.size() - at);
+    switch (random.below(4)) {
+      case 0:
+        text.erase(at, size);
+        break;
+      case 1:
+        text.insert(at, text.substr(at, size));
+        break;
+      case 2:
+        text.insert(at, kPieces[random.below(kPieces.size())]);
+        break;
+      default:
+        text.replace(at, size, kPieces[random.below(kPieces.size())]);
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> goodTexts() {
+  const auto circles = generate(Family::hidden, 6, 1);
+  std::vector<std::string> texts;
+  for (const auto write : {writeCirclesCsv, writeCirclesJson, writeCirclesGeoJson}) {
+    std::ostringstream out;
+    write(out, circles);
+    texts.push_back(out.str());
+  }
+  std::ostringstream out;
+  writeJson(out, circles, compute(circles).value());
+  texts.push_back(out.str());
+  return texts;
+}
+
+TEST(Readers, SurviveChangedFiles) {
+  Random random(1);
+  for (const std::string& good : goodTexts()) {
+    ASSERT_EQ(fuzz::readAnything(good), std::nullopt);
+    for (int i = 0; i < kTrials; ++i) {
+      const std::string text = changed(good, random);
+      ASSERT_EQ(fuzz::readAnything(text), std::nullopt) << text;
+    }
+  }
+}
+
+TEST(Readers, SurviveRandomBytes) {
+  Random random(2);
+  for (int i = 0; i < kTrials; ++i) {
+    const std::string text = randomBytes(random);
+    ASSERT_EQ(fuzz::readAnything(text), std::nullopt) << text;
+    ASSERT_EQ(fuzz::readAnything("{" + text), std::nullopt) << text;
+    ASSERT_EQ(fuzz::readAnything("[" + text), std::nullopt) << text;
+  }
+}
+
+TEST(Readers, SurviveDeepNesting) {
+  constexpr std::size_t kDepth = 1'000'000;
+  for (const std::string begin : {"", R"({"type": "FeatureCollection", "features": )", R"({"stats": )"}) {
+    EXPECT_EQ(fuzz::readAnything(begin + std::string(kDepth, '[')), std::nullopt);
+    EXPECT_EQ(fuzz::readAnything(begin + std::string(kDepth, '[') + std::string(kDepth, ']') + "}"), std::nullopt);
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi

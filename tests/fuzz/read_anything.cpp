@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read_anything.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <span>
+#include <sstream>
+#include <vector>
+
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/export.h"
+#include "circle_voronoi/io.h"
+
+namespace circle_voronoi::fuzz {
+namespace {
+
+constexpr std::string_view kName = "text";
+
+template <class Write, class... Values>
+std::string written(Write write, const Values&... values) {
+  std::ostringstream out;
+  write(out, values...);
+  return out.str();
+}
+
+/// -0 and 0 are different.
+bool isSame(std::span<const Circle> circles, std::span<const Circle> others) {
+  return circles.size() == others.size() &&
+         (circles.empty() || std::memcmp(circles.data(), others.data(), circles.size_bytes()) == 0);
+}
+
+bool isOneLine(const Error& error, std::string_view text) {
+  const std::string begin = std::string(kName) + ":";
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  if (!error.message.starts_with(begin) || std::ranges::any_of(error.message, isControl)) return false;
+  const long line = std::strtol(error.message.c_str() + begin.size(), nullptr, 10);
+  return line >= 1 && line <= 1 + std::count(text.begin(), text.end(), '\n');
+}
+
+std::optional<std::string> tryCircles(std::string_view text) {
+  const auto circles = readCircles(text, kName);
+  if (!circles) {
+    if (isOneLine(circles.error(), text)) return std::nullopt;
+    return "the error of readCircles names no line: " + circles.error().message;
+  }
+  for (const auto write : {writeCirclesCsv, writeCirclesJson, writeCirclesGeoJson}) {
+    const auto again = readCircles(written(write, circles.value()), kName);
+    if (!again || !isSame(again.value(), circles.value())) return "circles do not come back";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> tryDiagram(std::string_view text) {
+  const auto file = readDiagram(text, kName);
+  if (!file) {
+    if (isOneLine(file.error(), text)) return std::nullopt;
+    return "the error of readDiagram names no line: " + file.error().message;
+  }
+  const auto& [circles, diagram] = file.value();
+  if (!certify(circles, diagram)) return "certify rejects circles that readDiagram takes";
+  (void)written(writeDiagramCsv, diagram);
+  const std::string json = written(writeJson, circles, diagram);
+  const auto again = readDiagram(json, kName);
+  if (!again) return "a diagram does not come back: " + again.error().message;
+  if (written(writeJson, again.value().circles, again.value().diagram) != json) return "a diagram comes back another";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> readAnything(std::string_view text) {
+  (void)holdsDiagram(text);
+  auto problem = tryCircles(text);
+  return problem ? problem : tryDiagram(text);
+}
+
+}  // namespace circle_voronoi::fuzz
