@@ -22,14 +22,19 @@ double excessOf(double from, double to) {
   return difference / std::sqrt(from) * (difference / std::sqrt(to)) / 2;
 }
 
-/// The largest distance of an arc from its chord. It is at the middle parameter, where the tangent is parallel to the
-/// chord: w - 1 times the distance of that tangent from the middle of the hyperbola.
+/// The largest distance of an arc from its chord, or a bound. On one side of the apex the arc turns by less than a
+/// right angle, so the distance is largest at the middle parameter, where the tangent is parallel to the chord: w - 1
+/// times the distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer
+/// to the line of its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times
+/// |a|.
 double chordError(const Bisector& bisector, double from, double to) {
   if (bisector.a == 0) return 0;
+  const double along = excessOf(from, to) * std::abs(bisector.a);
+  if (from < 1 && 1 < to) return along;
   const double middle = std::sqrt(from) * std::sqrt(to);
   const double x = bisector.a * (middle - 1 / middle) / 2;
   const double y = bisector.b * (middle + 1 / middle) / 2;
-  return excessOf(from, to) * (std::abs(bisector.a) * (bisector.b / std::sqrt(x * x + y * y)));
+  return along * (bisector.b / std::sqrt(x * x + y * y));
 }
 
 /// A bound for the largest distance of an arc from the cubic with its tangents at both ends and its middle point.

@@ -77,18 +77,19 @@ EdgeCurve randomArc(const Bisector& bisector, Random& random) {
   return arcOf(bisector, s, s * random.logUniform(0, 4));
 }
 
-/// The distance of a point from an arc, by a search around each of many points that is nearer than those next to it.
-double distanceFromArc(const EdgeCurve& curve, Point p) {
+/// The distance of a point from an arc on one side of the apex, by a search around each of many points that is nearer
+/// than those next to it.
+double distanceFromSide(const Bisector& bisector, double from, double to, Point p) {
   constexpr int kCount = 256;
-  const double step = std::pow(curve.to / curve.from, 1.0 / kCount);
-  const auto at = [&](double s) { return distanceBetween(p, pointAt(curve.bisector, s)); };
+  const double step = std::pow(to / from, 1.0 / kCount);
+  const auto at = [&](double s) { return distanceBetween(p, pointAt(bisector, s)); };
   std::vector<double> distances;
-  for (int i = 0; i <= kCount; ++i) distances.push_back(at(curve.from * std::pow(step, i)));
+  for (int i = 0; i <= kCount; ++i) distances.push_back(at(from * std::pow(step, i)));
   double best = *std::ranges::min_element(distances);
   for (std::size_t i = 0; i <= kCount; ++i) {
     if ((i > 0 && distances[i - 1] < distances[i]) || (i < kCount && distances[i + 1] < distances[i])) continue;
-    double low = curve.from * std::pow(step, std::max(static_cast<double>(i) - 1, 0.0));
-    double high = std::min(curve.to, curve.from * std::pow(step, static_cast<double>(i) + 1));
+    double low = from * std::pow(step, std::max(static_cast<double>(i) - 1, 0.0));
+    double high = std::min(to, from * std::pow(step, static_cast<double>(i) + 1));
     for (int k = 0; k < 80; ++k) {
       const double first = low + (high - low) / 3;
       const double second = high - (high - low) / 3;
@@ -97,6 +98,13 @@ double distanceFromArc(const EdgeCurve& curve, Point p) {
     }
   }
   return best;
+}
+
+/// Two minima lie next to each other at the tip of a needle: each side is searched on its own.
+double distanceFromArc(const EdgeCurve& curve, Point p) {
+  const double apex = std::clamp(1.0, curve.from, curve.to);
+  return std::min(distanceFromSide(curve.bisector, curve.from, apex, p),
+                  distanceFromSide(curve.bisector, apex, curve.to, p));
 }
 
 Point pointOf(const CubicBezier& cubic, double u) {
@@ -245,6 +253,22 @@ TEST(Curve, FewPiecesReachATightTolerance) {
   // All of a branch but its bend is nearly straight.
   const EdgeCurve far = arcOf(bisector({0, 0, 1}, {4, 0, 0}), 1e-12, 1e12);
   EXPECT_LE(cubicBeziers(far, 1e-3).size(), 6U);
+}
+
+TEST(Curve, ANeedleIsFollowedToItsTip) {
+  // The small circle touches the large one from inside but for a millionth.
+  const EdgeCurve curve = arcOf(bisector({0, 0, 10}, {6.000001, 0, 4}), 0.02, 2);
+  const Point tip = pointAt(curve.bisector, 1);
+  for (const double tolerance : {0.1, 0.01, 1e-3}) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Point& p : polyline(curve, tolerance)) nearest = std::min(nearest, distanceBetween(p, tip));
+    EXPECT_LT(nearest, 2 * tolerance);
+    double drawn = std::numeric_limits<double>::infinity();
+    for (const CubicBezier& cubic : cubicBeziers(curve, tolerance)) {
+      for (int k = 0; k <= 16; ++k) drawn = std::min(drawn, distanceBetween(pointOf(cubic, k / 16.0), tip));
+    }
+    EXPECT_LT(drawn, 2 * tolerance);
+  }
 }
 
 TEST(Curve, AnArcWithoutLengthIsOnePiece) {

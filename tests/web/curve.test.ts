@@ -257,6 +257,22 @@ describe('polyline', () => {
   })
 })
 
+describe('a needle', () => {
+  it('is followed to its tip, however narrow', () => {
+    // The small circle touches the large one from inside but for a millionth.
+    const curve = arcOf(Float64Array.of(0, 0, 10, 6.000001, 0, 4), 0.02, 2)
+    const tip = pointAt(curve.bisector, 1)
+    for (const tolerance of [0.1, 0.01, 1e-3]) {
+      const toTip = ({ x, y }: Point) => Math.hypot(x - tip.x, y - tip.y)
+      expect(curve.bisector.b).toBeLessThan(0.01)
+      const nearest = polyline(curve, tolerance).map((point) => toTip(point))
+      expect(Math.min(...nearest)).toBeLessThan(2 * tolerance)
+      const drawn = cubicBeziers(curve, tolerance).flatMap((cubic) => SHARES.map((u) => toTip(cubicPointAt(cubic, u))))
+      expect(Math.min(...drawn)).toBeLessThan(2 * tolerance)
+    }
+  })
+})
+
 describe('arcLength', () => {
   it('is that of many chords', () => {
     fc.assert(

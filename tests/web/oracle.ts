@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the library tells, by scanning all circles or many points.
 import type { Box } from '../../web/lib/convex-polygon.ts'
-import { type BoundedCurve, type Point, pointAt } from '../../web/lib/index.ts'
+import { type Bisector, type BoundedCurve, type Point, pointAt } from '../../web/lib/index.ts'
 
 /** The signed distance from circle `i` of a flat array. */
 export function signedDistance(circles: Float64Array, i: number, { x, y }: Point): number {
@@ -44,8 +44,14 @@ export function pointIn({ minX, minY, maxX, maxY }: Box, across: number, up: num
   return { x: minX + across * (maxX - minX), y: minY + up * (maxY - minY) }
 }
 
-/** The distance of a point from an arc, by bisection around each of many points that is nearer than those next to it. */
-export function distanceFromArc({ bisector, from, to }: BoundedCurve, { x, y }: Point): number {
+/** The distance of a point from an arc. Two minima lie next to each other at the tip of a needle: each side on its own. */
+export function distanceFromArc({ bisector, from, to }: BoundedCurve, point: Point): number {
+  const apex = Math.min(Math.max(1, from), to)
+  return Math.min(distanceFromSide(bisector, from, apex, point), distanceFromSide(bisector, apex, to, point))
+}
+
+/** That from an arc on one side of the apex, by bisection around each of many points that is nearer than those beside it. */
+function distanceFromSide(bisector: Bisector, from: number, to: number, { x, y }: Point): number {
   const count = 128
   const { a, b, along, across } = bisector
   const parameterAt = (share: number) => from * (to / from) ** share

@@ -135,15 +135,19 @@ function excessOf(from: number, to: number): number {
 }
 
 /**
- * The largest distance of an arc from its chord. It is at the middle parameter, where the tangent is parallel to the
- * chord: w - 1 times the distance of that tangent from the middle of the hyperbola.
+ * The largest distance of an arc from its chord, or a bound. On one side of the apex the arc turns by less than a right
+ * angle, so the distance is largest at the middle parameter, where the tangent is parallel to the chord: w - 1 times the
+ * distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer to the line of
+ * its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times |a|.
  */
 function chordError({ a, b }: Bisector, from: number, to: number): number {
   if (a === 0) return 0
+  const along = excessOf(from, to) * Math.abs(a)
+  if (from < 1 && 1 < to) return along
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const x = (a * (middle - 1 / middle)) / 2
   const y = (b * (middle + 1 / middle)) / 2
-  return excessOf(from, to) * (Math.abs(a) * (b / Math.sqrt(x * x + y * y)))
+  return along * (b / Math.sqrt(x * x + y * y))
 }
 
 /**
