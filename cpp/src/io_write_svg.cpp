@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kPixels = 1000;  ///< the longer side of the drawing
 constexpr double kVertexPixels = 1.5;
+constexpr double kPointPixels = 0.5;  ///< a smaller radius is hard to see
 
 constexpr std::string_view kStyle = R"(<style>
 path, line, circle { vector-effect: non-scaling-stroke; }
@@ -22,7 +23,7 @@ path, line, circle { vector-effect: non-scaling-stroke; }
 .hull { fill: none; stroke: #8a6d1d; stroke-width: 1; stroke-dasharray: 6 4; }
 .circles { fill: #d9822b; fill-opacity: 0.35; stroke: #a85a10; stroke-width: 1; }
 .circles .hidden { fill: #8c8c8c; stroke: #6e6e6e; stroke-dasharray: 3 2; }
-.circles .point { stroke-width: 4; stroke-linecap: round; stroke-dasharray: none; }
+.circles .point { stroke-width: 3; stroke-linecap: round; stroke-dasharray: none; }
 .vertices { fill: #1f4e79; stroke: none; }
 </style>
 )";
@@ -120,19 +121,19 @@ void writeHull(Writer& out, const ExportFrame& frame) {
   out << "Z\"/>\n";
 }
 
-void writeCircles(Writer& out, const ExportFrame& frame) {
+/// Circles of radius below `visible` are drawn as dots.
+void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
   const auto circles = frame.cells.circles();
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     const auto& [x, y, r] = circles[static_cast<std::size_t>(i)];
     const bool isHidden = !frame.cells.exists(i);
-    // SVG draws no circle of radius 0, but a stroke of length 0.
-    const bool isPoint = r == 0;
-    out << (isPoint ? "<path" : "<circle") << " data-circle=\"" << i << "\"";
+    const bool isPoint = r < visible;
+    out << (r == 0 ? "<path" : "<circle") << " data-circle=\"" << i << "\"";
     if (isPoint || isHidden) {
       out << " class=\"" << (isPoint ? "point" : "") << (isPoint && isHidden ? " " : "") << (isHidden ? "hidden" : "")
           << "\"";
     }
-    if (isPoint) {
+    if (r == 0) {  // SVG draws no circle then, but a stroke of length 0
       out << " d=\"M" << x << " " << y << "h0\"/>\n";
     } else {
       out << " cx=\"" << x << "\" cy=\"" << y << "\" r=\"" << r << "\"/>\n";
@@ -173,7 +174,7 @@ void writeSvg(std::ostream& stream, std::span<const Circle> circles, const Diagr
   };
   group("cells", [&] { writeCells(out, frame); });
   group("dual", [&] { writeDual(out, frame); });
-  group("circles", [&] { writeCircles(out, frame); });
+  group("circles", [&] { writeCircles(out, frame, kPointPixels * unit); });
   group("edges", [&] { writeEdges(out, frame); });
   group("vertices", [&] { writeVertices(out, frame, kVertexPixels * unit); });
   group("hull", [&] { writeHull(out, frame); });

@@ -195,12 +195,13 @@ TEST(Export, SvgHasItsLayers) {
 }
 
 TEST(Export, SvgTellsHiddenCirclesAndPoints) {
-  const std::string svg = textOf(writeSvg, {{0, 0, 3}, {1, 1, 1}, {9, 2, 0}, {0, 1, 0}});
+  const std::string svg = textOf(writeSvg, {{0, 0, 3}, {1, 1, 1}, {9, 2, 0}, {0, 1, 0}, {0, 8, 0.001}});
   EXPECT_NE(svg.find("<circle data-circle=\"0\" cx=\"0\" cy=\"0\" r=\"3\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<circle data-circle=\"1\" class=\"hidden\" cx=\"1\" cy=\"1\" r=\"1\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<path data-circle=\"2\" class=\"point\" d=\"M9 2h0\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<circle data-circle=\"4\" class=\"point\" cx=\"0\" cy=\"8\" r=\"0.001\"/>"), std::string::npos);
   EXPECT_NE(svg.find("<path data-circle=\"3\" class=\"point hidden\" d=\"M0 1h0\"/>"), std::string::npos);
-  EXPECT_NE(svg.find("<desc>4 circles, 2 of them hidden; 0 vertices, 1 edges</desc>"), std::string::npos);
+  EXPECT_NE(svg.find("<desc>5 circles, 2 of them hidden; 1 vertices, 3 edges</desc>"), std::string::npos);
 }
 
 TEST(Export, NoCirclesGiveValidFiles) {

@@ -24,16 +24,17 @@ struct ExportOptions {
 Box exportBox(std::span<const Circle> circles);
 
 // Each writes a certified diagram of `circles`. Polygons of cells are counter-clockwise, and those of neighbours share
-// their points bit for bit.
+// their points bit for bit; none crosses itself.
 
 /// A drawing, y upwards, that fits the box: groups of class cells, dual, circles, edges, vertices and hull, styled by a
-/// style sheet. Curves are cubic Bezier curves. Hidden circles have the class hidden, circles of radius 0 the class
-/// point.
+/// style sheet. Curves are cubic Bezier curves. Hidden circles have the class hidden, circles too small to be seen
+/// the class point.
 void writeSvg(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
               const ExportOptions& options = {});
 
-/// RFC 7946: a feature for each circle, its cell as a Polygon, a MultiPolygon if the box cuts it apart, or null; with
-/// the properties circle, radius, area, neighbors (circles), and hiddenBy of a hidden circle.
+/// RFC 7946: a feature for each circle, its cell as a Polygon, a MultiPolygon if the box cuts it apart, or null if it
+/// is hidden or outside the box; with the properties circle, radius, area, neighbors (circles), and hiddenBy of a
+/// hidden circle.
 void writeGeoJson(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
                   const ExportOptions& options = {});
 
