@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry.h"
+#include "spatial_order.h"
 #include "topology.h"
 #include "validate.h"
 
@@ -90,10 +91,15 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
 
 Diagram powerDiagramOf(std::span<const Circle> circles) {
   Triangulation triangulation;
-  std::vector<Triangulation::Weighted_point> points;
-  points.reserve(circles.size());
-  for (const Circle& c : circles) points.emplace_back(Kernel::Point_2(c.x, c.y), c.r * c.r);
-  triangulation.insert(points.begin(), points.end());
+  std::vector<Point> centres;
+  centres.reserve(circles.size());
+  for (const Circle& c : circles) centres.push_back({c.x, c.y});
+  // In an order of our own: CGAL's differs between standard libraries, and with it the numbers of vertices.
+  Triangulation::Face_handle hint;
+  for (const int i : spatialOrder(centres)) {
+    const Circle& c = circles[static_cast<std::size_t>(i)];
+    hint = triangulation.insert({Kernel::Point_2(c.x, c.y), c.r * c.r}, hint)->face();
+  }
   const Indices indices(circles);
 
   Diagram diagram;
