@@ -15,8 +15,7 @@ class Judge {
   Verdict run() {
     if (Verdict verdict = checkAdjacency(); !verdict.isRight()) return verdict;
     if (circleCount_ < 2) return {};
-    if (Verdict verdict = checkDiscs(); !verdict.isRight()) return verdict;
-    if (Verdict verdict = checkEdges(); !verdict.isRight()) return verdict;
+    if (Verdict verdict = checkFaces(); !verdict.isRight()) return verdict;
     if (Verdict verdict = checkWindings(); !verdict.isRight()) return verdict;
     return checkConnected();
   }
@@ -42,49 +41,55 @@ class Judge {
     return {};
   }
 
-  Verdict checkDiscs() {
+  /// The disc of each face, and each edge once both its faces have one.
+  Verdict checkFaces() {
     toDisc_.resize(dual_.halfEdgeCount());
     isLower_.resize(dual_.halfEdgeCount());
-    error_.reserve(dual_.faceCount());
+    error_.resize(dual_.faceCount());
+    windings_.resize(circleCount_);
     for (int face = 0; face < dual_.faceCount(); ++face) {
-      const Predicates::Triple corners = triple(face);
-      const FaceDisc disc = predicates_.disc(corners);
-      if (!disc.exists) return {Flaw::vertexWithoutDisc, kNone, face};
-      error_.push_back(disc.error);
-      for (int i = 0; i < 3; ++i) {
-        if (corners[i] == kInfinity) continue;
-        const Direction<double> toDisc = predicates_.direction(corners[i], disc);
-        toDisc_[3 * face + i] = {toDisc.x, toDisc.y};
-        isLower_[3 * face + i] = predicates_.isLower(corners[i], corners, toDisc);
+      if (!findDisc(face)) return {Flaw::vertexWithoutDisc, kNone, face};
+      for (int t = 3 * face; t < 3 * face + 3; ++t) {
+        const int h = dual_.twin[t];
+        if (h < t && !checkEdge(h)) return {Flaw::edgeOutOfOrder, kNone, h / 3, h};
       }
     }
     return {};
   }
 
-  /// The ends of each edge, and how often the two regions beside it pass the axis along it.
-  Verdict checkEdges() {
-    windings_.resize(circleCount_);
-    for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
-      const int t = dual_.twin[h];
-      if (h > t) continue;
-      const int a = dual_.origin[h];
-      const int b = dual_.origin[t];
-      if (a == kInfinity || b == kInfinity) {
-        const int finite = a == kInfinity ? t : h;
-        const bool passes = passesAxis(finite);
-        hullWinding_ += passes;
-        windings_[dual_.origin[finite]] += passes;
-        continue;
-      }
-      const int larger = predicates_.looksFromFirst(a, b) ? h : t;
-      const int smaller = dual_.twin[larger];
-      const bool isBounded = isFinite(dual_.origin[Dual::previous(h)]) && isFinite(dual_.origin[Dual::previous(t)]);
-      if (isBounded && !isInOrder(larger)) return {Flaw::edgeOutOfOrder, kNone, h / 3, h};
-      windings_[dual_.origin[larger]] += isBounded ? passesAxisInOrder(larger) : passesAxis(larger);
-      windings_[dual_.origin[smaller]] +=
-          isBounded && circles_[a].r == circles_[b].r ? passesAxisInOrder(smaller) : passesAxis(smaller);
+  bool findDisc(int face) {
+    const Predicates::Triple corners = triple(face);
+    const FaceDisc disc = predicates_.disc(corners);
+    error_[face] = disc.error;
+    for (int i = 0; i < 3 && disc.exists; ++i) {
+      if (corners[i] == kInfinity) continue;
+      const Direction<double> toDisc = predicates_.direction(corners[i], disc);
+      toDisc_[3 * face + i] = {toDisc.x, toDisc.y};
+      isLower_[3 * face + i] = predicates_.isLower(corners[i], corners, toDisc);
     }
-    return {};
+    return disc.exists;
+  }
+
+  /// Whether the ends of an edge are in order; notes how often the two regions beside it pass the axis along it.
+  bool checkEdge(int h) {
+    const int t = dual_.twin[h];
+    const int a = dual_.origin[h];
+    const int b = dual_.origin[t];
+    if (a == kInfinity || b == kInfinity) {
+      const int finite = a == kInfinity ? t : h;
+      const bool passes = passesAxis(finite);
+      hullWinding_ += passes;
+      windings_[dual_.origin[finite]] += passes;
+      return true;
+    }
+    const int larger = predicates_.looksFromFirst(a, b) ? h : t;
+    const int smaller = dual_.twin[larger];
+    const bool isBounded = isFinite(dual_.origin[Dual::previous(h)]) && isFinite(dual_.origin[Dual::previous(t)]);
+    if (isBounded && !isInOrder(larger)) return false;
+    windings_[dual_.origin[larger]] += isBounded ? passesAxisInOrder(larger) : passesAxis(larger);
+    windings_[dual_.origin[smaller]] +=
+        isBounded && circles_[a].r == circles_[b].r ? passesAxisInOrder(smaller) : passesAxis(smaller);
+    return true;
   }
 
   // Around the origin of half-edge h, counter-clockwise, the face on its right comes before the face on its left. The
