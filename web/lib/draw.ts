@@ -3,11 +3,12 @@ import { traceArc } from './bezier.ts'
 import type { Cells } from './cells.ts'
 import { clipSpans, part } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
-import { edgeCurve, isBounded } from './curve.ts'
+import { edgeCurve, isBounded, reversed } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
 import { hull } from './hull.ts'
 import { outline } from './outline.ts'
 import type { PathSink } from './path-sink.ts'
+import type { Point } from './point.ts'
 
 /** Draws what of edge `e` lies in a region, no farther than `tolerance` from the true curve. */
 export function drawEdge(
@@ -31,6 +32,10 @@ export function drawEdge(
 export function drawCell(sink: PathSink, cells: Cells, circle: number, region: ConvexPolygon, tolerance: number): void {
   const reach = cells.reach(circle)
   if (!(squaredDistanceTo(region, cells.diagram, circle) <= reach * reach)) return
+  if (holdsDisc(region, circleAt(cells.diagram.circles, circle), reach)) {
+    drawWholeCell(sink, cells, circle, tolerance)
+    return
+  }
   for (const loop of outline(cells, circle, region)) {
     loop.forEach(({ curve }, k) => {
       if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
@@ -38,6 +43,18 @@ export function drawCell(sink: PathSink, cells: Cells, circle: number, region: C
     })
     sink.closePath()
   }
+}
+
+/** The same of a cell that lies inside the region, without cutting it: most cells of a view do. */
+function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: number): void {
+  cells.sides(circle).forEach((side, k) => {
+    const edge = edgeCurve(cells.diagram, side >> 1)
+    const curve = side % 2 === 0 ? edge : reversed(edge)
+    if (!isBounded(curve)) return
+    if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
+    traceArc(sink, curve, tolerance)
+  })
+  sink.closePath()
 }
 
 /** Draws the convex hull: arcs of circles and the tangent segments between them. */
@@ -89,6 +106,11 @@ function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): b
   const endY = at(vertices, 3 * end + 1) - y
   const reach = Math.max(startX * startX + startY * startY, endX * endX + endY * endY)
   return reach < squaredDistanceTo(region, diagram, left)
+}
+
+/** Whether the square around a disc lies in the region. */
+function holdsDisc(region: ConvexPolygon, { x, y }: Point, radius: number): boolean {
+  return [-radius, radius].every((dx) => [-radius, radius].every((dy) => region.contains({ x: x + dx, y: y + dy })))
 }
 
 /** At most the squared distance from a circle's centre to the region. */
