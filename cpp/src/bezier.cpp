@@ -61,7 +61,8 @@ double cubicError(const Bisector& bisector, double from, double to) {
 /// The largest parameter, `to` at most, up to which an arc keeps the tolerance; errors grow with it.
 template <class Error>
 double farthest(const Bisector& bisector, double from, double to, double tolerance, Error error) {
-  if (error(bisector, from, to) <= tolerance) return to;
+  // The error is no number where squares of lengths underflow (1e-160): nothing is curved there that could be seen.
+  if (!(error(bisector, from, to) > tolerance)) return to;
   constexpr int kHalvings = 50;
   double good = from;
   double bad = to;
@@ -122,10 +123,9 @@ std::vector<CubicBezier> cubicBeziers(const EdgeCurve& curve, double tolerance) 
     const double byLine = farthest(curve.bisector, from, curve.to, tolerance, chordError);
     const double byCubic = byLine == curve.to ? 0 : farthest(curve.bisector, from, curve.to, tolerance, cubicError);
     const double to = std::max(byLine, byCubic);
-    isLast = to >= curve.to;
+    isLast = !(to < curve.to);
     const Point end = isLast ? curve.end : pointAt(curve.bisector, to);
-    pieces.push_back(byLine >= byCubic ? line(start, end)
-                                       : cubic(rationalBezier(curve.bisector, from, to, start, end)));
+    pieces.push_back(byCubic > byLine ? cubic(rationalBezier(curve.bisector, from, to, start, end)) : line(start, end));
     from = to;
     start = end;
   }

@@ -279,6 +279,25 @@ TEST(Curve, AnArcWithoutLengthIsOnePiece) {
   EXPECT_EQ(rationalBezier(arc).weight, 1);
 }
 
+TEST(Curve, TooSmallForSquaresItStillEnds) {
+  // Of 1e-155 squares are no longer exact, below 1e-162 they are zero.
+  for (const double size : {1e-155, 1e-160, 1e-200, 1e-300, 5e-324}) {
+    const std::vector<Circle> circles = {
+        {0, 0, 0.1 * size}, {size, 0, 0.2 * size}, {0, size, 0.3 * size}, {0.9 * size, 0.9 * size, 0.05 * size}};
+    const Diagram diagram = compute(circles).value();
+    for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+      const EdgeCurve curve = edgeCurve(circles, diagram, e);
+      if (!curve.isBounded()) continue;
+      for (const double tolerance : {0.0, 1e-5 * size}) {
+        const auto cubics = cubicBeziers(curve, tolerance);
+        EXPECT_LE(cubics.size(), 2000);
+        EXPECT_EQ(cubics.back().end, curve.end);
+        EXPECT_LE(polyline(curve, tolerance).size(), 100000);
+      }
+    }
+  }
+}
+
 TEST(Curve, LengthIsThatOfAFinePolyline) {
   Random random(7);
   for (int trial = 0; trial < 100; ++trial) {

@@ -87,9 +87,9 @@ export function traceArc(
     const byLine = byOneCubic ? from : farthest(bisector, from, last, limit, chordError)
     const byCubic = byOneCubic || byLine === last ? last : farthest(bisector, from, last, limit, cubicError)
     const to = Math.max(byLine, byCubic)
-    isLast = to >= last
+    isLast = !(to < last)
     const end = isLast ? curve.end : pointAt(bisector, to)
-    if (byLine >= byCubic) {
+    if (!(byCubic > byLine)) {
       sink.lineTo(end.x, end.y)
     } else {
       const control = controlPoint(bisector, from, to)
@@ -190,7 +190,8 @@ function farthest(
   tolerance: number,
   error: (bisector: Bisector, from: number, to: number) => number,
 ): number {
-  if (error(bisector, from, to) <= tolerance) return to
+  // The error is no number where squares of lengths underflow (1e-160): nothing is curved there that could be seen.
+  if (!(error(bisector, from, to) > tolerance)) return to
   const halvings = 50
   let good = from
   let bad = to
