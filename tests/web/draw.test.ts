@@ -165,6 +165,11 @@ describe('an SVG path', () => {
     expect(library.compute([]).renderHull()).toBe('')
   })
 
+  it.each([-1, 0.5, Number.NaN, Number.POSITIVE_INFINITY, 1e9])('of what is not there is empty: %d', (index) => {
+    expect(diagram.edgePath(index)).toBe('')
+    expect(diagram.cellPath(index)).toBe('')
+  })
+
   it('draws circles, the dual and the hull', () => {
     const two = library.compute(Float64Array.of(0, 0, 1, 4, 0, 1))
     const number = '-?[0-9.e-]+'

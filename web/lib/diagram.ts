@@ -114,7 +114,7 @@ export class Diagram implements DiagramData {
     return this.#finder.findAll(points)
   }
 
-  /** What of edge `e` lies in the bounds. */
+  /** What of edge `e` lies in the bounds; nothing if there is no such edge. */
   edgePath(e: number, context?: undefined, bounds?: Bounds, tolerance?: number): string
   edgePath(e: number, context: PathSink, bounds?: Bounds, tolerance?: number): void
   edgePath(e: number, context?: PathSink, bounds?: Bounds, tolerance?: number): string | undefined {
@@ -124,7 +124,7 @@ export class Diagram implements DiagramData {
 
   /**
    * The outline of what of the cell of circle `i` lies in the bounds: a closed counter-clockwise path for each of its parts,
-   * nothing if it is hidden.
+   * nothing if it is hidden, or there is no such circle.
    */
   cellPath(i: number, bounds?: Bounds, context?: undefined, tolerance?: number): string
   cellPath(i: number, bounds: Bounds | undefined, context: PathSink, tolerance?: number): void

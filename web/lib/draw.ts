@@ -10,7 +10,7 @@ import { outline } from './outline.ts'
 import type { PathSink } from './path-sink.ts'
 import type { Point } from './point.ts'
 
-/** Draws what of edge `e` lies in a region, no farther than `tolerance` from the true curve. */
+/** Draws what of edge `e`, if there is such an edge, lies in a region, no farther than `tolerance` from the true curve. */
 export function drawEdge(
   sink: PathSink,
   diagram: DiagramData,
@@ -18,7 +18,7 @@ export function drawEdge(
   region: ConvexPolygon,
   tolerance: number,
 ): void {
-  if (isBeyondEdge(diagram, e, region)) return
+  if (!isIndex(e, diagram.edges.length / 4) || isBeyondEdge(diagram, e, region)) return
   const curve = edgeCurve(diagram, e)
   for (const span of clipSpans(curve, region)) {
     const piece = part(curve, span, region)
@@ -86,6 +86,10 @@ export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number):
   sink.moveTo(x + r, y)
   sink.arc(x, y, r, 0, 2 * Math.PI)
   sink.closePath()
+}
+
+function isIndex(i: number, count: number): boolean {
+  return Number.isInteger(i) && 0 <= i && i < count
 }
 
 /**
