@@ -113,6 +113,7 @@ describe('errors', () => {
       1,
     ],
     ['a missing circle', [null], 0],
+    ['circles that were never set', new Array(3), 0],
   ])('refuses %s', (_, circles, circle) => {
     expect(errorOf(() => library.compute(circles as Float64Array))).toMatchObject({ code: 'badInput', circle })
   })
@@ -238,7 +239,7 @@ describe('certify', () => {
   it('refuses arrays of another type or length', () => {
     const diagram = library.compute(THREE)
     const error = errorOf(() => library.certify({ ...diagram, edges: new Int32Array(3) }))
-    expect(error).toMatchObject({ code: 'badInput', message: 'edges is not an Int32Array of 4 numbers each.' })
+    expect(error).toMatchObject({ code: 'badInput', message: 'edges is no Int32Array of 4 numbers each.' })
     // @ts-expect-error: the wrong type
     expect(errorOf(() => library.certify({ ...diagram, vertices: [1, 2, 3] })).code).toBe('badInput')
   })

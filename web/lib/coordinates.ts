@@ -22,14 +22,15 @@ export function coordinatesOf(circles: Float64Array | readonly Circle[]): Float6
     throw new CircleVoronoiError('badInput', -1, 'The circles are neither a Float64Array nor an array.')
   }
   const flat = new Float64Array(3 * circles.length)
-  circles.forEach((circle: Partial<Circle> | null, i) => {
-    const { x, y, r } = circle ?? {}
+  // Not forEach, which leaves out what was never set.
+  for (let i = 0; i < circles.length; i++) {
+    const { x, y, r }: Partial<Circle> = circles[i] ?? {}
     if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
       throw new CircleVoronoiError('badInput', i, `Circle ${i} does not have three numbers x, y and r.`)
     }
     flat[3 * i] = x
     flat[3 * i + 1] = y
     flat[3 * i + 2] = r
-  })
+  }
   return flat
 }

@@ -91,5 +91,5 @@ function checkArray(
   size: number,
 ): void {
   if (array instanceof type && array.length % size === 0) return
-  throw new CircleVoronoiError('badInput', -1, `${name} is not an ${type.name} of ${size} numbers each.`)
+  throw new CircleVoronoiError('badInput', -1, `${name} is no ${type.name} of ${size} numbers each.`)
 }
