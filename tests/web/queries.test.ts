@@ -178,6 +178,14 @@ it('one circle is its own hull', () => {
   expect(area).toBeCloseTo(9 * Math.PI, 12)
 })
 
+it.each([2 ** -520, 2 ** -900])('the hull is the same at %d times the size', (size) => {
+  const circles = Float64Array.of(0, 0, 0.1, 1, 0, 0.2, 0, 1, 0.3, 0.9, 0.9, 0.05)
+  const scaled = ({ x, y }: Point) => ({ x: size * x, y: size * y })
+  const large = hull(library.compute(circles)).arcs
+  const small = hull(library.compute(circles.map((value) => size * value))).arcs
+  expect(small).toEqual(large.map((arc) => ({ ...arc, start: scaled(arc.start), end: scaled(arc.end) })))
+})
+
 it('the hull of two circles has two arcs and two tangent segments', () => {
   const { arcs, length, area } = hull(library.compute(Float64Array.of(0, 0, 1, 4, 0, 1)))
   expect(arcs.map(({ angle }) => angle)).toEqual([Math.PI, Math.PI])
