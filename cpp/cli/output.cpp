@@ -61,6 +61,7 @@ std::optional<Box> readBox(std::string_view text) {
   }
   const Box box = {values[0], values[1], values[2], values[3]};
   if (!(box.minX < box.maxX && box.minY < box.maxY)) return std::nullopt;
+  if (!std::isfinite(box.maxX - box.minX) || !std::isfinite(box.maxY - box.minY)) return std::nullopt;
   return box;
 }
 

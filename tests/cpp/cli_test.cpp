@@ -66,7 +66,7 @@ TEST_F(Cli, WritesEveryFormat) {
   EXPECT_NE(textOf("--format obj --box -1,-2,3,4").find("\no cells\n"), std::string::npos);
   EXPECT_TRUE(textOf("--format csv").starts_with("type,index,"));
   expectFailure(run("compute " + kFixture + " --format svg --box 0,0,-1,1"), 2, "--box");
-  for (const char* box : {"0,0,1", "0,0,1,1,1", "0,0,1,x", "0,0,1,inf", "0,0,1,1,"}) {
+  for (const char* box : {"0,0,1", "0,0,1,1,1", "0,0,1,x", "0,0,1,inf", "0,0,1,1,", "-1e308,0,1e308,1"}) {
     expectFailure(run("compute " + kFixture + " --format svg --box " + box), 2, "--box: expected MINX,MINY,MAXX,MAXY.");
   }
   for (const char* tolerance : {"0", "-1", "inf", "small"}) {
