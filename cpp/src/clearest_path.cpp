@@ -102,7 +102,8 @@ class PathFinder {
 
   void offer(std::size_t node, double clearance, std::int32_t edge, std::int32_t before) {
     Reach& reach = reach_[node];
-    if (clearance <= reach.clearance) return;
+    // Never one that is no number, as where squares of lengths underflow: it would have no end.
+    if (!(clearance > reach.clearance)) return;
     reach = {clearance, edge, before};
     pending_.emplace(clearance, node);
   }

@@ -148,5 +148,13 @@ TEST(ClearestPath, GoesThroughTheWiderGap) {
   EXPECT_NEAR(clearestPath(cells, {0, 20}, {0, -20}).clearance, std::sqrt(2.5 * 2.5 + (20 - h) * (20 - h)) - 2, 1e-12);
 }
 
+TEST(ClearestPath, EndsAmongCirclesTooSmallForSquares) {
+  const std::vector<Circle> circles = {
+      {0, 0, 1e-301}, {1e-300, 0, 2e-301}, {0, 1e-300, 3e-301}, {9e-301, 9e-301, 5e-302}};
+  const Diagram diagram = compute(circles).value();
+  const ClearestPath path = clearestPath(Cells(circles, diagram), {0, 0}, {1e-300, 1e-300});
+  EXPECT_LE(path.edges.size(), diagram.edges.size());
+}
+
 }  // namespace
 }  // namespace circle_voronoi

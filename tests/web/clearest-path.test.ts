@@ -162,3 +162,10 @@ it('leads around a single circle by way of infinity', () => {
   const path = clearestPath(library.compute(Float64Array.of(0, 0, 1)), { x: 3, y: 0 }, { x: -4, y: 0 })
   expect(path).toEqual({ clearance: 2, edges: new Int32Array(0), entry: undefined, exit: undefined })
 })
+
+it('ends among circles too small for squares', () => {
+  const circles = Float64Array.of(0, 0, 0.1, 1, 0, 0.2, 0, 1, 0.3, 0.9, 0.9, 0.05).map((value) => 1e-300 * value)
+  const diagram = library.compute(circles)
+  const path = clearestPath(diagram, { x: 0, y: 0 }, { x: 1e-300, y: 1e-300 })
+  expect(path.edges.length).toBeLessThanOrEqual(diagram.edges.length / 4)
+})

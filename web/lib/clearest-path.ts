@@ -118,7 +118,8 @@ function reached(diagram: Diagram, from: Exit | undefined): Reach {
   }
   const pending = new Heap()
   const offer = (node: number, clearance: number, edge: number, before: number) => {
-    if (clearance <= at(reach.clearance, node)) return
+    // Never one that is no number, as where squares of lengths underflow: it would have no end.
+    if (!(clearance > at(reach.clearance, node))) return
     reach.clearance[node] = clearance
     reach.edge[node] = edge
     reach.before[node] = before
