@@ -7,6 +7,7 @@ import {
   edgeAt,
   type LoadOptions,
   loadCircleVoronoi,
+  type Options,
   vertexAt,
 } from '../../web/lib/index.ts'
 import { library } from './library.ts'
@@ -129,8 +130,10 @@ describe('errors', () => {
     { candidates: 3 },
     { method: 'magic' },
     { progress: 1 },
+    null,
+    'auto',
   ])('refuses the options %j', (options) => {
-    expect(errorOf(() => library.compute(THREE, options as object))).toMatchObject({ code: 'badOption', circle: -1 })
+    expect(errorOf(() => library.compute(THREE, options as Options))).toMatchObject({ code: 'badOption', circle: -1 })
   })
 
   it('refuses all pairs of too many circles, and goes on working', () => {

@@ -50,6 +50,9 @@ export interface Options {
  * @throws CircleVoronoiError `badOption`
  */
 export function checkOptions(options: Options): void {
+  if (typeof options !== 'object' || options === null) {
+    throw new CircleVoronoiError('badOption', -1, 'The options are not an object.')
+  }
   const { method, candidates, samples, repair, progress }: { [Name in keyof Options]: unknown } = options
   const isText = (value: unknown) => value === undefined || typeof value === 'string'
   if (!isText(method) || !isText(candidates)) {

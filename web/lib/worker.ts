@@ -72,10 +72,10 @@ class Client implements CircleVoronoiWorker {
   }
 
   async computeAsync(circles: Float64Array | readonly Circle[], options: AsyncOptions = {}): Promise<Diagram> {
+    checkOptions(options)
     const { signal, progress, ...rest } = options
     if (this.#isDisposed) throw disposed()
     signal?.throwIfAborted()
-    checkOptions(options)
     const request = { circles: coordinatesOf(circles), options: rest, tellsProgress: progress !== undefined }
     return new Promise((resolve, reject) => {
       const onAbort = () => this.#cancel(job, signal?.reason)

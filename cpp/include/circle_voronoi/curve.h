@@ -24,6 +24,8 @@ namespace circle_voronoi {
 /// the usual (|a| cosh t, b sinh t), without cancellation near the smaller circle and without functions that differ
 /// between platforms. For equal radii a is 0 and the branch is a straight line, as it is for the other metrics.
 ///
+/// Lengths are squared: below about 1e-150 they count as zero, and arcs of such circles end but are not right.
+///
 /// Multiplying s by a number is an affine map of the branch onto itself: an arc is as curved as the ratio of the
 /// parameters of its ends says, wherever it lies.
 struct Bisector {
