@@ -124,7 +124,9 @@ TEST(Export, EveryVisibleCircleHasASimplePolygonHoweverLargeTheTolerance) {
       SCOPED_TRACE(std::string(family.name) + " " + std::to_string(tolerance));
       ExportOptions options;
       options.tolerance = tolerance * size;
-      for (const Json& feature : Json::parse(textOf(writeGeoJson, circles, options))["features"]) {
+      const Json collection = Json::parse(textOf(writeGeoJson, circles, options));
+      EXPECT_EQ(collection["features"].size(), circles.size());
+      for (const Json& feature : collection["features"]) {
         const auto rings = ringsOf(feature["geometry"]);
         EXPECT_EQ(rings.empty(), feature["properties"].contains("hiddenBy")) << feature["properties"];
         for (const Ring& ring : rings) {
@@ -140,7 +142,9 @@ TEST(Export, PolygonsAreSimpleWhereTheBoxMeetsVertices) {
   const auto circles = generate(Family::hexagonal, 300, 1);
   ExportOptions options;
   options.box = Box{3, 3, 9, 8};
-  for (const Json& feature : Json::parse(textOf(writeGeoJson, circles, options))["features"]) {
+  const Json collection = Json::parse(textOf(writeGeoJson, circles, options));
+  EXPECT_EQ(collection["features"].size(), circles.size());
+  for (const Json& feature : collection["features"]) {
     for (const Ring& ring : ringsOf(feature["geometry"])) EXPECT_TRUE(isSimple(ring)) << feature;
   }
 }
