@@ -11,8 +11,8 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
 #include "fixtures.h"
-#include "geometry.h"
 #include "random.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {

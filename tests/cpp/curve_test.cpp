@@ -8,8 +8,8 @@
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
-#include "geometry.h"
 #include "random.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {

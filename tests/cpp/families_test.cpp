@@ -10,8 +10,8 @@
 #include <set>
 #include <string>
 
-#include "geometry.h"
 #include "random.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
-#include "geometry.h"
+#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {

@@ -17,11 +17,9 @@ add_executable(circle_voronoi_proof_tests
   tie_inputs.cpp
   trial.cpp
   vertex_test.cpp)
-target_compile_definitions(circle_voronoi_proof_tests PRIVATE
-  CIRCLE_VORONOI_FIXTURES="${PROJECT_SOURCE_DIR}/tests/fixtures")
-target_include_directories(circle_voronoi_proof_tests PRIVATE ${PROJECT_SOURCE_DIR}/cpp/src)
 target_link_libraries(circle_voronoi_proof_tests PRIVATE
-  circle_voronoi::circle_voronoi circle_voronoi::io circle_voronoi_options circle_voronoi_oracle
+  circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi::io circle_voronoi_options circle_voronoi_internals
+  circle_voronoi_oracle
   GTest::gtest_main Threads::Threads)
 gtest_discover_tests(circle_voronoi_proof_tests DISCOVERY_MODE PRE_TEST)
 

@@ -15,8 +15,8 @@ struct MergedDiagram {
   /// For each merged vertex its centre and signed radius: those of its member of smallest index.
   std::vector<Vertex> vertices;
   /// The circles of merged vertex v, counter-clockwise around it from the smallest index, are
-  /// circles[firstCircle[v]] up to before circles[firstCircle[v + 1]]. A circle recurs if its cell meets the vertex more
-  /// than once.
+  /// circles[firstCircle[v]] up to before circles[firstCircle[v + 1]]. A circle recurs if its cell meets the vertex
+  /// more than once.
   std::vector<std::int32_t> firstCircle;
   std::vector<std::int32_t> circles;
   /// The edges that remain, in the order of the diagram, between merged vertices.

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "power_diagram.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "spatial_order.h"
+#include "topology.h"
+#include "validate.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Triangulation = CGAL::Regular_triangulation_2<Kernel>;
+using VertexHandle = Triangulation::Vertex_handle;
+
+/// A vertex of the triangulation has no room for an index; of equal circles the first stands for all.
+class Indices {
+ public:
+  explicit Indices(std::span<const Circle> circles) {
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      const Circle& c = circles[i];
+      indices_.emplace(Key{c.x, c.y, c.r * c.r}, static_cast<std::int32_t>(i));
+    }
+  }
+  std::int32_t of(VertexHandle vertex) const {
+    const auto& p = vertex->point();
+    return indices_.at(Key{p.x(), p.y(), p.weight()});
+  }
+
+ private:
+  using Key = std::tuple<double, double, double>;
+  std::map<Key, std::int32_t> indices_;
+};
+
+/// The point of equal power to three circles, relative to the first for accuracy.
+Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c) {
+  const Vector u = between(a, b);
+  const Vector v = between(a, c);
+  const double ku = (dot(u, u) + (a.r - b.r) * (a.r + b.r)) / 2;
+  const double kv = (dot(v, v) + (a.r - c.r) * (a.r + c.r)) / 2;
+  const double determinant = cross(u, v);
+  const Vector centre = {(ku * v.y - kv * u.y) / determinant, (kv * u.x - ku * v.x) / determinant};
+  const double d = length(centre);
+  const double power = (d - a.r) * (d + a.r);
+  return {a.x + centre.x, a.y + centre.y, std::copysign(std::sqrt(std::abs(power)), power)};
+}
+
+/// Centres on a line: parallel edges, and a hull that goes there and back.
+void addChain(const std::vector<std::int32_t>& chain, Diagram& diagram) {
+  for (std::size_t i = 1; i < chain.size(); ++i) diagram.edges.push_back({chain[i - 1], chain[i], kNone, kNone});
+  diagram.hull = chain;
+  for (std::size_t i = chain.size() - 1; i-- > 1;) diagram.hull.push_back(chain[i]);
+}
+
+void addTriangles(const Triangulation& triangulation, const Indices& indices, std::span<const Circle> circles,
+                  Diagram& diagram) {
+  std::map<Triangulation::Face_handle, std::int32_t> vertexOf;
+  for (const auto face : triangulation.finite_face_handles()) {
+    vertexOf[face] = static_cast<std::int32_t>(diagram.vertices.size());
+    const auto& triple = diagram.vertexCircles.emplace_back(std::array<std::int32_t, 3>{
+        indices.of(face->vertex(0)), indices.of(face->vertex(1)), indices.of(face->vertex(2))});
+    const auto circleAt = [&](std::size_t k) { return circles[static_cast<std::size_t>(triple[k])]; };
+    diagram.vertices.push_back(radicalCentre(circleAt(0), circleAt(1), circleAt(2)));
+  }
+  const auto vertexAt = [&](Triangulation::Face_handle face) {
+    return triangulation.is_infinite(face) ? kNone : vertexOf.at(face);
+  };
+  for (const auto& [face, i] : triangulation.finite_edges()) {
+    // The face lies left of the edge from its corner ccw(i) to cw(i); the Voronoi edge leaves it with the latter on its
+    // left.
+    diagram.edges.push_back({indices.of(face->vertex(Triangulation::cw(i))),
+                             indices.of(face->vertex(Triangulation::ccw(i))), vertexAt(face),
+                             vertexAt(face->neighbor(i))});
+  }
+  // Counter-clockwise around infinity is clockwise around the hull.
+  const auto first = triangulation.incident_vertices(triangulation.infinite_vertex());
+  auto corner = first;
+  do {
+    diagram.hull.push_back(indices.of(corner));
+  } while (--corner != first);
+}
+
+Diagram powerDiagramOf(std::span<const Circle> circles) {
+  Triangulation triangulation;
+  std::vector<Point> centres;
+  centres.reserve(circles.size());
+  for (const Circle& c : circles) centres.push_back({c.x, c.y});
+  // In an order of our own: CGAL's differs between standard libraries, and with it the numbers of vertices.
+  Triangulation::Face_handle hint;
+  for (const int i : spatialOrder(centres)) {
+    const Circle& c = circles[static_cast<std::size_t>(i)];
+    hint = triangulation.insert({Kernel::Point_2(c.x, c.y), c.r * c.r}, hint)->face();
+  }
+  const Indices indices(circles);
+
+  Diagram diagram;
+  std::vector<VertexHandle> visible(triangulation.finite_vertex_handles().begin(),
+                                    triangulation.finite_vertex_handles().end());
+  std::vector<bool> isVisible(circles.size(), false);
+  for (const VertexHandle vertex : visible) isVisible[static_cast<std::size_t>(indices.of(vertex))] = true;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    if (!isVisible[i]) diagram.hidden.push_back({static_cast<std::int32_t>(i), kNone});
+  }
+  if (triangulation.dimension() == 2) {
+    addTriangles(triangulation, indices, circles, diagram);
+  } else if (!visible.empty()) {
+    std::sort(visible.begin(), visible.end(), [](VertexHandle a, VertexHandle b) {
+      return std::pair(a->point().x(), a->point().y()) < std::pair(b->point().x(), b->point().y());
+    });
+    std::vector<std::int32_t> chain;
+    for (const VertexHandle vertex : visible) chain.push_back(indices.of(vertex));
+    addChain(chain, diagram);
+  }
+  if (!diagram.hull.empty()) rotateHull(diagram.hull);
+  diagram.stats.method = "power";
+  return diagram;
+}
+
+}  // namespace
+
+Result<Diagram> powerDiagram(std::span<const Circle> circles) {
+  const auto scaled = validate(circles);
+  if (!scaled) return scaled.error();
+  Diagram diagram = powerDiagramOf(scaled.value().circles);
+  const double unit = scaled.value().unit;
+  for (auto& [x, y, radius] : diagram.vertices) {
+    x *= unit;
+    y *= unit;
+    radius *= unit;
+  }
+  return diagram;
+}
+
+}  // namespace circle_voronoi

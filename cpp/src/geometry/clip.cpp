@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// A parameter between two.
+double between(double from, double to) {
+  if (from == 0) return to == kInfinite ? 1 : to / 2;
+  return to == kInfinite ? 2 * from : std::sqrt(from) * std::sqrt(to);
+}
+
+Point onSide(const ConvexPolygon& region, std::int32_t side, Point p) {
+  const auto k = static_cast<std::size_t>(side);
+  const Point from = region.corners()[k];
+  const Point to = region.cornerAfter(k);
+  const Vector direction = {to.x - from.x, to.y - from.y};
+  const double share = dot({p.x - from.x, p.y - from.y}, direction) / dot(direction, direction);
+  if (share <= 0) return from;
+  if (share >= 1) return to;
+  return {from.x + share * direction.x, from.y + share * direction.y};
+}
+
+}  // namespace
+
+// With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
+// (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex
+// along).
+LineCrossing::LineCrossing(const Bisector& bisector, Point p, Vector direction) {
+  const Vector normal = {direction.y, -direction.x};
+  const double a = -std::abs(bisector.a) * dot(normal, bisector.along);
+  const double b = bisector.b * dot(normal, bisector.across);
+  const double k =
+      dot(normal, {p.x - bisector.origin.x, p.y - bisector.origin.y}) - bisector.apex * dot(normal, bisector.along);
+  growth_ = a + b;
+  half_ = a + k;
+  decay_ = a - b;
+  const double discriminant = k * (k + 2 * a) + b * b;
+  if (!(discriminant > 0)) return;
+  const double sum = half_ + std::copysign(std::sqrt(discriminant), half_);
+  for (const double s : {sum / growth_, decay_ / sum}) {
+    if (s > 0 && s < kInfinite) parameters_.push_back(s);
+  }
+  std::sort(parameters_.begin(), parameters_.end());
+}
+
+bool LineCrossing::isRight(double from, double to) const {
+  const double middle = between(from, to);
+  const auto height = [&](double s) { return growth_ * s - 2 * half_ + decay_ / s; };
+  // The branch may touch the line in one of any two points, but not in both.
+  const double first = height(between(from, middle));
+  const double second = height(between(middle, to));
+  return (std::abs(first) > std::abs(second) ? first : second) > 0;
+}
+
+std::vector<Span> clipSpans(const EdgeCurve& curve, const ConvexPolygon& region) {
+  std::vector<Span> spans = {{curve.from, curve.to, kNone, kNone}};
+  std::vector<Span> kept;
+  for (std::size_t k = 0; k < region.size() && !spans.empty(); ++k) {
+    const Point from = region.corners()[k];
+    const Point to = region.cornerAfter(k);
+    const LineCrossing crossing(curve.bisector, from, {to.x - from.x, to.y - from.y});
+    const auto side = static_cast<std::int32_t>(k);
+    kept.clear();
+    for (Span rest : spans) {
+      const auto keep = [&](const Span& span) {
+        if (!crossing.isRight(span.from, span.to)) kept.push_back(span);
+      };
+      for (const double s : crossing.parameters()) {
+        if (s <= rest.from || s >= rest.to) continue;
+        keep({rest.from, s, rest.cutFrom, side});
+        rest.from = s;
+        rest.cutFrom = side;
+      }
+      keep(rest);
+    }
+    spans.swap(kept);
+  }
+  return spans;
+}
+
+EdgeCurve part(const EdgeCurve& curve, const Span& span, const ConvexPolygon& region) {
+  EdgeCurve result = curve;
+  result.from = span.from;
+  result.to = span.to;
+  if (span.cutFrom != kNone) result.start = onSide(region, span.cutFrom, pointAt(curve.bisector, span.from));
+  if (span.cutTo != kNone) result.end = onSide(region, span.cutTo, pointAt(curve.bisector, span.to));
+  return result;
+}
+
+std::vector<EdgeCurve> clip(const EdgeCurve& curve, const ConvexPolygon& region) {
+  std::vector<EdgeCurve> pieces;
+  for (const Span& span : clipSpans(curve, region)) {
+    const EdgeCurve piece = part(curve, span, region);
+    if (piece.isBounded()) pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/convex_polygon.h"
+
+#include <cmath>
+
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+Vector difference(Point from, Point to) { return {to.x - from.x, to.y - from.y}; }
+
+/// Whether a direction lies in the half-open upper half-plane; it changes twice in each full turn.
+bool isUpper(Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); }
+
+}  // namespace
+
+ConvexPolygon::ConvexPolygon(const Box& box)
+    : corners_{{box.minX, box.minY}, {box.maxX, box.minY}, {box.maxX, box.maxY}, {box.minX, box.maxY}} {}
+
+Result<ConvexPolygon> ConvexPolygon::from(std::span<const Point> corners) {
+  const auto fail = [](const char* message) { return Error{ErrorCode::badOption, -1, message}; };
+  if (corners.size() < 3) return fail("A convex polygon needs three corners or more.");
+  for (const Point& p : corners) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return fail("A corner of the polygon is not finite.");
+  }
+  const std::size_t n = corners.size();
+  int halfTurns = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector in = difference(corners[i], corners[(i + 1) % n]);
+    const Vector out = difference(corners[(i + 1) % n], corners[(i + 2) % n]);
+    if (in.x == 0 && in.y == 0) return fail("Two corners of the polygon in a row are equal.");
+    const double turn = cross(in, out);
+    if (turn < 0 || (turn == 0 && dot(in, out) < 0)) {
+      return fail("The polygon is not convex, or its corners are not counter-clockwise.");
+    }
+    if (isUpper(in) != isUpper(out)) ++halfTurns;
+  }
+  if (halfTurns != 2) return fail("The polygon winds more than once, or has no area.");
+  return ConvexPolygon(std::vector<Point>(corners.begin(), corners.end()));
+}
+
+bool ConvexPolygon::contains(Point p) const {
+  for (std::size_t k = 0; k < size(); ++k) {
+    if (cross(difference(corners_[k], cornerAfter(k)), difference(corners_[k], p)) < 0) return false;
+  }
+  return true;
+}
+
+double ConvexPolygon::area() const {
+  double twice = 0;
+  for (std::size_t k = 0; k < size(); ++k) {
+    twice += cross(difference(corners_[0], corners_[k]), difference(corners_[0], cornerAfter(k)));
+  }
+  return twice / 2;
+}
+
+Point ConvexPolygon::middle() const {
+  Point sum;
+  for (const Point& p : corners_) {
+    sum.x += p.x / static_cast<double>(size());
+    sum.y += p.y / static_cast<double>(size());
+  }
+  return sum;
+}
+
+}  // namespace circle_voronoi

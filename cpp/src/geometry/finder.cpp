@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Up to so many sides it is quicker to ask every neighbour, and the nearest one makes the longest step.
+constexpr std::size_t kFewSides = 24;
+
+std::size_t bucketOf(double offset, double size, std::size_t count) {
+  const double bucket = offset / size;
+  return bucket > 0 ? static_cast<std::size_t>(std::min(bucket, static_cast<double>(count - 1))) : 0;
+}
+
+/// The direction from the cell's centre in which a side begins.
+Vector beginningOf(const Cells& cells, std::int32_t side) {
+  const Circle& c = cells.circles()[static_cast<std::size_t>(cells.circleOf(side))];
+  const std::int32_t origin = cells.originOf(side);
+  if (origin != kNone) {
+    const Vertex& v = cells.diagram().vertices[static_cast<std::size_t>(origin)];
+    return {v.x - c.x, v.y - c.y};
+  }
+  // The limit of point(s) as s goes to 0.
+  const Bisector bisector = cells.curveOf(side).bisector;
+  const double a = std::abs(bisector.a);
+  return {-a * bisector.along.x - bisector.b * bisector.across.x,
+          -a * bisector.along.y - bisector.b * bisector.across.y};
+}
+
+/// Whether turning counter-clockwise from `reference` one meets v no later than w.
+bool noLater(Vector reference, Vector v, Vector w) {
+  const auto isSecondHalf = [&](Vector u) {
+    const double side = cross(reference, u);
+    return side < 0 || (side == 0 && dot(reference, u) < 0);
+  };
+  if (isSecondHalf(v) != isSecondHalf(w)) return isSecondHalf(w);
+  return cross(v, w) >= 0;
+}
+
+}  // namespace
+
+Finder::Finder(const Cells& cells) : cells_(cells) {
+  const auto circles = cells.circles();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+  std::size_t visible = 0;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    if (!cells.exists(static_cast<std::int32_t>(i))) continue;
+    ++visible;
+    box.minX = std::min(box.minX, circles[i].x);
+    box.minY = std::min(box.minY, circles[i].y);
+    box.maxX = std::max(box.maxX, circles[i].x);
+    box.maxY = std::max(box.maxY, circles[i].y);
+  }
+  if (visible == 0) return;
+
+  corner_ = {box.minX, box.minY};
+  const double perBucket = 2;
+  const auto count = static_cast<std::size_t>(std::sqrt(static_cast<double>(visible) / perBucket)) + 1;
+  columns_ = rows_ = count;
+  // Centres on one line leave a grid without width or height; any size does there.
+  if (box.maxX > box.minX) width_ = (box.maxX - box.minX) / static_cast<double>(columns_);
+  if (box.maxY > box.minY) height_ = (box.maxY - box.minY) / static_cast<double>(rows_);
+
+  starts_.assign(columns_ * rows_, kNone);
+  std::deque<std::size_t> filled;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    if (!cells.exists(static_cast<std::int32_t>(i))) continue;
+    const std::size_t bucket = bucketOf(circles[i].y - corner_.y, height_, rows_) * columns_ +
+                               bucketOf(circles[i].x - corner_.x, width_, columns_);
+    if (starts_[bucket] == kNone) filled.push_back(bucket);
+    starts_[bucket] = static_cast<std::int32_t>(i);
+  }
+  // Empty buckets take the start of a filled one near them.
+  while (!filled.empty()) {
+    const std::size_t bucket = filled.front();
+    filled.pop_front();
+    const auto spread = [&](std::size_t next) {
+      if (starts_[next] != kNone) return;
+      starts_[next] = starts_[bucket];
+      filled.push_back(next);
+    };
+    const std::size_t column = bucket % columns_;
+    if (column > 0) spread(bucket - 1);
+    if (column + 1 < columns_) spread(bucket + 1);
+    if (bucket >= columns_) spread(bucket - columns_);
+    if (bucket + columns_ < starts_.size()) spread(bucket + columns_);
+  }
+}
+
+std::int32_t Finder::startNear(Point p) const {
+  return starts_[bucketOf(p.y - corner_.y, height_, rows_) * columns_ + bucketOf(p.x - corner_.x, width_, columns_)];
+}
+
+std::int32_t Finder::find(Point p, std::int32_t hint) const {
+  if (starts_.empty()) return kNone;
+  std::int32_t circle = startNear(p);
+  if (hint != kNone && cells_.exists(hint) && cells_.distance(hint, p) < cells_.distance(circle, p)) circle = hint;
+  // Each step comes strictly nearer, so none is made twice.
+  for (std::int32_t next = circle; next != kNone; next = nearerNeighbor(circle, p)) circle = next;
+  return circle;
+}
+
+std::vector<std::int32_t> Finder::findAll(std::span<const Point> points) const {
+  std::vector<std::int32_t> result;
+  result.reserve(points.size());
+  for (const Point& p : points) result.push_back(find(p, result.empty() ? kNone : result.back()));
+  return result;
+}
+
+/// A neighbour nearer to p than the circle itself, or kNone.
+std::int32_t Finder::nearerNeighbor(std::int32_t circle, Point p) const {
+  const auto sides = cells_.sides(circle);
+  double least = cells_.distance(circle, p);
+  std::int32_t nearest = kNone;
+  const auto ask = [&](std::int32_t side) {
+    const std::int32_t neighbor = cells_.neighborOf(side);
+    const double distance = cells_.distance(neighbor, p);
+    if (distance < least) {
+      least = distance;
+      nearest = neighbor;
+    }
+  };
+  if (sides.size() <= kFewSides || cells_.metric() == Metric::power) {
+    std::ranges::for_each(sides, ask);
+    return nearest;
+  }
+  const Circle& c = cells_.circles()[static_cast<std::size_t>(circle)];
+  const Vector toPoint = {p.x - c.x, p.y - c.y};
+  const Vector reference = beginningOf(cells_, sides.front());
+  const auto after = std::ranges::partition_point(
+      sides, [&](std::int32_t side) { return noLater(reference, beginningOf(cells_, side), toPoint); });
+  // Rounding may be off by a side of next to no length.
+  const auto k = static_cast<std::size_t>(after - sides.begin()) + sides.size();
+  for (const std::size_t offset : {0U, 1U, 2U, 3U}) ask(sides[(k + 1 - offset) % sides.size()]);
+  return nearest;
+}
+
+}  // namespace circle_voronoi

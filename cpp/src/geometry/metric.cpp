@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/metric.h"
+
+#include "vectors.h"
+
+namespace circle_voronoi {
+
+double distance(Metric metric, const Circle& circle, Point p) {
+  const double toCentre = length({p.x - circle.x, p.y - circle.y});
+  switch (metric) {
+    case Metric::centres:
+      return toCentre;
+    case Metric::power:
+      return (toCentre - circle.r) * (toCentre + circle.r);
+    case Metric::circles:
+      break;
+  }
+  return toCentre - circle.r;
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "arc_measure.h"
+#include "circle_voronoi/cells.h"
+#include "clip.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// The boundary of a region as one closed line, measured counter-clockwise from its first corner.
+class Ring {
+ public:
+  explicit Ring(const ConvexPolygon& region) : region_(region) {
+    reach_.reserve(region.size() + 1);
+    reach_.push_back(0);
+    for (std::size_t k = 0; k < region.size(); ++k) reach_.push_back(reach_.back() + length(side(k)));
+  }
+
+  double total() const { return reach_.back(); }
+
+  /// The place on side `k` next to a point.
+  double placeOn(std::size_t k, Point p) const {
+    const Vector direction = side(k);
+    const double size = reach_[k + 1] - reach_[k];
+    const Point corner = region_.corners()[k];
+    return reach_[k] + std::clamp(dot({p.x - corner.x, p.y - corner.y}, direction) / size, 0.0, size);
+  }
+
+  /// The place next to a point.
+  double placeNear(Point p) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    double place = 0;
+    for (std::size_t k = 0; k < region_.size(); ++k) {
+      const double candidate = placeOn(k, p);
+      const Point q = at(candidate);
+      const double gap = length({p.x - q.x, p.y - q.y});
+      if (gap < nearest) {
+        nearest = gap;
+        place = candidate;
+      }
+    }
+    return place;
+  }
+
+  Point at(double place) const {
+    const std::size_t k = sideAt(place);
+    const double share = (place - reach_[k]) / (reach_[k + 1] - reach_[k]);
+    const Point corner = region_.corners()[k];
+    const Vector direction = side(k);
+    return {corner.x + share * direction.x, corner.y + share * direction.y};
+  }
+
+  /// The corners strictly between two places; `to` may be up to two rounds ahead.
+  std::vector<Point> cornersBetween(double from, double to) const {
+    std::vector<Point> corners;
+    for (int round = 0; round < 3; ++round) {
+      for (std::size_t k = 0; k < region_.size(); ++k) {
+        const double place = reach_[k] + round * total();
+        if (from < place && place < to) corners.push_back(region_.corners()[k]);
+      }
+    }
+    return corners;
+  }
+
+ private:
+  Vector side(std::size_t k) const {
+    const Point from = region_.corners()[k];
+    const Point to = region_.cornerAfter(k);
+    return {to.x - from.x, to.y - from.y};
+  }
+
+  std::size_t sideAt(double place) const {
+    const auto after = std::upper_bound(reach_.begin(), reach_.end() - 1, place);
+    return static_cast<std::size_t>(after - reach_.begin()) - 1;
+  }
+
+  const ConvexPolygon& region_;
+  std::vector<double> reach_;
+};
+
+/// Sides of a cell inside the region that follow each other without a gap, and where on the ring they begin and end.
+struct Chain {
+  std::vector<OutlinePiece> pieces;
+  double entry = 0;
+  double exit = 0;
+};
+
+void appendSegment(std::vector<OutlinePiece>& loop, Point from, Point to) {
+  if (from != to) loop.push_back({segment(from, to), kNone, kNone});
+}
+
+std::vector<OutlinePiece> ringLoop(const ConvexPolygon& region) {
+  std::vector<OutlinePiece> loop;
+  for (std::size_t k = 0; k < region.size(); ++k) appendSegment(loop, region.corners()[k], region.cornerAfter(k));
+  return loop;
+}
+
+class Clipper {
+ public:
+  Clipper(const Cells& cells, std::int32_t circle, const ConvexPolygon& region)
+      : cells_(cells), circle_(circle), region_(region), ring_(region) {}
+
+  Outline run() {
+    if (!cells_.exists(circle_)) return {};
+    const bool isClosed = collectChains();
+    if (chains_.empty()) {
+      if (cells_.contains(circle_, region_.middle())) return {ringLoop(region_)};
+      return {};
+    }
+    if (isClosed) return {std::move(chains_.front().pieces)};
+    return joinChains();
+  }
+
+ private:
+  /// Returns whether the sides close by themselves: the cell lies inside the region.
+  bool collectChains() {
+    bool linked = false;           // whether the last chain goes on with the next side
+    bool firstIsAtOrigin = false;  // whether the first chain begins where its side begins
+    const auto sides = cells_.sides(circle_);
+    for (const std::int32_t side : sides) {
+      bool goesOn = false;
+      for (const auto& [piece, cutFrom, cutTo] : piecesOf(side)) {
+        const bool isAtOrigin = cutFrom == kNone;
+        if (!linked || !isAtOrigin) {
+          if (chains_.empty()) firstIsAtOrigin = isAtOrigin && side == sides.front();
+          chains_.emplace_back().entry = place(cutFrom, piece.start);
+        }
+        linked = false;
+        goesOn = cutTo == kNone;
+        chains_.back().pieces.push_back({piece, side, cells_.neighborOf(side)});
+        chains_.back().exit = place(cutTo, piece.end);
+      }
+      linked = goesOn;
+    }
+    if (!linked || !firstIsAtOrigin) return false;
+    if (chains_.size() == 1) return true;
+    Chain& last = chains_.back();
+    last.exit = chains_.front().exit;
+    std::ranges::move(chains_.front().pieces, std::back_inserter(last.pieces));
+    chains_.erase(chains_.begin());
+    return false;
+  }
+
+  struct Piece {
+    EdgeCurve curve;
+    std::int32_t cutFrom = kNone;
+    std::int32_t cutTo = kNone;
+  };
+
+  /// The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the
+  /// cells on either side meet bit for bit.
+  std::vector<Piece> piecesOf(std::int32_t side) const {
+    const EdgeCurve curve = edgeCurve(cells_.circles(), cells_.diagram(), side / 2, cells_.metric());
+    std::vector<Piece> pieces;
+    for (const auto& span : clipSpans(curve, region_)) {
+      const EdgeCurve piece = part(curve, span, region_);
+      if (piece.isBounded()) pieces.push_back({piece, span.cutFrom, span.cutTo});
+    }
+    if (side % 2 == 0) return pieces;
+    std::ranges::reverse(pieces);
+    for (auto& [piece, cutFrom, cutTo] : pieces) {
+      piece = reversed(piece);
+      std::swap(cutFrom, cutTo);
+    }
+    return pieces;
+  }
+
+  /// Where a chain begins or ends. Rounding may end it at a vertex next to the boundary.
+  double place(std::int32_t cut, Point p) const {
+    return cut == kNone ? ring_.placeNear(p) : ring_.placeOn(static_cast<std::size_t>(cut), p);
+  }
+
+  /// Along the ring exits and entries of the cell alternate. To pair the k-th exit with the k-th entry, or the one
+  /// after it, is right wherever rounding confuses the order of an exit and an entry next to each other; it takes a
+  /// place to begin that is neither, and is known to be inside the cell or not.
+  Outline joinChains() {
+    const double begin = clearPlace();
+    const bool beginsInside = lead(ring_.at(begin)) > 0;
+    const auto ahead = [&](double place) { return place < begin ? place + ring_.total() : place; };
+    const std::size_t count = chains_.size();
+    std::vector<std::size_t> byExit(count);
+    for (std::size_t i = 0; i < count; ++i) byExit[i] = i;
+    std::vector<std::size_t> byEntry = byExit;
+    std::ranges::sort(byExit, {}, [&](std::size_t i) { return ahead(chains_[i].exit); });
+    std::ranges::sort(byEntry, {}, [&](std::size_t i) { return ahead(chains_[i].entry); });
+
+    std::vector<std::size_t> next(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = byExit[k];
+      const std::size_t j = byEntry[beginsInside ? (k + 1) % count : k];
+      next[i] = j;
+      const double from = ahead(chains_[i].exit);
+      const double to = ahead(chains_[j].entry) + (beginsInside && k + 1 == count ? ring_.total() : 0);
+      Point last = chains_[i].pieces.back().curve.end;
+      for (const Point& corner : ring_.cornersBetween(from, to)) {
+        appendSegment(chains_[i].pieces, last, corner);
+        last = corner;
+      }
+      appendSegment(chains_[i].pieces, last, chains_[j].pieces.front().curve.start);
+    }
+
+    Outline outline;
+    std::vector<bool> isDone(count, false);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (isDone[i]) continue;
+      auto& loop = outline.emplace_back();
+      for (std::size_t j = i; !isDone[j]; j = next[j]) {
+        isDone[j] = true;
+        std::ranges::move(chains_[j].pieces, std::back_inserter(loop));
+      }
+    }
+    return outline;
+  }
+
+  /// A place in one of the largest gaps between entries and exits: of several that where the cell's own circle and the
+  /// others differ most. One alone may lie on the boundary of both the region and the cell.
+  double clearPlace() const {
+    struct Gap {
+      double size;
+      double start;
+    };
+    std::vector<double> places;
+    for (const Chain& chain : chains_) places.insert(places.end(), {chain.entry, chain.exit});
+    std::ranges::sort(places);
+    std::vector<Gap> gaps;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double next = i + 1 < places.size() ? places[i + 1] : places.front() + ring_.total();
+      gaps.push_back({next - places[i], places[i]});
+    }
+    constexpr std::size_t kTried = 4;
+    const auto tried = gaps.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, gaps.size()));
+    std::ranges::partial_sort(gaps, tried, std::ranges::greater(), &Gap::size);
+    double best = -1;
+    double place = 0;
+    for (auto gap = gaps.begin(); gap != tried; ++gap) {
+      for (const double share : {0.5, 0.3, 0.8}) {
+        const double ahead = gap->start + share * gap->size;
+        const double candidate = ahead < ring_.total() ? ahead : ahead - ring_.total();
+        const double difference = std::abs(lead(ring_.at(candidate)));
+        if (difference > best) {
+          best = difference;
+          place = candidate;
+        }
+      }
+    }
+    return place;
+  }
+
+  /// How much nearer the circle is to a point than its nearest neighbour.
+  double lead(Point p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::int32_t side : cells_.sides(circle_)) {
+      least = std::min(least, cells_.distance(cells_.neighborOf(side), p));
+    }
+    return least - cells_.distance(circle_, p);
+  }
+
+  const Cells& cells_;
+  std::int32_t circle_;
+  const ConvexPolygon& region_;
+  Ring ring_;
+  std::vector<Chain> chains_;
+};
+
+/// Moments relative to the start of the first piece.
+Moments momentsOf(const Outline& outline) {
+  const Point reference = outline.front().front().curve.start;
+  Moments sum;
+  for (const auto& loop : outline) {
+    for (const auto& [curve, side, neighbor] : loop) {
+      const Vector u = {curve.start.x - reference.x, curve.start.y - reference.y};
+      const Vector v = {curve.end.x - reference.x, curve.end.y - reference.y};
+      const double triangle = cross(u, v) / 2;
+      const Moments beyond = momentsOverChord(curve, reference);
+      sum.area += triangle + beyond.area;
+      sum.x += triangle * (u.x + v.x) / 3 + beyond.x;
+      sum.y += triangle * (u.y + v.y) / 3 + beyond.y;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+Outline outline(const Cells& cells, std::int32_t circle, const ConvexPolygon& region) {
+  return Clipper(cells, circle, region).run();
+}
+
+double area(const Outline& outline) { return outline.empty() ? 0 : momentsOf(outline).area; }
+
+Point centroid(const Outline& outline) {
+  if (outline.empty()) return {};
+  const Point reference = outline.front().front().curve.start;
+  const Moments moments = momentsOf(outline);
+  if (moments.area > 0) return {reference.x + moments.x / moments.area, reference.y + moments.y / moments.area};
+  Vector sum;
+  double count = 0;
+  for (const auto& loop : outline) {
+    for (const OutlinePiece& piece : loop) {
+      sum.x += piece.curve.start.x - reference.x;
+      sum.y += piece.curve.start.y - reference.y;
+      ++count;
+    }
+  }
+  return {reference.x + sum.x / count, reference.y + sum.y / count};
+}
+
+double perimeter(const Outline& outline) {
+  double sum = 0;
+  for (const auto& loop : outline) {
+    for (const OutlinePiece& piece : loop) sum += arcLength(piece.curve);
+  }
+  return sum;
+}
+
+}  // namespace circle_voronoi

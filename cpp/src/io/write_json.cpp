@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/io.h"
+#include "stats.h"
+#include "writer.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// `[` the items, each written by `item(i)`, a line each, `]`.
+template <class Item>
+void writeLines(Writer& out, std::size_t count, Item item) {
+  out << "[";
+  for (std::size_t i = 0; i < count; ++i) {
+    out << (i == 0 ? "\n  " : ",\n  ");
+    item(i);
+  }
+  out << (count == 0 ? "]" : "\n ]");
+}
+
+template <class Struct, class Field, std::size_t count>
+void writeFields(Writer& out, const Struct& values, const std::array<NamedField<Struct, Field>, count>& fields) {
+  std::string_view separator = "{";
+  for (const auto& [name, field] : fields) {
+    out << separator << "\"" << name << "\": " << values.*field;
+    separator = ", ";
+  }
+  out << "}";
+}
+
+void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
+  const auto& [method, way, candidates, counts, seconds] = diagram.stats;
+  const Certificate& certificate = diagram.certificate;
+  out << "{\"method\": \"" << method << "\", \"way\": \"" << way << "\", \"candidates\": \"" << candidates << "\",\n"
+      << indent << " \"certificate\": {\"certified\": " << (certificate.certified() ? "true" : "false")
+      << ", \"flaw\": \"" << flawName(certificate.flaw) << "\", \"circle\": " << certificate.circle
+      << ", \"vertex\": " << certificate.vertex << ", \"edge\": " << certificate.edge << ", \"message\": \""
+      << certificate.message << "\"},\n"
+      << indent << " \"counts\": ";
+  writeFields(out, counts, kCounts);
+  out << ",\n" << indent << " \"seconds\": ";
+  writeFields(out, seconds, kSeconds);
+  out << "}";
+}
+
+}  // namespace
+
+void writeJson(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram) {
+  Writer out(stream);
+  out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n \"circles\": ";
+  writeLines(out, circles.size(), [&](std::size_t i) {
+    out << "{\"x\": " << circles[i].x << ", \"y\": " << circles[i].y << ", \"r\": " << circles[i].r << "}";
+  });
+  out << ",\n \"hidden\": ";
+  writeLines(out, diagram.hidden.size(), [&](std::size_t i) {
+    out << "{\"circle\": " << diagram.hidden[i].circle << ", \"by\": " << diagram.hidden[i].by << "}";
+  });
+  out << ",\n \"vertices\": ";
+  writeLines(out, diagram.vertices.size(), [&](std::size_t i) {
+    const Vertex& vertex = diagram.vertices[i];
+    const auto& [a, b, c] = diagram.vertexCircles[i];
+    out << "{\"x\": " << vertex.x << ", \"y\": " << vertex.y << ", \"radius\": " << vertex.radius << ", \"circles\": ["
+        << a << ", " << b << ", " << c << "]}";
+  });
+  out << ",\n \"edges\": ";
+  writeLines(out, diagram.edges.size(), [&](std::size_t i) {
+    const Edge& edge = diagram.edges[i];
+    out << "{\"circles\": [" << edge.left << ", " << edge.right << "], \"vertices\": [" << edge.start << ", "
+        << edge.end << "]}";
+  });
+  out << ",\n \"hull\": [";
+  std::string_view separator;
+  for (const std::int32_t circle : diagram.hull) {
+    out << separator << circle;
+    separator = ", ";
+  }
+  out << "],\n \"stats\": ";
+  writeStats(out, diagram, " ");
+  out << "}\n";
+}
+
+void writeStatsJson(std::ostream& stream, const Diagram& diagram) {
+  Writer out(stream);
+  writeStats(out, diagram, "");
+  out << "\n";
+}
+
+}  // namespace circle_voronoi

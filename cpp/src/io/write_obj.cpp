@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/export.h"
+#include "export_frame.h"
+#include "writer.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Points, and then the element that joins them, which counts all points of the file from 1.
+void writeElement(Writer& out, std::string_view element, const std::vector<Point>& points, std::int64_t& count) {
+  for (const Point& p : points) out << "v " << p.x << " " << p.y << " 0\n";
+  out << element;
+  for (std::size_t i = 0; i < points.size(); ++i) out << " " << ++count;
+  out << "\n";
+}
+
+}  // namespace
+
+void writeObj(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
+              const ExportOptions& options) {
+  Writer out(stream);
+  const ExportFrame frame(circles, diagram, options);
+  std::int64_t count = 0;
+  out << "# Voronoi diagram of circles\no edges\n";
+  for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+    for (const EdgeCurve& piece : clip(edgeCurve(circles, diagram, e), frame.box)) {
+      writeElement(out, "l", polyline(piece, frame.tolerance), count);
+    }
+  }
+  out << "o cells\n";
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+    out << "g circle" << i << "\n";
+    for (const auto& ring : ringsOf(frame, i)) writeElement(out, "f", ring, count);
+  }
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/export.h"
+#include "export_frame.h"
+#include "writer.h"
+
+namespace circle_voronoi {
+namespace {
+
+void writePoint(Writer& out, Point p) { out << p.x << " " << p.y; }
+
+void writePolygon(Writer& out, const std::vector<Point>& ring) {
+  out << "((";
+  for (const Point& p : ring) {
+    writePoint(out, p);
+    out << ", ";
+  }
+  writePoint(out, ring.front());
+  out << "))";
+}
+
+}  // namespace
+
+void writeWkt(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
+              const ExportOptions& options) {
+  Writer out(stream);
+  const ExportFrame frame(circles, diagram, options);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+    const auto rings = ringsOf(frame, i);
+    if (rings.empty()) {
+      out << "POLYGON EMPTY\n";
+      continue;
+    }
+    out << (rings.size() == 1 ? "POLYGON " : "MULTIPOLYGON (");
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+      if (k > 0) out << ", ";
+      writePolygon(out, rings[k]);
+    }
+    out << (rings.size() == 1 ? "\n" : ")\n");
+  }
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "infinity.h"
+
+namespace circle_voronoi {
+
+/// A triangulation of the sphere (the plane and the point at infinity) in half-edges; the dual of a Voronoi diagram.
+///
+/// Half-edge h runs from corner origin[h] to corner origin[next(h)] with face h / 3 on its left; twin[h] runs the
+/// other way with the neighbouring face on its left. Corners are circle indices or kInfinity. Two corners may share
+/// several edges. With m >= 2 corners besides infinity there are 2 m - 2 faces, collinear centres included
+/// (Euler, m + 1 vertices on the sphere).
+struct Dual {
+  std::vector<int> origin;
+  std::vector<int> twin;
+
+  int faceCount() const { return static_cast<int>(origin.size() / 3); }
+  int halfEdgeCount() const { return static_cast<int>(origin.size()); }
+  int target(int h) const { return origin[next(h)]; }
+  bool isFinite(int face) const {
+    return origin[3 * face] != kInfinity && origin[3 * face + 1] != kInfinity && origin[3 * face + 2] != kInfinity;
+  }
+
+  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+};
+
+}  // namespace circle_voronoi

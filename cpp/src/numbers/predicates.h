@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "circle_voronoi/circle.h"
+#include "exact.h"
+#include "homogeneous_disc.h"
+#include "infinity.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+
+/// How often each stage of a predicate decided.
+struct FilterCounts {
+  std::int64_t filtered = 0;  ///< floating point with an error bound
+  std::int64_t refined = 0;   ///< double-double arithmetic with an error bound
+  std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centres (equal radii)
+  std::int64_t exact = 0;     ///< exact, in full
+};
+
+/// The disc of a face of the dual, or its tangent line, with an error bound: the homogeneous point (v : w), w >= 0,
+/// relative to the centre of circle `origin`. Seen from any circle c of the face, the direction to the centre of the
+/// disc is v + w (origin - c); each component is right within `error`.
+struct FaceDisc {
+  Vector v;
+  double w = 0;
+  double error = 0;
+  int origin = kInfinity;
+  bool exists = false;
+};
+
+/// The signs that the construction and the certificate rest on. Each is exact: double arithmetic with a proven error
+/// bound first, double-double if that does not decide, then integers (exact.h). A zero is a tie.
+class Predicates {
+ public:
+  /// `circles` must outlive the predicates and must not hide one another.
+  explicit Predicates(std::span<const Circle> circles) : circles_(circles) {}
+
+  using Triple = std::array<int, 3>;
+
+  /// The disc of three circles counter-clockwise; one of them may be kInfinity.
+  FaceDisc disc(const Triple& face);
+
+  /// The direction to a disc from circle `from`, a corner of its face.
+  Direction<double> direction(int from, const FaceDisc& disc) const {
+    const Circle& o = circles_[disc.origin];
+    const Circle& c = circles_[from];
+    return {disc.v.x + disc.w * (o.x - c.x), disc.v.y + disc.w * (o.y - c.y), disc.error};
+  }
+
+  /// The sign of the cross product u x v of two directions, 0 if their error bounds do not decide.
+  int filteredCross(const Direction<double>& u, const Direction<double>& v) {
+    const int sign = circle_voronoi::filteredCross(u, v);
+    counts_.filtered += sign != 0;
+    return sign;
+  }
+
+  /// The sign of the cross product of the directions to the discs of two faces, seen from a corner of both, by the
+  /// stages after the filter.
+  int refinedCross(int from, const Triple& first, const Triple& second);
+
+  /// For faces (a, b, c) and (b, a, d) that have discs: 1 if the discs lie in order along the bisector, that of (b, a,
+  /// d) first when going with a on the left; 0 if they are the same; -1 if they are out of order. An end at infinity is
+  /// always in order. a and b are finite.
+  int edgeOrder(int a, int b, int c, int d, const FaceDisc& abc, const FaceDisc& bad) {
+    if (c == kInfinity || d == kInfinity) return 1;
+    const int sign = looksFromFirst(a, b) ? filteredCross(direction(a, bad), direction(a, abc))
+                                          : filteredCross(direction(b, abc), direction(b, bad));
+    return sign != 0 ? sign : refinedEdgeOrder(a, b, c, d);
+  }
+
+  /// The same by the stages after the filter; c and d are finite.
+  int refinedEdgeOrder(int a, int b, int c, int d);
+
+  /// Whether a bisector is ordered as seen from its first circle, the larger one: there it spans less than half a turn,
+  /// so that a cross product orders it.
+  bool looksFromFirst(int a, int b) const { return circles_[a].r >= circles_[b].r; }
+
+  /// Whether the direction from a corner of a face to its disc lies in the lower half of a fixed frame, which begins
+  /// with the half-axis at 180 degrees and ends before the one at 360.
+  bool isLower(int from, const Triple& face, const Direction<double>& toDisc) {
+    // Two products more, with factors below 2^10.
+    const double height = exact::kAxisX * toDisc.y - exact::kAxisY * toDisc.x;
+    const double error = (toDisc.error + 3 * kUnitRoundoff<double> * (std::abs(toDisc.x) + std::abs(toDisc.y))) * 2048;
+    if (std::abs(height) <= error) return isLowerRefined(from, face);
+    ++counts_.filtered;
+    return height < 0;
+  }
+
+  bool contains(const Circle& outer, const Circle& inner);
+
+  /// 1 if circle c crosses the tangent line to the left of a -> b, 0 if it touches it, -1 if it is clear of it.
+  int tangentSide(int a, int b, int c);
+
+  const FilterCounts& counts() const { return counts_; }
+
+ private:
+  bool isLowerRefined(int from, const Triple& face);
+  Point centre(int i) const { return {circles_[i].x, circles_[i].y}; }
+
+  std::span<const Circle> circles_;
+  FilterCounts counts_;
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+
+/// The disc that touches three circles from outside.
+struct ThreeTouchDisc {
+  Vertex disc;
+  /// From the centre of each of the three circles to the centre of the disc: accurate relative to the three circles'
+  /// mutual distances, however far they are from the origin.
+  std::array<Vector, 3> toCentre;
+};
+
+/// The disc that touches circles a, b, c counter-clockwise in this order, if there is one.
+///
+/// Relative to the circle o of smallest radius, the centre (x, y) and the distance rho = radius + o.r from it lie on
+/// two planes and on the cone x^2 + y^2 = rho^2; of the two points the counter-clockwise disc is always the same root.
+/// threeTouchDisc(a, b, c) == threeTouchDisc(b, c, a) up to the order of toCentre, bit for bit unless radii are equal.
+std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c);
+
+/// The disc of three circles that have one, counter-clockwise. However near they come to having none, or to one that is
+/// infinitely large, it is right to 36 bits of the circles' distances from each other and from its centre.
+/// Of circles that have none it is anything.
+Vertex vertexOf(const Circle& a, const Circle& b, const Circle& c);
+
+}  // namespace circle_voronoi

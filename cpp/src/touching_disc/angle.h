@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "vectors.h"
+
+namespace circle_voronoi {
+
+/// Two directions that differ by less than this angle in radians are not told apart where a tie is the likely reason:
+/// it is far above the rounding error of a three-touch disc and far below what two different discs need to differ.
+inline constexpr double kSameDirection = 0x1p-30;
+
+inline bool sameDirection(Vector u, Vector v) {
+  const double along = dot(u, v);
+  return along > 0 && std::abs(cross(u, v)) <= kSameDirection * along;
+}
+
+/// A number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; NaN for the zero vector.
+inline double pseudoAngle(Vector v) {
+  const double p = v.x / (std::abs(v.x) + std::abs(v.y));
+  return v.y >= 0 ? 1 - p : 3 + p;
+}
+
+/// The sign of angle(v) - angle(u), both measured from `axis` in (-pi, pi); 0 if they agree within kSameDirection.
+inline int compareAngles(Vector axis, Vector u, Vector v) {
+  if (sameDirection(u, v)) return 0;
+  const bool uLeft = cross(axis, u) >= 0;
+  const bool vLeft = cross(axis, v) >= 0;
+  if (uLeft != vLeft) return vLeft ? 1 : -1;
+  return cross(u, v) > 0 ? 1 : -1;
+}
+
+/// Whether v is met strictly before w when turning counter-clockwise from u, and is not u itself.
+/// With w equal to u nothing is before it.
+inline bool strictlyBetween(Vector u, Vector v, Vector w) {
+  const auto half = [u](Vector t) {
+    const double side = cross(u, t);
+    return side > 0 || (side == 0 && dot(u, t) > 0) ? 0 : 1;
+  };
+  if (cross(u, v) == 0 && dot(u, v) > 0) return false;
+  return half(v) != half(w) ? half(v) < half(w) : cross(v, w) > 0;
+}
+
+}  // namespace circle_voronoi
