@@ -9,9 +9,9 @@
 #include <map>
 
 #include "exact.h"
-#include "hide.h"
 #include "report.h"
 #include "tie_inputs.h"
+#include "triangulate.h"
 #include "validate.h"
 
 namespace circle_voronoi {
@@ -138,7 +138,7 @@ FilterCounts compare(std::span<const Circle> circles) {
   const auto scaled = validate(circles);
   EXPECT_TRUE(scaled.ok());
   if (!scaled) return {};
-  const Sites sites = hide(scaled.value().circles);
+  const Sites sites = triangulate(hide(order(scaled.value().circles)));
   Comparison comparison(sites.circles);
   comparison.run();
   return comparison.counts();

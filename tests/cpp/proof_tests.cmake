@@ -8,6 +8,7 @@ add_executable(circle_voronoi_proof_tests
   dual_edits.cpp
   exact_test.cpp
   fixtures.cpp
+  hide_test.cpp
   in_circle_test.cpp
   io_read_diagram_test.cpp
   metamorphic_test.cpp

@@ -25,7 +25,7 @@ namespace circle_voronoi {
 namespace {
 
 std::vector<Circle> visibleCircles(Family family, std::size_t count, std::uint64_t seed) {
-  return hide(validate(generate(family, count, seed)).value().circles).circles;
+  return hide(order(validate(generate(family, count, seed)).value().circles)).circles;
 }
 
 std::optional<Dual> judgedRight(std::span<const Circle> circles, Dual dual) {

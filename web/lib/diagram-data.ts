@@ -32,7 +32,10 @@ export interface Edge {
   readonly end: number
 }
 
-/** A circle without a cell, and a circle that contains it and is not hidden itself. */
+/**
+ * A circle without a cell, and a circle that contains it and is not hidden itself: of several the largest, of equal ones
+ * the first.
+ */
 export interface HiddenCircle {
   readonly circle: number
   readonly by: number

@@ -34,7 +34,8 @@ struct Edge {
 };
 
 /// A circle without a cell, and a circle that is not hidden itself and contains it: |c - c_by| <= r_by - r.
-/// Of identical circles the first stays visible.
+/// Of identical circles the first stays visible. Of several that contain it, `by` is the largest, of equal ones the
+/// first.
 struct HiddenCircle {
   std::int32_t circle = kNone;
   std::int32_t by = kNone;

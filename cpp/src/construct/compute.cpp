@@ -10,8 +10,10 @@
 #include "certificate_message.h"
 #include "construct.h"
 #include "hide.h"
+#include "order.h"
 #include "stopwatch.h"
 #include "three_touch_disc.h"
+#include "triangulate.h"
 #include "validate.h"
 
 namespace circle_voronoi {
@@ -112,7 +114,7 @@ Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options
   Sites sites;
   {
     const Stopwatch watch = journal.enter(Stage::hide);
-    sites = hide(scaled.circles);
+    sites = triangulate(hide(order(scaled.circles)));
   }
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
 

@@ -17,6 +17,7 @@
 #include "repair.h"
 #include "sample.h"
 #include "touch.h"
+#include "triangulate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -96,7 +97,7 @@ constexpr int kLargestPatch = 4000;
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journal) {
   const int n = static_cast<int>(circles.size());
   if (n > kLargestPatch) return std::nullopt;
-  const Sites sites = hide(circles);
+  const Sites sites = triangulate(hide(order(circles)));
   const std::vector<Pair> pairs =
       n <= kAllPairsPatch ? pairAll(n)
                           : pairNeighbors(sampleDynamically(sites.circles, sites.centres, std::vector<int>(n, 3)), n);

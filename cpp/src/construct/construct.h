@@ -2,9 +2,9 @@
 #pragma once
 
 #include "circle_voronoi/compute.h"
-#include "hide.h"
 #include "journal.h"
 #include "topology.h"
+#include "triangulate.h"
 
 namespace circle_voronoi {
 

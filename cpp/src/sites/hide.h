@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
-#include "dual.h"
+#include "delaunay.h"
+#include "order.h"
 
 namespace circle_voronoi {
 
 /// The circles that have a cell, and those that another circle contains.
-struct Sites {
-  std::vector<Circle> circles;       ///< the visible ones, neighbours near one another (spatial_order.h)
+struct VisibleCircles {
+  std::vector<Circle> circles;       ///< the visible ones, in the order they came
   std::vector<int> indices;          ///< of each its index in the input
-  std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`; `by` is visible
-  Dual centres;                      ///< the Delaunay triangulation of the visible circles' centres
+  std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
+  std::optional<Dual> centres;       ///< their centres' Delaunay triangulation, where it has shown that none is hidden
 };
 
-/// Sorts out the hidden circles. Exact: of identical circles the first stays, a tangent circle inside is hidden.
-Sites hide(std::span<const Circle> circles);
+/// Takes out the hidden circles. Exact: of identical circles the first stays, a tangent circle inside is hidden.
+VisibleCircles hide(OrderedCircles ordered);
 
 }  // namespace circle_voronoi

@@ -12,10 +12,12 @@ namespace {
 
 constexpr int kHilbertBits = 16;
 constexpr int kDigitBits = 11;
+/// More points than this in one cell get a curve of their own.
+constexpr std::size_t kCrowd = 8;
 
 struct Keyed {
-  std::uint32_t key;
-  int index;
+  std::uint32_t key = 0;
+  int index = 0;
 };
 
 /// Position along the Hilbert curve of order kHilbertBits (H. S. Warren, "Hacker's Delight", section 16-2).
@@ -36,48 +38,95 @@ std::uint32_t hilbertKey(std::uint32_t x, std::uint32_t y) {
   return key;
 }
 
-/// A stable sort by the key, digit by digit.
-void sortByKey(std::vector<Keyed>& items) {
-  std::vector<Keyed> other(items.size());
-  for (int shift = 0; shift < 2 * kHilbertBits; shift += kDigitBits) {
-    std::array<std::size_t, (1u << kDigitBits) + 1> first{};
-    const auto digit = [shift](const Keyed& item) {
-      return static_cast<std::size_t>((item.key >> shift) & ((1u << kDigitBits) - 1));
-    };
-    for (const Keyed& item : items) ++first[digit(item) + 1];
-    for (std::size_t d = 1; d < first.size(); ++d) first[d] += first[d - 1];
-    for (const Keyed& item : items) other[first[digit(item)]++] = item;
-    items.swap(other);
+class SpatialOrder {
+ public:
+  explicit SpatialOrder(std::span<const Point> points) : points_(points), items_(points.size()), other_(points.size()) {
+    for (std::size_t i = 0; i < points.size(); ++i) items_[i].index = static_cast<int>(i);
+    runs_.push_back({0, items_.size()});
+    // A cell is 2^16 times as small as its box, so the range of double ends this soon.
+    while (!runs_.empty()) {
+      const Run run = runs_.back();
+      runs_.pop_back();
+      orderRun(run);
+    }
   }
-}
+
+  std::vector<int> indices() const {
+    std::vector<int> indices;
+    indices.reserve(items_.size());
+    for (const Keyed& item : items_) indices.push_back(item.index);
+    return indices;
+  }
+
+ private:
+  /// The items from `begin` to before `end`, which lie in one cell of the curve so far.
+  struct Run {
+    std::size_t begin, end;
+  };
+
+  /// Orders a run along the curve through its own bounding box, and notes the cells that hold many.
+  void orderRun(Run run) {
+    const std::span<Keyed> items = std::span(items_).subspan(run.begin, run.end - run.begin);
+    if (!setKeys(items)) return;
+    if (items.size() > (1u << kDigitBits)) {
+      sortByKey(items);
+    } else {
+      std::stable_sort(items.begin(), items.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
+    }
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= items.size(); ++i) {
+      if (i < items.size() && items[i].key == items[begin].key) continue;
+      if (i - begin > kCrowd) runs_.push_back({run.begin + begin, run.begin + i});
+      begin = i;
+    }
+  }
+
+  /// False if all points are the same.
+  bool setKeys(std::span<Keyed> items) const {
+    if (items.empty()) return false;
+    Point low = points_[items[0].index];
+    Point high = low;
+    for (const Keyed& item : items) {
+      const Point& p = points_[item.index];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    // The number of cells per unit must be finite, however small the box.
+    const double extent = std::max(high.x - low.x, high.y - low.y);
+    const double magnification = extent < 0x1p-900 ? 0x1p1000 : 1;
+    const double size = extent * magnification;
+    if (size == 0) return false;
+    const double cells = ((1u << kHilbertBits) - 1) / size;
+    for (Keyed& item : items) {
+      const Point& p = points_[item.index];
+      item.key = hilbertKey(static_cast<std::uint32_t>((p.x - low.x) * magnification * cells),
+                            static_cast<std::uint32_t>((p.y - low.y) * magnification * cells));
+    }
+    return true;
+  }
+
+  /// A stable sort by the key, digit by digit.
+  void sortByKey(std::span<Keyed> items) {
+    for (int shift = 0; shift < 2 * kHilbertBits; shift += kDigitBits) {
+      std::array<std::size_t, (1u << kDigitBits) + 1> first{};
+      const auto digit = [shift](const Keyed& item) {
+        return static_cast<std::size_t>((item.key >> shift) & ((1u << kDigitBits) - 1));
+      };
+      for (const Keyed& item : items) ++first[digit(item) + 1];
+      for (std::size_t d = 1; d < first.size(); ++d) first[d] += first[d - 1];
+      for (const Keyed& item : items) other_[first[digit(item)]++] = item;
+      std::copy_n(other_.begin(), items.size(), items.begin());
+    }
+  }
+
+  std::span<const Point> points_;
+  std::vector<Keyed> items_;
+  std::vector<Keyed> other_;
+  std::vector<Run> runs_;
+};
 
 }  // namespace
 
-std::vector<int> spatialOrder(std::span<const Point> points) {
-  if (points.empty()) return {};
-  Point low = points[0];
-  Point high = points[0];
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const double size = std::max(high.x - low.x, high.y - low.y);
-  const double cells = size > 0 ? ((1u << kHilbertBits) - 1) / size : 0;
-  std::vector<Keyed> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto x = static_cast<std::uint32_t>((points[i].x - low.x) * cells);
-    const auto y = static_cast<std::uint32_t>((points[i].y - low.y) * cells);
-    items[i] = {hilbertKey(x, y), static_cast<int>(i)};
-  }
-  if (items.size() > (1u << kDigitBits)) {
-    sortByKey(items);
-  } else {
-    std::stable_sort(items.begin(), items.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
-  }
-  std::vector<int> order;
-  order.reserve(items.size());
-  for (const Keyed& item : items) order.push_back(item.index);
-  return order;
-}
+std::vector<int> spatialOrder(std::span<const Point> points) { return SpatialOrder(points).indices(); }
 
 }  // namespace circle_voronoi

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+
+namespace circle_voronoi {
+
+struct OrderedCircles {
+  std::vector<Circle> circles;  ///< neighbours near one another
+  std::vector<int> indices;     ///< of each its index in the input
+};
+
+/// The circles by the spatial order of their centres (spatial_order.h); those with the same centre as they came.
+OrderedCircles order(std::span<const Circle> circles);
+
+}  // namespace circle_voronoi

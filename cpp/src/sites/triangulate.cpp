@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triangulate.h"
+
+#include <utility>
+
+#include "centres.h"
+#include "delaunay.h"
+
+namespace circle_voronoi {
+
+Sites triangulate(VisibleCircles visible) {
+  Dual centres = visible.centres ? *std::move(visible.centres) : delaunay(centresOf(visible.circles)).dual;
+  return {std::move(visible.circles), std::move(visible.indices), std::move(visible.hidden), std::move(centres)};
+}
+
+}  // namespace circle_voronoi

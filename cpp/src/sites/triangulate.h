@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+#include "dual.h"
+#include "hide.h"
+
+namespace circle_voronoi {
+
+/// What every construction starts from.
+struct Sites {
+  std::vector<Circle> circles;       ///< the visible ones, neighbours near one another
+  std::vector<int> indices;          ///< of each its index in the input
+  std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
+  Dual centres;                      ///< the Delaunay triangulation of the visible circles' centres
+};
+
+/// Triangulates the centres of visible circles.
+Sites triangulate(VisibleCircles visible);
+
+}  // namespace circle_voronoi

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hidden circles against the definition: every pair, in integers.
+#include "hide.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "circle_voronoi/families.h"
+#include "exact.h"
+#include "report.h"
+#include "tie_inputs.h"
+#include "triangulate.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// By the rule of HiddenCircle.
+std::vector<HiddenCircle> hiddenByDefinition(const std::vector<Circle>& circles) {
+  std::vector<HiddenCircle> hidden;
+  const auto count = static_cast<std::int32_t>(circles.size());
+  for (std::int32_t j = 0; j < count; ++j) {
+    std::int32_t by = kNone;
+    for (std::int32_t i = 0; i < count; ++i) {
+      const bool isFirst = circles[i].r > circles[j].r || i < j;
+      if (i == j || !isFirst || !exact::contains(circles[i], circles[j])) continue;
+      if (by == kNone || circles[i].r > circles[by].r) by = i;
+    }
+    if (by != kNone) hidden.push_back({j, by});
+  }
+  return hidden;
+}
+
+void check(const std::vector<Circle>& circles, const std::string& what) {
+  const VisibleCircles visible = hide(order(circles));
+  const std::vector<HiddenCircle> expected = hiddenByDefinition(circles);
+  ASSERT_EQ(visible.hidden, expected) << what << test::describe(circles);
+  EXPECT_EQ(visible.circles.size() + visible.hidden.size(), circles.size());
+  for (std::size_t i = 0; i < visible.circles.size(); ++i) {
+    EXPECT_EQ(visible.circles[i], circles[visible.indices[i]]);
+  }
+}
+
+TEST(Hide, NamesTheLargestAndThenTheFirstInEveryFamily) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    for (const std::size_t count : {1, 2, 7, 8, 9, 64, 65, 300}) {
+      check(validate(generate(family.family, count, seed)).value().circles,
+            std::string(family.name) + ", seed " + std::to_string(seed));
+    }
+  }
+}
+
+TEST(Hide, IsExactInAndNearTies) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (int disturbance = 0; disturbance < test::kDisturbances; ++disturbance) {
+      for (std::uint64_t trial = 0; trial < 20; ++trial) {
+        Random random(seed * 1'000'003 + trial * 64 + static_cast<std::uint64_t>(disturbance));
+        auto circles = kind.make(40, random);
+        test::disturb(circles, test::Disturbance{disturbance}, random);
+        const auto scaled = validate(circles);
+        ASSERT_TRUE(scaled.ok());
+        check(scaled.value().circles, std::string(kind.name) + ", seed " + std::to_string(seed));
+      }
+    }
+  }
+}
+
+TEST(Hide, OfManyCopiesTheFirstHidesAll) { check(std::vector<Circle>(1000, {1, 2, 3}), "copies"); }
+
+TEST(Hide, OfEqualCirclesTheFirstIsNamed) {
+  // All of these contain the last, none another.
+  std::vector<Circle> circles;
+  for (int i = 99; i >= 0; --i) circles.push_back({static_cast<double>(i), 0, 1000});
+  circles.push_back({50, 0, 1});
+  check(circles, "equal");
+  EXPECT_EQ(hide(order(circles)).hidden, (std::vector<HiddenCircle>{{100, 0}}));
+}
+
+TEST(Hide, TheTriangulationIsThatOfTheVisibleCentres) {
+  for (const Family family : {Family::uniform, Family::hidden, Family::duplicates, Family::concentric}) {
+    const Sites sites = triangulate(hide(order(validate(generate(family, 500, 1)).value().circles)));
+    const int count = static_cast<int>(sites.circles.size());
+    EXPECT_EQ(sites.centres.faceCount(), count < 2 ? 0 : 2 * count - 2) << familyName(family);
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi
