@@ -55,7 +55,7 @@ TEST_F(CliConvert, CirclesAreWhatTheFormatsPromise) {
     {"type": "Feature", "properties": {"circle": 1, "radius": 0},
      "geometry": {"type": "Point", "coordinates": [-4.5, 0.005]}}]})"));
   for (const char* format : {"csv", "json", "geojson"}) {
-    const std::string none = textOf("convert - --format " + std::string(format));
+    const std::string none = textOf("convert - --format " + std::string(format), "x,y,r\n");
     EXPECT_TRUE(readCircles(none, "none").value().empty()) << none;
   }
 }

@@ -20,13 +20,26 @@ namespace {
 constexpr int kTrials = 10000;
 
 /// What is likely to mean something to a reader.
-constexpr auto kPieces =
-    std::to_array<std::string_view>({"{",     "}",        "[",           "]",         ",",
-                                     ":",     "\"",       "\n",          "-",         "-0",
-                                     "0",     "1e999",    "-1",          "1e150",     "2e150",
-                                     "nan",   "inf",      "null",        "true",      "\\n",
-                                     "\"x\"", "\"r\": 1", "\"circles\"", "\"stats\"", "\"type\": \"Feature\"",
-                                     "\\",    "\xff",     "\xEF\xBB\xBF"});
+constexpr auto kPieces = std::to_array<std::string_view>({"{",           "}",
+                                                          "[",           "]",
+                                                          ",",           ":",
+                                                          ";",           "\"",
+                                                          "\n",          "\r",
+                                                          "\t",          " ",
+                                                          "#",           "-",
+                                                          "+",           "-0",
+                                                          "0",           "1e999",
+                                                          "-1",          "1e150",
+                                                          "2e150",       "1,5",
+                                                          "-0e-06",      "nan",
+                                                          "inf",         "null",
+                                                          "true",        "\\n",
+                                                          "\\ud83d",     "\"x\"",
+                                                          "\"r\": 1",    "\"circles\"",
+                                                          "\"stats\"",   "\"type\": \"Feature\"",
+                                                          "radius",      "x;y;r\n",
+                                                          "\\",          "\xff",
+                                                          "\xEF\xBB\xBF"});
 
 std::string randomBytes(Random& random) {
   std::string text(random.below(60), ' ');
@@ -64,8 +77,11 @@ std::vector<std::string> goodTexts() {
     write(out, circles);
     texts.push_back(out.str());
   }
+  texts.push_back("# trees\nname;cx;cy;rad\n\"oak; old\";1,5;2;3\n;-0;\"2,5\";0\n");
+  Diagram diagram = compute(circles).value();
+  diagram.stats.seconds = {.hide = 0.001, .certify = 1e-06, .total = 0.0015};  // not those of this run
   std::ostringstream out;
-  writeJson(out, circles, compute(circles).value());
+  writeJson(out, circles, diagram);
   texts.push_back(out.str());
   return texts;
 }
@@ -92,11 +108,44 @@ TEST(Readers, SurviveRandomBytes) {
 }
 
 TEST(Readers, SurviveDeepNesting) {
-  constexpr std::size_t kDepth = 1'000'000;
-  for (const std::string begin : {"", R"({"type": "FeatureCollection", "features": )", R"({"stats": )"}) {
+  constexpr std::size_t kDepth = 100'000;
+  std::string objects;
+  std::string ends;
+  for (std::size_t i = 0; i < kDepth; ++i) {
+    objects += "{\"a\":";
+    ends += "}";
+  }
+  for (const std::string begin :
+       {R"({"type": "FeatureCollection", "features": )", R"({"type": "FeatureCollection", "features": [], "b": )",
+        R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": )",
+        R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"b": )", R"({"stats": )",
+        R"({"format": "circle-voronoi", "version": 1, "circles": [{"x": )", R"([{"x": )", R"([[1, 2, )", R"([{"b": )",
+        ""}) {
+    EXPECT_EQ(fuzz::readAnything(begin + objects + "1" + ends + "}"), std::nullopt);
+    EXPECT_EQ(fuzz::readAnything(begin + objects), std::nullopt);
     EXPECT_EQ(fuzz::readAnything(begin + std::string(kDepth, '[')), std::nullopt);
     EXPECT_EQ(fuzz::readAnything(begin + std::string(kDepth, '[') + std::string(kDepth, ']') + "}"), std::nullopt);
   }
+}
+
+TEST(Readers, DeepNestingBesideTheCirclesIsNoError) {
+  std::string deep;
+  std::string ends;
+  for (int i = 0; i < 100'000; ++i) {
+    deep += "{\"a\":";
+    ends += "}";
+  }
+  deep += "1" + ends;
+  EXPECT_EQ(readCircles("[{\"x\": 1, \"y\": 2, \"r\": 3, \"more\": " + deep + "}]", "file").value().size(), 1U);
+  EXPECT_EQ(readCircles(R"({"type": "FeatureCollection", "features": [{"type": "Feature", "id": )" + deep +
+                            R"(, "geometry": {"type": "Point", "coordinates": [1, 2]}, "properties": {"r": 3}}]})",
+                        "file")
+                .value()
+                .size(),
+            1U);
+  EXPECT_TRUE(readDiagram(R"({"format": "circle-voronoi", "version": 1, "more": )" + deep +
+                              R"(, "circles": [], "hidden": [], "vertices": [], "edges": [], "hull": []})",
+                          "file"));
 }
 
 }  // namespace

@@ -61,6 +61,19 @@ TEST(ReadDiagram, SkipsOtherKeys) {
   EXPECT_EQ(file.value().circles, (std::vector<Circle>{{1, 2, 3}}));
 }
 
+TEST(ReadDiagram, TimesOfMinusZeroComeBack) {
+  std::string text = written({}, compute({}).value());
+  const std::size_t at = text.find("\"seconds\": {");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, std::string::npos, "\"seconds\": {\"certify\": -0e-06}}}");
+  const auto file = readDiagram(text, "file");
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  const auto again = readDiagram(written({}, file.value().diagram), "file");
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  EXPECT_EQ(bits(file.value().diagram.stats.seconds.certify), bits(-0.0));
+  EXPECT_EQ(bits(again.value().diagram.stats.seconds.certify), bits(-0.0));
+}
+
 /// A small file with one part of its text replaced.
 std::string errorAfter(const std::string& part, const std::string& other) {
   std::string text = R"({"format": "circle-voronoi", "version": 1,
@@ -102,7 +115,7 @@ TEST(ReadDiagram, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hull\": [[0]]"), "file:10: expected a number for hull[0], not an array.");
   EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hull\": 0"), "file:10: expected an array for hull, not a number.");
   EXPECT_EQ(errorAfter("\"hull\": [0]}", "\"hull\": [0"),
-            "file:10: bad JSON: syntax error while parsing array - unexpected end of input; expected ']'.");
+            "file:10: bad JSON: expected , or ], not the end of the text.");
 }
 
 }  // namespace

@@ -35,27 +35,104 @@ TEST(ReadCsv, WithAndWithoutHeader) {
 
 TEST(ReadCsv, ToleratesWhatProgramsWrite) {
   EXPECT_EQ(read("1,2,3\r\n-4.5,5e-3,0"), kTwo) << "CRLF, and no end of the last line";
+  EXPECT_EQ(read("x,y,r\r1,2,3\r-4.5,5e-3,0\r"), kTwo) << "CR alone";
   EXPECT_EQ(read("\xEF\xBB\xBFx,y,r\r\n1,2,3\r\n-4.5,5e-3,0\r\n"), kTwo) << "byte order mark";
   EXPECT_EQ(read("\n  \n 1 ,\t2 , 3\n\n-4.5,+5e-3,0\n\n"), kTwo) << "blank lines, spaces, a plus sign";
+  EXPECT_EQ(read("# made by hand\nx,y,r\n # the first\n1,2,3\n#1,2,3\n-4.5,5e-3,0\n"), kTwo) << "comments";
+  EXPECT_EQ(read("\"1\",\" 2 \",3\n\"-4.5\",\"5e-3\",\"0\"\n"), kTwo) << "quoted numbers";
+  EXPECT_EQ(read("x,y,r,,\n1,2,3,,\n,,,,\n-4.5,5e-3,0,,\n"), kTwo) << "separators at the end, a row of none";
+  EXPECT_EQ(read("1,2,3,\n-4.5,5e-3,0,\n"), kTwo) << "without a header";
+}
+
+TEST(ReadCsv, SeparatorsAreTakenFromTheFirstLine) {
+  EXPECT_EQ(read("1;2;3\n-4.5;5e-3;0\n"), kTwo);
+  EXPECT_EQ(read("x\ty\tr\n1\t2\t3\n-4.5\t5e-3\t0\n"), kTwo);
+  EXPECT_EQ(read("x y r\n1 2 3\n -4.5  5e-3 \t 0\n"), kTwo);
+  EXPECT_EQ(read("\"x\";\"y\";\"r\"\n\"1\";2;3\n-4.5;5e-3;0\n"), kTwo);
+  EXPECT_EQ(read("\"x\"\t\"y\"\t\"r\"\n1\t2\t3\n-4.5\t5e-3\t0\n"), kTwo);
+  EXPECT_EQ(errorOf("1;2;3\n1,2,3\n"), "test:2: expected three numbers x,y,r separated by semicolons.");
+  EXPECT_EQ(errorOf("1\t2\t3\n1\t2\n"), "test:2: expected three numbers x,y,r separated by tabs.");
+  EXPECT_EQ(errorOf("1 2\n"), "test:1: expected three numbers x,y,r separated by spaces.");
+}
+
+TEST(ReadCsv, CommasAreDecimalMarksWhereTheySeparateNothing) {
+  EXPECT_EQ(read("1;2,0;3\n-4,5;5e-3;0\n"), kTwo);
+  EXPECT_EQ(read("x\ty\tr\n1\t2\t3\n-4,5\t+0,005\t,0\n"), kTwo);
+  EXPECT_EQ(read("1,2,3\n\"-4,5\",\"0,005\",0\n"), kTwo) << "in quotation marks";
+  EXPECT_EQ(errorOf("1,5;2;3\n1;2;1.234\n"),
+            "test:2: r has another decimal mark than the numbers before it: \"1.234\".");
+  EXPECT_EQ(errorOf("1.5;2;3\n1;2,5;3\n"), "test:2: y has another decimal mark than the numbers before it: \"2,5\".");
+  EXPECT_EQ(errorOf("x;y;r\n1.234,5;2;3\n"), "test:2: x is not a number: \"1.234,5\".");
+  EXPECT_EQ(errorOf("x;y;r\n1,234,5;2;3\n"), "test:2: x is not a number: \"1,234,5\".");
+  EXPECT_EQ(errorOf("x;y;r\n1,;2;3\n"), "test:2: x is not a number: \"1,\".");
+  EXPECT_EQ(errorOf("1,5,2,5,3,5\n"), "test:1: there are 6 columns; a header has to name x, y and r.");
+  EXPECT_EQ(errorOf("x y r\n1,5 2 3\n"), "test:2: x is not a number: \"1,5\".");
+}
+
+TEST(ReadCsv, ColumnsAreFoundByName) {
+  EXPECT_EQ(read("x,y,radius\n1,2,3\n-4.5,5e-3,0\n"), kTwo);
+  EXPECT_EQ(read("cx,cy,rad\n1,2,3\n-4.5,5e-3,0\n"), kTwo);
+  EXPECT_EQ(read("lon,lat,r\n1,2,3\n-4.5,5e-3,0\n"), kTwo);
+  EXPECT_EQ(read("Latitude;Longitude;Radius\n2;1;3\n5e-3;-4,5;0\n"), kTwo) << "in any order";
+  EXPECT_EQ(read(",name,R,weight,Y,X\n1,\"Oak, \"\"old\"\"\nand tall\",3,,2,1\n2,,0,heavy,5e-3,-4.5\n"), kTwo)
+      << "others ignored, whatever they hold";
+  EXPECT_EQ(read("id x y r\n1 1 2 3\n2 -4.5 5e-3 0\n"), kTwo);
+  EXPECT_EQ(read("x,y,r,note\n1,2,3\n-4.5,5e-3,0\n"), kTwo) << "a row may end before an ignored column";
+}
+
+TEST(ReadCsv, ColumnsThatCannotBeTold) {
+  EXPECT_EQ(errorOf("x,y,r,radius\n1,2,3,4\n"), "test:1: the columns r and radius both mean r.");
+  EXPECT_EQ(errorOf("\nlon,lat,Y,r\n"), "test:2: the columns lat and Y both mean y.");
+  EXPECT_EQ(errorOf("x,y,size\n1,2,3\n"), "test:1: no column is called r, rad or radius.");
+  EXPECT_EQ(errorOf("a,b\n"), "test:1: no column is called x, cx, lon or longitude.");
+  EXPECT_EQ(errorOf("1,2,3,4\n"), "test:1: there are 4 columns; a header has to name x, y and r.");
+  EXPECT_EQ(errorOf("oak,1,2,3\n"), "test:1: there are 4 columns; a header has to name x, y and r.");
+  EXPECT_EQ(errorOf("x,y,r\n1,2,3,4\n"), "test:2: there are 4 fields in 3 columns.");
+  EXPECT_EQ(errorOf("name,x,y,r\n\na,1,2\n"), "test:3: r is empty.");
 }
 
 TEST(ReadCsv, NothingIsNoCircle) {
-  EXPECT_EQ(read(""), Circles{});
-  EXPECT_EQ(read("\n\n"), Circles{});
   EXPECT_EQ(read("x,y,r\n"), Circles{});
+  for (const char* text : {"", "\n\n", " \t\r\n", "\xEF\xBB\xBF"})
+    EXPECT_EQ(errorOf(text), "test:1: the text is empty.");
+  EXPECT_EQ(errorOf("# a comment\n"), "test:1: the text is empty but for comments.");
 }
 
 TEST(ReadCsv, NamesTheBadLine) {
   EXPECT_EQ(errorOf("1,2,3\n1,2\n"), "test:2: expected three numbers x,y,r separated by commas.");
-  EXPECT_EQ(errorOf("1,2,3,4\n"), "test:1: expected three numbers x,y,r separated by commas.");
-  EXPECT_EQ(errorOf("1;2;3\n"), "test:1: expected three numbers x,y,r separated by commas.");
+  EXPECT_EQ(errorOf("1,2,3\n1,2,3,4\n"), "test:2: expected three numbers x,y,r separated by commas.");
+  EXPECT_EQ(errorOf("nothing\n"), "test:1: expected three numbers x,y,r separated by commas.");
   EXPECT_EQ(errorOf("x,y,r\n\n1,2,abc\n"), "test:3: r is not a number: \"abc\".");
-  EXPECT_EQ(errorOf("1,,3\n"), "test:1: y is not a number: \"\".");
+  EXPECT_EQ(errorOf("x,y,r\r\n\r\n#\r1,2,abc\r\n"), "test:4: r is not a number: \"abc\".");
+  EXPECT_EQ(errorOf("1,,3\n"), "test:1: y is empty.");
   EXPECT_EQ(errorOf("1,2,3\nx,y,r\n"), "test:2: x is not a number: \"x\".") << "a header comes first";
-  EXPECT_EQ(errorOf("r,x,y\n1,2,3\n"), "test:1: x is not a number: \"r\".") << "columns have one order";
   EXPECT_EQ(errorOf("1,2,\x1b[31m\n"), "test:1: r is not a number: \"?[31m\".") << "nothing for a terminal to obey";
   EXPECT_LT(errorOf("1,2," + std::string(1000, 'x') + "\n").size(), 350U);
   EXPECT_EQ(errorOf("1,2,1e999\n"), "test:1: r is beyond the range of a double: \"1e999\".");
+  EXPECT_EQ(errorOf("x,y,r\n1,2,\"3\n4,5,6\n"), "test:2: a quotation mark is not closed.");
+  EXPECT_EQ(errorOf("x,y,r\n1,\"2\"0,3\n"), "test:2: a field goes on after its closing quotation mark.");
+}
+
+TEST(ReadCsv, ANumberHasOneSign) {
+  for (const std::string number : {"+-5", "-+5", "++5", "--5", "+", "-", "5-", "+ 5", "0x5", "5e", ".", "1_000"}) {
+    EXPECT_EQ(errorOf("x,y,r\n1," + number + ",3\n"), "test:2: y is not a number: \"" + number + "\".");
+    EXPECT_EQ(errorOf("1," + number + ",3\n"), "test:1: y is not a number: \"" + number + "\".");
+  }
+  EXPECT_EQ(read("+1,+.5,5.\n"), (Circles{{1, 0.5, 5}}));
+}
+
+TEST(ReadCircles, OtherEncodingsAreNamed) {
+  using namespace std::string_view_literals;
+  const std::string expected = "test:1: the text is UTF-16; it has to be UTF-8.";
+  EXPECT_EQ(errorOf("\xFF\xFE"
+                    "1\0,\0002\0,\0003\0"sv),
+            expected);
+  EXPECT_EQ(errorOf("\xFE\xFF\0001"sv), expected);
+  EXPECT_EQ(errorOf("1\0,\0002\0"sv), expected);
+  EXPECT_EQ(errorOf("\0[\0]"sv), expected);
+  const auto diagram = readDiagram("\xFF\xFE{\0}\0"sv, "test");
+  ASSERT_FALSE(diagram);
+  EXPECT_EQ(diagram.error().message, expected);
 }
 
 std::string feature(const std::string& geometry, const std::string& properties) {
@@ -90,6 +167,12 @@ TEST(ReadGeoJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf(collection(std::string(1, '\n') + feature(point, R"({"r": -1})"))),
             "test:2: Circle 0 has a negative radius.");
   EXPECT_TRUE(errorOf("{\"type\":\n]").starts_with("test:2: bad JSON: "));
+  EXPECT_EQ(errorOf(collection("7")), "test:1: an item of the list of features is no Feature.");
+  EXPECT_EQ(errorOf(collection("\n" + point)), "test:2: an item of the list of features is no Feature.");
+  EXPECT_EQ(errorOf(R"({"type": "FeatureCollection"})"), "test:1: a FeatureCollection has no list of features.");
+  EXPECT_EQ(errorOf(R"({"type": "FeatureCollection", "features": [], "features": []})"),
+            "test:1: features is given twice.");
+  EXPECT_EQ(errorOf(collection(feature(point, R"({"radius": 1, "radius": 2})"))), "test:1: radius is given twice.");
 }
 
 TEST(ReadJson, ArraysAndObjects) {
@@ -114,7 +197,10 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf("{\"x\":1}"), "test:1: expected an array of circles or a GeoJSON FeatureCollection.");
   EXPECT_TRUE(errorOf("[[1,2,3],\n[1,2,").starts_with("test:2: bad JSON: "));
   EXPECT_TRUE(errorOf("[[1,2,3]]\n]").starts_with("test:2: bad JSON: "));
-  EXPECT_TRUE(errorOf("[[1,2,1e999]]").starts_with("test:1: bad JSON: "));
+  EXPECT_EQ(errorOf("[[1,2,1e999]]"), "test:1: a number is beyond the range of a double: 1e999.");
+  EXPECT_EQ(errorOf("[[1,2,3],]"), "test:1: bad JSON: expected a value, not \"]\".");
+  EXPECT_EQ(errorOf("[[1,2,3]"), "test:1: bad JSON: expected , or ], not the end of the text.");
+  EXPECT_EQ(errorOf("[[1,2,3] \xC3\xA9"), "test:1: bad JSON: expected , or ], not \"\xC3\xA9\".");
 }
 
 TEST(ReadCircles, NamesTheLineOfACircleThatComputeWouldReject) {

@@ -35,7 +35,8 @@ bool isOneLine(const Error& error, std::string_view text) {
   const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
   if (!error.message.starts_with(begin) || std::ranges::any_of(error.message, isControl)) return false;
   const long line = std::strtol(error.message.c_str() + begin.size(), nullptr, 10);
-  return line >= 1 && line <= 1 + std::count(text.begin(), text.end(), '\n');
+  const auto isLineEnd = [](char c) { return c == '\n' || c == '\r'; };
+  return line >= 1 && line <= 1 + std::ranges::count_if(text, isLineEnd);
 }
 
 std::optional<std::string> tryCircles(std::string_view text) {

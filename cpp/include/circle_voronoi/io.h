@@ -13,12 +13,19 @@
 
 namespace circle_voronoi {
 
-/// Reads circles from text: CSV lines `x,y,r` (a header line and blank lines are allowed), or JSON
-/// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`, or a GeoJSON FeatureCollection of Points with a property `radius`
-/// or `r`. Text whose first character is `[` is JSON, and `{` GeoJSON.
+/// Reads circles from UTF-8 text, which may begin with a byte-order mark; lines end in LF, CRLF or CR. Text whose first
+/// character is `[` is JSON, `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`; `{` begins a GeoJSON FeatureCollection
+/// of Points with a property `radius` or `r`; all else is a table (CSV):
 ///
-/// Errors, each with one sentence that starts with `name:line:`: badInput, and, so that the line can be named, what
-/// `compute` would reject (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles).
+/// - A line for each circle; fields separated by commas, semicolons, tabs or spaces, whichever the first line has, and
+///   perhaps in quotation marks. Lines that begin with `#` and lines without anything are passed over.
+/// - The columns that the first line names, in any order and either case: x, cx, lon or longitude; y, cy, lat or
+///   latitude; r, rad or radius. Other columns are ignored. Without such a line there are three columns: x, y, r.
+/// - Where commas do not separate, or in quotation marks, they may be decimal marks; one text has one kind of these.
+///
+/// Errors, each with one sentence that starts with `name:line:`: badInput, also for a text without anything, and, so
+/// that the line can be named, what `compute` would reject (nonFinite, negativeRadius, coordinateTooLarge,
+/// tooManyCircles).
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name);
 
 // Each writes circles as `readCircles` reads them: CSV with a header line, JSON objects, GeoJSON Points with the

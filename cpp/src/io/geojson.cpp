@@ -2,66 +2,148 @@
 #include <optional>
 #include <string>
 
-#include "json_reading.h"
+#include "json_reader.h"
 #include "text.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// Of an item of the list `features` of the outermost object; a feature may hold others among its properties.
-constexpr int kFeatureDepth = 2;
-
-bool hasType(const Json& value, std::string_view type) {
-  if (!value.is_object()) return false;
-  const auto found = value.find("type");
-  return found != value.end() && *found == type;
+/// The value of a key that may be given once; a value of another kind is skipped and counts as none.
+template <class Value, class Read>
+void readOnce(JsonReader& reader, std::optional<Value>& value, JsonKind kind, const std::string& key, Read read) {
+  if (value) reader.fail(key + " is given twice.");
+  if (reader.kind() == kind) {
+    value = read();
+  } else {
+    reader.skip();
+  }
 }
 
-/// Reads the circle of a feature, or says what is wrong with it.
-std::optional<std::string> readFeature(const Json& feature, Circle& circle) {
-  const Json geometry = at(feature, "geometry");
-  if (!hasType(geometry, "Point")) return "the geometry of a feature is not a Point.";
-  const Json coordinates = at(geometry, "coordinates");
-  if (!coordinates.is_array() || coordinates.size() < 2 || !coordinates[0].is_number() || !coordinates[1].is_number()) {
-    return "a Point has no two numbers as its coordinates.";
+void readType(JsonReader& reader, std::optional<std::string>& type) {
+  readOnce(reader, type, JsonKind::string, "type", [&] { return std::string(reader.string()); });
+}
+
+struct Position {
+  double x = 0;
+  double y = 0;
+};
+
+/// Two numbers, and perhaps more values, such as a height.
+Position readPosition(JsonReader& reader) {
+  Position position;
+  int count = 0;
+  reader.enterArray();
+  for (; reader.nextItem(); ++count) {
+    if (count < 2 && reader.kind() != JsonKind::number) break;
+    if (count < 2) {
+      (count == 0 ? position.x : position.y) = reader.number();
+    } else {
+      reader.skip();
+    }
   }
-  const Json properties = at(feature, "properties");
-  Json radius = at(properties, "radius");
-  if (radius.is_null()) radius = at(properties, "r");
-  if (!radius.is_number()) return "a feature has no number as its property radius.";
-  circle = {numberOf(coordinates[0]), numberOf(coordinates[1]), numberOf(radius)};
-  return std::nullopt;
+  if (count < 2) reader.fail("a Point has no two numbers as its coordinates.");
+  return position;
+}
+
+struct Geometry {
+  std::optional<std::string> type;
+  std::optional<Position> position;
+};
+
+Geometry readGeometry(JsonReader& reader) {
+  Geometry geometry;
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    if (*key == "type") {
+      readType(reader, geometry.type);
+    } else if (*key == "coordinates") {
+      readOnce(reader, geometry.position, JsonKind::array, "coordinates", [&] { return readPosition(reader); });
+    } else {
+      reader.skip();
+    }
+  }
+  return geometry;
+}
+
+struct Radius {
+  std::optional<double> radius;
+  std::optional<double> r;
+};
+
+Radius readProperties(JsonReader& reader) {
+  Radius result;
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    if (*key == "radius") {
+      readOnce(reader, result.radius, JsonKind::number, "radius", [&] { return reader.number(); });
+    } else if (*key == "r") {
+      readOnce(reader, result.r, JsonKind::number, "r", [&] { return reader.number(); });
+    } else {
+      reader.skip();
+    }
+  }
+  return result;
+}
+
+Circle readFeature(JsonReader& reader) {
+  std::optional<std::string> type;
+  std::optional<Geometry> geometry;
+  std::optional<Radius> properties;
+  if (reader.kind() != JsonKind::object) reader.fail("an item of the list of features is no Feature.");
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    if (*key == "type") {
+      readType(reader, type);
+    } else if (*key == "geometry") {
+      readOnce(reader, geometry, JsonKind::object, "geometry", [&] { return readGeometry(reader); });
+    } else if (*key == "properties") {
+      readOnce(reader, properties, JsonKind::object, "properties", [&] { return readProperties(reader); });
+    } else {
+      reader.skip();
+    }
+  }
+  if (type != "Feature") reader.fail("an item of the list of features is no Feature.");
+  if (!geometry || geometry->type != "Point") reader.fail("the geometry of a feature is not a Point.");
+  if (!geometry->position) reader.fail("a Point has no two numbers as its coordinates.");
+  const auto radius = properties && properties->radius ? properties->radius : properties ? properties->r : std::nullopt;
+  if (!radius) reader.fail("a feature has no number as its property radius.");
+  return {geometry->position->x, geometry->position->y, *radius};
+}
+
+PlacedCircles readFeatures(JsonReader& reader) {
+  PlacedCircles result;
+  reader.enterArray();
+  while (reader.nextItem()) {
+    result.circles.push_back(readFeature(reader));
+    result.offsets.push_back(reader.offset());
+  }
+  return result;
 }
 
 }  // namespace
 
-Result<NumberedCircles> readGeoJson(std::string_view text, std::string_view name) {
-  JsonPosition position(text);
-  NumberedCircles result;
-  std::optional<Error> error;
-  // Features are dropped as soon as they are read, so that memory holds one at a time.
-  const auto take = [&](int depth, Json::parse_event_t event, const Json& value) {
-    const bool isFeature =
-        depth == kFeatureDepth && event == Json::parse_event_t::object_end && hasType(value, "Feature");
-    if (!isFeature) return true;
-    Circle circle;
-    const auto problem = readFeature(value, circle);
-    if (problem && !error) error = errorAt(name, position.line(), *problem);
-    result.circles.push_back(circle);
-    result.lines.push_back(position.line());
-    return false;
-  };
-  try {
-    const Json root =
-        Json::parse(JsonIterator(text.data(), position), JsonIterator(text.data() + text.size(), position), take);
-    if (!hasType(root, "FeatureCollection")) {
-      return errorAt(name, 1, "expected an array of circles or a GeoJSON FeatureCollection.");
+Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name) try {
+  JsonReader reader(text);
+  std::optional<std::string> type;
+  std::optional<PlacedCircles> circles;
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    if (*key == "type") {
+      readType(reader, type);
+    } else if (*key == "features") {
+      readOnce(reader, circles, JsonKind::array, "features", [&] { return readFeatures(reader); });
+    } else {
+      reader.skip();
     }
-  } catch (const Json::exception& exception) {
-    return errorAt(name, position.line(), reasonOf(exception));
   }
-  if (error) return *std::move(error);
-  return result;
+  reader.finish();
+  if (type != "FeatureCollection") {
+    return errorAt(name, text, 0, "expected an array of circles or a GeoJSON FeatureCollection.");
+  }
+  if (!circles) return errorAt(name, text, 0, "a FeatureCollection has no list of features.");
+  return *std::move(circles);
+} catch (const ReadFailure& failure) {
+  return errorAt(name, text, failure.offset, failure.reason);
 }
 
 }  // namespace circle_voronoi

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <optional>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "circle_voronoi/io.h"
-#include "json_reading.h"
+#include "json_reader.h"
 #include "stats.h"
 #include "text.h"
 #include "validate.h"
 
 namespace circle_voronoi {
 namespace {
+
+constexpr std::string_view kFormat = "circle-voronoi";
+constexpr double kVersion = 1;
 
 /// A number of an item, or an array of numbers: `size` values from `first` on. Without a key the item is the number.
 struct Field {
@@ -38,12 +36,15 @@ struct Section {
   std::string_view key;
   std::vector<Field> fields;
   void (*add)(const Values& values, DiagramFile& file);
+
+  /// Whether its items are numbers, not objects.
+  bool isPlain() const { return fields.front().key.empty(); }
 };
 
 constexpr bool kArray = true;
 constexpr bool kReal = false;
 
-const std::vector<Section> kSections = {
+const std::array<Section, 5> kSections = {{
     {"circles",
      {{"x", 0, 1, !kArray, kReal}, {"y", 1, 1, !kArray, kReal}, {"r", 2, 1, !kArray, kReal}},
      [](const Values& v, DiagramFile& file) {
@@ -69,243 +70,153 @@ const std::vector<Section> kSections = {
        file.diagram.edges.push_back({index(v[0]), index(v[1]), index(v[2]), index(v[3])});
      }},
     {"hull", {{"", 0}}, [](const Values& v, DiagramFile& file) { file.diagram.hull.push_back(index(v[0])); }},
-};
+}};
 
-/// Takes the parser's events; false stops it.
-class DiagramHandler : public Json::json_sax_t {
+class DiagramReader {
  public:
-  DiagramHandler(std::string_view text, std::string_view name, JsonPosition& position)
-      : text_(text), name_(name), position_(position) {}
+  explicit DiagramReader(std::string_view text) : reader_(text) {}
 
-  Result<DiagramFile> take() && {
-    if (error_) return *std::move(error_);
-    if (const auto valid = validate(file_.circles); !valid) {
-      Error error = valid.error();
-      const int line = error.circle < 0 ? 1 : circleLines_[static_cast<std::size_t>(error.circle)];
-      error.message = std::string(name_) + ":" + std::to_string(line) + ": " + error.message;
-      return error;
+  void read() {
+    expect(JsonKind::object, [] { return "an object"; });
+    reader_.enterObject();
+    while (const auto key = reader_.nextKey()) readMember(*key);
+    if (!hasFormat_) reader_.fail("there is no format; a diagram has \"format\": \"circle-voronoi\".");
+    if (!hasVersion_) reader_.fail("there is no version.");
+    for (std::size_t i = 0; i < kSections.size(); ++i) {
+      if (!hasSection_[i]) reader_.fail("there is no list of " + std::string(kSections[i].key) + ".");
     }
-    return std::move(file_);
+    reader_.finish();
   }
 
-  bool null() override { return isSkipped() || fail(expected() + ", not null."); }
-  bool boolean(bool) override { return isSkipped() || fail(expected() + ", not a boolean."); }
-  bool binary(Json::binary_t&) override { return isSkipped() || fail(expected() + ", not binary data."); }
-  bool number_integer(Json::number_integer_t value) override { return number(negative(value)); }
-  bool number_unsigned(Json::number_unsigned_t value) override { return number(static_cast<double>(value)); }
-  bool number_float(Json::number_float_t value, const std::string&) override { return number(value); }
-
-  bool string(std::string& value) override {
-    if (place_ != Place::format) return isSkipped() || fail(expected() + ", not a string.");
-    place_ = Place::file;
-    if (value != kFormat) return fail("the format is \"" + value + "\", not \"" + std::string(kFormat) + "\".");
-    seen_.insert("format");
-    return true;
-  }
-
-  bool start_object(std::size_t) override {
-    if (isSkipped()) return deeper();
-    if (place_ == Place::outside) return go(Place::file);
-    if (place_ == Place::list && !isPlainList()) {
-      given_ = {};
-      return go(Place::item);
-    }
-    return fail(expected() + ", not an object.");
-  }
-
-  bool end_object() override {
-    if (isSkipped()) return shallower();
-    return place_ == Place::item ? finishItem() : finishFile();
-  }
-
-  bool start_array(std::size_t) override {
-    if (isSkipped()) return deeper();
-    if (place_ == Place::section) return go(Place::list);
-    if (place_ == Place::field && field_->isArray) return go(Place::array);
-    return fail(expected() + ", not an array.");
-  }
-
-  bool end_array() override {
-    if (isSkipped()) return shallower();
-    if (place_ == Place::list) return go(Place::file);
-    if (count_ != field_->size) return fail(expected() + ".");
-    return finishField();
-  }
-
-  bool key(std::string& key) override {
-    if (depth_ > 0) return true;
-    return place_ == Place::file ? enterKeyOfFile(key) : enterKeyOfItem(key);
-  }
-
-  bool parse_error(std::size_t, const std::string&, const Json::exception& exception) override {
-    return fail(reasonOf(exception));
-  }
+  DiagramFile file;
+  std::vector<std::size_t> circleOffsets;  ///< where each circle ends in the text
 
  private:
-  /// What is to come next: a value of that kind, or in `file` and `item` a key.
-  enum class Place { outside, file, format, version, section, list, item, field, array, skipped };
-
-  static constexpr std::string_view kFormat = "circle-voronoi";
-  static constexpr double kVersion = 1;
-
-  bool fail(const std::string& reason) {
-    error_ = errorAt(name_, position_.line(), reason);
-    return false;
+  /// Fails unless the next value is of that kind. `what` says what was expected.
+  template <class What>
+  void expect(JsonKind kind, What what) {
+    const JsonKind found = reader_.kind();
+    if (found != kind) reader_.fail("expected " + std::string(what()) + ", not " + std::string(nameOf(found)) + ".");
   }
 
-  bool go(Place place) {
-    place_ = place;
-    count_ = 0;
-    return true;
+  void once(bool& isGiven, std::string_view key) {
+    if (isGiven) reader_.fail(std::string(key) + " is given twice.");
+    isGiven = true;
+  }
+
+  void readMember(std::string_view key) {
+    const auto section = std::ranges::find(kSections, key, &Section::key);
+    if (section != kSections.end()) {
+      once(hasSection_[static_cast<std::size_t>(section - kSections.begin())], section->key);
+      readSection(*section);
+    } else if (key == "format") {
+      once(hasFormat_, key);
+      readFormat();
+    } else if (key == "version") {
+      once(hasVersion_, key);
+      expect(JsonKind::number, [] { return "a number for version"; });
+      if (reader_.number() != kVersion) reader_.fail("the version is not 1, the only one that can be read.");
+    } else if (key == "stats") {
+      file.diagram.stats = readStats(reader_);
+    } else {
+      reader_.skip();
+    }
+  }
+
+  void readFormat() {
+    expect(JsonKind::string, [] { return "a string for format"; });
+    const std::string format(reader_.string());
+    if (format != kFormat) {
+      reader_.fail("the format is \"" + format + "\", not \"" + std::string(kFormat) + "\".");
+    }
+  }
+
+  void readSection(const Section& section) {
+    expect(JsonKind::array, [&] { return "an array for " + std::string(section.key); });
+    const bool isOfCircles = &section == kSections.data();
+    reader_.enterArray();
+    for (item_ = 0; reader_.nextItem(); ++item_) {
+      if (section.isPlain()) {
+        readValue(section, section.fields.front(), values_.front());
+      } else {
+        readItem(section);
+      }
+      section.add(values_, file);
+      if (isOfCircles) circleOffsets.push_back(reader_.offset());
+    }
+  }
+
+  void readItem(const Section& section) {
+    expect(JsonKind::object, [&] { return "an object for " + nameOfItem(section); });
+    std::array<bool, kMostValues> isGiven{};  // of each field, at its first value
+    reader_.enterObject();
+    while (const auto key = reader_.nextKey()) {
+      const auto field = std::ranges::find(section.fields, *key, &Field::key);
+      if (field == section.fields.end()) {
+        reader_.skip();
+        continue;
+      }
+      if (isGiven[field->first]) reader_.fail(nameOfField(section, *field) + " is given twice.");
+      isGiven[field->first] = true;
+      readField(section, *field);
+    }
+    for (const Field& field : section.fields) {
+      if (!isGiven[field.first]) reader_.fail(nameOfItem(section) + " has no " + std::string(field.key) + ".");
+    }
+  }
+
+  void readField(const Section& section, const Field& field) {
+    if (!field.isArray) return readValue(section, field, values_[field.first]);
+    const auto numbers = [&] { return std::to_string(field.size) + " numbers for " + nameOfField(section, field); };
+    expect(JsonKind::array, numbers);
+    std::size_t count = 0;
+    reader_.enterArray();
+    while (count < field.size && reader_.nextItem()) readValue(section, field, values_[field.first + count++]);
+    if (count < field.size || reader_.nextItem()) reader_.fail("expected " + numbers() + ".");
+  }
+
+  void readValue(const Section& section, const Field& field, double& value) {
+    expect(JsonKind::number, [&] { return "a number for " + nameOfField(section, field); });
+    if (!field.isIndex) {
+      value = reader_.number();
+    } else if (const auto index = reader_.whole<std::int32_t>()) {
+      value = *index;
+    } else {
+      reader_.fail(nameOfField(section, field) + " is no index.");
+    }
   }
 
   /// "vertices[3]"
-  std::string item() const { return std::string(section_->key) + "[" + std::to_string(items_) + "]"; }
-
-  std::string expected() const {
-    switch (place_) {
-      case Place::outside:
-        return "expected an object";
-      case Place::format:
-        return "expected a string for format";
-      case Place::version:
-        return "expected a number for version";
-      case Place::section:
-        return "expected an array for " + std::string(section_->key);
-      case Place::list:
-        return "expected " + std::string(isPlainList() ? "a number" : "an object") + " for " + item();
-      default: {
-        const std::string numbers = field_->isArray ? std::to_string(field_->size) + " numbers" : "a number";
-        return "expected " + numbers + " for " + std::string(field_->key) + " of " + item();
-      }
-    }
+  std::string nameOfItem(const Section& section) const {
+    return std::string(section.key) + "[" + std::to_string(item_) + "]";
+  }
+  std::string nameOfField(const Section& section, const Field& field) const {
+    return (field.key.empty() ? "" : std::string(field.key) + " of ") + nameOfItem(section);
   }
 
-  /// Whether this value belongs to another key, of any depth; a plain one is skipped then.
-  bool isSkipped() {
-    if (place_ != Place::skipped) return false;
-    if (depth_ == 0) place_ = before_;
-    return true;
-  }
-  bool deeper() {
-    if (depth_ == 0) skippedFrom_ = position_.read() - 1;
-    ++depth_;
-    place_ = Place::skipped;
-    return true;
-  }
-  bool shallower() {
-    if (--depth_ > 0) return true;
-    place_ = before_;
-    if (isStats_) file_.diagram.stats = readStats(text_.substr(skippedFrom_, position_.read() - skippedFrom_));
-    return true;
-  }
-  bool skip(const std::string& key) {
-    isStats_ = place_ == Place::file && key == "stats";
-    before_ = place_;
-    return go(Place::skipped);
-  }
-
-  bool isPlainList() const { return section_->fields[0].key.empty(); }
-
-  bool enterKeyOfFile(const std::string& key) {
-    const auto section = std::ranges::find(kSections, key, &Section::key);
-    if (section == kSections.end() && key != "format" && key != "version") return skip(key);
-    if (seen_.contains(key)) return fail(key + " is given twice.");
-    if (key == "format") return go(Place::format);
-    if (key == "version") return go(Place::version);
-    seen_.insert(key);
-    section_ = &*section;
-    items_ = 0;
-    field_ = section_->fields.data();
-    return go(Place::section);
-  }
-
-  bool enterKeyOfItem(const std::string& key) {
-    const auto field = std::ranges::find(section_->fields, key, &Field::key);
-    if (field == section_->fields.end()) return skip(key);
-    field_ = &*field;
-    if (given_[field_->first]) return fail(key + " of " + item() + " is given twice.");
-    return go(Place::field);
-  }
-
-  bool number(double value) {
-    if (isSkipped()) return true;
-    switch (place_) {
-      case Place::version:
-        place_ = Place::file;
-        seen_.insert("version");
-        return value == kVersion || fail("the version is not 1, the only one that can be read.");
-      case Place::list:
-        return isPlainList() ? put(value) && finishItem() : fail(expected() + ", not a number.");
-      case Place::field:
-        return field_->isArray ? fail(expected() + ", not a number.") : put(value) && finishField();
-      case Place::array:
-        return count_ == field_->size ? fail(expected() + ".") : put(value);
-      default:
-        return fail(expected() + ", not a number.");
-    }
-  }
-
-  bool put(double value) {
-    constexpr double kLimit = std::numeric_limits<std::int32_t>::max();
-    if (field_->isIndex && !(std::abs(value) <= kLimit && value == std::trunc(value)))
-      return fail(std::string(field_->key.empty() ? "" : std::string(field_->key) + " of ") + item() + " is no index.");
-    values_[field_->first + count_++] = value;
-    return true;
-  }
-
-  bool finishField() {
-    given_[field_->first] = true;
-    return go(Place::item);
-  }
-
-  bool finishItem() {
-    for (const Field& field : section_->fields) {
-      if (!field.key.empty() && !given_[field.first]) return fail(item() + " has no " + std::string(field.key) + ".");
-    }
-    section_->add(values_, file_);
-    if (section_ == kSections.data()) circleLines_.push_back(position_.line());
-    ++items_;
-    return go(Place::list);
-  }
-
-  bool finishFile() {
-    if (!seen_.contains("format")) return fail("there is no format; a diagram has \"format\": \"circle-voronoi\".");
-    if (!seen_.contains("version")) return fail("there is no version.");
-    for (const Section& section : kSections) {
-      if (!seen_.contains(section.key)) return fail("there is no list of " + std::string(section.key) + ".");
-    }
-    return true;
-  }
-
-  std::string_view text_;
-  std::string_view name_;
-  JsonPosition& position_;
-  DiagramFile file_;
-  std::vector<int> circleLines_;
-  std::optional<Error> error_;
-
-  Place place_ = Place::outside;
-  Place before_ = Place::file;   ///< where a skipped value stands
-  int depth_ = 0;                ///< inside a skipped value
-  std::size_t skippedFrom_ = 0;  ///< where in the text it begins
-  bool isStats_ = false;         ///< whether it is that of `stats`
-  std::set<std::string, std::less<>> seen_;
-  const Section* section_ = nullptr;
-  std::size_t items_ = 0;  ///< items of the section that are complete
-  const Field* field_ = nullptr;
-  std::size_t count_ = 0;  ///< values of the field that are read
+  JsonReader reader_;
+  bool hasFormat_ = false;
+  bool hasVersion_ = false;
+  std::array<bool, kSections.size()> hasSection_{};
+  std::size_t item_ = 0;
   Values values_{};
-  std::array<bool, kMostValues> given_{};  ///< of each field, at its first value
 };
 
 }  // namespace
 
 Result<DiagramFile> readDiagram(std::string_view text, std::string_view name) {
-  JsonPosition position(text);
-  DiagramHandler handler(text, name, position);
-  parseJson(text, position, handler);
-  return std::move(handler).take();
+  const auto content = contentOf(text, name);
+  if (!content) return content.error();
+  text = content.value();
+  DiagramReader reader(text);
+  try {
+    reader.read();
+  } catch (const ReadFailure& failure) {
+    return errorAt(name, text, failure.offset, failure.reason);
+  }
+  const auto& circles = reader.file.circles;
+  if (const auto judged = validate(circles); !judged) return placed(judged.error(), reader.circleOffsets, name, text);
+  return std::move(reader.file);
 }
 
 }  // namespace circle_voronoi

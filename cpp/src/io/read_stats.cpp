@@ -1,47 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <limits>
 #include <string>
 
-#include "json_reading.h"
 #include "stats.h"
 
 namespace circle_voronoi {
 namespace {
 
 /// Names have small letters and hyphens. Nothing else is taken, as it is written again without escapes.
-void take(const Json& value, std::string& name) {
-  if (!value.is_string()) return;
-  const auto& text = value.get_ref<const std::string&>();
+void take(JsonReader& reader, std::string& name) {
+  if (reader.kind() != JsonKind::string) return reader.skip();
+  const std::string_view text = reader.string();
   const auto fits = [](char c) { return c == '-' || (c >= 'a' && c <= 'z'); };
-  if (std::all_of(text.begin(), text.end(), fits)) name = text;
+  if (std::ranges::all_of(text, fits)) name = text;
 }
 
-void take(const Json& value, std::int64_t& count) {
-  if (value.is_number_unsigned() && value.get<std::uint64_t>() <= std::numeric_limits<std::int64_t>::max()) {
-    count = value.get<std::int64_t>();
-  }
+void take(JsonReader& reader, std::int64_t& count) {
+  if (reader.kind() != JsonKind::number) return reader.skip();
+  if (const auto value = reader.whole<std::int64_t>(); value && *value >= 0) count = *value;
 }
 
-void take(const Json& value, double& seconds) {
-  if (value.is_number()) seconds = value.get<double>();
+void take(JsonReader& reader, double& seconds) {
+  if (reader.kind() != JsonKind::number) return reader.skip();
+  seconds = reader.number();
 }
 
 template <class Struct, class Field, std::size_t count>
-void takeFields(const Json& object, const std::array<NamedField<Struct, Field>, count>& fields, Struct& values) {
-  for (const auto& [name, field] : fields) take(at(object, name), values.*field);
+void takeFields(JsonReader& reader, const std::array<NamedField<Struct, Field>, count>& fields, Struct& values) {
+  if (reader.kind() != JsonKind::object) return reader.skip();
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    const auto field = std::ranges::find(fields, *key, &NamedField<Struct, Field>::name);
+    if (field == fields.end()) {
+      reader.skip();
+    } else {
+      take(reader, values.*(field->field));
+    }
+  }
 }
 
 }  // namespace
 
-Stats readStats(std::string_view text) {
-  const Json json = Json::parse(text);
+Stats readStats(JsonReader& reader) {
   Stats stats;
-  take(at(json, "method"), stats.method);
-  take(at(json, "way"), stats.way);
-  take(at(json, "candidates"), stats.candidates);
-  takeFields(at(json, "counts"), kCounts, stats.counts);
-  takeFields(at(json, "seconds"), kSeconds, stats.seconds);
+  if (reader.kind() != JsonKind::object) {
+    reader.skip();
+    return stats;
+  }
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    if (*key == "method") {
+      take(reader, stats.method);
+    } else if (*key == "way") {
+      take(reader, stats.way);
+    } else if (*key == "candidates") {
+      take(reader, stats.candidates);
+    } else if (*key == "counts") {
+      takeFields(reader, kCounts, stats.counts);
+    } else if (*key == "seconds") {
+      takeFields(reader, kSeconds, stats.seconds);
+    } else {
+      reader.skip();
+    }
+  }
   return stats;
 }
 

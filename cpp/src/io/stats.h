@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "circle_voronoi/diagram.h"
+#include "json_reader.h"
 
 namespace circle_voronoi {
 
@@ -45,8 +46,8 @@ inline constexpr auto kSeconds = std::to_array<NamedField<Seconds, double>>({
 });
 static_assert(sizeof(Seconds) == kSeconds.size() * sizeof(double), "each time has a name");
 
-/// The `stats` of a diagram as far as they are there; what is missing or of another type is left empty, as is any
-/// certificate. Precondition: `text` is JSON.
-Stats readStats(std::string_view text);
+/// Reads the `stats` of a diagram as far as they are there; what is missing or of another type is left empty, as is any
+/// certificate.
+Stats readStats(JsonReader& reader);
 
 }  // namespace circle_voronoi

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,22 +12,35 @@
 
 namespace circle_voronoi {
 
-/// Circles as read from text, each with the line, from 1, on which it ends.
-struct NumberedCircles {
+/// Circles as read from text, each with the place in the text where it ends.
+struct PlacedCircles {
   std::vector<Circle> circles;
-  std::vector<int> lines;
+  std::vector<std::size_t> offsets;
 };
 
-/// An error of code badInput: `name:line: reason`.
-Error errorAt(std::string_view name, int line, const std::string& reason);
+/// Why reading ends, and where in the text. Thrown inside the readers only; none lets it out.
+struct ReadFailure {
+  std::size_t offset;
+  std::string reason;
+};
 
-/// Lines `x,y,r`, the first of which may be the words x, y, r.
-Result<NumberedCircles> readCsv(std::string_view text, std::string_view name);
+/// The text after a byte-order mark. Errors: badInput, if it is UTF-16, or nothing but white space.
+Result<std::string_view> contentOf(std::string_view text, std::string_view name);
+
+/// An error of code badInput about a place in a text, on one printable line: `name:line: reason`. Lines, from 1, end in
+/// LF, CRLF or CR.
+Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason);
+
+/// The error of `validate` with the line of the circle that it is about; `offsets` as those of PlacedCircles.
+Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text);
+
+/// A table of circles (io.h).
+Result<PlacedCircles> readCsv(std::string_view text, std::string_view name);
 
 /// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`; other keys of an object are skipped.
-Result<NumberedCircles> readJson(std::string_view text, std::string_view name);
+Result<PlacedCircles> readJson(std::string_view text, std::string_view name);
 
 /// A GeoJSON FeatureCollection of Points with a property `radius` or `r`.
-Result<NumberedCircles> readGeoJson(std::string_view text, std::string_view name);
+Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name);
 
 }  // namespace circle_voronoi

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "json_reader.h"
+
+#include <vector>
+
+namespace circle_voronoi {
+namespace {
+
+bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+/// A character of a string that stands for itself, of one byte.
+bool isPlain(char c) {
+  return static_cast<unsigned char>(c) >= 0x20 && static_cast<signed char>(c) >= 0 && c != '"' && c != '\\';
+}
+
+void appendUtf8(std::string& text, char32_t c) {
+  const auto append = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  const auto tail = [&](int shift) { append(0x80 | ((c >> shift) & 0x3F)); };
+  if (c < 0x80) {
+    append(c);
+  } else if (c < 0x800) {
+    append(0xC0 | (c >> 6));
+    tail(0);
+  } else if (c < 0x10000) {
+    append(0xE0 | (c >> 12));
+    tail(6);
+    tail(0);
+  } else {
+    append(0xF0 | (c >> 18));
+    tail(12);
+    tail(6);
+    tail(0);
+  }
+}
+
+/// How many bytes of a character of UTF-8 stand at the front of a text that does not begin with ASCII; 0 if none does.
+std::size_t sizeOfUtf8(std::string_view text) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+  };
+  const unsigned first = byte(0);
+  const std::size_t size = first >= 0xC2 && first < 0xE0   ? 2
+                           : first >= 0xE0 && first < 0xF0 ? 3
+                           : first >= 0xF0 && first < 0xF5 ? 4
+                                                           : 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  // Neither longer than needed, nor a half of a pair of UTF-16, nor beyond the last character.
+  const bool isBad = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) >= 0xA0) ||
+                     (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) >= 0x90);
+  return isBad ? 0 : size;
+}
+
+}  // namespace
+
+std::string_view nameOf(JsonKind kind) {
+  switch (kind) {
+    case JsonKind::null:
+      return "null";
+    case JsonKind::boolean:
+      return "a boolean";
+    case JsonKind::number:
+      return "a number";
+    case JsonKind::string:
+      return "a string";
+    case JsonKind::array:
+      return "an array";
+    case JsonKind::object:
+      return "an object";
+  }
+  return "";
+}
+
+void JsonReader::fail(const std::string& reason) const { throw ReadFailure{at_ == 0 ? 0 : at_ - 1, reason}; }
+
+void JsonReader::failSyntax(const std::string& expected) const {
+  std::string found = "the end of the text";
+  if (!isAtEnd()) {
+    const std::size_t size = isPlain(text_[at_]) ? 1 : std::max<std::size_t>(sizeOfUtf8(text_.substr(at_)), 1);
+    found = "\"" + std::string(text_.substr(at_, size)) + "\"";
+  }
+  throw ReadFailure{at_, "bad JSON: expected " + expected + ", not " + found + "."};
+}
+
+void JsonReader::skipSpace() {
+  while (!isAtEnd() && isSpace(text_[at_])) ++at_;
+}
+
+JsonKind JsonReader::kind() {
+  skipSpace();
+  if (isAtEnd()) failSyntax("a value");
+  const char c = text_[at_];
+  if (c == '-' || isDigit(c)) return JsonKind::number;
+  switch (c) {
+    case '"':
+      return JsonKind::string;
+    case '[':
+      return JsonKind::array;
+    case '{':
+      return JsonKind::object;
+    case 't':
+    case 'f':
+      return JsonKind::boolean;
+    case 'n':
+      return JsonKind::null;
+    default:
+      failSyntax("a value");
+  }
+}
+
+void JsonReader::enter(char begin) {
+  skipSpace();
+  if (isAtEnd() || text_[at_] != begin) failSyntax(std::string(1, begin));
+  ++at_;
+  isFirst_ = true;
+}
+
+/// Whether there is another item before `end`; else reads past it.
+bool JsonReader::next(char end) {
+  skipSpace();
+  const bool isFirst = isFirst_;
+  isFirst_ = false;
+  if (!isAtEnd() && text_[at_] == end) {
+    ++at_;
+    return false;
+  }
+  if (isFirst) return true;
+  if (isAtEnd() || text_[at_] != ',') failSyntax(std::string(", or ") + end);
+  ++at_;
+  return true;
+}
+
+bool JsonReader::nextItem() {
+  if (!next(']')) return false;
+  (void)kind();  // no comma comes before the end
+  return true;
+}
+
+std::optional<std::string_view> JsonReader::nextKey() {
+  if (!next('}')) return std::nullopt;
+  skipSpace();
+  if (isAtEnd() || text_[at_] != '"') failSyntax("a key in quotation marks");
+  const std::string_view key = string();
+  skipSpace();
+  if (isAtEnd() || text_[at_] != ':') failSyntax("a colon after a key");
+  ++at_;
+  return key;
+}
+
+void JsonReader::skipDigits() {
+  if (isAtEnd() || !isDigit(text_[at_])) failSyntax("a digit");
+  while (!isAtEnd() && isDigit(text_[at_])) ++at_;
+}
+
+std::string_view JsonReader::numeral() {
+  if (kind() != JsonKind::number) failSyntax("a number");
+  const std::size_t begin = at_;
+  if (text_[at_] == '-') ++at_;
+  if (!isAtEnd() && text_[at_] == '0') {
+    ++at_;
+  } else {
+    skipDigits();
+  }
+  if (!isAtEnd() && text_[at_] == '.') {
+    ++at_;
+    skipDigits();
+  }
+  if (!isAtEnd() && (text_[at_] == 'e' || text_[at_] == 'E')) {
+    ++at_;
+    if (!isAtEnd() && (text_[at_] == '+' || text_[at_] == '-')) ++at_;
+    skipDigits();
+  }
+  return text_.substr(begin, at_ - begin);
+}
+
+double JsonReader::valueOf(std::string_view numeral) const {
+  double value = 0;
+  const auto code = std::from_chars(numeral.data(), numeral.data() + numeral.size(), value).ec;
+  if (code != std::errc()) fail("a number is beyond the range of a double: " + std::string(numeral) + ".");
+  return value;
+}
+
+double JsonReader::number() { return valueOf(numeral()); }
+
+std::string_view JsonReader::string() {
+  if (kind() != JsonKind::string) failSyntax("a string");
+  const std::size_t begin = ++at_;
+  while (!isAtEnd() && isPlain(text_[at_])) ++at_;
+  if (!isAtEnd() && text_[at_] == '"') return text_.substr(begin, at_++ - begin);
+  decoded_.assign(text_, begin, at_ - begin);
+  while (!isAtEnd() && text_[at_] != '"') {
+    if (text_[at_] == '\\') {
+      decodeEscape();
+    } else {
+      const std::size_t from = at_;
+      skipCharacter();
+      decoded_.append(text_, from, at_ - from);
+    }
+  }
+  if (isAtEnd()) failSyntax("the end of a string");
+  ++at_;
+  return decoded_;
+}
+
+void JsonReader::skipCharacter() {
+  const char c = text_[at_];
+  if (isPlain(c)) {
+    ++at_;
+    return;
+  }
+  if (static_cast<unsigned char>(c) < 0x20) throw ReadFailure{at_, "bad JSON: a string has a control character."};
+  const std::size_t size = sizeOfUtf8(text_.substr(at_));
+  if (size == 0) throw ReadFailure{at_, "bad JSON: a string is not UTF-8."};
+  at_ += size;
+}
+
+char32_t JsonReader::hexDigits() {
+  unsigned value = 0;
+  const std::string_view digits = text_.substr(at_, 4);
+  const auto [stop, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  if (digits.size() < 4 || code != std::errc() || stop != digits.data() + 4) {
+    throw ReadFailure{at_, "bad JSON: a string has a bad escape."};
+  }
+  at_ += 4;
+  return value;
+}
+
+void JsonReader::decodeEscape() {
+  constexpr std::string_view kEscapes = "\"\\/bfnrtu";
+  constexpr std::string_view kMeanings = "\"\\/\b\f\n\r\t";
+  const std::size_t which = kEscapes.find(text_.substr(at_ + 1, 1));
+  if (at_ + 1 == text_.size() || which == std::string_view::npos) {
+    throw ReadFailure{at_, "bad JSON: a string has a bad escape."};
+  }
+  at_ += 2;
+  if (which < kMeanings.size()) {
+    decoded_ += kMeanings[which];
+    return;
+  }
+  char32_t c = hexDigits();
+  const bool isHigh = c >= 0xD800 && c < 0xDC00;
+  if (isHigh && text_.substr(at_, 2) == "\\u") {
+    at_ += 2;
+    const char32_t low = hexDigits();
+    if (low >= 0xDC00 && low < 0xE000) return appendUtf8(decoded_, 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00));
+  }
+  if (c >= 0xD800 && c < 0xE000) throw ReadFailure{at_ - 1, "bad JSON: a string has half of a pair of UTF-16."};
+  appendUtf8(decoded_, c);
+}
+
+void JsonReader::skipWord() {
+  for (const std::string_view word : {"null", "true", "false"}) {
+    if (text_.substr(at_, word.size()) == word) {
+      at_ += word.size();
+      return;
+    }
+  }
+  failSyntax("a value");
+}
+
+void JsonReader::skip() {
+  std::vector<bool> isObject;  // of each array or object that is open
+  do {
+    if (!isObject.empty()) {
+      const bool isMore = isObject.back() ? nextKey().has_value() : nextItem();
+      if (!isMore) {
+        isObject.pop_back();
+        continue;
+      }
+    }
+    switch (kind()) {
+      case JsonKind::array:
+        enterArray();
+        isObject.push_back(false);
+        break;
+      case JsonKind::object:
+        enterObject();
+        isObject.push_back(true);
+        break;
+      case JsonKind::string:
+        (void)string();
+        break;
+      case JsonKind::number:
+        (void)numeral();
+        break;
+      default:
+        skipWord();
+    }
+  } while (!isObject.empty());
+}
+
+void JsonReader::finish() {
+  skipSpace();
+  if (!isAtEnd()) failSyntax("the end of the text");
+}
+
+}  // namespace circle_voronoi
