@@ -9,6 +9,7 @@
 #include <map>
 
 #include "exact.h"
+#include "face_discs.h"
 #include "report.h"
 #include "tie_inputs.h"
 #include "triangulate.h"
@@ -107,22 +108,18 @@ class Comparison {
       const auto [a, b, c] = abc;
       for (int d = 0; d < count_; ++d) {
         const auto bad = faces_.find({b, a, d});
-        if (d == c || bad == faces_.end()) continue;
-        const Face& g = bad->second;
-        const int order = predicates_.edgeOrder(a, b, c, d, f.disc, g.disc);
-        const double ra = circles_[a].r;
-        const double rb = circles_[b].r;
-        if (c == kInfinity) {
-          EXPECT_EQ(order, 1);
-          continue;
-        }
+        if (d == c || c == kInfinity || bad == faces_.end()) continue;
         // Seen from the larger circle; of equal ones from either.
-        if (ra >= rb) {
-          EXPECT_EQ(order, exact::crossSign(g.circles, f.circles, circles_[a])) << a << b << c << d;
-        }
-        if (rb >= ra) {
-          EXPECT_EQ(order, exact::crossSign(f.circles, g.circles, circles_[b])) << a << b << c << d;
-        }
+        const int order = circles_[a].r >= circles_[b].r
+                              ? exact::crossSign(bad->second.circles, f.circles, circles_[a])
+                              : exact::crossSign(f.circles, bad->second.circles, circles_[b]);
+        EXPECT_EQ(predicates_.looksFromFirst(a, b) ? predicates_.refinedEdgeOrder(a, b, c, d)
+                                                   : predicates_.refinedEdgeOrder(b, a, d, c),
+                  order)
+            << a << b << c << d;
+        const Dual dual{{a, b, c, b, a, d}, {3, kNone, kNone, 0, kNone, kNone}};
+        const Flaw flaw = order < 0 ? Flaw::edgeOutOfOrder : Flaw::none;
+        EXPECT_EQ(FaceDiscs(circles_, dual, predicates_).flawOf(0), flaw) << a << b << c << d;
       }
     }
   }

@@ -8,6 +8,7 @@ add_executable(circle_voronoi_proof_tests
   dual_edits.cpp
   exact_test.cpp
   fixtures.cpp
+  flip_test.cpp
   hide_test.cpp
   in_circle_test.cpp
   io_read_diagram_test.cpp
@@ -15,6 +16,7 @@ add_executable(circle_voronoi_proof_tests
   predicates_test.cpp
   repair_test.cpp
   report.cpp
+  small_duals.cpp
   tie_inputs.cpp
   trial.cpp
   vertex_test.cpp)

@@ -3,63 +3,50 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <iostream>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "apollonius.h"
+#include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
 #include "dual_edits.h"
-#include "flip.h"
-#include "hide.h"
 #include "judge.h"
-#include "pair.h"
 #include "report.h"
-#include "touch.h"
-#include "validate.h"
+#include "small_duals.h"
 
 namespace circle_voronoi {
 namespace {
 
-std::vector<Circle> visibleCircles(Family family, std::size_t count, std::uint64_t seed) {
-  return hide(order(validate(generate(family, count, seed)).value().circles)).circles;
-}
+using test::isRight;
+using test::kFamilies;
+using test::solve;
+using test::visibleCircles;
 
-std::optional<Dual> judgedRight(std::span<const Circle> circles, Dual dual) {
+/// One round of repair, with discs of its own.
+std::int64_t repairOnce(std::span<const Circle> circles, Dual& dual, int reach, const LocalSolver& solver) {
   Predicates predicates(circles);
-  if (!judge(circles, dual, predicates).isRight()) return std::nullopt;
-  return dual;
+  FaceDiscs discs(circles, dual, predicates);
+  std::vector<int> wrong = wrongFaces(discs);
+  return repair(dual, discs, wrong, reach, solver);
 }
 
-/// The touching disc method on all pairs, and if that is wrong CGAL's graph.
-std::optional<Dual> solve(std::span<const Circle> circles) {
-  const int n = static_cast<int>(circles.size());
-  const auto dual = dualOf(touch(circles, pairAll(n), {}).topology, n);
-  if (const auto* touched = std::get_if<Dual>(&dual)) {
-    if (auto right = judgedRight(circles, *touched)) return right;
-  }
-  return judgedRight(circles, apolloniusGraph(circles));
+/// How many signs were asked for.
+std::int64_t decisions(const Predicates& predicates) {
+  const FilterCounts& counts = predicates.counts();
+  return counts.filtered + counts.refined + counts.inCircle + counts.exact;
 }
-
-bool isRight(std::span<const Circle> circles, const Dual& dual) { return judgedRight(circles, dual).has_value(); }
-
-constexpr std::array kFamilies = {Family::uniform,      Family::logUniform, Family::oneHuge,   Family::extreme,
-                                  Family::intersecting, Family::chaos,      Family::ringVaried};
 
 TEST(Repair, LeavesARightDualAlone) {
   for (const Family family : kFamilies) {
     const auto circles = visibleCircles(family, 30, 1);
     const Dual right = *solve(circles);
     Dual dual = right;
-    Predicates predicates(circles);
     const auto fail = [](std::span<const Circle>) -> std::optional<Dual> {
       ADD_FAILURE() << "nothing is to be solved";
       return std::nullopt;
     };
-    EXPECT_EQ(repair(circles, dual, predicates, 2, fail), 0);
+    EXPECT_EQ(repairOnce(circles, dual, 2, fail), 0);
     EXPECT_EQ(dual.origin, right.origin);
     EXPECT_EQ(dual.twin, right.twin);
   }
@@ -80,8 +67,8 @@ TEST(Repair, RightsWhatRandomFlipsBroke) {
       if (isRight(circles, dual)) continue;
       ++broken;
       for (const int reach : {2, 4, 8, 16}) {
+        repairOnce(circles, dual, reach, solve);
         Predicates predicates(circles);
-        repair(circles, dual, predicates, reach, solve);
         // Right or wrong, it stays a triangulated sphere.
         const Flaw flaw = judge(circles, dual, predicates).flaw;
         ASSERT_NE(flaw, Flaw::adjacency);
@@ -96,6 +83,60 @@ TEST(Repair, RightsWhatRandomFlipsBroke) {
   EXPECT_GE(repaired, broken * 49 / 50);
 }
 
+// What repair keeps between its rounds is what a look at the whole dual would find.
+TEST(Repair, KeepsDiscsAndWrongFacesInStep) {
+  const std::uint64_t seed = test::seedOr(1);
+  int rounds = 0;
+  for (const Family family : kFamilies) {
+    for (std::uint64_t trial = 0; trial < 20; ++trial) {
+      SCOPED_TRACE(std::string(familyName(family)) + ", trial " + std::to_string(trial));
+      Random random(seed * 1'000'003 + trial);
+      const auto circles = visibleCircles(family, 40 + random.below(60), random.next());
+      Dual dual = *solve(circles);
+      test::flipRandomEdges(dual, 12, random);
+      Predicates predicates(circles);
+      FaceDiscs discs(circles, dual, predicates);
+      std::vector<int> wrong = wrongFaces(discs);
+      // A solver that sometimes fails leaves patches behind.
+      const LocalSolver solver = [&](std::span<const Circle> local) {
+        return random.below(3) == 0 ? std::nullopt : solve(local);
+      };
+      for (const int reach : {1, 1, 2, 2}) {
+        repair(dual, discs, wrong, reach, solver);
+        ++rounds;
+        const FaceDiscs fresh(circles, dual, predicates);
+        EXPECT_EQ(wrong, wrongFaces(fresh));
+        for (int face = 0; face < dual.faceCount(); ++face) EXPECT_EQ(discs.exists(face), fresh.exists(face));
+      }
+    }
+  }
+  EXPECT_GT(rounds, 100);
+}
+
+// A bad spot costs the same in a small diagram and in a large one.
+TEST(Repair, LooksAtThePatchesAlone) {
+  for (const std::size_t count : {500, 5000}) {
+    const auto circles = visibleCircles(Family::uniform, count, 1);
+    Dual dual = test::dualOf(compute(circles).value(), circles.size());
+    int h = 0;
+    const auto canFlip = [&] {
+      return dual.isFinite(h / 3) && dual.isFinite(dual.twin[h] / 3) &&
+             dual.origin[Dual::previous(h)] != dual.origin[Dual::previous(dual.twin[h])];
+    };
+    while (!canFlip()) ++h;
+    test::flipEdge(dual, h);
+    Predicates predicates(circles);
+    FaceDiscs discs(circles, dual, predicates);
+    std::vector<int> wrong = wrongFaces(discs);
+    ASSERT_FALSE(wrong.empty());
+    const std::int64_t before = decisions(predicates);
+    EXPECT_EQ(repair(dual, discs, wrong, 2, solve), 1);
+    EXPECT_LT(decisions(predicates) - before, 200);
+    EXPECT_TRUE(wrong.empty());
+    EXPECT_TRUE(isRight(circles, dual));
+  }
+}
+
 TEST(Repair, LeavesWhatCannotBeSolved) {
   const auto circles = visibleCircles(Family::uniform, 40, 1);
   Dual dual = *solve(circles);
@@ -103,9 +144,8 @@ TEST(Repair, LeavesWhatCannotBeSolved) {
   ASSERT_GT(test::flipRandomEdges(dual, 3, random), 0);
   const Dual wrong = dual;
   ASSERT_FALSE(isRight(circles, dual));
-  Predicates predicates(circles);
   const auto giveUp = [](std::span<const Circle>) { return std::optional<Dual>(); };
-  EXPECT_EQ(repair(circles, dual, predicates, 2, giveUp), 0);
+  EXPECT_EQ(repairOnce(circles, dual, 2, giveUp), 0);
   EXPECT_EQ(dual.origin, wrong.origin);
   EXPECT_EQ(dual.twin, wrong.twin);
 }
@@ -124,42 +164,11 @@ TEST(Repair, RepairsAtInfinity) {
     if (isRight(circles, dual)) continue;
     ++broken;
     for (const int reach : {2, 4}) {
-      Predicates predicates(circles);
-      repair(circles, dual, predicates, reach, solve);
+      repairOnce(circles, dual, reach, solve);
     }
     EXPECT_TRUE(isRight(circles, dual)) << h;
   }
   EXPECT_GT(broken, 3);
-}
-
-TEST(Flip, RightsRandomFlips) {
-  const std::uint64_t seed = test::seedOr(1);
-  int broken = 0;
-  int righted = 0;
-  for (const Family family : {Family::uniform, Family::logUniform, Family::ringVaried, Family::points}) {
-    for (std::uint64_t trial = 0; trial < 40; ++trial) {
-      Random random(seed * 1'000'003 + trial);
-      const auto circles = visibleCircles(family, 5 + random.below(60), random.next());
-      Dual dual = *solve(circles);
-      test::flipRandomEdges(dual, 1, random);
-      if (isRight(circles, dual)) continue;
-      ++broken;
-      Predicates predicates(circles);
-      if (flip(circles, dual, predicates) > 0 && isRight(circles, dual)) ++righted;
-    }
-  }
-  EXPECT_GT(broken, 50);
-  EXPECT_GE(righted, broken * 9 / 10);
-  std::cout << righted << " of " << broken << " broken duals flipped back\n";
-}
-
-TEST(Flip, DoesNothingToARightDual) {
-  for (const Family family : kFamilies) {
-    const auto circles = visibleCircles(family, 40, 3);
-    Dual dual = *solve(circles);
-    Predicates predicates(circles);
-    EXPECT_EQ(flip(circles, dual, predicates), 0) << familyName(family);
-  }
 }
 
 }  // namespace

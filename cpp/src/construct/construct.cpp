@@ -62,7 +62,8 @@ Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pa
 Dual flipped(Dual dual, const Sites& sites, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::flip);
   Predicates predicates(sites.circles);
-  journal.stats.counts.flips += flip(sites.circles, dual, predicates);
+  FaceDiscs discs(sites.circles, dual, predicates);
+  journal.stats.counts.flips += flip(dual, discs);
   addCounts(predicates, journal.stats.counts);
   return dual;
 }
@@ -120,6 +121,21 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journ
   return std::move(*dual);
 }
 
+/// A dual after repair in patches that grow until none is seen to be wrong.
+Dual repaired(Dual dual, const Sites& sites, Journal& journal) {
+  const Stopwatch watch = journal.enter(Stage::repair);
+  Predicates predicates(sites.circles);
+  FaceDiscs discs(sites.circles, dual, predicates);
+  std::vector<int> wrong = wrongFaces(discs);
+  for (const int reach : {2, 4, 8, 16}) {
+    if (wrong.empty()) break;
+    journal.stats.counts.repairs += repair(
+        dual, discs, wrong, reach, [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
+  }
+  addCounts(predicates, journal.stats.counts);
+  return dual;
+}
+
 }  // namespace
 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
@@ -169,19 +185,9 @@ Construction constructAutomatically(const Sites& sites, Journal& journal) {
   journal.stats.way = "flip";
   Dual dual = flipped(sites.centres, sites, journal);
   Construction result = judged(dual, sites.circles, journal);
-  for (const int reach : {2, 4, 8, 16}) {
-    if (result.certificate.certified()) return result;
-    journal.stats.way = "repair";
-    {
-      const Stopwatch watch = journal.enter(Stage::repair);
-      Predicates predicates(sites.circles);
-      journal.stats.counts.repairs +=
-          repair(sites.circles, dual, predicates, reach,
-                 [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
-      addCounts(predicates, journal.stats.counts);
-    }
-    result = judged(dual, sites.circles, journal);
-  }
+  if (result.certificate.certified()) return result;
+  journal.stats.way = "repair";
+  result = judged(repaired(std::move(dual), sites, journal), sites.circles, journal);
   for (const int samples : {1, 3}) {
     if (result.certificate.certified()) return result;
     Options options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flip.h"
 
+#include <span>
 #include <vector>
 
 namespace circle_voronoi {
@@ -8,11 +9,8 @@ namespace {
 
 class Flipper {
  public:
-  Flipper(std::span<const Circle> circles, Dual& dual, Predicates& predicates)
-      : circles_(circles), dual_(dual), predicates_(predicates) {
-    discs_.reserve(dual.faceCount());
-    for (int face = 0; face < dual.faceCount(); ++face) discs_.push_back(discOf(face));
-  }
+  Flipper(Dual& dual, FaceDiscs& discs)
+      : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()) {}
 
   std::int64_t run() {
     // Far more flips than any input seen needs: going on means going round in circles.
@@ -24,7 +22,8 @@ class Flipper {
       while (!stack_.empty()) {
         const int h = stack_.back();
         stack_.pop_back();
-        if (!isWrong(h)) continue;
+        const Flaw flaw = discs_.flawOf(h);
+        if (flaw == Flaw::none || !isToFlip(h, flaw)) continue;
         if (flips == limit) return flips;
         flipEdge(h);
         ++flips;
@@ -34,27 +33,20 @@ class Flipper {
   }
 
  private:
-  FaceDisc discOf(int face) {
-    return predicates_.disc({dual_.origin[3 * face], dual_.origin[3 * face + 1], dual_.origin[3 * face + 2]});
-  }
-
-  bool isWrong(int h) {
+  /// Whether an edge with a flaw is to be flipped: the edge across may be better.
+  bool isToFlip(int h, Flaw flaw) const {
     const int t = dual_.twin[h];
-    const int a = dual_.origin[h];
-    const int b = dual_.origin[t];
-    const int c = dual_.origin[Dual::previous(h)];
+    const auto [a, b, c] = cornersOf(dual_, h);
     const int d = dual_.origin[Dual::previous(t)];
     if (c == d) return false;  // the flipped edge would be a loop
-    // The hull goes d, a, c (or d, b, c): the middle circle must not lie behind the tangent line of the other two.
-    if (b == kInfinity) return predicates_.tangentSide(c, d, a) < 0 && predicates_.disc({a, d, c}).exists;
-    if (a == kInfinity) return predicates_.tangentSide(d, c, b) < 0 && predicates_.disc({b, c, d}).exists;
-    const FaceDisc& f = discs_[h / 3];
-    const FaceDisc& g = discs_[t / 3];
-    if (!f.exists || !g.exists) {
-      return (!f.exists && isTopOf(a, b, c) && predicates_.tangentSide(b, a, c) >= 0) ||
-             (!g.exists && isTopOf(b, a, d) && predicates_.tangentSide(a, b, d) >= 0);
+    if (flaw == Flaw::vertexWithoutDisc) {
+      return (!discs_.exists(h / 3) && isTopOf(a, b, c) && predicates_.tangentSide(b, a, c) >= 0) ||
+             (!discs_.exists(t / 3) && isTopOf(b, a, d) && predicates_.tangentSide(a, b, d) >= 0);
     }
-    return predicates_.edgeOrder(a, b, c, d, f, g) < 0;
+    // A circle that leaves the hull gets a vertex with its neighbours there.
+    if (b == kInfinity) return predicates_.disc({a, d, c}).exists;
+    if (a == kInfinity) return predicates_.disc({b, c, d}).exists;
+    return true;
   }
 
   /// The length of the common tangents of two circles, squared.
@@ -85,9 +77,9 @@ class Flipper {
     dual_.origin[bc] = dual_.origin[db];
     dual_.origin[ad] = dual_.origin[ca];
     link(bc, ad);
-    discs_[h / 3] = discOf(h / 3);
-    discs_[t / 3] = discOf(t / 3);
-    if (!discs_[h / 3].exists || !discs_[t / 3].exists) stack_.push_back(bc);
+    discs_.update(h / 3);
+    discs_.update(t / 3);
+    if (!discs_.exists(h / 3) || !discs_.exists(t / 3)) stack_.push_back(bc);
     for (const int outer : {h, ca, t, db}) stack_.push_back(outer);
   }
 
@@ -98,15 +90,13 @@ class Flipper {
 
   std::span<const Circle> circles_;
   Dual& dual_;
+  FaceDiscs& discs_;
   Predicates& predicates_;
-  std::vector<FaceDisc> discs_;
   std::vector<int> stack_;
 };
 
 }  // namespace
 
-std::int64_t flip(std::span<const Circle> circles, Dual& dual, Predicates& predicates) {
-  return Flipper(circles, dual, predicates).run();
-}
+std::int64_t flip(Dual& dual, FaceDiscs& discs) { return Flipper(dual, discs).run(); }
 
 }  // namespace circle_voronoi

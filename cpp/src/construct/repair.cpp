@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "circle_voronoi/none.h"
@@ -13,63 +15,50 @@ namespace {
 
 using Triple = Predicates::Triple;
 
-Triple cornersOf(const Dual& dual, int h) { return {dual.origin[h], dual.target(h), dual.origin[Dual::previous(h)]}; }
-
-/// The faces that the repair starts from.
-std::vector<int> wrongFaces(const Dual& dual, Predicates& predicates) {
-  std::vector<FaceDisc> discs;
-  discs.reserve(dual.faceCount());
-  for (int face = 0; face < dual.faceCount(); ++face) discs.push_back(predicates.disc(cornersOf(dual, 3 * face)));
-  std::vector<int> wrong;
-  for (int face = 0; face < dual.faceCount(); ++face) {
-    if (!discs[face].exists) wrong.push_back(face);
+/// Appends the faces of an edge that is wrong; a face without a disc alone.
+void addWrong(const FaceDiscs& discs, int h, std::vector<int>& wrong) {
+  const Flaw flaw = discs.flawOf(h);
+  if (flaw == Flaw::none) return;
+  for (const int face : {h / 3, discs.dual().twin[h] / 3}) {
+    if (flaw != Flaw::vertexWithoutDisc || !discs.exists(face)) wrong.push_back(face);
   }
-  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    const int t = dual.twin[h];
-    if (h > t || !discs[h / 3].exists || !discs[t / 3].exists) continue;
-    const auto [a, b, c] = cornersOf(dual, h);
-    const int d = dual.origin[Dual::previous(t)];
-    const bool isWrong = a == kInfinity   ? predicates.tangentSide(d, c, b) < 0
-                         : b == kInfinity ? predicates.tangentSide(c, d, a) < 0
-                                          : predicates.edgeOrder(a, b, c, d, discs[h / 3], discs[t / 3]) < 0;
-    if (isWrong) wrong.insert(wrong.end(), {h / 3, t / 3});
-  }
-  return wrong;
 }
 
-/// Labels the faces within `reach` steps of the given ones by connected patches; kNone elsewhere.
-std::vector<std::vector<int>> patchesAround(const Dual& dual, const std::vector<int>& wrong, int reach,
-                                            std::vector<int>& patchOf) {
-  std::vector<int> distance(dual.faceCount(), -1);
-  std::vector<int> queue;
-  for (const int face : wrong) {
-    if (distance[face] == 0) continue;
-    distance[face] = 0;
-    queue.push_back(face);
-  }
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const int face = queue[i];
-    if (distance[face] == reach) continue;
-    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+void sortUnique(std::vector<int>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// A connected set of faces, and which those are.
+struct Patch {
+  std::vector<int> faces;
+  std::unordered_set<int> members;
+};
+
+/// The faces within `reach` steps of the given ones, by connected patches.
+std::vector<Patch> patchesAround(const Dual& dual, const std::vector<int>& wrong, int reach) {
+  std::unordered_map<int, int> distances;
+  std::vector<int> near = wrong;
+  for (const int face : wrong) distances.emplace(face, 0);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const int distance = distances.at(near[i]);
+    if (distance == reach) continue;
+    for (int h = 3 * near[i]; h < 3 * near[i] + 3; ++h) {
       const int neighbor = dual.twin[h] / 3;
-      if (distance[neighbor] >= 0) continue;
-      distance[neighbor] = distance[face] + 1;
-      queue.push_back(neighbor);
+      if (distances.emplace(neighbor, distance + 1).second) near.push_back(neighbor);
     }
   }
-  patchOf.assign(dual.faceCount(), -1);
-  std::vector<std::vector<int>> patches;
-  for (const int seed : queue) {
-    if (patchOf[seed] >= 0) continue;
-    const int label = static_cast<int>(patches.size());
-    std::vector<int> patch = {seed};
-    patchOf[seed] = label;
-    for (std::size_t i = 0; i < patch.size(); ++i) {
-      for (int h = 3 * patch[i]; h < 3 * patch[i] + 3; ++h) {
+  std::vector<Patch> patches;
+  std::unordered_set<int> labelled;
+  for (const int seed : near) {
+    if (!labelled.insert(seed).second) continue;
+    Patch patch{{seed}, {seed}};
+    for (std::size_t i = 0; i < patch.faces.size(); ++i) {
+      for (int h = 3 * patch.faces[i]; h < 3 * patch.faces[i] + 3; ++h) {
         const int neighbor = dual.twin[h] / 3;
-        if (distance[neighbor] < 0 || patchOf[neighbor] >= 0) continue;
-        patchOf[neighbor] = label;
-        patch.push_back(neighbor);
+        if (!distances.contains(neighbor) || !labelled.insert(neighbor).second) continue;
+        patch.faces.push_back(neighbor);
+        patch.members.insert(neighbor);
       }
     }
     patches.push_back(std::move(patch));
@@ -78,23 +67,20 @@ std::vector<std::vector<int>> patchesAround(const Dual& dual, const std::vector<
 }
 
 /// Replaces one patch; false if the local diagram does not fit its boundary.
-bool replacePatch(std::span<const Circle> circles, Dual& dual, const std::vector<int>& patch,
-                  const std::vector<int>& patchOf, const LocalSolver& solve) {
-  const int label = patchOf[patch.front()];
+bool replacePatch(std::span<const Circle> circles, Dual& dual, const Patch& patch, const LocalSolver& solve) {
   // The half-edges just outside the patch, and all circles at the patch and at the faces around it.
   std::vector<int> outside;
   std::vector<int> corners;
-  for (const int face : patch) {
+  for (const int face : patch.faces) {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       corners.push_back(dual.origin[h]);
       const int t = dual.twin[h];
-      if (patchOf[t / 3] == label) continue;
+      if (patch.members.contains(t / 3)) continue;
       outside.push_back(t);
       corners.push_back(dual.origin[Dual::previous(t)]);
     }
   }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sortUnique(corners);
   std::erase(corners, kInfinity);
 
   std::vector<Circle> local;
@@ -130,14 +116,14 @@ bool replacePatch(std::span<const Circle> circles, Dual& dual, const std::vector
   }
   // Without a boundary the patch is the whole dual.
   if (outside.empty() && solved->faceCount() > 0) enter(0);
-  for (std::size_t i = 0; i < inside.size() && inside.size() <= patch.size(); ++i) {
+  for (std::size_t i = 0; i < inside.size() && inside.size() <= patch.faces.size(); ++i) {
     for (int h = 3 * inside[i]; h < 3 * inside[i] + 3; ++h) {
       if (outsideOf[solved->twin[h]] == kNone) enter(solved->twin[h] / 3);
     }
   }
-  if (inside.size() != patch.size()) return false;
+  if (inside.size() != patch.faces.size()) return false;
 
-  const auto halfEdgeAt = [&](int h) { return 3 * patch[placeOf[h / 3]] + h % 3; };
+  const auto halfEdgeAt = [&](int h) { return 3 * patch.faces[placeOf[h / 3]] + h % 3; };
   for (const int face : inside) {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       const int at = halfEdgeAt(h);
@@ -152,14 +138,29 @@ bool replacePatch(std::span<const Circle> circles, Dual& dual, const std::vector
 
 }  // namespace
 
-std::int64_t repair(std::span<const Circle> circles, Dual& dual, Predicates& predicates, int reach,
-                    const LocalSolver& solve) {
-  std::vector<int> patchOf;
-  const auto patches = patchesAround(dual, wrongFaces(dual, predicates), reach, patchOf);
-  std::int64_t replaced = 0;
-  for (const auto& patch : patches) {
-    if (replacePatch(circles, dual, patch, patchOf, solve)) ++replaced;
+std::vector<int> wrongFaces(const FaceDiscs& discs) {
+  std::vector<int> wrong;
+  for (int h = 0; h < discs.dual().halfEdgeCount(); ++h) {
+    if (h < discs.dual().twin[h]) addWrong(discs, h, wrong);
   }
+  sortUnique(wrong);
+  return wrong;
+}
+
+std::int64_t repair(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, int reach, const LocalSolver& solve) {
+  std::int64_t replaced = 0;
+  std::vector<int> left;
+  for (const Patch& patch : patchesAround(dual, wrong, reach)) {
+    if (replacePatch(discs.circles(), dual, patch, solve)) {
+      ++replaced;
+      for (const int face : patch.faces) discs.update(face);
+    }
+    for (const int face : patch.faces) {
+      for (int h = 3 * face; h < 3 * face + 3; ++h) addWrong(discs, h, left);
+    }
+  }
+  sortUnique(left);
+  wrong = std::move(left);
   return replaced;
 }
 

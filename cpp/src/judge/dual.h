@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "infinity.h"
@@ -27,5 +28,10 @@ struct Dual {
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 };
+
+/// The corners of the face of half-edge h, its origin first.
+inline std::array<int, 3> cornersOf(const Dual& dual, int h) {
+  return {dual.origin[h], dual.target(h), dual.origin[Dual::previous(h)]};
+}
 
 }  // namespace circle_voronoi

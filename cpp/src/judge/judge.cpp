@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "edge_order.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -82,10 +84,10 @@ class Judge {
       windings_[dual_.origin[finite]] += passes;
       return true;
     }
-    const int larger = predicates_.looksFromFirst(a, b) ? h : t;
+    const int larger = fromLarger(dual_, h, predicates_);
     const int smaller = dual_.twin[larger];
     const bool isBounded = isFinite(dual_.origin[Dual::previous(h)]) && isFinite(dual_.origin[Dual::previous(t)]);
-    if (isBounded && !isInOrder(larger)) return false;
+    if (isBounded && !isInOrder(dual_, larger, toDisc(cornerBefore(larger)), toDisc(larger), predicates_)) return false;
     windings_[dual_.origin[larger]] += isBounded ? passesAxisInOrder(larger) : passesAxis(larger);
     windings_[dual_.origin[smaller]] +=
         isBounded && circles_[a].r == circles_[b].r ? passesAxisInOrder(smaller) : passesAxis(smaller);
@@ -100,16 +102,8 @@ class Judge {
 
   Direction<double> toDisc(int corner) const { return {toDisc_[corner].x, toDisc_[corner].y, error_[corner / 3]}; }
 
-  /// Whether the turn around the origin of h, the larger circle of a bounded edge, is less than half a turn.
-  bool isInOrder(int h) {
-    const int sign = predicates_.filteredCross(toDisc(cornerBefore(h)), toDisc(h));
-    if (sign != 0) return sign > 0;
-    const int t = dual_.twin[h];
-    return predicates_.refinedEdgeOrder(dual_.origin[h], dual_.origin[t], dual_.origin[Dual::previous(h)],
-                                        dual_.origin[Dual::previous(t)]) >= 0;
-  }
-
-  /// Whether the turn passes the axis from the lower half to the upper one, given that it is less than half a turn.
+  /// Whether the turn around the origin of h passes the axis from the lower half to the upper one, given that it is
+  /// less than half a turn.
   bool passesAxisInOrder(int h) const { return isLower_[cornerBefore(h)] > isLower_[h]; }
 
   /// The same of any turn: one within a half passes if it is nearly a full one.

@@ -84,7 +84,7 @@ int Predicates::refinedEdgeOrder(int a, int b, int c, int d) {
     ++counts_.inCircle;
     return -inCircle(centre(a), centre(b), centre(c), centre(d));
   }
-  return looksFromFirst(a, b) ? refinedCross(a, {b, a, d}, {a, b, c}) : refinedCross(b, {a, b, c}, {b, a, d});
+  return refinedCross(a, {b, a, d}, {a, b, c});
 }
 
 bool Predicates::isLowerRefined(int from, const Triple& face) {

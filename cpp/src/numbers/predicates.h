@@ -63,17 +63,10 @@ class Predicates {
   /// stages after the filter.
   int refinedCross(int from, const Triple& first, const Triple& second);
 
-  /// For faces (a, b, c) and (b, a, d) that have discs: 1 if the discs lie in order along the bisector, that of (b, a,
-  /// d) first when going with a on the left; 0 if they are the same; -1 if they are out of order. An end at infinity is
-  /// always in order. a and b are finite.
-  int edgeOrder(int a, int b, int c, int d, const FaceDisc& abc, const FaceDisc& bad) {
-    if (c == kInfinity || d == kInfinity) return 1;
-    const int sign = looksFromFirst(a, b) ? filteredCross(direction(a, bad), direction(a, abc))
-                                          : filteredCross(direction(b, abc), direction(b, bad));
-    return sign != 0 ? sign : refinedEdgeOrder(a, b, c, d);
-  }
-
-  /// The same by the stages after the filter; c and d are finite.
+  /// For faces (a, b, c) and (b, a, d) of circles, which have discs, and a bisector that looksFromFirst(a, b): 1 if the
+  /// discs lie in order along it, that of (b, a, d) first when going with a on the left; 0 if they are the same; -1 if
+  /// they are out of order. That is the sign of the cross product of the directions to them from a, by the stages after
+  /// the filter.
   int refinedEdgeOrder(int a, int b, int c, int d);
 
   /// Whether a bisector is ordered as seen from its first circle, the larger one: there it spans less than half a turn,
