@@ -31,7 +31,22 @@ struct ComputeArguments {
   std::string progress = "auto";
 };
 
-void runCompute(const ComputeArguments& arguments) {
+/// Throws Failure if an option is given that would not be used.
+void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
+  const auto refuse = [&](const char* option, bool isUsed, const std::string& need) {
+    if (command.count(option) > 0 && !isUsed) throw Failure{kBadInput, std::string(option) + " needs " + need + "."};
+  };
+  const bool isTouchingDisc = arguments.method == "touching-disc";
+  for (const char* option : {"--candidates", "--samples", "--repair"}) {
+    refuse(option, isTouchingDisc, "--method touching-disc");
+  }
+  refuse("--samples", arguments.candidates != "all-pairs", "--candidates dynamic or uniform");
+  refuse("--repair", arguments.candidates == "dynamic", "--candidates dynamic");
+}
+
+void runCompute(const CLI::App& command, ComputeArguments& arguments) {
+  refuseUnused(command, arguments);
+  settle(arguments.output, arguments.input);
   ProgressLine progress(arguments.progress);
   progress.show("read");
   const std::string name = inputName(arguments.input);
@@ -58,8 +73,9 @@ void addComputeCommand(CLI::App& program) {
   const auto arguments = std::make_shared<ComputeArguments>();
   CLI::App* command = program.add_subcommand("compute", "Compute the Voronoi diagram of the circles in a file");
   command
-      ->add_option("FILE", arguments->input,
-                   "Circles: CSV lines x,y,r, JSON, or GeoJSON points with a property radius; - is standard input")
+      ->add_option(
+          "FILE", arguments->input,
+          "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property radius; - is standard input")
       ->type_name("")
       ->required();
   addOutputOptions(*command, arguments->output);
@@ -89,7 +105,7 @@ void addComputeCommand(CLI::App& program) {
       "  wkt      the cells as well-known text, a line for each circle\n"
       "  obj      the edges and cells as Wavefront OBJ\n"
       "  stats    what was done, how long it took, and the certificate");
-  command->callback([arguments] { runCompute(*arguments); });
+  command->callback([arguments, command] { runCompute(*command, *arguments); });
 }
 
 }  // namespace circle_voronoi::cli

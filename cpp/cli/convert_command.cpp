@@ -41,7 +41,8 @@ void convertDiagram(const ConvertArguments& arguments, const std::string& text, 
   writeDiagram(arguments.output, name, circles, diagram, progress);
 }
 
-void runConvert(const ConvertArguments& arguments) {
+void runConvert(ConvertArguments& arguments) {
+  settle(arguments.output, arguments.input);
   ProgressLine progress(arguments.progress);
   progress.show("read");
   const std::string text = readText(arguments.input);

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace circle_voronoi::cli {
 
 enum ExitStatus : int {
   kSuccess = 0,
-  kFailure = 1,   ///< a file cannot be read or written, or the diagram could not be made
-  kBadInput = 2,  ///< bad circles, or a bad command line
+  kFailure = 1,
+  kBadInput = 2,
 };
+
+struct ExitMeaning {
+  ExitStatus status;
+  std::string_view meaning;
+};
+
+/// What each exit status says, as --help and the manual page have it.
+inline constexpr std::array<ExitMeaning, 3> kExitMeanings = {
+    {{kSuccess, "All is well."},
+     {kFailure, "A file cannot be read or written, or a diagram is not certified."},
+     {kBadInput, "The circles, the diagram or the command line are wrong."}}};
 
 /// Thrown by a command: how the program ends, and one sentence why.
 struct Failure {

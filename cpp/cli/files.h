@@ -16,7 +16,11 @@ std::string inputName(const std::string& file);
 /// All of a file or of standard input. Throws Failure.
 std::string readText(const std::string& file);
 
-/// Opens a file or standard output, and has `write` write to it. Throws Failure if anything could not be written.
+/// Throws Failure if the output is the input, by whatever names: to write it would destroy what is read.
+void refuseOneFile(const std::string& input, const std::string& output);
+
+/// Has `write` write to standard output, or to a file, which is replaced once all is written (output_file.h). Throws
+/// Failure if anything could not be written.
 void writeText(const std::string& file, const std::function<void(std::ostream&)>& write);
 
 }  // namespace circle_voronoi::cli

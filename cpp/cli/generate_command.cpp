@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
 #include <cstdint>
 #include <iomanip>
-#include <iostream>
 #include <memory>
+#include <ostream>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
@@ -31,6 +33,10 @@ struct GenerateArguments {
 void runGenerate(const GenerateArguments& arguments) {
   const auto family = familyFromName(arguments.family);
   if (!family) throw Failure{kBadInput, "There is no family \"" + arguments.family + "\"; see generate --list."};
+  const std::string ending = endingOf(arguments.output.file);
+  if (!ending.empty() && ending != "csv") {
+    throw Failure{kBadInput, arguments.output.file + ": generate writes csv, not " + ending + "; see convert."};
+  }
   const auto circles = generate(*family, static_cast<std::size_t>(arguments.count), arguments.seed);
   writeText(arguments.output.file, [&](std::ostream& out) { writeCirclesCsv(out, circles); });
 }
@@ -56,12 +62,18 @@ void addGenerateCommand(CLI::App& program) {
       ->check(CLI::Range(std::int64_t{0}, kMostCircles).description(""));
   command->add_option("--seed", arguments->seed, "The same seed gives the same circles")
       ->type_name("SEED")
+      ->check([](const std::string& text) {
+        std::uint64_t seed = 0;
+        const char* end = text.data() + text.size();
+        const auto [stop, code] = std::from_chars(text.data(), end, seed);
+        return code == std::errc() && stop == end ? "" : "expected a whole number from 0 to 18446744073709551615.";
+      })
       ->capture_default_str();
   addOutputFile(*command, arguments->output);
   command->add_flag_callback(
       "--list",
       [] {
-        std::cout << listOfFamilies("");
+        writeText(kStandardStream, [](std::ostream& out) { out << listOfFamilies(""); });
         throw CLI::Success();
       },
       "Print the names of the families, each with what it is");

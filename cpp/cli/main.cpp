@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <string>
 
 #include "commands.h"
 #include "failure.h"
+#include "files.h"
 
 namespace {
 
@@ -15,10 +19,34 @@ int fail(ExitStatus status, const std::string& message) {
   return status;
 }
 
+std::string exitStatuses() {
+  std::string text = "Exit status:";
+  for (const auto& [status, meaning] : kExitMeanings)
+    text += "\n  " + std::to_string(status) + "  " + std::string(meaning);
+  return text;
+}
+
+/// Says what is wrong with the first word, where CLI11 would only say that there is no command.
+void checkCommand(const CLI::App& program, int argumentCount, char** arguments) {
+  const std::string first = argumentCount > 1 ? arguments[1] : "";
+  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+  const auto isFirst = [&](const CLI::App* command) { return command->get_name() == first; };
+  if (std::ranges::any_of(commands, isFirst) || program.get_option_no_throw(first) != nullptr) return;
+  std::string names;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    names += (i == 0 ? "" : i + 1 == commands.size() ? " and " : ", ") + commands[i]->get_name();
+  }
+  const std::string problem = first.empty()            ? "A command is missing"
+                              : first.starts_with('-') ? "There is no option " + first
+                                                       : "There is no command \"" + first + "\"";
+  throw Failure{kBadInput, problem + "; the commands are " + names + "."};
+}
+
 }  // namespace
 
 int main(int argumentCount, char** arguments) {
-  std::ios::sync_with_stdio(false);
+  // A file that becomes larger than it may be is an error of writing like others.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     CLI::App program("Voronoi diagram of circles", "circle-voronoi");
     program.set_version_flag("--version", "circle-voronoi " CIRCLE_VORONOI_VERSION);
@@ -27,10 +55,14 @@ int main(int argumentCount, char** arguments) {
     addConvertCommand(program);
     addGenerateCommand(program);
     addVerifyCommand(program);
+    program.footer(exitStatuses());
+    checkCommand(program, argumentCount, arguments);
     try {
       program.parse(argumentCount, arguments);
     } catch (const CLI::Success& success) {  // --help and --version
-      return program.exit(success);
+      std::ostringstream text;
+      program.exit(success, text);
+      writeText(kStandardStream, [&](std::ostream& out) { out << text.str(); });
     } catch (const CLI::ParseError& error) {
       return fail(kBadInput, error.what());
     }

@@ -32,13 +32,6 @@ using WriteCircles = void (*)(std::ostream&, std::span<const Circle>);
 const std::map<std::string, WriteCircles> kCircleFormats = {
     {"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}};
 
-std::string formatOf(const Output& output) {
-  if (!output.format.empty()) return output.format;
-  const std::string ending = std::filesystem::path(output.file).extension().string();
-  const bool isFormat = !ending.empty() && std::ranges::find(kFormats, ending.substr(1)) != kFormats.end();
-  return isFormat ? ending.substr(1) : kDefaultFormat;
-}
-
 /// All of the text as a number that is finite.
 std::optional<double> readNumber(std::string_view text) {
   double value = 0;
@@ -48,26 +41,33 @@ std::optional<double> readNumber(std::string_view text) {
   return value;
 }
 
-std::optional<Box> readBox(std::string_view text) {
+constexpr std::array<const char*, 4> kBoxNames = {"MINX", "MINY", "MAXX", "MAXY"};
+
+/// Reads MINX,MINY,MAXX,MAXY, or says what is wrong with it.
+std::string readBox(std::string_view text, Box& box) {
   std::array<double, 4> values{};
+  const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
+  if (count != values.size()) return "expected MINX,MINY,MAXX,MAXY, not " + std::to_string(count) + " numbers.";
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t comma = text.find(',');
-    const bool isLast = i + 1 == values.size();
-    if (isLast != (comma == std::string_view::npos)) return std::nullopt;
-    const auto value = readNumber(text.substr(0, comma));
-    if (!value) return std::nullopt;
+    const std::string_view field = text.substr(0, text.find(','));
+    const auto value = readNumber(field);
+    if (!value) return std::string(kBoxNames[i]) + " is not a finite number: \"" + std::string(field) + "\".";
     values[i] = *value;
-    if (!isLast) text.remove_prefix(comma + 1);
+    text.remove_prefix(std::min(field.size() + 1, text.size()));
   }
-  const Box box = {values[0], values[1], values[2], values[3]};
-  if (!(box.minX < box.maxX && box.minY < box.maxY)) return std::nullopt;
-  if (!std::isfinite(box.maxX - box.minX) || !std::isfinite(box.maxY - box.minY)) return std::nullopt;
-  return box;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string min = kBoxNames[i];
+    const std::string max = kBoxNames[i + 2];
+    if (!(values[i] < values[i + 2])) return max + " has to be above " + min + ".";
+    if (!std::isfinite(values[i + 2] - values[i])) return max + " - " + min + " is beyond the range of a double.";
+  }
+  box = {values[0], values[1], values[2], values[3]};
+  return "";
 }
 
 ExportOptions exportOptions(const Output& output) {
   ExportOptions options;
-  if (!output.box.empty()) options.box = readBox(output.box);
+  if (!output.box.empty()) (void)readBox(output.box, options.box.emplace());
   if (output.tolerance > 0) options.tolerance = output.tolerance;
   return options;
 }
@@ -98,7 +98,10 @@ void addOutputOptions(CLI::App& command, Output& output) {
       .add_option("--box", output.box,
                   "svg, geojson, wkt, obj: the box to clip to; by default some room around the circles")
       ->type_name("MINX,MINY,MAXX,MAXY")
-      ->check([](const std::string& text) { return readBox(text) ? "" : "expected MINX,MINY,MAXX,MAXY."; });
+      ->check([](const std::string& text) {
+        Box box;
+        return readBox(text, box);
+      });
   command
       .add_option("--tolerance", output.tolerance,
                   "svg, geojson, wkt, obj: how near to the true curves; by default a hundred-thousandth of the box")
@@ -109,26 +112,46 @@ void addOutputOptions(CLI::App& command, Output& output) {
       });
 }
 
+std::string endingOf(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
+  std::ranges::transform(ending, ending.begin(), lower);
+  return ending.empty() ? "" : ending.substr(1);
+}
+
+void settle(Output& output, const std::string& input) {
+  refuseOneFile(input, output.file);
+  if (output.format.empty()) {
+    const std::string ending = endingOf(output.file);
+    if (!ending.empty() && std::ranges::find(kFormats, ending) == kFormats.end()) {
+      throw Failure{kBadInput, output.file + ": no format is called " + ending + "; --format says which is meant."};
+    }
+    output.format = ending.empty() ? kDefaultFormat : ending;
+  }
+  if (kExports.contains(output.format)) return;
+  const char* unused = !output.box.empty() ? "--box" : output.tolerance > 0 ? "--tolerance" : nullptr;
+  if (unused != nullptr) throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, wkt or obj."};
+}
+
 void writeDiagram(const Output& output, const std::string& name, std::span<const Circle> circles,
                   const Diagram& diagram, ProgressLine& progress) {
-  const std::string format = formatOf(output);
-  const auto found = kExports.find(format);
+  const auto found = kExports.find(output.format);
   if (found != kExports.end() && !diagram.certificate.certified()) {
     throw Failure{kFailure, name + ": the diagram is not certified: " + diagram.certificate.message};
   }
   write(output, progress, [&](std::ostream& out) {
     if (found != kExports.end()) return found->second(out, circles, diagram, exportOptions(output));
-    if (format == "stats") return writeStatsJson(out, diagram);
-    if (format == "csv") return writeDiagramCsv(out, diagram);
+    if (output.format == "stats") return writeStatsJson(out, diagram);
+    if (output.format == "csv") return writeDiagramCsv(out, diagram);
     writeJson(out, circles, diagram);
   });
 }
 
 void writeCircles(const Output& output, std::span<const Circle> circles, ProgressLine& progress) {
-  const std::string format = formatOf(output);
-  const auto found = kCircleFormats.find(format);
+  const auto found = kCircleFormats.find(output.format);
   if (found == kCircleFormats.end()) {
-    throw Failure{kBadInput, "Circles alone cannot be written as " + format + "; compute writes their diagram so."};
+    throw Failure{kBadInput,
+                  "Circles alone cannot be written as " + output.format + "; compute writes their diagram so."};
   }
   write(output, progress, [&](std::ostream& out) { found->second(out, circles); });
 }

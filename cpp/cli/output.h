@@ -15,7 +15,7 @@ namespace circle_voronoi::cli {
 /// What is written, how and where: the options that commands share.
 struct Output {
   std::string file = kStandardStream;
-  std::string format;    ///< empty: that of the file's name, or else json
+  std::string format;    ///< empty until settled: that of the file's name, or else json
   std::string box;       ///< MINX,MINY,MAXX,MAXY; empty: the default
   double tolerance = 0;  ///< 0: the default
 };
@@ -23,6 +23,13 @@ struct Output {
 void addOutputFile(CLI::App& command, Output& output);
 /// Adds the options above.
 void addOutputOptions(CLI::App& command, Output& output);
+
+/// What the name of a file ends in, in small letters and without the point; empty if in nothing.
+std::string endingOf(const std::string& file);
+
+/// Chooses the format if the user has not, before any work is done. Throws Failure if the file's ending is that of no
+/// format, if an option is given that the format does not use, or if the output is the input.
+void settle(Output& output, const std::string& input);
 
 /// Writes a diagram of circles. `name` is what the input is called. Throws Failure if the format needs a certified
 /// diagram and this is not, or if anything could not be written.

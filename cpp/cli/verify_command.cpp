@@ -45,7 +45,6 @@ void addVerifyCommand(CLI::App& program) {
       program.add_subcommand("verify", "Judge whether a diagram, as compute writes it, is right for its circles");
   command->add_option("FILE", arguments->input, "A diagram as JSON; - is standard input")->type_name("")->required();
   addProgressOption(*command, arguments->progress);
-  command->footer("The exit status is 0 if the diagram is certified, 1 if it is wrong, 2 if it cannot be read.");
   command->callback([arguments] { runVerify(*arguments); });
 }
 

@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <numbers>
-#include <sstream>
+#include <string>
 
 namespace cv = circle_voronoi;
 
@@ -29,9 +30,13 @@ int main(int count, char** arguments) {
     std::cerr << "Usage: packing_density PARTICLES.csv\n";
     return 2;
   }
-  std::ostringstream text;
-  text << std::ifstream(arguments[1]).rdbuf();
-  const auto particles = cv::readCircles(text.str(), arguments[1]);
+  std::ifstream file(arguments[1], std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) {
+    std::cerr << "Cannot read " << arguments[1] << ".\n";
+    return 1;
+  }
+  const auto particles = cv::readCircles(text, arguments[1]);
   if (!particles || particles.value().empty()) {
     std::cerr << (particles ? "There are no particles." : particles.error().message) << '\n';
     return 2;

@@ -6,10 +6,12 @@
 #include <circle_voronoi/io.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <sstream>
+#include <iterator>
+#include <string>
 
 namespace cv = circle_voronoi;
 
@@ -18,11 +20,24 @@ int main(int count, char** arguments) {
     std::cerr << "Usage: clearest_path TREES.csv X1 Y1 X2 Y2\n";
     return 2;
   }
-  std::ostringstream text;
-  text << std::ifstream(arguments[1]).rdbuf();
-  const auto trees = cv::readCircles(text.str(), arguments[1]);
-  if (!trees) {
-    std::cerr << trees.error().message << '\n';
+  std::array<double, 4> coordinates{};
+  for (int i = 0; i < 4; ++i) {
+    char* end = nullptr;
+    coordinates[static_cast<std::size_t>(i)] = std::strtod(arguments[i + 2], &end);
+    if (end == arguments[i + 2] || *end != '\0') {
+      std::cerr << "Not a number: " << arguments[i + 2] << '\n';
+      return 2;
+    }
+  }
+  std::ifstream file(arguments[1], std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) {
+    std::cerr << "Cannot read " << arguments[1] << ".\n";
+    return 1;
+  }
+  const auto trees = cv::readCircles(text, arguments[1]);
+  if (!trees || trees.value().empty()) {
+    std::cerr << (trees ? "There are no trees." : trees.error().message) << '\n';
     return 2;
   }
   const auto diagram = cv::compute(trees.value());
@@ -31,8 +46,8 @@ int main(int count, char** arguments) {
     return 1;
   }
 
-  const cv::Point from = {std::atof(arguments[2]), std::atof(arguments[3])};
-  const cv::Point to = {std::atof(arguments[4]), std::atof(arguments[5])};
+  const cv::Point from = {coordinates[0], coordinates[1]};
+  const cv::Point to = {coordinates[2], coordinates[3]};
   const cv::Cells cells(trees.value(), diagram.value());
   const cv::ClearestPath path = cv::clearestPath(cells, from, to);
   std::cout << "A disc of diameter " << 2 * std::max(path.clearance, 0.0) << " gets through, between these trees:\n";

@@ -106,6 +106,26 @@ TEST_F(CliDocumentation, HelpExplainsEveryFormat) {
   EXPECT_EQ(explained, completions("compute --format ''"));
 }
 
+TEST_F(CliDocumentation, TheManualAndHelpHaveTheSameExitStatuses) {
+  const std::string text = run("--help").out;
+  std::vector<std::string> explained;
+  std::istringstream lines(text.substr(text.find("Exit status:")));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("  ")) explained.push_back(line.substr(2));
+  }
+  std::vector<std::string> described;
+  std::istringstream manual(manual_.substr(manual_.find(".Sh EXIT STATUS")));
+  for (std::string line; std::getline(manual, line) && line != ".El";) {
+    if (line.starts_with(".It ")) {
+      described.push_back(line.substr(4) + " ");
+    } else if (!described.empty()) {
+      described.back() += " " + line;
+    }
+  }
+  EXPECT_EQ(described, explained);
+  EXPECT_EQ(described.size(), 3U);
+}
+
 TEST_F(CliDocumentation, BashCompletesCommands) {
   EXPECT_EQ(completions("''"), Words(kCommands.begin(), kCommands.end()));
   EXPECT_EQ(completions("co"), (Words{"compute", "convert"}));

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "circle_voronoi/families.h"
 
@@ -66,8 +67,17 @@ TEST_F(Cli, WritesEveryFormat) {
   EXPECT_NE(textOf("--format obj --box -1,-2,3,4").find("\no cells\n"), std::string::npos);
   EXPECT_TRUE(textOf("--format csv").starts_with("type,index,"));
   expectFailure(run("compute " + kFixture + " --format svg --box 0,0,-1,1"), 2, "--box");
-  for (const char* box : {"0,0,1", "0,0,1,1,1", "0,0,1,x", "0,0,1,inf", "0,0,1,1,", "-1e308,0,1e308,1"}) {
-    expectFailure(run("compute " + kFixture + " --format svg --box " + box), 2, "--box: expected MINX,MINY,MAXX,MAXY.");
+  const std::vector<std::pair<std::string, std::string>> boxes = {
+      {"0,0,1", "expected MINX,MINY,MAXX,MAXY, not 3 numbers."},
+      {"0,0,1,1,1", "expected MINX,MINY,MAXX,MAXY, not 5 numbers."},
+      {"0,0,1,x", "MAXY is not a finite number: \"x\"."},
+      {"0,0,inf,1", "MAXX is not a finite number: \"inf\"."},
+      {"0,,1,1", "MINY is not a finite number: \"\"."},
+      {"0,0,0,1", "MAXX has to be above MINX."},
+      {"0,2,1,1", "MAXY has to be above MINY."},
+      {"-1e308,0,1e308,1", "MAXX - MINX is beyond the range of a double."}};
+  for (const auto& [box, problem] : boxes) {
+    expectFailure(run("compute " + kFixture + " --format svg --box=" + box), 2, "--box: " + problem);
   }
   for (const char* tolerance : {"0", "-1", "inf", "small"}) {
     expectFailure(run("compute " + kFixture + " --format svg --tolerance " + tolerance), 2, "--tolerance: expected");
@@ -122,6 +132,49 @@ TEST_F(Cli, TheNameOfTheOutputTellsTheFormat) {
   EXPECT_TRUE(readFile(path("table.csv")).starts_with("type,index,"));
 }
 
+TEST_F(Cli, EndingsIgnoreCaseAndUnknownOnesAreErrors) {
+  ASSERT_EQ(run("compute " + kFixture + " -o " + path("drawing.SVG")).status, 0);
+  EXPECT_TRUE(readFile(path("drawing.SVG")).starts_with("<svg "));
+  ASSERT_EQ(run("compute " + kFixture + " -o " + path("v1.2/../cells.GeoJson")).status, 1) << "no folder v1.2";
+  for (const std::string name : {"drawing.png", "drawing.svgz", "drawing.svg.bak"}) {
+    expectFailure(run("compute " + kFixture + " -o " + path(name)), 2, name + ": no format is called ");
+    expectFailure(run("convert " + kFixture + " -o " + path(name)), 2, name + ": no format is called ");
+    EXPECT_FALSE(std::filesystem::exists(path(name)));
+  }
+  ASSERT_EQ(run("compute " + kFixture + " --format svg -o " + path("drawing.txt")).status, 0);
+  ASSERT_EQ(run("compute " + kFixture + " -o " + path("plain")).status, 0);
+  EXPECT_TRUE(readFile(path("plain")).starts_with("{\"format\""));
+  expectFailure(run("generate uniform 5 -o " + path("circles.json")), 2, "circles.json: generate writes csv, not json");
+  ASSERT_EQ(run("generate uniform 5 -o " + path("circles.CSV")).status, 0);
+}
+
+TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
+  const std::string compute = "compute " + kFixture;
+  for (const std::string method : {"", " --method flip", " --method auto"}) {
+    for (const std::string option : {"--candidates dynamic", "--samples 1", "--repair"}) {
+      expectFailure(run(compute + method + " " + option), 2,
+                    option.substr(0, option.find(' ')) + " needs --method touching-disc.");
+    }
+  }
+  const std::string disc = compute + " --method touching-disc --candidates ";
+  expectFailure(run(disc + "all-pairs --samples 1"), 2, "--samples needs --candidates dynamic or uniform.");
+  expectFailure(run(disc + "uniform --repair"), 2, "--repair needs --candidates dynamic.");
+  for (const std::string format : {"json", "csv", "stats"}) {
+    for (const std::string& command : {compute, "convert " + kFixture}) {
+      expectFailure(run(command + " --box 0,0,1,1 --format " + format), 2, "--box needs --format svg, geojson");
+      expectFailure(run(command + " --tolerance 1 --format " + format), 2, "--tolerance needs --format svg, geojson");
+    }
+  }
+}
+
+TEST_F(Cli, AnEmptyFileIsSaidToBeEmpty) {
+  for (const std::string command : {"compute ", "convert ", "verify "}) {
+    expectFailure(run(command + write("empty.csv", "")), 2, "empty.csv:1: the text is empty.");
+    expectFailure(run(command + "-", "\n"), 2, "standard input:1: the text is empty.");
+  }
+  EXPECT_EQ(run("compute -", "x,y,r\n").status, 0) << "a table without rows";
+}
+
 TEST_F(Cli, DiesOfABrokenPipeWithoutAWord) {
   const Outcome result = shell(std::string(CIRCLE_VORONOI_PROGRAM) + " generate uniform 100000 | head -n 1");
   EXPECT_EQ(result.out, "x,y,r\n");
@@ -142,8 +195,10 @@ TEST_F(Cli, ListsTheFamilies) {
 }
 
 TEST_F(Cli, BadUsage) {
-  expectFailure(run(""), 2, "subcommand");
-  expectFailure(run("draw"), 2, "subcommand");
+  expectFailure(run(""), 2, "A command is missing; the commands are compute, convert, generate and verify.");
+  expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are compute, ");
+  expectFailure(run("--draw"), 2, "There is no option --draw; the commands are compute, ");
+  expectFailure(run("compute - --draw"), 2, "--draw");
   expectFailure(run("compute"), 2, "FILE");
   expectFailure(run("compute - --format xml"), 2, "--format");
   expectFailure(run("compute - --method magic"), 2, "--method");
@@ -154,6 +209,10 @@ TEST_F(Cli, BadUsage) {
   expectFailure(run("compute - --method touching-disc --candidates uniform --samples 0", "1,2,3\n"), 2, "samples");
   expectFailure(run("generate nonsense 5"), 2, "nonsense");
   expectFailure(run("generate uniform -5"), 2, "N");
+  for (const std::string seed : {"-1", "1.5", "x", "18446744073709551616", "+1"}) {
+    expectFailure(run("generate uniform 5 --seed " + seed), 2, "--seed: expected a whole number from 0 to ");
+  }
+  EXPECT_EQ(run("generate uniform 5 --seed 18446744073709551615").status, 0);
 }
 
 TEST_F(Cli, FilesThatCannotBeReadOrWritten) {
