@@ -30,11 +30,12 @@ int main(int count, char** arguments) {
     }
   }
   std::ifstream file(arguments[1], std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) {
+  file.peek();  // fails if there is no file, or if it is a folder
+  if (!file.is_open() || file.bad()) {
     std::cerr << "Cannot read " << arguments[1] << ".\n";
     return 1;
   }
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto trees = cv::readCircles(text, arguments[1]);
   if (!trees || trees.value().empty()) {
     std::cerr << (trees ? "There are no trees." : trees.error().message) << '\n';
