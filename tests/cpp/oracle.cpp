@@ -4,9 +4,12 @@
 #include <CGAL/Apollonius_graph_2.h>
 #include <CGAL/Apollonius_graph_filtered_traits_2.h>
 #include <CGAL/Apollonius_graph_hierarchy_2.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -78,6 +81,36 @@ Diagram exactDiagram(std::span<const Circle> circles) {
     }
   }
   return diagram;
+}
+
+std::vector<std::array<int, 3>> delaunayFaces(std::span<const Point> points) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Triangulation = CGAL::Delaunay_triangulation_2<Kernel>;
+  std::map<Kernel::Point_2, int> indices;
+  std::vector<Kernel::Point_2> sites;
+  for (const Point& p : points) {
+    sites.emplace_back(p.x, p.y);
+    indices.emplace(sites.back(), static_cast<int>(sites.size()) - 1);
+  }
+  const Triangulation triangulation(sites.begin(), sites.end());
+  const auto indexOf = [&](Triangulation::Vertex_handle vertex) {
+    return triangulation.is_infinite(vertex) ? kNone : indices.at(vertex->point());
+  };
+  std::vector<std::array<int, 3>> faces;
+  if (triangulation.dimension() == 2) {
+    for (const auto face : triangulation.all_face_handles()) {
+      faces.push_back({indexOf(face->vertex(0)), indexOf(face->vertex(1)), indexOf(face->vertex(2))});
+    }
+  } else if (triangulation.dimension() == 1) {
+    for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end(); ++edge) {
+      const int a = indexOf(edge->first->vertex(0));
+      const int b = indexOf(edge->first->vertex(1));
+      faces.insert(faces.end(), {{a, b, kNone}, {b, a, kNone}});
+    }
+  }
+  for (auto& face : faces) std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  std::sort(faces.begin(), faces.end());
+  return faces;
 }
 
 }  // namespace circle_voronoi::oracle

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/point.h"
 
 namespace circle_voronoi::oracle {
 
@@ -14,5 +17,9 @@ namespace circle_voronoi::oracle {
 /// This library is a world of its own: it is compiled with GMP and directed rounding, the core without, so nothing of
 /// CGAL may be visible outside.
 [[gnu::visibility("default")]] Diagram exactDiagram(std::span<const Circle> circles);
+
+/// The faces of CGAL's Delaunay triangulation with exact decisions, kNone for the point at infinity, each beginning
+/// with its smallest corner, sorted. Of equal points the first is the corner.
+[[gnu::visibility("default")]] std::vector<std::array<int, 3>> delaunayFaces(std::span<const Point> points);
 
 }  // namespace circle_voronoi::oracle

@@ -5,6 +5,7 @@ add_executable(circle_voronoi_proof_tests
   certificate_mutation_test.cpp
   certificate_test.cpp
   compare.cpp
+  delaunay_test.cpp
   dual_edits.cpp
   exact_test.cpp
   fixtures.cpp

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,13 +11,15 @@
 
 namespace circle_voronoi {
 
-/// The Delaunay triangulation of points, any number of them, in any position.
-/// Equal points share one corner; ties of four co-circular points are broken by coordinates, so the triangulation does
-/// not depend on the order of the points. Fast if points near in the plane are near in the list (spatial_order.h).
+/// The Delaunay triangulation of points, any number of them, in any position and any order, in n log n steps.
+/// Equal points share one corner; ties of four co-circular points are broken by coordinates (perturbed_tests.h), so the
+/// triangulation does not depend on the order of the points.
 struct Delaunay {
   Dual dual;  ///< faces in the order of their smallest corner
-  /// For each point the point that stands for it as a corner: itself, or an equal one.
+  /// For each point the point that stands for it as a corner: the first of those equal to it.
   std::vector<int> representative;
+  std::int64_t steps =
+      0;  ///< taken to find it: points compared with a cut, sides of a hull passed, edges made or flipped
 };
 Delaunay delaunay(std::span<const Point> points);
 
