@@ -34,6 +34,9 @@ bool isBefore(Point a, Point b) {
   return (a.y < b.y) | ((a.y == b.y) & (a.x > b.x));
 }
 
+/// Up to so many sites are sorted rather than cut at a sample's median.
+constexpr std::size_t kFew = 12;
+
 struct Site {
   Point point;
   int index;
@@ -51,17 +54,24 @@ std::uint64_t mix(std::uint64_t i) {
   return i ^ (i >> 31);
 }
 
-/// About the median along an axis: that of some sites, or of all if there are few.
+/// Sorts by insertion.
+template <class Item, class Before>
+void sortFew(std::span<Item> items, Before before) {
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    const Item item = items[i];
+    std::size_t place = i;
+    for (; place > 0 && before(item, items[place - 1]); --place) items[place] = items[place - 1];
+    items[place] = item;
+  }
+}
+
+/// About the median of sites along an axis: that of a sample.
 template <Axis axis>
 Point pivotOf(std::span<const Site> sites) {
   std::array<Point, 27> sample;
-  const std::size_t size = sites.size() < 10 ? sites.size() : sites.size() < 200 ? 9 : sample.size();
-  for (std::size_t i = 0; i < size; ++i) {
-    const Point p = sites[sites.size() == size ? i : mix(i) % sites.size()].point;
-    std::size_t place = i;
-    for (; place > 0 && isBefore<axis>(p, sample[place - 1]); --place) sample[place] = sample[place - 1];
-    sample[place] = p;
-  }
+  const std::size_t size = sites.size() < 64 ? 3 : sites.size() < 1024 ? 9 : sample.size();
+  for (std::size_t i = 0; i < size; ++i) sample[i] = sites[(mix(i) >> 32) * sites.size() >> 32].point;
+  sortFew(std::span(sample).first(size), isBefore<axis>);
   return sample[size / 2];
 }
 
@@ -78,11 +88,28 @@ std::size_t bringToFront(std::span<Site> sites, Condition condition) {
   return count;
 }
 
-/// Brings the sites before a pivot to the front, or those up to it if there are none, and returns their number.
+struct Cut {
+  std::size_t count;  ///< of the sites before it
+  Point at;
+};
+
+/// Brings the sites before some pivot to the front, or those up to it if there are none: all of them only if all are
+/// equal.
 template <Axis axis>
-std::size_t cut(std::span<Site> sites, Point pivot) {
-  const std::size_t before = bringToFront(sites, [pivot](Point p) { return isBefore<axis>(p, pivot); });
-  return before > 0 ? before : bringToFront(sites, [pivot](Point p) { return !isBefore<axis>(pivot, p); });
+Cut cut(std::span<Site> sites) {
+  Point pivot;
+  std::size_t count = 0;
+  if (sites.size() <= kFew) {
+    sortFew(sites, [](const Site& a, const Site& b) { return isBefore<axis>(a.point, b.point); });
+    count = sites.size() / 2;
+    pivot = sites[count].point;
+    while (count > 0 && sites[count - 1].point == pivot) --count;
+  } else {
+    pivot = pivotOf<axis>(sites);
+    count = bringToFront(sites, [pivot](Point p) { return isBefore<axis>(p, pivot); });
+  }
+  if (count == 0) count = bringToFront(sites, [pivot](Point p) { return !isBefore<axis>(pivot, p); });
+  return {count, pivot};
 }
 
 class Triangulator {
@@ -123,8 +150,11 @@ class Triangulator {
   Part build(std::span<Site> sites, const Box& box);
   template <Axis axis>
   Part buildHalves(std::span<Site> sites, const Box& box);
-  Part addCorner(std::span<Site> sites);
-  void merge(int left, int right);
+  Part buildFew(std::span<Site> sites);
+  Part addCorner(std::span<const Site> sites);
+  template <Axis axis>
+  Part merge(const Part& a, const Part& b);
+  void join(int left, int right);
 
   int addFace(int a, int b, int c) {
     const int h = static_cast<int>(halfEdges_.size());
@@ -149,21 +179,36 @@ class Triangulator {
     return tests_.orientation(a, b, c);
   }
 
-  /// Whether corner l lies inside the circle through i, j, k, which are counter-clockwise.
-  bool isInCircle(int i, int j, int k, int l) {
-    const Point a = corners_[i], b = corners_[j], c = corners_[k], d = corners_[l];
-    const double ax = a.x - d.x, ay = a.y - d.y;
-    const double bx = b.x - d.x, by = b.y - d.y;
-    const double cx = c.x - d.x, cy = c.y - d.y;
-    const double aa = ax * ax + ay * ay;
-    const double bb = bx * bx + by * by;
-    const double cc = cx * cx + cy * cy;
-    const double determinant = aa * (bx * cy - by * cx) + bb * (cx * ay - cy * ax) + cc * (ax * by - ay * bx);
-    const double size = aa + bb + cc;
+  /// A corner relative to an origin, and its distance from it, squared.
+  struct Lifted {
+    double x, y, square;
+  };
+  static Lifted lift(Point p, Point origin) {
+    const double x = p.x - origin.x;
+    const double y = p.y - origin.y;
+    return {x, y, x * x + y * y};
+  }
+
+  /// Whether corners i, j, k are counter-clockwise; b and c are the latter two relative to the first.
+  bool isLeftTurn(int i, int j, int k, const Lifted& b, const Lifted& c) {
+    const double left = b.x * c.y;
+    const double right = b.y * c.x;
+    const double error = kOrientationError * (std::abs(left) + std::abs(right)) + kTiny;
+    if (left - right > error) return true;
+    if (left - right < -error) return false;
+    return tests_.orientation(corners_[i], corners_[j], corners_[k]) > 0;
+  }
+
+  /// Whether corner l lies inside the circle through i, j, k, which are counter-clockwise; b, c and d are the latter
+  /// three relative to the first.
+  bool isInCircle(int i, int j, int k, int l, const Lifted& b, const Lifted& c, const Lifted& d) {
+    const double determinant =
+        c.square * (b.x * d.y - b.y * d.x) - b.square * (c.x * d.y - c.y * d.x) - d.square * (b.x * c.y - b.y * c.x);
+    const double size = b.square + c.square + d.square;
     const double error = kInCircleError * size * size + kTiny;
     if (determinant > error) return true;
     if (determinant < -error) return false;
-    return tests_.isInCircle(a, b, c, d);
+    return tests_.isInCircle(corners_[i], corners_[j], corners_[k], corners_[l]);
   }
 
   PerturbedTests tests_;
@@ -177,7 +222,7 @@ class Triangulator {
 };
 
 /// A corner for sites that are all equal.
-Triangulator::Part Triangulator::addCorner(std::span<Site> sites) {
+Triangulator::Part Triangulator::addCorner(std::span<const Site> sites) {
   const int corner = static_cast<int>(corners_.size());
   int first = sites[0].index;
   for (const Site& site : sites) first = std::min(first, site.index);
@@ -188,38 +233,55 @@ Triangulator::Part Triangulator::addCorner(std::span<Site> sites) {
   return {corner, corner, corner, corner};
 }
 
+/// Adds the sites one by one.
+Triangulator::Part Triangulator::buildFew(std::span<Site> sites) {
+  sortFew(sites, [](const Site& a, const Site& b) { return isBefore<Axis::x>(a.point, b.point); });
+  Part all{};
+  for (std::size_t begin = 0, end = 0; begin < sites.size(); begin = end) {
+    while (end < sites.size() && sites[end].point == sites[begin].point) ++end;
+    const Part corner = addCorner(sites.subspan(begin, end - begin));
+    all = begin == 0 ? corner : merge<Axis::x>(all, corner);
+  }
+  return all;
+}
+
 Triangulator::Part Triangulator::build(std::span<Site> sites, const Box& box) {
-  if (sites.size() == 1) return addCorner(sites);
+  if (sites.size() <= 3) return buildFew(sites);
   const bool isWide = box.high.x - box.low.x > box.high.y - box.low.y;
   return isWide ? buildHalves<Axis::x>(sites, box) : buildHalves<Axis::y>(sites, box);
 }
 
 template <Axis axis>
 Triangulator::Part Triangulator::buildHalves(std::span<Site> sites, const Box& box) {
-  const Point pivot = pivotOf<axis>(sites);
-  const std::size_t count = cut<axis>(sites, pivot);
+  const auto [count, border] = cut<axis>(sites);
   steps_ += static_cast<std::int64_t>(sites.size());
   if (count == sites.size()) return addCorner(sites);
   Box before = box;
   Box after = box;
-  (axis == Axis::x ? before.high.x : before.high.y) = axis == Axis::x ? pivot.x : pivot.y;
-  (axis == Axis::x ? after.low.x : after.low.y) = axis == Axis::x ? pivot.x : pivot.y;
+  (axis == Axis::x ? before.high.x : before.high.y) = axis == Axis::x ? border.x : border.y;
+  (axis == Axis::x ? after.low.x : after.low.y) = axis == Axis::x ? border.x : border.y;
   const Part a = build(sites.first(count), before);
-  const Part b = build(sites.subspan(count), after);
+  return merge<axis>(a, build(sites.subspan(count), after));
+}
+
+/// Merges two parts, of which the one comes before the other along an axis.
+template <Axis axis>
+Triangulator::Part Triangulator::merge(const Part& a, const Part& b) {
   if constexpr (axis == Axis::x) {
-    merge(a.right, b.left);
+    join(a.right, b.left);
     return {a.left, b.right, isBefore<Axis::y>(corners_[a.bottom], corners_[b.bottom]) ? a.bottom : b.bottom,
             isBefore<Axis::y>(corners_[a.top], corners_[b.top]) ? b.top : a.top};
   } else {
-    merge(a.top, b.bottom);
+    join(a.top, b.bottom);
     return {isBefore<Axis::x>(corners_[a.left], corners_[b.left]) ? a.left : b.left,
             isBefore<Axis::x>(corners_[a.right], corners_[b.right]) ? b.right : a.right, a.bottom, b.top};
   }
 }
 
-/// Merges two parts, given the last corner of the one and the first of the other along the axis that the cut between
-/// them divides. In the names here that axis goes from left to right, and so the seam is closed from below to above.
-void Triangulator::merge(int left, int right) {
+/// Joins two parts at their seam, given the last corner of the one and the first of the other along the axis that the
+/// cut between them divides. In the names here that axis goes from left to right, and so the seam is closed from below
+/// to above.
+void Triangulator::join(int left, int right) {
   constexpr auto next = &Dual::next;
   constexpr auto previous = &Dual::previous;
 
@@ -263,68 +325,79 @@ void Triangulator::merge(int left, int right) {
     link(below + 2, atRight);
   }
 
-  // Up the seam, `above` is the face (left, right, infinity) at its end.
+  // Up the seam: its end is the face (left, right, infinity), `above`, between `seam` below, (u, left, infinity) on the
+  // left and (right, w, infinity) on the right. It is linked to them at last.
+  int seam = below;
+  int atU = twinOf(above + 2);
+  int atW = twinOf(above + 1);
   for (;;) {
     ++steps_;
-    // On the left: the face (u, left, infinity). While its corner u makes no empty disc with the seam's end, the hull's
-    // side from left to u is flipped away.
-    const int atU = twinOf(above + 2);
+    const Point origin = corners_[left];
+    const Lifted r = lift(corners_[right], origin);
+    // On the left, while u makes no empty disc with the seam's end, the hull's side from left to u is flipped away.
     int u = originOf(previous(atU));
-    const bool isLeftOpen = u != right && orientation(left, right, u) > 0;
-    if (isLeftOpen) {
+    Lifted liftedU = lift(corners_[u], origin);
+    const bool isLeftOpen = u != right && isLeftTurn(left, right, u, r, liftedU);
+    while (isLeftOpen) {
       const int outer = previous(atU);
-      for (;;) {
-        const int inner = twinOf(outer);
-        const int a = originOf(previous(inner));
-        if (a == kInfinity || !isInCircle(left, right, u, a)) break;
-        ++steps_;
-        link(outer, twinOf(previous(inner)));
-        link(inner, twinOf(next(atU)));
-        link(next(atU), previous(inner));
-        halfEdges_[outer].origin = a;
-        halfEdges_[inner].origin = kInfinity;
-        u = a;
-      }
+      const int inner = twinOf(outer);
+      const int a = originOf(previous(inner));
+      if (a == kInfinity) break;
+      const Lifted liftedA = lift(corners_[a], origin);
+      if (!isInCircle(left, right, u, a, r, liftedU, liftedA)) break;
+      ++steps_;
+      link(outer, twinOf(previous(inner)));
+      link(inner, twinOf(next(atU)));
+      link(next(atU), previous(inner));
+      halfEdges_[outer].origin = a;
+      halfEdges_[inner].origin = kInfinity;
+      u = a;
+      liftedU = liftedA;
     }
-    // On the right likewise: the face (right, w, infinity).
-    const int atW = twinOf(above + 1);
+    // On the right likewise.
     int w = originOf(previous(atW));
-    const bool isRightOpen = w != left && orientation(left, right, w) > 0;
-    if (isRightOpen) {
+    Lifted liftedW = lift(corners_[w], origin);
+    const bool isRightOpen = w != left && isLeftTurn(left, right, w, r, liftedW);
+    while (isRightOpen) {
       const int outer = next(atW);
-      for (;;) {
-        const int inner = twinOf(outer);
-        const int a = originOf(previous(inner));
-        if (a == kInfinity || !isInCircle(left, right, w, a)) break;
-        ++steps_;
-        link(outer, twinOf(next(inner)));
-        link(inner, twinOf(previous(atW)));
-        link(previous(atW), next(inner));
-        halfEdges_[previous(atW)].origin = a;
-        halfEdges_[next(inner)].origin = kInfinity;
-        if (toInfinity_[w] == previous(atW)) toInfinity_[w] = inner;
-        w = a;
-      }
+      const int inner = twinOf(outer);
+      const int a = originOf(previous(inner));
+      if (a == kInfinity) break;
+      const Lifted liftedA = lift(corners_[a], origin);
+      if (!isInCircle(left, right, w, a, r, liftedW, liftedA)) break;
+      ++steps_;
+      if (toInfinity_[w] == previous(atW)) toInfinity_[w] = inner;
+      link(outer, twinOf(next(inner)));
+      link(inner, twinOf(previous(atW)));
+      link(previous(atW), next(inner));
+      halfEdges_[previous(atW)].origin = a;
+      halfEdges_[next(inner)].origin = kInfinity;
+      w = a;
+      liftedW = liftedA;
     }
     if (!isLeftOpen && !isRightOpen) break;
-    // Of the edges left to infinity and right to infinity one is flipped, and the seam ends higher.
-    const int seam = twinOf(above);
-    if (!isRightOpen || (isLeftOpen && !isInCircle(left, right, u, w))) {
-      link(above + 2, twinOf(next(atU)));
+    // Of the edges from left and from right to infinity one is flipped, and the seam ends higher.
+    if (!isRightOpen || (isLeftOpen && !isInCircle(left, right, u, w, r, liftedU, liftedW))) {
+      const int top = next(atU);
       link(atU, seam);
-      link(next(atU), above);
-      halfEdges_[next(atU)].origin = right;
-      halfEdges_[above].origin = u;
+      halfEdges_[top].origin = right;
+      seam = top;
+      atU = twinOf(top);
       left = u;
     } else {
-      link(above + 1, twinOf(previous(atW)));
+      const int top = previous(atW);
       link(atW, seam);
-      link(previous(atW), above);
       halfEdges_[atW].origin = left;
-      halfEdges_[above + 1].origin = w;
+      seam = top;
+      atW = twinOf(top);
       right = w;
     }
   }
+  halfEdges_[above].origin = left;
+  halfEdges_[above + 1].origin = right;
+  link(above, seam);
+  link(above + 1, atW);
+  link(above + 2, atU);
   toInfinity_[right] = above + 1;
 }
 
