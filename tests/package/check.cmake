@@ -1,43 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Configures, builds and runs an example as its reader does, in FOLDER:
+# Configures, builds and runs an example as its reader does, in FOLDER, which keeps the package in FOLDER/prefix:
 #   cmake -D EXAMPLE=find_package -D FOLDER=... -D BUILD=build tree to install from -P check.cmake
-#   cmake -D EXAMPLE=fetch_content -D FOLDER=... -P check.cmake
+#   cmake -D EXAMPLE=fetch_content -D FOLDER=... -P check.cmake       with shared libraries
 set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
-function(run)
-  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
-endfunction()
-
-# Runs a program of the example; its output must match the pattern.
-function(expect pattern)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
-  if(NOT output MATCHES "${pattern}")
-    message(FATAL_ERROR "Expected ${pattern}, not\n${output}")
-  endif()
-endfunction()
-
-# Runs a program of the example that must say why it fails, in one line.
-function(expect_failure status pattern)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE error RESULT_VARIABLE result)
-  if(NOT result STREQUAL status OR NOT output STREQUAL "" OR NOT error MATCHES "^${pattern}\n$")
-    message(FATAL_ERROR "Expected status ${status} and ${pattern}, not ${result} and\n${output}${error}")
-  endif()
-endfunction()
-
+file(REMOVE_RECURSE ${FOLDER}/prefix)
 if(EXAMPLE STREQUAL find_package)
-  file(REMOVE_RECURSE ${FOLDER})
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/prefix)
   foreach(path bin/circle-voronoi share/man/man1/circle-voronoi.1 share/bash-completion/completions/circle-voronoi)
     if(NOT EXISTS ${FOLDER}/prefix/${path})
       message(FATAL_ERROR "${path} is not installed.")
     endif()
   endforeach()
-  set(where CMAKE_PREFIX_PATH=${FOLDER}/prefix)
+  set(options -D CMAKE_PREFIX_PATH=${FOLDER}/prefix)
 else()
-  set(where FETCHCONTENT_SOURCE_DIR_CIRCLE_VORONOI=${root})
+  set(options -D FETCHCONTENT_SOURCE_DIR_CIRCLE_VORONOI=${root} -D BUILD_SHARED_LIBS=ON -D CIRCLE_VORONOI_INSTALL=ON)
 endif()
 
-run(${CMAKE_COMMAND} -S ${root}/examples/${EXAMPLE} -B ${FOLDER}/build -G Ninja -D CMAKE_BUILD_TYPE=Debug -D ${where})
+run(${CMAKE_COMMAND} -S ${root}/examples/${EXAMPLE} -B ${FOLDER}/build -G Ninja -D CMAKE_BUILD_TYPE=Debug ${options})
 run(${CMAKE_COMMAND} --build ${FOLDER}/build)
 
 if(EXAMPLE STREQUAL find_package)
@@ -56,4 +37,5 @@ else()
   if(strangers)
     message(FATAL_ERROR "As a subproject the library brings its tests or its program along: ${strangers}")
   endif()
+  run(${CMAKE_COMMAND} --install ${FOLDER}/build --prefix ${FOLDER}/prefix)
 endif()

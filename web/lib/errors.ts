@@ -9,6 +9,7 @@ export const ERROR_CODES = [
   'badOption',
   'notCertified',
   'badInput',
+  'badArithmetic',
 ] as const
 
 /**
@@ -20,6 +21,7 @@ export const ERROR_CODES = [
  * - `badOption`: an option is out of its range;
  * - `notCertified`: no construction led to a certified diagram;
  * - `badInput`: the input cannot be read as circles;
+ * - `badArithmetic`: the program rounds otherwise than to nearest (in C++ only);
  * - `notLoaded`: the WebAssembly cannot be loaded; `cause` says why;
  * - `internal`: the program itself failed; please report it with the input.
  */

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/curve.h"
@@ -12,7 +13,7 @@
 #include "circle_voronoi/metric.h"
 #include "circle_voronoi/point.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The cells of a diagram: which sides each has, in order. Made once, in linear time but for sorting the hull.
 ///

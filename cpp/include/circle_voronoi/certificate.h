@@ -6,11 +6,12 @@
 #include <string>
 #include <string_view>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/none.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 struct Diagram;
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace circle_voronoi {
+#include "circle_voronoi/abi.h"
+
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// A circle with centre (x, y) and radius r >= 0; r = 0 is a point.
 ///

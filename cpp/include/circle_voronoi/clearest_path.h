@@ -5,10 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/point.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// A path among circles that keeps as far from all of them as any path between its ends can.
 struct ClearestPath {

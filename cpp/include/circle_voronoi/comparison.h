@@ -3,12 +3,13 @@
 
 #include <span>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/metric.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The diagram of the same circles by another distance, to show how it differs: with Metric::centres the ordinary
 /// Voronoi diagram of the centres, with Metric::power the power diagram, with Metric::circles that of `compute`. Curves

@@ -3,13 +3,14 @@
 
 #include <span>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/progress.h"
 #include "circle_voronoi/trace.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The largest coordinate or radius, in absolute value, that is accepted.
 inline constexpr double kCoordinateLimit = 1e150;
@@ -61,7 +62,7 @@ struct Options {
 /// By `automatic` the diagram is certified, or there is an error. By the other methods the diagram comes with the
 /// certificate's verdict and may be wrong where that says so.
 /// Errors: nonFinite, negativeRadius, coordinateTooLarge (with the index of the first such circle), badOption,
-/// tooManyCircles, notCertified.
+/// tooManyCircles, notCertified, badArithmetic.
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
 
 }  // namespace circle_voronoi

@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/point.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// An axis-parallel rectangle, minX < maxX and minY < maxY.
 struct Box {

@@ -6,13 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/metric.h"
 #include "circle_voronoi/point.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The bisector of two circles, the points at the same distance from both: one branch of a hyperbola whose foci are the
 /// centres and whose axis has length 2 |a| = |r_left - r_right|, bent around the smaller circle. Seen from the centre

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/none.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// A Voronoi vertex (branch point): the centre of the disc that touches its three circles from outside.
 /// `radius` is signed: it is negative where the three circles overlap, and the centre is at distance

@@ -7,7 +7,9 @@
 #include <utility>
 #include <variant>
 
-namespace circle_voronoi {
+#include "circle_voronoi/abi.h"
+
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// What can be wrong. Hidden, duplicate and tangent circles are results, not errors.
 /// The names are the same in TypeScript (`errorCodeName`, `web/lib/errors.ts`).
@@ -19,6 +21,7 @@ enum class ErrorCode {
   badOption,           ///< an option is out of its range
   notCertified,        ///< no construction led to a certified diagram
   badInput,            ///< text that cannot be read as circles
+  badArithmetic,       ///< the program rounds otherwise than to nearest, or takes tiny numbers for zero
 };
 
 /// The name of a code, as in the enumeration.

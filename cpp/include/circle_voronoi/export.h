@@ -5,11 +5,12 @@
 #include <optional>
 #include <span>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/diagram.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// What of a diagram is written, and how closely.
 struct ExportOptions {

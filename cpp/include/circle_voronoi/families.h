@@ -8,9 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// Families of inputs for tests, benchmarks and demonstrations.
 enum class Family {

@@ -5,11 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// An arc of a circle on the convex hull, counter-clockwise from `start` to `end`. A point (radius 0) has an arc too:
 /// it turns, but has no length.

@@ -7,11 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// Reads circles from UTF-8 text, which may begin with a byte-order mark; lines end in LF, CRLF or CR. Text whose first
 /// character is `[` is JSON, `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`; `{` begins a GeoJSON FeatureCollection

@@ -5,10 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// A diagram with vertices of any degree: vertices joined by edges of length near zero are one (paper, section 8).
 struct MergedDiagram {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/point.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The distance from a circle that makes a diagram: a point belongs to the cell of the circle of smallest distance.
 enum class Metric {

@@ -4,7 +4,9 @@
 #include <functional>
 #include <string_view>
 
-namespace circle_voronoi {
+#include "circle_voronoi/abi.h"
+
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// A stage of `compute`, named as its time in Seconds.
 enum class Stage { hide, sample, pair, touch, flip, repair, certify };

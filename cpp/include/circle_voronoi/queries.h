@@ -7,12 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/diagram.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 // What the diagram of Metric::circles tells about its circles, each in linear time. The dual's triangles are
 // `Diagram::vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.

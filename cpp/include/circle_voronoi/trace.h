@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <functional>
 
+#include "circle_voronoi/abi.h"
 #include "circle_voronoi/diagram.h"
 
-namespace circle_voronoi {
+namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// What happens in the event loop of the touching disc method (paper, Algorithms 2 and 3), in order.
 enum class TraceKind {

@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apollonius.h"
 
-#include <array>
-#include <iostream>
-#include <map>
-
-// CGAL's headers below write to std::cerr in branches that are never reached. That alone links the whole of the
-// iostreams into the WebAssembly module, a third of its size; so does the locale in their messages. Here they write to
-// a stream that is none, in the C locale.
-#define BOOST_LEXICAL_CAST_ASSUME_C_LOCALE
-namespace std {
-struct CircleVoronoiNullStream {
-  template <class T>
-  CircleVoronoiNullStream& operator<<(const T&) {
-    return *this;
-  }
-  CircleVoronoiNullStream& operator<<(ostream& (*)(ostream&)) { return *this; }
-};
-inline CircleVoronoiNullStream circleVoronoiNullStream;
-}  // namespace std
-#define cerr circleVoronoiNullStream
 #include <CGAL/Apollonius_graph_2.h>
 #include <CGAL/Apollonius_graph_traits_2.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/Simple_cartesian.h>
-#undef cerr
+
+#include <array>
+#include <map>
 
 namespace circle_voronoi {
 namespace {

@@ -19,6 +19,8 @@ std::string_view errorCodeName(ErrorCode code) {
       return "notCertified";
     case ErrorCode::badInput:
       return "badInput";
+    case ErrorCode::badArithmetic:
+      return "badArithmetic";
   }
   return "";
 }

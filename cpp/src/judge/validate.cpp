@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "arithmetic.h"
 #include "circle_voronoi/compute.h"
 
 namespace circle_voronoi {
@@ -27,6 +28,11 @@ Result<ScaledCircles> validate(std::span<const Circle> circles) {
     return Error{ErrorCode::tooManyCircles, -1,
                  "There are " + std::to_string(circles.size()) + " circles; at most " + std::to_string(kMaxCircles) +
                      " are possible."};
+  }
+  if (!isArithmeticStandard()) {
+    return Error{ErrorCode::badArithmetic, -1,
+                 "Floating-point numbers are not rounded to nearest or tiny ones are taken for zero, as in a program "
+                 "that is linked with -ffast-math."};
   }
   double largest = 0;
   for (std::size_t i = 0; i < circles.size(); ++i) {

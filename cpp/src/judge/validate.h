@@ -17,7 +17,8 @@ struct ScaledCircles {
   double unit = 1;  ///< input = scaled * unit, a power of two
 };
 
-/// Errors: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles.
-Result<ScaledCircles> validate(std::span<const Circle> circles);
+/// Errors: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles, badArithmetic.
+/// The readers, a library of their own, ask this too.
+CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circles);
 
 }  // namespace circle_voronoi

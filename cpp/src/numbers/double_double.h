@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "arithmetic.h"
+
 namespace circle_voronoi {
 
 /// A number as an unevaluated sum of two doubles, about 106 bits (T. J. Dekker, "A floating-point technique for

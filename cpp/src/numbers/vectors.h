@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "arithmetic.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/point.h"
 
