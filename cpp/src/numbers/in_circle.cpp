@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "in_circle.h"
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <initializer_list>
 
 #include "integers.h"
+#include "short_differences.h"
 
 namespace circle_voronoi {
 namespace {
@@ -74,6 +76,11 @@ int orientation(Point a, Point b, Point c) {
   const double error = kOrientationError * (std::abs(left) + std::abs(right)) + kTiny;
   if (determinant > error) return 1;
   if (determinant < -error) return -1;
+  // On a line along an axis.
+  if ((a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x)) return 0;
+  const double largest =
+      std::max(std::max(std::abs(a.x - c.x), std::abs(a.y - c.y)), std::max(std::abs(b.x - c.x), std::abs(b.y - c.y)));
+  if (haveShortDifferences<26>({a, b, c}, largest)) return sign(determinant);
   const CommonUnit unit = commonUnit({a, b, c});
   // Differences have one bit more, and the sum of two products of two of them one more.
   const int bits = 2 * (unit.bits() + 1) + 1;
@@ -96,6 +103,9 @@ int inCircle(Point a, Point b, Point c, Point d) {
   const double error = kInCircleError * size * size + kTiny;
   if (determinant > error) return 1;
   if (determinant < -error) return -1;
+  const double largest = std::max({std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by), std::abs(cx), std::abs(cy)});
+  // The determinant is at most 12 times the fourth power of one.
+  if (haveShortDifferences<12>({a, b, c, d}, largest)) return sign(determinant);
   const double permanent = aa * (std::abs(bx * cy) + std::abs(by * cx)) + bb * (std::abs(cx * ay) + std::abs(cy * ax)) +
                            cc * (std::abs(ax * by) + std::abs(ay * bx));
   const double fineError = kInCircleError * permanent + kTiny;

@@ -13,7 +13,8 @@
 #include <utility>
 
 #include "circle_voronoi/none.h"
-#include "perturbed_tests.h"
+#include "in_circle.h"
+#include "perturbed_circle.h"
 
 namespace circle_voronoi {
 namespace {
@@ -114,7 +115,7 @@ Cut cut(std::span<Site> sites) {
 
 class Triangulator {
  public:
-  explicit Triangulator(std::span<const Point> points) : tests_(points), representative_(points.size()) {
+  explicit Triangulator(std::span<const Point> points) : representative_(points.size()) {
     if (points.empty()) return;
     std::vector<Site> sites;
     sites.reserve(points.size());
@@ -176,7 +177,7 @@ class Triangulator {
     const double error = kOrientationError * (std::abs(left) + std::abs(right)) + kTiny;
     if (determinant > error) return 1;
     if (determinant < -error) return -1;
-    return tests_.orientation(a, b, c);
+    return circle_voronoi::orientation(a, b, c);
   }
 
   /// A corner relative to an origin, and its distance from it, squared.
@@ -196,7 +197,7 @@ class Triangulator {
     const double error = kOrientationError * (std::abs(left) + std::abs(right)) + kTiny;
     if (left - right > error) return true;
     if (left - right < -error) return false;
-    return tests_.orientation(corners_[i], corners_[j], corners_[k]) > 0;
+    return circle_voronoi::orientation(corners_[i], corners_[j], corners_[k]) > 0;
   }
 
   /// Whether corner l lies inside the circle through i, j, k, which are counter-clockwise; b, c and d are the latter
@@ -208,10 +209,9 @@ class Triangulator {
     const double error = kInCircleError * size * size + kTiny;
     if (determinant > error) return true;
     if (determinant < -error) return false;
-    return tests_.isInCircle(corners_[i], corners_[j], corners_[k], corners_[l]);
+    return isInPerturbedCircle(corners_[i], corners_[j], corners_[k], corners_[l]);
   }
 
-  PerturbedTests tests_;
   std::vector<Point> corners_;   ///< the points without repetitions, those of each part in succession
   std::vector<int> indices_;     ///< of each corner, into the points
   std::vector<int> toInfinity_;  ///< of each first or last corner of a part: its half-edge to infinity, with the hull's

@@ -12,7 +12,7 @@
 namespace circle_voronoi {
 
 /// The Delaunay triangulation of points, any number of them, in any position and any order, in n log n steps.
-/// Equal points share one corner; ties of four co-circular points are broken by coordinates (perturbed_tests.h), so the
+/// Equal points share one corner; ties of four co-circular points are broken by coordinates (perturbed_circle.h), so the
 /// triangulation does not depend on the order of the points.
 struct Delaunay {
   Dual dual;  ///< faces in the order of their smallest corner

@@ -27,13 +27,12 @@ std::uint32_t hilbertKey(std::uint32_t x, std::uint32_t y) {
     const std::uint32_t right = (x >> bit) & 1;
     const std::uint32_t upper = (y >> bit) & 1;
     key = (key << 2) | ((3 * right) ^ upper);
-    if (upper == 0) {
-      if (right == 1) {
-        x = ~x;
-        y = ~y;
-      }
-      std::swap(x, y);
-    }
+    // In the lower half the axes change places, on the right backwards; by masks, for branches would be guessed.
+    const std::uint32_t isLower = upper - 1;
+    const std::uint32_t isBackwards = isLower & (0u - right);
+    const std::uint32_t change = (x ^ y) & isLower;
+    x ^= change ^ isBackwards;
+    y ^= change ^ isBackwards;
   }
   return key;
 }

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "perturbed_circle.h"
+
+#include "in_circle.h"
+
+namespace circle_voronoi {
+namespace {
+
+bool isBefore(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+}  // namespace
+
+bool isInPerturbedCircle(Point a, Point b, Point c, Point d) {
+  if (const int side = inCircle(a, b, c, d); side != 0) return side > 0;
+  // The last point decides, which is lifted most. If it is d, d is outside; if it is a corner, d is inside just where
+  // it lies on the corner's side of the other two. No three of four points on a circle are collinear.
+  const Point& last = isBefore(a, b) ? b : a;
+  const Point& lastOfCorners = isBefore(last, c) ? c : last;
+  if (isBefore(lastOfCorners, d)) return false;
+  if (&lastOfCorners == &a) return orientation(d, b, c) > 0;
+  if (&lastOfCorners == &b) return orientation(a, d, c) > 0;
+  return orientation(a, b, d) > 0;
+}
+
+}  // namespace circle_voronoi
