@@ -306,5 +306,46 @@ TEST(Cells, OfTheBronzeFilterFillItsBox) {
   }
 }
 
+TEST(Cells, APointOnTheBorderIsInBoth) {
+  const std::vector<Circle> circles = {{0, 0, 3}, {10, 0, 1}};
+  const Diagram diagram = compute(circles).value();
+  const Cells cells(circles, diagram);
+  EXPECT_TRUE(cells.contains(0, {6, 0}));
+  EXPECT_TRUE(cells.contains(1, {6, 0}));
+  EXPECT_FALSE(cells.contains(0, {6.001, 0}));
+  EXPECT_FALSE(cells.contains(1, {5.999, 0}));
+}
+
+TEST(Cells, TheirOutlinesHaveNoSegmentWithoutLength) {
+  // The edge of these goes through two corners of the box.
+  const std::vector<Circle> circles = {{-1, 1, 0.5}, {1, -1, 0.5}};
+  const Diagram diagram = compute(circles).value();
+  const Cells cells(circles, diagram);
+  for (const std::int32_t circle : {0, 1}) {
+    const Outline shape = outline(cells, circle, Box{0, 0, 4, 4});
+    ASSERT_EQ(shape.size(), 1U);
+    for (const OutlinePiece& piece : shape[0]) {
+      if (piece.side == kNone) {
+        EXPECT_NE(piece.curve.start, piece.curve.end);
+      }
+    }
+    EXPECT_DOUBLE_EQ(area(shape), 8);
+    EXPECT_DOUBLE_EQ(perimeter(shape), 8 + 4 * std::numbers::sqrt2);
+  }
+}
+
+TEST(Cells, TheCentroidOfAnOutlineWithoutAreaIsThatOfItsPoints) {
+  const Point p{1, 2};
+  const Point q{1 + 1.0 / 3, 2 + 1.0 / 7};
+  const Point r{1 + 2.0 / 3, 2 + 2.0 / 7};
+  // There and back by way of q: but for rounding there is no area.
+  const Outline line = {{{segment(p, q)}, {segment(q, r)}, {segment(r, q)}, {segment(q, p)}}};
+  EXPECT_NEAR(centroid(line).x, q.x, 1e-15);
+  EXPECT_NEAR(centroid(line).y, q.y, 1e-15);
+  const Outline thin = {{{segment(p, q)}, {segment(q, r)}, {segment(r, p)}}};
+  EXPECT_NEAR(centroid(thin).x, q.x, 1e-15);
+  EXPECT_NEAR(centroid(thin).y, q.y, 1e-15);
+}
+
 }  // namespace
 }  // namespace circle_voronoi

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <set>
@@ -91,6 +92,22 @@ TEST(Merged, LargeNearZeroMergesAll) {
   const MergedDiagram merged = mergeVertices(circles, compute(circles).value(), 1e6);
   EXPECT_EQ(merged.vertices.size(), 1u);
   EXPECT_EQ(mergeVertices({}, Diagram{}).vertices.size(), 0u);
+}
+
+TEST(Merged, NearZeroOfNothingMergesEqualPlacesAlone) {
+  // The first four meet in the origin, the next four nearly in (100, 0).
+  const std::vector<Circle> circles = {{-1, 0, 0}, {1, 0, 0},   {0, -1, 0},   {0, 1, 0},
+                                       {99, 0, 0}, {101, 0, 0}, {100, -1, 0}, {100, 1 + 1e-13, 0}};
+  const Diagram diagram = compute(circles).value();
+  const auto countNear = [](const std::vector<Vertex>& vertices, double x) {
+    return std::ranges::count_if(vertices, [x](const Vertex& v) { return std::abs(v.x - x) + std::abs(v.y) < 1e-6; });
+  };
+  ASSERT_EQ(countNear(diagram.vertices, 0), 2);
+  ASSERT_EQ(countNear(diagram.vertices, 100), 2);
+  EXPECT_EQ(countNear(mergeVertices(circles, diagram).vertices, 0), 1);
+  EXPECT_EQ(countNear(mergeVertices(circles, diagram).vertices, 100), 1);
+  EXPECT_EQ(countNear(mergeVertices(circles, diagram, 0).vertices, 0), 1);
+  EXPECT_EQ(countNear(mergeVertices(circles, diagram, 0).vertices, 100), 2);
 }
 
 }  // namespace
