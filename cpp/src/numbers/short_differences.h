@@ -2,11 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
 
+#include "bit_cast.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -18,7 +18,7 @@ template <int kBits>
 bool haveShortDifferences(std::initializer_list<Point> points, double largest) {
   // Of smaller ones, products might underflow.
   if (!(largest >= 0x1p-100)) return false;
-  const double leading = std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) & 0x7ff0000000000000u);
+  const double leading = bitCast<double>(bitCast<std::uint64_t>(largest) & 0x7ff0000000000000u);
   // The sum with a number below a third of this is rounded to a multiple of leading * 2^(1 - kBits).
   const double rounder = leading * (1.5 * static_cast<double>(std::uint64_t{1} << (53 - kBits)));
   const double limit = rounder / 3;
