@@ -27,7 +27,7 @@ struct ComputeArguments {
   std::string method = "auto";
   std::string candidates = "dynamic";
   int samples = Options{}.samples;
-  bool repair = Options{}.repair;
+  bool resample = Options{}.resample;
   std::string progress = "auto";
 };
 
@@ -57,7 +57,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   options.method = kMethods.at(arguments.method);
   options.candidates = kCandidates.at(arguments.candidates);
   options.samples = arguments.samples;
-  options.repair = arguments.repair;
+  options.resample = arguments.resample;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto diagram = compute(circles.value(), options);
   if (!diagram) {
@@ -94,7 +94,7 @@ void addComputeCommand(CLI::App& program) {
                        "); uniform: samples on each circle (" + std::to_string(kDefaultUniformSamples) + ")")
       ->type_name("COUNT")
       ->check(CLI::Range(0, kMaxSamples).description("0 to " + std::to_string(kMaxSamples)));
-  command->add_flag("--repair", arguments->repair, "dynamic: add samples where the certificate failed and try again");
+  command->add_flag("--resample", arguments->resample, "dynamic: take more samples where the certificate failed and try again");
   addProgressOption(*command, arguments->progress);
   command->footer(
       "Formats:\n"

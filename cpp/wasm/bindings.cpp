@@ -18,7 +18,7 @@ using emscripten::val;
 
 Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::move(message)}; }
 
-/// `options`: `method`, `candidates`, `samples`, `repair` and `progress`, each possibly undefined. The caller sees to
+/// `options`: `method`, `candidates`, `samples`, `resample` and `progress`, each possibly undefined. The caller sees to
 /// it that `progress`, called with the name of a stage and the part of it that is done, does not throw.
 Result<Options> optionsFrom(const val& options) {
   Options result;
@@ -51,8 +51,8 @@ Result<Options> optionsFrom(const val& options) {
     if (!samples.isNumber()) return badOption("The number of samples is not a number.");
     result.samples = samples.as<int>();
   }
-  const val repair = options["repair"];
-  if (!repair.isUndefined()) result.repair = repair.as<bool>();
+  const val resample = options["resample"];
+  if (!resample.isUndefined()) result.resample = resample.as<bool>();
   const val progress = options["progress"];
   if (!progress.isUndefined()) {
     result.progress = [progress](Stage stage, double done) { progress(std::string(stageName(stage)), done); };

@@ -91,11 +91,11 @@ void setFields(val& object, const Struct& values, const std::array<const char*, 
 inline val statsValue(const Stats& stats) {
   val counts = val::object();
   setFields(counts, stats.counts,
-            {"circles", "hidden", "samples", "antipodalDiscs", "threeTouchDiscs", "events", "leftoverCycles", "flips",
-             "repairs", "filtered", "refined", "inCircle", "exact"},
+            {"circles", "hidden", "samples", "antipodalDiscs", "threeTouchDiscs", "events", "leftoverCycles",
+             "resamplings", "flips", "repairs", "filtered", "refined", "inCircle", "exact"},
             &Counts::circles, &Counts::hidden, &Counts::samples, &Counts::antipodalDiscs, &Counts::threeTouchDiscs,
-            &Counts::events, &Counts::leftoverCycles, &Counts::flips, &Counts::repairs, &Counts::filtered,
-            &Counts::refined, &Counts::inCircle, &Counts::exact);
+            &Counts::events, &Counts::leftoverCycles, &Counts::resamplings, &Counts::flips, &Counts::repairs,
+            &Counts::filtered, &Counts::refined, &Counts::inCircle, &Counts::exact);
   val seconds = val::object();
   setFields(seconds, stats.seconds, {"hide", "sample", "pair", "touch", "flip", "repair", "certify", "total"},
             &Seconds::hide, &Seconds::sample, &Seconds::pair, &Seconds::touch, &Seconds::flip, &Seconds::repair,

@@ -87,7 +87,7 @@ TEST_F(Cli, WritesEveryFormat) {
                 1, "not certified");
 }
 
-TEST_F(Cli, SaysWhereSamplingMissedSomethingAndRepairsIt) {
+TEST_F(Cli, SaysWhereSamplingMissedSomethingAndSamplesAgain) {
   const std::string command = "compute " CIRCLE_VORONOI_FIXTURES
                               "/missed-antipodal-disc-mixed-4.csv --format stats --method touching-disc --samples 0";
   const auto certificate = [&](const std::string& options) {
@@ -95,7 +95,7 @@ TEST_F(Cli, SaysWhereSamplingMissedSomethingAndRepairsIt) {
   };
   EXPECT_EQ(certificate("").at("certified"), false);
   EXPECT_NE(certificate("").at("message"), "");
-  EXPECT_EQ(certificate(" --repair").at("certified"), true);
+  EXPECT_EQ(certificate(" --resample").at("certified"), true);
 }
 
 TEST_F(Cli, AllMethodsMakeTheSameDiagram) {

@@ -49,10 +49,10 @@ TEST_P(Fixture, DynamicSampling) {
   }
 }
 
-TEST_P(Fixture, DynamicSamplingWithRepair) {
+TEST_P(Fixture, DynamicSamplingAndMore) {
   Options options;
   options.samples = 0;
-  options.repair = true;
+  options.resample = true;
   EXPECT_EQ(problem(GetParam(), options), "");
 }
 

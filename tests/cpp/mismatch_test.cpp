@@ -36,7 +36,7 @@ struct Way {
   Method method;
   Candidates candidates;
   int samples;
-  bool repair;
+  bool resample;
   std::string name;
 };
 
@@ -44,7 +44,7 @@ const std::array<Way, 6> kWays = {{
     {Method::touchingDisc, Candidates::dynamic, 0, false, "N_s = 0"},
     {Method::touchingDisc, Candidates::dynamic, 1, false, "N_s = 1"},
     {Method::touchingDisc, Candidates::dynamic, 3, false, "N_s = 3"},
-    {Method::touchingDisc, Candidates::dynamic, 0, true, "N_s = 0, repaired"},
+    {Method::touchingDisc, Candidates::dynamic, 0, true, "N_s = 0, resampled"},
     {Method::touchingDisc, Candidates::allPairs, -1, false, "all pairs"},
     {Method::automatic, Candidates::dynamic, -1, false, "auto"},
 }};
@@ -69,7 +69,7 @@ Row tryFamily(const FamilyInfo& family, std::uint64_t seed, std::uint64_t trials
       options.method = kWays[way].method;
       options.candidates = kWays[way].candidates;
       options.samples = kWays[way].samples;
-      options.repair = kWays[way].repair;
+      options.resample = kWays[way].resample;
       const auto diagram = compute(circles, options);
       std::string problem;
       if (!diagram) {
@@ -121,7 +121,7 @@ std::string tableOf(const std::vector<Row>& rows, std::uint64_t seed, std::uint6
   return table.str();
 }
 
-/// The most percent of inputs that may differ at N_s = 0, 1, 3 and repaired, where it is not none: a few times what was
+/// The most percent of inputs that may differ at N_s = 0, 1, 3 and resampled, where it is not none: a few times what was
 /// measured over several seeds, so that another seed passes too.
 const std::map<Family, std::array<double, 4>> kMostPercent = {
     {Family::logUniform, {3, 0.4, 0.4, 0.4}},

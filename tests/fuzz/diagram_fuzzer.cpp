@@ -35,9 +35,9 @@ std::vector<Options> manualOptions() {
     options.samples = samples;
     list.push_back(options);
   }
-  options.repair = true;
+  options.resample = true;
   list.push_back(options);
-  options.repair = false;
+  options.resample = false;
   options.candidates = Candidates::uniform;
   options.samples = 5;
   list.push_back(options);

@@ -248,7 +248,7 @@ describe('certify', () => {
   })
 })
 
-describe('repair', () => {
+describe('resample', () => {
   it('makes the touching disc method right where samples are too few', () => {
     // Equal circles around one point: rounding alone puts zero-length edges out of order.
     const circles = Float64Array.from({ length: 36 }, (_, i) => {
@@ -256,8 +256,8 @@ describe('repair', () => {
       return [10 * Math.cos(angle), 10 * Math.sin(angle), 1][i % 3] as number
     })
     const options = { method: 'touching-disc' } as const
-    expect(library.compute(circles, { ...options, repair: true }).certificate.certified).toBe(true)
+    expect(library.compute(circles, { ...options, resample: true }).certificate.certified).toBe(true)
     // @ts-expect-error: the wrong type
-    expect(errorOf(() => library.compute(circles, { ...options, repair: 1 })).code).toBe('badOption')
+    expect(errorOf(() => library.compute(circles, { ...options, resample: 1 })).code).toBe('badOption')
   })
 })

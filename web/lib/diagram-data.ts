@@ -72,6 +72,8 @@ export interface Counts {
   readonly events: number
   /** Cycles of leftover directed edges; 1 in a right diagram of two circles or more. */
   readonly leftoverCycles: number
+  /** How often the touching disc method took more samples and tried again. */
+  readonly resamplings: number
   /** Edges flipped. */
   readonly flips: number
   /** Places where a local diagram was spliced in. */

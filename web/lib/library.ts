@@ -50,9 +50,9 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
     compute(circles, options = {}) {
       const coordinates = coordinatesOf(circles)
       checkOptions(options)
-      const { method, candidates, samples, repair } = options
+      const { method, candidates, samples, resample } = options
       const reporter = new Reporter(options.progress)
-      const result = module.compute(coordinates, { method, candidates, samples, repair, progress: reporter.progress })
+      const result = module.compute(coordinates, { method, candidates, samples, resample, progress: reporter.progress })
       reporter.rethrow()
       return new Diagram({ metric: 'circles', circles: coordinates, ...unwrap(result) })
     },

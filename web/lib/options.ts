@@ -39,7 +39,7 @@ export interface Options {
    */
   readonly samples?: number
   /** `dynamic`: if the diagram is not certified, take more samples near what is wrong and try again. Default: false. */
-  readonly repair?: boolean
+  readonly resample?: boolean
   /** Called during the computation. If it throws, it is not called again, and `compute` throws the same at its end. */
   readonly progress?: Progress
 }
@@ -53,7 +53,7 @@ export function checkOptions(options: Options): void {
   if (typeof options !== 'object' || options === null) {
     throw new CircleVoronoiError('badOption', -1, 'The options are not an object.')
   }
-  const { method, candidates, samples, repair, progress }: { [Name in keyof Options]: unknown } = options
+  const { method, candidates, samples, resample, progress }: { [Name in keyof Options]: unknown } = options
   const isText = (value: unknown) => value === undefined || typeof value === 'string'
   if (!isText(method) || !isText(candidates)) {
     throw new CircleVoronoiError('badOption', -1, 'The options method and candidates are strings.')
@@ -61,8 +61,8 @@ export function checkOptions(options: Options): void {
   if (samples !== undefined && !(Number.isInteger(samples) && Math.abs(samples as number) < 2 ** 31)) {
     throw new CircleVoronoiError('badOption', -1, 'The option samples is a whole number.')
   }
-  if (repair !== undefined && typeof repair !== 'boolean') {
-    throw new CircleVoronoiError('badOption', -1, 'The option repair is true or false.')
+  if (resample !== undefined && typeof resample !== 'boolean') {
+    throw new CircleVoronoiError('badOption', -1, 'The option resample is true or false.')
   }
   if (progress !== undefined && typeof progress !== 'function') {
     throw new CircleVoronoiError('badOption', -1, 'The option progress is a function.')

@@ -7,7 +7,7 @@ interface WasmOptions {
   readonly method: string | undefined
   readonly candidates: string | undefined
   readonly samples: number | undefined
-  readonly repair: boolean | undefined
+  readonly resample: boolean | undefined
   /** Must not throw. */
   readonly progress: import('./options.ts').Progress | undefined
 }

@@ -44,7 +44,7 @@ struct Options {
   /// -1: the default of the candidates chosen. allPairs takes none.
   int samples = -1;
   /// dynamic: if the diagram is not certified, take more samples around what is wrong and try again.
-  bool repair = false;
+  bool resample = false;
   /// Told each event of the loop; costs nothing when empty.
   Observer observer;
   /// Told how far the computation has come; costs nothing when empty.

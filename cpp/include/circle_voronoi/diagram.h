@@ -53,6 +53,7 @@ struct Counts {
   std::int64_t threeTouchDiscs = 0;  ///< three-touch discs (TTDs) formed
   std::int64_t events = 0;           ///< discs taken from the queue
   std::int64_t leftoverCycles = 0;   ///< cycles of leftover directed edges; 1 in a right diagram of two circles or more
+  std::int64_t resamplings = 0;      ///< times that more samples were taken (Options::resample)
   std::int64_t flips = 0;            ///< edges flipped
   std::int64_t repairs = 0;          ///< places where a local diagram was spliced in
   std::int64_t filtered = 0;         ///< predicates decided in floating point, with an error bound

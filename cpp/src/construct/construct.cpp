@@ -88,9 +88,9 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
   return {around.begin(), around.end()};
 }
 
-constexpr int kMostRepairs = 4;
+constexpr int kMostResamplings = 4;
 /// In the angles of Delaunay faces, of which a circle has six on average.
-constexpr std::int64_t kMostRepairSamples = 4'000'000;
+constexpr std::int64_t kMostAngularSamples = 4'000'000;
 constexpr int kAllPairsPatch = 64;
 constexpr int kLargestPatch = 4000;
 
@@ -157,9 +157,9 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       pairs = options.candidates == Candidates::allPairs ? pairAll(n) : pairNeighbors(samples, n);
     }
     Construction result = judged(touchPairs(sites.circles, pairs, observer, journal), sites.circles, journal);
-    const bool mayRepair = options.repair && options.candidates == Candidates::dynamic && round < kMostRepairs;
-    if (result.certificate.certified() || !mayRepair) return result;
-    ++journal.stats.counts.repairs;
+    const bool mayResample = options.resample && options.candidates == Candidates::dynamic && round < kMostResamplings;
+    if (result.certificate.certified() || !mayResample) return result;
+    ++journal.stats.counts.resamplings;
     // Where only rounding put the ends of an edge out of order, flips settle it; else pairs are missing.
     auto dual = dualOf(result.topology, n);
     if (auto* fitting = std::get_if<Dual>(&dual)) {
@@ -169,7 +169,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
     // What is missing may lie farther off than what is seen to be wrong: from the third try on, sample everywhere.
     if (round >= 2) {
       for (int& count : angular) count = std::clamp(4 * count + 3, 15, kMaxSamples);
-      if (std::accumulate(angular.begin(), angular.end(), std::int64_t{0}) > kMostRepairSamples) return result;
+      if (std::accumulate(angular.begin(), angular.end(), std::int64_t{0}) > kMostAngularSamples) return result;
     } else {
       for (const int i : circlesAround(result, sites.centres)) angular[i] = 2 * angular[i] + 1;
     }

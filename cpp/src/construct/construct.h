@@ -14,7 +14,7 @@ struct Construction {
   Certificate certificate;  ///< by the indices of sites, vertices and edges of `topology`
 };
 
-/// The touching disc method on the candidates of `options`, judged; with `options.repair`, again with more samples
+/// The touching disc method on the candidates of `options`, judged; with `options.resample`, again with more samples
 /// around what was wrong. Events go to `observer`, in sites and scaled units.
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
                                      Journal& journal);

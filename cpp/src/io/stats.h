@@ -25,6 +25,7 @@ inline constexpr auto kCounts = std::to_array<NamedField<Counts, std::int64_t>>(
     {"threeTouchDiscs", &Counts::threeTouchDiscs},
     {"events", &Counts::events},
     {"leftoverCycles", &Counts::leftoverCycles},
+    {"resamplings", &Counts::resamplings},
     {"flips", &Counts::flips},
     {"repairs", &Counts::repairs},
     {"filtered", &Counts::filtered},
