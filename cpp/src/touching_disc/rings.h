@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The rings of the event loop: which directed edges (DEs) lie around each circle, in order.
+//
+// Every candidate pair {a, b} has a slot on a and a slot on b. The slots of a circle are sorted once,
+// counter-clockwise, by the direction to the partner, and a DE never leaves the slots of the circles it joins: where a
+// three-touch disc replaces DE(a,b) and DE(b,c) by DE(a,c), the latter starts in the slot where DE(a,b) started and
+// ends in the slot where DE(b,c) ended. So ties of angles cannot disturb the order of a ring.
+//
+// A slot holds at most one DE that starts there ("out") and one that ends there ("in"). Seen from the circle, a DE that
+// starts looks clockwise for its disc of R_max, one that ends looks counter-clockwise:
+//
+//              in ──►  unused arc  ◄── out|in ──►  unused arc  ◄── out      (counter-clockwise)
+//
+// Between an out and the next in lies an arc that is used up (or nothing, where an antipodal disc placed both).
+// Two DEs that face each other across an unused arc are parametrically adjacent and may form a three-touch disc.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "pair.h"
+#include "slot_set.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+
+/// Where there is no directed edge.
+inline constexpr int kNoEdge = -1;
+
+/// A directed edge from circle a to circle b; its Voronoi segment lies to its right (paper, section 2.1).
+struct DirectedEdge {
+  int a = 0;
+  int b = 0;
+  int slotA = 0;
+  int slotB = 0;
+  int edge = 0;        ///< the Voronoi edge that its segment belongs to
+  bool isEnd = false;  ///< whether the segment leads to the end of that edge, or to its start
+  Vector fromA;        ///< from the centre of a to the centre of the disc of R_min
+  Vector fromB;
+};
+
+class Rings {
+ public:
+  /// The slots of a pair, on its first and on its second circle.
+  using Slots = std::array<int, 2>;
+
+  Rings(std::span<const Circle> circles, std::span<const Pair> pairs);
+
+  /// The slots of each pair, given away.
+  std::vector<Slots> takeSlots() { return std::move(pairSlots_); }
+
+  const DirectedEdge& edge(int index) const { return edges_[index]; }
+
+  /// Whether a DE that was placed has not been removed.
+  bool isAlive(int index) const { return slots_[edges_[index].slotA].out == index; }
+
+  /// Puts a DE into its slots, which hold no other, and returns its index.
+  int place(const DirectedEdge& edge) {
+    const int index = static_cast<int>(edges_.size());
+    edges_.push_back(edge);
+    slots_[edge.slotA].out = index;
+    slots_[edge.slotB].in = index;
+    occupied_.insert(edge.slotA);
+    occupied_.insert(edge.slotB);
+    return index;
+  }
+
+  void remove(int index) {
+    const DirectedEdge& edge = edges_[index];
+    slots_[edge.slotA].out = kNoEdge;
+    slots_[edge.slotB].in = kNoEdge;
+    for (const int slot : {edge.slotA, edge.slotB}) {
+      if (slots_[slot].out == kNoEdge && slots_[slot].in == kNoEdge) occupied_.erase(slot);
+    }
+  }
+
+  /// The DE that faces the end of `edge` across the unused arc of circle b, kNoEdge if there is none.
+  int adjacentAfter(const DirectedEdge& edge) const { return slots_[slotAfter(edge.b, edge.slotB)].out; }
+
+  /// The DE that faces the start of `edge` across the unused arc of circle a.
+  int adjacentBefore(const DirectedEdge& edge) const { return slots_[slotBefore(edge.a, edge.slotA)].in; }
+
+  /// The DEs that bound the arc of a circle around a slot: the one that ends before it and the one that starts after
+  /// it, counter-clockwise. Without either the arc is used up.
+  struct Arc {
+    int in = kNoEdge;
+    int out = kNoEdge;
+    bool isWhole = false;  ///< both are in one slot: the arc goes all the way round
+
+    bool isUsed() const { return in == kNoEdge || out == kNoEdge; }
+  };
+  Arc arcAt(int circle, int slot) const {
+    const std::ptrdiff_t before = slotBefore(circle, slot);
+    if (before == SlotSet::kNoSlot) return {};
+    const std::ptrdiff_t after = slotAfter(circle, slot);
+    return {slots_[before].in, slots_[after].out, before == after};
+  }
+
+  /// The DEs that are left, in cycles of adjacent ones: the circles that they leave.
+  std::vector<std::vector<int>> cycles() const;
+
+  void prefetchSlot(int slot) const { __builtin_prefetch(&slots_[slot]); }
+  void prefetchEdge(int index) const { __builtin_prefetch(&edges_[index]); }
+
+ private:
+  /// The DEs that start and end in a slot.
+  struct Slot {
+    int out = kNoEdge;
+    int in = kNoEdge;
+  };
+
+  /// The occupied slot of a circle that follows `slot` counter-clockwise, `slot` itself last; SlotSet::kNoSlot if none.
+  std::ptrdiff_t slotAfter(int circle, int slot) const {
+    const std::ptrdiff_t found = occupied_.firstIn(slot + 1, firstSlot_[circle + 1]);
+    return found != SlotSet::kNoSlot ? found : occupied_.firstIn(firstSlot_[circle], slot + 1);
+  }
+
+  std::ptrdiff_t slotBefore(int circle, int slot) const {
+    const std::ptrdiff_t found = occupied_.lastIn(firstSlot_[circle], slot);
+    return found != SlotSet::kNoSlot ? found : occupied_.lastIn(slot, firstSlot_[circle + 1]);
+  }
+
+  std::vector<int> firstSlot_;  ///< of each circle; the slots of circle i end where those of i + 1 begin
+  std::vector<Slot> slots_;
+  SlotSet occupied_;
+  std::vector<DirectedEdge> edges_;
+  std::vector<Slots> pairSlots_;
+};
+
+}  // namespace circle_voronoi
