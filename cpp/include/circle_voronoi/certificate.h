@@ -22,7 +22,7 @@ enum class Flaw {
   badIndex,   ///< an index is out of range, or a triple, an edge or a hull names a circle twice or a hidden one
   hiddenWithoutHider,  ///< a circle is listed as hidden, but the circle it names does not contain it
   adjacency,           ///< edges, vertices and hull do not fit together
-  eulerCount,          ///< the number of vertices is not that of m visible circles, or the parts are not connected
+  eulerCount,          ///< the number of vertices and hull circles is not that of m visible circles
   vertexWithoutDisc,   ///< no disc touches the three circles of a vertex in that order
   vertexMisplaced,     ///< the disc that touches the three circles of a vertex is elsewhere
   edgeOutOfOrder,      ///< the ends of an edge are in the wrong order along their bisector
@@ -49,7 +49,7 @@ struct Certificate {
 /// included, and its vertices are those of the circles up to rounding.
 ///
 /// Only `vertices`, `vertexCircles`, `edges`, `hidden` and `hull` are looked at.
-/// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles).
+/// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles) and internal.
 Result<Certificate> certify(std::span<const Circle> circles, const Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -18,8 +18,7 @@ class Judge {
     if (Verdict verdict = checkAdjacency(); !verdict.isRight()) return verdict;
     if (circleCount_ < 2) return {};
     if (Verdict verdict = checkFaces(); !verdict.isRight()) return verdict;
-    if (Verdict verdict = checkWindings(); !verdict.isRight()) return verdict;
-    return checkConnected();
+    return checkWindings();
   }
 
  private:
@@ -121,30 +120,6 @@ class Judge {
       if (windings_[circle] != 1) return {Flaw::cellNotClosed, circle};
     }
     if (hullWinding_ != 1) return {Flaw::hullNotClosed};
-    return {};
-  }
-
-  /// Every circle and infinity occur by now. So if the faces are connected, the m + 1 corners and 2 m - 2 faces leave
-  /// Euler's formula no choice: the surface is a sphere, and the faces around each circle are one fan.
-  Verdict checkConnected() const {
-    std::vector<std::uint8_t> isSeen(dual_.faceCount(), 0);
-    std::vector<int> stack(dual_.faceCount());
-    isSeen[0] = 1;
-    int reached = 1;
-    int size = 1;
-    while (size > 0) {
-      const int face = stack[--size];
-      for (int h = 3 * face; h < 3 * face + 3; ++h) {
-        const int neighbor = dual_.twin[h] / 3;
-        // Without a branch that would often be predicted wrongly.
-        const int isNew = 1 - isSeen[neighbor];
-        isSeen[neighbor] = 1;
-        if (reached < dual_.faceCount()) stack[size] = neighbor;
-        size += isNew;
-        reached += isNew;
-      }
-    }
-    if (reached != dual_.faceCount()) return {Flaw::eulerCount};
     return {};
   }
 

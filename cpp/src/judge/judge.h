@@ -28,8 +28,13 @@ struct Verdict {
 ///
 /// Checked is what makes the faces of the dual such regions: adjacency, Euler's count, a disc at every face, the ends
 /// of every edge in order along their bisector (so each region is a union of sectors around its centre, glued along
-/// common bisector arcs), and one full turn of every region around its centre and of the hull (so it covers the sphere
-/// once).
+/// common bisector arcs), and one full turn of every region around its centre and of the hull.
+/// Nothing else is needed. Where one sector ends at a bisector arc another begins, so all points of the plane lie in
+/// the same number of sectors, also if only one connected part of the dual is counted. Far out that number is how often
+/// the hull turns: once for one part and not at all for the others, which therefore have no sectors. So the one part
+/// covers the plane once. It has all m circles, for each has its full turn there, and infinity; a closed surface with m
+/// + 1 corners or more has 2 m - 2 faces or more, and no more if and only if it is a sphere and each corner one fan of
+/// faces. As there are 2 m - 2 faces in all, there are no others.
 Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates);
 
 }  // namespace circle_voronoi
