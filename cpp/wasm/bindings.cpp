@@ -16,10 +16,14 @@ namespace {
 using namespace circle_voronoi;
 using emscripten::val;
 
+/// Thrown by a callback: the computation is to end.
+struct Stopped {};
+
 Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::move(message)}; }
 
-/// `options`: `method`, `candidates`, `samples`, `resample` and `progress`, each possibly undefined. The caller sees to
-/// it that `progress`, called with the name of a stage and the part of it that is done, does not throw.
+/// `options`: `method`, `candidates`, `samples`, `resample` and `progress`, each possibly undefined. `progress`, called
+/// with the name of a stage and the part of it that is done, says whether to go on. The caller sees to it that it does
+/// not throw.
 Result<Options> optionsFrom(const val& options) {
   Options result;
   const val method = options["method"];
@@ -55,13 +59,15 @@ Result<Options> optionsFrom(const val& options) {
   if (!resample.isUndefined()) result.resample = resample.as<bool>();
   const val progress = options["progress"];
   if (!progress.isUndefined()) {
-    result.progress = [progress](Stage stage, double done) { progress(std::string(stageName(stage)), done); };
+    result.progress = [progress](Stage stage, double done) {
+      if (progress(std::string(stageName(stage)), done).isFalse()) throw Stopped{};
+    };
   }
   return result;
 }
 
 val computeValue(const val& coordinates, const val& options) {
-  return guarded([&] {
+  return valueOf([&] {
     const Result<Options> chosen = optionsFrom(options);
     if (!chosen.ok()) return errorValue(chosen.error());
     const auto circles = itemsFrom<double, Circle>(coordinates);
@@ -72,7 +78,7 @@ val computeValue(const val& coordinates, const val& options) {
 
 /// `value`: a diagram with its circles, as `compute` in web/lib returns it.
 val certifyValue(const val& value) {
-  return guarded([&] {
+  return valueOf([&] {
     const auto circles = itemsFrom<double, Circle>(value["circles"]);
     Diagram diagram;
     diagram.vertices = itemsFrom<double, Vertex>(value["vertices"]);

@@ -12,7 +12,7 @@ namespace {
 using namespace circle_voronoi;
 
 val powerDiagramValue(const val& coordinates) {
-  return guarded([&] {
+  return valueOf([&] {
     const auto circles = itemsFrom<double, Circle>(coordinates);
     const Result<Diagram> diagram = powerDiagram(circles);
     return diagram.ok() ? diagramValue(diagram.value()) : errorValue(diagram.error());

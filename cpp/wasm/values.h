@@ -6,9 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -16,6 +13,7 @@
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "guarded.h"
 
 namespace circle_voronoi {
 
@@ -54,18 +52,14 @@ std::vector<Item> itemsFrom(const val& array) {
   return items;
 }
 
-inline val errorValue(const std::string& code, std::int64_t circle, const std::string& message) {
-  val error = val::object();
-  error.set("code", code);
-  error.set("circle", static_cast<double>(circle));
-  error.set("message", message);
-  val result = val::object();
-  result.set("error", error);
-  return result;
-}
-
 inline val errorValue(const Error& error) {
-  return errorValue(std::string(errorCodeName(error.code)), error.circle, error.message);
+  val value = val::object();
+  value.set("code", std::string(errorCodeName(error.code)));
+  value.set("circle", static_cast<double>(error.circle));
+  value.set("message", error.message);
+  val result = val::object();
+  result.set("error", value);
+  return result;
 }
 
 inline val certificateValue(const Certificate& certificate) {
@@ -121,21 +115,12 @@ inline val diagramValue(const Diagram& diagram) {
   return result;
 }
 
-/// The value of `body`, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would reach
-/// JavaScript as a bare number.
+/// The value that `body` makes of a result, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception
+/// would reach JavaScript as a bare number.
 template <class Body>
-val guarded(Body body) {
-  try {
-    return body();
-  } catch (const std::bad_alloc&) {
-    return errorValue({ErrorCode::tooManyCircles, -1, "There is not enough memory for this many circles."});
-  } catch (const std::length_error&) {
-    return errorValue({ErrorCode::tooManyCircles, -1, "There is not enough memory for this many circles."});
-  } catch (const std::exception& exception) {
-    return errorValue("internal", -1, exception.what());
-  } catch (...) {
-    return errorValue("internal", -1, "The computation failed.");
-  }
+val valueOf(Body body) {
+  const Result<val> value = guarded([&]() -> Result<val> { return body(); });
+  return value.ok() ? value.value() : errorValue(value.error());
 }
 
 }  // namespace circle_voronoi

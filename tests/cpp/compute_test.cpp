@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -189,6 +190,82 @@ std::vector<std::pair<std::string, double>> progressOf(const std::vector<Circle>
   options.progress = [&](Stage stage, double done) { told.emplace_back(stageName(stage), done); };
   EXPECT_TRUE(compute(circles, options));
   return told;
+}
+
+// Refused before anything is allocated: 32-bit indices would not do, and before memory ran out nobody could stop it.
+TEST(ComputeOptions, SamplesBeyond32BitsAreRefused) {
+  const auto circles = generate(Family::uniform, 60'000, 1);
+  Options options;
+  options.method = Method::touchingDisc;
+  options.samples = kMaxSamples;
+  const auto dynamic = compute(circles, options);
+  ASSERT_FALSE(dynamic.ok());
+  EXPECT_EQ(dynamic.error().code, ErrorCode::tooManyCircles);
+  EXPECT_NE(dynamic.error().message.find("samples; at most 357913941 are possible"), std::string::npos)
+      << dynamic.error().message;
+  options.candidates = Candidates::uniform;
+  const auto uniform = compute(generate(Family::uniform, 358'000, 1), options);
+  ASSERT_FALSE(uniform.ok());
+  EXPECT_EQ(uniform.error().code, ErrorCode::tooManyCircles);
+}
+
+TEST(ComputeOptions, WhatACallbackThrowsPassesThrough) {
+  struct Stop {
+    int call;
+  };
+  const auto circles = generate(Family::mixed, 300, 1);
+  for (const Method method : {Method::automatic, Method::touchingDisc, Method::flip}) {
+    int calls = 0;
+    int stopAt = std::numeric_limits<int>::max();
+    Options options;
+    options.method = method;
+    options.progress = [&](Stage, double) {
+      if (calls++ == stopAt) throw Stop{stopAt};
+    };
+    ASSERT_TRUE(compute(circles, options).ok());
+    const int all = calls;
+    ASSERT_GT(all, 2);
+    for (stopAt = 0; stopAt < all; ++stopAt) {
+      calls = 0;
+      try {
+        compute(circles, options);
+        ADD_FAILURE() << "call " << stopAt;
+      } catch (const Stop& stop) {
+        EXPECT_EQ(stop.call, stopAt);
+      }
+      EXPECT_EQ(calls, stopAt + 1) << "called again";
+    }
+  }
+  Options options;
+  options.method = Method::touchingDisc;
+  int events = 0;
+  options.observer = [&](const TraceEvent&) {
+    if (++events == 100) throw std::bad_alloc();
+  };
+  // Not taken for an allocation of ours.
+  EXPECT_THROW(compute(circles, options), std::bad_alloc);
+  EXPECT_EQ(events, 100);
+}
+
+TEST(ComputeOptions, ProgressGrowsInSampling) {
+  const auto circles = generate(Family::uniform, 2000, 1);
+  for (const Candidates candidates : {Candidates::dynamic, Candidates::uniform}) {
+    Options options;
+    options.method = Method::touchingDisc;
+    options.candidates = candidates;
+    options.samples = 100;
+    std::vector<double> told;
+    struct Enough {};
+    options.progress = [&](Stage stage, double done) {
+      if (stage == Stage::pair) throw Enough{};
+      if (stage == Stage::sample) told.push_back(done);
+    };
+    EXPECT_THROW(compute(circles, options), Enough);
+    ASSERT_GT(told.size(), 2U);
+    EXPECT_EQ(told.front(), 0);
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_LE(told.back(), 1);
+  }
 }
 
 TEST(ComputeOptions, ProgressTellsEachStageAsItBegins) {

@@ -7,12 +7,14 @@ add_executable(circle_voronoi_proof_tests
   certificate_test.cpp
   compare.cpp
   delaunay_test.cpp
+  construct_test.cpp
   dual_edits.cpp
   exact_test.cpp
   fixtures.cpp
   flip_test.cpp
   hide_test.cpp
   in_circle_test.cpp
+  judge_test.cpp
   io_read_diagram_test.cpp
   metamorphic_test.cpp
   predicates_test.cpp
@@ -20,6 +22,7 @@ add_executable(circle_voronoi_proof_tests
   report.cpp
   small_duals.cpp
   tie_inputs.cpp
+  topology_test.cpp
   trial.cpp
   validate_test.cpp
   vertex_test.cpp)
@@ -28,6 +31,12 @@ target_link_libraries(circle_voronoi_proof_tests PRIVATE
   circle_voronoi_oracle
   GTest::gtest_main Threads::Threads)
 gtest_discover_tests(circle_voronoi_proof_tests DISCOVERY_MODE PRE_TEST)
+
+# Its allocations fail, so it is a program of its own.
+add_executable(circle_voronoi_allocation_tests allocation_test.cpp)
+target_link_libraries(circle_voronoi_allocation_tests PRIVATE
+  circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi_options GTest::gtest_main Threads::Threads)
+gtest_discover_tests(circle_voronoi_allocation_tests DISCOVERY_MODE PRE_TEST)
 
 # The same trials for as long as one likes.
 if(CIRCLE_VORONOI_BUILD_CLI)

@@ -10,6 +10,7 @@ export const ERROR_CODES = [
   'notCertified',
   'badInput',
   'badArithmetic',
+  'internal',
 ] as const
 
 /**
@@ -25,7 +26,7 @@ export const ERROR_CODES = [
  * - `notLoaded`: the WebAssembly cannot be loaded; `cause` says why;
  * - `internal`: the program itself failed; please report it with the input.
  */
-export type ErrorCode = (typeof ERROR_CODES)[number] | 'notLoaded' | 'internal'
+export type ErrorCode = (typeof ERROR_CODES)[number] | 'notLoaded'
 
 /** What every function of this library throws. `message` is one sentence. */
 export class CircleVoronoiError extends Error {

@@ -62,20 +62,20 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
   }
 }
 
-/** Keeps what a callback throws until the core has returned: the core cannot be left in the middle. */
+/** Ends the computation when a callback throws, and keeps what it threw: no exception of JavaScript passes the core. */
 class Reporter {
-  readonly progress: Progress | undefined
+  readonly progress: ((...told: Parameters<Progress>) => boolean) | undefined
   #thrown: { readonly error: unknown } | undefined
 
   constructor(callback: Progress | undefined) {
     if (callback === undefined) return
     this.progress = (stage, done) => {
-      if (this.#thrown !== undefined) return
       try {
         callback(stage, done)
       } catch (error) {
         this.#thrown = { error }
       }
+      return this.#thrown === undefined
     }
   }
 

@@ -40,7 +40,7 @@ export interface Options {
   readonly samples?: number
   /** `dynamic`: if the diagram is not certified, take more samples near what is wrong and try again. Default: false. */
   readonly resample?: boolean
-  /** Called during the computation. If it throws, it is not called again, and `compute` throws the same at its end. */
+  /** Called during the computation. If it throws, the computation ends, and `compute` throws the same. */
   readonly progress?: Progress
 }
 

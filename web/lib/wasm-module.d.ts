@@ -8,8 +8,8 @@ interface WasmOptions {
   readonly candidates: string | undefined
   readonly samples: number | undefined
   readonly resample: boolean | undefined
-  /** Must not throw. */
-  readonly progress: import('./options.ts').Progress | undefined
+  /** Whether to go on; must not throw. */
+  readonly progress: ((...told: Parameters<import('./options.ts').Progress>) => boolean) | undefined
 }
 
 type WasmDiagram = Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'circles'>

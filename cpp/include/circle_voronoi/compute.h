@@ -62,7 +62,7 @@ struct Options {
 /// By `automatic` the diagram is certified, or there is an error. By the other methods the diagram comes with the
 /// certificate's verdict and may be wrong where that says so.
 /// Errors: nonFinite, negativeRadius, coordinateTooLarge (with the index of the first such circle), badOption,
-/// tooManyCircles, notCertified, badArithmetic.
+/// tooManyCircles, notCertified, badArithmetic, internal.
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
 
 }  // namespace circle_voronoi

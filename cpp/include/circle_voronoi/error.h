@@ -22,19 +22,22 @@ enum class ErrorCode {
   notCertified,        ///< no construction led to a certified diagram
   badInput,            ///< text that cannot be read as circles
   badArithmetic,       ///< the program rounds otherwise than to nearest, or takes tiny numbers for zero
+  internal,            ///< the program itself failed; please report it with the input
 };
 
 /// The name of a code, as in the enumeration.
 std::string_view errorCodeName(ErrorCode code);
 
-/// One sentence about what is wrong, and the index of the circle concerned (-1: none).
+/// One sentence about what is wrong, and the index of the circle concerned (-1: none). The message is empty if there
+/// was no memory left for it.
 struct Error {
   ErrorCode code = ErrorCode::badInput;
   std::int64_t circle = -1;
   std::string message;
 };
 
-/// A value or an error. The core throws nothing on bad input and never aborts.
+/// A value or an error. A function that returns it throws nothing, on bad input or when memory runs out, and never
+/// aborts. What a callback of the caller throws passes through it unchanged.
 template <class T>
 class Result {
  public:

@@ -32,7 +32,7 @@ struct TraceEvent {
   std::int32_t vertex = kNone;
 };
 
-/// Called once per event. It must not throw.
+/// Called once per event. What it throws passes through `compute`.
 using Observer = std::function<void(const TraceEvent&)>;
 
 }  // namespace circle_voronoi

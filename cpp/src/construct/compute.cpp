@@ -2,13 +2,13 @@
 #include "circle_voronoi/compute.h"
 
 #include <algorithm>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "certificate_message.h"
 #include "construct.h"
+#include "guarded.h"
 #include "hide.h"
 #include "order.h"
 #include "stopwatch.h"
@@ -147,20 +147,21 @@ Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options
 }  // namespace
 
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options) {
-  if (auto error = checkOptions(options, circles.size())) return *std::move(error);
-  try {
+  return guarded([&]() -> Result<Diagram> {
+    if (auto error = checkOptions(options, circles.size())) return *std::move(error);
     auto scaled = validate(circles);
     if (!scaled) return scaled.error();
+    Options own = options;
+    own.progress = lettingThrough(options.progress);
+    own.observer = lettingThrough(options.observer);
     double seconds = 0;
     auto result = [&] {
       const Stopwatch watch(seconds);
-      return computeValid(scaled.value(), options);
+      return computeValid(scaled.value(), own);
     }();
     if (result) result.value().stats.seconds.total = seconds;
     return result;
-  } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::tooManyCircles, -1, std::to_string(circles.size()) + " circles do not fit in memory."};
-  }
+  });
 }
 
 }  // namespace circle_voronoi

@@ -147,8 +147,10 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
     Samples samples;
     if (options.candidates != Candidates::allPairs) {
       const Stopwatch watch = journal.enter(Stage::sample);
-      samples = options.candidates == Candidates::dynamic ? sampleDynamically(sites.circles, sites.centres, angular)
-                                                          : sampleUniformly(sites.circles, options.samples);
+      const auto tell = [&](double done) { journal.tell(Stage::sample, done); };
+      samples = options.candidates == Candidates::dynamic
+                    ? sampleDynamically(sites.circles, sites.centres, angular, tell)
+                    : sampleUniformly(sites.circles, options.samples, tell);
       journal.stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
     }
     std::vector<Pair> pairs;

@@ -6,6 +6,7 @@
 
 #include "certificate_message.h"
 #include "circle_voronoi/certificate.h"
+#include "guarded.h"
 #include "judge.h"
 #include "three_touch_disc.h"
 #include "topology.h"
@@ -138,11 +139,13 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
 }  // namespace
 
 Result<Certificate> certify(std::span<const Circle> circles, const Diagram& diagram) {
-  const auto scaled = validate(circles);
-  if (!scaled) return scaled.error();
-  Certificate certificate = judgeDiagram(scaled.value().circles, scaled.value().unit, diagram);
-  certificate.message = messageOf(certificate, diagram);
-  return certificate;
+  return guarded([&]() -> Result<Certificate> {
+    const auto scaled = validate(circles);
+    if (!scaled) return scaled.error();
+    Certificate certificate = judgeDiagram(scaled.value().circles, scaled.value().unit, diagram);
+    certificate.message = messageOf(certificate, diagram);
+    return certificate;
+  });
 }
 
 }  // namespace circle_voronoi

@@ -21,6 +21,8 @@ std::string_view errorCodeName(ErrorCode code) {
       return "badInput";
     case ErrorCode::badArithmetic:
       return "badArithmetic";
+    case ErrorCode::internal:
+      return "internal";
   }
   return "";
 }

@@ -2,8 +2,11 @@
 #include "pair.h"
 
 #include <algorithm>
+#include <span>
+#include <string>
 
 #include "delaunay.h"
+#include "guarded.h"
 
 namespace circle_voronoi {
 namespace {
@@ -34,12 +37,6 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount) {
 
   // Samples of several circles may coincide; each joins its circle to that of its representative and, by the
   // representative's edges, to the neighbours. Listing the circles at every representative makes no pair go missing.
-  std::vector<Pair> pairs;
-  const auto add = [&](int i, int j) {
-    if (i != j) pairs.push_back({std::min(i, j), std::max(i, j)});
-  };
-  for (const auto& [s, t] : graph.edges) add(samples.circles[s], samples.circles[t]);
-
   std::vector<std::vector<int>> shared;  // circles at a point that several circles share
   std::vector<int> sharedAt(samples.points.size(), -1);
   for (int s = 0; s < static_cast<int>(samples.points.size()); ++s) {
@@ -53,20 +50,32 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount) {
     auto& circles = shared[sharedAt[point]];
     if (std::find(circles.begin(), circles.end(), circle) == circles.end()) circles.push_back(circle);
   }
+  const auto circlesAt = [&](int point) -> std::span<const int> {
+    if (sharedAt[point] < 0) return {&samples.circles[point], 1};
+    return shared[sharedAt[point]];
+  };
+
+  std::size_t count = 0;
+  for (const auto& circles : shared) count += circles.size() * (circles.size() - 1) / 2;
+  for (const auto& [s, t] : graph.edges) count += circlesAt(s).size() * circlesAt(t).size();
+  if (count > kMaxPairs) {
+    throw Refusal{{ErrorCode::tooManyCircles, -1,
+                   std::to_string(circleCount) + " circles would have " + std::to_string(count) +
+                       " candidate pairs; at most " + std::to_string(kMaxPairs) + " are possible."}};
+  }
+  std::vector<Pair> pairs;
+  pairs.reserve(count);
+  const auto add = [&](int i, int j) {
+    if (i != j) pairs.push_back({std::min(i, j), std::max(i, j)});
+  };
   for (const auto& circles : shared) {
     for (std::size_t a = 0; a < circles.size(); ++a) {
       for (std::size_t b = a + 1; b < circles.size(); ++b) add(circles[a], circles[b]);
     }
   }
-  if (!shared.empty()) {
-    const auto circlesAt = [&](int point) -> std::vector<int> {
-      return sharedAt[point] < 0 ? std::vector{samples.circles[point]} : shared[sharedAt[point]];
-    };
-    for (const auto& [s, t] : graph.edges) {
-      if (sharedAt[s] < 0 && sharedAt[t] < 0) continue;
-      for (const int i : circlesAt(s)) {
-        for (const int j : circlesAt(t)) add(i, j);
-      }
+  for (const auto& [s, t] : graph.edges) {
+    for (const int i : circlesAt(s)) {
+      for (const int j : circlesAt(t)) add(i, j);
     }
   }
   return sortedUnique(pairs, circleCount);

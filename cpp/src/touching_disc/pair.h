@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "sample.h"
@@ -11,8 +13,11 @@ namespace circle_voronoi {
 /// Two circles that get an antipodal disc, the lower index first.
 using Pair = std::array<int, 2>;
 
+/// The most pairs: each has two slots in the event loop, with 32-bit indices.
+inline constexpr std::int64_t kMaxPairs = std::numeric_limits<std::int32_t>::max() / 2;
+
 /// The pairs of circles that have neighbouring or coinciding samples in the Delaunay graph of the samples (paper,
-/// section 4.1), each once, in lexicographic order.
+/// section 4.1), each once, in lexicographic order. Refuses (guarded.h) more than kMaxPairs, tooManyCircles.
 std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount);
 
 /// Every pair, in lexicographic order.

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+
+#include "guarded.h"
 
 namespace circle_voronoi {
 namespace {
@@ -18,10 +22,11 @@ Vector unit(Vector v) {
 /// proportion part : whole, by repeated halving; sums and square roots only, so it is the same on every platform.
 Vector divideAngle(Vector from, Vector to, int part, int whole) {
   constexpr int kHalvings = 53;
+  constexpr double kStraight = 1e-20;  // the square of the sum of two unit vectors that are opposite but for rounding
   for (int i = 0; i < kHalvings && part != 0; ++i) {
     const Vector sum = {from.x + to.x, from.y + to.y};
     // A straight angle has no sum to speak of: its bisector is the perpendicular.
-    const Vector middle = dot(sum, sum) > 1e-20 ? unit(sum) : Vector{-from.y, from.x};
+    const Vector middle = dot(sum, sum) > kStraight ? unit(sum) : Vector{-from.y, from.x};
     if (2 * part < whole) {
       part = 2 * part;
       to = middle;
@@ -42,13 +47,27 @@ double smallestRadius(std::span<const Circle> circles) {
 /// Appends the point of circle i, less the smallest radius, in a direction given by a unit vector.
 class Sampler {
  public:
-  explicit Sampler(std::span<const Circle> circles) : circles_(circles), smallest_(smallestRadius(circles)) {}
+  /// `count` is how many there will be.
+  Sampler(std::span<const Circle> circles, std::int64_t count, const std::function<void(double)>& progress)
+      : circles_(circles), smallest_(smallestRadius(circles)), count_(count), progress_(progress) {
+    if (count > kMaxSamplePoints) {
+      throw Refusal{{ErrorCode::tooManyCircles, -1,
+                     std::to_string(circles.size()) + " circles would have " + std::to_string(count) +
+                         " samples; at most " + std::to_string(kMaxSamplePoints) + " are possible."}};
+    }
+    samples_.points.reserve(static_cast<std::size_t>(count));
+    samples_.circles.reserve(static_cast<std::size_t>(count));
+  }
 
   void add(int i, Vector direction) {
+    constexpr std::size_t kSamplesPerReport = 1 << 16;
     const Circle& c = circles_[i];
     const double r = c.r - smallest_;
     samples_.points.push_back({c.x + r * direction.x, c.y + r * direction.y});
     samples_.circles.push_back(i);
+    if (progress_ && samples_.circles.size() % kSamplesPerReport == 0) {
+      progress_(static_cast<double>(samples_.circles.size()) / static_cast<double>(count_));
+    }
   }
 
   Samples take() && { return std::move(samples_); }
@@ -56,13 +75,27 @@ class Sampler {
  private:
   std::span<const Circle> circles_;
   double smallest_;
+  std::int64_t count_;
+  const std::function<void(double)>& progress_;
   Samples samples_;
 };
 
+/// How many samples sampleDynamically takes.
+std::int64_t countDynamically(const Dual& centres, std::span<const int> angular) {
+  std::int64_t count = 0;
+  for (int h = 0; h < centres.halfEdgeCount(); ++h) {
+    const int i = centres.origin[h];
+    if (i == kInfinity || centres.target(h) == kInfinity) continue;
+    count += centres.isFinite(h / 3) ? 1 + angular[i] : 1;
+  }
+  return count;
+}
+
 }  // namespace
 
-Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular) {
-  Sampler sampler(circles);
+Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular,
+                          const std::function<void(double)>& progress) {
+  Sampler sampler(circles, countDynamically(centres, angular), progress);
   for (int h = 0; h < centres.halfEdgeCount(); ++h) {
     const int i = centres.origin[h];
     const int j = centres.target(h);
@@ -77,14 +110,14 @@ Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, 
   return std::move(sampler).take();
 }
 
-Samples sampleUniformly(std::span<const Circle> circles, int count) {
+Samples sampleUniformly(std::span<const Circle> circles, int count, const std::function<void(double)>& progress) {
   constexpr Vector kQuadrants[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
   std::vector<Vector> directions;
   for (int k = 0; k < count; ++k) {
     const int quadrant = 4 * k / count;
     directions.push_back(divideAngle(kQuadrants[quadrant], kQuadrants[quadrant + 1], 4 * k - quadrant * count, count));
   }
-  Sampler sampler(circles);
+  Sampler sampler(circles, static_cast<std::int64_t>(circles.size()) * count, progress);
   for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
     for (const Vector direction : directions) sampler.add(i, direction);
   }

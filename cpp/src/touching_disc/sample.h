@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,15 +19,22 @@ struct Samples {
   std::vector<int> circles;
 };
 
+/// The most samples: their Delaunay triangulation has six half-edges for each, with 32-bit indices.
+inline constexpr std::int64_t kMaxSamplePoints = std::numeric_limits<std::int32_t>::max() / 6;
+
 /// Dynamic sampling (paper, section 5): on each circle a point towards each neighbour in the Delaunay graph of the
 /// centres, and `angular` (N_s) points that divide the angle of each finite face into equal parts. Samples may
 /// coincide.
 ///
 /// The circles are taken less the smallest radius: the diagram does not change when a number is added to all radii,
 /// and less of them overlaps. `centres` has the centres of `circles` as corners.
-Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular);
+///
+/// Refuses (guarded.h) more than kMaxSamplePoints, tooManyCircles. `progress` is told now and then which part is done.
+Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular,
+                          const std::function<void(double)>& progress = {});
 
-/// `count` equally spaced points on each circle (paper, section 4.1), likewise less the smallest radius.
-Samples sampleUniformly(std::span<const Circle> circles, int count);
+/// `count` equally spaced points on each circle (paper, section 4.1), likewise less the smallest radius; refuses and
+/// tells the same.
+Samples sampleUniformly(std::span<const Circle> circles, int count, const std::function<void(double)>& progress = {});
 
 }  // namespace circle_voronoi

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whichever allocation fails, every function of the library gives its result or an error: nothing is thrown, and under
+// the address sanitizer nothing leaks.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <vector>
+
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+
+namespace {
+
+constexpr long kNever = std::numeric_limits<long>::max();
+
+long allocationsLeft = kNever;
+bool failsOnce = false;
+bool hasFailed = false;
+
+void* allocate(std::size_t size) {
+  if (allocationsLeft != kNever && allocationsLeft-- <= 0) {
+    hasFailed = true;
+    allocationsLeft = failsOnce ? kNever : 0;
+    throw std::bad_alloc();
+  }
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace circle_voronoi {
+namespace {
+
+/// Calls `function` until no allocation fails, each time with one more that succeeds before one or all fail.
+/// `check(value)` is for what it gives if it gives no error.
+template <class Function, class Check>
+void failEachAllocation(Function function, Check check) {
+  for (const bool once : {true, false}) {
+    int errors = 0;
+    for (long count = 0;; ++count) {
+      failsOnce = once;
+      hasFailed = false;
+      allocationsLeft = count;
+      auto result = function();
+      allocationsLeft = kNever;
+      if (result.ok()) {
+        check(result.value());
+      } else {
+        ++errors;
+        ASSERT_EQ(result.error().code, ErrorCode::tooManyCircles) << "allocation " << count;
+        ASSERT_TRUE(hasFailed);
+      }
+      if (!hasFailed) break;
+    }
+    EXPECT_GT(errors, 5);
+  }
+}
+
+// More than one patch of every structure, hidden circles, ties.
+std::vector<Circle> someCircles() {
+  std::vector<Circle> circles = generate(Family::hidden, 20, 1);
+  const std::vector<Circle> grid = generate(Family::grid, 16, 1);
+  circles.insert(circles.end(), grid.begin(), grid.end());
+  return circles;
+}
+
+void checkComputed(const Options& options) {
+  const auto circles = someCircles();
+  const Diagram expected = compute(circles, options).value();
+  failEachAllocation([&] { return compute(circles, options); },
+                     [&](const Diagram& diagram) {
+                       ASSERT_EQ(diagram.edges, expected.edges);
+                       ASSERT_EQ(diagram.hull, expected.hull);
+                       ASSERT_EQ(diagram.certificate.flaw, expected.certificate.flaw);
+                     });
+}
+
+TEST(Allocation, MayFailInCompute) { checkComputed({}); }
+
+TEST(Allocation, MayFailInFlips) {
+  Options options;
+  options.method = Method::flip;
+  checkComputed(options);
+}
+
+TEST(Allocation, MayFailInTheTouchingDiscMethod) {
+  for (const Candidates candidates : {Candidates::dynamic, Candidates::uniform, Candidates::allPairs}) {
+    Options options;
+    options.method = Method::touchingDisc;
+    options.candidates = candidates;
+    options.samples = candidates == Candidates::allPairs ? -1 : 2;
+    options.resample = true;
+    checkComputed(options);
+  }
+}
+
+TEST(Allocation, MayFailInCertify) {
+  const auto circles = someCircles();
+  const Diagram diagram = compute(circles).value();
+  failEachAllocation([&] { return certify(circles, diagram); },
+                     [](const Certificate& certificate) { ASSERT_TRUE(certificate.certified()); });
+  Diagram wrong = diagram;
+  wrong.edges.pop_back();
+  failEachAllocation([&] { return certify(circles, wrong); },
+                     [](const Certificate& certificate) { ASSERT_FALSE(certificate.certified()); });
+}
+
+TEST(Allocation, MayFailInComparisons) {
+  const auto circles = someCircles();
+  for (const Metric metric : {Metric::circles, Metric::centres, Metric::power}) {
+    const Diagram expected = computeComparison(circles, metric).value();
+    failEachAllocation([&] { return computeComparison(circles, metric); },
+                       [&](const Diagram& diagram) { ASSERT_EQ(diagram.edges, expected.edges); });
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi

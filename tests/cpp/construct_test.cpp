@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each way to a diagram on inputs that need it: where one stage takes over from another, only the way and the counts
+// tell that the first has failed.
+#include "construct.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "fixtures.h"
+#include "report.h"
+#include "tie_inputs.h"
+
+namespace circle_voronoi {
+namespace {
+
+struct WayCase {
+  std::string way;
+  std::vector<Circle> circles;
+  int flips;
+  int repairs;
+};
+
+// All but the first touch one disc from inside, so that their three-touch discs nearly coincide.
+const std::vector<WayCase> kWays = {{"flip", {{0, 0, 1}, {10, 0, 4}, {4, 8, 2}, {5, 3, 0}}, 0, 0},
+                                    {"repair", {{30, 16, 25}, {3, 4, 54}, {1, 0, 58}, {24, -10, 33}}, 2, 1},
+                                    {"touching-disc",
+                                     {{0, 0, 4.2652012471865333e+58},
+                                      {-2.9415181015079542e+58, -3.088594006583352e+58, 0},
+                                      {-3.088594006583352e+58, 2.9415181015079542e+58, 0},
+                                      {-3.6768976268849428e+57, -8.8245543045238622e+57, 3.3827458167341471e+58}},
+                                     2,
+                                     0},
+                                    {"apollonius-graph",
+                                     {{6.9079528965005691e+128, 2.8783137068752369e+128, 9.4984352326882832e+128},
+                                      {5.7566274137504743e+127, 0, 1.6406388129188852e+129},
+                                      {2.8783137068752371e+127, 0, 1.6694219499876374e+129},
+                                      {8.6349411206257116e+128, -4.6053019310003794e+128, 7.1957842671880927e+128},
+                                      {1.4391568534376185e+128, -3.4539764482502846e+128, 1.3240243051626091e+129},
+                                      {1.1513254827500948e+129, -1.2088917568875997e+129, 2.8783137068752371e+127},
+                                      {-4.6053019310003794e+128, 8.6349411206257116e+128, 6.9079528965005691e+128}},
+                                     10,
+                                     0}};
+
+TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
+  for (const auto& [way, circles, flips, repairs] : kWays) {
+    SCOPED_TRACE(way);
+    const auto diagram = compute(circles);
+    ASSERT_TRUE(diagram.ok()) << diagram.error().message;
+    const Stats& stats = diagram.value().stats;
+    EXPECT_EQ(stats.way, way);
+    EXPECT_EQ(stats.counts.flips, flips);
+    EXPECT_EQ(stats.counts.repairs, repairs);
+    EXPECT_EQ(stats.counts.events > 0, way == "touching-disc" || way == "apollonius-graph");
+    EXPECT_TRUE(certify(circles, diagram.value()).value().certified());
+    // Flips on their own end in another dual, and say so.
+    Options options;
+    options.method = Method::flip;
+    EXPECT_EQ(compute(circles, options).value().certificate.certified(), way == "flip");
+  }
+}
+
+TEST(Construct, TakesMoreSamplesOnlyIfAskedTo) {
+  const auto circles = test::readFixture("missed-antipodal-disc-log-uniform-4");
+  Options options;
+  options.method = Method::touchingDisc;
+  options.samples = 0;
+  const Diagram missed = compute(circles, options).value();
+  EXPECT_FALSE(missed.certificate.certified());
+  EXPECT_EQ(missed.stats.counts.resamplings, 0);
+  options.resample = true;
+  const Diagram found = compute(circles, options).value();
+  EXPECT_TRUE(found.certificate.certified());
+  EXPECT_GT(found.stats.counts.resamplings, 0);
+  EXPECT_GT(found.stats.counts.samples, missed.stats.counts.samples);
+  EXPECT_EQ(found.stats.counts.repairs, 0);
+}
+
+// Flips alone make nearly all diagrams, and local repair nearly all of the rest. The other ways would hide it if they
+// no longer did.
+TEST(Construct, TheLaterWaysAreRare) {
+  const std::uint64_t seed = test::seedOr(1);
+  int trials = 0;
+  int flip = 0;
+  int repair = 0;
+  const auto count = [&](const std::vector<Circle>& circles) {
+    const auto diagram = compute(circles);
+    ASSERT_TRUE(diagram.ok()) << diagram.error().message << test::describe(circles);
+    ++trials;
+    flip += diagram.value().stats.way == "flip";
+    repair += diagram.value().stats.way == "repair";
+  };
+  for (const FamilyInfo& family : families()) {
+    for (std::uint64_t trial = 0; trial < 20; ++trial) count(generate(family.family, 100, seed * 1'000 + trial));
+  }
+  EXPECT_GE(flip, trials - 2);
+  trials = flip = repair = 0;
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (std::uint64_t trial = 0; trial < 210; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      auto circles = kind.make(2 + random.below(40), random);
+      test::disturb(circles, test::Disturbance{static_cast<int>(trial % test::kDisturbances)}, random);
+      count(circles);
+    }
+  }
+  std::cout << trials << " near ties: " << flip << " by flips, " << repair << " by repair\n";
+  EXPECT_GE(flip, trials * 95 / 100);
+  EXPECT_GE(repair, (trials - flip) * 8 / 10);
+}
+
+TEST(Construct, EveryStageHasItsTime) {
+  for (const auto& [way, circles, flips, repairs] : kWays) {
+    const Seconds& seconds = compute(circles).value().stats.seconds;
+    EXPECT_GT(seconds.flip, 0);
+    EXPECT_GT(seconds.certify, 0);
+    EXPECT_EQ(seconds.repair > 0, way != "flip");
+    EXPECT_EQ(seconds.touch > 0, way == "touching-disc" || way == "apollonius-graph");
+    EXPECT_GE(seconds.total, seconds.flip + seconds.repair + seconds.touch);
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi
