@@ -120,5 +120,22 @@ TEST(ComparisonOfPower, ACircleMayHaveNoCellThoughNoneContainsIt) {
   EXPECT_EQ(computeComparison(circles, Metric::power).value().hidden, (std::vector<HiddenCircle>{{3, kNone}}));
 }
 
+// The same bits wherever the heap puts things.
+TEST(PowerDiagram, DoesNotDependOnAddresses) {
+  const auto circles = generate(Family::grid, 36, 1);
+  const Diagram expected = computeComparison(circles, Metric::power).value();
+  Random random(1);
+  std::vector<std::unique_ptr<char[]>> holes(500);
+  for (int trial = 0; trial < 30; ++trial) {
+    for (auto& hole : holes) {
+      hole = random.below(2) == 0 ? nullptr : std::make_unique<char[]>(1 + random.below(8000));
+    }
+    const Diagram diagram = computeComparison(circles, Metric::power).value();
+    ASSERT_TRUE(diagram.edges == expected.edges);
+    ASSERT_TRUE(diagram.vertices == expected.vertices);
+    ASSERT_EQ(diagram.hull, expected.hull);
+  }
+}
+
 }  // namespace
 }  // namespace circle_voronoi

@@ -6,16 +6,16 @@ add_executable(circle_voronoi_proof_tests
   certificate_mutation_test.cpp
   certificate_test.cpp
   compare.cpp
-  delaunay_test.cpp
   construct_test.cpp
+  delaunay_test.cpp
   dual_edits.cpp
   exact_test.cpp
   fixtures.cpp
   flip_test.cpp
   hide_test.cpp
   in_circle_test.cpp
-  judge_test.cpp
   io_read_diagram_test.cpp
+  judge_test.cpp
   metamorphic_test.cpp
   predicates_test.cpp
   repair_test.cpp

@@ -71,15 +71,18 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
     const auto circleAt = [&](std::size_t k) { return circles[static_cast<std::size_t>(triple[k])]; };
     diagram.vertices.push_back(radicalCentre(circleAt(0), circleAt(1), circleAt(2)));
   }
-  const auto vertexAt = [&](Triangulation::Face_handle face) {
-    return triangulation.is_infinite(face) ? kNone : vertexOf.at(face);
-  };
-  for (const auto& [face, i] : triangulation.finite_edges()) {
-    // The face lies left of the edge from its corner ccw(i) to cw(i); the Voronoi edge leaves it with the latter on its
-    // left.
-    diagram.edges.push_back({indices.of(face->vertex(Triangulation::cw(i))),
-                             indices.of(face->vertex(Triangulation::ccw(i))), vertexAt(face),
-                             vertexAt(face->neighbor(i))});
+  // CGAL's own list of edges takes that face of each which lies lower in memory: here it is the first in this list.
+  for (const auto face : triangulation.finite_face_handles()) {
+    const std::int32_t vertex = vertexOf.at(face);
+    for (int i = 0; i < 3; ++i) {
+      const auto neighbor = face->neighbor(i);
+      const std::int32_t beyond = triangulation.is_infinite(neighbor) ? kNone : vertexOf.at(neighbor);
+      if (beyond != kNone && beyond < vertex) continue;
+      // The face lies left of the edge from its corner ccw(i) to cw(i); the Voronoi edge leaves it with the latter on
+      // its left.
+      diagram.edges.push_back({indices.of(face->vertex(Triangulation::cw(i))),
+                               indices.of(face->vertex(Triangulation::ccw(i))), vertex, beyond});
+    }
   }
   // Counter-clockwise around infinity is clockwise around the hull.
   const auto first = triangulation.incident_vertices(triangulation.infinite_vertex());
