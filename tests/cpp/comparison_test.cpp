@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 
 #include "circle_voronoi/compute.h"
 #include "compare.h"
@@ -143,6 +145,43 @@ TEST(TouchRule, ADirectedEdgeStandsForTheAntipodalDiscOfItsCircles) {
   const Outcome outcome = solveAllPairs("antipodal-disc-after-three-touch-disc-clustered-3");
   EXPECT_EQ(outcome.problem, "");
   EXPECT_EQ(outcome.diagram.edges.size(), 3U);
+}
+
+/// What became of the antipodal disc of circles 0 and 1.
+TraceKind fateOfFirstPair(const std::vector<Circle>& circles) {
+  std::optional<TraceKind> fate;
+  touch(circles, pairAll(static_cast<int>(circles.size())), [&](const TraceEvent& event) {
+    const bool isAntipodal = event.kind == TraceKind::antipodalDiscAccepted ||
+                             event.kind == TraceKind::antipodalDiscUsed ||
+                             event.kind == TraceKind::antipodalDiscNotEmpty;
+    if (isAntipodal && event.circles[0] == 0 && event.circles[1] == 1) fate = event.kind;
+  });
+  EXPECT_TRUE(fate.has_value());
+  return fate.value_or(TraceKind::branchDisc);
+}
+
+/// Two circles with the antipodal disc of radius 0.9 around the origin, and a point at a distance `gap` outside it, in
+/// a direction that makes an angle with that of the first circle.
+std::vector<Circle> pointBeside(double angle, double gap) {
+  const double size = 0.9 + gap;
+  return {{-1, 0, 0.1}, {1, 0, 0.1}, {-size * std::cos(angle), size * std::sin(angle), 0}};
+}
+
+// Rounding is up to some 2^-52 of the numbers: a disc that is within a few times that of a neighbour touches it, and
+// one that is free of it by some hundred times that does not. A three-touch disc may come first and stand for either.
+TEST(Touch, TellsRoundingFromAGap) {
+  int touching = 0;
+  int free = 0;
+  for (int i = 1; i < 400; ++i) {
+    const TraceKind tied = fateOfFirstPair(pointBeside(0.007 * i, 0x1p-50));
+    EXPECT_NE(tied, TraceKind::antipodalDiscAccepted) << i;
+    touching += tied == TraceKind::antipodalDiscNotEmpty;
+    const TraceKind apart = fateOfFirstPair(pointBeside(0.007 * i, 0x1p-41));
+    EXPECT_NE(apart, TraceKind::antipodalDiscNotEmpty) << i;
+    free += apart == TraceKind::antipodalDiscAccepted;
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(free, 100);
 }
 
 TEST(Touch, TellsEveryEvent) {
