@@ -37,11 +37,11 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
     if (command.count(option) > 0 && !isUsed) throw Failure{kBadInput, std::string(option) + " needs " + need + "."};
   };
   const bool isTouchingDisc = arguments.method == "touching-disc";
-  for (const char* option : {"--candidates", "--samples", "--repair"}) {
+  for (const char* option : {"--candidates", "--samples", "--resample"}) {
     refuse(option, isTouchingDisc, "--method touching-disc");
   }
   refuse("--samples", arguments.candidates != "all-pairs", "--candidates dynamic or uniform");
-  refuse("--repair", arguments.candidates == "dynamic", "--candidates dynamic");
+  refuse("--resample", arguments.candidates == "dynamic", "--candidates dynamic");
 }
 
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {

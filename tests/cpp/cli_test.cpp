@@ -151,14 +151,14 @@ TEST_F(Cli, EndingsIgnoreCaseAndUnknownOnesAreErrors) {
 TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
   const std::string compute = "compute " + kFixture;
   for (const std::string method : {"", " --method flip", " --method auto"}) {
-    for (const std::string option : {"--candidates dynamic", "--samples 1", "--repair"}) {
+    for (const std::string option : {"--candidates dynamic", "--samples 1", "--resample"}) {
       expectFailure(run(compute + method + " " + option), 2,
                     option.substr(0, option.find(' ')) + " needs --method touching-disc.");
     }
   }
   const std::string disc = compute + " --method touching-disc --candidates ";
   expectFailure(run(disc + "all-pairs --samples 1"), 2, "--samples needs --candidates dynamic or uniform.");
-  expectFailure(run(disc + "uniform --repair"), 2, "--repair needs --candidates dynamic.");
+  expectFailure(run(disc + "uniform --resample"), 2, "--resample needs --candidates dynamic.");
   for (const std::string format : {"json", "csv", "stats"}) {
     for (const std::string& command : {compute, "convert " + kFixture}) {
       expectFailure(run(command + " --box 0,0,1,1 --format " + format), 2, "--box needs --format svg, geojson");
