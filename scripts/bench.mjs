@@ -10,7 +10,7 @@ import { main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
 const NATIVE = `${ROOT}build/native/circle-voronoi`
-const FAMILIES = 'uniform,log-uniform,one-huge,ring,intersecting,hidden,grid,hexagonal'
+const FAMILIES = 'uniform,log-uniform,hidden,hexagonal,grid,rows,intersecting,one-huge,ring'
 const WASM_SIZES = [10_000, 100_000, 1_000_000]
 const REPETITIONS = 5
 

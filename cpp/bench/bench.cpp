@@ -63,8 +63,8 @@ std::vector<Contestant> allContestants() {
     return [run](const Circles& circles) { benchmark::DoNotOptimize(run(circles)); };
   };
   return {
-      {"cgal-delaunay", referring(reference::delaunay), 1'000'000},
-      {"auto", computing({}), 1'000'000},
+      {"cgal-delaunay", referring(reference::delaunay), 10'000'000},
+      {"auto", computing({}), 10'000'000},
       {"touching-disc-0", computing(touchingDisc(Candidates::dynamic, 0)), 1'000'000},
       {"touching-disc-1", computing(touchingDisc(Candidates::dynamic, 1)), 1'000'000},
       {"touching-disc-3", computing(touchingDisc(Candidates::dynamic, 3)), 100'000},
@@ -186,7 +186,7 @@ int usage() {
 
 int main(int argc, char** argv) {
   std::map<std::string, std::string> options = {
-      {"--families", "uniform,log-uniform,one-huge,ring,intersecting,hidden,grid,hexagonal"},
+      {"--families", "uniform,log-uniform,hidden,hexagonal,grid,rows,intersecting,one-huge,ring"},
       {"--sizes", "1000,10000,100000,1000000"},
       {"--methods", ""},
       {"--repetitions", "5"},

@@ -10,7 +10,9 @@
 #include <variant>
 
 #include "apollonius.h"
+#include "centres.h"
 #include "certificate_message.h"
+#include "delaunay.h"
 #include "flip.h"
 #include "judge.h"
 #include "pair.h"
@@ -183,20 +185,21 @@ Construction constructByFlips(const Sites& sites, Journal& journal) {
   return judged(flipped(sites.centres, sites, journal), sites.circles, journal);
 }
 
-Construction constructAutomatically(const Sites& sites, Journal& journal) {
+Construction constructAutomatically(Sites& sites, Journal& journal) {
   journal.stats.way = "flip";
-  Dual dual = flipped(sites.centres, sites, journal);
+  Dual dual = flipped(std::move(sites.centres), sites, journal);
   Construction result = judged(dual, sites.circles, journal);
   if (result.certificate.certified()) return result;
   journal.stats.way = "repair";
   result = judged(repaired(std::move(dual), sites, journal), sites.circles, journal);
+  if (result.certificate.certified()) return result;
+  sites.centres = delaunay(centresOf(sites.circles)).dual;
   for (const int samples : {1, 3}) {
-    if (result.certificate.certified()) return result;
     Options options;
     options.samples = samples;
     result = constructByTouchingDisc(sites, options, {}, journal);
+    if (result.certificate.certified()) return result;
   }
-  if (result.certificate.certified()) return result;
   journal.stats.way = "apollonius-graph";
   return judged(apolloniusGraph(sites.circles), sites.circles, journal);
 }

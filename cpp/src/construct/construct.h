@@ -24,6 +24,7 @@ Construction constructByFlips(const Sites& sites, Journal& journal);
 
 /// The fastest construction that leads to a certified topology: flips; local repair; the touching disc method with
 /// dynamic sampling, N_s = 1, then 3; CGAL's Apollonius graph. If none does, the last one, with its certificate.
-Construction constructAutomatically(const Sites& sites, Journal& journal);
+/// Uses up the triangulation of the sites, which flips change in place.
+Construction constructAutomatically(Sites& sites, Journal& journal);
 
 }  // namespace circle_voronoi

@@ -132,7 +132,7 @@ class Triangulator {
     build(sites, box);
   }
 
-  Dual dual() const;
+  Dual takeDual();
   std::vector<std::array<int, 2>> edges() const;
   std::vector<int> takeRepresentative() { return std::move(representative_); }
   std::int64_t steps() const { return steps_; }
@@ -401,7 +401,9 @@ void Triangulator::join(int left, int right) {
   toInfinity_[right] = above + 1;
 }
 
-Dual Triangulator::dual() const {
+Dual Triangulator::takeDual() {
+  corners_ = {};
+  toInfinity_ = {};
   const auto indexOf = [&](int h) { return originOf(h) == kInfinity ? kInfinity : indices_[originOf(h)]; };
   // Number the faces by their smallest corner, so that the faces around a circle are near in memory.
   const std::size_t faceCount = halfEdges_.size() / 3;
@@ -444,7 +446,7 @@ std::vector<std::array<int, 2>> Triangulator::edges() const {
 
 Delaunay delaunay(std::span<const Point> points) {
   Triangulator triangulator(points);
-  return {triangulator.dual(), triangulator.takeRepresentative(), triangulator.steps()};
+  return {triangulator.takeDual(), triangulator.takeRepresentative(), triangulator.steps()};
 }
 
 DelaunayEdges delaunayEdges(std::span<const Point> points) {
