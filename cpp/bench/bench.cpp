@@ -3,12 +3,8 @@
 // Times every method on the same circles, family by family, and prints one table and a JSON file. Each case runs in a
 // process of its own, so that its peak memory is its own; times are medians of Google Benchmark's repetitions.
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -22,9 +18,11 @@
 #include <string>
 #include <vector>
 
+#include "child.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
+#include "cliffs.h"
 #include "reference.h"
 
 namespace {
@@ -112,31 +110,10 @@ double medianSeconds(const Contestant& method, const Circles& circles, int repet
 /// Runs one case in a child process, at most up to the limit for all repetitions; nothing if it fails.
 std::optional<Measurement> measure(const Contestant& method, const Circles& circles, int repetitions,
                                    unsigned limitSeconds) {
-  std::fflush(stdout);  // a child must not print what is waiting here
-  int ends[2];
-  if (pipe(ends) != 0) return std::nullopt;
-  const pid_t child = fork();
-  if (child == 0) {
-    alarm(limitSeconds);
-    const double seconds = medianSeconds(method, circles, repetitions);
-    const bool written = write(ends[1], &seconds, sizeof seconds) == sizeof seconds;
-    _exit(written ? 0 : 1);
-  }
-  close(ends[1]);
-  Measurement result;
-  const bool read_ = read(ends[0], &result.seconds, sizeof result.seconds) == sizeof result.seconds;
-  close(ends[0]);
-  int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
-  result.isOver = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
-  if (result.isOver) {
-    result.seconds = static_cast<double>(limitSeconds) / repetitions;
-  } else if (!read_ || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    return std::nullopt;
-  }
-  result.megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
-  return result;
+  const auto child = runInChild<double>(limitSeconds, [&] { return medianSeconds(method, circles, repetitions); });
+  if (!child.isOver && !child.value) return std::nullopt;
+  const double seconds = child.isOver ? static_cast<double>(limitSeconds) / repetitions : *child.value;
+  return Measurement{seconds, child.isOver, child.megabytes};
 }
 
 struct Input {
@@ -178,7 +155,8 @@ std::string ratio(const std::map<std::string, Measurement>& measured, const std:
 
 int usage() {
   std::cerr << "usage: circle-voronoi-bench [--families NAME|FILE.csv,...] [--sizes N,...] [--methods NAME,...]\n"
-               "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n";
+               "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n"
+               "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n";
   return 2;
 }
 
@@ -192,7 +170,12 @@ int main(int argc, char** argv) {
       {"--repetitions", "5"},
       {"--limit", "120"},
       {"-o", "build/bench/native.json"}};
-  for (int i = 1; i < argc; i += 2) {
+  const bool isCliffs = argc > 1 && std::string(argv[1]) == "--cliffs";
+  if (isCliffs) {
+    options["--families"] = "";
+    options["--sizes"] = "120000";
+  }
+  for (int i = isCliffs ? 2 : 1; i < argc; i += 2) {
     if (!options.contains(argv[i]) || i + 1 == argc) return usage();
     options[argv[i]] = argv[i + 1];
   }
@@ -203,6 +186,15 @@ int main(int argc, char** argv) {
   });
   const int repetitions = std::atoi(options["--repetitions"].c_str());
   const auto limit = static_cast<unsigned>(std::atoi(options["--limit"].c_str()));
+
+  if (isCliffs) {
+    std::vector<std::size_t> sizes;
+    for (const std::string& size : split(options["--sizes"])) {
+      sizes.push_back(std::strtoull(size.c_str(), nullptr, 10));
+    }
+    printCliffs(split(options["--families"]), sizes, limit);
+    return 0;
+  }
 
   std::ostringstream json;
   json << "[";

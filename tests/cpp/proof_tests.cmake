@@ -14,6 +14,7 @@ add_executable(circle_voronoi_proof_tests
   flip_test.cpp
   hide_test.cpp
   in_circle_test.cpp
+  insert_test.cpp
   io_read_diagram_test.cpp
   judge_test.cpp
   metamorphic_test.cpp

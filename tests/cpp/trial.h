@@ -39,7 +39,7 @@ class WayTable {
   int problems() const;
 
  private:
-  static constexpr std::string_view kWays[] = {"flip", "repair", "touching-disc", "apollonius-graph"};
+  static constexpr std::string_view kWays[] = {"flip", "repair", "insert", "touching-disc", "apollonius-graph"};
   struct Row {
     std::string family;
     int ways[4] = {};

@@ -104,7 +104,7 @@ export interface Seconds {
 export interface Stats {
   /** The method asked for. */
   readonly method: string
-  /** The construction that made the result: `flip`, `repair`, `touching-disc` or `apollonius-graph`. */
+  /** The construction that made the result: `flip`, `repair`, `insert`, `touching-disc` or `apollonius-graph`. */
   readonly way: string
   /** The candidates of the touching disc method, or empty. */
   readonly candidates: string

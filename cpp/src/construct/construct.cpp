@@ -14,6 +14,7 @@
 #include "certificate_message.h"
 #include "delaunay.h"
 #include "flip.h"
+#include "insert.h"
 #include "judge.h"
 #include "pair.h"
 #include "repair.h"
@@ -94,41 +95,65 @@ constexpr int kMostResamplings = 4;
 /// In the angles of Delaunay faces, of which a circle has six on average.
 constexpr std::int64_t kMostAngularSamples = 4'000'000;
 constexpr int kAllPairsPatch = 64;
-constexpr int kLargestPatch = 4000;
+constexpr int kLargestPatch = 256;
+constexpr std::size_t kFewWrongFaces = 100;
 
-/// Solves a patch by the touching disc method, on all pairs if it is small, and if that is not certified by CGAL.
+/// The dual by insertion, and by flips where a near tie misled it.
+std::optional<Dual> inserted(std::span<const Circle> circles, Counts& counts) {
+  Predicates predicates(circles);
+  auto result = insertAll(circles, predicates);
+  if (result) {
+    FaceDiscs discs(circles, result->dual, predicates);
+    counts.flips += result->flips + flip(result->dual, discs);
+  }
+  addCounts(predicates, counts);
+  if (!result) return std::nullopt;
+  return std::move(result->dual);
+}
+
+/// Solves a patch by the touching disc method on all pairs if it is small, else by insertion, and if that is not
+/// certified by CGAL.
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journal) {
   const int n = static_cast<int>(circles.size());
   if (n > kLargestPatch) return std::nullopt;
   const Sites sites = triangulate(hide(order(circles)));
-  const std::vector<Pair> pairs =
-      n <= kAllPairsPatch ? pairAll(n)
-                          : pairNeighbors(sampleDynamically(sites.circles, sites.centres, std::vector<int>(n, 3)), n);
-  auto solved = dualOf(touch(sites.circles, pairs, {}).topology, n);
-  auto* dual = std::get_if<Dual>(&solved);
   const auto isRight = [&](const Dual& candidate) {
     Predicates predicates(sites.circles);
     const bool right = judge(sites.circles, candidate, predicates).isRight();
     addCounts(predicates, journal.stats.counts);
     return right;
   };
-  if (dual == nullptr || !isRight(*dual)) {
-    solved = apolloniusGraph(sites.circles);
-    dual = &std::get<Dual>(solved);
+  std::optional<Dual> dual;
+  if (n <= kAllPairsPatch) {
+    auto touched = dualOf(touch(sites.circles, pairAll(n), {}).topology, n);
+    if (auto* fitting = std::get_if<Dual>(&touched)) dual = std::move(*fitting);
+  } else {
+    dual = inserted(sites.circles, journal.stats.counts);
+  }
+  if (!dual || !isRight(*dual)) {
+    dual = apolloniusGraph(sites.circles);
     if (!isRight(*dual)) return std::nullopt;
   }
   for (int& corner : dual->origin) {
     if (corner != kInfinity) corner = sites.indices[corner];
   }
-  return std::move(*dual);
+  return dual;
 }
 
-/// A dual after repair in patches that grow until none is seen to be wrong.
-Dual repaired(Dual dual, const Sites& sites, Journal& journal) {
+/// The whole dual by insertion.
+std::optional<Dual> insertedAll(const Sites& sites, Journal& journal) {
+  const Stopwatch watch = journal.enter(Stage::flip);
+  return inserted(sites.circles, journal.stats.counts);
+}
+
+/// A dual after repair in patches that grow until none is seen to be wrong; nothing if too much is.
+std::optional<Dual> repaired(Dual dual, const Sites& sites, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::repair);
   Predicates predicates(sites.circles);
   FaceDiscs discs(sites.circles, dual, predicates);
   std::vector<int> wrong = wrongFaces(discs);
+  // A patch takes as long as the insertion of hundreds of circles.
+  if (wrong.size() > kFewWrongFaces + sites.circles.size() / 100) return std::nullopt;
   for (const int reach : {2, 4, 8, 16}) {
     if (wrong.empty()) break;
     journal.stats.counts.repairs += repair(
@@ -190,8 +215,13 @@ Construction constructAutomatically(Sites& sites, Journal& journal) {
   Dual dual = flipped(std::move(sites.centres), sites, journal);
   Construction result = judged(dual, sites.circles, journal);
   if (result.certificate.certified()) return result;
-  journal.stats.way = "repair";
-  result = judged(repaired(std::move(dual), sites, journal), sites.circles, journal);
+  if (auto mended = repaired(std::move(dual), sites, journal)) {
+    journal.stats.way = "repair";
+    result = judged(*mended, sites.circles, journal);
+  } else if (auto whole = insertedAll(sites, journal)) {
+    journal.stats.way = "insert";
+    result = judged(*whole, sites.circles, journal);
+  }
   if (result.certificate.certified()) return result;
   sites.centres = delaunay(centresOf(sites.circles)).dual;
   for (const int samples : {1, 3}) {

@@ -12,11 +12,11 @@
 
 namespace circle_voronoi {
 
-/// The discs of the faces of a dual, and what they show to be wrong with its edges. Flips and repair keep it in step
-/// with the dual that they change.
+/// The discs of the faces of a dual, and what they show to be wrong with its edges. Those who change the dual keep
+/// it in step.
 class FaceDiscs {
  public:
-  /// What is given must outlive this, and the number of faces stays.
+  /// What is given must outlive this.
   FaceDiscs(std::span<const Circle> circles, const Dual& dual, Predicates& predicates)
       : circles_(circles), dual_(dual), predicates_(predicates) {
     discs_.reserve(dual.faceCount());
@@ -27,8 +27,19 @@ class FaceDiscs {
   const Dual& dual() const { return dual_; }
   Predicates& predicates() const { return predicates_; }
 
-  /// Finds the disc of a face anew, whose corners have changed.
-  void update(int face) { discs_[face] = predicates_.disc(cornersOf(dual_, 3 * face)); }
+  /// Finds the disc of a face anew, whose corners have changed, or of one that was added after the last.
+  void update(int face) {
+    if (face == static_cast<int>(discs_.size())) discs_.emplace_back();
+    discs_[face] = predicates_.disc(cornersOf(dual_, 3 * face));
+  }
+
+  const FaceDisc& operator[](int face) const { return discs_[face]; }
+
+  /// The direction from the origin of a half-edge to the disc of its face.
+  Vector direction(int h) const {
+    const auto [x, y, error] = predicates_.direction(dual_.origin[h], discs_[h / 3]);
+    return {x, y};
+  }
 
   /// Whether a face has a disc.
   bool exists(int face) const { return discs_[face].exists; }
@@ -44,8 +55,8 @@ class FaceDiscs {
     const int c = dual_.origin[Dual::previous(h)];
     const int d = dual_.origin[Dual::previous(t)];
     // Counter-clockwise the hull goes d, a, c or c, b, d.
-    if (b == kInfinity) return flawAtInfinity(d, a, c);
-    if (a == kInfinity) return flawAtInfinity(c, b, d);
+    if (b == kInfinity) return flawAtInfinity(d, h, c);
+    if (a == kInfinity) return flawAtInfinity(c, t, d);
     if (c == kInfinity || d == kInfinity) return Flaw::none;
     const int larger = fromLarger(dual_, h, predicates_);
     const int smaller = larger == h ? t : h;
@@ -56,9 +67,18 @@ class FaceDiscs {
   }
 
  private:
-  Flaw flawAtInfinity(int before, int circle, int after) const {
+  /// Of the edge h from a circle to infinity, between its neighbours on the hull. Where one of these comes to the right
+  /// hull again between the circle and the other, the circle may lie within their tangent line, but then its own
+  /// tangent lines are in order.
+  Flaw flawAtInfinity(int before, int h, int after) const {
+    const int circle = dual_.origin[h];
     if (before == after || predicates_.tangentSide(after, before, circle) >= 0) return Flaw::none;
-    return Flaw::hullNotClosed;
+    const int right = Dual::next(dual_.twin[h]);
+    const int filtered = predicates_.filteredCross(predicates_.direction(circle, discs_[right / 3]),
+                                                   predicates_.direction(circle, discs_[h / 3]));
+    const int turn =
+        filtered != 0 ? filtered : predicates_.refinedCross(circle, cornersOf(dual_, right), cornersOf(dual_, h));
+    return turn < 0 ? Flaw::hullNotClosed : Flaw::none;
   }
 
   std::span<const Circle> circles_;

@@ -14,6 +14,7 @@
 
 #include "circle_voronoi/none.h"
 #include "in_circle.h"
+#include "mix.h"
 #include "perturbed_circle.h"
 
 namespace circle_voronoi {
@@ -46,14 +47,6 @@ struct Site {
 struct Box {
   Point low, high;
 };
-
-/// A fixed mixing of a number (splitmix64), in place of a random one.
-std::uint64_t mix(std::uint64_t i) {
-  i += 0x9e3779b97f4a7c15u;
-  i = (i ^ (i >> 30)) * 0xbf58476d1ce4e5b9u;
-  i = (i ^ (i >> 27)) * 0x94d049bb133111ebu;
-  return i ^ (i >> 31);
-}
 
 /// Sorts by insertion.
 template <class Item, class Before>

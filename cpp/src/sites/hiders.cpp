@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -45,15 +46,51 @@ struct Box {
   }
 };
 
+/// How fast circles grow along a direction. One that hides circle c reaches at least as far against the direction:
+/// r - u . centre >= c.r - u . c.centre for any unit vector u. With the one along which they grow this decides where a
+/// box does not: where most nearly hide one another, as those do that are tangent to one circle.
+class Slope {
+ public:
+  Slope() = default;
+
+  explicit Slope(std::span<const Circle> circles) {
+    const auto [smallest, largest] =
+        std::minmax_element(circles.begin(), circles.end(), [](const Circle& a, const Circle& b) { return a.r < b.r; });
+    origin_ = {largest->x, largest->y};
+    const Vector v = between(*smallest, *largest);
+    const double l = length(v);
+    if (l > 0) u_ = {v.x / l, v.y / l};
+    for (const Circle& c : circles) most_ = std::max(most_, reach(c));
+  }
+
+  /// Whether one of the circles may contain c: false only if none does, rounding included.
+  bool mayHide(const Circle& c) const {
+    const double size = c.r + std::abs(c.x - origin_.x) + std::abs(c.y - origin_.y) + std::abs(most_);
+    return reach(c) <= most_ + 1e-14 * size;
+  }
+
+ private:
+  double reach(const Circle& c) const { return c.r - (u_.x * (c.x - origin_.x) + u_.y * (c.y - origin_.y)); }
+
+  Point origin_;
+  Vector u_;
+  double most_ = -kInfinite;
+};
+
 class Hiders {
  public:
   Hiders(std::span<const Circle> circles, std::span<const int> indices)
       : circles_(circles), indices_(indices), predicates_(circles), hider_(circles.size(), kNone) {
     std::vector<Node> below(circles.size());
-    for (int i = 0; i < static_cast<int>(circles.size()); ++i) below[i] = {Box::of(circles[i]), i};
+    for (int i = 0; i < static_cast<int>(circles.size()); ++i) below[i] = {Box::of(circles[i]), {}, i};
+    std::size_t width = 1;
     do {
+      width *= kFanOut;
       std::vector<Node> level((below.size() + kFanOut - 1) / kFanOut);
-      for (std::size_t i = 0; i < level.size(); ++i) level[i] = over(below, i);
+      for (std::size_t i = 0; i < level.size(); ++i) {
+        level[i] = over(below, i);
+        level[i].slope = Slope(circles.subspan(i * width, std::min(width, circles.size() - i * width)));
+      }
       levels_.push_back(std::move(below));
       below = std::move(level);
     } while (below.size() > 1);
@@ -74,6 +111,7 @@ class Hiders {
   /// A circle, or a box over kFanOut nodes of the level below.
   struct Node {
     Box box;
+    Slope slope;
     int first = kNone;                          ///< of its circles the one that comes before all others
     std::array<std::uint8_t, kFanOut> order{};  ///< its children, each before those whose first comes after its own
   };
@@ -123,13 +161,18 @@ class Hiders {
       const int child = begin + node.order[i];
       const Node& below = levels_[level - 1][child];
       if (!isBefore(below.first, lastBound_)) return;
-      if (!below.box.mayHide(query_)) continue;
+      if (!below.box.mayHide(query_) || (level > 1 && !mayHide(below.slope))) continue;
       if (level == 1) {
         tryHider(child);
       } else {
         descend(level - 1, child);
       }
     }
+  }
+
+  bool mayHide(const Slope& slope) const {
+    const auto query = circles_.subspan(first_, static_cast<std::size_t>(last_ - first_));
+    return std::any_of(query.begin(), query.end(), [&](const Circle& c) { return slope.mayHide(c); });
   }
 
   void tryHider(int i) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "insert.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "face_discs.h"
+#include "flip.h"
+#include "hide.h"
+#include "judge.h"
+#include "random.h"
+#include "report.h"
+#include "tie_inputs.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+std::vector<Circle> visibleCircles(const std::vector<Circle>& circles) {
+  return hide(order(validate(circles).value().circles)).circles;
+}
+
+/// Whether insertion, and the flips that follow it, lead to the right dual.
+bool isInsertedRightly(const std::vector<Circle>& circles) {
+  Predicates predicates(circles);
+  auto inserted = insertAll(circles, predicates);
+  if (!inserted) return false;
+  FaceDiscs discs(circles, inserted->dual, predicates);
+  flip(inserted->dual, discs);
+  return judge(circles, inserted->dual, predicates).isRight();
+}
+
+TEST(Insert, IsRightInGeneralPosition) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    if (family.isDegenerate) continue;
+    for (const std::size_t count : {0, 1, 2, 3, 4, 5, 10, 30, 100, 1000}) {
+      const auto circles = visibleCircles(generate(family.family, count, seed));
+      EXPECT_TRUE(isInsertedRightly(circles)) << family.name << ", " << count << ", seed " << seed;
+    }
+  }
+}
+
+TEST(Insert, IsNearlyAlwaysRightInTies) {
+  const std::uint64_t seed = test::seedOr(1);
+  int tried = 0;
+  int right = 0;
+  const auto attempt = [&](const std::vector<Circle>& circles) {
+    ++tried;
+    right += isInsertedRightly(visibleCircles(circles));
+  };
+  for (const FamilyInfo& family : families()) {
+    if (!family.isDegenerate) continue;
+    for (const std::size_t count : {3, 10, 30, 100, 300}) attempt(generate(family.family, count, seed));
+  }
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (std::uint64_t trial = 0; trial < 30; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      auto circles = kind.make(2 + random.below(40), random);
+      test::disturb(circles, test::Disturbance{static_cast<int>(trial % test::kDisturbances)}, random);
+      attempt(circles);
+    }
+  }
+  std::cout << right << " of " << tried << " right\n";
+  EXPECT_GE(100 * right, 95 * tried);
+}
+
+/// Circles tangent to the circle of radius 1 around the origin from inside: each is all but hidden by those before it.
+std::vector<Circle> tangentInside(std::size_t count) {
+  Random random(1);
+  std::vector<Circle> circles(count);
+  for (Circle& c : circles) {
+    const double distance = random.unit();
+    const Vector direction = random.direction();
+    c = {distance * direction.x, distance * direction.y, 1 - distance};
+  }
+  return circles;
+}
+
+TEST(Insert, TakesAFewFlipsACircleWhereFlipsFromTheCentresFindNoWay) {
+  const auto circles = visibleCircles(tangentInside(2000));
+  Predicates predicates(circles);
+  const auto inserted = insertAll(circles, predicates);
+  ASSERT_TRUE(inserted);
+  EXPECT_TRUE(judge(circles, inserted->dual, predicates).isRight());
+  EXPECT_LT(inserted->flips, 5 * 2000);
+}
+
+TEST(Insert, IsTheWayWhereCirclesAllButHideOneAnother) {
+  const auto diagram = compute(tangentInside(2000));
+  ASSERT_TRUE(diagram);
+  EXPECT_TRUE(diagram.value().certificate.certified());
+  EXPECT_EQ(diagram.value().stats.way, "insert");
+}
+
+}  // namespace
+}  // namespace circle_voronoi
