@@ -80,7 +80,7 @@ TEST(Hide, OfEqualCirclesTheFirstIsNamed) {
 }
 
 TEST(Hide, TheTriangulationIsThatOfTheVisibleCentres) {
-  for (const Family family : {Family::uniform, Family::hidden, Family::duplicates, Family::concentric}) {
+  for (const Family family : {Family::uniform, Family::hidden, Family::duplicates, Family::chaos}) {
     const Sites sites = triangulate(hide(order(validate(generate(family, 500, 1)).value().circles)));
     const int count = static_cast<int>(sites.circles.size());
     EXPECT_EQ(sites.centres.faceCount(), count < 2 ? 0 : 2 * count - 2) << familyName(family);
