@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <tuple>
 
+#include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
 #include "fixtures.h"
@@ -149,6 +151,128 @@ TEST(Export, PolygonsAreSimpleWhereTheBoxMeetsVertices) {
   }
 }
 
+/// How many digits after its point a number is written with.
+std::size_t placesOf(const std::string& number) {
+  const std::size_t point = number.find('.');
+  return point == std::string::npos ? 0 : number.size() - point - 1;
+}
+
+std::vector<std::string> numbersOf(const std::string& text) {
+  const std::regex number("-?[0-9.]+(e[-+][0-9]+)?");
+  return {std::sregex_token_iterator(text.begin(), text.end(), number), {}};
+}
+
+TEST(Export, CoordinatesHaveTheDigitsOfTheTolerance) {
+  const auto circles = generate(Family::uniform, 400, 2);
+  for (const auto& [tolerance, places] : {std::pair(0.1, 2U), std::pair(0.05, 3U), std::pair(1e-3, 4U)}) {
+    ExportOptions options;
+    options.tolerance = tolerance;
+    std::size_t rounded = 0;
+    std::size_t all = 0;
+    for (const std::string& line : linesOf(textOf(writeWkt, circles, options))) {
+      for (const std::string& number : numbersOf(line)) {
+        ++all;
+        rounded += placesOf(number) <= places ? 1 : 0;
+      }
+    }
+    EXPECT_GT(static_cast<double>(rounded), 0.85 * static_cast<double>(all)) << "but for the box and short edges";
+    const std::string svg = textOf(writeSvg, circles, options);
+    const std::string cells =
+        svg.substr(svg.find("<g id=\"cells\""), svg.find("<g id=\"dual\"") - svg.find("<g id=\"cells\""));
+    for (const std::string& number : numbersOf(cells)) EXPECT_LE(placesOf(number), places) << number;
+    EXPECT_NE(cells.find('.'), std::string::npos);
+  }
+}
+
+TEST(Export, LargeAndTinyDrawingsAreRoundedLikewise) {
+  for (const double scale : {1e-30, 1e-9, 1e9, 1e30, 1e100}) {
+    auto circles = generate(Family::mixed, 60, 5);
+    for (Circle& c : circles) c = {c.x * scale, c.y * scale, c.r * scale};
+    const Box box = exportBox(circles);
+    std::size_t rounded = 0;
+    std::size_t all = 0;
+    for (const std::string& line : linesOf(textOf(writeWkt, circles))) {
+      for (const std::string& number : numbersOf(line)) {
+        const double value = std::stod(number);
+        EXPECT_TRUE(value >= std::min(box.minX, box.minY) && value <= std::max(box.maxX, box.maxY)) << number;
+        ++all;
+        rounded += number.ends_with("0000") ? 1 : 0;
+      }
+    }
+    if (scale == 1e9) {
+      EXPECT_GT(static_cast<double>(rounded), 0.6 * static_cast<double>(all));
+    }
+  }
+}
+
+TEST(Export, RoundedPointsKeepTheTolerance) {
+  for (const Family family : {Family::logUniform, Family::intersecting, Family::twoHuge}) {
+    const auto circles = generate(family, 60, 7);
+    ExportOptions options;
+    const Box box = exportBox(circles);
+    options.tolerance = 0.01 * (box.maxX - box.minX);
+    const Json file = Json::parse(textOf(writeGeoJson, circles, options));
+    const Diagram diagram = compute(circles).value();
+    const Cells cells(circles, diagram);
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      for (const Ring& ring : ringsOf(file["features"][i]["geometry"])) {
+        for (const auto& [x, y] : ring) {
+          const auto own = cells.distance(static_cast<std::int32_t>(i), {x, y});
+          for (const std::int32_t neighbor : cells.neighbors(static_cast<std::int32_t>(i))) {
+            // Each distance changes by no more than the point moves.
+            EXPECT_LE(own - cells.distance(neighbor, {x, y}), 2 * *options.tolerance) << familyName(family) << ' ' << i;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Export, AreasAreThoseOfTheCells) {
+  for (const FamilyInfo& family : families()) {
+    const auto circles = generate(family.family, 60, 2);
+    const Diagram diagram = compute(circles).value();
+    const Cells cells(circles, diagram);
+    const ConvexPolygon box = exportBox(circles);
+    const Json file = Json::parse(textOf(writeGeoJson, circles));
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      const double expected = area(outline(cells, static_cast<std::int32_t>(i), box));
+      EXPECT_NEAR(file["features"][i]["properties"]["area"], expected, 1e-9 * expected) << family.name << ' ' << i;
+    }
+  }
+}
+
+/// Two circles, one of which has the hull's longer arc.
+const std::vector<Circle> kLargeArc = {{0, 0, 5}, {6.2, 0, 1}};
+
+TEST(Export, SvgTakesTheLargeArcWhereTheHullTurnsByMoreThanHalf) {
+  const std::string svg = textOf(writeSvg, kLargeArc);
+  const std::string hull = svg.substr(svg.find("<g id=\"hull\""));
+  EXPECT_EQ(countOf(hull, "A5 5 0 1 1 "), 1U) << hull;
+  EXPECT_EQ(countOf(hull, "A1 1 0 0 1 "), 1U) << hull;
+  const std::string equal = textOf(writeSvg, {{0, 0, 1}, {9, 0, 1}, {4, 6, 1}});
+  EXPECT_EQ(countOf(equal, "A1 1 0 0 1 "), 3U) << equal;
+  EXPECT_EQ(countOf(equal, " 0 1 1 "), 0U) << equal;
+}
+
+TEST(Export, GeoJsonOfACellInTwoPartsIsAMultiPolygon) {
+  ExportOptions options;
+  options.box = Box{6.5, -20, 7, 20};
+  const Json file = Json::parse(textOf(writeGeoJson, kLargeArc, options));
+  const Json& geometry = file["features"][0]["geometry"];
+  EXPECT_EQ(geometry["type"], "MultiPolygon");
+  ASSERT_EQ(geometry["coordinates"].size(), 2U);
+  for (const Json& polygon : geometry["coordinates"]) {
+    ASSERT_EQ(polygon.size(), 1U) << "one ring";
+    EXPECT_GE(polygon[0].size(), 4U);
+    for (const Json& point : polygon[0]) EXPECT_EQ(point.size(), 2U);
+  }
+  const Json& whole = file["features"][1]["geometry"];
+  EXPECT_EQ(whole["type"], "Polygon");
+  ASSERT_EQ(whole["coordinates"].size(), 1U);
+  EXPECT_EQ(whole["coordinates"][0][0].size(), 2U);
+}
+
 TEST(Export, WktHasALineForEachCircle) {
   const std::vector<Circle> circles = {{0, 0, 10}, {0, 10.6, 0.1}, {1, 1, 1}};
   ExportOptions options;
@@ -156,6 +280,8 @@ TEST(Export, WktHasALineForEachCircle) {
   const auto lines = linesOf(textOf(writeWkt, circles, options));
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_TRUE(lines[0].starts_with("MULTIPOLYGON (((")) << lines[0];
+  EXPECT_TRUE(lines[0].ends_with(")))")) << lines[0];
+  EXPECT_EQ(countOf(lines[0], ")), (("), 1U) << lines[0];
   EXPECT_TRUE(lines[1].starts_with("POLYGON ((")) << lines[1];
   EXPECT_EQ(lines[2], "POLYGON EMPTY");
 }
@@ -193,7 +319,7 @@ TEST(Export, SvgHasItsLayers) {
     EXPECT_EQ(countOf(svg, "<g id=\"" + std::string(name) + "\""), 1U);
   }
   EXPECT_EQ(countOf(svg, "<g"), countOf(svg, "</g>"));
-  EXPECT_EQ(countOf(svg, "r=\"") - countOf(svg, "data-vertex"), circles.size());
+  EXPECT_EQ(countOf(svg, " r=\"") - countOf(svg, "data-vertex"), circles.size());
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }

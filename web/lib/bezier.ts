@@ -182,7 +182,10 @@ function cubicError({ a, b }: Bisector, from: number, to: number): number {
   return k * k * sine * sine > f ? Math.min(error, (b * f) / (k * sine)) : error
 }
 
-/** The largest parameter, `to` at most, up to which an arc keeps the tolerance; errors grow with it. */
+/**
+ * A parameter, `to` at most, up to which an arc keeps the tolerance, and of those the largest but for a few hundredths of
+ * the way; errors grow with it.
+ */
 function farthest(
   bisector: Bisector,
   from: number,
@@ -193,9 +196,10 @@ function farthest(
   // The error is no number where squares of lengths underflow (1e-160): nothing is curved there that could be seen.
   if (!(error(bisector, from, to) > tolerance)) return to
   const halvings = 50
+  const nearEnough = 1 / 32
   let good = from
   let bad = to
-  for (let i = 0; i < halvings; i++) {
+  for (let i = 0; i < halvings && bad - good > nearEnough * (good - from); i++) {
     const middle = Math.sqrt(good) * Math.sqrt(bad)
     if (error(bisector, from, middle) <= tolerance) good = middle
     else bad = middle

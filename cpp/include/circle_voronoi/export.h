@@ -26,6 +26,11 @@ Box exportBox(std::span<const Circle> circles);
 
 // Each writes a certified diagram of `circles`. Polygons of cells are counter-clockwise, and those of neighbours share
 // their points bit for bit; none crosses itself.
+//
+// Coordinates have decimals enough for the tolerance, of which rounding takes at most a tenth: their last place is the
+// largest power of ten that does. Points that meet the box, arcs of the hull, and polygons that would collapse or cross
+// themselves if they were rounded keep all digits; so do radii and areas of GeoJSON and all numbers of CSV, which read
+// back to the same bits.
 
 /// A drawing, y upwards, that fits the box: groups of class cells, dual, circles, edges, vertices and hull, styled by a
 /// style sheet. Curves are cubic Bezier curves. Hidden circles have the class hidden, circles too small to be seen

@@ -58,15 +58,17 @@ double cubicError(const Bisector& bisector, double from, double to) {
   return k * k * sine * sine > f ? std::min(error, bisector.b * f / (k * sine)) : error;
 }
 
-/// The largest parameter, `to` at most, up to which an arc keeps the tolerance; errors grow with it.
+/// A parameter, `to` at most, up to which an arc keeps the tolerance, and of those the largest but for a few hundredths
+/// of the way; errors grow with it.
 template <class Error>
 double farthest(const Bisector& bisector, double from, double to, double tolerance, Error error) {
   // The error is no number where squares of lengths underflow (1e-160): nothing is curved there that could be seen.
   if (!(error(bisector, from, to) > tolerance)) return to;
   constexpr int kHalvings = 50;
+  constexpr double kNearEnough = 1.0 / 32;
   double good = from;
   double bad = to;
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < kHalvings && bad - good > kNearEnough * (good - from); ++i) {
     const double middle = std::sqrt(good) * std::sqrt(bad);
     (error(bisector, from, middle) <= tolerance ? good : bad) = middle;
   }
@@ -120,8 +122,11 @@ std::vector<CubicBezier> cubicBeziers(const EdgeCurve& curve, double tolerance) 
   double from = curve.from;
   Point start = curve.start;
   for (bool isLast = false; !isLast;) {
-    const double byLine = farthest(curve.bisector, from, curve.to, tolerance, chordError);
-    const double byCubic = byLine == curve.to ? 0 : farthest(curve.bisector, from, curve.to, tolerance, cubicError);
+    const bool byOneCubic = chordError(curve.bisector, from, curve.to) > tolerance &&
+                            !(cubicError(curve.bisector, from, curve.to) > tolerance);
+    const double byLine = byOneCubic ? from : farthest(curve.bisector, from, curve.to, tolerance, chordError);
+    const double byCubic =
+        byOneCubic || byLine == curve.to ? curve.to : farthest(curve.bisector, from, curve.to, tolerance, cubicError);
     const double to = std::max(byLine, byCubic);
     isLast = !(to < curve.to);
     const Point end = isLast ? curve.end : pointAt(curve.bisector, to);

@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/export.h"
+#include "digits.h"
 
 namespace circle_voronoi {
 
-/// What every writer needs: the cells, the region and the tolerance.
+/// What every writer of a drawing needs: the cells, the region, and how closely curves and coordinates are written.
 struct ExportFrame {
   ExportFrame(std::span<const Circle> circles, const Diagram& diagram, const ExportOptions& options);
 
+  Point round(Point p) const { return {grid.round(p.x), grid.round(p.y)}; }
+
   Cells cells;
   Box box;
-  double tolerance;
-  /// Where each vertex is drawn: vertices joined by edges of length near zero are one point, so that rounding cannot
-  /// turn such an edge around.
-  std::vector<Point> places;
+  DecimalGrid grid;
+  double tolerance;  ///< of curves: what rounding leaves of it
 };
 
-/// The curve of a piece in the direction of its edge: the same bits from either side. A piece of the boundary as it is.
+/// The curve of a piece of an outline, which is not of the region's boundary, in the direction of its edge: the same
+/// bits from either side.
 EdgeCurve edgeDirection(const Cells& cells, const OutlinePiece& piece);
-/// Whether that is against the direction of the outline.
-inline bool isAgainstEdge(const OutlinePiece& piece) { return piece.side != kNone && piece.side % 2 == 1; }
 
-/// Closed rings of a cell inside the box, counter-clockwise, without the first point at the end and without points in a
-/// row that are equal. They do not cross themselves, however large the tolerance is. Rings are left out whose area is
-/// but rounding error.
-std::vector<std::vector<Point>> ringsOf(const ExportFrame& frame, std::int32_t circle);
+/// Whether an edge lies in the box, so far inside that it does so when its points are rounded. Then so do its ends.
+bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve);
 
 }  // namespace circle_voronoi

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
-
+#include "cell_polygons.h"
 #include "circle_voronoi/export.h"
-#include "export_frame.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -40,22 +38,24 @@ void writeGeoJson(std::ostream& stream, std::span<const Circle> circles, const D
                   const ExportOptions& options) {
   Writer out(stream);
   const ExportFrame frame(circles, diagram, options);
-  std::map<std::int32_t, std::int32_t> hiders;
-  for (const HiddenCircle& hidden : diagram.hidden) hiders[hidden.circle] = hidden.by;
+  const CellPolygons polygons(frame);
+  std::vector<std::int32_t> hiders(circles.size(), kNone);
+  for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
   out << R"({"type":"FeatureCollection","features":[)";
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     out << (i == 0 ? "\n" : ",\n") << R"({"type":"Feature","properties":{"circle":)" << i << R"(,"radius":)"
-        << circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << area(outline(frame.cells, i, frame.box))
-        << R"(,"neighbors":[)";
+        << circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << polygons.area(i) << R"(,"neighbors":[)";
     std::string_view separator;
-    for (const std::int32_t neighbor : frame.cells.neighbors(i)) {
-      out << separator << neighbor;
+    for (const std::int32_t side : frame.cells.sides(i)) {
+      out << separator << frame.cells.neighborOf(side);
       separator = ",";
     }
     out << "]";
-    if (const auto hider = hiders.find(i); hider != hiders.end()) out << R"(,"hiddenBy":)" << hider->second;
+    if (const std::int32_t hider = hiders[static_cast<std::size_t>(i)]; hider != kNone) {
+      out << R"(,"hiddenBy":)" << hider;
+    }
     out << R"(},"geometry":)";
-    writeGeometry(out, ringsOf(frame, i));
+    writeGeometry(out, polygons.rings(i));
     out << "}";
   }
   out << "\n]}\n";

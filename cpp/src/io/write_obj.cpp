@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_polygons.h"
 #include "circle_voronoi/export.h"
-#include "export_frame.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -20,17 +20,16 @@ void writeObj(std::ostream& stream, std::span<const Circle> circles, const Diagr
               const ExportOptions& options) {
   Writer out(stream);
   const ExportFrame frame(circles, diagram, options);
+  const CellPolygons polygons(frame);
   std::int64_t count = 0;
   out << "# Voronoi diagram of circles\no edges\n";
   for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
-    for (const EdgeCurve& piece : clip(edgeCurve(circles, diagram, e), frame.box)) {
-      writeElement(out, "l", polyline(piece, frame.tolerance), count);
-    }
+    for (const auto& line : polygons.polylines(e)) writeElement(out, "l", line, count);
   }
   out << "o cells\n";
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     out << "g circle" << i << "\n";
-    for (const auto& ring : ringsOf(frame, i)) writeElement(out, "f", ring, count);
+    for (const auto& ring : polygons.rings(i)) writeElement(out, "f", ring, count);
   }
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/hull.h"
@@ -30,61 +33,126 @@ path, line, circle { vector-effect: non-scaling-stroke; }
 
 void writePoint(Writer& out, Point p) { out << p.x << " " << p.y; }
 
-void moveTo(Writer& out, Point p) {
-  out << "M";
+void writePoint(Writer& out, std::string_view command, Point p) {
+  out << command;
   writePoint(out, p);
 }
 
-/// Draws on from the start of the curve, or, against it, from its end.
-void traceCurve(Writer& out, const EdgeCurve& curve, double tolerance, bool isAgainst) {
-  const auto lineTo = [&](Point p) {
-    out << "L";
-    writePoint(out, p);
-  };
-  if (curve.isStraight()) return lineTo(isAgainst ? curve.start : curve.end);
-  auto cubics = cubicBeziers(curve, tolerance);
-  if (isAgainst) {
-    std::ranges::reverse(cubics);
-    for (CubicBezier& cubic : cubics) {
-      std::swap(cubic.start, cubic.end);
-      std::swap(cubic.control1, cubic.control2);
-    }
+/// The points of an arc between its ends as SVG takes them: none for a line, else the control points and ends of cubic
+/// Bezier curves.
+std::vector<Point> innerPoints(const ExportFrame& frame, const EdgeCurve& curve) {
+  std::vector<Point> points;
+  if (curve.isStraight() || polyline(curve, frame.tolerance).size() == 2) return points;
+  for (const CubicBezier& cubic : cubicBeziers(curve, frame.tolerance)) {
+    if (!points.empty()) points.push_back(frame.round(cubic.start));
+    points.push_back(frame.round(cubic.control1));
+    points.push_back(frame.round(cubic.control2));
   }
-  for (const CubicBezier& cubic : cubics) {
-    out << "C";
-    writePoint(out, cubic.control1);
-    out << " ";
-    writePoint(out, cubic.control2);
-    out << " ";
-    writePoint(out, cubic.end);
-  }
+  return points;
 }
 
-void writeCells(Writer& out, const ExportFrame& frame) {
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(frame.cells.circles().size()); ++i) {
-    const Outline loops = outline(frame.cells, i, frame.box);
+/// Draws on to the end of an arc.
+template <class Iterator>
+void trace(Writer& out, Iterator inner, Iterator innerEnd, Point end) {
+  constexpr std::array<std::string_view, 3> kBefore = {"C", " ", " "};
+  std::size_t count = 0;
+  for (; inner != innerEnd; ++inner) writePoint(out, kBefore[count++ % kBefore.size()], *inner);
+  writePoint(out, count == 0 ? "L" : " ", end);
+}
+
+/// What is drawn, with points rounded by the frame. Edges inside the box are followed once.
+struct Drawing {
+  explicit Drawing(const ExportFrame& exportFrame) : frame(exportFrame), region(exportFrame.box) {
+    const Diagram& diagram = frame.cells.diagram();
+    for (const Vertex& vertex : diagram.vertices) vertices.push_back(frame.round({vertex.x, vertex.y}));
+    for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
+      const EdgeCurve curve = edgeCurve(frame.cells.circles(), diagram, static_cast<std::int32_t>(e));
+      isInside.push_back(circle_voronoi::isInside(frame, diagram.edges[e], curve));
+      firstInner.push_back(inner.size());
+      if (!isInside.back()) continue;
+      const auto points = innerPoints(frame, curve);
+      inner.insert(inner.end(), points.begin(), points.end());
+    }
+    firstInner.push_back(inner.size());
+  }
+
+  Point vertexAt(std::int32_t v) const { return vertices[static_cast<std::size_t>(v)]; }
+
+  /// Draws a side whose edge is inside the box on from its start.
+  void traceSide(Writer& out, std::int32_t side) const {
+    const auto e = static_cast<std::size_t>(side / 2);
+    const auto points = std::span(inner).subspan(firstInner[e], firstInner[e + 1] - firstInner[e]);
+    const Point end = vertexAt(frame.cells.targetOf(side));
+    if (side % 2 == 0) {
+      trace(out, points.begin(), points.end(), end);
+    } else {
+      trace(out, points.rbegin(), points.rend(), end);
+    }
+  }
+
+  const ExportFrame& frame;
+  ConvexPolygon region;
+  std::vector<Point> vertices;
+  std::vector<bool> isInside;  ///< of each edge
+  std::vector<std::size_t> firstInner;
+  std::vector<Point> inner;  ///< of edge e from firstInner[e] to firstInner[e + 1]; none unless it is inside the box
+};
+
+/// Draws a piece of the outline of a cell on from its start; one of an edge as its points in the edge's own direction.
+void tracePiece(Writer& out, const Drawing& drawing, const OutlinePiece& piece) {
+  const ExportFrame& frame = drawing.frame;
+  std::vector<Point> points;
+  if (piece.side != kNone) {
+    points = innerPoints(frame, edgeDirection(frame.cells, piece));
+    if (piece.side % 2 == 1) std::ranges::reverse(points);
+  }
+  trace(out, points.begin(), points.end(), frame.round(piece.curve.end));
+}
+
+void writeCells(Writer& out, const Drawing& drawing) {
+  const Cells& cells = drawing.frame.cells;
+  const auto isInside = [&](std::int32_t side) { return drawing.isInside[static_cast<std::size_t>(side / 2)]; };
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(cells.circles().size()); ++i) {
+    const auto begin = [&] { out << "<path data-circle=\"" << i << "\" d=\""; };
+    const auto sides = cells.sides(i);
+    if (!sides.empty() && std::ranges::all_of(sides, isInside)) {
+      begin();
+      writePoint(out, "M", drawing.vertexAt(cells.originOf(sides.front())));
+      for (const std::int32_t side : sides) drawing.traceSide(out, side);
+      out << "Z\"/>\n";
+      continue;
+    }
+    const Outline loops = outline(cells, i, drawing.region);
     if (loops.empty()) continue;
-    out << "<path data-circle=\"" << i << "\" d=\"";
+    begin();
     for (const auto& loop : loops) {
-      moveTo(out, loop.front().curve.start);
-      for (const OutlinePiece& piece : loop) {
-        traceCurve(out, edgeDirection(frame.cells, piece), frame.tolerance, isAgainstEdge(piece));
-      }
+      writePoint(out, "M", drawing.frame.round(loop.front().curve.start));
+      for (const OutlinePiece& piece : loop) tracePiece(out, drawing, piece);
       out << "Z";
     }
     out << "\"/>\n";
   }
 }
 
-void writeEdges(Writer& out, const ExportFrame& frame) {
+void writeEdges(Writer& out, const Drawing& drawing) {
+  const ExportFrame& frame = drawing.frame;
   const Diagram& diagram = frame.cells.diagram();
   for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
-    const auto pieces = clip(edgeCurve(frame.cells.circles(), diagram, e), frame.box);
-    if (pieces.empty()) continue;
-    out << "<path data-edge=\"" << e << "\" d=\"";
-    for (const EdgeCurve& piece : pieces) {
-      moveTo(out, piece.start);
-      traceCurve(out, piece, frame.tolerance, false);
+    const auto begin = [&] { out << "<path data-edge=\"" << e << "\" d=\""; };
+    if (drawing.isInside[static_cast<std::size_t>(e)]) {
+      begin();
+      writePoint(out, "M", drawing.vertexAt(frame.cells.originOf(2 * e)));
+      drawing.traceSide(out, 2 * e);
+      out << "\"/>\n";
+      continue;
+    }
+    const auto parts = clip(edgeCurve(frame.cells.circles(), diagram, e), drawing.region);
+    if (parts.empty()) continue;
+    begin();
+    for (const EdgeCurve& part : parts) {
+      writePoint(out, "M", frame.round(part.start));
+      const auto points = innerPoints(frame, part);
+      trace(out, points.begin(), points.end(), frame.round(part.end));
     }
     out << "\"/>\n";
   }
@@ -92,13 +160,18 @@ void writeEdges(Writer& out, const ExportFrame& frame) {
 
 void writeDual(Writer& out, const ExportFrame& frame) {
   const auto circles = frame.cells.circles();
-  for (const auto& [i, j] : neighborPairs(frame.cells.diagram())) {
+  const auto centre = [&](std::int32_t i) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
-    const Circle& d = circles[static_cast<std::size_t>(j)];
-    out << "<line x1=\"" << c.x << "\" y1=\"" << c.y << "\" x2=\"" << d.x << "\" y2=\"" << d.y << "\"/>\n";
+    return frame.round({c.x, c.y});
+  };
+  for (const auto& [i, j] : neighborPairs(frame.cells.diagram())) {
+    const Point p = centre(i);
+    const Point q = centre(j);
+    out << "<line x1=\"" << p.x << "\" y1=\"" << p.y << "\" x2=\"" << q.x << "\" y2=\"" << q.y << "\"/>\n";
   }
 }
 
+/// With all digits: where an arc is almost a whole circle, its ends are next to each other and say where its centre is.
 void writeHull(Writer& out, const ExportFrame& frame) {
   const auto circles = frame.cells.circles();
   const Hull shape = hull(circles, frame.cells.diagram());
@@ -112,8 +185,7 @@ void writeHull(Writer& out, const ExportFrame& frame) {
   std::string_view command = "M";
   for (const HullArc& arc : shape.arcs) {
     const double r = circles[static_cast<std::size_t>(arc.circle)].r;
-    out << command;
-    writePoint(out, arc.start);
+    writePoint(out, command, arc.start);
     out << "A" << r << " " << r << " 0 " << (arc.angle > std::numbers::pi ? "1" : "0") << " 1 ";
     writePoint(out, arc.end);
     command = "L";
@@ -125,9 +197,11 @@ void writeHull(Writer& out, const ExportFrame& frame) {
 void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
   const auto circles = frame.cells.circles();
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    const auto& [x, y, r] = circles[static_cast<std::size_t>(i)];
+    const Circle& circle = circles[static_cast<std::size_t>(i)];
+    const auto& [x, y] = frame.round({circle.x, circle.y});
+    const double r = frame.grid.round(circle.r);
     const bool isHidden = !frame.cells.exists(i);
-    const bool isPoint = r < visible;
+    const bool isPoint = circle.r < visible;
     out << (r == 0 ? "<path" : "<circle") << " data-circle=\"" << i << "\"";
     if (isPoint || isHidden) {
       out << " class=\"" << (isPoint ? "point" : "") << (isPoint && isHidden ? " " : "") << (isHidden ? "hidden" : "")
@@ -141,13 +215,12 @@ void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
   }
 }
 
-void writeVertices(Writer& out, const ExportFrame& frame, double radius) {
-  const ConvexPolygon region = frame.box;
-  const auto& vertices = frame.cells.diagram().vertices;
+void writeVertices(Writer& out, const Drawing& drawing, double radius) {
+  const auto& vertices = drawing.frame.cells.diagram().vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (!region.contains({vertices[v].x, vertices[v].y})) continue;
-    out << "<circle data-vertex=\"" << static_cast<std::int64_t>(v) << "\" cx=\"" << vertices[v].x << "\" cy=\""
-        << vertices[v].y << "\" r=\"" << radius << "\"/>\n";
+    if (!drawing.region.contains({vertices[v].x, vertices[v].y})) continue;
+    out << "<circle data-vertex=\"" << static_cast<std::int64_t>(v) << "\" cx=\"" << drawing.vertices[v].x << "\" cy=\""
+        << drawing.vertices[v].y << "\" r=\"" << radius << "\"/>\n";
   }
 }
 
@@ -157,6 +230,7 @@ void writeSvg(std::ostream& stream, std::span<const Circle> circles, const Diagr
               const ExportOptions& options) {
   Writer out(stream);
   const ExportFrame frame(circles, diagram, options);
+  const Drawing drawing(frame);
   const double width = frame.box.maxX - frame.box.minX;
   const double height = frame.box.maxY - frame.box.minY;
   const double unit = std::max(width, height) / kPixels;  // what a pixel stands for
@@ -172,11 +246,11 @@ void writeSvg(std::ostream& stream, std::span<const Circle> circles, const Diagr
     write();
     out << "</g>\n";
   };
-  group("cells", [&] { writeCells(out, frame); });
+  group("cells", [&] { writeCells(out, drawing); });
   group("dual", [&] { writeDual(out, frame); });
   group("circles", [&] { writeCircles(out, frame, kPointPixels * unit); });
-  group("edges", [&] { writeEdges(out, frame); });
-  group("vertices", [&] { writeVertices(out, frame, kVertexPixels * unit); });
+  group("edges", [&] { writeEdges(out, drawing); });
+  group("vertices", [&] { writeVertices(out, drawing, frame.grid.round(kVertexPixels * unit)); });
   group("hull", [&] { writeHull(out, frame); });
   out << "</g>\n</svg>\n";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_polygons.h"
 #include "circle_voronoi/export.h"
-#include "export_frame.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -24,8 +24,9 @@ void writeWkt(std::ostream& stream, std::span<const Circle> circles, const Diagr
               const ExportOptions& options) {
   Writer out(stream);
   const ExportFrame frame(circles, diagram, options);
+  const CellPolygons polygons(frame);
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    const auto rings = ringsOf(frame, i);
+    const auto rings = polygons.rings(i);
     if (rings.empty()) {
       out << "POLYGON EMPTY\n";
       continue;

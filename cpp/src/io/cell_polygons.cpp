@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_polygons.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "arc_measure.h"
+#include "circle_voronoi/merged.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Enough to halve the turn of any arc, of less than a full turn, to less than half a turn around both foci.
+constexpr int kMostHalvings = 8;
+/// Of coordinates: far above rounding errors, far below what can be seen.
+constexpr double kRoundingError = 0x1p-40;
+/// Areas of less may have lost bits.
+constexpr double kLeastArea = 0x1p-900;
+/// Rounds in which edges take back the rounding of their points, which may then turn edges beside them; few need two.
+constexpr int kMostRounds = 8;
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
+
+/// Whether the triangle p, q, r is counter-clockwise.
+bool isLeftTurn(Point p, Point q, Point r) { return cross(vectorTo(p, q), vectorTo(p, r)) > 0; }
+
+/// Whether the step from p to q turns around both foci of an arc, by less than half a turn.
+bool turnsAround(Point left, Point right, Point p, Point q) {
+  return isLeftTurn(left, p, q) && isLeftTurn(right, q, p);
+}
+
+/// Adds points of the arc until each step turns around both foci, by less than half a turn. A cell is star-shaped from
+/// its circle's centre, so a polygon of such steps is, too, and does not cross itself.
+void refine(std::vector<Point>& points, const EdgeCurve& curve) {
+  const Bisector& bisector = curve.bisector;
+  for (int i = 0; i < kMostHalvings; ++i) {
+    std::vector<Point> finer = {points.front()};
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const Point p = points[k - 1];
+      const Point q = points[k];
+      const double middle = std::sqrt(parameterAt(bisector, p)) * std::sqrt(parameterAt(bisector, q));
+      if (!turnsAround(bisector.left, bisector.right, p, q)) finer.push_back(pointAt(bisector, middle));
+      finer.push_back(q);
+    }
+    if (finer.size() == points.size()) return;
+    points = std::move(finer);
+  }
+}
+
+/// The points of an arc from `start` to `end`, which are its ends but for rounding.
+std::vector<Point> pointsBetween(const EdgeCurve& curve, Point start, Point end, double tolerance) {
+  if (start == end) return {start};
+  std::vector<Point> points = polyline(curve, tolerance);
+  if (!curve.isStraight()) refine(points, curve);
+  points.front() = start;
+  points.back() = end;
+  return points;
+}
+
+/// Whether the area of a counter-clockwise ring is more than what rounding of its points can make.
+bool hasArea(const std::vector<Point>& ring) {
+  if (ring.size() < 3) return false;
+  double twice = 0;
+  double length = 0;
+  double size = 0;
+  for (const Point& p : ring) size = std::max({size, std::abs(p.x), std::abs(p.y)});
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Vector p = vectorTo(ring.front(), ring[k]);
+    const Vector q = vectorTo(ring.front(), ring[(k + 1) % ring.size()]);
+    twice += cross(p, q);
+    length += std::abs(q.x - p.x) + std::abs(q.y - p.y);
+  }
+  return twice > kRoundingError * size * length;
+}
+
+void addPoint(std::vector<Point>& ring, Point p) {
+  if (ring.empty() || p != ring.back()) ring.push_back(p);
+}
+
+void closeRing(std::vector<Point>& ring) {
+  while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+}
+
+}  // namespace
+
+CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame), region_(frame.box) {
+  MergedDiagram merged = mergeVertices(frame.cells.circles(), frame.cells.diagram());
+  for (const Vertex& vertex : merged.vertices) places_.push_back({vertex.x, vertex.y});
+  mergedVertex_ = std::move(merged.mergedVertex);
+  followEdges();
+  roundPoints();
+}
+
+void CellPolygons::followEdges() {
+  const auto& edges = frame_.cells.diagram().edges;
+  isInside_.reserve(edges.size());
+  beyond_.reserve(edges.size());
+  firstInner_.reserve(edges.size() + 1);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const EdgeCurve curve = edgeCurve(frame_.cells.circles(), frame_.cells.diagram(), static_cast<std::int32_t>(e));
+    isInside_.push_back(circle_voronoi::isInside(frame_, edges[e], curve));
+    firstInner_.push_back(inner_.size());
+    beyond_.push_back(0);
+    if (!isInside_.back() || curve.isStraight()) continue;
+    beyond_.back() = momentsOverChord(curve, curve.start).area;
+    const auto points = pointsBetween(curve, placeOf(edges[e].start), placeOf(edges[e].end), frame_.tolerance);
+    if (points.size() > 2) inner_.insert(inner_.end(), points.begin() + 1, points.end() - 1);
+  }
+  firstInner_.push_back(inner_.size());
+}
+
+/// Rounds what only edges inside the box have, and takes it back for edges that it turns around: then each step still
+/// turns around both foci, and polygons of such steps do not cross themselves.
+void CellPolygons::roundPoints() {
+  const auto& edges = frame_.cells.diagram().edges;
+  const std::vector<Point> exactPlaces = places_;
+  const std::vector<Point> exactInner = inner_;
+  for (Point& p : places_) p = frame_.round(p);
+  for (Point& p : inner_) p = frame_.round(p);
+  const auto restorePlace = [&](std::int32_t vertex) {
+    if (vertex == kNone) return;
+    const std::size_t v = index(mergedVertex_[index(vertex)]);
+    places_[v] = exactPlaces[v];
+  };
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (isInside_[e]) continue;
+    restorePlace(edges[e].start);
+    restorePlace(edges[e].end);
+  }
+  bool isDone = false;
+  for (int round = 0; !isDone && round < kMostRounds; ++round) {
+    isDone = true;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (!isInside_[e] || turnsRight(static_cast<std::int32_t>(e))) continue;
+      const Point start = placeOf(edges[e].start);
+      const Point end = placeOf(edges[e].end);
+      restorePlace(edges[e].start);
+      restorePlace(edges[e].end);
+      bool isChanged = start != placeOf(edges[e].start) || end != placeOf(edges[e].end);
+      for (std::size_t k = firstInner_[e]; k < firstInner_[e + 1]; ++k) {
+        isChanged = isChanged || inner_[k] != exactInner[k];
+        inner_[k] = exactInner[k];
+      }
+      isDone = isDone && !isChanged;
+    }
+  }
+  if (isDone) return;
+  places_ = exactPlaces;
+  inner_ = exactInner;
+}
+
+/// Whether each step of an edge, as its points are now, turns around both foci and is farther from them than rounding
+/// can move it.
+bool CellPolygons::turnsRight(std::int32_t edge) const {
+  const Edge& ends = frame_.cells.diagram().edges[index(edge)];
+  const auto circles = frame_.cells.circles();
+  const Point left = {circles[index(ends.left)].x, circles[index(ends.left)].y};
+  const Point right = {circles[index(ends.right)].x, circles[index(ends.right)].y};
+  const Point end = placeOf(ends.end);
+  Point p = placeOf(ends.start);
+  if (p == end && mergedVertex_[index(ends.start)] == mergedVertex_[index(ends.end)]) return true;
+  const auto isFar = [&](Point q) {
+    const double least = 2 * frame_.grid.error();
+    const auto isBeyond = [&](Vector v) { return std::max(std::abs(v.x), std::abs(v.y)) > least; };
+    return isBeyond(vectorTo(left, q)) && isBeyond(vectorTo(right, q));
+  };
+  const auto stepsTo = [&](Point q) {
+    const bool isRight = isFar(p) && isFar(q) && turnsAround(left, right, p, q);
+    p = q;
+    return isRight;
+  };
+  return std::ranges::all_of(innerPoints(edge), stepsTo) && stepsTo(end);
+}
+
+bool CellPolygons::isWhole(std::int32_t circle) const {
+  const auto sides = frame_.cells.sides(circle);
+  return !sides.empty() && std::ranges::all_of(sides, [&](std::int32_t side) { return isInside(side / 2); });
+}
+
+/// Adds the points of a side of an edge inside the box, but for the last.
+template <class Add>
+void CellPolygons::addSide(std::int32_t side, Add add) const {
+  add(placeOf(frame_.cells.originOf(side)));
+  const auto points = innerPoints(side / 2);
+  if (side % 2 == 0) {
+    std::for_each(points.begin(), points.end(), add);
+  } else {
+    std::for_each(points.rbegin(), points.rend(), add);
+  }
+}
+
+CellPolygons::Ring CellPolygons::wholeRing(std::int32_t circle) const {
+  Ring ring;
+  const auto add = [&](Point p) { addPoint(ring, p); };
+  for (const std::int32_t side : frame_.cells.sides(circle)) addSide(side, add);
+  closeRing(ring);
+  return ring;
+}
+
+/// Where an end of a part of an edge is drawn: in its vertex, if it is there but for rounding.
+Point CellPolygons::drawn(std::int32_t vertex, Point end) const {
+  if (vertex == kNone) return end;
+  const Vertex& place = frame_.cells.diagram().vertices[index(vertex)];
+  const double distance = std::abs(end.x - place.x) + std::abs(end.y - place.y);
+  const bool isThere = distance <= kRoundingError * std::max(std::abs(place.x), std::abs(place.y));
+  return isThere ? placeOf(vertex) : end;
+}
+
+/// The points of a piece of an edge in the direction of the outline, the same bits from either side.
+CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
+  if (isInside(piece.side / 2)) {
+    Ring points;
+    addSide(piece.side, [&](Point p) { points.push_back(p); });
+    points.push_back(placeOf(frame_.cells.targetOf(piece.side)));
+    return points;
+  }
+  const EdgeCurve curve = edgeDirection(frame_.cells, piece);
+  const Edge& edge = frame_.cells.diagram().edges[index(piece.side / 2)];
+  Ring points = pointsBetween(curve, drawn(edge.start, curve.start), drawn(edge.end, curve.end), frame_.tolerance);
+  if (piece.side % 2 == 1) std::ranges::reverse(points);
+  return points;
+}
+
+std::vector<CellPolygons::Ring> CellPolygons::rings(std::int32_t circle) const {
+  std::vector<Ring> rings;
+  const auto keep = [&](Ring ring) {
+    if (hasArea(ring)) rings.push_back(std::move(ring));
+  };
+  if (isWhole(circle)) {
+    keep(wholeRing(circle));
+    return rings;
+  }
+  for (const auto& loop : outline(frame_.cells, circle, region_)) {
+    Ring ring;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      if (loop[k].side != kNone) {
+        for (const Point& p : pointsOf(loop[k])) addPoint(ring, p);
+      } else if (loop[k == 0 ? loop.size() - 1 : k - 1].side == kNone) {
+        // A corner of the box. Where an edge meets the box, the edge says where.
+        addPoint(ring, loop[k].curve.start);
+      }
+    }
+    closeRing(ring);
+    keep(std::move(ring));
+  }
+  return rings;
+}
+
+std::vector<CellPolygons::Ring> CellPolygons::polylines(std::int32_t edge) const {
+  if (isInside(edge)) return {pointsOf({{}, 2 * edge, kNone})};
+  std::vector<Ring> lines;
+  for (const EdgeCurve& part : clip(edgeCurve(frame_.cells.circles(), frame_.cells.diagram(), edge), region_)) {
+    lines.push_back(pointsOf({part, 2 * edge, kNone}));
+  }
+  return lines;
+}
+
+double CellPolygons::area(std::int32_t circle) const {
+  if (isWhole(circle)) {
+    const auto& vertices = frame_.cells.diagram().vertices;
+    const auto sides = frame_.cells.sides(circle);
+    const auto vertexAt = [&](std::int32_t side) {
+      const Vertex& vertex = vertices[index(frame_.cells.originOf(side))];
+      return Point{vertex.x, vertex.y};
+    };
+    const Point reference = vertexAt(sides.front());
+    Vector last{};
+    double sum = 0;
+    for (const std::int32_t side : sides) {
+      const Vector next = vectorTo(reference, vertexAt(side));
+      sum += cross(last, next) / 2 + (side % 2 == 0 ? beyond_[index(side / 2)] : -beyond_[index(side / 2)]);
+      last = next;
+    }
+    if (sum > kLeastArea) return sum;
+  }
+  return circle_voronoi::area(outline(frame_.cells, circle, region_));
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "digits.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace circle_voronoi {
+namespace {
+
+/// The largest power of ten that a double holds exactly.
+constexpr int kMostPlaces = 22;
+/// Whole numbers up to here are doubles, and their decimals differ from those of their neighbours.
+constexpr double kMostSteps = 1e15;
+
+/// Decimals of up to six places are common, and quick to write.
+constexpr double kCommonSteps = 1e6;
+constexpr int kCommonPlaces = 6;
+
+/// A decimal of up to fifteen digits is the shortest that reads back to its double. Writes one of few places, if the
+/// value is one; nullptr if not.
+char* writeCommon(char* to, double value) {
+  const double steps = value * kCommonSteps;
+  if (!(std::abs(steps) < kMostSteps)) return nullptr;
+  auto whole = static_cast<std::int64_t>(steps + (steps < 0 ? -0.5 : 0.5));
+  if (static_cast<double>(whole) / kCommonSteps != value || whole == 0) return nullptr;
+  if (whole < 0) {
+    *to++ = '-';
+    whole = -whole;
+  }
+  constexpr auto kUnit = static_cast<std::int64_t>(kCommonSteps);
+  to = std::to_chars(to, to + kMostDigits, whole / kUnit).ptr;
+  auto places = static_cast<std::int32_t>(whole % kUnit);
+  if (places == 0) return to;
+  *to = '.';
+  char* end = to + 1 + kCommonPlaces;
+  for (char* digit = end; digit != to + 1; places /= 10) *--digit = static_cast<char>('0' + places % 10);
+  while (end[-1] == '0') --end;
+  return end;
+}
+
+}  // namespace
+
+char* writeDigits(char* to, double value) {
+  if (char* end = writeCommon(to, value)) return end;
+  // Plain to_chars gives the same digits, but takes half as long again.
+  std::array<char, kMostDigits> digits{};
+  char* const end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific).ptr;
+  char* from = digits.data();
+  char* const mark = std::find(from, end, 'e');
+  const auto copy = [&to](const char* begin, const char* stop) {
+    std::memcpy(to, begin, static_cast<std::size_t>(stop - begin));
+    to += stop - begin;
+  };
+  int exponent = 0;
+  if (mark != end) std::from_chars(mark[1] == '+' ? mark + 2 : mark + 1, end, exponent);
+  constexpr int kLeast = -4;
+  constexpr int kMost = 15;
+  if (mark == end || value == 0 || exponent < kLeast || exponent > kMost) {
+    // No number, zero, or one with an exponent.
+    copy(from, value == 0 ? from + (*from == '-' ? 2 : 1) : end);
+    return to;
+  }
+  if (*from == '-') *to++ = *from++;
+  // The digits without their point.
+  const char first = *from;
+  const auto count = std::max<std::ptrdiff_t>(mark - from - 1, 1);
+  from[mark - from > 1 ? 1 : 0] = first;
+  const char* all = mark - from > 1 ? from + 1 : from;
+  if (exponent < 0) {
+    copy("0.0000", "0.0000" + 1 - exponent);
+    copy(all, all + count);
+  } else if (count <= exponent + 1) {
+    copy(all, all + count);
+    for (std::ptrdiff_t i = count; i < exponent + 1; ++i) *to++ = '0';
+  } else {
+    copy(all, all + exponent + 1);
+    *to++ = '.';
+    copy(all + exponent + 1, all + count);
+  }
+  return to;
+}
+
+DecimalGrid::DecimalGrid(double step) {
+  std::array<double, kMostPlaces + 1> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
+  if (!(step >= 1 / powers.back())) return;
+  isOff_ = false;
+  if (step >= 1) {
+    divisor_ = *(std::upper_bound(powers.begin(), powers.end(), step) - 1);
+  } else {
+    multiplier_ = *std::find_if(powers.begin(), powers.end(), [&](double power) { return 1 / power <= step; });
+  }
+  error_ = divisor_ / multiplier_;
+}
+
+double DecimalGrid::round(double value) const {
+  const double steps = std::round(value * multiplier_ / divisor_);
+  if (isOff_ || !(std::abs(steps) < kMostSteps)) return value;
+  return steps * divisor_ / multiplier_ + 0.0;  // -0 becomes 0
+}
+
+}  // namespace circle_voronoi
