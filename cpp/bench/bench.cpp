@@ -23,6 +23,7 @@
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
 #include "cliffs.h"
+#include "files.h"
 #include "reference.h"
 
 namespace {
@@ -156,13 +157,19 @@ std::string ratio(const std::map<std::string, Measurement>& measured, const std:
 int usage() {
   std::cerr << "usage: circle-voronoi-bench [--families NAME|FILE.csv,...] [--sizes N,...] [--methods NAME,...]\n"
                "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n"
-               "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n";
+               "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n"
+               "       circle-voronoi-bench --files [NAME,... [N [REPETITIONS]]]\n";
   return 2;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "--files") {
+    return bench::benchFiles(argc > 2 ? split(argv[2]) : std::vector<std::string>{"uniform", "log-uniform"},
+                             argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1'000'000,
+                             argc > 4 ? std::atoi(argv[4]) : 3);
+  }
   std::map<std::string, std::string> options = {
       {"--families", "uniform,log-uniform,hidden,hexagonal,grid,rows,intersecting,one-huge,ring"},
       {"--sizes", "1000,10000,100000,1000000"},

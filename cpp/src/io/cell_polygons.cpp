@@ -88,6 +88,7 @@ void closeRing(std::vector<Point>& ring) {
 
 CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame), region_(frame.box) {
   MergedDiagram merged = mergeVertices(frame.cells.circles(), frame.cells.diagram());
+  places_.reserve(merged.vertices.size());
   for (const Vertex& vertex : merged.vertices) places_.push_back({vertex.x, vertex.y});
   mergedVertex_ = std::move(merged.mergedVertex);
   followEdges();
@@ -194,6 +195,7 @@ void CellPolygons::addSide(std::int32_t side, Add add) const {
 
 CellPolygons::Ring CellPolygons::wholeRing(std::int32_t circle) const {
   Ring ring;
+  ring.reserve(2 * frame_.cells.sides(circle).size());
   const auto add = [&](Point p) { addPoint(ring, p); };
   for (const std::int32_t side : frame_.cells.sides(circle)) addSide(side, add);
   closeRing(ring);

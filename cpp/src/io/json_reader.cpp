@@ -6,7 +6,6 @@
 namespace circle_voronoi {
 namespace {
 
-bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 /// A character of a string that stands for itself, of one byte.
 bool isPlain(char c) {
@@ -83,10 +82,6 @@ void JsonReader::failSyntax(const std::string& expected) const {
   throw ReadFailure{at_, "bad JSON: expected " + expected + ", not " + found + "."};
 }
 
-void JsonReader::skipSpace() {
-  while (!isAtEnd() && isSpace(text_[at_])) ++at_;
-}
-
 JsonKind JsonReader::kind() {
   skipSpace();
   if (isAtEnd()) failSyntax("a value");
@@ -148,30 +143,35 @@ std::optional<std::string_view> JsonReader::nextKey() {
   return key;
 }
 
-void JsonReader::skipDigits() {
-  if (isAtEnd() || !isDigit(text_[at_])) failSyntax("a digit");
-  while (!isAtEnd() && isDigit(text_[at_])) ++at_;
-}
-
 std::string_view JsonReader::numeral() {
   if (kind() != JsonKind::number) failSyntax("a number");
-  const std::size_t begin = at_;
-  if (text_[at_] == '-') ++at_;
-  if (!isAtEnd() && text_[at_] == '0') {
-    ++at_;
+  const char* const begin = text_.data() + at_;
+  const char* const end = text_.data() + text_.size();
+  const char* at = begin;
+  const auto skipDigits = [&] {
+    const char* const first = at;
+    while (at != end && isDigit(*at)) ++at;
+    if (at != first) return;
+    at_ += static_cast<std::size_t>(at - begin);
+    failSyntax("a digit");
+  };
+  if (*at == '-') ++at;
+  if (at != end && *at == '0') {
+    ++at;
   } else {
     skipDigits();
   }
-  if (!isAtEnd() && text_[at_] == '.') {
-    ++at_;
+  if (at != end && *at == '.') {
+    ++at;
     skipDigits();
   }
-  if (!isAtEnd() && (text_[at_] == 'e' || text_[at_] == 'E')) {
-    ++at_;
-    if (!isAtEnd() && (text_[at_] == '+' || text_[at_] == '-')) ++at_;
+  if (at != end && (*at == 'e' || *at == 'E')) {
+    ++at;
+    if (at != end && (*at == '+' || *at == '-')) ++at;
     skipDigits();
   }
-  return text_.substr(begin, at_ - begin);
+  at_ += static_cast<std::size_t>(at - begin);
+  return {begin, at};
 }
 
 double JsonReader::valueOf(std::string_view numeral) const {
@@ -186,7 +186,9 @@ double JsonReader::number() { return valueOf(numeral()); }
 std::string_view JsonReader::string() {
   if (kind() != JsonKind::string) failSyntax("a string");
   const std::size_t begin = ++at_;
-  while (!isAtEnd() && isPlain(text_[at_])) ++at_;
+  std::size_t at = begin;
+  while (at != text_.size() && isPlain(text_[at])) ++at;
+  at_ = at;
   if (!isAtEnd() && text_[at_] == '"') return text_.substr(begin, at_++ - begin);
   decoded_.assign(text_, begin, at_ - begin);
   while (!isAtEnd() && text_[at_] != '"') {

@@ -61,15 +61,17 @@ class JsonReader {
   [[noreturn]] void fail(const std::string& reason) const;
 
  private:
+  static bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
   bool isAtEnd() const { return at_ == text_.size(); }
-  void skipSpace();
+  void skipSpace() {
+    while (!isAtEnd() && isSpace(text_[at_])) ++at_;
+  }
   bool next(char end);
   void enter(char begin);
   void skipWord();
   /// The text of a number.
   std::string_view numeral();
   double valueOf(std::string_view numeral) const;
-  void skipDigits();
   void decodeEscape();
   char32_t hexDigits();
   void skipCharacter();

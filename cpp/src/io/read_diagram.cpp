@@ -149,9 +149,11 @@ class DiagramReader {
   void readItem(const Section& section) {
     expect(JsonKind::object, [&] { return "an object for " + nameOfItem(section); });
     std::array<bool, kMostValues> isGiven{};  // of each field, at its first value
+    auto next = section.fields.begin();       // fields mostly come in this order
     reader_.enterObject();
     while (const auto key = reader_.nextKey()) {
-      const auto field = std::ranges::find(section.fields, *key, &Field::key);
+      const bool isNext = next != section.fields.end() && next->key == *key;
+      const auto field = isNext ? next++ : std::ranges::find(section.fields, *key, &Field::key);
       if (field == section.fields.end()) {
         reader_.skip();
         continue;
