@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <optional>
+
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/export.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/io.h"
+
+namespace circle_voronoi::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Task {
+  std::string name;
+  std::function<void()> run;
+  std::vector<double> seconds = {};
+};
+
+/// Of this process, so that others on the machine count less.
+double processorSeconds(const std::function<void()>& run) {
+  const std::clock_t begin = std::clock();
+  run();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+std::string readAll(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(fs::file_size(file), ' ');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  return text;
+}
+
+template <class Write>
+void writeTo(const fs::path& file, Write write) {
+  std::ofstream out(file, std::ios::binary);
+  write(out);
+}
+
+}  // namespace
+
+int benchFiles(const std::vector<std::string>& families, std::size_t size, int repetitions) {
+  const fs::path folder = fs::temp_directory_path() / "circle-voronoi-bench-files";
+  fs::create_directories(folder);
+  std::printf("%-14s %8s  %-14s %10s %10s %9s\n", "family", "n", "task", "median s", "/ compute", "MB");
+  for (const std::string& name : families) {
+    const auto family = familyFromName(name);
+    if (!family) {
+      std::cerr << name << " is no family\n";
+      return 2;
+    }
+    const auto circles = generate(*family, size, 1);
+    const Diagram diagram = compute(circles).value();
+    const auto path = [&](const char* file) { return folder / file; };
+    writeTo(path("circles.csv"), [&](std::ostream& out) { writeCirclesCsv(out, circles); });
+    std::vector<Task> tasks = {
+        {"compute", [&] { (void)compute(circles); }},
+        {"csv read", [&] { (void)readCircles(readAll(path("circles.csv")), "csv"); }},
+        {"json written", [&] { writeTo(path("json"), [&](std::ostream& out) { writeJson(out, circles, diagram); }); }},
+        {"verify",
+         [&] {
+           const auto file = readDiagram(readAll(path("json")), "json");
+           if (!certify(file.value().circles, file.value().diagram).value().certified()) std::abort();
+         }},
+        {"geojson written",
+         [&] { writeTo(path("geojson"), [&](std::ostream& out) { writeGeoJson(out, circles, diagram); }); }},
+        {"svg written", [&] { writeTo(path("svg"), [&](std::ostream& out) { writeSvg(out, circles, diagram); }); }}};
+    for (int i = 0; i < repetitions; ++i) {
+      for (Task& task : tasks) task.seconds.push_back(processorSeconds(task.run));
+    }
+    const std::vector<const char*> files = {nullptr, "circles.csv", "json", "json", "geojson", "svg"};
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const double seconds = median(tasks[i].seconds);
+      const double megabytes = files[i] == nullptr ? 0 : static_cast<double>(fs::file_size(path(files[i]))) / 1e6;
+      std::printf("%-14s %8zu  %-14s %10.3f %10.2f %9.0f\n", name.c_str(), circles.size(), tasks[i].name.c_str(),
+                  seconds, seconds / median(tasks[0].seconds), megabytes);
+    }
+    std::fflush(stdout);
+  }
+  fs::remove_all(folder);
+  return 0;
+}
+
+}  // namespace circle_voronoi::bench

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace circle_voronoi::bench {
+
+/// Times reading and writing of files against `compute` on the same circles, in one run, and prints a table: medians of
+/// processor time. Returns an exit status.
+int benchFiles(const std::vector<std::string>& families, std::size_t size, int repetitions);
+
+}  // namespace circle_voronoi::bench
