@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `npm run mutate:core [-- NAME...]`: makes each one-line change of tests/mutants/core.json, or those whose names start
+// with NAME, to a copy of the sources, one at a time, and says whether the native tests notice. Takes about an hour.
+//
+// A change: `name`, the `file` and the text in it (`old`, once) that `new` replaces, and `tests`, the GoogleTest filter
+// of those that are likely to notice, which are run before the others.
+import { spawnSync } from 'node:child_process'
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs'
+import { dirname } from 'node:path'
+import { main, ROOT } from './run.mjs'
+import { setup } from './setup.mjs'
+
+const COPY = `${ROOT}build/mutants/`
+// As in the repository, so that a compiler cache serves both.
+const BUILD = `${COPY}build/native`
+const COPIED = ['CMakeLists.txt', 'CMakePresets.json', 'cpp', 'tests']
+const BINARIES = ['tests/cpp/circle_voronoi_tests', 'tests/cpp/circle_voronoi_proof_tests']
+/** Long random runs. */
+const LEFT_OUT = [
+  ...['Oracle*', 'Mismatch*', '*/Automatic*', 'Automatic*', 'Metamorphic*', 'Fixtures*', 'CertificateMutations*'],
+  ...['Cli*', '*Survive*'],
+]
+const WANTED = 0.85
+const TIME_LIMIT = 600_000
+
+await main(async () => {
+  const mutants = JSON.parse(readFileSync(`${ROOT}tests/mutants/core.json`, 'utf8'))
+  const names = process.argv.slice(2)
+  const chosen = mutants.filter(({ name }) => names.length === 0 || names.some((start) => name.startsWith(start)))
+  for (const mutant of chosen) check(mutant)
+  if (chosen.length === 0) throw new Error('No change has such a name.')
+
+  await setup({ tests: true })
+  copySources()
+  build()
+  const before = testsThatFail('*')
+  if (before !== undefined) throw new Error(`Without any change: ${before}`)
+
+  const unnoticed = []
+  for (const mutant of chosen) {
+    const noticed = tryOut(mutant)
+    if (noticed === undefined) unnoticed.push(mutant.name)
+    console.log(`${noticed === undefined ? 'NOT NOTICED' : 'noticed'}  ${mutant.name}${noticed ? `: ${noticed}` : ''}`)
+  }
+  const count = chosen.length - unnoticed.length
+  console.log(`\n${count} of ${chosen.length} changes are noticed, ${((100 * count) / chosen.length).toFixed(0)} %.`)
+  if (count < WANTED * chosen.length) throw new Error(`Fewer than ${100 * WANTED} % are noticed.`)
+})
+
+/** Throws if a change does not fit the sources. */
+function check({ name, file, old }) {
+  const parts = readFileSync(ROOT + file, 'utf8').split(old)
+  if (parts.length !== 2) throw new Error(`${name}: its old text stands ${parts.length - 1} times in ${file}.`)
+}
+
+/** Only what differs is written, so that no more is built than needed, and what an interrupted run left is mended. */
+function copySources() {
+  for (const top of COPIED) {
+    const paths = statSync(ROOT + top).isDirectory()
+      ? readdirSync(ROOT + top, { recursive: true }).map((path) => `${top}/${path}`)
+      : [top]
+    for (const path of paths.filter((path) => statSync(ROOT + path).isFile())) {
+      const text = readFileSync(ROOT + path)
+      if (existsSync(COPY + path) && readFileSync(COPY + path).equals(text)) continue
+      mkdirSync(dirname(COPY + path), { recursive: true })
+      writeFileSync(COPY + path, text)
+    }
+  }
+}
+
+function build() {
+  if (!existsSync(`${BUILD}/build.ninja`)) {
+    execute('cmake', ['--preset', 'native', '-DCIRCLE_VORONOI_WARNINGS_AS_ERRORS=OFF'])
+  }
+  execute('cmake', ['--build', BUILD, '--target', 'circle_voronoi_tests', 'circle_voronoi_proof_tests'])
+}
+
+function execute(program, args) {
+  const { status, stdout, stderr } = spawnSync(program, args, { cwd: COPY, encoding: 'utf8', maxBuffer: 2 ** 28 })
+  if (status !== 0) throw new Error(`${program} ${args.join(' ')}\n${stdout}${stderr}`)
+}
+
+/** What notices a change, or undefined. */
+function tryOut({ name, file, old, new: replacement, tests }) {
+  const text = readFileSync(ROOT + file, 'utf8')
+  // A function, for `$` means something else in a text.
+  writeFileSync(
+    COPY + file,
+    text.replace(old, () => replacement),
+  )
+  try {
+    build()
+    return (tests === undefined ? undefined : testsThatFail(tests)) ?? testsThatFail('*')
+  } catch (error) {
+    throw new Error(`${name} does not build.\n${error.message}`)
+  } finally {
+    writeFileSync(COPY + file, text)
+  }
+}
+
+/** The first test of those chosen that fails, or undefined. */
+function testsThatFail(filter) {
+  for (const binary of BINARIES) {
+    const { status, signal, stdout } = spawnSync(
+      `${BUILD}/${binary}`,
+      [`--gtest_filter=${filter}-${LEFT_OUT.join(':')}`, '--gtest_fail_fast', '--gtest_brief=1'],
+      { encoding: 'utf8', maxBuffer: 2 ** 28, timeout: TIME_LIMIT, cwd: BUILD },
+    )
+    if (status !== 0) return /^\[ +FAILED +\] ([^\s,]+)/m.exec(stdout)?.[1] ?? `ended by ${signal ?? status}`
+  }
+  return undefined
+}
