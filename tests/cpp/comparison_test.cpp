@@ -139,5 +139,50 @@ TEST(PowerDiagram, DoesNotDependOnAddresses) {
   }
 }
 
+TEST(PowerDiagram, VerticesOfCentresNextToEachOtherAreRight) {
+  const double ulp = 0x1p-52;
+  const std::vector<std::vector<Circle>> inputs = {{{1, 1, 0}, {1 + ulp, 1, 0}, {3, 1 + 2 * ulp, 0}},
+                                                   {{1, 1, 0.5}, {1, 1 + ulp, 0.5}, {2, 5, 1}, {-3, 2, 0.25}},
+                                                   {{1, 1, 0}, {1 + ulp, 1 + ulp, 0}, {2, 2 + 2 * ulp, 0}, {5, 0, 1}},
+                                                   {{0, 0, 0}, {1, 1, 0}, {2, 2 + 2 * ulp, 0}},
+                                                   {{1e10, 1, 0}, {1e10 + 0x1p-19, 1, 0}, {0, 0, 0}, {0, 1e10, 0}}};
+  for (const auto& circles : inputs) {
+    const auto diagram = computeComparison(circles, Metric::power);
+    ASSERT_TRUE(diagram) << diagram.error().message;
+    ASSERT_FALSE(diagram.value().vertices.empty());
+    for (std::size_t v = 0; v < diagram.value().vertices.size(); ++v) {
+      const auto& [x, y, radius] = diagram.value().vertices[v];
+      // Of equal powers the differences are linear in the vertex: exact in long double but for a few bits.
+      const auto circleAt = [&](std::size_t k) {
+        return circles[static_cast<std::size_t>(diagram.value().vertexCircles[v][k])];
+      };
+      for (const std::size_t k : {1U, 2U}) {
+        const auto [ax, ay, ar] = circleAt(0);
+        const auto [bx, by, br] = circleAt(k);
+        const long double dx = static_cast<long double>(bx) - ax;
+        const long double dy = static_cast<long double>(by) - ay;
+        const long double difference = 2 * (dx * (x - ax) + dy * (y - ay)) - dx * dx - dy * dy +
+                                       static_cast<long double>(br) * br - static_cast<long double>(ar) * ar;
+        const long double scale = std::abs(dx * x) + std::abs(dy * y) + std::abs(dx * ax) + std::abs(dy * ay);
+        EXPECT_LE(std::abs(difference), 4 * 0x1p-53 * scale + 0x1p-53 * (ar * ar + br * br)) << v;
+      }
+      EXPECT_NEAR(radius * std::abs(radius) / distance(Metric::power, circleAt(0), {x, y}), 1, 1e-6);
+    }
+  }
+}
+
+TEST(PowerDiagram, AVertexBeyondAllNumbersIsAnError) {
+  const std::vector<Circle> circles = {{0, 0, 1e150}, {1e-150, 0, 0}, {0, 1e-160, 1e149}};
+  const auto diagram = computeComparison(circles, Metric::power);
+  if (diagram) {
+    for (const Vertex& vertex : diagram.value().vertices)
+      EXPECT_TRUE(std::isfinite(vertex.x) && std::isfinite(vertex.y));
+  }
+  const std::vector<Circle> far = {{0, 0, 0}, {1e150, 0, 0}, {5e149, 1e-170, 0}};
+  const auto beyond = computeComparison(far, Metric::power);
+  ASSERT_FALSE(beyond);
+  EXPECT_EQ(beyond.error().code, ErrorCode::coordinateTooLarge);
+}
+
 }  // namespace
 }  // namespace circle_voronoi

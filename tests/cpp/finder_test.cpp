@@ -48,6 +48,18 @@ TEST(Finder, FindsANearestCircle) {
   }
 }
 
+// They look at what they are made of, which is not to go before them.
+static_assert(std::is_constructible_v<Cells, std::vector<Circle>&, Diagram&>);
+static_assert(std::is_constructible_v<Cells, std::span<const Circle>, const Diagram&, Metric>);
+static_assert(!std::is_constructible_v<Cells, std::vector<Circle>&, Diagram>);
+static_assert(!std::is_constructible_v<Cells, std::span<const Circle>, const Diagram, Metric>);
+static_assert(!std::is_constructible_v<Cells, std::vector<Circle>, Diagram&>);
+static_assert(!std::is_constructible_v<Cells, std::vector<Circle>, Diagram, Metric>);
+static_assert(!std::is_constructible_v<Cells, const std::vector<Circle>, const Diagram&>);
+static_assert(std::is_constructible_v<Finder, const Cells&>);
+static_assert(!std::is_constructible_v<Finder, Cells>);
+static_assert(!std::is_constructible_v<Finder, const Cells>);
+
 TEST(Finder, FindsNothingAmongNoCircles) {
   const Diagram diagram = compute({}).value();
   const Cells cells({}, diagram);

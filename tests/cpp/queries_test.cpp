@@ -89,7 +89,7 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
       const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
       const double width = size * random.logUniform(-2, 0.3);
       const Box box = {p.x - width, p.y - width / 2, p.x + width, p.y + width / 2};
-      const auto largest = largestEmptyDisc(cells, box);
+      const auto largest = largestEmptyDiscCentredIn(cells, box);
       ASSERT_TRUE(largest);
       const Vertex& disc = largest->disc;
       EXPECT_TRUE(disc.x >= box.minX && disc.x <= box.maxX && disc.y >= box.minY && disc.y <= box.maxY);
@@ -103,7 +103,7 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
       EXPECT_GE(best, disc.radius - width / 5);
     }
 
-    const auto inHull = largestEmptyDiscInHull(cells);
+    const auto inHull = largestEmptyDiscCentredInHull(cells);
     ASSERT_TRUE(inHull);
     const Vertex& disc = inHull->disc;
     EXPECT_GE(disc.radius, 0);
@@ -136,8 +136,8 @@ TEST(Query, NoCirclesHaveNoAnswers) {
   const Diagram diagram = compute({}).value();
   const Cells cells({}, diagram);
   EXPECT_FALSE(closestPair({}, diagram));
-  EXPECT_FALSE(largestEmptyDisc(cells, Box{0, 0, 1, 1}));
-  EXPECT_FALSE(largestEmptyDiscInHull(cells));
+  EXPECT_FALSE(largestEmptyDiscCentredIn(cells, Box{0, 0, 1, 1}));
+  EXPECT_FALSE(largestEmptyDiscCentredInHull(cells));
 }
 
 TEST(Query, NeighborPairsAreThoseOfTheEdges) {
@@ -154,7 +154,7 @@ TEST(Query, NeighborPairsAreThoseOfTheEdges) {
 TEST(Query, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {
   const std::vector<Circle> circles = {{0, 0, 1}, {10, 0, 1}};
   const Diagram diagram = compute(circles).value();
-  const auto largest = largestEmptyDiscInHull(Cells(circles, diagram));
+  const auto largest = largestEmptyDiscCentredInHull(Cells(circles, diagram));
   ASSERT_TRUE(largest);
   EXPECT_NEAR(largest->disc.x, 5, 1e-14);
   EXPECT_NEAR(std::abs(largest->disc.y), 1, 1e-14);

@@ -11,8 +11,9 @@ describe('find', () => {
     const diagram = library.compute(circles)
     const random = seededRandom(4)
     for (const share of [0, 0.5, 1000]) {
+      const box = boxAround(circles, share)
       for (let k = 0; k < 100; k++) {
-        const point = pointIn(boxAround(circles, share), random(), random())
+        const point = pointIn(box, random(), random())
         const least = leastDistance(circles, point)
         const rounding = 1e-13 * Math.hypot(point.x, point.y)
         expect(signedDistance(circles, diagram.find(point.x, point.y), point) - least).toBeLessThanOrEqual(rounding)
@@ -30,8 +31,9 @@ describe('find', () => {
     }
     const diagram = library.compute(circles)
     expect(diagram.neighbors(0).length).toBeGreaterThan(500)
+    const box = boxAround(circles, 0.2)
     for (let k = 0; k < 2000; k++) {
-      const point = pointIn(boxAround(circles, 0.2), random(), random())
+      const point = pointIn(box, random(), random())
       // From the large circle, whatever is near.
       for (const found of [diagram.find(point.x, point.y), diagram.find(point.x, point.y, 0)]) {
         expect(signedDistance(circles, found, point) - leastDistance(circles, point)).toBeLessThanOrEqual(1e-12)

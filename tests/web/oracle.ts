@@ -54,25 +54,27 @@ export function distanceFromArc({ bisector, from, to }: BoundedCurve, point: Poi
 function distanceFromSide(bisector: Bisector, from: number, to: number, { x, y }: Point): number {
   const count = 128
   const { a, b, along, across } = bisector
-  const parameterAt = (share: number) => from * (to / from) ** share
-  const distanceAt = (share: number) => {
-    const point = pointAt(bisector, parameterAt(share))
-    return Math.hypot(point.x - x, point.y - y)
+  const step = (to / from) ** (1 / count)
+  const distanceAt = (s: number) => {
+    const point = pointAt(bisector, s)
+    return Math.sqrt((point.x - x) * (point.x - x) + (point.y - y) * (point.y - y))
   }
   /** Whether the way along the arc comes nearer there. */
-  const isAhead = (share: number) => {
-    const s = parameterAt(share)
+  const isAhead = (s: number) => {
     const point = pointAt(bisector, s)
     const [u, v] = [-Math.abs(a) * (1 - 1 / (s * s)), b * (1 + 1 / (s * s))]
     return (x - point.x) * (u * along.x + v * across.x) + (y - point.y) * (u * along.y + v * across.y) > 0
   }
-  const distances = Array.from({ length: count + 1 }, (_, k) => distanceAt(k / count))
+  const parameters = [from]
+  for (let k = 1; k < count; k++) parameters.push((parameters[k - 1] as number) * step)
+  parameters.push(to)
+  const distances = parameters.map(distanceAt)
   let best = Math.min(...distances)
   distances.forEach((distance, k) => {
     if ((distances[k - 1] ?? distance) < distance || (distances[k + 1] ?? distance) < distance) return
-    let [low, high] = [Math.max(k - 1, 0) / count, Math.min(k + 1, count) / count]
-    for (let step = 0; step < 50; step++) {
-      const middle = (low + high) / 2
+    let [low, high] = [parameters[k - 1] ?? from, parameters[k + 1] ?? to]
+    for (let halving = 0; halving < 50; halving++) {
+      const middle = Math.sqrt(low * high)
       if (isAhead(middle)) low = middle
       else high = middle
     }

@@ -7,14 +7,15 @@ import {
   circleAt,
   closestPair,
   hull,
-  largestEmptyDisc,
-  largestEmptyDiscInHull,
+  largestEmptyDiscCentredIn,
+  largestEmptyDiscCentredInHull,
+  largestEmptyDiscInside,
   neighborPairs,
   type Point,
 } from '../../web/lib/index.ts'
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
-import { boxAround, leastDistance, pointIn, scaleOf } from './oracle.ts'
+import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
 
 const DIRECTIONS = Array.from({ length: 720 }, (_, k) => ({
   x: Math.cos((2 * Math.PI * k) / 720),
@@ -92,7 +93,7 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
         (circles, share, places) => {
           const diagram = library.compute(circles)
           const box = boxAround(circles, share)
-          const largest = largestEmptyDisc(diagram, box)
+          const largest = largestEmptyDiscCentredIn(diagram, box)
           if (largest === undefined) throw new Error('There is no disc.')
           const { x, y, radius } = largest.disc
           const rounding = 1e-12 * (scaleOf(circles) + Math.abs(radius))
@@ -111,10 +112,58 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
     )
   })
 
+  it('have no larger empty disc inside a region than that which is found, and it sticks out nowhere', () => {
+    const corners = [0, 1, 2, 3, 4, 5, 6].map((k) => ({ x: Math.cos(k) / 2, y: Math.sin(k) / 3 }))
+    fc.assert(
+      fc.property(
+        arbitrary,
+        fc.constantFrom(-0.3, 0, 0.4),
+        fc.array(fc.tuple(unit, unit), { minLength: 300, maxLength: 300 }),
+        fc.boolean(),
+        (circles, share, places, isBox) => {
+          const diagram = library.compute(circles)
+          const box = boxAround(circles, share)
+          const [width, height] = [box.maxX - box.minX, box.maxY - box.minY]
+          const region = isBox
+            ? ConvexPolygon.of(box)
+            : ConvexPolygon.from(corners.map(({ x, y }) => pointIn(box, 0.5 + x, 0.5 + y)))
+          const depthOf = (p: Point) =>
+            Math.min(
+              ...region.corners.map((corner, k) => {
+                const after = region.cornerAfter(k)
+                const [dx, dy] = [after.x - corner.x, after.y - corner.y]
+                return (dx * (p.y - corner.y) - dy * (p.x - corner.x)) / Math.hypot(dx, dy)
+              }),
+            )
+          const largest = largestEmptyDiscInside(diagram, region)
+          if (largest === undefined) throw new Error('There is no disc.')
+          const { disc, circles: touched } = largest
+          const rounding = 1e-12 * (scaleOf(circles) + width + height)
+          if (disc.radius <= 0) {
+            expect(largest).toEqual(largestEmptyDiscCentredIn(diagram, region))
+          } else {
+            expect(depthOf(disc)).toBeGreaterThanOrEqual(disc.radius - rounding)
+            expect(leastDistance(circles, disc)).toBeGreaterThanOrEqual(disc.radius - rounding)
+            for (const i of touched) {
+              expect(Math.abs(signedDistance(circles, i, disc) - disc.radius)).toBeLessThanOrEqual(
+                1e-9 * (width + height) + rounding,
+              )
+            }
+          }
+          for (const [across, up] of places) {
+            const p = pointIn(box, across, up)
+            expect(Math.min(depthOf(p), leastDistance(circles, p))).toBeLessThanOrEqual(disc.radius + rounding)
+          }
+        },
+      ),
+      { numRuns: 50 },
+    )
+  })
+
   it('have no larger empty disc in their hull than that which is found', () => {
     fc.assert(
       fc.property(arbitrary, fc.array(fc.tuple(unit, unit), { minLength: 60, maxLength: 60 }), (circles, places) => {
-        const largest = largestEmptyDiscInHull(library.compute(circles))
+        const largest = largestEmptyDiscCentredInHull(library.compute(circles))
         if (largest === undefined) throw new Error('There is no disc.')
         const { x, y, radius } = largest.disc
         const box = boxAround(circles, 0)
@@ -155,18 +204,50 @@ it('neighbour pairs are those of the edges, in order, each once', () => {
 })
 
 it('the largest empty disc may touch two circles from the edge of the hull', () => {
-  const largest = largestEmptyDiscInHull(library.compute(Float64Array.of(0, 0, 1, 10, 0, 1)))
+  const largest = largestEmptyDiscCentredInHull(library.compute(Float64Array.of(0, 0, 1, 10, 0, 1)))
   expect(largest?.disc.x).toBeCloseTo(5, 14)
   expect(Math.abs(largest?.disc.y as number)).toBeCloseTo(1, 14)
   expect(largest?.disc.radius).toBeCloseTo(Math.sqrt(26) - 1, 13)
   expect([...(largest?.circles ?? [])].sort()).toEqual([0, 1])
 })
 
+it.each([
+  ['three circles, if it is inside', [-10, 0, 1, 10, 0, 1, 0, 10, 1], [-20, -20, 20, 20], 0, 0, 9, [0, 1, 2]],
+  ['two circles and a side', [-3, 0, 1, 3, 0, 1], [-3, -4, 3, 4], 0, 1.5, 2.5, [0, 1]],
+  [
+    'one circle and two sides',
+    [0, 0, 1],
+    [0, 0, 4, 4],
+    2.2761423749153966,
+    2.2761423749153966,
+    1.7238576250846034,
+    [0],
+  ],
+  ['three sides', [50, 0, 1], [0, 0, 4, 3], 1.5, 1.5, 1.5, []],
+  ['two sides alone', [0, 0, 1], [-1, -1, 9, 1], 0, 0, 1, []],
+  ['a circle between two sides', [-0.5, 0, 0.6, 8.5, 0, 0.6], [-1, -1, 9, 1], 0, 0, 1, [0]],
+] as const)(
+  'the largest empty disc inside a box touches %s',
+  (_, circles, [minX, minY, maxX, maxY], x, y, radius, touched) => {
+    const diagram = library.compute(Float64Array.from(circles))
+    const largest = largestEmptyDiscInside(diagram, { minX, minY, maxX, maxY })
+    expect(largest?.disc.radius).toBeCloseTo(radius, 12)
+    if (touched.length > 0) expect([...(largest?.circles ?? [])].sort()).toEqual(touched)
+    else expect(largest?.circles).toHaveLength(0)
+    if (touched.length > 1)
+      expect([Math.abs(largest?.disc.x as number), Math.abs(largest?.disc.y as number)]).toEqual([
+        expect.closeTo(x, 12),
+        expect.closeTo(y, 12),
+      ])
+  },
+)
+
 it('no circles have no answers', () => {
   const diagram = library.compute([])
   expect(closestPair(diagram)).toBeUndefined()
-  expect(largestEmptyDisc(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
-  expect(largestEmptyDiscInHull(diagram)).toBeUndefined()
+  expect(largestEmptyDiscCentredIn(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
+  expect(largestEmptyDiscCentredInHull(diagram)).toBeUndefined()
+  expect(largestEmptyDiscInside(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
   expect(neighborPairs(diagram)).toHaveLength(0)
   expect(hull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
 })

@@ -5,10 +5,11 @@
 // affine map. Let w = cosh h, the weight of the arc as a rational Bezier curve, be
 //
 //     w = (sqrt(to / from) + sqrt(from / to)) / 2.
-import { type Bisector, pointAt } from './bisector.ts'
+import { type Bisector, inPlane, pointAt } from './bisector.ts'
 import type { BoundedCurve } from './curve.ts'
 import type { PathSink } from './path-sink.ts'
-import { between, length, type Point } from './point.ts'
+import { between, type Point } from './point.ts'
+import { lengthOf } from './scale.ts'
 
 /** A conic section as a rational quadratic Bezier curve, with the weights 1, `weight`, 1 of its points. */
 export interface RationalBezier {
@@ -122,10 +123,10 @@ export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
 }
 
 /** Where the tangents at two parameters meet: the polar form of the branch. */
-export function controlPoint({ origin, along, across, apex, a, b }: Bisector, from: number, to: number): Point {
+export function controlPoint(bisector: Bisector, from: number, to: number): Point {
+  const { apex, a, b } = bisector
   const u = apex - Math.abs(a) * (((from - 1) / (from + to)) * (to - 1))
-  const v = b * ((from * to - 1) / (from + to))
-  return { x: origin.x + (u * along.x + v * across.x), y: origin.y + (u * along.y + v * across.y) }
+  return inPlane(bisector, u, b * ((from / (from + to)) * to - 1 / (from + to)))
 }
 
 /** w - 1 */
@@ -135,7 +136,7 @@ function excessOf(from: number, to: number): number {
 }
 
 /**
- * The largest distance of an arc from its chord, or a bound. On one side of the apex the arc turns by less than a right
+ * The largest distance of an arc from its chord, or a bound; as all lengths of a bisector, in its unit. On one side of the apex the arc turns by less than a right
  * angle, so the distance is largest at the middle parameter, where the tangent is parallel to the chord: w - 1 times the
  * distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer to the line of
  * its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times |a|.
@@ -147,16 +148,16 @@ function chordError({ a, b }: Bisector, from: number, to: number): number {
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const x = (a * (middle - 1 / middle)) / 2
   const y = (b * (middle + 1 / middle)) / 2
-  return along * (b / Math.sqrt(x * x + y * y))
+  return along * (b / lengthOf({ x, y }))
 }
 
 /**
  * Whether a bound without roots tells that an arc keeps within a tolerance of its chord, as most in a drawing do: the error
  * is at most |a| (w - 1), and w - 1 = (w^2 - 1) / (w + 1) at most (to - from)^2 / (8 from to).
  */
-function isNearlyStraight({ a }: Bisector, from: number, to: number, tolerance: number): boolean {
+function isNearlyStraight({ a, unit }: Bisector, from: number, to: number, tolerance: number): boolean {
   const difference = to - from
-  return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * tolerance
+  return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * (tolerance / unit)
 }
 
 /**
@@ -193,7 +194,6 @@ function farthest(
   tolerance: number,
   error: (bisector: Bisector, from: number, to: number) => number,
 ): number {
-  // The error is no number where squares of lengths underflow (1e-160): nothing is curved there that could be seen.
   if (!(error(bisector, from, to) > tolerance)) return to
   const halvings = 50
   const nearEnough = 1 / 32
@@ -207,9 +207,11 @@ function farthest(
   return good > from ? good : bad
 }
 
+/** A tolerance in the unit of the bisector, and not below a share of the arc's extent. */
 function atLeast(share: number, { bisector, from, to, start, end }: BoundedCurve, tolerance: number): number {
-  const least = share * (length(between(start, end)) + chordError(bisector, from, to))
-  return tolerance > least ? tolerance : least
+  const { unit } = bisector
+  const least = share * (lengthOf(between(start, end)) / unit + chordError(bisector, from, to))
+  return tolerance / unit > least ? tolerance / unit : least
 }
 
 function mix(p: Point, q: Point, share: number): Point {

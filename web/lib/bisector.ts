@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from './diagram-data.ts'
 import type { Metric } from './metric.ts'
-import type { Point, Vector } from './point.ts'
+import { between, dot, length, type Point, type Vector } from './point.ts'
+import { largestOf, lengthOf, measuredIn, powerOfTwoIn, unitFor } from './scale.ts'
 
 /**
  * The bisector of two circles, the points at the same distance from both: one branch of a hyperbola whose foci are the
@@ -14,7 +15,8 @@ import type { Point, Vector } from './point.ts'
  * usual (|a| cosh t, b sinh t), without cancellation near the smaller circle and without functions that differ between
  * platforms. For equal radii a is 0 and the branch is a straight line, as it is for the other metrics.
  *
- * Lengths are squared: below about 1e-150 they count as zero, and arcs of such circles end but are not right.
+ * a, b and apex are measured in `unit`, which is 1 unless the circles are so near or so far that products of lengths would
+ * leave the range of numbers: curves of all circles that `compute` takes are right up to rounding.
  *
  * Multiplying s by a number is an affine map of the branch onto itself: an arc is as curved as the ratio of the parameters
  * of its ends says, wherever it lies.
@@ -24,6 +26,8 @@ export interface Bisector {
   readonly left: Point
   /** and of the right one. */
   readonly right: Point
+  /** Of a, b and apex: 1 or a power of two. */
+  readonly unit: number
   /** (r_left - r_right) / 2 */
   readonly a: number
   /** a^2 + b^2 = c^2, where c is half the distance of the centres; above 0 */
@@ -46,6 +50,10 @@ const SMALLEST_PARAMETER = 1e-300
 const LARGEST_PARAMETER = 1e300
 /** Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray. */
 const SMALLEST_B = 2 ** -50
+/** What is nearer to each other than this share of where it is seen from, is seen as one. */
+const FINEST = 2 ** -900
+/** The line of equal power may lie beyond all numbers. */
+const FARTHEST_APEX = 1e300
 
 /** The bisector of two circles with cells; `circles`: x, y, r each. */
 export function bisector(circles: Float64Array, left: number, right: number, metric: Metric = 'circles'): Bisector {
@@ -53,49 +61,66 @@ export function bisector(circles: Float64Array, left: number, right: number, met
   const rightCentre = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
   const leftRadius = at(circles, 3 * left + 2)
   const rightRadius = at(circles, 3 * right + 2)
-  const difference = metric === 'circles' ? leftRadius - rightRadius : 0
-  const size = Math.abs(difference)
-  const originIsLeft = difference <= 0
+  const originIsLeft = metric !== 'circles' || leftRadius <= rightRadius
   const origin = originIsLeft ? leftCentre : rightCentre
-  const other = originIsLeft ? rightCentre : leftCentre
-  const dx = other.x - origin.x
-  const dy = other.y - origin.y
-  const d = Math.sqrt(dx * dx + dy * dy)
-  const along = { x: dx / d, y: dy / d }
+  const toOther = between(origin, originIsLeft ? rightCentre : leftCentre)
+  const unit = unitFor(largestOf(toOther))
+  const { x, y } = measuredIn(unit, toOther)
+  const d = length({ x, y })
+  const difference = metric === 'circles' ? (leftRadius - rightRadius) / unit : 0
+  const size = Math.abs(difference)
+  const along = { x: x / d, y: y / d }
+  const shift =
+    metric === 'power' ? ((leftRadius - rightRadius) / unit) * ((leftRadius + rightRadius) / unit / (2 * d)) : 0
   return {
     left: leftCentre,
     right: rightCentre,
+    unit,
     a: difference / 2,
     // Not c^2 - a^2, which cancels for a circle almost inside the other.
     b: Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2,
     origin,
     along,
     across: originIsLeft ? { x: -along.y, y: along.x } : { x: along.y, y: -along.x },
-    apex:
-      metric === 'power' ? d / 2 + (leftRadius - rightRadius) * ((leftRadius + rightRadius) / (2 * d)) : (d - size) / 2,
+    apex: Math.min(Math.max((d - size) / 2 + shift, -FARTHEST_APEX), FARTHEST_APEX),
   }
 }
 
 /** The point of the bisector with parameter 0 < s < infinity. */
-export function pointAt({ origin, along, across, apex, a, b }: Bisector, s: number): Point {
-  const u = apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2))
-  const v = (b * (s - 1 / s)) / 2
-  return { x: origin.x + (u * along.x + v * across.x), y: origin.y + (u * along.y + v * across.y) }
+export function pointAt(bisector: Bisector, s: number): Point {
+  const { apex, a, b } = bisector
+  return inPlane(bisector, apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)), (b * (s - 1 / s)) / 2)
+}
+
+/** The point at some lengths along and across from the origin, in the bisector's unit. */
+export function inPlane({ origin, unit, along, across }: Bisector, u: number, v: number): Point {
+  return { x: origin.x + unit * (u * along.x + v * across.x), y: origin.y + unit * (u * along.y + v * across.y) }
 }
 
 /** The parameter of the point of the bisector next to (x, y), a point on it but for rounding. */
-export function parameterAt({ origin, across, apex, a, b }: Bisector, x: number, y: number): number {
-  const dx = x - origin.x
-  const dy = y - origin.y
-  const sine = (dx * across.x + dy * across.y) / b
+export function parameterAt({ origin, unit, across, apex, a, b }: Bisector, x: number, y: number): number {
+  const toPoint = measuredIn(unit, between(origin, { x, y }))
+  const sine = dot(toPoint, across) / b
   const c = apex + Math.abs(a)
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
   // changes faster. Of a narrow branch that is the distance.
-  const isSteep = a !== 0 && c * Math.abs(sine) > b * Math.sqrt(sine * sine + 1)
-  const rise = (Math.sqrt(dx * dx + dy * dy) - apex) / c
+  const isSteep = a !== 0 && c * Math.abs(sine) > b * lengthOf({ x: sine, y: 1 })
+  const rise = (lengthOf(toPoint) - apex) / c
   if (!isSteep || !(rise > 0)) return exponentialOf(sine)
   const size = Math.sqrt(rise) * Math.sqrt(rise + 2)
   return exponentialOf(sine < 0 ? -size : size)
+}
+
+/**
+ * The bisector as it is to be drawn with what lies up to `reach` away from its origin: two circles that are too near to
+ * each other to be told apart from there are moved apart, but a straight branch stays where it is. Itself for most.
+ */
+export function movedApart(bisector: Bisector, reach: number): Bisector {
+  const { a, b, apex } = bisector
+  const least = (FINEST * reach) / (Math.abs(a) + b)
+  if (!(least > bisector.unit)) return bisector
+  const unit = powerOfTwoIn(least)
+  return { ...bisector, unit, apex: a === 0 ? apex * (bisector.unit / unit) : apex }
 }
 
 /** e^t for t = arsinh(sine). */

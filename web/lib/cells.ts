@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type EdgeCurve, edgeCurve, reversed } from './curve.ts'
-import { at, type DiagramData, NONE } from './diagram-data.ts'
-import { distance } from './metric.ts'
+import { at, circleAt, type DiagramData, NONE, vertexAt } from './diagram-data.ts'
+import { between, dot } from './point.ts'
+import { lengthOf } from './scale.ts'
 
 /**
  * The cells of a diagram: which sides each has, in order. Made once per diagram, in linear time.
@@ -109,22 +110,38 @@ export class Cells {
    * intersection of half-planes, one for each neighbour. False for a hidden circle.
    */
   contains(circle: number, x: number, y: number): boolean {
-    const own = distance(this.diagram, circle, x, y)
     return (
-      this.exists(circle) &&
-      this.sides(circle).every((side) => own <= distance(this.diagram, this.neighborOf(side), x, y))
+      this.exists(circle) && this.sides(circle).every((side) => this.lead(circle, this.neighborOf(side), x, y) >= 0)
     )
+  }
+
+  /**
+   * How much nearer (x, y) is to one circle than to another, negative if the other is nearer: the difference of their
+   * distances, but without cancellation where the point is far away. Of the metric `power` it is divided by a length.
+   */
+  lead(circle: number, other: number, x: number, y: number): number {
+    // |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d))
+    const { circles, metric } = this.diagram
+    const c = circleAt(circles, circle)
+    const d = circleAt(circles, other)
+    const fromCircle = between(c, { x, y })
+    const fromOther = between(d, { x, y })
+    const difference = metric === 'centres' ? 0 : d.r - c.r
+    let size = lengthOf(fromCircle) + lengthOf(fromOther)
+    if (metric === 'power') size += c.r + d.r
+    if (size === 0) return -difference
+    const sum = { x: fromCircle.x / size + fromOther.x / size, y: fromCircle.y / size + fromOther.y / size }
+    const nearer = dot(between(d, c), sum)
+    return nearer - (metric === 'power' ? difference * (c.r / size + d.r / size) : difference)
   }
 
   /** The largest distance from the centre of the side's circle to a point of the side: that of one of its ends. */
   #reachOf(side: number): number {
-    const { circles, vertices } = this.diagram
-    const circle = this.circleOf(side)
-    const distanceTo = (vertex: number) => {
-      const dx = at(vertices, 3 * vertex) - at(circles, 3 * circle)
-      const dy = at(vertices, 3 * vertex + 1) - at(circles, 3 * circle + 1)
-      return vertex === NONE ? Number.POSITIVE_INFINITY : Math.sqrt(dx * dx + dy * dy)
-    }
+    const centre = circleAt(this.diagram.circles, this.circleOf(side))
+    const distanceTo = (vertex: number) =>
+      vertex === NONE
+        ? Number.POSITIVE_INFINITY
+        : Math.min(lengthOf(between(centre, vertexAt(this.diagram, vertex))), Number.MAX_VALUE)
     return Math.max(distanceTo(this.originOf(side)), distanceTo(this.targetOf(side)))
   }
 

@@ -6,7 +6,8 @@ import type { Diagram } from './diagram.ts'
 import { at, circleAt, NONE } from './diagram-data.ts'
 import { Heap } from './heap.ts'
 import { distance } from './metric.ts'
-import { between, dot, type Point } from './point.ts'
+import { between, type Point } from './point.ts'
+import { facing } from './scale.ts'
 
 /** A path among circles that keeps as far from all of them as any path between its ends can. */
 export interface ClearestPath {
@@ -72,7 +73,7 @@ function exitOf(diagram: Diagram, circle: number, p: Point): Exit | undefined {
     for (const s of new LineCrossing(bisector, c, direction).parameters) {
       const point = pointAt(bisector, s)
       const miss = s < from ? from / s : s > to ? s / to : 1
-      if (!(dot(direction, between(c, point)) > 0) || miss >= leastMiss) continue
+      if (!(facing(direction, between(c, point)) > 0) || miss >= leastMiss) continue
       leastMiss = miss
       exit = { edge: side >> 1, parameter: Math.min(Math.max(s, from), to), point }
     }
@@ -118,7 +119,6 @@ function reached(diagram: Diagram, from: Exit | undefined): Reach {
   }
   const pending = new Heap()
   const offer = (node: number, clearance: number, edge: number, before: number) => {
-    // Never one that is no number, as where squares of lengths underflow: it would have no end.
     if (!(clearance > at(reach.clearance, node))) return
     reach.clearance[node] = clearance
     reach.edge[node] = edge

@@ -2,15 +2,23 @@
 import { controlPoint } from './bezier.ts'
 import { type Bisector, pointAt } from './bisector.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
-import { type BoundedCurve, type EdgeCurve, isBounded } from './curve.ts'
+import { type BoundedCurve, type EdgeCurve, isBounded, seenFrom } from './curve.ts'
 import { NONE } from './diagram-data.ts'
 import { between, dot, type Point, type Vector } from './point.ts'
+import { largestOf, measuredIn, turn, unitFor } from './scale.ts'
 
 /**
- * A range of the parameter of a curve inside a region, and the sides of the region that cut it off there; `NONE` where it
- * ends with the curve.
+ * A part of a curve inside a region, and the sides of the region that cut it off, on which its ends lie then; `NONE` where
+ * it ends with the curve.
  */
-export interface Span {
+export interface Part {
+  readonly curve: BoundedCurve
+  readonly cutFrom: number
+  readonly cutTo: number
+}
+
+/** A range of the parameter, and the sides that cut it off. */
+interface Span {
   readonly from: number
   readonly to: number
   readonly cutFrom: number
@@ -19,14 +27,24 @@ export interface Span {
 
 /** The pieces of an arc inside a region, in order: bounded, and several if the arc leaves the region and comes back. */
 export function clip(curve: EdgeCurve, bounds: Bounds): BoundedCurve[] {
-  const region = ConvexPolygon.of(bounds)
-  return clipSpans(curve, region)
-    .map((span) => part(curve, span, region))
-    .filter(isBounded)
+  return partsInside(curve, ConvexPolygon.of(bounds)).map((part) => part.curve)
 }
 
-/** The parts of a curve inside a region, in order. A part that is not cut reaches the end of the curve. */
-export function clipSpans(curve: EdgeCurve, region: ConvexPolygon): Span[] {
+/** The parts of a curve inside a region, in order: bounded. */
+export function partsInside(whole: EdgeCurve, region: ConvexPolygon): Part[] {
+  const curve = seenFrom(whole, region.reachFrom(whole.bisector.origin))
+  const parts: Part[] = []
+  for (const { from, to, cutFrom, cutTo } of spansInside(curve, region)) {
+    const { bisector } = curve
+    const start = cutFrom === NONE ? curve.start : onSide(region, cutFrom, pointAt(bisector, from))
+    const end = cutTo === NONE ? curve.end : onSide(region, cutTo, pointAt(bisector, to))
+    const part = { bisector, from, to, start, end }
+    if (isBounded(part)) parts.push({ curve: part, cutFrom, cutTo })
+  }
+  return parts
+}
+
+function spansInside(curve: EdgeCurve, region: ConvexPolygon): Span[] {
   let spans: Span[] = [{ from: curve.from, to: curve.to, cutFrom: NONE, cutTo: NONE }]
   if (isBounded(curve)) {
     const place = placeOf(curve, region)
@@ -61,34 +79,23 @@ function placeOf(
   let isInside = true
   for (let side = 0; side < region.corners.length; side++) {
     const corner = region.corner(side)
-    const { x: dx, y: dy } = between(corner, region.cornerAfter(side))
-    const first = dx * (start.y - corner.y) - dy * (start.x - corner.x)
-    const second = dx * (control.y - corner.y) - dy * (control.x - corner.x)
-    const third = dx * (end.y - corner.y) - dy * (end.x - corner.x)
+    const direction = between(corner, region.cornerAfter(side))
+    const first = turn(direction, between(corner, start))
+    const second = turn(direction, between(corner, control))
+    const third = turn(direction, between(corner, end))
     if (first < 0 && second < 0 && third < 0) return 'outside'
     isInside &&= first >= 0 && second >= 0 && third >= 0
   }
   return isInside ? 'inside' : 'cut'
 }
 
-/** That part of the curve; where it is cut, its ends lie on the side of the region. */
-export function part(curve: EdgeCurve, { from, to, cutFrom, cutTo }: Span, region: ConvexPolygon): EdgeCurve {
-  if (cutFrom === NONE && cutTo === NONE) return curve
-  const { bisector } = curve
-  return {
-    bisector,
-    from,
-    to,
-    start: cutFrom === NONE ? curve.start : onSide(region, cutFrom, pointAt(bisector, from)),
-    end: cutTo === NONE ? curve.end : onSide(region, cutTo, pointAt(bisector, to)),
-  }
-}
-
 function onSide(region: ConvexPolygon, side: number, p: Point): Point {
   const from = region.corner(side)
   const to = region.cornerAfter(side)
   const direction = between(from, to)
-  const share = dot(between(from, p), direction) / dot(direction, direction)
+  const unit = unitFor(largestOf(direction))
+  const along = measuredIn(unit, direction)
+  const share = dot(measuredIn(unit, between(from, p)), along) / dot(along, along)
   if (share <= 0) return from
   if (share >= 1) return to
   return { x: from.x + share * direction.x, y: from.y + share * direction.y }
@@ -99,6 +106,7 @@ function onSide(region: ConvexPolygon, side: number, p: Point): Point {
  *
  * With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
  * (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex along).
+ * Only the ratios of A, B and k count.
  */
 export class LineCrossing {
   /** The parameters, increasing: none, one or two. */
@@ -108,10 +116,16 @@ export class LineCrossing {
   readonly #decay: number
 
   constructor(bisector: Bisector, p: Point, direction: Vector) {
-    const normal = { x: direction.y, y: -direction.x }
-    const a = -Math.abs(bisector.a) * dot(normal, bisector.along)
-    const b = bisector.b * dot(normal, bisector.across)
-    const k = dot(normal, between(bisector.origin, p)) - bisector.apex * dot(normal, bisector.along)
+    const along = measuredIn(unitFor(largestOf(direction)), direction)
+    const normal = { x: along.y, y: -along.x }
+    let a = -Math.abs(bisector.a) * dot(normal, bisector.along)
+    let b = bisector.b * dot(normal, bisector.across)
+    const toPoint = measuredIn(bisector.unit, between(bisector.origin, p))
+    let k = dot(normal, toPoint) - bisector.apex * dot(normal, bisector.along)
+    const unit = unitFor(Math.max(Math.abs(a), Math.abs(b), Math.abs(k)))
+    a /= unit
+    b /= unit
+    k /= unit
     this.#growth = a + b
     this.#half = a + k
     this.#decay = a - b

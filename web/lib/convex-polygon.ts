@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from './errors.ts'
-import { between, cross, dot, type Point, type Vector } from './point.ts'
+import { between, cross, type Point, type Vector } from './point.ts'
+import { facing, largestOf, turn } from './scale.ts'
 
 /** An axis-parallel rectangle, minX < maxX and minY < maxY. */
 export interface Box {
@@ -9,6 +10,9 @@ export interface Box {
   readonly maxX: number
   readonly maxY: number
 }
+
+/** The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers. */
+export const REGION_LIMIT = 1e152
 
 /** What curves and cells are clipped to. */
 export type Bounds = Box | ConvexPolygon
@@ -34,13 +38,13 @@ export class ConvexPolygon {
   /**
    * From corners in counter-clockwise order; corners on the line through their neighbours are allowed.
    *
-   * @throws CircleVoronoiError `badOption`, if there are fewer than three corners, one is not finite, two in a row are
-   * equal, or they do not turn left exactly once.
+   * @throws CircleVoronoiError `badOption`, if there are fewer than three corners, a coordinate is not finite or exceeds
+   * `REGION_LIMIT`, two corners in a row are equal, or they do not turn left exactly once.
    */
   static from(corners: readonly Point[]): ConvexPolygon {
     if (corners.length < 3) refuse('A convex polygon needs three corners or more.')
-    if (!corners.every(({ x, y }) => Number.isFinite(x) && Number.isFinite(y))) {
-      refuse('A corner of the polygon is not finite.')
+    if (!corners.every(({ x, y }) => isInRange(x) && isInRange(y))) {
+      refuse('A corner of the polygon is not finite, or beyond 1e152.')
     }
     const polygon = new ConvexPolygon(corners.map(({ x, y }) => ({ x, y })))
     const sides = polygon.corners.map((corner, k) => between(corner, polygon.cornerAfter(k)))
@@ -48,8 +52,8 @@ export class ConvexPolygon {
     sides.forEach((out, k) => {
       const before = sides.at(k - 1) as Vector
       if (out.x === 0 && out.y === 0) refuse('Two corners of the polygon in a row are equal.')
-      const turn = cross(before, out)
-      if (turn < 0 || (turn === 0 && dot(before, out) < 0)) {
+      const side = turn(before, out)
+      if (side < 0 || (side === 0 && facing(before, out) < 0)) {
         refuse('The polygon is not convex, or its corners are not counter-clockwise.')
       }
       if (isUpper(before) !== isUpper(out)) halfTurns += 1
@@ -61,13 +65,14 @@ export class ConvexPolygon {
   /**
    * The polygon of some bounds.
    *
-   * @throws CircleVoronoiError `badOption`, if they are an empty box or one that is not finite.
+   * @throws CircleVoronoiError `badOption`, if they are a box that is empty, or a coordinate is not finite or exceeds
+   * `REGION_LIMIT`.
    */
   static of(bounds: Bounds): ConvexPolygon {
     if (bounds instanceof ConvexPolygon) return bounds
     const { minX, minY, maxX, maxY } = bounds
-    if (!(minX < maxX && minY < maxY && Number.isFinite(maxX - minX) && Number.isFinite(maxY - minY))) {
-      refuse('The box is empty, or not finite.')
+    if (!(minX < maxX && minY < maxY && [minX, minY, maxX, maxY].every(isInRange))) {
+      refuse('The box is empty, or a coordinate is not finite, or beyond 1e152.')
     }
     return new ConvexPolygon([
       { x: minX, y: minY },
@@ -89,7 +94,14 @@ export class ConvexPolygon {
 
   /** Whether a point is inside or on the boundary. */
   contains(p: Point): boolean {
-    return this.corners.every((corner, k) => cross(between(corner, this.cornerAfter(k)), between(corner, p)) >= 0)
+    return this.corners.every((corner, k) => turn(between(corner, this.cornerAfter(k)), between(corner, p)) >= 0)
+  }
+
+  /** How far what is inside may be from a point, along one axis. */
+  reachFrom(p: Point): number {
+    let reach = 0
+    for (const corner of this.corners) reach = Math.max(reach, largestOf(between(p, corner)))
+    return reach
   }
 
   /** The area. */
@@ -112,6 +124,10 @@ export class ConvexPolygon {
 /** Whether a direction lies in the half-open upper half-plane; it changes twice in each full turn. */
 function isUpper({ x, y }: Vector): boolean {
   return y > 0 || (y === 0 && x > 0)
+}
+
+function isInRange(coordinate: number): boolean {
+  return Math.abs(coordinate) <= REGION_LIMIT
 }
 
 function refuse(message: string): never {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { type Bisector, bisector, exponentialOf, parameterAt } from './bisector.ts'
+import { type Bisector, bisector, exponentialOf, movedApart, parameterAt } from './bisector.ts'
 import { at, type DiagramData, NONE } from './diagram-data.ts'
 import { between, length, type Point } from './point.ts'
+import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
 
 /**
  * An arc of a bisector, from parameter `from` to parameter `to` >= `from`. An end at infinity has the parameter 0 or
@@ -29,27 +30,43 @@ export function isBounded(curve: EdgeCurve): curve is BoundedCurve {
   return curve.start !== undefined && curve.end !== undefined
 }
 
-/** The curve of edge `edge` of a diagram. */
+/**
+ * The curve of edge `edge` of a diagram. Where it ends more than 2^900 times as far away as the two centres are from each
+ * other, they are moved apart to 2^-900 of that: that cannot be seen from there, and parameters stay in the range of
+ * numbers.
+ */
 export function edgeCurve({ circles, metric, vertices, edges }: DiagramData, edge: number): EdgeCurve {
   const start = at(edges, 4 * edge + 2)
   const end = at(edges, 4 * edge + 3)
-  const curve = bisector(circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
   const startPoint = start === NONE ? undefined : { x: at(vertices, 3 * start), y: at(vertices, 3 * start + 1) }
   const endPoint = end === NONE ? undefined : { x: at(vertices, 3 * end), y: at(vertices, 3 * end + 1) }
-  let from = startPoint === undefined ? 0 : parameterAt(curve, startPoint.x, startPoint.y)
-  let to = endPoint === undefined ? Number.POSITIVE_INFINITY : parameterAt(curve, endPoint.x, endPoint.y)
+  const whole = bisector(circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
+  const reachOf = (p: Point | undefined) => (p === undefined ? 0 : largestOf(between(whole.origin, p)))
+  return arcBetween(movedApart(whole, Math.max(reachOf(startPoint), reachOf(endPoint))), startPoint, endPoint)
+}
+
+/** The arc of a bisector with two ends, of which those that are `undefined` are at infinity. */
+function arcBetween(curve: Bisector, start: Point | undefined, end: Point | undefined): EdgeCurve {
+  let from = start === undefined ? 0 : parameterAt(curve, start.x, start.y)
+  let to = end === undefined ? Number.POSITIVE_INFINITY : parameterAt(curve, end.x, end.y)
   // The order of the ends is certified: where the parameters contradict it, the edge has length zero up to rounding.
   if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
-  return { bisector: curve, from, to, start: startPoint, end: endPoint }
+  return { bisector: curve, from, to, start, end }
+}
+
+/** A curve as it is to be drawn with what lies up to `reach` away from its origin (`movedApart`). */
+export function seenFrom(curve: EdgeCurve, reach: number): EdgeCurve {
+  const bisector = movedApart(curve.bisector, reach)
+  return bisector === curve.bisector ? curve : arcBetween(bisector, curve.start, curve.end)
 }
 
 /** The same arc run through the other way: left and right change places. */
 export function reversed(curve: BoundedCurve): BoundedCurve
 export function reversed(curve: EdgeCurve): EdgeCurve
 export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCurve {
-  const { left, right, a, b, origin, along, across, apex } = bisector
+  const { left, right, a, across } = bisector
   return {
-    bisector: { left: right, right: left, a: -a, b, origin, along, across: { x: -across.x, y: -across.y }, apex },
+    bisector: { ...bisector, left: right, right: left, a: -a, across: { x: -across.x, y: -across.y } },
     // 1 / infinity is 0, and the other way round.
     from: 1 / to,
     to: 1 / from,
@@ -61,15 +78,17 @@ export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCur
 /** The straight segment from `start` to `end`, which differ. */
 export function segment(start: Point, end: Point): BoundedCurve {
   const chord = between(start, end)
-  const size = length(chord)
-  const across = { x: chord.x / size, y: chord.y / size }
+  const unit = unitFor(largestOf(chord))
+  const { x, y } = measuredIn(unit, chord)
+  const size = length({ x, y })
+  const across = { x: x / size, y: y / size }
   const along = { x: across.y, y: -across.x }
-  const half = size / 2
+  const half = lengthOf(chord) / 2
   const middle = { x: start.x + chord.x / 2, y: start.y + chord.y / 2 }
   const left = { x: middle.x - half * along.x, y: middle.y - half * along.y }
   const right = { x: middle.x + half * along.x, y: middle.y + half * along.y }
   return {
-    bisector: { left, right, a: 0, b: half, origin: left, along, across, apex: half },
+    bisector: { left, right, unit, a: 0, b: size / 2, origin: left, along, across, apex: size / 2 },
     from: exponentialOf(-1),
     to: exponentialOf(1),
     start,

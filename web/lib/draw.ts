@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { traceArc } from './bezier.ts'
 import type { Cells } from './cells.ts'
-import { clipSpans, part } from './clip.ts'
+import { partsInside } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 import { edgeCurve, isBounded, reversed } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
@@ -9,6 +9,7 @@ import { hull } from './hull.ts'
 import { outline } from './outline.ts'
 import type { PathSink } from './path-sink.ts'
 import type { Point } from './point.ts'
+import { lengthOf } from './scale.ts'
 
 /** Draws what of edge `e`, if there is such an edge, lies in a region, no farther than `tolerance` from the true curve. */
 export function drawEdge(
@@ -19,19 +20,16 @@ export function drawEdge(
   tolerance: number,
 ): void {
   if (!isIndex(e, diagram.edges.length / 4) || isBeyondEdge(diagram, e, region)) return
-  const curve = edgeCurve(diagram, e)
-  for (const span of clipSpans(curve, region)) {
-    const piece = part(curve, span, region)
-    if (!isBounded(piece)) continue
-    sink.moveTo(piece.start.x, piece.start.y)
-    traceArc(sink, piece, tolerance)
+  for (const { curve } of partsInside(edgeCurve(diagram, e), region)) {
+    sink.moveTo(curve.start.x, curve.start.y)
+    traceArc(sink, curve, tolerance)
   }
 }
 
 /** Draws the outline of what of a cell lies in a region, counter-clockwise: a closed path for each of its parts. */
 export function drawCell(sink: PathSink, cells: Cells, circle: number, region: ConvexPolygon, tolerance: number): void {
   const reach = cells.reach(circle)
-  if (!(squaredDistanceTo(region, cells.diagram, circle) <= reach * reach)) return
+  if (!(distanceTo(region, cells.diagram, circle) <= reach)) return
   if (holdsDisc(region, circleAt(cells.diagram.circles, circle), reach)) {
     drawWholeCell(sink, cells, circle, tolerance)
     return
@@ -62,7 +60,7 @@ export function drawHull(sink: PathSink, diagram: DiagramData): void {
   const { arcs } = hull(diagram)
   arcs.forEach(({ circle, start, angle }, k) => {
     const { x, y } = circleAt(diagram.circles, circle)
-    const radius = Math.sqrt((start.x - x) * (start.x - x) + (start.y - y) * (start.y - y))
+    const radius = lengthOf({ x: start.x - x, y: start.y - y })
     const from = Math.atan2(start.y - y, start.x - x)
     if (k === 0) sink.moveTo(start.x, start.y)
     else sink.lineTo(start.x, start.y)
@@ -104,12 +102,9 @@ function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): b
   if (start === NONE || end === NONE) return false
   const x = at(circles, 3 * left)
   const y = at(circles, 3 * left + 1)
-  const startX = at(vertices, 3 * start) - x
-  const startY = at(vertices, 3 * start + 1) - y
-  const endX = at(vertices, 3 * end) - x
-  const endY = at(vertices, 3 * end + 1) - y
-  const reach = Math.max(startX * startX + startY * startY, endX * endX + endY * endY)
-  return reach < squaredDistanceTo(region, diagram, left)
+  const toStart = lengthOf({ x: at(vertices, 3 * start) - x, y: at(vertices, 3 * start + 1) - y })
+  const toEnd = lengthOf({ x: at(vertices, 3 * end) - x, y: at(vertices, 3 * end + 1) - y })
+  return Math.max(toStart, toEnd) < distanceTo(region, diagram, left)
 }
 
 /** Whether the square around a disc lies in the region. */
@@ -117,11 +112,11 @@ function holdsDisc(region: ConvexPolygon, { x, y }: Point, radius: number): bool
   return [-radius, radius].every((dx) => [-radius, radius].every((dy) => region.contains({ x: x + dx, y: y + dy })))
 }
 
-/** At most the squared distance from a circle's centre to the region. */
-function squaredDistanceTo({ box }: ConvexPolygon, { circles }: DiagramData, circle: number): number {
+/** At most the distance from a circle's centre to the region. */
+function distanceTo({ box }: ConvexPolygon, { circles }: DiagramData, circle: number): number {
   const x = at(circles, 3 * circle)
   const y = at(circles, 3 * circle + 1)
   const dx = Math.max(box.minX - x, 0, x - box.maxX)
   const dy = Math.max(box.minY - y, 0, y - box.maxY)
-  return dx * dx + dy * dy
+  return lengthOf({ x: dx, y: dy })
 }

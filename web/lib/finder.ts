@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Cells } from './cells.ts'
 import { at, NONE } from './diagram-data.ts'
-import { distance } from './metric.ts'
-import { cross, dot, type Vector } from './point.ts'
+import type { Vector } from './point.ts'
+import { facing, turn } from './scale.ts'
 
 /** Up to so many sides it is quicker to ask every neighbour, and the nearest one makes the longest step. */
 const FEW_SIDES = 24
@@ -26,7 +26,9 @@ export class Finder {
   readonly #minX: number = 0
   readonly #minY: number = 0
   readonly #columns: number = 0
-  /** Of a bucket. Centres on one line leave a grid without width or height; any size does there. */
+  /**
+   * Of a bucket. Centres on one line leave a grid without width or height, as does the smallest number; any size does there.
+   */
   readonly #width: number = 1
   readonly #height: number = 1
   /** A visible circle for each bucket, row by row. */
@@ -50,8 +52,8 @@ export class Finder {
       this.#minX = minX
       this.#minY = minY
       this.#columns = Math.floor(Math.sqrt(visible / PER_BUCKET)) + 1
-      if (maxX > minX) this.#width = (maxX - minX) / this.#columns
-      if (maxY > minY) this.#height = (maxY - minY) / this.#columns
+      this.#width = (maxX - minX) / this.#columns || 1
+      this.#height = (maxY - minY) / this.#columns || 1
     }
     this.#starts = this.#filledGrid()
   }
@@ -62,12 +64,19 @@ export class Finder {
    */
   find(x: number, y: number, hint: number = NONE): number {
     if (this.#columns === 0 || !Number.isFinite(x) || !Number.isFinite(y)) return NONE
-    const { diagram } = this.#cells
     let circle = at(this.#starts, this.#bucketOf(x, y))
-    if (this.#cells.exists(hint) && distance(diagram, hint, x, y) < distance(diagram, circle, x, y)) circle = hint
-    // Each step comes strictly nearer, so none is made twice.
-    for (let next = circle; next !== NONE; next = this.#nearerNeighbor(circle, x, y)) circle = next
-    return circle
+    if (this.#cells.exists(hint) && this.#cells.lead(hint, circle, x, y) > 0) circle = hint
+    // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
+    // that was marked at step 1, 2, 4, 8 and so on.
+    let marked = circle
+    for (let step = 0, markAt = 1; ; step++) {
+      const next = this.#nearerNeighbor(circle, x, y)
+      if (next === NONE || next === marked) return circle
+      circle = next
+      if (step !== markAt) continue
+      marked = circle
+      markAt *= 2
+    }
   }
 
   /**
@@ -128,13 +137,13 @@ export class Finder {
       asked = 4
       first = this.#sidesUpTo(sides, circle, x, y) + count - 2
     }
-    let least = distance(diagram, circle, x, y)
+    let most = 0
     let nearest = NONE
     for (let k = first; k < first + asked; k++) {
       const neighbor = cells.neighborOf(at(sides, k % count))
-      const toNeighbor = distance(diagram, neighbor, x, y)
-      if (toNeighbor >= least) continue
-      least = toNeighbor
+      const lead = cells.lead(neighbor, circle, x, y)
+      if (lead <= most) continue
+      most = lead
       nearest = neighbor
     }
     return nearest
@@ -176,9 +185,9 @@ export class Finder {
 /** Whether turning counter-clockwise from `reference` one meets v no later than w. */
 function noLater(reference: Vector, v: Vector, w: Vector): boolean {
   const isSecondHalf = (u: Vector) => {
-    const side = cross(reference, u)
-    return side < 0 || (side === 0 && dot(reference, u) < 0)
+    const side = turn(reference, u)
+    return side < 0 || (side === 0 && facing(reference, u) < 0)
   }
   if (isSecondHalf(v) !== isSecondHalf(w)) return isSecondHalf(w)
-  return cross(v, w) >= 0
+  return turn(v, w) >= 0
 }

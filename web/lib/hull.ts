@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, type Circle, circleAt, type DiagramData } from './diagram-data.ts'
-import { between, cross, dot, length, type Point } from './point.ts'
+import { between, cross, dot, type Point } from './point.ts'
+import { lengthOf } from './scale.ts'
 import { pointOn, tangentNormal } from './tangent.ts'
 
 /**
@@ -61,7 +62,7 @@ export function hull(diagram: DiagramData): Hull {
     const next = (arcs[(step + 1) % count] as HullArc).start
     const triangle = (p: Point, q: Point) => cross(between(origin, p), between(origin, q)) / 2
     const { r } = circleOf(step)
-    perimeter += r * angle + length(between(end, next))
+    perimeter += r * angle + lengthOf(between(end, next))
     area += triangle(start, end) + triangle(end, next) + (r * r * (angle - Math.sin(angle))) / 2
   })
   return { arcs, length: perimeter, area }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { pointAt } from './bisector.ts'
-import { clipSpans, LineCrossing, part } from './clip.ts'
+import { LineCrossing, partsInside } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
-import { edgeCurve } from './curve.ts'
+import { edgeCurve, seenFrom } from './curve.ts'
 import type { Diagram } from './diagram.ts'
 import { at, type Circle, circleAt, type DiagramData, edgeAt, NONE, type Vertex, vertexAt } from './diagram-data.ts'
 import { distance } from './metric.ts'
 import { between, dot, type Point } from './point.ts'
+import { largestOf } from './scale.ts'
 import { pointOn, tangentNormal } from './tangent.ts'
 
 /** A disc that meets no circle but for touching. */
@@ -17,13 +18,14 @@ export interface EmptyDisc {
 }
 
 /**
- * The largest disc with its centre inside a region that meets no circle but for touching; its radius is negative if circles
- * cover the region. `undefined` if there are no circles. The diagram is of the metric `circles`.
+ * The largest disc that meets no circle but for touching, of those with their centre inside a region, which they may stick
+ * out of: the place in the region that is farthest from all circles. Its radius is negative if circles cover the region.
+ * `undefined` if there are no circles. The diagram is of the metric `circles`.
  *
  * The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
  * cell it is convex along every line.
  */
-export function largestEmptyDisc(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
   const region = ConvexPolygon.of(bounds)
   const largest = new Largest(diagram)
   for (const corner of region.corners) {
@@ -38,11 +40,9 @@ export function largestEmptyDisc(diagram: Diagram, bounds: Bounds): EmptyDisc | 
     const radiusAt = (v: number) => (v === NONE ? Number.POSITIVE_INFINITY : at(diagram.vertices, 3 * v + 2))
     // Along an edge the distance is largest at one of its ends.
     if (Math.max(radiusAt(start), radiusAt(end)) <= largest.radius) continue
-    const curve = edgeCurve(diagram, e)
-    for (const span of clipSpans(curve, region)) {
-      const piece = part(curve, span, region)
-      if (span.cutFrom !== NONE) largest.offerAround(piece.start as Point, left, right)
-      if (span.cutTo !== NONE) largest.offerAround(piece.end as Point, left, right)
+    for (const { curve, cutFrom, cutTo } of partsInside(edgeCurve(diagram, e), region)) {
+      if (cutFrom !== NONE) largest.offerAround(curve.start, left, right)
+      if (cutTo !== NONE) largest.offerAround(curve.end, left, right)
     }
   }
   return largest.best
@@ -60,7 +60,7 @@ export function largestEmptyDisc(diagram: Diagram, bounds: Bounds): EmptyDisc | 
  * So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
  * inside the hull.
  */
-export function largestEmptyDiscInHull(diagram: Diagram): EmptyDisc | undefined {
+export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | undefined {
   const { cells, circles, hull, vertices, edges } = diagram
   const largest = new Largest(diagram)
   if (hull.length === 0) return undefined
@@ -82,7 +82,8 @@ export function largestEmptyDiscInHull(diagram: Diagram): EmptyDisc | undefined 
     largest.offerTouch(touch, i)
     const pending = [top]
     for (let side = pending.pop(); side !== undefined; side = pending.pop()) {
-      const { bisector, from, to } = cells.curveOf(side)
+      const whole = cells.curveOf(side)
+      const { bisector, from, to } = seenFrom(whole, largestOf(between(whole.bisector.origin, touch)))
       const line = new LineCrossing(bisector, touch, { x: -normal.y, y: normal.x })
       const crossings = line.parameters.filter((s) => from < s && s < to)
       const target = cells.targetOf(side)

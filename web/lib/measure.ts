@@ -2,18 +2,30 @@
 import type { Bisector } from './bisector.ts'
 import type { BoundedCurve } from './curve.ts'
 import type { Outline } from './outline.ts'
-import { between, cross, length, type Point } from './point.ts'
+import { between, cross, type Point } from './point.ts'
+import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
+
+/** An area of less than this share of the square around it is but rounding. */
+const ROUNDING_OF_AREA = 2 ** -44
 
 /** Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone. */
 export function area(outline: Outline): number {
-  return momentsOf(outline).area
+  const unit = unitFor(extentOf(outline))
+  return momentsOf(outline, unit).area * unit * unit
 }
 
-/** The centre of mass, likewise. Of an outline without area it is that of its end points; (0, 0) if it is empty. */
+/**
+ * The centre of mass, likewise. Of an outline without area but for rounding it is that of its end points; (0, 0) if it is
+ * empty.
+ */
 export function centroid(outline: Outline): Point {
   const reference = referenceOf(outline)
-  const { area, x, y } = momentsOf(outline)
-  if (area > 0) return { x: reference.x + x / area, y: reference.y + y / area }
+  const extent = extentOf(outline)
+  const unit = unitFor(extent)
+  const { area, x, y } = momentsOf(outline, unit)
+  if (area > ROUNDING_OF_AREA * (extent / unit) * (extent / unit)) {
+    return { x: reference.x + unit * (x / area), y: reference.y + unit * (y / area) }
+  }
   const starts = outline.flat().map(({ curve }) => between(reference, curve.start))
   if (starts.length === 0) return reference
   return {
@@ -22,40 +34,56 @@ export function centroid(outline: Outline): Point {
   }
 }
 
-/** The length of all pieces, to about 1e-12 of it. */
+/** The length of all pieces, likewise (`arcLength`). */
 export function perimeter(outline: Outline): number {
   return outline.flat().reduce((sum, { curve }) => sum + arcLength(curve), 0)
 }
 
-/** The length of a bounded arc, by quadrature, to about 1e-12 of it. */
+/**
+ * The length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which takes some
+ * tens of square roots whatever the arc.
+ */
 export function arcLength({ bisector, from, to, start, end }: BoundedCurve): number {
-  if (bisector.a === 0) return length(between(start, end))
-  if (to <= 1) return lengthBeyondApex(bisector, 1 / to, 1 / from)
-  if (from >= 1) return lengthBeyondApex(bisector, from, to)
-  return lengthBeyondApex(bisector, 1, 1 / from) + lengthBeyondApex(bisector, 1, to)
+  const { unit, a, b } = bisector
+  const chord = lengthOf(between(start, end))
+  if (a === 0 || !(to > from)) return chord
+  let length = 0
+  if (to <= 1) length = lengthBeyondApex(bisector, 1 / to, 1 / from)
+  else if (from >= 1) length = lengthBeyondApex(bisector, from, to)
+  else length = lengthBeyondApex(bisector, 1, 1 / from) + lengthBeyondApex(bisector, 1, to)
+  // The chord from point(from) to point(to), which are the ends but for rounding.
+  const middle = Math.sqrt(from) * Math.sqrt(to)
+  const span = (to - from) / middle
+  const straight = span * lengthOf({ x: (a * (middle - 1 / middle)) / 2, y: (b * (middle + 1 / middle)) / 2 })
+  return chord + unit * Math.max(length - straight, 0)
 }
 
-/** A region's area and the integrals of x and y over it, relative to a point. */
+/** A region's area and the integrals of x and y over it, relative to a point, all lengths in some unit. */
 interface Moments {
   readonly area: number
   readonly x: number
   readonly y: number
 }
 
-/** The start of the first piece. */
+/** The start of the first piece: moments are taken relative to it. */
 function referenceOf(outline: Outline): Point {
   return outline[0]?.[0]?.curve.start ?? { x: 0, y: 0 }
 }
 
-/** Moments relative to the start of the first piece. */
-function momentsOf(outline: Outline): Moments {
+/** About the largest distance of two points of an outline. */
+function extentOf(outline: Outline): number {
+  const reference = referenceOf(outline)
+  return outline.flat().reduce((most, { curve }) => Math.max(most, largestOf(between(reference, curve.start))), 0)
+}
+
+function momentsOf(outline: Outline, unit: number): Moments {
   const reference = referenceOf(outline)
   let [area, x, y] = [0, 0, 0]
   for (const { curve } of outline.flat()) {
-    const u = between(reference, curve.start)
-    const v = between(reference, curve.end)
+    const u = measuredIn(unit, between(reference, curve.start))
+    const v = measuredIn(unit, between(reference, curve.end))
     const triangle = cross(u, v) / 2
-    const beyond = momentsOverChord(curve, reference)
+    const beyond = momentsOverChord(curve, reference, unit)
     area += triangle + beyond.area
     x += (triangle * (u.x + v.x)) / 3 + beyond.x
     y += (triangle * (u.y + v.y)) / 3 + beyond.y
@@ -68,24 +96,26 @@ function momentsOf(outline: Outline): Moments {
  *
  * In the frame of the middle of the hyperbola and of conjugate half-diameters along the arc's middle parameter, the region
  * is sqrt(1 + y^2) <= x <= cosh h with |y| <= sinh h, h half the width of the arc in t. Its area is (sinh(2 h) - 2 h) / 2,
- * and the integral of x over it 2 / 3 sinh^3 h.
+ * and the integral of x over it 2 / 3 sinh^3 h. Both are divided by e^(2 h), as it may be beyond all numbers.
  */
-function momentsOverChord({ bisector, from, to }: BoundedCurve, reference: Point): Moments {
+function momentsOverChord({ bisector, from, to }: BoundedCurve, reference: Point, unit: number): Moments {
   const { a: signed, b, origin, along, across, apex } = bisector
-  const unitArea = signed !== 0 && to > from ? sinhExcess(Math.min(to / from, 1e300)) / 2 : 0
-  if (unitArea === 0) return { area: 0, x: 0, y: 0 }
-  const a = Math.abs(signed)
+  const share = signed !== 0 && to > from ? sinhExcessShare(to / from) / 2 : 0
+  if (share === 0) return { area: 0, x: 0, y: 0 }
   const root = Math.sqrt(to) / Math.sqrt(from)
-  const sine = (root - 1 / root) / 2
-  const shift = (2 / 3) * ((sine / unitArea) * sine) * sine
+  const sine = (to - from) / to / 2
+  const shift = (2 / 3) * ((sine / share) * sine) * sine * root
 
+  const scale = bisector.unit / unit
+  const a = Math.abs(signed) * scale
   const middle = Math.sqrt(from) * Math.sqrt(to)
-  const u = apex + a - (a * shift * (middle + 1 / middle)) / 2
-  const v = (b * shift * (middle - 1 / middle)) / 2
-  const x = origin.x - reference.x + (u * along.x + v * across.x)
-  const y = origin.y - reference.y + (u * along.y + v * across.y)
+  const u = apex * scale + a - (a * shift * (middle + 1 / middle)) / 2
+  const v = (b * scale * shift * (middle - 1 / middle)) / 2
+  const toOrigin = measuredIn(unit, between(reference, origin))
+  const x = toOrigin.x + (u * along.x + v * across.x)
+  const y = toOrigin.y + (u * along.y + v * across.y)
   // The branch bends away from its smaller circle.
-  const area = -signed * b * unitArea
+  const area = -Math.sign(signed) * a * root * (b * scale * root) * share
   return { area, x: area * x, y: area * y }
 }
 
@@ -109,43 +139,80 @@ function sinhExcess(ratio: number): number {
   return 2 * sinhExcess(root) + 2 * sine * cosineExcess
 }
 
-/** From parameter 1 <= from to `to`: a branch is alike on both sides of its apex. */
-function lengthBeyondApex(bisector: Bisector, from: number, to: number): number {
-  const depth = 60
-  return to > from ? adaptive(bisector, from, to, gauss(bisector, from, to), depth) : 0
+/** The same divided by the ratio, which may be beyond all numbers. */
+function sinhExcessShare(ratio: number): number {
+  return ratio < 1e300 ? sinhExcess(ratio) / ratio : 0.5
 }
 
-function adaptive(bisector: Bisector, from: number, to: number, whole: number, depth: number): number {
-  const middle = (from + to) / 2
-  const first = gauss(bisector, from, middle)
-  const second = gauss(bisector, middle, to)
-  if (depth === 0 || Math.abs(first + second - whole) <= 1e-13 * whole) return first + second
-  return adaptive(bisector, from, middle, first, depth - 1) + adaptive(bisector, middle, to, second, depth - 1)
+/**
+ * The length from parameter 1 <= from to `to`, in the bisector's unit; a branch is alike on both sides of its apex.
+ *
+ * With Y = sinh t as the variable and m = 1 + (a / b)^2 it is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)), or
+ * with y = Y^2 half of that of (1 + m y) / sqrt(y (1 + y) (1 + m y)): between any limits
+ *
+ *     R_F(U12^2, U13^2, U14^2) + m (R_D(U12^2, U13^2, U14^2) / 3 + Y_from Y_to / U14)
+ *
+ * with the U of DLMF 19.29.5, a sum of positive terms. All sines and cosines are divided by e^t, and the U by e^t of
+ * `from`: nothing overflows.
+ */
+function lengthBeyondApex({ a, b }: Bisector, from: number, to: number): number {
+  if (!(to > from)) return 0
+  const m = 1 + (a / b) * (a / b)
+  const endAt = (s: number) => {
+    const sine = (((s - 1) / s) * (1 + 1 / s)) / 2
+    return { sine, cosine: (1 + 1 / s / s) / 2, speed: Math.sqrt(1 / s / s + m * sine * sine) }
+  }
+  const p = endAt(from)
+  const q = endAt(to)
+  const share = from / to
+  // (Y_to^2 - Y_from^2) / to^2
+  const step = (((to - from) / to) * (1 + share) * ((from - 1) / from + (to - 1) / to / from) * (1 + 1 / from / to)) / 4
+  const u12 = (q.sine * q.cosine * p.speed + share * p.sine * p.cosine * q.speed) / step
+  const u13 = (q.sine * q.speed * p.cosine + share * p.sine * p.speed * q.cosine) / step
+  const u14 = (share * q.sine * p.cosine * p.speed + p.sine * q.cosine * q.speed) / step
+  const [first, second] = carlson(u12, u13, u14)
+  return b * (first / from + m * (second / 3 / from / from / from + ((p.sine * q.sine) / u14) * to))
 }
 
-/** Abscissas and weights of the Gauss-Legendre rule of order 8 (Abramowitz and Stegun, table 25.4). */
-const RULE = [
-  [0.1834346424956498, 0.362683783378362],
-  [0.525532409916329, 0.31370664587788727],
-  [0.7966664774136267, 0.22238103445337448],
-  [0.9602898564975363, 0.10122853629037626],
-] as const
+/**
+ * R_F(x, y, z) and R_D(x, y, z), Carlson's elliptic integrals, to rounding, of the squares of three numbers above 0, by his
+ * duplication theorem (DLMF 19.36): each step quarters how much the arguments differ from their mean, and a series of it
+ * is the rest.
+ */
+function carlson(rootX: number, rootY: number, rootZ: number): readonly [number, number] {
+  // The series leave out sixth powers. From ratios of 2^1000 it takes some fifteen steps.
+  const near = 1e-3
+  const mostSteps = 50
+  let [x, y, z] = [rootX * rootX, rootY * rootY, rootZ * rootZ]
+  let [sum, power] = [0, 1]
+  for (let step = 0; step < mostSteps; step++) {
+    const mean = (x + y + z) / 3
+    if (Math.max(Math.abs(mean - x), Math.abs(mean - y), Math.abs(mean - z)) <= near * mean) break
+    const lambda = rootX * rootY + rootZ * (rootX + rootY)
+    sum += power / (rootZ * (z + lambda))
+    power /= 4
+    x = (x + lambda) / 4
+    y = (y + lambda) / 4
+    z = (z + lambda) / 4
+    rootX = Math.sqrt(x)
+    rootY = Math.sqrt(y)
+    rootZ = Math.sqrt(z)
+  }
+  const mean = (x + y + z) / 3
+  const u = 1 - x / mean
+  const v = 1 - y / mean
+  const e2 = u * v - (u + v) * (u + v)
+  const e3 = -u * v * (u + v)
+  const first = 1 - e2 / 10 + e3 / 14 + (e2 * e2) / 24 - (3 * e2 * e3) / 44
 
-function gauss(bisector: Bisector, from: number, to: number): number {
-  const middle = (from + to) / 2
-  const half = (to - from) / 2
-  return (
-    half *
-    RULE.reduce(
-      (sum, [x, weight]) => sum + weight * (speed(bisector, middle - half * x) + speed(bisector, middle + half * x)),
-      0,
-    )
-  )
-}
-
-/** The speed of the parameter: |d point / d s|. */
-function speed({ a, b }: Bisector, s: number): number {
-  const x = a * (1 - 1 / s) * (1 + 1 / s)
-  const y = b * (1 + 1 / (s * s))
-  return Math.sqrt(x * x + y * y) / 2
+  const weighted = (x + y + 3 * z) / 5
+  const p = 1 - x / weighted
+  const q = 1 - y / weighted
+  const r = -(p + q) / 3
+  const d2 = p * q - 6 * r * r
+  const d3 = (3 * p * q - 8 * r * r) * r
+  const d4 = 3 * (p * q - r * r) * r * r
+  const d5 = p * q * r * r * r
+  const second = 1 - (3 * d2) / 14 + d3 / 6 + (9 * d2 * d2) / 88 - (3 * d4) / 22 - (9 * d2 * d3) / 52 + (3 * d5) / 26
+  return [first / Math.sqrt(mean), (power * second) / (weighted * Math.sqrt(weighted)) + 3 * sum]
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, type DiagramData, edgeAt, NONE, vertexAt } from './diagram-data.ts'
-import { between, length } from './point.ts'
+import { between } from './point.ts'
+import { lengthOf } from './scale.ts'
 
 /** A diagram with vertices of any degree: vertices joined by edges of length near zero are one (paper, section 8). */
 export interface MergedDiagram {
@@ -46,7 +47,7 @@ export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagra
     if (end !== NONE) leaving[cornerOf(end, left)] = e
     if (start === NONE || end === NONE) continue
     const limit = nearZero >= 0 ? nearZero : roundingError(diagram, start) + roundingError(diagram, end)
-    if (length(between(vertexAt(diagram, start), vertexAt(diagram, end))) > limit) continue
+    if (lengthOf(between(vertexAt(diagram, start), vertexAt(diagram, end))) > limit) continue
     isShort[e] = 1
     sets.unite(start, end)
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, type DiagramData } from './diagram-data.ts'
+import { lengthOf } from './scale.ts'
 
 /**
  * The distance from circle (c, r) to a point p that makes a diagram: a point belongs to the cell of the circle of smallest
@@ -12,10 +13,8 @@ export type Metric = 'circles' | 'centres' | 'power'
 
 /** The distance from a circle of the diagram to the point (x, y), in the diagram's metric. */
 export function distance({ circles, metric }: DiagramData, circle: number, x: number, y: number): number {
-  const dx = x - at(circles, 3 * circle)
-  const dy = y - at(circles, 3 * circle + 1)
+  const toCentre = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
   const r = at(circles, 3 * circle + 2)
-  const toCentre = Math.sqrt(dx * dx + dy * dy)
   if (metric === 'circles') return toCentre - r
   return metric === 'centres' ? toCentre : (toCentre - r) * (toCentre + r)
 }

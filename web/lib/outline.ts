@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Cells } from './cells.ts'
-import { clipSpans, part } from './clip.ts'
+import { type Part, partsInside } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
-import { type BoundedCurve, edgeCurve, isBounded, reversed, segment } from './curve.ts'
+import { type BoundedCurve, edgeCurve, reversed, segment } from './curve.ts'
 import { NONE } from './diagram-data.ts'
-import { distance } from './metric.ts'
 import type { Point } from './point.ts'
 import { Ring } from './ring.ts'
 
@@ -75,27 +74,18 @@ function chainsOf(cells: Cells, circle: number, region: ConvexPolygon): { chains
   return { chains, isClosed: false }
 }
 
-interface Piece {
-  readonly curve: BoundedCurve
-  readonly cutFrom: number
-  readonly cutTo: number
-}
-
 /**
  * The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the cells on
  * either side meet bit for bit.
  */
-function piecesOf({ diagram }: Cells, side: number, region: ConvexPolygon): Piece[] {
-  const isAgainst = side % 2 === 1
-  const whole = edgeCurve(diagram, side >> 1)
-  const pieces: Piece[] = []
-  for (const span of clipSpans(whole, region)) {
-    const curve = part(whole, span, region)
-    if (!isBounded(curve)) continue
-    const [cutFrom, cutTo] = isAgainst ? [span.cutTo, span.cutFrom] : [span.cutFrom, span.cutTo]
-    pieces.push({ curve: isAgainst ? reversed(curve) : curve, cutFrom, cutTo })
-  }
-  return isAgainst ? pieces.reverse() : pieces
+function piecesOf({ diagram }: Cells, side: number, region: ConvexPolygon): Part[] {
+  const pieces = partsInside(edgeCurve(diagram, side >> 1), region)
+  if (side % 2 === 0) return pieces
+  return pieces.reverse().map(({ curve, cutFrom, cutTo }) => ({
+    curve: reversed(curve),
+    cutFrom: cutTo,
+    cutTo: cutFrom,
+  }))
 }
 
 /** A chain, and where on the ring it begins and ends. */
@@ -181,8 +171,8 @@ function clearPlace(cells: Cells, circle: number, ring: Ring, passages: readonly
 /** How much nearer the circle is to a point than its nearest neighbour. */
 function leadAt(cells: Cells, circle: number, { x, y }: Point): number {
   let least = Number.POSITIVE_INFINITY
-  for (const side of cells.sides(circle)) least = Math.min(least, distance(cells.diagram, cells.neighborOf(side), x, y))
-  return least - distance(cells.diagram, circle, x, y)
+  for (const side of cells.sides(circle)) least = Math.min(least, cells.lead(circle, cells.neighborOf(side), x, y))
+  return least
 }
 
 function boundaryOf(region: ConvexPolygon): OutlinePiece[] {

@@ -2,7 +2,8 @@
 // What the diagram of the metric `circles` tells about its circles, each in linear time but for sorting. The dual's
 // triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
 import { at, circleAt, type DiagramData } from './diagram-data.ts'
-import { between, length } from './point.ts'
+import { between } from './point.ts'
+import { lengthOf } from './scale.ts'
 
 /**
  * The pairs of circles whose cells share an edge, the smaller index first, in increasing order, each once: two indices
@@ -44,7 +45,7 @@ export function closestPair(diagram: DiagramData): ClosestPair | undefined {
     const [first, second] = [at(pairs, k), at(pairs, k + 1)]
     const c = circleAt(diagram.circles, first)
     const d = circleAt(diagram.circles, second)
-    const gap = length(between(c, d)) - c.r - d.r
+    const gap = lengthOf(between(c, d)) - c.r - d.r
     if (closest === undefined || gap < closest.gap) closest = { first, second, gap }
   }
   return closest

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { ConvexPolygon } from './convex-polygon.ts'
 import { at } from './diagram-data.ts'
-import { between, dot, length, type Point } from './point.ts'
+import { between, dot, type Point } from './point.ts'
+import { lengthOf } from './scale.ts'
 
 /** The boundary of a region as one closed line, measured counter-clockwise from its first corner. */
 export class Ring {
@@ -13,7 +14,7 @@ export class Ring {
     this.#region = region
     this.#reach = new Float64Array(region.corners.length + 1)
     region.corners.forEach((corner, k) => {
-      this.#reach[k + 1] = at(this.#reach, k) + length(between(corner, region.cornerAfter(k)))
+      this.#reach[k + 1] = at(this.#reach, k) + lengthOf(between(corner, region.cornerAfter(k)))
     })
   }
 
@@ -25,7 +26,8 @@ export class Ring {
   placeOn(k: number, p: Point): number {
     const corner = this.#region.corner(k)
     const size = at(this.#reach, k + 1) - at(this.#reach, k)
-    const along = dot(between(corner, p), between(corner, this.#region.cornerAfter(k))) / size
+    const side = between(corner, this.#region.cornerAfter(k))
+    const along = dot(between(corner, p), { x: side.x / size, y: side.y / size })
     return at(this.#reach, k) + Math.min(Math.max(along, 0), size)
   }
 
@@ -35,7 +37,7 @@ export class Ring {
     let place = 0
     this.#region.corners.forEach((_, k) => {
       const candidate = this.placeOn(k, p)
-      const gap = length(between(this.at(candidate), p))
+      const gap = lengthOf(between(this.at(candidate), p))
       if (gap >= nearest) return
       nearest = gap
       place = candidate

@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Circle } from './diagram-data.ts'
 import { between, length, type Point, type Vector } from './point.ts'
-
-/** Squares of less are no longer exact. */
-const TINY = 2 ** -500
+import { largestOf, measuredIn, unitFor } from './scale.ts'
 
 /**
  * The unit normal n, pointing to the right, of the common tangent of two circles that has both on its left and is directed
  * from i to j: n . c_i + r_i = n . c_j + r_j. Neither circle contains the other.
  */
 export function tangentNormal(i: Circle, j: Circle): Vector {
-  const v = between(i, j)
+  const unit = unitFor(largestOf(between(i, j)))
+  const v = measuredIn(unit, between(i, j))
   const d = length(v)
-  // A power of two grows both without rounding.
-  if (d < TINY && (v.x !== 0 || v.y !== 0)) return tangentNormal(grown(i), grown(j))
-  const difference = i.r - j.r
+  const difference = (i.r - j.r) / unit
   const along = difference / d
   const across = Math.sqrt(Math.max((d - difference) * (d + difference), 0)) / d
   return { x: (v.x * along + v.y * across) / d, y: (v.y * along - v.x * across) / d }
-}
-
-function grown({ x, y, r }: Circle): Circle {
-  return { x: x / TINY, y: y / TINY, r: r / TINY }
 }
 
 /** The point of a circle in the direction of a unit vector. */

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "circle_voronoi/abi.h"
@@ -21,11 +23,15 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// runs from start to end; side 2 e + 1 belongs to the right circle and runs back. So every side has its own cell on
 /// its left, and the sides of a cell run counter-clockwise around it.
 ///
-/// The circles and the diagram must outlive this, and the diagram must be certified, or made by comparison.h with the
-/// same metric.
+/// The circles and the diagram must outlive this, so that it cannot be made of what is about to go; and the diagram must
+/// be certified, or made by comparison.h with the same metric.
 class Cells {
  public:
   Cells(std::span<const Circle> circles, const Diagram& diagram, Metric metric = Metric::circles);
+  Cells(std::span<const Circle> circles, const Diagram&& diagram, Metric metric = Metric::circles) = delete;
+  template <class Circles, class AnyDiagram>
+    requires std::same_as<std::remove_const_t<Circles>, std::vector<Circle>>
+  Cells(Circles&& circles, AnyDiagram&& diagram, Metric metric = Metric::circles) = delete;
 
   std::span<const Circle> circles() const { return circles_; }
   const Diagram& diagram() const { return *diagram_; }
@@ -56,6 +62,10 @@ class Cells {
   double distance(std::int32_t circle, Point p) const {
     return circle_voronoi::distance(metric_, circles_[index(circle)], p);
   }
+
+  /// How much nearer p is to one circle than to another, negative if the other is nearer: the difference of their
+  /// distances, but without cancellation where p is far away. Of the power metric it is divided by a length.
+  double lead(std::int32_t circle, std::int32_t other, Point p) const;
 
   /// Whether no circle is nearer to p, up to rounding. It suffices to ask the neighbours: a ray from the centre that
   /// leaves the cell across a side stays nearer to the neighbour there, and for the power metric a cell is the
@@ -92,9 +102,10 @@ Outline outline(const Cells& cells, std::int32_t circle, const ConvexPolygon& re
 
 /// Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone.
 double area(const Outline& outline);
-/// The centre of mass, likewise. Of an outline without area it is that of its end points; (0, 0) if it is empty.
+/// The centre of mass, likewise. Of an outline without area but for rounding it is that of its end points; (0, 0) if it
+/// is empty.
 Point centroid(const Outline& outline);
-/// The length of all pieces, to about 1e-12 of it.
+/// The length of all pieces, likewise (arcLength).
 double perimeter(const Outline& outline);
 
 }  // namespace circle_voronoi

@@ -20,7 +20,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// or, negative, the root of minus their power where they overlap; a circle without a cell is listed as hidden by
 /// kNone, though no circle need contain it; a circle's centre may lie outside its cell; and no certificate is made.
 ///
-/// Errors: those of `compute`.
+/// Errors: those of `compute`; coordinateTooLarge, if a vertex of the power diagram is beyond the range of numbers.
 Result<Diagram> computeComparison(std::span<const Circle> circles, Metric metric);
 
 }  // namespace circle_voronoi

@@ -18,15 +18,20 @@ struct Box {
   double maxY = 1;
 };
 
+/// The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers.
+inline constexpr double kRegionLimit = 1e152;
+
 /// The closed region that curves and cells are clipped to.
 class ConvexPolygon {
  public:
-  /// Precondition: the box is not empty.
+  /// Precondition: the box is one that `from` accepts.
   ConvexPolygon(const Box& box);
 
+  /// Errors: badOption, if the box is empty, or a coordinate is not finite or exceeds kRegionLimit.
+  static Result<ConvexPolygon> from(const Box& box);
   /// From corners in counter-clockwise order; corners on the line through their neighbours are allowed.
-  /// Errors: badOption, if there are fewer than three corners, one is not finite, two in a row are equal, or they do
-  /// not turn left exactly once.
+  /// Errors: badOption, if there are fewer than three corners, a coordinate is not finite or exceeds kRegionLimit, two
+  /// corners in a row are equal, or they do not turn left exactly once.
   static Result<ConvexPolygon> from(std::span<const Point> corners);
 
   /// Counter-clockwise.

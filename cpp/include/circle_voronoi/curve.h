@@ -25,13 +25,15 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// the usual (|a| cosh t, b sinh t), without cancellation near the smaller circle and without functions that differ
 /// between platforms. For equal radii a is 0 and the branch is a straight line, as it is for the other metrics.
 ///
-/// Lengths are squared: below about 1e-150 they count as zero, and arcs of such circles end but are not right.
+/// a, b and apex are measured in `unit`, which is 1 unless the circles are so near or so far that products of lengths
+/// would leave the range of doubles: curves of all circles that `compute` takes are right up to rounding.
 ///
 /// Multiplying s by a number is an affine map of the branch onto itself: an arc is as curved as the ratio of the
 /// parameters of its ends says, wherever it lies.
 struct Bisector {
   Point left;       ///< the foci: the centres of the left circle
   Point right;      ///< and of the right one
+  double unit = 1;  ///< of a, b and apex: 1 or a power of two
   double a = 0;     ///< (r_left - r_right) / 2
   double b = 0;     ///< a^2 + b^2 = c^2, where c is half the distance of the centres; above 0
   Point origin;     ///< the focus of the smaller circle, the left one if radii are equal
@@ -65,7 +67,9 @@ struct EdgeCurve {
   bool isBounded() const { return !startsAtInfinity() && !endsAtInfinity(); }
 };
 
-/// The curve of edge `edge` of a diagram of `circles`, which was made with `metric`.
+/// The curve of edge `edge` of a diagram of `circles`, which was made with `metric`. Where the edge ends more than 2^900
+/// times as far away as the two centres are from each other, they are moved apart to 2^-900 of that: that cannot be seen
+/// from there, and parameters stay in the range of doubles.
 EdgeCurve edgeCurve(std::span<const Circle> circles, const Diagram& diagram, std::int32_t edge,
                     Metric metric = Metric::circles);
 
@@ -108,7 +112,8 @@ std::vector<Point> polyline(const EdgeCurve& curve, double tolerance);
 /// The pieces of an arc inside a region, in order: bounded, and several if the arc leaves the region and comes back.
 std::vector<EdgeCurve> clip(const EdgeCurve& curve, const ConvexPolygon& region);
 
-/// The length of a bounded arc, by quadrature, to about 1e-12 of it.
+/// The length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which takes
+/// some tens of square roots whatever the arc.
 double arcLength(const EdgeCurve& curve);
 
 }  // namespace circle_voronoi

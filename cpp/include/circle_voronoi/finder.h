@@ -24,6 +24,7 @@ class Finder {
  public:
   /// In linear time. The cells must outlive this.
   explicit Finder(const Cells& cells);
+  explicit Finder(const Cells&& cells) = delete;
 
   /// The circle of smallest distance to the finite point p, one of them up to rounding where several are. The walk
   /// starts near p, or from `hint`, if that is nearer. kNone if there are no circles.

@@ -34,18 +34,25 @@ std::optional<ClosestPair> closestPair(std::span<const Circle> circles, const Di
 
 struct EmptyDisc {
   Vertex disc;
-  /// The circles it touches, of up to three of them; kNone for those fewer.
+  /// The circles it touches, of up to three of them; kNone in place of the others.
   std::array<std::int32_t, 3> circles = {kNone, kNone, kNone};
 };
 
-/// The largest disc with its centre inside a region that meets no circle but for touching; its radius is negative if
-/// circles cover the region. None if there are no circles.
+/// The largest disc that meets no circle but for touching, of those with their centre inside a region, which they may
+/// stick out of: the place in the region that is farthest from all circles. Its radius is negative if circles cover the
+/// region. None if there are no circles.
 ///
 /// The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in
 /// a cell it is convex along every line.
-std::optional<EmptyDisc> largestEmptyDisc(const Cells& cells, const ConvexPolygon& region);
+std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Cells& cells, const ConvexPolygon& region);
 
 /// The same inside the convex hull of the circles. Its radius is not negative.
-std::optional<EmptyDisc> largestEmptyDiscInHull(const Cells& cells);
+std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Cells& cells);
+
+/// The largest disc that meets no circle but for touching, of those that lie inside a region as a whole; it may touch
+/// sides of the region in place of circles. Where circles cover the region there is none: then it is that of
+/// largestEmptyDiscCentredIn, whose radius is not above 0. None if there are no circles. Each circle is tried with each
+/// of the segments, some two for each side, of the region's medial axis.
+std::optional<EmptyDisc> largestEmptyDiscInside(const Cells& cells, const ConvexPolygon& region);
 
 }  // namespace circle_voronoi

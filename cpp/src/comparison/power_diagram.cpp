@@ -2,11 +2,13 @@
 #include "power_diagram.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Regular_triangulation_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -41,6 +43,27 @@ class Indices {
   std::map<Key, std::int32_t> indices_;
 };
 
+/// The point of equal power to three circles whose centres are next to a line, or to each other: every number rounded
+/// once. Infinite where it is beyond all numbers.
+Vertex exactRadicalCentre(const Circle& a, const Circle& b, const Circle& c) {
+  using Number = CGAL::Exact_rational;
+  const auto half = [&](const Circle& d, const Number& x, const Number& y) -> Number {
+    return (x * x + y * y + Number(a.r * a.r) - Number(d.r * d.r)) / 2;
+  };
+  const Number ux = Number(b.x) - Number(a.x);
+  const Number uy = Number(b.y) - Number(a.y);
+  const Number vx = Number(c.x) - Number(a.x);
+  const Number vy = Number(c.y) - Number(a.y);
+  const Number ku = half(b, ux, uy);
+  const Number kv = half(c, vx, vy);
+  const Number determinant = ux * vy - uy * vx;
+  const Number x = (ku * vy - kv * uy) / determinant;
+  const Number y = (kv * ux - ku * vx) / determinant;
+  const double power = CGAL::to_double(Number(x * x + y * y - Number(a.r * a.r)));
+  return {CGAL::to_double(Number(x + Number(a.x))), CGAL::to_double(Number(y + Number(a.y))),
+          std::copysign(std::sqrt(std::abs(power)), power)};
+}
+
 /// The point of equal power to three circles, relative to the first for accuracy.
 Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c) {
   const Vector u = between(a, b);
@@ -48,6 +71,11 @@ Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c) {
   const double ku = (dot(u, u) + (a.r - b.r) * (a.r + b.r)) / 2;
   const double kv = (dot(v, v) + (a.r - c.r) * (a.r + c.r)) / 2;
   const double determinant = cross(u, v);
+  // Below this share of its terms it may be but rounding.
+  constexpr double kCertain = 0x1p-30;
+  if (!(std::abs(determinant) > kCertain * (std::abs(u.x * v.y) + std::abs(u.y * v.x)))) {
+    return exactRadicalCentre(a, b, c);
+  }
   const Vector centre = {(ku * v.y - kv * u.y) / determinant, (kv * u.x - ku * v.x) / determinant};
   const double d = length(centre);
   const double power = (d - a.r) * (d + a.r);
@@ -135,10 +163,16 @@ Result<Diagram> powerDiagram(std::span<const Circle> circles) {
   if (!scaled) return scaled.error();
   Diagram diagram = powerDiagramOf(scaled.value().circles);
   const double unit = scaled.value().unit;
-  for (auto& [x, y, radius] : diagram.vertices) {
+  for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
+    auto& [x, y, radius] = diagram.vertices[v];
     x *= unit;
     y *= unit;
     radius *= unit;
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius)) {
+      const std::int32_t circle = diagram.vertexCircles[v][0];
+      return Error{ErrorCode::coordinateTooLarge, circle,
+                   "A vertex of circle " + std::to_string(circle) + " is beyond the range of numbers."};
+    }
   }
   return diagram;
 }

@@ -2,8 +2,9 @@
 #include "arc_measure.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -26,72 +27,134 @@ double sinhExcess(double ratio) {
   return 2 * sinhExcess(root) + 2 * sine * cosineExcess;
 }
 
-/// The speed of the parameter: |d point / d s|.
-double speed(const Bisector& bisector, double s) {
-  const double x = bisector.a * (1 - 1 / s) * (1 + 1 / s);
-  const double y = bisector.b * (1 + 1 / (s * s));
-  return std::sqrt(x * x + y * y) / 2;
-}
+/// The same divided by the ratio, which may be beyond all numbers.
+double sinhExcessShare(double ratio) { return ratio < 1e300 ? sinhExcess(ratio) / ratio : 0.5; }
 
-double gauss(const Bisector& bisector, double from, double to) {
-  // Abscissas and weights of the Gauss-Legendre rule of order 8 (Abramowitz and Stegun, table 25.4).
-  constexpr std::array<std::array<double, 2>, 4> kRule = {{{0.183434642495649805, 0.362683783378361983},
-                                                           {0.525532409916328986, 0.313706645877887287},
-                                                           {0.796666477413626740, 0.222381034453374471},
-                                                           {0.960289856497536232, 0.101228536290376259}}};
-  const double middle = (from + to) / 2;
-  const double half = (to - from) / 2;
+/// R_F(x, y, z) and R_D(x, y, z).
+struct Carlson {
+  double first;
+  double second;
+};
+
+/// Carlson's elliptic integrals to rounding, of the squares of three numbers above 0, by his duplication theorem (DLMF
+/// 19.36): each step quarters how much the arguments differ from their mean, and a series of it is the rest.
+Carlson carlson(double rootX, double rootY, double rootZ) {
+  // The series leave out sixth powers. From ratios of 2^1000 it takes some fifteen steps.
+  constexpr double kNear = 1e-3;
+  constexpr int kMostSteps = 50;
+  double x = rootX * rootX;
+  double y = rootY * rootY;
+  double z = rootZ * rootZ;
   double sum = 0;
-  for (const auto& [x, weight] : kRule) {
-    sum += weight * (speed(bisector, middle - half * x) + speed(bisector, middle + half * x));
+  double power = 1;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double mean = (x + y + z) / 3;
+    if (std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)}) <= kNear * mean) break;
+    const double lambda = rootX * rootY + rootZ * (rootX + rootY);
+    sum += power / (rootZ * (z + lambda));
+    power /= 4;
+    x = (x + lambda) / 4;
+    y = (y + lambda) / 4;
+    z = (z + lambda) / 4;
+    rootX = std::sqrt(x);
+    rootY = std::sqrt(y);
+    rootZ = std::sqrt(z);
   }
-  return half * sum;
+  const double mean = (x + y + z) / 3;
+  const double u = 1 - x / mean;
+  const double v = 1 - y / mean;
+  const double e2 = u * v - (u + v) * (u + v);
+  const double e3 = -u * v * (u + v);
+  const double first = 1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44;
+
+  const double weighted = (x + y + 3 * z) / 5;
+  const double p = 1 - x / weighted;
+  const double q = 1 - y / weighted;
+  const double r = -(p + q) / 3;
+  const double d2 = p * q - 6 * r * r;
+  const double d3 = (3 * p * q - 8 * r * r) * r;
+  const double d4 = 3 * (p * q - r * r) * r * r;
+  const double d5 = p * q * r * r * r;
+  const double second = 1 - 3 * d2 / 14 + d3 / 6 + 9 * d2 * d2 / 88 - 3 * d4 / 22 - 9 * d2 * d3 / 52 + 3 * d5 / 26;
+  return {first / std::sqrt(mean), power * second / (weighted * std::sqrt(weighted)) + 3 * sum};
 }
 
-double adaptive(const Bisector& bisector, double from, double to, double whole, int depth) {
-  const double middle = (from + to) / 2;
-  const double first = gauss(bisector, from, middle);
-  const double second = gauss(bisector, middle, to);
-  if (depth == 0 || std::abs(first + second - whole) <= 1e-13 * whole) return first + second;
-  return adaptive(bisector, from, middle, first, depth - 1) + adaptive(bisector, middle, to, second, depth - 1);
-}
-
-/// From parameter 1 <= from to `to`: a branch is alike on both sides of its apex.
+/// The length from parameter 1 <= from to `to`, in the bisector's unit; a branch is alike on both sides of its apex.
+///
+/// With Y = sinh t as the variable and m = 1 + (a / b)^2 it is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)), or
+/// with y = Y^2 half of that of (1 + m y) / sqrt(y (1 + y) (1 + m y)): between any limits
+///
+///     R_F(U12^2, U13^2, U14^2) + m (R_D(U12^2, U13^2, U14^2) / 3 + Y_from Y_to / U14)
+///
+/// with the U of DLMF 19.29.5, a sum of positive terms. All sines and cosines are divided by e^t, and the U by e^t of
+/// `from`: nothing overflows.
 double lengthBeyondApex(const Bisector& bisector, double from, double to) {
-  constexpr int kDepth = 60;
-  return to > from ? adaptive(bisector, from, to, gauss(bisector, from, to), kDepth) : 0;
+  if (!(to > from)) return 0;
+  const double ratio = bisector.a / bisector.b;
+  const double m = 1 + ratio * ratio;
+  struct End {
+    explicit End(double s, double m)
+        : sine((s - 1) / s * (1 + 1 / s) / 2),
+          cosine((1 + 1 / s / s) / 2),
+          speed(std::sqrt(1 / s / s + m * sine * sine)) {}
+    double sine;
+    double cosine;
+    double speed;
+  };
+  const End p(from, m);
+  const End q(to, m);
+  const double share = from / to;
+  // (Y_to^2 - Y_from^2) / to^2
+  const double step =
+      (to - from) / to * (1 + share) * ((from - 1) / from + (to - 1) / to / from) * (1 + 1 / from / to) / 4;
+  const double u12 = (q.sine * q.cosine * p.speed + share * p.sine * p.cosine * q.speed) / step;
+  const double u13 = (q.sine * q.speed * p.cosine + share * p.sine * p.speed * q.cosine) / step;
+  const double u14 = (share * q.sine * p.cosine * p.speed + p.sine * q.cosine * q.speed) / step;
+  const auto [first, second] = carlson(u12, u13, u14);
+  return bisector.b * (first / from + m * (second / 3 / from / from / from + p.sine * q.sine / u14 * to));
 }
 
 }  // namespace
 
 double arcLength(const EdgeCurve& curve) {
   const auto& [bisector, from, to, start, end] = curve;
-  if (bisector.a == 0) return std::sqrt((end.x - start.x) * (end.x - start.x) + (end.y - start.y) * (end.y - start.y));
-  if (to <= 1) return lengthBeyondApex(bisector, 1 / to, 1 / from);
-  if (from >= 1) return lengthBeyondApex(bisector, from, to);
-  return lengthBeyondApex(bisector, 1, 1 / from) + lengthBeyondApex(bisector, 1, to);
+  const double chord = lengthOf({end.x - start.x, end.y - start.y});
+  if (bisector.a == 0 || !(to > from)) return chord;
+  const double length = to <= 1     ? lengthBeyondApex(bisector, 1 / to, 1 / from)
+                        : from >= 1 ? lengthBeyondApex(bisector, from, to)
+                                    : lengthBeyondApex(bisector, 1, 1 / from) + lengthBeyondApex(bisector, 1, to);
+  // The chord from point(from) to point(to), which are the ends but for rounding.
+  const double middle = std::sqrt(from) * std::sqrt(to);
+  const double span = (to - from) / middle;
+  const double straight =
+      span * lengthOf({bisector.a * (middle - 1 / middle) / 2, bisector.b * (middle + 1 / middle) / 2});
+  return chord + bisector.unit * std::max(length - straight, 0.0);
 }
 
 // In the frame of the middle of the hyperbola and of conjugate half-diameters along the arc's middle parameter, the
 // region is sqrt(1 + y^2) <= x <= cosh h with |y| <= sinh h, h half the width of the arc in t. Its area is
-// (sinh(2 h) - 2 h) / 2, and the integral of x over it 2 / 3 sinh^3 h.
-Moments momentsOverChord(const EdgeCurve& curve, Point reference) {
+// (sinh(2 h) - 2 h) / 2, and the integral of x over it 2 / 3 sinh^3 h. Both are divided by e^(2 h), as it may be beyond
+// all numbers.
+Moments momentsOverChord(const EdgeCurve& curve, Point reference, double unit) {
   const auto& [bisector, from, to, start, end] = curve;
   if (bisector.a == 0 || !(to > from)) return {};
-  const double a = std::abs(bisector.a);
-  const double unitArea = sinhExcess(std::min(to / from, 1e300)) / 2;
-  if (unitArea == 0) return {};
   const double root = std::sqrt(to) / std::sqrt(from);
-  const double sine = (root - 1 / root) / 2;
-  const double shift = 2.0 / 3 * (sine / unitArea * sine) * sine;
+  const double share = sinhExcessShare(to / from) / 2;
+  if (share == 0) return {};
+  const double sine = (to - from) / to / 2;
+  const double shift = 2.0 / 3 * (sine / share * sine) * sine * root;
 
+  const double scale = bisector.unit / unit;
+  const double a = std::abs(bisector.a) * scale;
   const double middle = std::sqrt(from) * std::sqrt(to);
-  const double along = bisector.apex + a - a * shift * (middle + 1 / middle) / 2;
-  const double across = bisector.b * shift * (middle - 1 / middle) / 2;
-  const double x = bisector.origin.x - reference.x + (along * bisector.along.x + across * bisector.across.x);
-  const double y = bisector.origin.y - reference.y + (along * bisector.along.y + across * bisector.across.y);
+  const double along = bisector.apex * scale + a - a * shift * (middle + 1 / middle) / 2;
+  const double across = bisector.b * scale * shift * (middle - 1 / middle) / 2;
+  const Vector toOrigin =
+      measuredIn(unit, {bisector.origin.x - reference.x, bisector.origin.y - reference.y});
+  const double x = toOrigin.x + (along * bisector.along.x + across * bisector.across.x);
+  const double y = toOrigin.y + (along * bisector.along.y + across * bisector.across.y);
   // The branch bends away from its smaller circle.
-  const double area = -bisector.a * bisector.b * unitArea;
+  const double area = -std::copysign(a, bisector.a) * root * (bisector.b * scale * root) * share;
   return {area, area * x, area * y};
 }
 

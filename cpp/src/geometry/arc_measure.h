@@ -5,7 +5,7 @@
 
 namespace circle_voronoi {
 
-/// A region's area and the integrals of x and y over it, relative to a point.
+/// A region's area and the integrals of x and y over it, relative to a point, all lengths in some unit.
 struct Moments {
   double area = 0;
   double x = 0;
@@ -13,6 +13,6 @@ struct Moments {
 };
 
 /// The region between a bounded arc and its chord, counted positive where the arc bends to the right of its chord.
-Moments momentsOverChord(const EdgeCurve& curve, Point reference);
+Moments momentsOverChord(const EdgeCurve& curve, Point reference, double unit);
 
 }  // namespace circle_voronoi

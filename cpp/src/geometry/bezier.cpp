@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "circle_voronoi/curve.h"
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -22,7 +22,7 @@ double excessOf(double from, double to) {
   return difference / std::sqrt(from) * (difference / std::sqrt(to)) / 2;
 }
 
-/// The largest distance of an arc from its chord, or a bound. On one side of the apex the arc turns by less than a
+/// The largest distance of an arc from its chord, or a bound; as all lengths of a bisector, in its unit. On one side of the apex the arc turns by less than a
 /// right angle, so the distance is largest at the middle parameter, where the tangent is parallel to the chord: w - 1
 /// times the distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer
 /// to the line of its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times
@@ -34,7 +34,7 @@ double chordError(const Bisector& bisector, double from, double to) {
   const double middle = std::sqrt(from) * std::sqrt(to);
   const double x = bisector.a * (middle - 1 / middle) / 2;
   const double y = bisector.b * (middle + 1 / middle) / 2;
-  return along * (bisector.b / std::sqrt(x * x + y * y));
+  return along * (bisector.b / lengthOf({x, y}));
 }
 
 /// A bound for the largest distance of an arc from the cubic with its tangents at both ends and its middle point.
@@ -62,7 +62,6 @@ double cubicError(const Bisector& bisector, double from, double to) {
 /// of the way; errors grow with it.
 template <class Error>
 double farthest(const Bisector& bisector, double from, double to, double tolerance, Error error) {
-  // The error is no number where squares of lengths underflow (1e-160): nothing is curved there that could be seen.
   if (!(error(bisector, from, to) > tolerance)) return to;
   constexpr int kHalvings = 50;
   constexpr double kNearEnough = 1.0 / 32;
@@ -75,9 +74,12 @@ double farthest(const Bisector& bisector, double from, double to, double toleran
   return good > from ? good : bad;
 }
 
+/// A tolerance in the unit of the bisector, and not below a share of the arc's extent.
 double atLeast(double share, const EdgeCurve& curve, double tolerance) {
-  const double chord = length({curve.end.x - curve.start.x, curve.end.y - curve.start.y});
-  return std::max(tolerance, share * (chord + chordError(curve.bisector, curve.from, curve.to)));
+  const double unit = curve.bisector.unit;
+  const double chord = lengthOf({curve.end.x - curve.start.x, curve.end.y - curve.start.y}) / unit;
+  const double least = share * (chord + chordError(curve.bisector, curve.from, curve.to));
+  return tolerance / unit > least ? tolerance / unit : least;
 }
 
 Point mix(Point p, Point q, double share) { return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)}; }
@@ -85,9 +87,9 @@ Point mix(Point p, Point q, double share) { return {p.x + share * (q.x - p.x), p
 /// Where the tangents at two parameters meet: the polar form of the branch.
 Point control(const Bisector& bisector, double from, double to) {
   const double along = bisector.apex - std::abs(bisector.a) * ((from - 1) / (from + to) * (to - 1));
-  const double across = bisector.b * ((from * to - 1) / (from + to));
-  return {bisector.origin.x + (along * bisector.along.x + across * bisector.across.x),
-          bisector.origin.y + (along * bisector.along.y + across * bisector.across.y)};
+  const double across = bisector.b * (from / (from + to) * to - 1 / (from + to));
+  return {bisector.origin.x + bisector.unit * (along * bisector.along.x + across * bisector.across.x),
+          bisector.origin.y + bisector.unit * (along * bisector.along.y + across * bisector.across.y)};
 }
 
 RationalBezier rationalBezier(const Bisector& bisector, double from, double to, Point start, Point end) {

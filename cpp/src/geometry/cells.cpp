@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scale.h"
+
 namespace circle_voronoi {
 
 Cells::Cells(std::span<const Circle> circles, const Diagram& diagram, Metric metric)
@@ -86,10 +88,24 @@ std::vector<std::int32_t> Cells::neighbors(std::int32_t circle) const {
   return result;
 }
 
+// |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d)).
+double Cells::lead(std::int32_t circle, std::int32_t other, Point p) const {
+  const Circle& c = circles_[index(circle)];
+  const Circle& d = circles_[index(other)];
+  const Vector fromCircle = {p.x - c.x, p.y - c.y};
+  const Vector fromOther = {p.x - d.x, p.y - d.y};
+  const double difference = metric_ == Metric::centres ? 0 : d.r - c.r;
+  double size = lengthOf(fromCircle) + lengthOf(fromOther);
+  if (metric_ == Metric::power) size += c.r + d.r;
+  if (size == 0) return -difference;
+  const Vector sum = {fromCircle.x / size + fromOther.x / size, fromCircle.y / size + fromOther.y / size};
+  const double nearer = dot(between(d, c), sum);
+  return nearer - (metric_ == Metric::power ? difference * (c.r / size + d.r / size) : difference);
+}
+
 bool Cells::contains(std::int32_t circle, Point p) const {
   if (!exists(circle)) return false;
-  const double own = distance(circle, p);
-  return std::ranges::all_of(sides(circle), [&](std::int32_t side) { return own <= distance(neighborOf(side), p); });
+  return std::ranges::all_of(sides(circle), [&](std::int32_t side) { return lead(circle, neighborOf(side), p) >= 0; });
 }
 
 }  // namespace circle_voronoi

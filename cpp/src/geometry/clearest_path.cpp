@@ -7,7 +7,7 @@
 
 #include "circle_voronoi/finder.h"
 #include "clip.h"
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -34,7 +34,7 @@ Exit exitOf(const Cells& cells, std::int32_t circle, Point p) {
     const LineCrossing ray(curve.bisector, {c.x, c.y}, direction);
     for (const double s : ray.parameters()) {
       const Point crossing = pointAt(curve.bisector, s);
-      if (!(dot(direction, {crossing.x - c.x, crossing.y - c.y}) > 0)) continue;
+      if (!(facing(direction, {crossing.x - c.x, crossing.y - c.y}) > 0)) continue;
       const double miss = s < curve.from ? curve.from / s : s > curve.to ? s / curve.to : 1;
       if (miss >= leastMiss) continue;
       leastMiss = miss;
@@ -102,7 +102,6 @@ class PathFinder {
 
   void offer(std::size_t node, double clearance, std::int32_t edge, std::int32_t before) {
     Reach& reach = reach_[node];
-    // Never one that is no number, as where squares of lengths underflow: it would have no end.
     if (!(clearance > reach.clearance)) return;
     reach = {clearance, edge, before};
     pending_.emplace(clearance, node);

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vectors.h"
+#include "far_view.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -22,45 +23,23 @@ Point onSide(const ConvexPolygon& region, std::int32_t side, Point p) {
   const Point from = region.corners()[k];
   const Point to = region.cornerAfter(k);
   const Vector direction = {to.x - from.x, to.y - from.y};
-  const double share = dot({p.x - from.x, p.y - from.y}, direction) / dot(direction, direction);
+  const double unit = unitFor(largestOf(direction));
+  const Vector along = measuredIn(unit, direction);
+  const double share = dot(measuredIn(unit, {p.x - from.x, p.y - from.y}), along) / dot(along, along);
   if (share <= 0) return from;
   if (share >= 1) return to;
   return {from.x + share * direction.x, from.y + share * direction.y};
 }
 
-}  // namespace
+/// A range of the parameter, and the sides that cut it off.
+struct Span {
+  double from = 0;
+  double to = 0;
+  std::int32_t cutFrom = kNone;
+  std::int32_t cutTo = kNone;
+};
 
-// With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
-// (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex
-// along).
-LineCrossing::LineCrossing(const Bisector& bisector, Point p, Vector direction) {
-  const Vector normal = {direction.y, -direction.x};
-  const double a = -std::abs(bisector.a) * dot(normal, bisector.along);
-  const double b = bisector.b * dot(normal, bisector.across);
-  const double k =
-      dot(normal, {p.x - bisector.origin.x, p.y - bisector.origin.y}) - bisector.apex * dot(normal, bisector.along);
-  growth_ = a + b;
-  half_ = a + k;
-  decay_ = a - b;
-  const double discriminant = k * (k + 2 * a) + b * b;
-  if (!(discriminant > 0)) return;
-  const double sum = half_ + std::copysign(std::sqrt(discriminant), half_);
-  for (const double s : {sum / growth_, decay_ / sum}) {
-    if (s > 0 && s < kInfinite) parameters_.push_back(s);
-  }
-  std::sort(parameters_.begin(), parameters_.end());
-}
-
-bool LineCrossing::isRight(double from, double to) const {
-  const double middle = between(from, to);
-  const auto height = [&](double s) { return growth_ * s - 2 * half_ + decay_ / s; };
-  // The branch may touch the line in one of any two points, but not in both.
-  const double first = height(between(from, middle));
-  const double second = height(between(middle, to));
-  return (std::abs(first) > std::abs(second) ? first : second) > 0;
-}
-
-std::vector<Span> clipSpans(const EdgeCurve& curve, const ConvexPolygon& region) {
+std::vector<Span> spansInside(const EdgeCurve& curve, const ConvexPolygon& region) {
   std::vector<Span> spans = {{curve.from, curve.to, kNone, kNone}};
   std::vector<Span> kept;
   for (std::size_t k = 0; k < region.size() && !spans.empty(); ++k) {
@@ -86,21 +65,67 @@ std::vector<Span> clipSpans(const EdgeCurve& curve, const ConvexPolygon& region)
   return spans;
 }
 
-EdgeCurve part(const EdgeCurve& curve, const Span& span, const ConvexPolygon& region) {
-  EdgeCurve result = curve;
-  result.from = span.from;
-  result.to = span.to;
-  if (span.cutFrom != kNone) result.start = onSide(region, span.cutFrom, pointAt(curve.bisector, span.from));
-  if (span.cutTo != kNone) result.end = onSide(region, span.cutTo, pointAt(curve.bisector, span.to));
-  return result;
+/// How far what is in the region may be from a point, along one axis.
+double reachFrom(Point p, const ConvexPolygon& region) {
+  double reach = 0;
+  for (const Point& corner : region.corners()) reach = std::max(reach, largestOf({corner.x - p.x, corner.y - p.y}));
+  return reach;
+}
+
+}  // namespace
+
+// With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
+// (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex
+// along). Only the ratios of A, B and k count.
+LineCrossing::LineCrossing(const Bisector& bisector, Point p, Vector direction) {
+  const Vector along = measuredIn(unitFor(largestOf(direction)), direction);
+  const Vector normal = {along.y, -along.x};
+  double a = -std::abs(bisector.a) * dot(normal, bisector.along);
+  double b = bisector.b * dot(normal, bisector.across);
+  double k = dot(normal, measuredIn(bisector.unit, {p.x - bisector.origin.x, p.y - bisector.origin.y})) -
+             bisector.apex * dot(normal, bisector.along);
+  const double unit = unitFor(std::max({std::abs(a), std::abs(b), std::abs(k)}));
+  a /= unit;
+  b /= unit;
+  k /= unit;
+  growth_ = a + b;
+  half_ = a + k;
+  decay_ = a - b;
+  const double discriminant = k * (k + 2 * a) + b * b;
+  if (!(discriminant > 0)) return;
+  const double sum = half_ + std::copysign(std::sqrt(discriminant), half_);
+  for (const double s : {sum / growth_, decay_ / sum}) {
+    if (s > 0 && s < kInfinite) parameters_.push_back(s);
+  }
+  std::sort(parameters_.begin(), parameters_.end());
+}
+
+bool LineCrossing::isRight(double from, double to) const {
+  const double middle = between(from, to);
+  const auto height = [&](double s) { return growth_ * s - 2 * half_ + decay_ / s; };
+  // The branch may touch the line in one of any two points, but not in both.
+  const double first = height(between(from, middle));
+  const double second = height(between(middle, to));
+  return (std::abs(first) > std::abs(second) ? first : second) > 0;
+}
+
+std::vector<Part> partsInside(const EdgeCurve& whole, const ConvexPolygon& region) {
+  const EdgeCurve curve = seenFrom(whole, reachFrom(whole.bisector.origin, region));
+  std::vector<Part> parts;
+  for (const Span& span : spansInside(curve, region)) {
+    Part part = {curve, span.cutFrom, span.cutTo};
+    part.curve.from = span.from;
+    part.curve.to = span.to;
+    if (span.cutFrom != kNone) part.curve.start = onSide(region, span.cutFrom, pointAt(curve.bisector, span.from));
+    if (span.cutTo != kNone) part.curve.end = onSide(region, span.cutTo, pointAt(curve.bisector, span.to));
+    if (part.curve.isBounded()) parts.push_back(part);
+  }
+  return parts;
 }
 
 std::vector<EdgeCurve> clip(const EdgeCurve& curve, const ConvexPolygon& region) {
   std::vector<EdgeCurve> pieces;
-  for (const Span& span : clipSpans(curve, region)) {
-    const EdgeCurve piece = part(curve, span, region);
-    if (piece.isBounded()) pieces.push_back(piece);
-  }
+  for (const Part& part : partsInside(curve, region)) pieces.push_back(part.curve);
   return pieces;
 }
 

@@ -8,20 +8,16 @@
 
 namespace circle_voronoi {
 
-/// A range of the parameter of a curve inside a region, and the sides of the region that cut it off there; kNone where
-/// it ends with the curve.
-struct Span {
-  double from = 0;
-  double to = 0;
+/// A part of a curve inside a region, and the sides of the region that cut it off, on which its ends lie then; kNone
+/// where it ends with the curve.
+struct Part {
+  EdgeCurve curve;
   std::int32_t cutFrom = kNone;
   std::int32_t cutTo = kNone;
 };
 
-/// The parts of a curve inside a region, in order. A part that is not cut reaches the end of the curve.
-std::vector<Span> clipSpans(const EdgeCurve& curve, const ConvexPolygon& region);
-
-/// That part of the curve; where it is cut, its ends lie on the side of the region.
-EdgeCurve part(const EdgeCurve& curve, const Span& span, const ConvexPolygon& region);
+/// The parts of a curve inside a region, in order: bounded.
+std::vector<Part> partsInside(const EdgeCurve& curve, const ConvexPolygon& region);
 
 /// Where a branch crosses the line through a point along a direction.
 class LineCrossing {

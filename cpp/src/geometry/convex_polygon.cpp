@@ -3,12 +3,17 @@
 
 #include <cmath>
 
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
 
 Vector difference(Point from, Point to) { return {to.x - from.x, to.y - from.y}; }
+
+Error fail(const char* message) { return {ErrorCode::badOption, -1, message}; }
+
+/// False for what is not a number, too.
+bool isInRange(double coordinate) { return std::abs(coordinate) <= kRegionLimit; }
 
 /// Whether a direction lies in the half-open upper half-plane; it changes twice in each full turn.
 bool isUpper(Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); }
@@ -18,11 +23,18 @@ bool isUpper(Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); }
 ConvexPolygon::ConvexPolygon(const Box& box)
     : corners_{{box.minX, box.minY}, {box.maxX, box.minY}, {box.maxX, box.maxY}, {box.minX, box.maxY}} {}
 
+Result<ConvexPolygon> ConvexPolygon::from(const Box& box) {
+  if (!isInRange(box.minX) || !isInRange(box.minY) || !isInRange(box.maxX) || !isInRange(box.maxY)) {
+    return fail("A coordinate of the box is not finite, or beyond 1e152.");
+  }
+  if (!(box.minX < box.maxX && box.minY < box.maxY)) return fail("The box is empty.");
+  return ConvexPolygon(box);
+}
+
 Result<ConvexPolygon> ConvexPolygon::from(std::span<const Point> corners) {
-  const auto fail = [](const char* message) { return Error{ErrorCode::badOption, -1, message}; };
   if (corners.size() < 3) return fail("A convex polygon needs three corners or more.");
   for (const Point& p : corners) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return fail("A corner of the polygon is not finite.");
+    if (!isInRange(p.x) || !isInRange(p.y)) return fail("A corner of the polygon is not finite, or beyond 1e152.");
   }
   const std::size_t n = corners.size();
   int halfTurns = 0;
@@ -30,8 +42,8 @@ Result<ConvexPolygon> ConvexPolygon::from(std::span<const Point> corners) {
     const Vector in = difference(corners[i], corners[(i + 1) % n]);
     const Vector out = difference(corners[(i + 1) % n], corners[(i + 2) % n]);
     if (in.x == 0 && in.y == 0) return fail("Two corners of the polygon in a row are equal.");
-    const double turn = cross(in, out);
-    if (turn < 0 || (turn == 0 && dot(in, out) < 0)) {
+    const double side = turn(in, out);
+    if (side < 0 || (side == 0 && facing(in, out) < 0)) {
       return fail("The polygon is not convex, or its corners are not counter-clockwise.");
     }
     if (isUpper(in) != isUpper(out)) ++halfTurns;
@@ -42,7 +54,7 @@ Result<ConvexPolygon> ConvexPolygon::from(std::span<const Point> corners) {
 
 bool ConvexPolygon::contains(Point p) const {
   for (std::size_t k = 0; k < size(); ++k) {
-    if (cross(difference(corners_[k], cornerAfter(k)), difference(corners_[k], p)) < 0) return false;
+    if (turn(difference(corners_[k], cornerAfter(k)), difference(corners_[k], p)) < 0) return false;
   }
   return true;
 }

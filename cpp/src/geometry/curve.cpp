@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vectors.h"
+#include "far_view.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -15,12 +16,37 @@ constexpr double kSmallestParameter = 1e-300;
 constexpr double kLargestParameter = 1e300;
 /// Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray.
 constexpr double kSmallestB = 0x1p-50;
+/// What is nearer to each other than this share of where it is seen from, is seen as one.
+constexpr double kFinest = 0x1p-900;
+/// The line of equal power may lie beyond all numbers.
+constexpr double kFarthestApex = 1e300;
 
 /// e^t for t = arsinh(sine).
 double exponentialOf(double sine) {
   const double size = std::abs(sine);
   const double s = size < 1e100 ? size + std::sqrt(size * size + 1) : 2 * size;
   return std::clamp(sine < 0 ? 1 / s : s, kSmallestParameter, kLargestParameter);
+}
+
+double distanceAlongAxis(Point p, Point q) { return largestOf({q.x - p.x, q.y - p.y}); }
+
+/// Moves two circles apart that are too near to each other to be told apart from a distance of `reach`, and returns
+/// whether they were. A straight branch stays where it is.
+bool moveApart(Bisector& bisector, double reach) {
+  const double least = kFinest * reach / (std::abs(bisector.a) + bisector.b);
+  if (!(least > bisector.unit)) return false;
+  const double unit = powerOfTwoIn(least);
+  if (bisector.a == 0) bisector.apex *= bisector.unit / unit;
+  bisector.unit = unit;
+  return true;
+}
+
+/// Sets the parameters of the ends that are not at infinity.
+void setParameters(EdgeCurve& curve, bool hasStart, bool hasEnd) {
+  if (hasStart) curve.from = parameterAt(curve.bisector, curve.start);
+  if (hasEnd) curve.to = parameterAt(curve.bisector, curve.end);
+  // The order of the ends is certified: where the parameters contradict it, the edge has length zero up to rounding.
+  if (curve.from > curve.to) curve.from = curve.to = std::sqrt(curve.from) * std::sqrt(curve.to);
 }
 
 }  // namespace
@@ -30,39 +56,45 @@ Bisector bisector(const Circle& left, const Circle& right, Metric metric) {
   const double difference = isCurved ? left.r - right.r : 0;
   const bool originIsLeft = difference <= 0;
   const Circle& origin = originIsLeft ? left : right;
-  const Vector toOther = between(origin, originIsLeft ? right : left);
+  const Vector between = circle_voronoi::between(origin, originIsLeft ? right : left);
+  const double unit = unitFor(largestOf(between));
+  const Vector toOther = measuredIn(unit, between);
   const double d = length(toOther);
-  const double size = std::abs(difference);
+  const double size = std::abs(difference) / unit;
 
   Bisector result;
+  result.unit = unit;
   result.left = {left.x, left.y};
   result.right = {right.x, right.y};
-  result.a = difference / 2;
+  result.a = difference / unit / 2;
   // Not c^2 - a^2, which cancels for a circle almost inside the other.
   result.b = std::max(std::sqrt(std::max((d - size) * (d + size), 0.0)), d * kSmallestB) / 2;
   result.origin = {origin.x, origin.y};
   result.along = {toOther.x / d, toOther.y / d};
   result.across = originIsLeft ? Vector{-result.along.y, result.along.x} : Vector{result.along.y, -result.along.x};
   result.apex = (d - size) / 2;
-  if (metric == Metric::power) result.apex += (left.r - right.r) * ((left.r + right.r) / (2 * d));
+  if (metric == Metric::power) {
+    const double apex = result.apex + (left.r - right.r) / unit * ((left.r + right.r) / unit / (2 * d));
+    result.apex = std::clamp(apex, -kFarthestApex, kFarthestApex);
+  }
   return result;
 }
 
 Point pointAt(const Bisector& bisector, double s) {
   const double along = bisector.apex - std::abs(bisector.a) * ((s - 1) / s * (s - 1) / 2);
   const double across = bisector.b * (s - 1 / s) / 2;
-  return {bisector.origin.x + (along * bisector.along.x + across * bisector.across.x),
-          bisector.origin.y + (along * bisector.along.y + across * bisector.across.y)};
+  return {bisector.origin.x + bisector.unit * (along * bisector.along.x + across * bisector.across.x),
+          bisector.origin.y + bisector.unit * (along * bisector.along.y + across * bisector.across.y)};
 }
 
 double parameterAt(const Bisector& bisector, Point p) {
-  const Vector toPoint = {p.x - bisector.origin.x, p.y - bisector.origin.y};
+  const Vector toPoint = measuredIn(bisector.unit, {p.x - bisector.origin.x, p.y - bisector.origin.y});
   const double sine = dot(toPoint, bisector.across) / bisector.b;
   const double c = bisector.apex + std::abs(bisector.a);
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
   // changes faster. Of a narrow branch that is the distance.
-  const bool isSteep = bisector.a != 0 && c * std::abs(sine) > bisector.b * std::sqrt(sine * sine + 1);
-  const double rise = (length(toPoint) - bisector.apex) / c;
+  const bool isSteep = bisector.a != 0 && c * std::abs(sine) > bisector.b * lengthOf({sine, 1});
+  const double rise = (lengthOf(toPoint) - bisector.apex) / c;
   if (!isSteep || !(rise > 0)) return exponentialOf(sine);
   return exponentialOf(std::copysign(std::sqrt(rise) * std::sqrt(rise + 2), sine));
 }
@@ -75,17 +107,24 @@ EdgeCurve edgeCurve(std::span<const Circle> circles, const Diagram& diagram, std
     const Vertex& vertex = diagram.vertices[static_cast<std::size_t>(v)];
     return Point{vertex.x, vertex.y};
   };
+  double reach = 0;
   if (start != kNone) {
     curve.start = vertexAt(start);
-    curve.from = parameterAt(curve.bisector, curve.start);
+    reach = distanceAlongAxis(curve.bisector.origin, curve.start);
   }
   if (end != kNone) {
     curve.end = vertexAt(end);
-    curve.to = parameterAt(curve.bisector, curve.end);
+    reach = std::max(reach, distanceAlongAxis(curve.bisector.origin, curve.end));
   }
-  // The order of the ends is certified: where the parameters contradict it, the edge has length zero up to rounding.
-  if (curve.from > curve.to) curve.from = curve.to = std::sqrt(curve.from) * std::sqrt(curve.to);
+  moveApart(curve.bisector, reach);
+  setParameters(curve, start != kNone, end != kNone);
   return curve;
+}
+
+EdgeCurve seenFrom(const EdgeCurve& curve, double reach) {
+  EdgeCurve result = curve;
+  if (moveApart(result.bisector, reach)) setParameters(result, !curve.startsAtInfinity(), !curve.endsAtInfinity());
+  return result;
 }
 
 EdgeCurve reversed(const EdgeCurve& curve) {
@@ -100,16 +139,19 @@ EdgeCurve reversed(const EdgeCurve& curve) {
 }
 
 EdgeCurve segment(Point start, Point end) {
-  const Vector chord = {end.x - start.x, end.y - start.y};
-  const double size = length(chord);
+  const Vector between = {end.x - start.x, end.y - start.y};
   EdgeCurve curve;
   Bisector& line = curve.bisector;
+  line.unit = unitFor(largestOf(between));
+  const Vector chord = measuredIn(line.unit, between);
+  const double size = length(chord);
   line.across = {chord.x / size, chord.y / size};
   line.along = {line.across.y, -line.across.x};
   line.b = line.apex = size / 2;
-  const Point middle = {start.x + chord.x / 2, start.y + chord.y / 2};
-  line.left = line.origin = {middle.x - line.apex * line.along.x, middle.y - line.apex * line.along.y};
-  line.right = {middle.x + line.apex * line.along.x, middle.y + line.apex * line.along.y};
+  const Point middle = {start.x + between.x / 2, start.y + between.y / 2};
+  const double half = lengthOf(between) / 2;
+  line.left = line.origin = {middle.x - half * line.along.x, middle.y - half * line.along.y};
+  line.right = {middle.x + half * line.along.x, middle.y + half * line.along.y};
   curve.from = exponentialOf(-1);
   curve.to = exponentialOf(1);
   curve.start = start;

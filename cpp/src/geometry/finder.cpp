@@ -6,7 +6,7 @@
 #include <deque>
 #include <limits>
 
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -37,11 +37,11 @@ Vector beginningOf(const Cells& cells, std::int32_t side) {
 /// Whether turning counter-clockwise from `reference` one meets v no later than w.
 bool noLater(Vector reference, Vector v, Vector w) {
   const auto isSecondHalf = [&](Vector u) {
-    const double side = cross(reference, u);
-    return side < 0 || (side == 0 && dot(reference, u) < 0);
+    const double side = turn(reference, u);
+    return side < 0 || (side == 0 && facing(reference, u) < 0);
   };
   if (isSecondHalf(v) != isSecondHalf(w)) return isSecondHalf(w);
-  return cross(v, w) >= 0;
+  return turn(v, w) >= 0;
 }
 
 }  // namespace
@@ -65,9 +65,13 @@ Finder::Finder(const Cells& cells) : cells_(cells) {
   const double perBucket = 2;
   const auto count = static_cast<std::size_t>(std::sqrt(static_cast<double>(visible) / perBucket)) + 1;
   columns_ = rows_ = count;
-  // Centres on one line leave a grid without width or height; any size does there.
-  if (box.maxX > box.minX) width_ = (box.maxX - box.minX) / static_cast<double>(columns_);
-  if (box.maxY > box.minY) height_ = (box.maxY - box.minY) / static_cast<double>(rows_);
+  // Centres on one line leave a grid without width or height, as does the smallest number; any size does there.
+  const auto sizeOf = [&](double extent) {
+    const double size = extent / static_cast<double>(count);
+    return size > 0 ? size : 1;
+  };
+  width_ = sizeOf(box.maxX - box.minX);
+  height_ = sizeOf(box.maxY - box.minY);
 
   starts_.assign(columns_ * rows_, kNone);
   std::deque<std::size_t> filled;
@@ -102,10 +106,20 @@ std::int32_t Finder::startNear(Point p) const {
 std::int32_t Finder::find(Point p, std::int32_t hint) const {
   if (starts_.empty()) return kNone;
   std::int32_t circle = startNear(p);
-  if (hint != kNone && cells_.exists(hint) && cells_.distance(hint, p) < cells_.distance(circle, p)) circle = hint;
-  // Each step comes strictly nearer, so none is made twice.
-  for (std::int32_t next = circle; next != kNone; next = nearerNeighbor(circle, p)) circle = next;
-  return circle;
+  if (hint != kNone && cells_.exists(hint) && cells_.lead(hint, circle, p) > 0) circle = hint;
+  // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
+  // that was marked at step 1, 2, 4, 8 and so on.
+  std::int32_t marked = circle;
+  std::size_t step = 0;
+  for (std::size_t markAt = 1;; ++step) {
+    const std::int32_t next = nearerNeighbor(circle, p);
+    if (next == kNone || next == marked) return circle;
+    circle = next;
+    if (step == markAt) {
+      marked = circle;
+      markAt *= 2;
+    }
+  }
 }
 
 std::vector<std::int32_t> Finder::findAll(std::span<const Point> points) const {
@@ -118,13 +132,13 @@ std::vector<std::int32_t> Finder::findAll(std::span<const Point> points) const {
 /// A neighbour nearer to p than the circle itself, or kNone.
 std::int32_t Finder::nearerNeighbor(std::int32_t circle, Point p) const {
   const auto sides = cells_.sides(circle);
-  double least = cells_.distance(circle, p);
+  double most = 0;
   std::int32_t nearest = kNone;
   const auto ask = [&](std::int32_t side) {
     const std::int32_t neighbor = cells_.neighborOf(side);
-    const double distance = cells_.distance(neighbor, p);
-    if (distance < least) {
-      least = distance;
+    const double lead = cells_.lead(neighbor, circle, p);
+    if (lead > most) {
+      most = lead;
       nearest = neighbor;
     }
   };

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "scale.h"
 #include "tangent.h"
-#include "vectors.h"
 
 namespace circle_voronoi {
 namespace {
@@ -57,7 +57,7 @@ Hull hull(std::span<const Circle> circles, const Diagram& diagram) {
       return cross({p.x - origin.x, p.y - origin.y}, {q.x - origin.x, q.y - origin.y}) / 2;
     };
     const double r = circleAt(step).r;
-    hull.length += r * arc.angle + circle_voronoi::length({next.x - arc.end.x, next.y - arc.end.y});
+    hull.length += r * arc.angle + lengthOf({next.x - arc.end.x, next.y - arc.end.y});
     hull.area += triangle(arc.start, arc.end) + triangle(arc.end, next) + r * r * (arc.angle - std::sin(arc.angle)) / 2;
   }
   return hull;

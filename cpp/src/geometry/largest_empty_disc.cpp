@@ -5,8 +5,9 @@
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/queries.h"
 #include "clip.h"
+#include "far_view.h"
 #include "tangent.h"
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -29,6 +30,8 @@ class Largest {
   std::optional<EmptyDisc> best_;
 };
 
+Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
+
 /// The three sides that begin at each vertex.
 std::vector<std::array<std::int32_t, 3>> departures(const Cells& cells) {
   const auto& diagram = cells.diagram();
@@ -44,7 +47,7 @@ std::vector<std::array<std::int32_t, 3>> departures(const Cells& cells) {
 
 }  // namespace
 
-std::optional<EmptyDisc> largestEmptyDisc(const Cells& cells, const ConvexPolygon& region) {
+std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Cells& cells, const ConvexPolygon& region) {
   const Diagram& diagram = cells.diagram();
   Largest largest;
   const Finder finder(cells);
@@ -65,11 +68,9 @@ std::optional<EmptyDisc> largestEmptyDisc(const Cells& cells, const ConvexPolygo
     };
     // Along an edge the distance is largest at one of its ends.
     if (std::max(radiusAt(start), radiusAt(end)) <= largest.radius()) continue;
-    const EdgeCurve curve = edgeCurve(cells.circles(), diagram, e);
-    for (const Span& span : clipSpans(curve, region)) {
-      const EdgeCurve piece = part(curve, span, region);
-      if (span.cutFrom != kNone) largest.offer(cells, piece.start, left, right);
-      if (span.cutTo != kNone) largest.offer(cells, piece.end, left, right);
+    for (const auto& [piece, cutFrom, cutTo] : partsInside(edgeCurve(cells.circles(), diagram, e), region)) {
+      if (cutFrom != kNone) largest.offer(cells, piece.start, left, right);
+      if (cutTo != kNone) largest.offer(cells, piece.end, left, right);
     }
   }
   return largest.best();
@@ -83,7 +84,7 @@ std::optional<EmptyDisc> largestEmptyDisc(const Cells& cells, const ConvexPolygo
 //   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
 // So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
 // inside the hull.
-std::optional<EmptyDisc> largestEmptyDiscInHull(const Cells& cells) {
+std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Cells& cells) {
   const Diagram& diagram = cells.diagram();
   const auto circles = cells.circles();
   if (diagram.hull.empty()) return std::nullopt;
@@ -111,7 +112,8 @@ std::optional<EmptyDisc> largestEmptyDiscInHull(const Cells& cells) {
     while (!pending.empty()) {
       const std::int32_t side = pending.back();
       pending.pop_back();
-      const EdgeCurve curve = cells.curveOf(side);
+      const EdgeCurve whole = cells.curveOf(side);
+      const EdgeCurve curve = seenFrom(whole, largestOf(vectorTo(whole.bisector.origin, touch)));
       const LineCrossing crossing(curve.bisector, touch, {-normal.y, normal.x});
       std::vector<double> crossings = crossing.parameters();
       std::erase_if(crossings, [&](double s) { return s <= curve.from || s >= curve.to; });
@@ -119,7 +121,7 @@ std::optional<EmptyDisc> largestEmptyDiscInHull(const Cells& cells) {
       // An edge that crosses the line twice has come out of the hull again elsewhere.
       if (target != kNone && crossings.size() < 2) {
         const auto v = static_cast<std::size_t>(target);
-        if (dot(normal, {diagram.vertices[v].x - touch.x, diagram.vertices[v].y - touch.y}) > 0) {
+        if (dot(normal, vectorTo(touch, {diagram.vertices[v].x, diagram.vertices[v].y})) > 0) {
           if (isOutside[v]) continue;  // only rounding leads to a vertex twice
           isOutside[v] = true;
           for (const std::int32_t next : sidesFrom[v]) {

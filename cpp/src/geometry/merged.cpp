@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -65,7 +65,7 @@ MergedDiagram mergeVertices(std::span<const Circle> circles, const Diagram& diag
     const double limit = nearZero >= 0 ? nearZero
                                        : roundingError(s, diagram.vertexCircles[edge.start], circles) +
                                              roundingError(t, diagram.vertexCircles[edge.end], circles);
-    if (length({t.x - s.x, t.y - s.y}) > limit) continue;
+    if (lengthOf({t.x - s.x, t.y - s.y}) > limit) continue;
     isShort[e] = true;
     sets.unite(edge.start, edge.end);
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "circle_voronoi/metric.h"
 
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 
 double distance(Metric metric, const Circle& circle, Point p) {
-  const double toCentre = length({p.x - circle.x, p.y - circle.y});
+  const double toCentre = lengthOf({p.x - circle.x, p.y - circle.y});
   switch (metric) {
     case Metric::centres:
       return toCentre;

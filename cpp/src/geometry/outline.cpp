@@ -7,7 +7,7 @@
 #include "arc_measure.h"
 #include "circle_voronoi/cells.h"
 #include "clip.h"
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 namespace {
@@ -18,17 +18,17 @@ class Ring {
   explicit Ring(const ConvexPolygon& region) : region_(region) {
     reach_.reserve(region.size() + 1);
     reach_.push_back(0);
-    for (std::size_t k = 0; k < region.size(); ++k) reach_.push_back(reach_.back() + length(side(k)));
+    for (std::size_t k = 0; k < region.size(); ++k) reach_.push_back(reach_.back() + lengthOf(side(k)));
   }
 
   double total() const { return reach_.back(); }
 
   /// The place on side `k` next to a point.
   double placeOn(std::size_t k, Point p) const {
-    const Vector direction = side(k);
     const double size = reach_[k + 1] - reach_[k];
+    const Vector direction = {side(k).x / size, side(k).y / size};
     const Point corner = region_.corners()[k];
-    return reach_[k] + std::clamp(dot({p.x - corner.x, p.y - corner.y}, direction) / size, 0.0, size);
+    return reach_[k] + std::clamp(dot({p.x - corner.x, p.y - corner.y}, direction), 0.0, size);
   }
 
   /// The place next to a point.
@@ -38,7 +38,7 @@ class Ring {
     for (std::size_t k = 0; k < region_.size(); ++k) {
       const double candidate = placeOn(k, p);
       const Point q = at(candidate);
-      const double gap = length({p.x - q.x, p.y - q.y});
+      const double gap = lengthOf({p.x - q.x, p.y - q.y});
       if (gap < nearest) {
         nearest = gap;
         place = candidate;
@@ -146,21 +146,11 @@ class Clipper {
     return false;
   }
 
-  struct Piece {
-    EdgeCurve curve;
-    std::int32_t cutFrom = kNone;
-    std::int32_t cutTo = kNone;
-  };
-
   /// The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the
   /// cells on either side meet bit for bit.
-  std::vector<Piece> piecesOf(std::int32_t side) const {
-    const EdgeCurve curve = edgeCurve(cells_.circles(), cells_.diagram(), side / 2, cells_.metric());
-    std::vector<Piece> pieces;
-    for (const auto& span : clipSpans(curve, region_)) {
-      const EdgeCurve piece = part(curve, span, region_);
-      if (piece.isBounded()) pieces.push_back({piece, span.cutFrom, span.cutTo});
-    }
+  std::vector<Part> piecesOf(std::int32_t side) const {
+    std::vector<Part> pieces =
+        partsInside(edgeCurve(cells_.circles(), cells_.diagram(), side / 2, cells_.metric()), region_);
     if (side % 2 == 0) return pieces;
     std::ranges::reverse(pieces);
     for (auto& [piece, cutFrom, cutTo] : pieces) {
@@ -255,9 +245,9 @@ class Clipper {
   double lead(Point p) const {
     double least = std::numeric_limits<double>::infinity();
     for (const std::int32_t side : cells_.sides(circle_)) {
-      least = std::min(least, cells_.distance(cells_.neighborOf(side), p));
+      least = std::min(least, cells_.lead(circle_, cells_.neighborOf(side), p));
     }
-    return least - cells_.distance(circle_, p);
+    return least;
   }
 
   const Cells& cells_;
@@ -267,16 +257,34 @@ class Clipper {
   std::vector<Chain> chains_;
 };
 
-/// Moments relative to the start of the first piece.
-Moments momentsOf(const Outline& outline) {
-  const Point reference = outline.front().front().curve.start;
+/// An area of less than this share of the square around it is but rounding.
+constexpr double kRoundingOfArea = 0x1p-44;
+
+/// The start of the first piece: moments are taken relative to it.
+Point referenceOf(const Outline& outline) { return outline.front().front().curve.start; }
+
+/// About the largest distance of two of its points.
+double extentOf(const Outline& outline) {
+  const Point reference = referenceOf(outline);
+  double extent = 0;
+  for (const auto& loop : outline) {
+    for (const OutlinePiece& piece : loop) {
+      extent = std::max(extent, largestOf({piece.curve.start.x - reference.x, piece.curve.start.y - reference.y}));
+    }
+  }
+  return extent;
+}
+
+Moments momentsOf(const Outline& outline, double unit) {
+  const Point reference = referenceOf(outline);
+  const auto toPoint = [&](Point p) { return measuredIn(unit, {p.x - reference.x, p.y - reference.y}); };
   Moments sum;
   for (const auto& loop : outline) {
     for (const auto& [curve, side, neighbor] : loop) {
-      const Vector u = {curve.start.x - reference.x, curve.start.y - reference.y};
-      const Vector v = {curve.end.x - reference.x, curve.end.y - reference.y};
+      const Vector u = toPoint(curve.start);
+      const Vector v = toPoint(curve.end);
       const double triangle = cross(u, v) / 2;
-      const Moments beyond = momentsOverChord(curve, reference);
+      const Moments beyond = momentsOverChord(curve, reference, unit);
       sum.area += triangle + beyond.area;
       sum.x += triangle * (u.x + v.x) / 3 + beyond.x;
       sum.y += triangle * (u.y + v.y) / 3 + beyond.y;
@@ -291,13 +299,21 @@ Outline outline(const Cells& cells, std::int32_t circle, const ConvexPolygon& re
   return Clipper(cells, circle, region).run();
 }
 
-double area(const Outline& outline) { return outline.empty() ? 0 : momentsOf(outline).area; }
+double area(const Outline& outline) {
+  if (outline.empty()) return 0;
+  const double unit = unitFor(extentOf(outline));
+  return momentsOf(outline, unit).area * unit * unit;
+}
 
 Point centroid(const Outline& outline) {
   if (outline.empty()) return {};
-  const Point reference = outline.front().front().curve.start;
-  const Moments moments = momentsOf(outline);
-  if (moments.area > 0) return {reference.x + moments.x / moments.area, reference.y + moments.y / moments.area};
+  const Point reference = referenceOf(outline);
+  const double extent = extentOf(outline);
+  const double unit = unitFor(extent);
+  const Moments moments = momentsOf(outline, unit);
+  if (moments.area > kRoundingOfArea * (extent / unit) * (extent / unit)) {
+    return {reference.x + unit * (moments.x / moments.area), reference.y + unit * (moments.y / moments.area)};
+  }
   Vector sum;
   double count = 0;
   for (const auto& loop : outline) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "vectors.h"
+#include "scale.h"
 
 namespace circle_voronoi {
 
@@ -23,7 +23,7 @@ std::optional<ClosestPair> closestPair(std::span<const Circle> circles, const Di
   for (const auto& [i, j] : neighborPairs(diagram)) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
     const Circle& d = circles[static_cast<std::size_t>(j)];
-    const double gap = length(between(c, d)) - c.r - d.r;
+    const double gap = lengthOf(between(c, d)) - c.r - d.r;
     if (!closest || gap < closest->gap) closest = {i, j, gap};
   }
   return closest;

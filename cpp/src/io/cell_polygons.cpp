@@ -6,6 +6,7 @@
 
 #include "arc_measure.h"
 #include "circle_voronoi/merged.h"
+#include "scale.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -25,7 +26,7 @@ std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
 
 /// Whether the triangle p, q, r is counter-clockwise.
-bool isLeftTurn(Point p, Point q, Point r) { return cross(vectorTo(p, q), vectorTo(p, r)) > 0; }
+bool isLeftTurn(Point p, Point q, Point r) { return turn(vectorTo(p, q), vectorTo(p, r)) > 0; }
 
 /// Whether the step from p to q turns around both foci of an arc, by less than half a turn.
 bool turnsAround(Point left, Point right, Point p, Point q) {
@@ -67,13 +68,14 @@ bool hasArea(const std::vector<Point>& ring) {
   double length = 0;
   double size = 0;
   for (const Point& p : ring) size = std::max({size, std::abs(p.x), std::abs(p.y)});
+  const double unit = unitFor(size);
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Vector p = vectorTo(ring.front(), ring[k]);
-    const Vector q = vectorTo(ring.front(), ring[(k + 1) % ring.size()]);
+    const Vector p = measuredIn(unit, vectorTo(ring.front(), ring[k]));
+    const Vector q = measuredIn(unit, vectorTo(ring.front(), ring[(k + 1) % ring.size()]));
     twice += cross(p, q);
     length += std::abs(q.x - p.x) + std::abs(q.y - p.y);
   }
-  return twice > kRoundingError * size * length;
+  return twice > kRoundingError * (size / unit) * length;
 }
 
 void addPoint(std::vector<Point>& ring, Point p) {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lengths from the smallest to the largest double, whose products neither overflow nor vanish.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "vectors.h"
+
+namespace circle_voronoi {
+
+/// Sums of products in this range, of either sign, have neither overflown nor lost what counts.
+inline constexpr double kLeastSafe = 0x1p-900;
+inline constexpr double kMostSafe = 0x1p1000;
+
+/// The largest power of two up to `size` > 0.
+inline double powerOfTwoIn(double size) {
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return std::ldexp(1.0, exponent - 1);
+}
+
+/// A unit to measure lengths of about `size` in, so that products of up to four are safe: 1 for most, else a power of
+/// two next to `size`. To divide by it is exact.
+inline double unitFor(double size) {
+  if ((0x1p-200 < size && size < 0x1p200) || !(size > 0) || std::isinf(size)) return 1;
+  return powerOfTwoIn(size);
+}
+
+inline double largestOf(Vector v) { return std::max(std::abs(v.x), std::abs(v.y)); }
+inline Vector measuredIn(double unit, Vector v) { return unit == 1 ? v : Vector{v.x / unit, v.y / unit}; }
+
+/// The length of a vector of any size.
+inline double lengthOf(Vector v) {
+  const double square = dot(v, v);
+  if (kLeastSafe < square && square < kMostSafe) return std::sqrt(square);
+  const double unit = unitFor(largestOf(v));
+  return unit * length(measuredIn(unit, v));
+}
+
+/// The cross product but for a factor above 0: positive if the way from u to v is a left turn.
+inline double turn(Vector u, Vector v) {
+  const double product = cross(u, v);
+  if (kLeastSafe < std::abs(product) && std::abs(product) < kMostSafe) return product;
+  return cross(measuredIn(unitFor(largestOf(u)), u), measuredIn(unitFor(largestOf(v)), v));
+}
+
+/// The dot product but for a factor above 0.
+inline double facing(Vector u, Vector v) {
+  return dot(measuredIn(unitFor(largestOf(u)), u), measuredIn(unitFor(largestOf(v)), v));
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Circles a power of two times as large have the same diagram and geometry, bit for bit, times that power: from the
+// smallest to the largest numbers that `compute` takes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "circle_voronoi/clearest_path.h"
+#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/export.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/finder.h"
+#include "circle_voronoi/hull.h"
+#include "circle_voronoi/merged.h"
+#include "circle_voronoi/queries.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Numbers with few bits, of which the smallest doubles keep them all.
+std::vector<Circle> coarse(std::vector<Circle> circles, double size) {
+  const auto round = [&](double x) { return std::nearbyint(x / size * 0x1p12) * 0x1p-12; };
+  for (auto& [x, y, r] : circles) {
+    x = round(x);
+    y = round(y);
+    r = round(r);
+  }
+  return circles;
+}
+
+/// What geometry tells of some circles, numbers with their dimension: 0 a number, 1 a length, 2 an area.
+struct Measures {
+  std::vector<double> numbers;
+  std::vector<int> dimensions;
+
+  void add(int dimension, double number) {
+    numbers.push_back(number);
+    dimensions.push_back(dimension);
+  }
+  void add(Point p) {
+    add(1, p.x);
+    add(1, p.y);
+  }
+  void add(const EmptyDisc& disc) {
+    add(Point{disc.disc.x, disc.disc.y});
+    add(1, disc.disc.radius);
+    for (const std::int32_t circle : disc.circles) add(0, circle);
+  }
+};
+
+void measureCurves(const Cells& cells, const Box& box, double tolerance, Measures& all) {
+  const Diagram& diagram = cells.diagram();
+  for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+    const EdgeCurve curve = edgeCurve(cells.circles(), diagram, e, cells.metric());
+    all.add(0, curve.from);
+    all.add(0, curve.to);
+    all.add(pointAt(curve.bisector, 3));
+    for (const EdgeCurve& piece : clip(curve, box)) {
+      all.add(piece.start);
+      all.add(piece.end);
+      all.add(1, arcLength(piece));
+      all.add(rationalBezier(piece).control);
+      for (const Point& p : polyline(piece, tolerance)) all.add(p);
+      for (const CubicBezier& cubic : cubicBeziers(piece, tolerance)) all.add(cubic.control1);
+    }
+  }
+}
+
+void measureCells(const Cells& cells, const Box& box, Measures& all) {
+  const Finder finder(cells);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(cells.circles().size()); ++i) {
+    const Outline parts = outline(cells, i, box);
+    for (const auto& loop : parts) {
+      for (const OutlinePiece& piece : loop) all.add(piece.curve.start);
+    }
+    all.add(2, area(parts));
+    all.add(1, perimeter(parts));
+    all.add(centroid(parts));
+    for (const double share : {0.1, 0.4, 0.45, 0.8}) {
+      const Point p = {box.minX + share * (box.maxX - box.minX), box.minY + share * share * (box.maxY - box.minY)};
+      all.add(0, cells.contains(i, p));
+      all.add(0, finder.find(p, i));
+    }
+  }
+}
+
+void measureQueries(const Cells& cells, const Box& box, Measures& all) {
+  const auto circles = cells.circles();
+  const Diagram& diagram = cells.diagram();
+  const Hull outer = hull(circles, diagram);
+  all.add(1, outer.length);
+  all.add(2, outer.area);
+  for (const HullArc& arc : outer.arcs) {
+    all.add(arc.start);
+    all.add(0, arc.angle);
+  }
+  if (const auto pair = closestPair(circles, diagram)) all.add(1, pair->gap);
+  all.add(*largestEmptyDiscCentredIn(cells, box));
+  all.add(*largestEmptyDiscCentredInHull(cells));
+  all.add(*largestEmptyDiscInside(cells, box));
+  const ClearestPath path = clearestPath(cells, {box.minX, box.minY}, {box.maxX, box.maxY / 2});
+  all.add(1, path.clearance);
+  for (const std::int32_t edge : path.edges) all.add(0, edge);
+  if (path.entry) all.add(*path.entry);
+  const MergedDiagram merged = mergeVertices(circles, diagram);
+  for (const Edge& edge : merged.edges) all.add(0, edge.start);
+  const Box around = exportBox(circles);
+  all.add(Point{around.minX, around.maxY});
+}
+
+Measures measure(const std::vector<Circle>& circles, Metric metric, const Box& box, double scale) {
+  const Diagram diagram = computeComparison(circles, metric).value();
+  const Cells cells(circles, diagram, metric);
+  Measures all;
+  measureCurves(cells, box, 1e-4 * scale, all);
+  measureCells(cells, box, all);
+  if (metric == Metric::circles) measureQueries(cells, box, all);
+  return all;
+}
+
+class Scale : public testing::TestWithParam<int> {};
+
+TEST_P(Scale, GeometryIsTheSameAtEverySize) {
+  const int exponent = GetParam();
+  const double scale = std::ldexp(1.0, exponent);
+  for (const Family family : {Family::uniform, Family::intersecting, Family::hidden, Family::oneHuge, Family::rows,
+                              Family::gridTangent, Family::collinear, Family::logUniform}) {
+    SCOPED_TRACE(familyName(family));
+    const auto some = generate(family, 20, 3);
+    double size = 0;
+    for (const auto& [x, y, r] : some) size = std::max({size, std::abs(x), std::abs(y), r});
+    const auto circles = coarse(some, size);
+    const Box box = {-0.25, -0.5, 1, 0.75};
+    auto scaled = circles;
+    for (auto& [x, y, r] : scaled) {
+      x *= scale;
+      y *= scale;
+      r *= scale;
+    }
+    const Box scaledBox = {box.minX * scale, box.minY * scale, box.maxX * scale, box.maxY * scale};
+    for (const Metric metric : {Metric::circles, Metric::centres, Metric::power}) {
+      SCOPED_TRACE(static_cast<int>(metric));
+      const Measures expected = measure(circles, metric, box, 1);
+      const Measures found = measure(scaled, metric, scaledBox, scale);
+      ASSERT_EQ(found.numbers.size(), expected.numbers.size());
+      for (std::size_t k = 0; k < found.numbers.size(); ++k) {
+        ASSERT_TRUE(std::isfinite(expected.numbers[k]) || expected.dimensions[k] == 0);
+        ASSERT_EQ(found.numbers[k], std::ldexp(expected.numbers[k], exponent * expected.dimensions[k]))
+            << k << " of dimension " << expected.dimensions[k];
+      }
+    }
+  }
+}
+
+// 2^498 is the largest power below kCoordinateLimit.
+INSTANTIATE_TEST_SUITE_P(Exponents, Scale, testing::Values(-900, -700, -400, -255, -100, 100, 255, 300, 498));
+
+/// Where numbers have no more bits to lose than the circles have.
+TEST(Scale, SmallestNumbersAreRoundedOnly) {
+  const double scale = 0x1p-1060;
+  const auto circles = coarse(generate(Family::intersecting, 20, 3), 64);
+  auto scaled = circles;
+  for (auto& [x, y, r] : scaled) {
+    x *= scale;
+    y *= scale;
+    r *= scale;
+  }
+  const Box box = {-0.25, -0.5, 1, 0.75};
+  const Box scaledBox = {-0.25 * scale, -0.5 * scale, scale, 0.75 * scale};
+  const Diagram diagram = compute(circles).value();
+  const Diagram scaledDiagram = compute(scaled).value();
+  const Cells cells(circles, diagram);
+  const Cells scaledCells(scaled, scaledDiagram);
+  for (std::int32_t i = 0; i < 20; ++i) {
+    const Outline parts = outline(cells, i, box);
+    const Outline scaledParts = outline(scaledCells, i, scaledBox);
+    ASSERT_EQ(scaledParts.size(), parts.size());
+    // Twelve bits and a few pieces.
+    EXPECT_NEAR(perimeter(scaledParts) / scale, perimeter(parts), 0.02);
+    EXPECT_NEAR(centroid(scaledParts).x / scale, centroid(parts).x, 0.02);
+  }
+  const EmptyDisc disc = *largestEmptyDiscInside(cells, box);
+  const EmptyDisc scaledDisc = *largestEmptyDiscInside(scaledCells, scaledBox);
+  EXPECT_EQ(scaledDisc.circles, disc.circles);
+  EXPECT_NEAR(scaledDisc.disc.radius / scale, disc.disc.radius, 0.01);
+}
+
+/// Areas fill a box of ordinary size around circles that cannot be told apart, and the other way round.
+TEST(Scale, CellsFillTheBoxWhateverLiesBetweenTheirSizes) {
+  for (const double small : {1.0, 1e-20, 1e-100, 1e-200, 1e-280, 1e-300, 1e-310, 5e-324}) {
+    for (const double large : {1.0, 1e-150, 1e60, 1e145}) {
+      if (small >= large && small != 1) continue;
+      SCOPED_TRACE(testing::Message() << small << " in " << large);
+      const std::vector<std::vector<Circle>> inputs = {
+          {{0, 0, 0}, {small, 0, 0}, {0, large, 0}},
+          {{0, 0, 0.25 * small}, {small, 0, 0.5 * small}, {0, large, 0.1 * large}},
+          {{0, 0, 0}, {small, small, 0.5 * small}, {0.5 * large, large, 0}, {-large, 0.25 * large, 0.5 * large}}};
+      for (const auto& circles : inputs) {
+        const auto diagram = compute(circles);
+        ASSERT_TRUE(diagram);
+        const Cells cells(circles, diagram.value());
+        for (const double size : {small, large, std::sqrt(small) * std::sqrt(large)}) {
+          if (size < 1e-307) continue;  // a box takes more bits than that
+          const Box box = {-1.5 * size, -1.25 * size, 1.75 * size, 2 * size};
+          double sum = 0;
+          for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+            const Outline parts = outline(cells, i, box);
+            for (const auto& loop : parts) {
+              for (const auto& piece : loop) {
+                for (const Point& p : polyline(piece.curve, 1e-3 * size)) {
+                  ASSERT_TRUE(p.x >= box.minX - 1e-12 * size && p.x <= box.maxX + 1e-12 * size) << p.x;
+                  ASSERT_TRUE(p.y >= box.minY - 1e-12 * size && p.y <= box.maxY + 1e-12 * size) << p.y;
+                }
+              }
+            }
+            sum += area(parts) / (3.25 * size) / (3.25 * size);
+          }
+          if (size > 1e-140) {
+            EXPECT_NEAR(sum, 1, 1e-9) << "box of " << size;
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Circles a power of two times as large have the same diagram and geometry, bit for bit, times that power: from the
+// smallest to the largest numbers that `compute` takes.
+import { describe, expect, it } from 'vitest'
+import { loadComparison } from '../../web/lib/comparison.ts'
+import {
+  arcLength,
+  area,
+  type Box,
+  centroid,
+  clearestPath,
+  clip,
+  closestPair,
+  cubicBeziers,
+  type Diagram,
+  edgeCurve,
+  exportBox,
+  hull,
+  largestEmptyDiscCentredIn,
+  largestEmptyDiscCentredInHull,
+  largestEmptyDiscInside,
+  type Metric,
+  mergeVertices,
+  outline,
+  type Point,
+  perimeter,
+  pointAt,
+  polyline,
+} from '../../web/lib/index.ts'
+import { library, seededRandom } from './library.ts'
+
+const comparison = await loadComparison(library)
+
+/** What geometry tells, each number with its dimension: 0 a number, 1 a length, 2 an area. */
+class Measures {
+  readonly numbers: [dimension: number, value: number][] = []
+
+  add(dimension: number, ...values: number[]): void {
+    for (const value of values) this.numbers.push([dimension, value])
+  }
+
+  addPoint({ x, y }: Point): void {
+    this.add(1, x, y)
+  }
+}
+
+function addCurves(all: Measures, diagram: Diagram, box: Box, tolerance: number): void {
+  for (let e = 0; e < diagram.edges.length / 4; e++) {
+    const curve = edgeCurve(diagram, e)
+    all.add(0, curve.from, curve.to)
+    all.addPoint(pointAt(curve.bisector, 3))
+    for (const piece of clip(curve, box)) {
+      all.addPoint(piece.start)
+      all.add(1, arcLength(piece))
+      polyline(piece, tolerance).forEach((p) => {
+        all.addPoint(p)
+      })
+      cubicBeziers(piece, tolerance).forEach(({ control1 }) => {
+        all.addPoint(control1)
+      })
+    }
+  }
+}
+
+function addCells(all: Measures, diagram: Diagram, box: Box): void {
+  for (let i = 0; i < diagram.circles.length / 3; i++) {
+    const parts = outline(diagram.cells, i, box)
+    parts.flat().forEach(({ curve }) => {
+      all.addPoint(curve.start)
+    })
+    all.add(2, area(parts))
+    all.add(1, perimeter(parts))
+    all.addPoint(centroid(parts))
+    all.add(0, diagram.cellPath(i, box).length > 0 ? 1 : 0)
+    for (const share of [0.1, 0.4, 0.45, 0.8]) {
+      const x = box.minX + share * (box.maxX - box.minX)
+      const y = box.minY + share * share * (box.maxY - box.minY)
+      all.add(0, Number(diagram.contains(i, x, y)), diagram.find(x, y, i))
+    }
+  }
+}
+
+function addQueries(all: Measures, diagram: Diagram, box: Box): void {
+  const { arcs, length, area } = hull(diagram)
+  all.add(1, length)
+  all.add(2, area)
+  for (const { start, angle } of arcs) {
+    all.addPoint(start)
+    all.add(0, angle)
+  }
+  all.add(1, closestPair(diagram)?.gap ?? 0)
+  const discs = [
+    largestEmptyDiscCentredIn(diagram, box),
+    largestEmptyDiscCentredInHull(diagram),
+    largestEmptyDiscInside(diagram, box),
+  ]
+  for (const found of discs) {
+    if (found === undefined) throw new Error('There is no disc.')
+    all.addPoint(found.disc)
+    all.add(1, found.disc.radius)
+    all.add(0, ...found.circles)
+  }
+  const path = clearestPath(diagram, { x: box.minX, y: box.minY }, { x: box.maxX, y: box.maxY / 2 })
+  all.add(1, path.clearance)
+  all.add(0, ...path.edges, ...mergeVertices(diagram).edges)
+  all.add(1, exportBox(diagram.circles).maxX)
+}
+
+function measure(circles: Float64Array, metric: Metric, scale: number) {
+  const diagram = comparison.computeComparison(
+    circles.map((value) => value * scale),
+    metric,
+  )
+  const box = { minX: -0.25 * scale, minY: -0.5 * scale, maxX: scale, maxY: 0.75 * scale }
+  const all = new Measures()
+  addCurves(all, diagram, box, 2 ** -13 * scale)
+  addCells(all, diagram, box)
+  if (metric === 'circles') addQueries(all, diagram, box)
+  return all.numbers
+}
+
+/** Numbers with few bits, so that the smallest keep them all. */
+function coarseCircles(radius: number): Float64Array {
+  const random = seededRandom(11)
+  return new Float64Array(60).map((_, k) => Math.round(4096 * (k % 3 === 2 ? radius : 1) * random()) / 4096)
+}
+
+// 2^498 is the largest power below the limit.
+describe.each([-900, -700, -400, -255, 255, 300, 498])('2^%d times as large', (exponent) => {
+  const times = (value: number, dimension: number) =>
+    Array.from({ length: dimension }).reduce<number>((product) => product * 2 ** exponent, value)
+
+  it.each(['circles', 'centres', 'power'] as const)('all is as large, by the metric %s', (metric) => {
+    for (const radius of [0.1, 0.4]) {
+      const circles = coarseCircles(radius)
+      const expected = measure(circles, metric, 1)
+      const found = measure(circles, metric, 2 ** exponent)
+      expect(found.length).toBe(expected.length)
+      const wrong = found.findIndex(([dimension, value], k) => {
+        return value !== times(expected[k]?.[1] as number, dimension)
+      })
+      expect(wrong).toBe(-1)
+    }
+  })
+})
+
+describe('the cells of circles with anything between their sizes', () => {
+  it.each([1, 1e-20, 1e-100, 1e-200, 1e-280, 1e-300, 1e-310, 5e-324])('fill every box: %d', (small) => {
+    for (const large of [1, 1e-150, 1e60, 1e145]) {
+      if (small >= large && small !== 1) continue
+      for (const circles of [
+        [0, 0, 0, small, 0, 0, 0, large, 0],
+        [0, 0, 0.25 * small, small, 0, 0.5 * small, 0, large, 0.1 * large],
+        [0, 0, 0, small, small, 0.5 * small, 0.5 * large, large, 0, -large, 0.25 * large, 0.5 * large],
+      ]) {
+        const diagram = library.compute(Float64Array.from(circles))
+        for (const size of [small, large, Math.sqrt(small) * Math.sqrt(large)]) {
+          if (size < 1e-140) continue // areas are below all numbers
+          const box = { minX: -1.5 * size, minY: -1.25 * size, maxX: 1.75 * size, maxY: 2 * size }
+          let sum = 0
+          for (let i = 0; i < circles.length / 3; i++) sum += area(outline(diagram.cells, i, box)) / size / size
+          expect(Math.abs(sum - 3.25 * 3.25)).toBeLessThan(1e-8)
+        }
+      }
+    }
+  })
+})

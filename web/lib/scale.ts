@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lengths from the smallest to the largest number, whose products neither overflow nor vanish.
+import { cross, dot, length, type Vector } from './point.ts'
+
+/** Sums of products in this range, of either sign, have neither overflown nor lost what counts. */
+const LEAST_SAFE = 2 ** -900
+const MOST_SAFE = 2 ** 1000
+
+const view = new DataView(new ArrayBuffer(8))
+
+/** The largest power of two up to `size` > 0. */
+export function powerOfTwoIn(size: number): number {
+  if (size < 2 ** -1022) return powerOfTwoIn(size * 2 ** 100) * 2 ** -100
+  view.setFloat64(0, size)
+  view.setUint32(0, view.getUint32(0) & 0x7ff00000)
+  view.setUint32(4, 0)
+  return view.getFloat64(0)
+}
+
+/**
+ * A unit to measure lengths of about `size` in, so that products of up to four are safe: 1 for most, else a power of two
+ * next to `size`. To divide by it is exact.
+ */
+export function unitFor(size: number): number {
+  const isSafe = 2 ** -200 < size && size < 2 ** 200
+  return isSafe || !(size > 0 && size < Number.POSITIVE_INFINITY) ? 1 : powerOfTwoIn(size)
+}
+
+export function largestOf({ x, y }: Vector): number {
+  return Math.max(Math.abs(x), Math.abs(y))
+}
+
+export function measuredIn(unit: number, v: Vector): Vector {
+  return unit === 1 ? v : { x: v.x / unit, y: v.y / unit }
+}
+
+/** The length of a vector of any size. */
+export function lengthOf(v: Vector): number {
+  const square = dot(v, v)
+  if (LEAST_SAFE < square && square < MOST_SAFE) return Math.sqrt(square)
+  const unit = unitFor(largestOf(v))
+  return unit * length(measuredIn(unit, v))
+}
+
+/** The cross product but for a factor above 0: positive if the way from u to v is a left turn. */
+export function turn(u: Vector, v: Vector): number {
+  const product = cross(u, v)
+  if (LEAST_SAFE < Math.abs(product) && Math.abs(product) < MOST_SAFE) return product
+  return cross(measuredIn(unitFor(largestOf(u)), u), measuredIn(unitFor(largestOf(v)), v))
+}
+
+/** The dot product but for a factor above 0. */
+export function facing(u: Vector, v: Vector): number {
+  return dot(measuredIn(unitFor(largestOf(u)), u), measuredIn(unitFor(largestOf(v)), v))
+}
