@@ -281,8 +281,8 @@ TEST(Curve, AnArcWithoutLengthIsOnePiece) {
   EXPECT_EQ(rationalBezier(arc).weight, 1);
 }
 
-/// The length of a branch between two values of t = log s in one direction from its apex, by Gauss's rule of order 30 on
-/// intervals that grow with the distance from the complex zeros of the speed, which are b / c and more from the real
+/// The length of a branch between two values of t = log s in one direction from its apex, by Gauss's rule of order 30
+/// on intervals that grow with the distance from the complex zeros of the speed, which are b / c and more from the real
 /// line.
 long double lengthByQuadrature(const Bisector& bisector, long double from, long double to) {
   const long double a = std::abs(bisector.a);
@@ -329,7 +329,8 @@ TEST(Curve, LengthIsThatOfALongQuadrature) {
 TEST(Curve, LengthTakesMicroseconds) {
   // What took seconds by adaptive quadrature, which never came to rest below rounding.
   const std::vector<Bisector> branches = {bisector({0, 0, 10}, {6.000001, 0, 4}), bisector({0, 0, 10}, {6, 1e-7, 4}),
-                                          bisector({0, 0, 2e10}, {2.1e10, 0, 0.16}), bisector({0, 0, 2e10}, {1.9e10, 5e9, 0.16})};
+                                          bisector({0, 0, 2e10}, {2.1e10, 0, 0.16}),
+                                          bisector({0, 0, 2e10}, {1.9e10, 5e9, 0.16})};
   const std::clock_t begin = std::clock();
   double sum = 0;
   for (int k = 0; k < 10000; ++k) {

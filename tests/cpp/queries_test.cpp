@@ -118,6 +118,72 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
   }
 }
 
+/// The distance of a point from the nearest side of a region, negative outside.
+double depthIn(const ConvexPolygon& region, Point p) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const Point from = region.corners()[k];
+    const Vector side = {region.cornerAfter(k).x - from.x, region.cornerAfter(k).y - from.y};
+    depth = std::min(depth, cross(side, {p.x - from.x, p.y - from.y}) / length(side));
+  }
+  return depth;
+}
+
+TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
+  Random random(2);
+  for (const std::size_t count : {1U, 2U, 3U, 4U, 10U, 60U}) {
+    SCOPED_TRACE(count);
+    const auto circles = generate(GetParam(), count, count);
+    const Diagram diagram = compute(circles).value();
+    const Cells cells(circles, diagram);
+    const Box whole = boxOf(circles);
+    const double size = std::max(whole.maxX - whole.minX, whole.maxY - whole.minY);
+    for (int trial = 0; trial < 6; ++trial) {
+      SCOPED_TRACE(trial);
+      const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
+      const double width = size * random.logUniform(-2, 0.3);
+      ConvexPolygon region = Box{p.x - width, p.y - width / 2, p.x + width, p.y + width / 2};
+      if (trial % 2 == 1) {
+        std::vector<Point> corners;
+        const std::size_t cornerCount = 3 + random.below(8);
+        const double turn = random.unit();
+        for (std::size_t k = 0; k < cornerCount; ++k) {
+          const Vector direction = directionAt((static_cast<double>(k) + turn) / static_cast<double>(cornerCount));
+          corners.push_back({p.x + width * direction.x, p.y + width * direction.y});
+        }
+        region = ConvexPolygon::from(corners).value();
+      }
+      const double rounding = 1e-12 * (size + width + std::abs(p.x) + std::abs(p.y));
+      const auto largest = largestEmptyDiscInside(cells, region);
+      ASSERT_TRUE(largest);
+      const Point centre = {largest->disc.x, largest->disc.y};
+      const double radius = largest->disc.radius;
+      const auto room = [&](Point q) { return std::min(depthIn(region, q), clearance(circles, q)); };
+      // Not above what is there, which rounding cannot make it.
+      EXPECT_NEAR(room(centre), radius, rounding);
+      for (const std::int32_t circle : largest->circles) {
+        if (circle == kNone) continue;
+        EXPECT_NEAR(distance(Metric::circles, circles[static_cast<std::size_t>(circle)], centre), radius,
+                    1e-9 * (size + width));
+      }
+      // Nor below: by many points, and by climbing from the best of them.
+      Point best = centre;
+      for (int k = 0; k < 1000; ++k) {
+        const Point q = {p.x + width * random.uniform(-1, 1), p.y + width * random.uniform(-1, 1)};
+        if (room(q) > room(best) || (k == 0 && depthIn(region, q) > 0)) best = q;
+      }
+      for (double step = width / 10; step > 1e-9 * width; step *= 0.9) {
+        const Vector direction = directionAt(random.unit());
+        const Point q = {best.x + step * direction.x, best.y + step * direction.y};
+        if (room(q) > room(best)) best = q;
+      }
+      if (depthIn(region, best) > 0) {
+        EXPECT_LE(room(best), radius + rounding);
+      }
+    }
+  }
+}
+
 std::string testName(const testing::TestParamInfo<Family>& family) {
   std::string name(familyName(family.param));
   std::ranges::replace(name, '-', '_');
@@ -138,6 +204,7 @@ TEST(Query, NoCirclesHaveNoAnswers) {
   EXPECT_FALSE(closestPair({}, diagram));
   EXPECT_FALSE(largestEmptyDiscCentredIn(cells, Box{0, 0, 1, 1}));
   EXPECT_FALSE(largestEmptyDiscCentredInHull(cells));
+  EXPECT_FALSE(largestEmptyDiscInside(cells, Box{0, 0, 1, 1}));
 }
 
 TEST(Query, NeighborPairsAreThoseOfTheEdges) {
@@ -159,6 +226,36 @@ TEST(Query, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {
   EXPECT_NEAR(largest->disc.x, 5, 1e-14);
   EXPECT_NEAR(std::abs(largest->disc.y), 1, 1e-14);
   EXPECT_NEAR(largest->disc.radius, std::sqrt(26) - 1, 1e-14);
+}
+
+TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
+  struct Case {
+    std::vector<Circle> circles;
+    Box box;
+    double radius;
+    std::ptrdiff_t touched;
+  };
+  const double y = 5 * std::sqrt(3);
+  for (const auto& [circles, box, radius, touched] :
+       {Case{{{10, 0, 1}, {-5, y, 1}, {-5, -y, 1}}, {-9.5, -9.5, 9.5, 9.5}, 9, 3},
+        Case{{{-3, 0, 1}, {3, 0, 1}}, {-3, -4, 3, 4}, 2.4, 2},
+        Case{{{0, 0, 1}}, {0, 0, 4, 4}, (4 * std::sqrt(2) - 1) / (1 + std::sqrt(2)), 1},
+        Case{{{-0.5, 0, 0.6}, {8.5, 0, 0.6}}, {-1, -1, 9, 1}, 1, 1}, Case{{{50, 0, 1}}, {0, 0, 4, 3}, 1.5, 0}}) {
+    const Diagram diagram = compute(circles).value();
+    const auto largest = largestEmptyDiscInside(Cells(circles, diagram), box);
+    ASSERT_TRUE(largest);
+    EXPECT_NEAR(largest->disc.radius, radius, 1e-14);
+    EXPECT_EQ(3 - std::ranges::count(largest->circles, kNone), touched);
+  }
+}
+
+TEST(Query, WhereCirclesCoverTheRegionNoDiscIsInside) {
+  const std::vector<Circle> circles = {{0, 0, 10}, {12, 0, 5}};
+  const Diagram diagram = compute(circles).value();
+  const Cells cells(circles, diagram);
+  const Box covered = {-1, -2, 3, 2};
+  EXPECT_LT(largestEmptyDiscInside(cells, covered)->disc.radius, 0);
+  EXPECT_EQ(largestEmptyDiscInside(cells, covered)->disc, largestEmptyDiscCentredIn(cells, covered)->disc);
 }
 
 }  // namespace

@@ -113,17 +113,18 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
     let part = region.corners.map((point) => ({ point, cut: k }))
     sides.forEach((other, j) => {
       if (j === k) return
-      const excess = (p: Point) => depth(side, p) - depth(other, p) - allowed
+      const excess = (p: Point) => depth(side, p) - depth(other, p)
       part = part.flatMap((here, i) => {
         const next = part[(i + 1) % part.length] as typeof here
         const first = excess(here.point)
         const second = excess(next.point)
-        const kept = first <= 0 ? [here] : []
-        if (first <= 0 === second <= 0) return kept
-        const share = first / (first - second)
+        const isKept = first <= allowed
+        const kept = isKept ? [here] : []
+        if (isKept === second <= allowed) return kept
+        const share = Math.min(Math.max(first / (first - second), 0), 1)
         const x = here.point.x + share * (next.point.x - here.point.x)
         const y = here.point.y + share * (next.point.y - here.point.y)
-        return [...kept, { point: { x, y }, cut: first <= 0 ? j : here.cut }]
+        return [...kept, { point: { x, y }, cut: isKept ? j : here.cut }]
       })
     })
     return part.flatMap(({ point: from, cut }, i) => {

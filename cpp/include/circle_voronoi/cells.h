@@ -23,15 +23,17 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// runs from start to end; side 2 e + 1 belongs to the right circle and runs back. So every side has its own cell on
 /// its left, and the sides of a cell run counter-clockwise around it.
 ///
-/// The circles and the diagram must outlive this, so that it cannot be made of what is about to go; and the diagram must
-/// be certified, or made by comparison.h with the same metric.
+/// The circles and the diagram must outlive this, so that it cannot be made of what is about to go; and the diagram
+/// must be certified, or made by comparison.h with the same metric.
 class Cells {
  public:
   Cells(std::span<const Circle> circles, const Diagram& diagram, Metric metric = Metric::circles);
   Cells(std::span<const Circle> circles, const Diagram&& diagram, Metric metric = Metric::circles) = delete;
   template <class Circles, class AnyDiagram>
-    requires std::same_as<std::remove_const_t<Circles>, std::vector<Circle>>
-  Cells(Circles&& circles, AnyDiagram&& diagram, Metric metric = Metric::circles) = delete;
+  requires std::same_as<std::remove_const_t<Circles>, std::vector<Circle>> Cells(Circles&& circles,
+                                                                                 AnyDiagram&& diagram,
+                                                                                 Metric metric = Metric::circles)
+  = delete;
 
   std::span<const Circle> circles() const { return circles_; }
   const Diagram& diagram() const { return *diagram_; }

@@ -67,9 +67,9 @@ struct EdgeCurve {
   bool isBounded() const { return !startsAtInfinity() && !endsAtInfinity(); }
 };
 
-/// The curve of edge `edge` of a diagram of `circles`, which was made with `metric`. Where the edge ends more than 2^900
-/// times as far away as the two centres are from each other, they are moved apart to 2^-900 of that: that cannot be seen
-/// from there, and parameters stay in the range of doubles.
+/// The curve of edge `edge` of a diagram of `circles`, which was made with `metric`. Where the edge ends more than
+/// 2^900 times as far away as the two centres are from each other, they are moved apart to 2^-900 of that: that cannot
+/// be seen from there, and parameters stay in the range of doubles.
 EdgeCurve edgeCurve(std::span<const Circle> circles, const Diagram& diagram, std::int32_t edge,
                     Metric metric = Metric::circles);
 

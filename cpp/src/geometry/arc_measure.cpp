@@ -81,8 +81,8 @@ Carlson carlson(double rootX, double rootY, double rootZ) {
 
 /// The length from parameter 1 <= from to `to`, in the bisector's unit; a branch is alike on both sides of its apex.
 ///
-/// With Y = sinh t as the variable and m = 1 + (a / b)^2 it is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)), or
-/// with y = Y^2 half of that of (1 + m y) / sqrt(y (1 + y) (1 + m y)): between any limits
+/// With Y = sinh t as the variable and m = 1 + (a / b)^2 it is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)),
+/// or with y = Y^2 half of that of (1 + m y) / sqrt(y (1 + y) (1 + m y)): between any limits
 ///
 ///     R_F(U12^2, U13^2, U14^2) + m (R_D(U12^2, U13^2, U14^2) / 3 + Y_from Y_to / U14)
 ///
@@ -149,8 +149,7 @@ Moments momentsOverChord(const EdgeCurve& curve, Point reference, double unit) {
   const double middle = std::sqrt(from) * std::sqrt(to);
   const double along = bisector.apex * scale + a - a * shift * (middle + 1 / middle) / 2;
   const double across = bisector.b * scale * shift * (middle - 1 / middle) / 2;
-  const Vector toOrigin =
-      measuredIn(unit, {bisector.origin.x - reference.x, bisector.origin.y - reference.y});
+  const Vector toOrigin = measuredIn(unit, {bisector.origin.x - reference.x, bisector.origin.y - reference.y});
   const double x = toOrigin.x + (along * bisector.along.x + across * bisector.across.x);
   const double y = toOrigin.y + (along * bisector.along.y + across * bisector.across.y);
   // The branch bends away from its smaller circle.

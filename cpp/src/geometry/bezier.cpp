@@ -22,11 +22,11 @@ double excessOf(double from, double to) {
   return difference / std::sqrt(from) * (difference / std::sqrt(to)) / 2;
 }
 
-/// The largest distance of an arc from its chord, or a bound; as all lengths of a bisector, in its unit. On one side of the apex the arc turns by less than a
-/// right angle, so the distance is largest at the middle parameter, where the tangent is parallel to the chord: w - 1
-/// times the distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer
-/// to the line of its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times
-/// |a|.
+/// The largest distance of an arc from its chord, or a bound; as all lengths of a bisector, in its unit. On one side of
+/// the apex the arc turns by less than a right angle, so the distance is largest at the middle parameter, where the
+/// tangent is parallel to the chord: w - 1 times the distance of that tangent from the middle of the hyperbola. An arc
+/// around the apex may be a needle, nearer to the line of its chord than to its chord: what counts there is the way
+/// parallel to the axis, at most w - 1 times |a|.
 double chordError(const Bisector& bisector, double from, double to) {
   if (bisector.a == 0) return 0;
   const double along = excessOf(from, to) * std::abs(bisector.a);

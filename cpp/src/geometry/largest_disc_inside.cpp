@@ -64,19 +64,21 @@ std::vector<Ridge> ridgesOf(const ConvexPolygon& region, const std::vector<Side>
     for (const Point& corner : region.corners()) part.push_back({corner, k});
     for (std::size_t j = 0; j < sides.size() && !part.empty(); ++j) {
       if (j == k) continue;
-      const auto excess = [&](Point p) { return sides[k].depth(p) - sides[j].depth(p) - kRoundingOfDepth * extent; };
+      const auto excess = [&](Point p) { return sides[k].depth(p) - sides[j].depth(p); };
+      const double allowed = kRoundingOfDepth * extent;
       std::vector<Corner> kept;
       for (std::size_t i = 0; i < part.size(); ++i) {
         const Corner& here = part[i];
         const Corner& next = part[(i + 1) % part.size()];
         const double first = excess(here.point);
         const double second = excess(next.point);
-        if (first <= 0) kept.push_back(here);
-        if ((first <= 0) == (second <= 0)) continue;
-        const double share = first / (first - second);
+        const bool isKept = first <= allowed;
+        if (isKept) kept.push_back(here);
+        if (isKept == (second <= allowed)) continue;
+        const double share = std::clamp(first / (first - second), 0.0, 1.0);
         const Point p = {here.point.x + share * (next.point.x - here.point.x),
                          here.point.y + share * (next.point.y - here.point.y)};
-        kept.push_back({p, first <= 0 ? j : here.cut});
+        kept.push_back({p, isKept ? j : here.cut});
       }
       part.swap(kept);
     }
@@ -145,10 +147,10 @@ class Search {
     }
   }
 
-  /// Discs that touch two circles and a side. With n the normal of the side, D the depth of the curve's origin, and r the
-  /// radius of its circle, the distance from the circle is the depth where
-  /// (P - Q) s^2 - 2 K s + (P + Q) = 0, P = c + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and
-  /// K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n . along + |a|)).
+  /// Discs that touch two circles and a side. With n the normal of the side, D the depth of the curve's origin, and r
+  /// the radius of its circle, the distance from the circle is the depth where (P - Q) s^2 - 2 K s + (P + Q) = 0, P = c
+  /// + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n .
+  /// along + |a|)).
   void offerAlongEdges() {
     const Diagram& diagram = cells_.diagram();
     for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {

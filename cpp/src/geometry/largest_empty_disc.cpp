@@ -6,8 +6,8 @@
 #include "circle_voronoi/queries.h"
 #include "clip.h"
 #include "far_view.h"
-#include "tangent.h"
 #include "scale.h"
+#include "tangent.h"
 
 namespace circle_voronoi {
 namespace {
