@@ -140,7 +140,8 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
           const { disc, circles: touched } = largest
           const rounding = 1e-12 * (scaleOf(circles) + width + height)
           if (disc.radius <= 0) {
-            expect(largest).toEqual(largestEmptyDiscCentredIn(diagram, region))
+            const centred = largestEmptyDiscCentredIn(diagram, region)
+            expect(Math.abs(disc.radius - (centred?.disc.radius as number))).toBeLessThanOrEqual(rounding)
           } else {
             expect(depthOf(disc)).toBeGreaterThanOrEqual(disc.radius - rounding)
             expect(leastDistance(circles, disc)).toBeGreaterThanOrEqual(disc.radius - rounding)
