@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A libFuzzer target over what is asked of a finished diagram. Any bytes are an input: six say which metric, at which
+// scale and in which box, the rest are circles (fuzz_input.h). Whatever they are,
+// - every call ends within a time, and what it gives is finite;
+// - an arc is no shorter than its chord and no longer than its control polygon;
+// - a nearest circle is found, and its cell contains the place, up to rounding;
+// - where the box is not too small for rounding of the circles and vertices: the parts of the cells fill the box, lie
+// in
+//   it, and their polygons do not cross themselves; the largest empty discs are empty and inside.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+
+#include "circle_voronoi/clearest_path.h"
+#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/finder.h"
+#include "circle_voronoi/hull.h"
+#include "circle_voronoi/merged.h"
+#include "circle_voronoi/queries.h"
+#include "export_frame.h"
+#include "fuzz_input.h"
+
+namespace circle_voronoi::fuzz {
+namespace {
+
+/// Of processor time, for each call: a hundred times what most take, under sanitizers.
+constexpr double kMostSeconds = 0.05;
+/// Of the largest length around.
+constexpr double kRounding = 1e-9;
+/// How much larger than the box anything may be for its rounding not to show in the box.
+constexpr double kMostRange = 0x1p16;
+
+void require(bool holds, const std::string& what) {
+  if (holds) return;
+  std::fprintf(stderr, "%s\n", what.c_str());
+  std::abort();
+}
+
+/// The result of a call, which must not take long.
+template <class Call>
+auto timed(const char* name, Call call) {
+  const std::clock_t begin = std::clock();
+  auto result = call();
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  require(seconds < kMostSeconds, std::string(name) + " takes " + std::to_string(seconds) + " s");
+  return result;
+}
+
+bool isFinite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+double distanceBetween(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
+
+struct View {
+  Metric metric;
+  double scale;
+  double size;    ///< of the box, as a share of the circles' extent
+  double across;  ///< where its middle is, as a share of the extent
+  double up;
+};
+
+View viewOf(std::span<const std::uint8_t> bytes) {
+  const auto share = [&](std::size_t i) { return static_cast<std::int8_t>(bytes[i]) / 64.0; };
+  return {static_cast<Metric>(bytes[0] % 3), std::ldexp(1.0, 8 * static_cast<std::int8_t>(bytes[1])),
+          std::ldexp(1.0, static_cast<std::int8_t>(bytes[2]) / 4), share(3), share(4)};
+}
+
+class Checker {
+ public:
+  Checker(const std::vector<Circle>& circles, const Diagram& diagram, Metric metric, const Box& box)
+      : circles_(circles), diagram_(diagram), cells_(circles, diagram, metric), box_(box), region_(box) {
+    size_ = std::max(box.maxX - box.minX, box.maxY - box.minY);
+    double largest = std::max({std::abs(box.minX), std::abs(box.minY), std::abs(box.maxX), std::abs(box.maxY)});
+    for (const auto& [x, y, r] : circles) largest = std::max({largest, std::abs(x), std::abs(y), r});
+    rounding_ = kRounding * largest;
+    for (const auto& [x, y, radius] : diagram.vertices) largest = std::max({largest, std::abs(x), std::abs(y)});
+    isLarge_ = largest < kMostRange * size_ && size_ > 1e-140;
+  }
+
+  void run() {
+    checkCurves();
+    checkCells();
+    checkPlaces();
+    if (cells_.metric() == Metric::circles) checkQueries();
+  }
+
+ private:
+  void checkCurves() const {
+    for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram_.edges.size()); ++e) {
+      const EdgeCurve curve = edgeCurve(circles_, diagram_, e, cells_.metric());
+      require(curve.from <= curve.to, "the ends of an edge are out of order");
+      for (const EdgeCurve& piece : timed("clip", [&] { return clip(curve, region_); })) {
+        require(isFinite(piece.start) && isFinite(piece.end), "a piece does not end");
+        const double chord = distanceBetween(piece.start, piece.end);
+        const double length = timed("arcLength", [&] { return arcLength(piece); });
+        const RationalBezier bezier = rationalBezier(piece);
+        const double around = distanceBetween(piece.start, bezier.control) + distanceBetween(bezier.control, piece.end);
+        require(length >= chord * (1 - kRounding), "an arc is shorter than its chord");
+        require(length <= around * (1 + kRounding) + rounding_, "an arc is longer than its control polygon");
+        const double tolerance = 1e-5 * size_;
+        for (const Point& p : timed("polyline", [&] { return polyline(piece, tolerance); })) {
+          require(isFinite(p) && depthOf(p) > -rounding_ - 2 * tolerance, "a polyline leaves the box");
+        }
+        for (const CubicBezier& cubic : timed("cubicBeziers", [&] { return cubicBeziers(piece, tolerance); })) {
+          require(isFinite(cubic.control1) && isFinite(cubic.control2), "a curve is not finite");
+        }
+      }
+    }
+  }
+
+  void checkCells() const {
+    double sum = 0;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
+      const Outline parts = timed("outline", [&] { return outline(cells_, i, region_); });
+      const double share = timed("area", [&] { return area(parts); }) / size_ / size_;
+      const double length = timed("perimeter", [&] { return perimeter(parts); });
+      const Point middle = timed("centroid", [&] { return centroid(parts); });
+      require(std::isfinite(share) || size_ < 1e-140, "an area is not finite");
+      require(std::isfinite(length) && isFinite(middle), "a perimeter or a centroid is not finite");
+      sum += share;
+      for (const auto& loop : parts) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          require(loop[k].curve.end == loop[(k + 1) % loop.size()].curve.start, "an outline has a gap");
+          require(depthOf(loop[k].curve.start) >= -rounding_, "an outline leaves the box");
+        }
+      }
+      if (!isLarge_) continue;
+      require(share > -1e-9, "an area is negative");
+      require(parts.empty() || depthOf(middle) > -1e-3 * size_, "a centroid is outside the box");
+    }
+    const double whole = (box_.maxX - box_.minX) / size_ * ((box_.maxY - box_.minY) / size_);
+    if (isLarge_ && !circles_.empty()) {
+      require(std::abs(sum - whole) <= 1e-6, "the cells have " + std::to_string(sum / whole) + " of the box");
+    }
+  }
+
+  void checkPlaces() const {
+    if (circles_.empty()) return;
+    const Finder finder = timed("Finder", [&] { return Finder(cells_); });
+    for (const double share : {0.0, 0.25, 0.5, 0.7, 1.0}) {
+      const Point p = {box_.minX + share * (box_.maxX - box_.minX),
+                       box_.minY + share * share * (box_.maxY - box_.minY)};
+      const std::int32_t found = timed("find", [&] { return finder.find(p); });
+      require(found != kNone && cells_.exists(found), "no circle is found");
+      for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
+        require(cells_.lead(found, i, p) >= -rounding_, "another circle is nearer than the one found");
+        if (cells_.contains(i, p)) require(cells_.lead(i, found, p) >= -rounding_, "a cell contains what is not its");
+      }
+    }
+  }
+
+  void checkQueries() const {
+    const Hull outer = timed("hull", [&] { return hull(circles_, diagram_); });
+    double angle = 0;
+    for (const HullArc& arc : outer.arcs) {
+      require(isFinite(arc.start) && isFinite(arc.end) && arc.angle >= 0, "an arc of the hull is not finite");
+      angle += arc.angle;
+    }
+    require(outer.arcs.empty() || std::abs(angle - 6.283185307179586) < 1e-9, "the hull does not turn once");
+    require(std::isfinite(outer.length) && std::isfinite(outer.area), "the hull is not finite");
+    const auto pair = timed("closestPair", [&] { return closestPair(circles_, diagram_); });
+    require(!pair || std::isfinite(pair->gap), "a gap is not finite");
+    (void)timed("mergeVertices", [&] { return mergeVertices(circles_, diagram_); });
+    checkDisc(timed("largestEmptyDiscCentredIn", [&] { return largestEmptyDiscCentredIn(cells_, region_); }), false);
+    checkDisc(timed("largestEmptyDiscInside", [&] { return largestEmptyDiscInside(cells_, region_); }), true);
+    const auto inHull = timed("largestEmptyDiscCentredInHull", [&] { return largestEmptyDiscCentredInHull(cells_); });
+    require(inHull.has_value() == !circles_.empty(), "there is no disc in the hull");
+    if (circles_.empty()) return;
+    const ClearestPath path = timed("clearestPath", [&] {
+      return clearestPath(cells_, {box_.minX, box_.minY}, {box_.maxX, box_.maxY});
+    });
+    require(!std::isnan(path.clearance), "a clearance is no number");
+    checkPolygons();
+  }
+
+  void checkDisc(const std::optional<EmptyDisc>& found, bool isInside) const {
+    require(found.has_value() == !circles_.empty(), "there is no disc");
+    if (!found) return;
+    const auto& [x, y, radius] = found->disc;
+    require(isFinite({x, y}) && std::isfinite(radius), "a disc is not finite");
+    require(depthOf({x, y}) >= -rounding_, "the centre of a disc is outside the box");
+    for (std::size_t i = 0; i < circles_.size(); ++i) {
+      require(distance(Metric::circles, circles_[i], {x, y}) >= radius - rounding_, "a disc is not empty");
+    }
+    if (isInside && radius > 0) require(depthOf({x, y}) >= radius - rounding_, "a disc sticks out of the box");
+  }
+
+  void checkPolygons() const {
+    if (!isLarge_) return;
+    const ExportFrame frame = timed("ExportFrame", [&] { return ExportFrame(circles_, diagram_, {box_, {}}); });
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
+      for (const auto& ring : timed("ringsOf", [&] { return ringsOf(frame, i); })) {
+        require(ring.size() > 2, "a polygon has no corners");
+        if (ring.size() > 300) continue;
+        for (std::size_t j = 0; j < ring.size(); ++j) {
+          require(depthOf(ring[j]) >= -rounding_, "a polygon leaves the box");
+          for (std::size_t k = 0; k < j; ++k) require(!cross(ring, j, k), "a polygon crosses itself");
+        }
+      }
+    }
+  }
+
+  /// Whether two sides of a polygon cross by more than rounding.
+  bool cross(const std::vector<Point>& ring, std::size_t j, std::size_t k) const {
+    const Point p = ring[j];
+    const Point q = ring[(j + 1) % ring.size()];
+    const Point u = ring[k];
+    const Point v = ring[(k + 1) % ring.size()];
+    const auto height = [&](Point a, Point b, Point c) {
+      const double length = distanceBetween(a, b);
+      return length == 0 ? 0 : (b.x - a.x) / length * (c.y - a.y) - (b.y - a.y) / length * (c.x - a.x);
+    };
+    const auto apart = [&](double one, double other) {
+      return (one > rounding_ && other < -rounding_) || (one < -rounding_ && other > rounding_);
+    };
+    return apart(height(p, q, u), height(p, q, v)) && apart(height(u, v, p), height(u, v, q));
+  }
+
+  /// How far inside the box a point is.
+  double depthOf(Point p) const {
+    return std::min({p.x - box_.minX, p.y - box_.minY, box_.maxX - p.x, box_.maxY - p.y});
+  }
+
+  const std::vector<Circle>& circles_;
+  const Diagram& diagram_;
+  Cells cells_;
+  Box box_;
+  ConvexPolygon region_;
+  double size_ = 1;
+  double rounding_ = 0;
+  bool isLarge_ = true;
+};
+
+void run(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kViewBytes = 6;
+  if (bytes.size() < kViewBytes) return;
+  const View view = viewOf(bytes);
+  std::vector<Circle> circles = decode(bytes.subspan(kViewBytes)).circles;
+  for (auto& [x, y, r] : circles) {
+    x *= view.scale;
+    y *= view.scale;
+    r *= view.scale;
+  }
+  const auto diagram = computeComparison(circles, view.metric);
+  if (!diagram) return;
+  const Box whole = exportBox(circles);
+  const double extent = std::max(whole.maxX - whole.minX, whole.maxY - whole.minY);
+  const Point middle = {whole.minX + (whole.maxX - whole.minX) * view.across,
+                        whole.minY + (whole.maxY - whole.minY) * view.up};
+  const double half = extent * view.size / 2;
+  const Box box = {middle.x - half, middle.y - half / (1 + bytes[5] % 4), middle.x + half, middle.y + half};
+  if (ConvexPolygon::from(box)) Checker(circles, diagram.value(), view.metric, box).run();
+}
+
+}  // namespace
+}  // namespace circle_voronoi::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  circle_voronoi::fuzz::run({data, size});
+  return 0;
+}
