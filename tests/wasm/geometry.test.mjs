@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The geometry in TypeScript against that of the native program, on every fixture: areas and neighbours of cells from its
-// GeoJSON, curves of edges and cells, hull and dual from its SVG.
+// GeoJSON, curves of edges and cells, hull and dual from its SVG; and of some at extreme scales.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { readdirSync } from 'node:fs'
-import { describe, it } from 'node:test'
+import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import {
   area,
@@ -23,11 +24,28 @@ const NATIVE = `${ROOT}build/native/circle-voronoi`
 const LARGEST_OUTPUT = 2 ** 28
 
 const library = await loadCircleVoronoi()
-const fixtures = readdirSync(`${ROOT}tests/fixtures`).filter((name) => name.endsWith('.csv'))
+const fixtures = readdirSync(`${ROOT}tests/fixtures`)
+  .filter((name) => name.endsWith('.csv'))
+  .map((name) => ({ name, file: `${ROOT}tests/fixtures/${name}` }))
 
-for (const fixture of fixtures) {
-  describe(fixture, () => {
-    const circles = JSON.parse(native(fixture, 'json')).circles
+const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
+after(() => rmSync(folder, { recursive: true }))
+/** The circles of a fixture, 2^exponent times as large. */
+const scaled = ['waka.csv', 'missed-antipodal-disc-mixed-6.csv'].flatMap((fixture) =>
+  [-900, -400, 400].map((exponent) => {
+    const name = `2^${exponent} times ${fixture}`
+    const file = `${folder}/${exponent}-${fixture}`
+    const rows = JSON.parse(native(`${ROOT}tests/fixtures/${fixture}`, 'json')).circles.map((circle) =>
+      Object.values(circle).map((value) => value * 2 ** exponent),
+    )
+    writeFileSync(file, rows.map((row) => `${row.join(',')}\n`).join(''))
+    return { name, file }
+  }),
+)
+
+for (const { name, file } of [...fixtures, ...scaled]) {
+  describe(name, () => {
+    const circles = JSON.parse(native(file, 'json')).circles
     const diagram = library.compute(circles)
     const box = exportBox(diagram.circles)
     const size = Math.max(box.maxX - box.minX, box.maxY - box.minY)
@@ -35,7 +53,7 @@ for (const fixture of fixtures) {
       assert.ok(Math.abs(one - other) <= tolerance, `${message}: ${one} and ${other}`)
 
     it('has the cells of the GeoJSON', () => {
-      const { features } = JSON.parse(native(fixture, 'geojson'))
+      const { features } = JSON.parse(native(file, 'geojson'))
       assert.equal(features.length, circles.length)
       for (const { properties, geometry } of features) {
         const i = properties.circle
@@ -47,7 +65,7 @@ for (const fixture of fixtures) {
     })
 
     it('has the curves of the SVG', () => {
-      const paths = elements(native(fixture, 'svg'), 'edges', 'path')
+      const paths = elements(native(file, 'svg'), 'edges', 'path')
       const drawn = new Map(paths.map((path) => [Number(path['data-edge']), numbersOf(path.d)]))
       for (let e = 0; e < diagram.edges.length / 4; e++) {
         const pieces = clip(edgeCurve(diagram, e), box)
@@ -68,7 +86,7 @@ for (const fixture of fixtures) {
     })
 
     it('has the hull and the dual of the SVG', () => {
-      const svg = native(fixture, 'svg')
+      const svg = native(file, 'svg')
       assert.equal(elements(svg, 'dual', 'line').length, neighborPairs(diagram).length / 2)
       const [path] = elements(svg, 'hull', 'path')
       const { arcs } = hull(diagram)
@@ -83,8 +101,8 @@ for (const fixture of fixtures) {
   })
 }
 
-function native(fixture, format) {
-  const args = ['compute', `${ROOT}tests/fixtures/${fixture}`, '--format', format]
+function native(file, format) {
+  const args = ['compute', file, '--format', format]
   return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
@@ -43,10 +44,17 @@ class Indices {
   std::map<Key, std::int32_t> indices_;
 };
 
-/// The point of equal power to three circles whose centres are next to a line, or to each other: every number rounded
-/// once. Infinite where it is beyond all numbers.
+using Number = CGAL::Exact_rational;
+
+/// The nearest double; what is beyond 2^1000 is infinite, and what is below 2^-1000 zero.
+double rounded(const Number& number) {
+  const Number size = CGAL::abs(number);
+  if (size > Number(0x1p1000)) return std::numeric_limits<double>::infinity();
+  return size < Number(0x1p-1000) ? 0 : CGAL::to_double(number);
+}
+
+/// The point of equal power to three circles, every number rounded once. Infinite where it is beyond all numbers.
 Vertex exactRadicalCentre(const Circle& a, const Circle& b, const Circle& c) {
-  using Number = CGAL::Exact_rational;
   const auto half = [&](const Circle& d, const Number& x, const Number& y) -> Number {
     return (x * x + y * y + Number(a.r * a.r) - Number(d.r * d.r)) / 2;
   };
@@ -59,9 +67,8 @@ Vertex exactRadicalCentre(const Circle& a, const Circle& b, const Circle& c) {
   const Number determinant = ux * vy - uy * vx;
   const Number x = (ku * vy - kv * uy) / determinant;
   const Number y = (kv * ux - ku * vx) / determinant;
-  const double power = CGAL::to_double(Number(x * x + y * y - Number(a.r * a.r)));
-  return {CGAL::to_double(Number(x + Number(a.x))), CGAL::to_double(Number(y + Number(a.y))),
-          std::copysign(std::sqrt(std::abs(power)), power)};
+  const double power = rounded(x * x + y * y - Number(a.r * a.r));
+  return {rounded(x + Number(a.x)), rounded(y + Number(a.y)), std::copysign(std::sqrt(std::abs(power)), power)};
 }
 
 /// The point of equal power to three circles, relative to the first for accuracy.
@@ -71,12 +78,16 @@ Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c) {
   const double ku = (dot(u, u) + (a.r - b.r) * (a.r + b.r)) / 2;
   const double kv = (dot(v, v) + (a.r - c.r) * (a.r + c.r)) / 2;
   const double determinant = cross(u, v);
-  // Below this share of its terms it may be but rounding.
+  const Vector centre = {(ku * v.y - kv * u.y) / determinant, (kv * u.x - ku * v.x) / determinant};
+  // Where so much cancels, as for centres next to a line or to each other, what is left may be but rounding.
   constexpr double kCertain = 0x1p-30;
-  if (!(std::abs(determinant) > kCertain * (std::abs(u.x * v.y) + std::abs(u.y * v.x)))) {
+  const auto sizeOf = [](const Vector& w) { return std::abs(w.x) + std::abs(w.y); };
+  const double terms =
+      (dot(u, u) + a.r * a.r + b.r * b.r) * sizeOf(v) + (dot(v, v) + a.r * a.r + c.r * c.r) * sizeOf(u);
+  if (!(std::abs(determinant) > kCertain * (std::abs(u.x * v.y) + std::abs(u.y * v.x))) ||
+      !(std::abs(determinant) * sizeOf(centre) > kCertain * terms)) {
     return exactRadicalCentre(a, b, c);
   }
-  const Vector centre = {(ku * v.y - kv * u.y) / determinant, (kv * u.x - ku * v.x) / determinant};
   const double d = length(centre);
   const double power = (d - a.r) * (d + a.r);
   return {a.x + centre.x, a.y + centre.y, std::copysign(std::sqrt(std::abs(power)), power)};
