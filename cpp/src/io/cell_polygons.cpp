@@ -16,8 +16,6 @@ namespace {
 constexpr int kMostHalvings = 8;
 /// Of coordinates: far above rounding errors, far below what can be seen.
 constexpr double kRoundingError = 0x1p-40;
-/// Areas of less may have lost bits.
-constexpr double kLeastArea = 0x1p-900;
 /// Rounds in which edges take back the rounding of their points, which may then turn edges beside them; few need two.
 constexpr int kMostRounds = 8;
 
@@ -278,7 +276,7 @@ double CellPolygons::area(std::int32_t circle) const {
       sum += cross(last, next) / 2 + (side % 2 == 0 ? beyond_[index(side / 2)] : -beyond_[index(side / 2)]);
       last = next;
     }
-    if (sum > kLeastArea) return sum;
+    if (kLeastSafe < sum && sum < kMostSafe) return sum;
   }
   return circle_voronoi::area(outline(frame_.cells, circle, region_));
 }
