@@ -106,7 +106,7 @@ void CellPolygons::followEdges() {
     firstInner_.push_back(inner_.size());
     beyond_.push_back(0);
     if (!isInside_.back() || curve.isStraight()) continue;
-    beyond_.back() = momentsOverChord(curve, curve.start).area;
+    beyond_.back() = momentsOverChord(curve, curve.start, 1).area;
     const auto points = pointsBetween(curve, placeOf(edges[e].start), placeOf(edges[e].end), frame_.tolerance);
     if (points.size() > 2) inner_.insert(inner_.end(), points.begin() + 1, points.end() - 1);
   }
