@@ -237,7 +237,7 @@ TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
   };
   const double y = 5 * std::sqrt(3);
   for (const auto& [circles, box, radius, touched] :
-       {Case{{{10, 0, 1}, {-5, y, 1}, {-5, -y, 1}}, {-9.5, -9.5, 9.5, 9.5}, 9, 3},
+       {Case{{{10, 0, 1}, {-5, y, 1}, {-5, -y, 1}}, {-9.5, -9.25, 9.75, 9.5}, 9, 3},
         Case{{{-3, 0, 1}, {3, 0, 1}}, {-3, -4, 3, 4}, 2.4, 2},
         Case{{{0, 0, 1}}, {0, 0, 4, 4}, (4 * std::sqrt(2) - 1) / (1 + std::sqrt(2)), 1},
         Case{{{-0.5, 0, 0.6}, {8.5, 0, 0.6}}, {-1, -1, 9, 1}, 1, 1}, Case{{{50, 0, 1}}, {0, 0, 4, 3}, 1.5, 0}}) {

@@ -214,7 +214,7 @@ it('the largest empty disc may touch two circles from the edge of the hull', () 
 })
 
 it.each([
-  ['three circles', [10, 0, 1, -5, 5 * Math.sqrt(3), 1, -5, -5 * Math.sqrt(3), 1], [-9.5, -9.5, 9.5, 9.5], 9, 3],
+  ['three circles', [10, 0, 1, -5, 5 * Math.sqrt(3), 1, -5, -5 * Math.sqrt(3), 1], [-9.5, -9.25, 9.75, 9.5], 9, 3],
   ['two circles and a side', [-3, 0, 1, 3, 0, 1], [-3, -4, 3, 4], 2.4, 2],
   ['one circle and two sides', [0, 0, 1], [0, 0, 4, 4], (4 * Math.SQRT2 - 1) / (1 + Math.SQRT2), 1],
   ['a circle between parallel sides', [-0.5, 0, 0.6, 8.5, 0, 0.6], [-1, -1, 9, 1], 1, 1],

@@ -2,7 +2,7 @@
 import { type EdgeCurve, edgeCurve, reversed } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE, vertexAt } from './diagram-data.ts'
 import { between, dot } from './point.ts'
-import { lengthOf } from './scale.ts'
+import { isSafe, lengthOf } from './scale.ts'
 
 /**
  * The cells of a diagram: which sides each has, in order. Made once per diagram, in linear time.
@@ -130,8 +130,13 @@ export class Cells {
     let size = lengthOf(fromCircle) + lengthOf(fromOther)
     if (metric === 'power') size += c.r + d.r
     if (size === 0) return -difference
-    const sum = { x: fromCircle.x / size + fromOther.x / size, y: fromCircle.y / size + fromOther.y / size }
-    const nearer = dot(between(d, c), sum)
+    const sum = { x: fromCircle.x + fromOther.x, y: fromCircle.y + fromOther.y }
+    const product = dot(between(d, c), sum)
+    if (isSafe(product)) {
+      // With one rounding less, so that small integers are compared exactly.
+      return metric === 'power' ? (product - difference * (c.r + d.r)) / size : product / size - difference
+    }
+    const nearer = dot(between(d, c), { x: sum.x / size, y: sum.y / size })
     return nearer - (metric === 'power' ? difference * (c.r / size + d.r / size) : difference)
   }
 

@@ -47,10 +47,7 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
     best = { disc: { x: p.x, y: p.y, radius: least }, circles: touched }
   }
 
-  for (const ridge of ridges) {
-    offer(ridge.from)
-    offer(ridge.to)
-  }
+  // First what touches most circles: of equal discs the first is kept.
   for (let v = 0; v < diagram.vertices.length / 3; v++) {
     const { x, y, radius: empty } = vertexAt(diagram, v)
     const least = Math.min(empty, depthOf({ x, y }))
@@ -64,6 +61,10 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
     if (Math.max(radiusAt(start), radiusAt(end)) > radius()) {
       for (const p of placesAlongEdge(diagram, e, region, sides)) offer(p, left, right)
     }
+  }
+  for (const ridge of ridges) {
+    offer(ridge.from)
+    offer(ridge.to)
   }
   for (const ridge of ridges) {
     for (let i = 0; i < diagram.circles.length / 3; i++) {

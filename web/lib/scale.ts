@@ -2,11 +2,13 @@
 // Lengths from the smallest to the largest number, whose products neither overflow nor vanish.
 import { cross, dot, length, type Vector } from './point.ts'
 
-/** Sums of products in this range, of either sign, have neither overflown nor lost what counts. */
-const LEAST_SAFE = 2 ** -900
-const MOST_SAFE = 2 ** 1000
-
 const view = new DataView(new ArrayBuffer(8))
+
+/** Whether a sum of two products has neither overflown nor lost what counts. */
+export function isSafe(product: number): boolean {
+  const size = Math.abs(product)
+  return 2 ** -900 < size && size < 2 ** 1000
+}
 
 /** The largest power of two up to `size` > 0. */
 export function powerOfTwoIn(size: number): number {
@@ -37,7 +39,7 @@ export function measuredIn(unit: number, v: Vector): Vector {
 /** The length of a vector of any size. */
 export function lengthOf(v: Vector): number {
   const square = dot(v, v)
-  if (LEAST_SAFE < square && square < MOST_SAFE) return Math.sqrt(square)
+  if (isSafe(square)) return Math.sqrt(square)
   const unit = unitFor(largestOf(v))
   return unit * length(measuredIn(unit, v))
 }
@@ -45,7 +47,7 @@ export function lengthOf(v: Vector): number {
 /** The cross product but for a factor above 0: positive if the way from u to v is a left turn. */
 export function turn(u: Vector, v: Vector): number {
   const product = cross(u, v)
-  if (LEAST_SAFE < Math.abs(product) && Math.abs(product) < MOST_SAFE) return product
+  if (isSafe(product)) return product
   return cross(measuredIn(unitFor(largestOf(u)), u), measuredIn(unitFor(largestOf(v)), v))
 }
 

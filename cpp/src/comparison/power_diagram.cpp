@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -172,7 +173,13 @@ Diagram powerDiagramOf(std::span<const Circle> circles) {
 Result<Diagram> powerDiagram(std::span<const Circle> circles) {
   const auto scaled = validate(circles);
   if (!scaled) return scaled.error();
-  Diagram diagram = powerDiagramOf(scaled.value().circles);
+  Diagram diagram;
+  try {
+    diagram = powerDiagramOf(scaled.value().circles);
+  } catch (const std::runtime_error&) {
+    // What a rational number throws that no double is near to.
+    return Error{ErrorCode::coordinateTooLarge, -1, "A vertex of the power diagram is beyond the range of numbers."};
+  }
   const double unit = scaled.value().unit;
   for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
     auto& [x, y, radius] = diagram.vertices[v];

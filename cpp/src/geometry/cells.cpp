@@ -98,8 +98,13 @@ double Cells::lead(std::int32_t circle, std::int32_t other, Point p) const {
   double size = lengthOf(fromCircle) + lengthOf(fromOther);
   if (metric_ == Metric::power) size += c.r + d.r;
   if (size == 0) return -difference;
-  const Vector sum = {fromCircle.x / size + fromOther.x / size, fromCircle.y / size + fromOther.y / size};
-  const double nearer = dot(between(d, c), sum);
+  const Vector sum = {fromCircle.x + fromOther.x, fromCircle.y + fromOther.y};
+  const double product = dot(between(d, c), sum);
+  if (isSafe(product)) {
+    // With one rounding less, so that small integers are compared exactly.
+    return metric_ == Metric::power ? (product - difference * (c.r + d.r)) / size : product / size - difference;
+  }
+  const double nearer = dot(between(d, c), {sum.x / size, sum.y / size});
   return nearer - (metric_ == Metric::power ? difference * (c.r / size + d.r / size) : difference);
 }
 

@@ -106,14 +106,15 @@ class Search {
       : cells_(cells), region_(region), sides_(sidesOf(region)), finder_(cells) {}
 
   std::optional<EmptyDisc> run() {
-    for (const Ridge& ridge : ridgesOf(region_, sides_)) {
-      offer(ridge.from);
-      offer(ridge.to);
-      ridges_.push_back(ridge);
-    }
+    // First what touches most circles: of equal discs the first is kept.
     offerVertices();
     offerAlongEdges();
-    for (const Ridge& ridge : ridges_) offerAlongRidge(ridge);
+    const std::vector<Ridge> ridges = ridgesOf(region_, sides_);
+    for (const Ridge& ridge : ridges) {
+      offer(ridge.from);
+      offer(ridge.to);
+    }
+    for (const Ridge& ridge : ridges) offerAlongRidge(ridge);
     return best_;
   }
 
@@ -217,7 +218,6 @@ class Search {
   const ConvexPolygon& region_;
   std::vector<Side> sides_;
   Finder finder_;
-  std::vector<Ridge> ridges_;
   std::optional<EmptyDisc> best_;
 };
 

@@ -9,9 +9,8 @@
 
 namespace circle_voronoi {
 
-/// Sums of products in this range, of either sign, have neither overflown nor lost what counts.
-inline constexpr double kLeastSafe = 0x1p-900;
-inline constexpr double kMostSafe = 0x1p1000;
+/// Whether a sum of two products has neither overflown nor lost what counts.
+inline bool isSafe(double product) { return 0x1p-900 < std::abs(product) && std::abs(product) < 0x1p1000; }
 
 /// The largest power of two up to `size` > 0.
 inline double powerOfTwoIn(double size) {
@@ -33,7 +32,7 @@ inline Vector measuredIn(double unit, Vector v) { return unit == 1 ? v : Vector{
 /// The length of a vector of any size.
 inline double lengthOf(Vector v) {
   const double square = dot(v, v);
-  if (kLeastSafe < square && square < kMostSafe) return std::sqrt(square);
+  if (isSafe(square)) return std::sqrt(square);
   const double unit = unitFor(largestOf(v));
   return unit * length(measuredIn(unit, v));
 }
@@ -41,7 +40,7 @@ inline double lengthOf(Vector v) {
 /// The cross product but for a factor above 0: positive if the way from u to v is a left turn.
 inline double turn(Vector u, Vector v) {
   const double product = cross(u, v);
-  if (kLeastSafe < std::abs(product) && std::abs(product) < kMostSafe) return product;
+  if (isSafe(product)) return product;
   return cross(measuredIn(unitFor(largestOf(u)), u), measuredIn(unitFor(largestOf(v)), v));
 }
 
