@@ -2,7 +2,7 @@
 import { type EdgeCurve, edgeCurve, reversed } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE, vertexAt } from './diagram-data.ts'
 import { between, dot } from './point.ts'
-import { isSafe, lengthOf } from './scale.ts'
+import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
 
 /**
  * The cells of a diagram: which sides each has, in order. Made once per diagram, in linear time.
@@ -131,13 +131,11 @@ export class Cells {
     if (metric === 'power') size += c.r + d.r
     if (size === 0) return -difference
     const sum = { x: fromCircle.x + fromOther.x, y: fromCircle.y + fromOther.y }
-    const product = dot(between(d, c), sum)
-    if (isSafe(product)) {
-      // With one rounding less, so that small integers are compared exactly.
-      return metric === 'power' ? (product - difference * (c.r + d.r)) / size : product / size - difference
-    }
-    const nearer = dot(between(d, c), { x: sum.x / size, y: sum.y / size })
-    return nearer - (metric === 'power' ? difference * (c.r / size + d.r / size) : difference)
+    const unit = unitFor(largestOf(between(d, c)))
+    const sumUnit = unitFor(Math.max(largestOf(sum), size))
+    const product = dot(measuredIn(unit, between(d, c)), measuredIn(sumUnit, sum))
+    if (metric !== 'power') return (product / (size / sumUnit)) * unit - difference
+    return ((product - (difference / unit) * ((c.r + d.r) / sumUnit)) / (size / sumUnit)) * unit
   }
 
   /** The largest distance from the centre of the side's circle to a point of the side: that of one of its ends. */

@@ -5,7 +5,7 @@ import { cross, dot, length, type Vector } from './point.ts'
 const view = new DataView(new ArrayBuffer(8))
 
 /** Whether a sum of two products has neither overflown nor lost what counts. */
-export function isSafe(product: number): boolean {
+function isSafe(product: number): boolean {
   const size = Math.abs(product)
   return 2 ** -900 < size && size < 2 ** 1000
 }

@@ -99,13 +99,11 @@ double Cells::lead(std::int32_t circle, std::int32_t other, Point p) const {
   if (metric_ == Metric::power) size += c.r + d.r;
   if (size == 0) return -difference;
   const Vector sum = {fromCircle.x + fromOther.x, fromCircle.y + fromOther.y};
-  const double product = dot(between(d, c), sum);
-  if (isSafe(product)) {
-    // With one rounding less, so that small integers are compared exactly.
-    return metric_ == Metric::power ? (product - difference * (c.r + d.r)) / size : product / size - difference;
-  }
-  const double nearer = dot(between(d, c), {sum.x / size, sum.y / size});
-  return nearer - (metric_ == Metric::power ? difference * (c.r / size + d.r / size) : difference);
+  const double unit = unitFor(largestOf(between(d, c)));
+  const double sumUnit = unitFor(std::max(largestOf(sum), size));
+  const double product = dot(measuredIn(unit, between(d, c)), measuredIn(sumUnit, sum));
+  if (metric_ != Metric::power) return product / (size / sumUnit) * unit - difference;
+  return (product - difference / unit * ((c.r + d.r) / sumUnit)) / (size / sumUnit) * unit;
 }
 
 bool Cells::contains(std::int32_t circle, Point p) const {
