@@ -276,7 +276,7 @@ double CellPolygons::area(std::int32_t circle) const {
       sum += cross(last, next) / 2 + (side % 2 == 0 ? beyond_[index(side / 2)] : -beyond_[index(side / 2)]);
       last = next;
     }
-    if (kLeastSafe < sum && sum < kMostSafe) return sum;
+    if (isSafe(sum) && sum > 0) return sum;
   }
   return circle_voronoi::area(outline(frame_.cells, circle, region_));
 }
