@@ -15,13 +15,13 @@
 #include <ctime>
 #include <string>
 
+#include "cell_polygons.h"
 #include "circle_voronoi/clearest_path.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/merged.h"
 #include "circle_voronoi/queries.h"
-#include "export_frame.h"
 #include "fuzz_input.h"
 
 namespace circle_voronoi::fuzz {
@@ -190,8 +190,9 @@ class Checker {
   void checkPolygons() const {
     if (!isLarge_) return;
     const ExportFrame frame = timed("ExportFrame", [&] { return ExportFrame(circles_, diagram_, {box_, {}}); });
+    const CellPolygons polygons = timed("CellPolygons", [&] { return CellPolygons(frame); });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
-      for (const auto& ring : timed("ringsOf", [&] { return ringsOf(frame, i); })) {
+      for (const auto& ring : timed("rings", [&] { return polygons.rings(i); })) {
         require(ring.size() > 2, "a polygon has no corners");
         if (ring.size() > 300) continue;
         for (std::size_t j = 0; j < ring.size(); ++j) {
