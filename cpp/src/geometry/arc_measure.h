@@ -13,6 +13,7 @@ struct Moments {
 };
 
 /// The region between a bounded arc and its chord, counted positive where the arc bends to the right of its chord.
-Moments momentsOverChord(const EdgeCurve& curve, Point reference, double unit);
+/// The library of files takes it from this one.
+CIRCLE_VORONOI_API Moments momentsOverChord(const EdgeCurve& curve, Point reference, double unit);
 
 }  // namespace circle_voronoi
