@@ -35,7 +35,7 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
   let best: EmptyDisc | undefined
   const radius = () => best?.disc.radius ?? Number.NEGATIVE_INFINITY
   const depthOf = (p: Point) => sides.reduce((least, side) => Math.min(least, depth(side, p)), Infinity)
-  /** The largest disc around a point, which may or may not touch the circles named. */
+  /** The largest disc around a point, if it touches the circles named but for rounding. */
   const offer = (p: Point, ...circles: readonly number[]) => {
     const inside = depthOf(p)
     if (!(inside > radius())) return
@@ -43,6 +43,10 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
     const empty = distance(diagram, nearest, p.x, p.y)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
+    if (circles[0] !== undefined && !circles.includes(nearest)) {
+      const size = Math.abs(p.x) + Math.abs(p.y) + inside + circleAt(diagram.circles, circles[0]).r
+      if (distance(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    }
     const touched = circles.length > 0 || empty > inside ? circles : [nearest]
     best = { disc: { x: p.x, y: p.y, radius: least }, circles: touched }
   }
@@ -50,9 +54,8 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
   // First what touches most circles: of equal discs the first is kept.
   for (let v = 0; v < diagram.vertices.length / 3; v++) {
     const { x, y, radius: empty } = vertexAt(diagram, v)
-    const least = Math.min(empty, depthOf({ x, y }))
-    if (least <= radius()) continue
-    best = { disc: { x, y, radius: least }, circles: [...diagram.vertexCircles.subarray(3 * v, 3 * v + 3)] }
+    if (empty <= radius() || depthOf({ x, y }) < empty) continue
+    best = { disc: { x, y, radius: empty }, circles: [...diagram.vertexCircles.subarray(3 * v, 3 * v + 3)] }
   }
   for (let e = 0; e < diagram.edges.length / 4; e++) {
     const { left, right, start, end } = edgeAt(diagram, e)

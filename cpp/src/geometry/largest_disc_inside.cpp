@@ -130,12 +130,16 @@ class Search {
     if (radius > this->radius()) best_ = {{p.x, p.y, radius}, circles};
   }
 
-  /// The largest disc around p, which may or may not touch the circles named.
+  /// The largest disc around p, if it touches the circles named but for rounding.
   void offer(Point p, std::int32_t circle = kNone, std::int32_t other = kNone) {
     const double depth = depthOf(p);
     if (!(depth > radius())) return;
     const std::int32_t nearest = finder_.find(p, circle);
     const double distance = cells_.distance(nearest, p);
+    if (circle != kNone && nearest != circle && nearest != other) {
+      const double size = std::abs(p.x) + std::abs(p.y) + depth + cells_.circles()[static_cast<std::size_t>(circle)].r;
+      if (cells_.distance(circle, p) > distance + kRounding * size) return;
+    }
     if (circle == kNone && distance <= depth) circle = nearest;
     keep(p, std::min(depth, distance), {circle, other, kNone});
   }
@@ -144,7 +148,7 @@ class Search {
     const Diagram& diagram = cells_.diagram();
     for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
       const auto& [x, y, radius] = diagram.vertices[v];
-      if (radius > this->radius()) keep({x, y}, std::min(radius, depthOf({x, y})), diagram.vertexCircles[v]);
+      if (radius > this->radius() && depthOf({x, y}) >= radius) keep({x, y}, radius, diagram.vertexCircles[v]);
     }
   }
 
