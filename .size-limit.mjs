@@ -25,7 +25,8 @@ export default [
   wasm('The same for comparisons, fetched when asked for', '60 kB', 'circle-voronoi-comparison'),
   {
     name: 'TypeScript layer',
-    limit: '15 kB',
+    // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region.
+    limit: '17.5 kB',
     path: `${LIB}/index.js`,
     ignore: ['./generated/*'],
     gzip: true,
