@@ -58,7 +58,7 @@ bool turnTripleRound(Diagram& diagram, Circles circles, Random& random) {
   const std::size_t vertex = random.below(diagram.vertices.size());
   auto& [i, j, k] = diagram.vertexCircles[vertex];
   std::swap(j, k);
-  diagram.vertices[vertex] = vertexOf(circles[i], circles[j], circles[k]);
+  diagram.vertices[vertex] = vertexOf(circles[i], circles[j], circles[k]).value_or(Vertex{});
   return true;
 }
 

@@ -94,7 +94,7 @@ void replaceTopology(Diagram& diagram, const Dual& dual, std::span<const Circle>
   for (auto& triple : diagram.vertexCircles) {
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto& [i, j, k] = triple;
-    diagram.vertices.push_back(vertexOf(circles[i], circles[j], circles[k]));
+    diagram.vertices.push_back(vertexOf(circles[i], circles[j], circles[k]).value_or(Vertex{}));
   }
 }
 

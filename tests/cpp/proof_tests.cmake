@@ -9,12 +9,14 @@ add_executable(circle_voronoi_proof_tests
   construct_test.cpp
   delaunay_test.cpp
   dual_edits.cpp
+  estimate_test.cpp
   exact_test.cpp
   fixtures.cpp
   flip_test.cpp
   hide_test.cpp
   in_circle_test.cpp
   insert_test.cpp
+  integer_test.cpp
   io_read_diagram_test.cpp
   judge_test.cpp
   metamorphic_test.cpp

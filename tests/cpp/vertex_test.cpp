@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "circle_voronoi/compute.h"
@@ -23,8 +26,8 @@ void compareAll(const std::vector<Circle>& circles) {
       for (const Circle& c : circles) {
         const exact::Face face = {&a, &b, &c};
         if (&a == &b || &b == &c || &c == &a || !exact::hasDisc(face)) continue;
-        const Vertex right = exact::disc(face);
-        const Vertex vertex = vertexOf(a, b, c);
+        const Vertex right = exact::disc(face).value();
+        const Vertex vertex = vertexOf(a, b, c).value();
         const double reach = length(between(a, b)) + length(between(b, c)) + std::hypot(right.x - a.x, right.y - a.y);
         // Less than the 36 bits promised, for what the coordinates themselves are rounded to.
         const double size = std::abs(a.x) + std::abs(a.y) + a.r;
@@ -62,14 +65,44 @@ TEST(Vertex, OfCirclesThatRoundingTookOffALine) {
   EXPECT_TRUE(certify(circles, diagram).value().certified());
 }
 
-TEST(Vertex, BeyondTheRangeOfDoublesKeepsItsDirection) {
-  const std::vector<Circle> circles = {{0, 0, 0}, {1e150, 0, 0}, {-1e150, 1e-100, 0}};
-  const Diagram diagram = compute(circles).value();
-  ASSERT_EQ(diagram.vertices.size(), 1U);
-  const Vertex& v = diagram.vertices[0];
-  EXPECT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.radius));
-  EXPECT_GT(v.y, 1e200);
-  EXPECT_TRUE(certify(circles, diagram).value().certified());
+/// Three points that bend by `bend` from a line, of a given size: their disc has its centre at (size / 2, size / bend).
+std::vector<Circle> bent(double size, double bend) { return {{0, 0, 0}, {size, 0, 0}, {2 * size, size * bend, 0}}; }
+
+TEST(Vertex, FarAwayIsRightAndCertified) {
+  for (const double size : {1e-160, 1e-100, 1.0, 1e100, 1e149}) {
+    for (const double bend : {1e-20, 1e-80, 1e-130, 1e-145, 1e-154}) {
+      const std::vector<Circle> circles = bent(size, bend);
+      const double y = size / (circles[2].y / size);
+      if (!std::isfinite(y) || circles[2].y < std::numeric_limits<double>::min()) continue;
+      Diagram diagram = compute(circles).value();
+      ASSERT_EQ(diagram.vertices.size(), 1U) << size << ", " << bend;
+      Vertex& v = diagram.vertices[0];
+      EXPECT_NEAR(v.y / y, 1, 1e-14) << size << ", " << bend;
+      EXPECT_NEAR(v.radius / y, 1, 1e-14) << size << ", " << bend;
+      EXPECT_NEAR(v.x / (y + size), size / 2 / (y + size), 1e-14) << size << ", " << bend;
+      EXPECT_TRUE(certify(circles, diagram).value().certified()) << size << ", " << bend;
+      // Rounded by another program, and wrong.
+      v.y = std::nextafter(v.y, 0);
+      EXPECT_TRUE(certify(circles, diagram).value().certified()) << size << ", " << bend;
+      v.y /= 2;
+      EXPECT_EQ(certify(circles, diagram).value().flaw, Flaw::vertexMisplaced) << size << ", " << bend;
+      v.radius /= 2;
+      EXPECT_EQ(certify(circles, diagram).value().flaw, Flaw::vertexMisplaced) << size << ", " << bend;
+    }
+  }
+}
+
+TEST(Vertex, BeyondTheDoublesIsAnError) {
+  const std::vector<Circle> circles = {{9, 9, 0}, {0, 0, 0}, {1e150, 0, 0}, {-1e150, 1e-100, 0}};
+  const auto result = compute(std::span(circles).subspan(1));
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::coordinateTooLarge);
+  EXPECT_EQ(result.error().circle, 0);
+  EXPECT_NE(result.error().message.find("0, 1, 2"), std::string::npos) << result.error().message;
+  // The largest numbers are certified no more than others.
+  Diagram diagram = compute(bent(1, 1e-20)).value();
+  diagram.vertices[0] = {0, std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  EXPECT_EQ(certify(std::span(circles).subspan(1), diagram).value().flaw, Flaw::vertexMisplaced);
 }
 
 TEST(Vertex, OfTheSmallestDoubles) {

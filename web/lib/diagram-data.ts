@@ -80,8 +80,6 @@ export interface Counts {
   readonly repairs: number
   /** Predicates decided in floating point, with an error bound. */
   readonly filtered: number
-  /** Predicates decided in double-double arithmetic, with an error bound. */
-  readonly refined: number
   /** Predicates decided by the exact in-circle test of centres (equal radii). */
   readonly inCircle: number
   /** Predicates decided in full integer arithmetic. */

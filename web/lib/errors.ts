@@ -17,7 +17,7 @@ export const ERROR_CODES = [
  * What went wrong:
  * - `nonFinite`: a coordinate or a radius is NaN or infinite;
  * - `negativeRadius`: a radius is below zero;
- * - `coordinateTooLarge`: a coordinate or a radius exceeds 1e150;
+ * - `coordinateTooLarge`: a coordinate or a radius exceeds 1e150, or a vertex lies beyond the doubles;
  * - `tooManyCircles`: the input, or the candidates asked for, do not fit in memory;
  * - `badOption`: an option is out of its range;
  * - `notCertified`: no construction led to a certified diagram;

@@ -46,7 +46,10 @@ struct Certificate {
 
 /// Judges in linear time whether `diagram` is the Voronoi diagram of `circles`, however it was made. All signs are
 /// exact: a diagram is certified if and only if its topology is right, zero-length edges in either direction of a tie
-/// included, and its vertices are those of the circles up to rounding.
+/// included, and its vertices are those of the circles up to rounding: the centre and the radius of each, as they are
+/// given, touch its three circles to 40 bits, of the larger of the disc and the coordinates. A disc that has a coordinate
+/// or a radius beyond the doubles has no such vertex. Topology is exact, coordinates are right to rounding: two vertices
+/// that are apart may be given the same coordinates.
 ///
 /// Only `vertices`, `vertexCircles`, `edges`, `hidden` and `hull` are looked at.
 /// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles) and internal.

@@ -61,6 +61,9 @@ struct Options {
 ///
 /// By `automatic` the diagram is certified, or there is an error. By the other methods the diagram comes with the
 /// certificate's verdict and may be wrong where that says so.
+/// Vertices are right to 36 bits of the distances between their centre and their circles. Where three circles lie so
+/// nearly along a line that their vertex is beyond the doubles (1.8e308), there is an error: this takes circles whose
+/// sizes and distances differ by more than a factor of 1e150.
 /// Errors: nonFinite, negativeRadius, coordinateTooLarge (with the index of the first such circle), badOption,
 /// tooManyCircles, notCertified, badArithmetic, internal.
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});

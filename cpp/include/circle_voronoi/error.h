@@ -16,7 +16,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 enum class ErrorCode {
   nonFinite,           ///< a coordinate or a radius is NaN or infinite
   negativeRadius,      ///< a radius is below zero
-  coordinateTooLarge,  ///< a coordinate or a radius exceeds kCoordinateLimit
+  coordinateTooLarge,  ///< a coordinate or a radius exceeds kCoordinateLimit, or a vertex the doubles
   tooManyCircles,      ///< the input, or the candidates asked for, do not fit in memory or in 32-bit indices
   badOption,           ///< an option is out of its range
   notCertified,        ///< no construction led to a certified diagram

@@ -77,8 +77,15 @@ Observer observerOfInput(const Observer& observer, const std::vector<int>& visib
   };
 }
 
+Error vertexBeyondDoubles(const std::array<std::int32_t, 3>& circles) {
+  const auto& [i, j, k] = circles;
+  return {ErrorCode::coordinateTooLarge, i,
+          "The vertex of circles " + std::to_string(i) + ", " + std::to_string(j) + ", " + std::to_string(k) +
+              ", which nearly have a common tangent line, lies farther off than the largest number."};
+}
+
 /// Turns indices of sites into those of the input and gives every vertex its disc, in the units of the input.
-Diagram diagramOf(Construction construction, Sites sites, double unit) {
+Result<Diagram> diagramOf(Construction construction, Sites sites, double unit) {
   Diagram diagram;
   diagram.vertexCircles = std::move(construction.topology.vertexCircles);
   diagram.edges = std::move(construction.topology.edges);
@@ -91,9 +98,11 @@ Diagram diagramOf(Construction construction, Sites sites, double unit) {
     const auto isBefore = [&](std::int32_t a, std::int32_t b) { return sites.indices[a] < sites.indices[b]; };
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end(), isBefore), triple.end());
     const auto& [i, j, k] = triple;
-    const Vertex vertex = vertexOf(sites.circles[i], sites.circles[j], sites.circles[k]);
-    diagram.vertices.push_back({vertex.x * unit, vertex.y * unit, vertex.radius * unit});
+    const auto vertex = vertexOf(sites.circles[i], sites.circles[j], sites.circles[k], unit);
     for (std::int32_t& circle : triple) circle = sites.indices[circle];
+    // A diagram that is not certified may have triples without a disc, whose vertex may be anything.
+    if (!vertex && diagram.certificate.certified()) return vertexBeyondDoubles(triple);
+    diagram.vertices.push_back(vertex.value_or(Vertex{}));
   }
   for (Edge& edge : diagram.edges) {
     edge.left = sites.indices[edge.left];
@@ -135,13 +144,15 @@ Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options
       break;
     }
   }
-  Diagram diagram = diagramOf(std::move(construction), std::move(sites), scaled.unit);
+  auto result = diagramOf(std::move(construction), std::move(sites), scaled.unit);
+  if (!result) return result;
+  Diagram& diagram = result.value();
   if (options.method == Method::automatic && !diagram.certificate.certified()) {
     return Error{ErrorCode::notCertified, diagram.certificate.circle,
                  "No construction led to a certified diagram: " + diagram.certificate.message};
   }
   diagram.stats = std::move(stats);
-  return diagram;
+  return result;
 }
 
 }  // namespace

@@ -27,7 +27,6 @@ namespace {
 
 void addCounts(const Predicates& predicates, Counts& counts) {
   counts.filtered += predicates.counts().filtered;
-  counts.refined += predicates.counts().refined;
   counts.inCircle += predicates.counts().inCircle;
   counts.exact += predicates.counts().exact;
 }

@@ -66,21 +66,34 @@ Topology topologyOf(const Diagram& diagram, const std::vector<std::int32_t>& sit
 
 /// Whether a vertex is where the disc of its circles is, up to rounding. Our own vertices are so to the bit. Others may
 /// be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather than near the one
-/// that touches the same circles clockwise.
+/// that touches the same circles clockwise. A disc beyond the doubles has no right place.
 bool isInPlace(const Vertex& vertex, double unit, const Circle& i, const Circle& j, const Circle& k) {
-  const Vertex disc = vertexOf(i, j, k);
+  const auto disc = vertexOf(i, j, k, unit);
+  if (!disc) return false;
   // In the units of the input, in which small numbers may have lost bits.
-  if (vertex == Vertex{disc.x * unit, disc.y * unit, disc.radius * unit}) return true;
-  const Vertex given = {vertex.x / unit, vertex.y / unit, vertex.radius / unit};
+  if (vertex == *disc) return true;
+  // Times a power of two that brings the larger of vertex and circles near 2^80, so that squares do not overflow.
+  int exponent = 0;
+  std::frexp(std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.radius)}), &exponent);
+  const int ofUnit = std::ilogb(unit);
+  const int shrinking = std::max(exponent - ofUnit - 80, 0);
+  const auto scaled = [&](const Vertex& v) {
+    const int power = -ofUnit - shrinking;
+    return Vertex{std::ldexp(v.x, power), std::ldexp(v.y, power), std::ldexp(v.radius, power)};
+  };
+  const Vertex given = scaled(vertex);
+  const Vertex right = scaled(*disc);
   if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.radius)) return false;
   double reach = 0;
-  for (const Circle* c : {&i, &j, &k}) {
-    const double distance = length({given.x - c->x, given.y - c->y});
-    const double size = std::abs(given.x) + std::abs(given.y) + std::abs(c->x) + std::abs(c->y) + c->r;
-    if (!(std::abs(distance - (c->r + given.radius)) <= 0x1p-40 * (size + distance))) return false;
+  for (const Circle* circle : {&i, &j, &k}) {
+    const double shrink = std::ldexp(1.0, -shrinking);
+    const Circle c = {circle->x * shrink, circle->y * shrink, circle->r * shrink};
+    const double distance = length({given.x - c.x, given.y - c.y});
+    const double size = std::abs(given.x) + std::abs(given.y) + std::abs(c.x) + std::abs(c.y) + c.r;
+    if (!(std::abs(distance - (c.r + given.radius)) <= 0x1p-40 * (size + distance))) return false;
     reach = std::max(reach, distance);
   }
-  return length({given.x - disc.x, given.y - disc.y}) <= 0x1p-10 * reach;
+  return length({given.x - right.x, given.y - right.y}) <= 0x1p-10 * reach;
 }
 
 /// The first vertex out of place, or kNone.

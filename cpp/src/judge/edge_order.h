@@ -18,13 +18,13 @@ inline int fromLarger(const Dual& dual, int h, const Predicates& predicates) {
 /// Around the origin of half-edge h, counter-clockwise, the face on its right comes before the face on its left:
 /// `before` and `after` are the directions to their discs from there, and h is `fromLarger`. In order, the turn between
 /// them is less than half a turn.
-inline bool isInOrder(const Dual& dual, int h, const Direction<double>& before, const Direction<double>& after,
+inline bool isInOrder(const Dual& dual, int h, const Direction& before, const Direction& after,
                       Predicates& predicates) {
   const int sign = predicates.filteredCross(before, after);
   if (sign != 0) return sign > 0;
   const int t = dual.twin[h];
-  return predicates.refinedEdgeOrder(dual.origin[h], dual.origin[t], dual.origin[Dual::previous(h)],
-                                     dual.origin[Dual::previous(t)]) >= 0;
+  return predicates.exactEdgeOrder(dual.origin[h], dual.origin[t], dual.origin[Dual::previous(h)],
+                                   dual.origin[Dual::previous(t)]) >= 0;
 }
 
 }  // namespace circle_voronoi

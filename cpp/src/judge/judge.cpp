@@ -64,7 +64,7 @@ class Judge {
     error_[face] = disc.error;
     for (int i = 0; i < 3 && disc.exists; ++i) {
       if (corners[i] == kInfinity) continue;
-      const Direction<double> toDisc = predicates_.direction(corners[i], disc);
+      const Direction toDisc = predicates_.direction(corners[i], disc);
       toDisc_[3 * face + i] = {toDisc.x, toDisc.y};
       isLower_[3 * face + i] = predicates_.isLower(corners[i], corners, toDisc);
     }
@@ -99,7 +99,7 @@ class Judge {
   /// The corner of the face on the right of h that is the origin of h.
   int cornerBefore(int h) const { return Dual::next(dual_.twin[h]); }
 
-  Direction<double> toDisc(int corner) const { return {toDisc_[corner].x, toDisc_[corner].y, error_[corner / 3]}; }
+  Direction toDisc(int corner) const { return {toDisc_[corner].x, toDisc_[corner].y, error_[corner / 3]}; }
 
   /// Whether the turn around the origin of h passes the axis from the lower half to the upper one, given that it is
   /// less than half a turn.
@@ -110,7 +110,7 @@ class Judge {
     const int before = cornerBefore(h);
     if (isLower_[before] != isLower_[h]) return isLower_[before] != 0;
     int sign = predicates_.filteredCross(toDisc(before), toDisc(h));
-    if (sign == 0) sign = predicates_.refinedCross(dual_.origin[h], triple(before / 3), triple(h / 3));
+    if (sign == 0) sign = predicates_.exactCross(dual_.origin[h], triple(before / 3), triple(h / 3));
     return sign < 0;
   }
 

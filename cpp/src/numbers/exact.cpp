@@ -1,241 +1,335 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Seen from a circle o, a disc that touches o at distance rho from its centre c_o in the direction of the unit vector e
+// touches circle u as well if and only if, with U = (x, y, s) = (c_u - c_o, r_u - r_o) and g_u = x^2 + y^2 - s^2,
+//   (x, y) . e + s = g_u / (2 rho).
+// So inversion about o, which takes u to the circle W_u = U / g_u, takes touching discs to tangent lines with the
+// normal e and the offset t = 1 / (2 rho): the larger the offset, the smaller the disc. The point at infinity becomes W
+// = 0.
+//
+// The disc of (o, u, v) counter-clockwise is the tangent line to the left of W_v -> W_u. With D = U g_v - V g_u:
+//   e |D|^2 = -D.s (D.x, D.y) + sqrt(g_u g_v g_uv) (-D.y, D.x),
+//   t |D|^2 = D.y N.x - D.x N.y + N.s sqrt(g_u g_v g_uv),  N = U x V,
+// where |D|^2 = D.x^2 + D.y^2 is positive as are the g. Every sign is that of some p + q sqrt(d), and what decides if p
+// and q differ, p^2 - q^2 d, is |D|^2 times a simpler number, called the norm below.
 #include "exact.h"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <cstdint>
-#include <initializer_list>
+#include <cstddef>
+#include <type_traits>
 
-#include "integers.h"
+#include "common_unit.h"
+#include "integer.h"
 
 namespace circle_voronoi::exact {
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
+/// (x, y, s) space with the cone x^2 + y^2 = s^2.
+template <class Number>
+struct Numbers {
+  Number x, y, s;
+};
+template <class Number>
+Numbers(Number, Number, Number) -> Numbers<Number>;
 
-int sign(const Integer& a) { return a.sign(); }
-
-/// p + q sqrt(d), d >= 0.
-int sign(const Integer& p, const Integer& q, const Integer& d) {
-  const int sp = sign(p);
-  const int sq = d.is_zero() ? 0 : sign(q);
-  if (sp == 0 || sq == 0 || sp == sq) return sp != 0 ? sp : sq;
-  return sp * sign(Integer(p * p - q * q * d));
+template <class Number>
+auto operator-(const Numbers<Number>& u, const Numbers<Number>& v) {
+  return Numbers{u.x - v.x, u.y - v.y, u.s - v.s};
+}
+template <class A, class B>
+auto times(const A& f, const Numbers<B>& v) {
+  return Numbers{f * v.x, f * v.y, f * v.s};
+}
+template <class A, class B>
+auto cross(const Numbers<A>& u, const Numbers<B>& v) {
+  return Numbers{u.y * v.s - u.s * v.y, u.s * v.x - u.x * v.s, u.x * v.y - u.y * v.x};
+}
+template <class A, class B>
+auto planeCross(const Numbers<A>& u, const Numbers<B>& v) {
+  return u.x * v.y - u.y * v.x;
+}
+template <class A, class B>
+auto planeDot(const Numbers<A>& u, const Numbers<B>& v) {
+  return u.x * v.x + u.y * v.y;
+}
+template <class A, class B>
+auto cone(const Numbers<A>& u, const Numbers<B>& v) {
+  return planeDot(u, v) - u.s * v.s;
 }
 
-/// (x, y, r) in units of a common power of two.
-struct Integers {
-  Integer x, y, s;
+/// A circle u seen from another: U and g_u. The point at infinity has U = 0, g_u = 1.
+template <class Number>
+struct Seen {
+  Numbers<Number> v;
+  decltype(Number() * Number()) g;
+
+  Seen() : g(1) {}
+  explicit Seen(const Numbers<Number>& difference) : v(difference), g(cone(v, v)) {}
 };
 
-Integers operator-(const Integers& u, const Integers& v) { return {u.x - v.x, u.y - v.y, u.s - v.s}; }
-Integers operator+(const Integers& u, const Integers& v) { return {u.x + v.x, u.y + v.y, u.s + v.s}; }
-Integers operator*(const Integer& f, const Integers& v) { return {f * v.x, f * v.y, f * v.s}; }
+using limbs::SignedWide;
 
-Integers cross(const Integers& u, const Integers& v) {
-  return {u.y * v.s - u.s * v.y, u.s * v.x - u.x * v.s, u.x * v.y - u.y * v.x};
+template <class Number, std::size_t kCount>
+using Differences = std::array<std::array<Number, 3>, kCount>;
+
+/// (x, y, r) of each circle less that of circle o; of infinity nothing.
+template <class Number, std::size_t kCount, class Convert>
+Differences<Number, kCount> differencesFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
+                                            Convert in) {
+  const std::array<Number, 3> origin = {in(o.x), in(o.y), in(o.r)};
+  Differences<Number, kCount> result{};
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (const Circle* c = circles[i]; c != nullptr)
+      result[i] = {in(c->x) - origin[0], in(c->y) - origin[1], in(c->r) - origin[2]};
+  }
+  return result;
 }
-Integer cone(const Integers& u, const Integers& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
 
-/// Converts circles to integers in a unit that all of them share.
-class Scale {
- public:
-  void include(const Circle& c) {
-    for (const double value : {c.x, c.y, c.r}) unit_.include(value);
+template <int kLimbs, std::size_t kCount>
+auto fixed(const Differences<SignedWide, kCount>& wide) {
+  Differences<FixedInteger<kLimbs>, kCount> result;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result[i][k] = FixedInteger<kLimbs>(wide[i][k]);
   }
-  void include(const Face& face) {
-    for (const Circle* c : face) {
-      if (c != nullptr) include(*c);
+  return result;
+}
+
+/// Calls formula(seen, exponent) with the circles given as seen from circle o, in units of two to the power of the
+/// exponent, and in the smallest kind of integers that holds them.
+template <std::size_t kCount, class Formula>
+auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles, Formula formula) {
+  CommonUnit unit;
+  const auto include = [&](const Circle& c) {
+    for (const double value : {c.x, c.y, c.r}) unit.include(value);
+  };
+  include(o);
+  for (const Circle* c : circles) {
+    if (c != nullptr) include(*c);
+  }
+  const auto seenAs = [&](const auto& differences) {
+    using Number = std::decay_t<decltype(differences[0][0])>;
+    std::array<Seen<Number>, kCount> seen;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const auto& [x, y, s] = differences[i];
+      if (circles[i] != nullptr) seen[i] = Seen<Number>({x, y, s});
     }
+    return formula(seen, unit.exponent());
+  };
+  constexpr int kOneLimb = 61;
+  constexpr int kTwoLimbs = 125;
+  if (unit.bits() >= kTwoLimbs) {
+    return seenAs(differencesFrom<Integer<1>>(o, circles, [&](double value) {
+      const OddPart part = unit.in(value);
+      return Integer<1>(part.odd, part.exponent);
+    }));
   }
-  Integers of(const Circle& c) const {
-    return {unit_.in<Integer>(c.x), unit_.in<Integer>(c.y), unit_.in<Integer>(c.r)};
+  const auto differences = differencesFrom<SignedWide>(o, circles, [&](double value) {
+    const OddPart part = unit.in(value);
+    return part.odd * (SignedWide{1} << part.exponent);
+  });
+  SignedWide all = 0;
+  for (const auto& difference : differences) {
+    for (const SignedWide d : difference) all |= d < 0 ? ~d : d;
   }
-  /// The unit is two to the power of this.
-  int exponent() const { return unit_.exponent(); }
+  return all >> kOneLimb == 0 ? seenAs(fixed<1>(differences)) : seenAs(fixed<2>(differences));
+}
+
+/// The other corners of a face, in order after `from`.
+std::array<const Circle*, 2> othersOf(const Face& face, const Circle* from) {
+  const auto at = static_cast<std::size_t>(std::find(face.begin(), face.end(), from) - face.begin());
+  return {face[(at + 1) % 3], face[(at + 2) % 3]};
+}
+
+/// D of the disc of (o, u, v).
+template <class Number>
+auto axisOf(const Seen<Number>& u, const Seen<Number>& v) {
+  return times(v.g, u.v) - times(u.g, v.v);
+}
+
+/// The sign of p + q sqrt(d) by that of p^2 - q^2 d. The signs of p and q are asked for only where needed.
+template <class P, class Q>
+int signOf(int norm, P p, Q q) {
+  if (norm < 0) return q();
+  if (norm > 0) return p();
+  const int both = p() + q();
+  return both > 0 ? 1 : both < 0 ? -1 : 0;
+}
+
+/// How far a circle z reaches beyond the tangent line with the axis D, where M is normal to the plane of W_z and the
+/// two that the line touches: the sign of M.x D.y - M.y D.x + M.s sqrt(d). If M is on the cone, all three have a common
+/// tangent.
+template <class M, class D>
+int reachSign(const Numbers<M>& m, const Numbers<D>& d) {
+  return signOf(
+      cone(m, m).sign(), [&] { return planeCross(m, d).sign(); }, [&] { return m.s.sign(); });
+}
+
+/// 1 if a circle z overlaps the disc of (o, u, v), 0 if it touches it, -1 if it is clear of it.
+template <class Number, class D>
+int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& z, const Numbers<D>& d) {
+  const auto vu = times(z.g, cross(v.v, u.v));
+  const auto uz = times(v.g, cross(u.v, z.v));
+  const auto zv = times(u.g, cross(z.v, v.v));
+  return reachSign(Numbers{vu.x + uz.x + zv.x, vu.y + uz.y + zv.y, vu.s + uz.s + zv.s}, d);
+}
+
+/// The same vector times a power of two, each component right within 2^-51 of the largest, none beyond 2^128.
+template <class Number>
+Numbers<double> normalized(const Numbers<Number>& v) {
+  const std::array<LeadingBits, 3> parts = {v.x.leading(), v.y.leading(), v.s.leading()};
+  const int exponent = std::max({parts[0].exponent, parts[1].exponent, parts[2].exponent});
+  const auto scaled = [&](const LeadingBits& part) {
+    return part.exponent == exponent ? part.value : std::ldexp(part.value, part.exponent - exponent);
+  };
+  return {scaled(parts[0]), scaled(parts[1]), scaled(parts[2])};
+}
+
+/// Whether the direction of the disc with the axis D lies to the left of E: the sign of E x e, with
+/// p = D.s (D x E), q = D . E.
+template <class D, class E>
+bool isLeftOf(const Numbers<E>& e, const Numbers<D>& d) {
+  // <D, D> is right within 2^-48, its root within 2^-24; all the rest is less.
+  const Numbers<double> a = normalized(d);
+  const Numbers<double> b = normalized(e);
+  const double value = a.s * planeCross(a, b) + planeDot(a, b) * std::sqrt(std::max(cone(a, a), 0.0));
+  const double error = 0x1p-22 * planeDot(a, a) * (std::abs(b.x) + std::abs(b.y));
+  if (std::abs(value) > error) return value > 0;
+  const auto dot = planeDot(d, e);
+  return signOf((d.s * d.s * planeDot(e, e) - dot * dot).sign(), [&] { return d.s.sign() * planeCross(d, e).sign(); },
+                [&] { return dot.sign(); }) > 0;
+}
+
+/// mantissa * 2^exponent. Operations are right to 53 bits.
+class Floating {
+ public:
+  Floating(double mantissa, int exponent) {
+    int shift = 0;
+    mantissa_ = std::frexp(mantissa, &shift);
+    exponent_ = exponent + shift;
+  }
+  explicit Floating(const LeadingBits& leading) : Floating(leading.value, leading.exponent) {}
+
+  bool isPositive() const { return mantissa_ > 0; }
+  double times(int powerOfTwo) const { return std::ldexp(mantissa_, exponent_ + powerOfTwo); }
+
+  friend Floating operator-(const Floating& a) { return {-a.mantissa_, a.exponent_}; }
+  friend Floating operator+(const Floating& a, const Floating& b) {
+    if (a.mantissa_ == 0) return b;
+    if (b.mantissa_ == 0) return a;
+    const int exponent = std::max(a.exponent_, b.exponent_);
+    return {a.times(-exponent) + b.times(-exponent), exponent};
+  }
+  friend Floating operator*(const Floating& a, const Floating& b) {
+    return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
+  }
+  friend Floating operator/(const Floating& a, const Floating& b) {
+    return {a.mantissa_ / b.mantissa_, a.exponent_ - b.exponent_};
+  }
+  friend Floating sqrt(const Floating& a) {
+    const int odd = a.exponent_ & 1;
+    return {std::sqrt(std::ldexp(a.mantissa_, odd)), (a.exponent_ - odd) / 2};
+  }
 
  private:
-  CommonUnit unit_;
+  double mantissa_ = 0;
+  int exponent_ = 0;
 };
 
-/// A direction (P + Q sqrt(d)) / w, w > 0; s is the distance from the centre of the circle looked from. At infinity w
-/// is of no account.
-struct Direction {
-  Integers p;
-  Integers q;
-  Integer d;
-  Integer w = 1;
-  bool exists = true;
-};
-
-/// From circle o to the disc of (o, u, v).
-///
-/// With A = u - o, B = v - o in (x, y, r) space, <.,.> the cone product, g11 = <A,A>, g22 = <B,B>, g12 = <A,B> and
-/// N = A x B, the centre X solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0, where ' negates the third component:
-///   X = -(g22 (g11 - g12) A' + g11 (g22 - g12) B' + N sqrt(g11 g22 g33)) / (2 <N,N>),  g33 = <A - B, A - B>.
-/// That root is the counter-clockwise disc. If <N,N> = 0 (a line touches all three circles) one root is at infinity and
-/// the other is rational.
-Direction toDisc(const Integers& o, const Integers& u, const Integers& v) {
-  const Integers a = u - o;
-  const Integers b = v - o;
-  const Integers n = cross(a, b);
-  const Integer g11 = cone(a, a);
-  const Integer g22 = cone(b, b);
-  const Integer qa = cone(n, n);
-  Direction x;
-  if (!qa.is_zero()) {
-    const Integer g12 = cone(a, b);
-    const Integers ap = {a.x, a.y, -a.s};
-    const Integers bp = {b.x, b.y, -b.s};
-    const Integer alpha = g22 * (g11 - g12);
-    const Integer beta = g11 * (g22 - g12);
-    const Integer turn = qa.sign() < 0 ? 1 : -1;
-    x.p = turn * (alpha * ap + beta * bp);
-    x.q = turn * n;
-    x.d = g11 * g22 * (g11 + g22 - 2 * g12);
-    x.w = 2 * abs(qa);
-    return x;
-  }
-  // Twice the squared length of N times the point of the line nearest the origin.
-  const Integers base = g11 * cross(b, n) + g22 * cross(n, a);
-  const Integer along = cone(base, n);
-  if (along.sign() >= 0) {
-    x.exists = false;
-    return x;
-  }
-  x.p = Integer(-2 * along) * base + cone(base, base) * n;
-  x.d = 0;
-  x.w = -4 * along * (n.x * n.x + n.y * n.y + n.s * n.s);
-  return x;
+template <class Number>
+Floating floating(const Number& value) {
+  return Floating(value.leading());
 }
 
-/// From the disc as seen from o to the disc as seen from another corner.
-Direction seenFrom(const Circle& from, const Face& face, const Scale& scale) {
-  const auto at = static_cast<std::size_t>(std::find(face.begin(), face.end(), &from) - face.begin());
-  const Circle* u = face[(at + 1) % 3];
-  const Circle* v = face[(at + 2) % 3];
-  if (u != nullptr && v != nullptr) return toDisc(scale.of(from), scale.of(*u), scale.of(*v));
-  // The normal of the line to the left of a -> b, d = b - a: -d.s (d.x, d.y) + sqrt(g) (-d.y, d.x).
-  const Integers a = v == nullptr ? scale.of(from) : scale.of(*v);
-  const Integers b = v == nullptr ? scale.of(*u) : scale.of(from);
-  const Integers d = b - a;
-  return {{-d.s * d.x, -d.s * d.y, 0}, {-d.y, d.x, 0}, cone(d, d), 1};
-}
-
-Direction seenFrom(const Circle& from, const Face& face) {
-  Scale scale;
-  scale.include(face);
-  return seenFrom(from, face, scale);
-}
-
-/// mantissa * 2^exponent, the mantissa of at most 53 bits.
-struct Floating {
-  double mantissa = 0;
-  int exponent = 0;
-};
-
-int bitCount(const Integer& a) { return a.is_zero() ? 0 : static_cast<int>(msb(abs(a))) + 1; }
-
-Integer shifted(const Integer& a, int bits) { return bits >= 0 ? Integer(a << bits) : Integer(a >> -bits); }
-
-/// (p + q sqrt(d)) / w to 50 bits.
-Floating quotient(const Integer& p, const Integer& q, const Integer& d, const Integer& w) {
-  if (sign(p, q, d) == 0) return {};
-  // p and q sqrt(d) may cancel: more bits of the root until enough are left. The root is wrong by less than one.
-  Integer sum = p;
-  int bits = 0;
-  if (!q.is_zero() && !d.is_zero()) {
-    constexpr int kEnough = 60;
-    for (bits = 64;; bits *= 2) {
-      const Integer root = sqrt(shifted(Integer(q * q * d), 2 * bits));
-      sum = shifted(p, bits) + (q.sign() < 0 ? Integer(-root) : root);
-      if (bitCount(sum) >= kEnough) break;
-    }
-  }
-  constexpr int kQuotientBits = 53;
-  const int shift = kQuotientBits - bitCount(sum) + bitCount(w);
-  const Integer magnitude = shift >= 0 ? Integer(shifted(abs(sum), shift) / w) : Integer(abs(sum) / shifted(w, -shift));
-  // 53 or 54 bits; the last one may go.
-  const double mantissa = static_cast<double>(static_cast<std::uint64_t>(magnitude));
-  return {sum.sign() < 0 ? -mantissa : mantissa, -shift - bits};
+/// p + q root, norm = (p^2 - q^2 root^2) / size: where p and q root cancel, size norm / (p - q root) does not.
+template <class P, class Q, class Norm>
+Floating sumOf(const P& p, const Q& q, const Floating& root, const Norm& norm, const Floating& size) {
+  const Floating a = floating(p);
+  const Floating b = floating(q) * root;
+  if (p.sign() * q.sign() >= 0) return a + b;
+  return norm.sign() == 0 ? Floating(0, 0) : size * floating(norm) / (a + -b);
 }
 
 }  // namespace
 
 bool hasDisc(const Face& face) {
-  const Circle* smallest = nullptr;
-  for (const Circle* c : face) {
-    if (c == nullptr) return true;
-    if (smallest == nullptr || c->r < smallest->r) smallest = c;
-  }
-  const Direction x = seenFrom(*smallest, face);
-  return x.exists && sign(x.p.s, x.q.s, x.d) >= 0;
+  if (std::find(face.begin(), face.end(), nullptr) != face.end()) return true;
+  // The offset of the tangent line is positive: infinity, W = 0, does not reach beyond it.
+  return seenFrom(*face[0], std::array{face[1], face[2]}, [](const auto& seen, int) {
+           const auto& [u, v] = seen;
+           return reachSign(cross(u.v, v.v), axisOf(u, v));
+         }) > 0;
 }
 
-Vertex disc(const Face& face) {
-  Scale scale;
-  scale.include(face);
-  const Circle& from = *face[0];
-  const Direction x = seenFrom(from, face, scale);
-  if (!x.exists || x.d.sign() < 0) return {};
-  const Integers o = scale.of(from);
-  std::array<Floating, 3> numbers = {quotient(x.p.x + o.x * x.w, x.q.x, x.d, x.w),
-                                     quotient(x.p.y + o.y * x.w, x.q.y, x.d, x.w),
-                                     quotient(x.p.s - o.s * x.w, x.q.s, x.d, x.w)};
-  constexpr int kMostExponent = 512 - 54;
-  int beyond = 0;
-  for (Floating& number : numbers) {
-    number.exponent += scale.exponent();
-    if (number.mantissa != 0) beyond = std::max(beyond, number.exponent - kMostExponent);
-  }
-  const auto value = [&](const Floating& number) { return std::ldexp(number.mantissa, number.exponent - beyond); };
-  return {value(numbers[0]), value(numbers[1]), value(numbers[2])};
+std::optional<Vertex> disc(const Face& face, double unit) {
+  const Circle& o = **std::min_element(face.begin(), face.end(), [](auto* a, auto* b) { return a->r < b->r; });
+  return seenFrom(o, othersOf(face, &o), [&](const auto& seen, int exponent) -> std::optional<Vertex> {
+    const auto& [u, v] = seen;
+    const auto d = axisOf(u, v);
+    const auto n = cross(u.v, v.v);
+    const auto w = u.v - v.v;
+    const Floating root = sqrt(floating(u.g) * floating(v.g) * floating(cone(w, w)));
+    const Floating size = floating(planeDot(d, d));
+    const Floating offset = sumOf(planeCross(n, d), n.s, root, cone(n, n), size);
+    if (!offset.isPositive()) return std::nullopt;
+    // From o the centre is e rho, with rho = 1 / (2 t).
+    const auto ss = d.s * d.s;
+    const Floating x = sumOf(-(d.s * d.x), -d.y, root, ss - d.y * d.y, size);
+    const Floating y = sumOf(-(d.s * d.y), d.x, root, ss - d.x * d.x, size);
+    const int scaling = exponent - 1 + std::ilogb(unit);
+    const Vertex vertex = {o.x * unit + (x / offset).times(scaling), o.y * unit + (y / offset).times(scaling),
+                           (size / offset).times(scaling) - o.r * unit};
+    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.radius)) return std::nullopt;
+    return vertex;
+  });
 }
 
 int directionSign(const Face& face, const Circle& from, int axis) {
-  const Direction x = seenFrom(from, face);
-  const Integer ex = axis == 0 ? kAxisX : -kAxisY;
-  const Integer ey = axis == 0 ? kAxisY : kAxisX;
-  return sign(Integer(x.p.x * ex + x.p.y * ey), Integer(x.q.x * ex + x.q.y * ey), x.d);
+  return seenFrom(from, othersOf(face, &from), [axis]<class Number>(const std::array<Seen<Number>, 2>& seen, int) {
+    const Number kx(axis == 0 ? kAxisX : -kAxisY);
+    const Number ky(axis == 0 ? kAxisY : kAxisX);
+    const auto& [u, v] = seen;
+    const auto d = axisOf(u, v);
+    const auto turned = kx * d.y - ky * d.x;
+    const auto norm = (d.s * d.s) * (kx * kx + ky * ky) - turned * turned;
+    return signOf(
+        norm.sign(), [&] { return -d.s.sign() * (kx * d.x + ky * d.y).sign(); }, [&] { return -turned.sign(); });
+  });
 }
 
 int crossSign(const Face& first, const Face& second, const Circle& from) {
-  Scale scale;
-  scale.include(first);
-  scale.include(second);
-  const Direction f = seenFrom(from, first, scale);
-  const Direction g = seenFrom(from, second, scale);
-  // The cross product is p1 + q1 sqrt(f.d) + (p2 + q2 sqrt(f.d)) sqrt(g.d).
-  const Integer p1 = f.p.x * g.p.y - f.p.y * g.p.x;
-  const Integer q1 = f.q.x * g.p.y - f.q.y * g.p.x;
-  const Integer p2 = f.p.x * g.q.y - f.p.y * g.q.x;
-  const Integer q2 = f.q.x * g.q.y - f.q.y * g.q.x;
-  const int s1 = sign(p1, q1, f.d);
-  const int s2 = g.d.is_zero() ? 0 : sign(p2, q2, f.d);
-  if (s1 == 0 || s2 == 0 || s1 == s2) return s1 != 0 ? s1 : s2;
-  return s1 * sign(Integer(p1 * p1 + q1 * q1 * f.d - (p2 * p2 + q2 * q2 * f.d) * g.d),
-                   Integer(2 * (p1 * q1 - p2 * q2 * g.d)), f.d);
+  const auto [u, v] = othersOf(first, &from);
+  const auto [y, z] = othersOf(second, &from);
+  // Of y and z one is u or v.
+  const bool isSecondNew = y == u || y == v;
+  return seenFrom(from, std::array{u, v, y, z}, [&](const auto& seen, int) {
+    const auto d = axisOf(seen[0], seen[1]);
+    const auto e = axisOf(seen[2], seen[3]);
+    // Let e1, e2 be the normals of the tangent lines to the left of D and E. Turned so that E lies at the angle 0, e2
+    // lies at beta and e1 at delta, with |E| cos beta = -E.s, 0 < beta < pi. Then sin(beta - delta) has the sign of cos
+    // delta - cos beta if 0 < delta < pi, and that of cos delta + cos beta if not. How far one of W_y, W_z reaches
+    // beyond the first line, which touches the other.
+    if (isLeftOf(e, d)) {
+      const int sign = overlapSign(seen[0], seen[1], seen[isSecondNew ? 3 : 2], d);
+      return isSecondNew ? -sign : sign;
+    }
+    const auto dot = planeDot(d, e);
+    const auto sum = dot + d.s * e.s;
+    return signOf((sum * sum - cone(d, d) * cone(e, e)).sign(),
+                  [&] { return -(d.s * dot + e.s * planeDot(d, d)).sign(); }, [&] { return planeCross(d, e).sign(); });
+  });
 }
 
 bool contains(const Circle& outer, const Circle& inner) {
   if (outer.r < inner.r) return false;
-  Scale scale;
-  scale.include(outer);
-  scale.include(inner);
-  const Integers d = scale.of(outer) - scale.of(inner);
-  return cone(d, d).sign() <= 0;
+  return seenFrom(outer, std::array{&inner}, [](const auto& seen, int) { return seen[0].g.sign(); }) <= 0;
 }
 
 int tangentSide(const Circle& a, const Circle& b, const Circle& c) {
-  Scale scale;
-  for (const Circle* circle : {&a, &b, &c}) scale.include(*circle);
-  const Integers d = scale.of(b) - scale.of(a);
-  const Integers e = scale.of(c) - scale.of(a);
-  // |d|^2 (n . (e.x, e.y) + e.s) with n = (-d.s (d.x, d.y) + sqrt(g) (-d.y, d.x)) / |d|^2.
-  const Integer p = e.s * (d.x * d.x + d.y * d.y) - d.s * (d.x * e.x + d.y * e.y);
-  const Integer q = d.x * e.y - d.y * e.x;
-  return sign(p, q, cone(d, d));
+  return seenFrom(a, std::array{&b, &c}, [](const auto& seen, int) {
+    const auto& [u, z] = seen;
+    return reachSign(cross(u.v, z.v), u.v);
+  });
 }
 
 }  // namespace circle_voronoi::exact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
@@ -9,11 +10,11 @@
 namespace circle_voronoi::exact {
 
 /// The signs that the certificate rests on, computed in integer arithmetic from the circles' bits: never wrong, never
-/// rounded, slower than a filter. Circles are passed by pointer; a null pointer is the point at infinity.
+/// rounded. Circles are passed by pointer; a null pointer is the point at infinity.
 ///
 /// A face is three circles in counter-clockwise order around their three-touch disc. With the point at infinity it is
 /// two circles and their outer tangent line: (a, b, null) has the line to the left of a -> b. No circle of a face hides
-/// another; then the discriminant of the disc, g_ab g_bc g_ca with g_ij = |c_i - c_j|^2 - (r_i - r_j)^2, is positive.
+/// another.
 using Face = std::array<const Circle*, 3>;
 
 /// A direction that no drawing is likely to be aligned with: its ties are rare.
@@ -23,9 +24,10 @@ inline constexpr int kAxisY = 613;
 /// Whether the face has a disc: radius + r >= 0 for its smallest circle. Always for a face at infinity.
 bool hasDisc(const Face& face);
 
-/// The disc of a face without the point at infinity: each number right to 50 bits. Beyond 2^512 all three are scaled
-/// down together, so that the direction stays. If the face has none: anything.
-Vertex disc(const Face& face);
+/// The disc of a face without the point at infinity, times `unit`, a power of two. Each number is right to 48 bits of
+/// itself, or of the distance from the smallest circle's centre to the disc's where it cancels against that circle's.
+/// None if the face has no disc or a number is beyond the doubles.
+std::optional<Vertex> disc(const Face& face, double unit = 1);
 
 /// Signs of the direction from circle `from`, a corner of the face, to the centre of its disc: along the axis (0) or
 /// along the axis turned by +90 degrees (1). At infinity: of the normal of the tangent line.
@@ -33,7 +35,7 @@ Vertex disc(const Face& face);
 int directionSign(const Face& face, const Circle& from, int axis);
 
 /// The sign of the cross product of two such directions, seen from the same circle.
-/// Precondition: both faces have a disc and `from` as a corner.
+/// Precondition: both faces have a disc, `from` as a corner, and a second corner in common.
 int crossSign(const Face& first, const Face& second, const Circle& from);
 
 /// Whether `outer` contains `inner`.

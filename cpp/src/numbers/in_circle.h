@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
+#include "estimate.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -13,5 +16,44 @@ int orientation(Point a, Point b, Point c);
 
 /// 1 if d lies inside the circle through a, b, c, which are counter-clockwise; 0 if on it; -1 if outside.
 int inCircle(Point a, Point b, Point c, Point d);
+
+// Estimates of their determinants by J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust
+// geometric predicates", 1997, section 4.
+
+inline Estimate orientationOf(Point a, Point b, Point c) {
+  constexpr double kError = (3 + 16 * kUnitRoundoff) * kUnitRoundoff;
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  return {left - right, kError * (std::abs(left) + std::abs(right)) + kUnderflowError};
+}
+
+/// The determinant with two errors, the second one smaller and more costly.
+class InCircleEstimate {
+ public:
+  InCircleEstimate(Point a, Point b, Point c, Point d)
+      : ax_(a.x - d.x), ay_(a.y - d.y), bx_(b.x - d.x), by_(b.y - d.y), cx_(c.x - d.x), cy_(c.y - d.y) {}
+
+  /// Shewchuk's bound is in aa (|bx cy| + |by cx|) + ..., which is at most aa sqrt(bb cc) + ... and so at most
+  /// aa bb + bb cc + cc aa <= (aa + bb + cc)^2 / 3: hardly ever too coarse for points near one another.
+  Estimate coarse() const {
+    const double size = aa_ + bb_ + cc_;
+    return {value_, 0.34 * kError * size * size + kUnderflowError};
+  }
+  Estimate fine() const {
+    const double permanent = aa_ * (std::abs(bx_ * cy_) + std::abs(by_ * cx_)) +
+                             bb_ * (std::abs(cx_ * ay_) + std::abs(cy_ * ax_)) +
+                             cc_ * (std::abs(ax_ * by_) + std::abs(ay_ * bx_));
+    return {value_, kError * permanent + kUnderflowError};
+  }
+
+ private:
+  static constexpr double kError = (10 + 96 * kUnitRoundoff) * kUnitRoundoff;
+
+  double ax_, ay_, bx_, by_, cx_, cy_;
+  double aa_ = ax_ * ax_ + ay_ * ay_;
+  double bb_ = bx_ * bx_ + by_ * by_;
+  double cc_ = cx_ * cx_ + cy_ * cy_;
+  double value_ = aa_ * (bx_ * cy_ - by_ * cx_) + bb_ * (cx_ * ay_ - cy_ * ax_) + cc_ * (ax_ * by_ - ay_ * bx_);
+};
 
 }  // namespace circle_voronoi

@@ -17,9 +17,8 @@ namespace circle_voronoi {
 /// How often each stage of a predicate decided.
 struct FilterCounts {
   std::int64_t filtered = 0;  ///< floating point with an error bound
-  std::int64_t refined = 0;   ///< double-double arithmetic with an error bound
   std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centres (equal radii)
-  std::int64_t exact = 0;     ///< exact, in full
+  std::int64_t exact = 0;     ///< exact, in integers
 };
 
 /// The disc of a face of the dual, or its tangent line, with an error bound: the homogeneous point (v : w), w >= 0,
@@ -34,7 +33,7 @@ struct FaceDisc {
 };
 
 /// The signs that the construction and the certificate rest on. Each is exact: double arithmetic with a proven error
-/// bound first, double-double if that does not decide, then integers (exact.h). A zero is a tie.
+/// bound first, integers (exact.h) if that does not decide. A zero is a tie.
 class Predicates {
  public:
   /// `circles` must outlive the predicates and must not hide one another.
@@ -46,28 +45,28 @@ class Predicates {
   FaceDisc disc(const Triple& face);
 
   /// The direction to a disc from circle `from`, a corner of its face.
-  Direction<double> direction(int from, const FaceDisc& disc) const {
+  Direction direction(int from, const FaceDisc& disc) const {
     const Circle& o = circles_[disc.origin];
     const Circle& c = circles_[from];
     return {disc.v.x + disc.w * (o.x - c.x), disc.v.y + disc.w * (o.y - c.y), disc.error};
   }
 
   /// The sign of the cross product u x v of two directions, 0 if their error bounds do not decide.
-  int filteredCross(const Direction<double>& u, const Direction<double>& v) {
-    const int sign = circle_voronoi::filteredCross(u, v);
+  int filteredCross(const Direction& u, const Direction& v) {
+    const int sign = crossOf(u, v).sign();
     counts_.filtered += sign != 0;
     return sign;
   }
 
-  /// The sign of the cross product of the directions to the discs of two faces, seen from a corner of both, by the
-  /// stages after the filter.
-  int refinedCross(int from, const Triple& first, const Triple& second);
+  /// The sign of the cross product of the directions to the discs of two faces, seen from a corner of both, without the
+  /// filter. The faces share an edge.
+  int exactCross(int from, const Triple& first, const Triple& second);
 
   /// For faces (a, b, c) and (b, a, d) of circles, which have discs, and a bisector that looksFromFirst(a, b): 1 if the
   /// discs lie in order along it, that of (b, a, d) first when going with a on the left; 0 if they are the same; -1 if
-  /// they are out of order. That is the sign of the cross product of the directions to them from a, by the stages after
-  /// the filter.
-  int refinedEdgeOrder(int a, int b, int c, int d);
+  /// they are out of order. That is the sign of the cross product of the directions to them from a, without the
+  /// filter.
+  int exactEdgeOrder(int a, int b, int c, int d);
 
   /// Whether a bisector is ordered as seen from its first circle, the larger one: there it spans less than half a turn,
   /// so that a cross product orders it.
@@ -75,13 +74,12 @@ class Predicates {
 
   /// Whether the direction from a corner of a face to its disc lies in the lower half of a fixed frame, which begins
   /// with the half-axis at 180 degrees and ends before the one at 360.
-  bool isLower(int from, const Triple& face, const Direction<double>& toDisc) {
-    // Two products more, with factors below 2^10.
-    const double height = exact::kAxisX * toDisc.y - exact::kAxisY * toDisc.x;
-    const double error = (toDisc.error + 3 * kUnitRoundoff<double> * (std::abs(toDisc.x) + std::abs(toDisc.y))) * 2048;
-    if (std::abs(height) <= error) return isLowerRefined(from, face);
-    ++counts_.filtered;
-    return height < 0;
+  bool isLower(int from, const Triple& face, const Direction& toDisc) {
+    if (const int sign = heightOf(toDisc).sign(); sign != 0) {
+      ++counts_.filtered;
+      return sign < 0;
+    }
+    return isLowerExactly(from, face);
   }
 
   bool contains(const Circle& outer, const Circle& inner);
@@ -92,7 +90,7 @@ class Predicates {
   const FilterCounts& counts() const { return counts_; }
 
  private:
-  bool isLowerRefined(int from, const Triple& face);
+  bool isLowerExactly(int from, const Triple& face);
   Point centre(int i) const { return {circles_[i].x, circles_[i].y}; }
 
   std::span<const Circle> circles_;

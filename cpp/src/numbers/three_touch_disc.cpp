@@ -25,17 +25,15 @@ double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y -
 Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
 
 /// The disc of a face, if its error bound is small enough.
-template <class Real>
-std::optional<Vertex> filteredVertex(const Circle& a, const Circle& b, const Circle& c) {
-  const auto [disc, corner] = discOf<Real>(a, b, c);
+std::optional<Vertex> filteredVertex(const Circle& a, const Circle& b, const Circle& c, double unit) {
+  const auto [disc, corner] = discOf(a, b, c);
   const Circle& o = corner == 0 ? a : corner == 1 ? b : c;
   const Circle& p = corner == 0 ? b : corner == 1 ? c : a;
   const Circle& q = corner == 0 ? c : corner == 1 ? a : b;
   // The error of w times the longer side is part of the bound, so w is right to as many bits.
-  const double w = high(disc.w);
   const double side = std::max(length(between(o, p)), length(between(o, q)));
-  if (!(disc.error <= 0x1p-36 * w * side)) return std::nullopt;
-  return Vertex{o.x + high(disc.x) / w, o.y + high(disc.y) / w, high(disc.rho) / w - o.r};
+  if (!(disc.error <= 0x1p-36 * disc.w * side)) return std::nullopt;
+  return Vertex{(o.x + disc.x / disc.w) * unit, (o.y + disc.y / disc.w) * unit, (disc.rho / disc.w - o.r) * unit};
 }
 
 }  // namespace
@@ -83,10 +81,9 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
   return result;
 }
 
-Vertex vertexOf(const Circle& a, const Circle& b, const Circle& c) {
-  if (const auto vertex = filteredVertex<double>(a, b, c)) return *vertex;
-  if (const auto vertex = filteredVertex<DoubleDouble>(a, b, c)) return *vertex;
-  return exact::disc({&a, &b, &c});
+std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit) {
+  if (const auto vertex = filteredVertex(a, b, c, unit)) return vertex;
+  return exact::disc({&a, &b, &c}, unit);
 }
 
 }  // namespace circle_voronoi

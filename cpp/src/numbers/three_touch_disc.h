@@ -25,9 +25,10 @@ struct ThreeTouchDisc {
 /// threeTouchDisc(a, b, c) == threeTouchDisc(b, c, a) up to the order of toCentre, bit for bit unless radii are equal.
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c);
 
-/// The disc of three circles that have one, counter-clockwise. However near they come to having none, or to one that is
-/// infinitely large, it is right to 36 bits of the circles' distances from each other and from its centre.
-/// Of circles that have none it is anything.
-Vertex vertexOf(const Circle& a, const Circle& b, const Circle& c);
+/// The disc of three circles that have one, counter-clockwise, times `unit`, a power of two. However near they come to
+/// having none, or to one that is infinitely large, it is right to 36 bits of the circles' distances from each other
+/// and from its centre. None if a number of it is beyond the doubles. Of circles that have no disc it is none or
+/// anything.
+std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit = 1);
 
 }  // namespace circle_voronoi

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+
+#include "arithmetic.h"
+
+namespace circle_voronoi {
+
+/// What an operation on doubles is right within, relative to its result.
+inline constexpr double kUnitRoundoff = 0x1p-53;
+
+/// More than underflow adds to any estimate. Each underflow is wrong by at most 2^-1074, and is then multiplied by
+/// other numbers: validated coordinates stay below 2^81, so that the six that follow at most make it 2^(6 * 82 - 1074).
+/// It is negligible where lengths exceed about 2^-40, that is 1e-36 of the whole: smaller ones are decided exactly.
+inline constexpr double kUnderflowError = 0x1p-500;
+
+/// The error of what was not computed.
+inline constexpr double kUnknownError = std::numeric_limits<double>::infinity();
+
+/// A value in floating point and how far it may be from the exact one, short of an error that is relative to the value
+/// itself and so does not change its sign.
+struct Estimate {
+  double value = 0;
+  double error = kUnknownError;
+
+  /// 0 if the error does not decide.
+  int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Error bounds against the errors made: none is larger than its bound, and the worst found is more than a tenth of it,
+// so that a bound too small by ten shows. The worst are found by climbing from random circles.
+#include "estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+
+#include "homogeneous_disc.h"
+#include "in_circle.h"
+#include "random.h"
+#include "report.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Real = boost::multiprecision::cpp_bin_float_100;
+using Circles = std::array<Circle, 4>;
+
+/// A difference of circles, exactly, as the estimates take it.
+struct Exact {
+  Real x, y, s;
+  Exact(const Circle& u, const Circle& o) : x(Real(u.x) - o.x), y(Real(u.y) - o.y), s(Real(u.r) - o.r) {}
+  Exact(const Real& x_, const Real& y_, const Real& s_) : x(x_), y(y_), s(s_) {}
+};
+Real coneOf(const Exact& u, const Exact& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
+bool hide(const Circle& a, const Circle& b) { return coneOf({a, b}, {a, b}) <= 0; }
+
+/// The part of the bound that an error takes; 0 if nothing was computed.
+double part(const Real& exact, double value, double error) {
+  return std::isfinite(error) ? static_cast<double>(abs(Real(exact - value)) / error) : 0;
+}
+/// The same, but for the rounding that does not change the sign.
+double part(const Real& exact, const Estimate& estimate) {
+  if (!std::isfinite(estimate.error)) return 0;
+  const Real wrong = abs(Real(exact - estimate.value)) - kUnitRoundoff * abs(Real(estimate.value));
+  return static_cast<double>(wrong / estimate.error);
+}
+
+Point centreOf(const Circle& c) { return {c.x, c.y}; }
+
+double orientationPart(const Circles& c) {
+  const Exact u(c[0], c[2]);
+  const Exact v(c[1], c[2]);
+  return part(u.x * v.y - u.y * v.x, orientationOf(centreOf(c[0]), centreOf(c[1]), centreOf(c[2])));
+}
+
+template <bool kIsFine>
+double inCirclePart(const Circles& c) {
+  const Exact u(c[0], c[3]);
+  const Exact v(c[1], c[3]);
+  const Exact w(c[2], c[3]);
+  const Real exact = (u.x * u.x + u.y * u.y) * (v.x * w.y - v.y * w.x) +
+                     (v.x * v.x + v.y * v.y) * (w.x * u.y - w.y * u.x) +
+                     (w.x * w.x + w.y * w.y) * (u.x * v.y - u.y * v.x);
+  const InCircleEstimate estimate(centreOf(c[0]), centreOf(c[1]), centreOf(c[2]), centreOf(c[3]));
+  return part(exact, kIsFine ? estimate.fine() : estimate.coarse());
+}
+
+double tangentLengthPart(const Circles& c) {
+  const Exact d(c[0], c[1]);
+  return part(coneOf(d, d), tangentLengthSquared(c[0], c[1]));
+}
+
+double infinityPart(const Circles& c) {
+  if (hide(c[0], c[1])) return 0;
+  const HomogeneousDisc disc = discAtInfinity(c[0], c[1]);
+  const Exact d(c[1], c[0]);
+  const Real root = sqrt(coneOf(d, d));
+  return std::max(part(-d.s * d.x - root * d.y, disc.x, disc.error), part(-d.s * d.y + root * d.x, disc.y, disc.error));
+}
+
+double reachPart(const Circles& c) {
+  if (hide(c[0], c[1])) return 0;
+  const Exact d(c[1], c[0]);
+  const Exact e(c[2], c[0]);
+  const Real exact =
+      e.s * (d.x * d.x + d.y * d.y) - d.s * (d.x * e.x + d.y * e.y) + (d.x * e.y - d.y * e.x) * sqrt(coneOf(d, d));
+  return part(exact, reachBeyond(c[0], c[1], c[2]));
+}
+
+/// Of the directions and distances to a disc from all its circles.
+double discPart(const Circles& c) {
+  if (hide(c[0], c[1]) || hide(c[1], c[2]) || hide(c[0], c[2])) return 0;
+  const auto [disc, corner] = discOf(c[0], c[1], c[2]);
+  if (!std::isfinite(disc.error)) return 0;
+  const Circle& o = c[corner];
+  const Exact a(c[(corner + 1) % 3], o);
+  const Exact b(c[(corner + 2) % 3], o);
+  const Exact side(a.x - b.x, a.y - b.y, a.s - b.s);
+  const Exact n(a.y * b.s - a.s * b.y, a.s * b.x - a.x * b.s, a.x * b.y - a.y * b.x);
+  const Real g11 = coneOf(a, a), g22 = coneOf(b, b), g12 = coneOf(a, b);
+  const Real root = sqrt(Real(g11 * g22 * coneOf(side, side)));
+  const Real alpha = g22 * (g11 - g12), beta = g11 * (g22 - g12), k = coneOf(n, n);
+  const int turn = k < 0 ? 1 : -1;
+  const Real x = turn * (alpha * a.x + beta * b.x + n.x * root);
+  const Real y = turn * (alpha * a.y + beta * b.y + n.y * root);
+  const Real rho = turn * (n.s * root - alpha * a.s - beta * b.s);
+  const Real w = -2 * turn * k;
+  double worst = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Exact shift(o, c[i]);
+    const auto seen = [&](double from, double moved) { return from + disc.w * moved; };
+    worst = std::max({worst, part(x + w * shift.x, seen(disc.x, o.x - c[i].x), disc.error),
+                      part(y + w * shift.y, seen(disc.y, o.y - c[i].y), disc.error),
+                      part(rho - w * shift.s, distanceOf(c[i], disc, o).value, distanceOf(c[i], disc, o).error)});
+  }
+  return worst;
+}
+
+/// Directions that are wrong by as much as they may be, each component either way.
+template <class Compare>
+double worstOfSigns(Random& random, Compare compare) {
+  double worst = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto direction = [&] {
+      const double size = random.logUniform(-20, 20);
+      return Direction{size * random.uniform(-1, 1), size * random.uniform(-1, 1),
+                       size * random.logUniform(-18, 0) * static_cast<double>(random.below(2))};
+    };
+    const Direction f = direction();
+    const Direction g = direction();
+    for (unsigned signs = 0; signs < 16; ++signs) {
+      const auto moved = [&](double value, double error, unsigned bit) {
+        return Real(value) + ((signs & bit) != 0 ? Real(error) : Real(-error));
+      };
+      const std::array<Real, 4> exact = {moved(f.x, f.error, 1), moved(f.y, f.error, 2), moved(g.x, g.error, 4),
+                                         moved(g.y, g.error, 8)};
+      worst = std::max(worst, compare(f, g, exact));
+    }
+  }
+  return worst;
+}
+
+Circles randomCircles(Random& random, std::uint64_t kind) {
+  Circles circles;
+  for (Circle& c : circles) {
+    c = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0, 0.6)};
+    if (kind == 1) {  // nearly touching a large circle from inside
+      const Vector v = random.direction();
+      const double r = random.uniform(0, 1);
+      const double distance = (1 - r) * (1 + random.uniform(-1e-3, 1e-3));
+      c = {distance * v.x, distance * v.y, r};
+    } else if (kind == 2) {  // nearly on a line
+      c = {c.x, 0.3 * c.x + 1e-4 * c.y, 0.2 + 1e-4 * c.r};
+    }
+  }
+  return circles;
+}
+
+void move(Circles& circles, Random& random) {
+  for (std::size_t times = 1 + random.below(3); times > 0; --times) {
+    Circle& c = circles[random.below(circles.size())];
+    const double step = std::exp2(random.uniform(-52, -2)) * random.uniform(-1, 1);
+    const std::size_t which = random.below(3);
+    if (which == 0) c.x += step;
+    if (which == 1) c.y += step;
+    if (which == 2) c.r = std::abs(c.r + step);
+  }
+}
+
+struct Bound {
+  const char* name;
+  double (*part)(const Circles& circles);
+};
+
+class EstimateBound : public testing::TestWithParam<Bound> {};
+
+TEST_P(EstimateBound, IsNeitherTooSmallNorTenTimesTooLarge) {
+  const std::uint64_t seed = test::seedOr(1);
+  double worst = 0;
+  // A hill may end low: more than one start.
+  for (std::uint64_t start = 0; start < 8 && worst < 0.12; ++start) {
+    Random random(seed * 1'000'003 + start);
+    Circles best = randomCircles(random, 0);
+    double height = 0;
+    const auto take = [&](const Circles& circles) {
+      const double found = GetParam().part(circles);
+      ASSERT_LE(found, 1) << test::describe(circles);
+      if (found <= height) return;
+      height = found;
+      best = circles;
+    };
+    for (std::uint64_t trial = 0; trial < 2000; ++trial) take(randomCircles(random, trial % 3));
+    for (int step = 0; step < 8000; ++step) {
+      Circles circles = best;
+      move(circles, random);
+      take(circles);
+    }
+    worst = std::max(worst, height);
+  }
+  EXPECT_GT(worst, 0.1);
+  RecordProperty("worst", std::to_string(worst));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, EstimateBound,
+                         testing::Values(Bound{"Orientation", orientationPart}, Bound{"InCircle", inCirclePart<false>},
+                                         Bound{"InCircleFine", inCirclePart<true>},
+                                         Bound{"TangentLength", tangentLengthPart}, Bound{"Infinity", infinityPart},
+                                         Bound{"Reach", reachPart}, Bound{"Disc", discPart}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(Estimate, OfACrossProductCoversTheErrorsOfItsDirections) {
+  Random random(test::seedOr(1));
+  const double worst = worstOfSigns(random, [](const Direction& f, const Direction& g, const auto& exact) {
+    return part(exact[0] * exact[3] - exact[1] * exact[2], crossOf(f, g));
+  });
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.1);
+}
+
+TEST(Estimate, OfAHeightCoversTheErrorOfItsDirection) {
+  Random random(test::seedOr(1));
+  const double worst = worstOfSigns(random, [](const Direction& f, const Direction&, const auto& exact) {
+    return part(exact::kAxisX * exact[1] - exact::kAxisY * exact[0], heightOf(f));
+  });
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.1);
+}
+
+}  // namespace
+}  // namespace circle_voronoi
