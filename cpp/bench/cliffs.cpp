@@ -71,8 +71,8 @@ struct Cost {
   double seconds;  ///< of the processor
   char way[32];
   double flips;
-  double refined;  ///< signs that took double-double arithmetic or the in-circle test
-  double exact;    ///< signs that took integers
+  double inCircle;  ///< signs that took the in-circle test
+  double exact;     ///< signs that took integers
 };
 
 double processorSeconds() {
@@ -93,7 +93,7 @@ Cost costOf(const Circles& circles) {
   const Stats& stats = diagram.value().stats;
   std::strncpy(cost.way, stats.way.c_str(), sizeof cost.way - 1);
   cost.flips = static_cast<double>(stats.counts.flips);
-  cost.refined = static_cast<double>(stats.counts.refined + stats.counts.inCircle);
+  cost.inCircle = static_cast<double>(stats.counts.inCircle);
   cost.exact = static_cast<double>(stats.counts.exact);
   return cost;
 }
@@ -108,8 +108,8 @@ void printCliffs(const std::vector<std::string>& names, const std::vector<std::s
     const auto uniform = measure(kVariants[0], Family::uniform);
     if (!uniform.value) return;
     const double count = static_cast<double>(size);
-    std::printf("%-40s %8s %9s %9s  %-16s %8s %8s %8s\n", "family", "n", "us/circle", "/ uniform", "way", "flips",
-                "refined", "exact");
+    std::printf("%-40s %8s %9s %9s  %-16s %8s %9s %8s\n", "family", "n", "us/circle", "/ uniform", "way", "flips",
+                "in-circle", "exact");
     for (const FamilyInfo& family : families()) {
       if (!names.empty() && std::ranges::find(names, family.name) == names.end()) continue;
       for (const Variant& variant : kVariants) {
@@ -120,8 +120,8 @@ void printCliffs(const std::vector<std::string>& names, const std::vector<std::s
           continue;
         }
         const double ratio = cost->seconds / uniform.value->seconds;
-        std::printf("%9.2f %9.2f  %-16s %8.2f %8.2f %8.2f%s\n", 1e6 * cost->seconds / count, ratio, cost->way,
-                    cost->flips / count, cost->refined / count, cost->exact / count,
+        std::printf("%9.2f %9.2f  %-16s %8.2f %9.2f %8.2f%s\n", 1e6 * cost->seconds / count, ratio, cost->way,
+                    cost->flips / count, cost->inCircle / count, cost->exact / count,
                     ratio > (family.isDegenerate ? kMostOfTies : kMost) ? "  <--" : "");
       }
     }

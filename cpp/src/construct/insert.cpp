@@ -250,7 +250,7 @@ class Inserter {
   int turn(int from, const Disc& first, const Disc& second) const {
     const int sign =
         predicates_.filteredCross(predicates_.direction(from, first.disc), predicates_.direction(from, second.disc));
-    return sign != 0 ? sign : predicates_.refinedCross(from, first.corners, second.corners);
+    return sign != 0 ? sign : predicates_.exactCross(from, first.corners, second.corners);
   }
 
   /// Faces (a, b, i) and (b, a, d) become (a, d, i) and (b, i, d).

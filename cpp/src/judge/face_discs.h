@@ -77,7 +77,7 @@ class FaceDiscs {
     const int filtered = predicates_.filteredCross(predicates_.direction(circle, discs_[right / 3]),
                                                    predicates_.direction(circle, discs_[h / 3]));
     const int turn =
-        filtered != 0 ? filtered : predicates_.refinedCross(circle, cornersOf(dual_, right), cornersOf(dual_, h));
+        filtered != 0 ? filtered : predicates_.exactCross(circle, cornersOf(dual_, right), cornersOf(dual_, h));
     return turn < 0 ? Flaw::hullNotClosed : Flaw::none;
   }
 
