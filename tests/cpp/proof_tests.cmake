@@ -33,7 +33,7 @@ target_link_libraries(circle_voronoi_proof_tests PRIVATE
   circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi::io circle_voronoi_options circle_voronoi_internals
   circle_voronoi_oracle
   GTest::gtest_main Threads::Threads)
-gtest_discover_tests(circle_voronoi_proof_tests DISCOVERY_MODE PRE_TEST)
+gtest_discover_tests(circle_voronoi_proof_tests DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES)
 
 # Its allocations fail, so it is a program of its own.
 add_executable(circle_voronoi_allocation_tests allocation_test.cpp)
