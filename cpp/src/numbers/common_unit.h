@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "bit_cast.h"
+
 namespace circle_voronoi {
 
 /// A finite double as odd * 2^exponent; zero has odd = 0.
@@ -15,7 +17,7 @@ struct OddPart {
   explicit OddPart(double value) {
     constexpr int kFractionBits = 52;
     constexpr int kLeastExponent = -1074;
-    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const auto bits = bitCast<std::uint64_t>(value);
     auto mantissa = bits & ((std::uint64_t{1} << kFractionBits) - 1);
     const auto biased = static_cast<int>((bits >> kFractionBits) & 0x7ff);
     if (biased != 0) mantissa |= std::uint64_t{1} << kFractionBits;
