@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,7 +43,7 @@ class WayTable {
   static constexpr std::string_view kWays[] = {"flip", "repair", "insert", "touching-disc", "apollonius-graph"};
   struct Row {
     std::string family;
-    int ways[4] = {};
+    int ways[std::size(kWays)] = {};
     int problems = 0;
     int trials = 0;
   };
