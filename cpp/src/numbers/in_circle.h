@@ -18,13 +18,14 @@ int orientation(Point a, Point b, Point c);
 int inCircle(Point a, Point b, Point c, Point d);
 
 // Estimates of their determinants by J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust
-// geometric predicates", 1997, section 4.
+// geometric predicates", 1997, section 4: errors relative to the determinants' permanents.
+inline constexpr double kOrientationError = (3 + 16 * kUnitRoundoff) * kUnitRoundoff;
+inline constexpr double kInCircleError = (10 + 96 * kUnitRoundoff) * kUnitRoundoff;
 
 inline Estimate orientationOf(Point a, Point b, Point c) {
-  constexpr double kError = (3 + 16 * kUnitRoundoff) * kUnitRoundoff;
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);
-  return {left - right, kError * (std::abs(left) + std::abs(right)) + kUnderflowError};
+  return {left - right, kOrientationError * (std::abs(left) + std::abs(right)) + kUnderflowError};
 }
 
 /// The determinant with two errors, the second one smaller and more costly.
@@ -37,18 +38,16 @@ class InCircleEstimate {
   /// aa bb + bb cc + cc aa <= (aa + bb + cc)^2 / 3: hardly ever too coarse for points near one another.
   Estimate coarse() const {
     const double size = aa_ + bb_ + cc_;
-    return {value_, 0.34 * kError * size * size + kUnderflowError};
+    return {value_, 0.34 * kInCircleError * size * size + kUnderflowError};
   }
   Estimate fine() const {
     const double permanent = aa_ * (std::abs(bx_ * cy_) + std::abs(by_ * cx_)) +
                              bb_ * (std::abs(cx_ * ay_) + std::abs(cy_ * ax_)) +
                              cc_ * (std::abs(ax_ * by_) + std::abs(ay_ * bx_));
-    return {value_, kError * permanent + kUnderflowError};
+    return {value_, kInCircleError * permanent + kUnderflowError};
   }
 
  private:
-  static constexpr double kError = (10 + 96 * kUnitRoundoff) * kUnitRoundoff;
-
   double ax_, ay_, bx_, by_, cx_, cy_;
   double aa_ = ax_ * ax_ + ay_ * ay_;
   double bb_ = bx_ * bx_ + by_ * by_;

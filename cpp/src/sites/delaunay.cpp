@@ -20,12 +20,6 @@
 namespace circle_voronoi {
 namespace {
 
-// Filters by J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997,
-// section 4, as in in_circle.cpp.
-constexpr double kTiny = 0x1p-500;
-constexpr double kOrientationError = 3.01 * 0x1p-53;
-constexpr double kInCircleError = 10.01 * 0x1p-53;
-
 enum class Axis { x, y };
 
 /// The order along an axis: by x, then y; or by y, then -x, which is the same turned by a right angle.
@@ -164,13 +158,8 @@ class Triangulator {
 
   int orientation(int i, int j, int k) {
     const Point a = corners_[i], b = corners_[j], c = corners_[k];
-    const double left = (a.x - c.x) * (b.y - c.y);
-    const double right = (a.y - c.y) * (b.x - c.x);
-    const double determinant = left - right;
-    const double error = kOrientationError * (std::abs(left) + std::abs(right)) + kTiny;
-    if (determinant > error) return 1;
-    if (determinant < -error) return -1;
-    return circle_voronoi::orientation(a, b, c);
+    const int sign = orientationOf(a, b, c).sign();
+    return sign != 0 ? sign : circle_voronoi::orientation(a, b, c);
   }
 
   /// A corner relative to an origin, and its distance from it, squared.
@@ -187,7 +176,7 @@ class Triangulator {
   bool isLeftTurn(int i, int j, int k, const Lifted& b, const Lifted& c) {
     const double left = b.x * c.y;
     const double right = b.y * c.x;
-    const double error = kOrientationError * (std::abs(left) + std::abs(right)) + kTiny;
+    const double error = kOrientationError * (std::abs(left) + std::abs(right)) + kUnderflowError;
     if (left - right > error) return true;
     if (left - right < -error) return false;
     return circle_voronoi::orientation(corners_[i], corners_[j], corners_[k]) > 0;
@@ -199,7 +188,7 @@ class Triangulator {
     const double determinant =
         c.square * (b.x * d.y - b.y * d.x) - b.square * (c.x * d.y - c.y * d.x) - d.square * (b.x * c.y - b.y * c.x);
     const double size = b.square + c.square + d.square;
-    const double error = kInCircleError * size * size + kTiny;
+    const double error = kInCircleError * size * size + kUnderflowError;
     if (determinant > error) return true;
     if (determinant < -error) return false;
     return isInPerturbedCircle(corners_[i], corners_[j], corners_[k], corners_[l]);
