@@ -8,8 +8,13 @@
 
 #include "circle_voronoi/families.h"
 #include "dual_edits.h"
+#include "hide.h"
 #include "report.h"
 #include "small_duals.h"
+#include "tie_inputs.h"
+#include "triangulate.h"
+#include "validate.h"
+#include "wrong_faces.h"
 
 namespace circle_voronoi {
 namespace {
@@ -22,7 +27,7 @@ using test::visibleCircles;
 std::int64_t flipAll(std::span<const Circle> circles, Dual& dual) {
   Predicates predicates(circles);
   FaceDiscs discs(circles, dual, predicates);
-  return flip(dual, discs);
+  return flip(dual, discs).count;
 }
 
 TEST(Flip, RightsRandomFlips) {
@@ -50,6 +55,42 @@ TEST(Flip, DoesNothingToARightDual) {
     const auto circles = visibleCircles(family, 40, 3);
     Dual dual = *solve(circles);
     EXPECT_EQ(flipAll(circles, dual), 0) << familyName(family);
+  }
+}
+
+/// Flips from the triangulation of the centres, as for a diagram. They tell of all wrong faces, and keep the discs.
+Flips flipFromCentres(const std::vector<Circle>& circles) {
+  Sites sites = triangulate(hide(order(validate(circles).value().circles)));
+  Predicates predicates(sites.circles);
+  FaceDiscs discs(sites.circles, sites.centres, predicates);
+  Flips flips = flip(sites.centres, discs);
+  EXPECT_EQ(flips.wrong, wrongFaces(FaceDiscs(sites.circles, sites.centres, predicates)));
+  return flips;
+}
+
+TEST(Flip, TellsWhereTheDualIsWrong) {
+  const std::uint64_t seed = test::seedOr(1);
+  int wrong = 0;
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (std::uint64_t trial = 0; trial < 60; ++trial) {
+      SCOPED_TRACE(std::string(kind.name) + ", trial " + std::to_string(trial));
+      Random random(seed * 1'000'003 + trial);
+      auto circles = kind.make(2 + random.below(40), random);
+      test::disturb(circles, test::Disturbance{static_cast<int>(trial % test::kDisturbances)}, random);
+      wrong += !flipFromCentres(circles).wrong.empty();
+    }
+  }
+  EXPECT_GT(wrong, 5);
+  std::cout << wrong << " left wrong\n";
+}
+
+// Edges without an end: one and that which would take its place, and a longer round. The rest is flipped all the same.
+TEST(Flip, EndsWhereItWouldGoRoundInCircles) {
+  for (const std::uint64_t seed : {39, 398}) {
+    const Flips flips = flipFromCentres(generate(Family::oneHuge, 1000, seed));
+    EXPECT_LT(flips.count, 1100);
+    EXPECT_GT(flips.wrong.size(), 0U);
+    EXPECT_LT(flips.wrong.size(), 5U);
   }
 }
 

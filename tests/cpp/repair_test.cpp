@@ -14,6 +14,7 @@
 #include "judge.h"
 #include "report.h"
 #include "small_duals.h"
+#include "wrong_faces.h"
 
 namespace circle_voronoi {
 namespace {

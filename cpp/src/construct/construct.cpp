@@ -65,7 +65,7 @@ Dual flipped(Dual dual, const Sites& sites, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::flip);
   Predicates predicates(sites.circles);
   FaceDiscs discs(sites.circles, dual, predicates);
-  journal.stats.counts.flips += flip(dual, discs);
+  journal.stats.counts.flips += flip(dual, discs).count;
   addCounts(predicates, journal.stats.counts);
   return dual;
 }
@@ -103,7 +103,7 @@ std::optional<Dual> inserted(std::span<const Circle> circles, Counts& counts) {
   auto result = insertAll(circles, predicates);
   if (result) {
     FaceDiscs discs(circles, result->dual, predicates);
-    counts.flips += result->flips + flip(result->dual, discs);
+    counts.flips += result->flips + flip(result->dual, discs).count;
   }
   addCounts(predicates, counts);
   if (!result) return std::nullopt;
@@ -145,20 +145,34 @@ std::optional<Dual> insertedAll(const Sites& sites, Journal& journal) {
   return inserted(sites.circles, journal.stats.counts);
 }
 
-/// A dual after repair in patches that grow until none is seen to be wrong; nothing if too much is.
-std::optional<Dual> repaired(Dual dual, const Sites& sites, Journal& journal) {
+/// Repairs a dual in patches that grow until none is seen to be wrong.
+void repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::repair);
-  Predicates predicates(sites.circles);
-  FaceDiscs discs(sites.circles, dual, predicates);
-  std::vector<int> wrong = wrongFaces(discs);
-  // A patch takes as long as the insertion of hundreds of circles.
-  if (wrong.size() > kFewWrongFaces + sites.circles.size() / 100) return std::nullopt;
+  journal.stats.way = "repair";
   for (const int reach : {2, 4, 8, 16}) {
     if (wrong.empty()) break;
     journal.stats.counts.repairs += repair(
         dual, discs, wrong, reach, [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
   }
+}
+
+/// The dual by flips of the centres' triangulation, and repair where they leave it wrong; nothing if too much is.
+std::optional<Dual> flippedAndRepaired(Dual dual, const Sites& sites, Journal& journal) {
+  Predicates predicates(sites.circles);
+  std::optional<FaceDiscs> discs;
+  std::vector<int> wrong;
+  {
+    const Stopwatch watch = journal.enter(Stage::flip);
+    discs.emplace(sites.circles, dual, predicates);
+    Flips flips = flip(dual, *discs);
+    journal.stats.counts.flips += flips.count;
+    wrong = std::move(flips.wrong);
+  }
+  // A patch takes as long as the insertion of hundreds of circles.
+  const bool isMuch = wrong.size() > kFewWrongFaces + sites.circles.size() / 100;
+  if (!wrong.empty() && !isMuch) repairAll(dual, *discs, wrong, journal);
   addCounts(predicates, journal.stats.counts);
+  if (isMuch) return std::nullopt;
   return dual;
 }
 
@@ -211,16 +225,13 @@ Construction constructByFlips(const Sites& sites, Journal& journal) {
 
 Construction constructAutomatically(Sites& sites, Journal& journal) {
   journal.stats.way = "flip";
-  Dual dual = flipped(std::move(sites.centres), sites, journal);
-  Construction result = judged(dual, sites.circles, journal);
-  if (result.certificate.certified()) return result;
-  if (auto mended = repaired(std::move(dual), sites, journal)) {
-    journal.stats.way = "repair";
-    result = judged(*mended, sites.circles, journal);
-  } else if (auto whole = insertedAll(sites, journal)) {
+  auto dual = flippedAndRepaired(std::move(sites.centres), sites, journal);
+  if (!dual) {
     journal.stats.way = "insert";
-    result = judged(*whole, sites.circles, journal);
+    dual = insertedAll(sites, journal);
   }
+  Construction result;
+  if (dual) result = judged(*dual, sites.circles, journal);
   if (result.certificate.certified()) return result;
   sites.centres = delaunay(centresOf(sites.circles)).dual;
   for (const int samples : {1, 3}) {

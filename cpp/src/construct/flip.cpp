@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flip.h"
 
+#include <array>
 #include <span>
 #include <vector>
+
+#include "wrong_faces.h"
 
 namespace circle_voronoi {
 namespace {
@@ -12,32 +15,55 @@ class Flipper {
   Flipper(Dual& dual, FaceDiscs& discs)
       : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()) {}
 
-  std::int64_t run() {
-    // Far more flips than any input seen needs: going on means going round in circles.
+  Flips run() {
+    // Far more flips than any input seen needs.
     const std::int64_t limit = 1000 + 10 * static_cast<std::int64_t>(dual_.faceCount());
-    std::int64_t flips = 0;
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
       if (first > dual_.twin[first]) continue;
       stack_.push_back(first);
-      while (!stack_.empty()) {
-        const int h = stack_.back();
-        stack_.pop_back();
-        const Flaw flaw = discs_.flawOf(h);
-        if (flaw == Flaw::none || !isToFlip(h, flaw)) continue;
-        if (flips == limit) return flips;
-        flipEdge(h);
-        ++flips;
-      }
+      settle(limit);
+      if (flips_ == limit) return {flips_, wrongFaces(discs_)};
     }
-    return flips;
+    return {flips_, wrongFaces(discs_, left_)};
   }
 
  private:
+  /// The ends of an edge and the corners opposite.
+  using Quad = std::array<int, 4>;
+
+  /// Flips edges until none on the stack is to be flipped. Each edge that is wrong is on the stack, among those left,
+  /// or still to come in `run`, for an edge changes with its faces alone.
+  void settle(std::int64_t limit) {
+    // Who goes round in circles comes by a milestone again, if milestones come ever more rarely (R. P. Brent, "An
+    // improved Monte Carlo factorization algorithm", 1980).
+    Quad milestone = {};
+    const std::int64_t start = flips_;
+    std::int64_t next = 0;
+    while (!stack_.empty()) {
+      const int h = stack_.back();
+      stack_.pop_back();
+      const Flaw flaw = discs_.flawOf(h);
+      if (flaw == Flaw::none) continue;
+      const auto [a, b, c] = cornersOf(dual_, h);
+      const Quad quad = {a, b, c, dual_.origin[Dual::previous(dual_.twin[h])]};
+      if (!isToFlip(h, quad, flaw) || quad == milestone) {
+        left_.push_back(h);
+        continue;
+      }
+      if (flips_ == limit) return;
+      if (flips_ - start == next) {
+        milestone = quad;
+        next = 2 * next + 1;
+      }
+      flipEdge(h);
+      ++flips_;
+    }
+  }
+
   /// Whether an edge with a flaw is to be flipped: the edge across may be better.
-  bool isToFlip(int h, Flaw flaw) const {
+  bool isToFlip(int h, const Quad& quad, Flaw flaw) const {
     const int t = dual_.twin[h];
-    const auto [a, b, c] = cornersOf(dual_, h);
-    const int d = dual_.origin[Dual::previous(t)];
+    const auto [a, b, c, d] = quad;
     if (c == d) return false;  // the flipped edge would be a loop
     if (flaw == Flaw::vertexWithoutDisc) {
       return (!discs_.exists(h / 3) && isTopOf(a, b, c) && predicates_.tangentSide(b, a, c) >= 0) ||
@@ -79,8 +105,7 @@ class Flipper {
     link(bc, ad);
     discs_.update(h / 3);
     discs_.update(t / 3);
-    if (!discs_.exists(h / 3) || !discs_.exists(t / 3)) stack_.push_back(bc);
-    for (const int outer : {h, ca, t, db}) stack_.push_back(outer);
+    for (const int changed : {bc, h, ca, t, db}) stack_.push_back(changed);
   }
 
   void link(int h, int t) {
@@ -92,11 +117,13 @@ class Flipper {
   Dual& dual_;
   FaceDiscs& discs_;
   Predicates& predicates_;
+  std::int64_t flips_ = 0;
   std::vector<int> stack_;
+  std::vector<int> left_;  ///< edges that were wrong, but not to be flipped
 };
 
 }  // namespace
 
-std::int64_t flip(Dual& dual, FaceDiscs& discs) { return Flipper(dual, discs).run(); }
+Flips flip(Dual& dual, FaceDiscs& discs) { return Flipper(dual, discs).run(); }
 
 }  // namespace circle_voronoi

@@ -2,18 +2,26 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "dual.h"
 #include "face_discs.h"
 
 namespace circle_voronoi {
 
+/// What flips have done.
+struct Flips {
+  std::int64_t count = 0;
+  std::vector<int> wrong;  ///< the faces of the dual that they leave visibly wrong (wrong_faces.h); increasing
+};
+
 /// Turns a triangulation into the dual of the Voronoi diagram of its circles by flips: every edge whose end vertices
 /// are out of order along their bisector is flipped (after C. L. Lawson, 1977), and a face without a disc loses the
 /// edge whose tangent line the opposite circle crosses. Starting from the Delaunay triangulation of the centres this
-/// ends in the dual in nearly all cases; nothing guarantees it, so the result is to be judged.
+/// ends in the dual in nearly all cases; nothing guarantees it: where flips go round in circles, as where an edge is as
+/// wrong as the one that would take its place, they stop. So the result is to be judged.
 ///
-/// `discs` are all the discs of `dual`, before and after. Returns the number of flips.
-std::int64_t flip(Dual& dual, FaceDiscs& discs);
+/// `discs` are all the discs of `dual`, before and after.
+Flips flip(Dual& dual, FaceDiscs& discs);
 
 }  // namespace circle_voronoi

@@ -9,20 +9,12 @@
 #include <utility>
 
 #include "circle_voronoi/none.h"
+#include "wrong_faces.h"
 
 namespace circle_voronoi {
 namespace {
 
 using Triple = Predicates::Triple;
-
-/// Appends the faces of an edge that is wrong; a face without a disc alone.
-void addWrong(const FaceDiscs& discs, int h, std::vector<int>& wrong) {
-  const Flaw flaw = discs.flawOf(h);
-  if (flaw == Flaw::none) return;
-  for (const int face : {h / 3, discs.dual().twin[h] / 3}) {
-    if (flaw != Flaw::vertexWithoutDisc || !discs.exists(face)) wrong.push_back(face);
-  }
-}
 
 void sortUnique(std::vector<int>& numbers) {
   std::sort(numbers.begin(), numbers.end());
@@ -138,29 +130,17 @@ bool replacePatch(std::span<const Circle> circles, Dual& dual, const Patch& patc
 
 }  // namespace
 
-std::vector<int> wrongFaces(const FaceDiscs& discs) {
-  std::vector<int> wrong;
-  for (int h = 0; h < discs.dual().halfEdgeCount(); ++h) {
-    if (h < discs.dual().twin[h]) addWrong(discs, h, wrong);
-  }
-  sortUnique(wrong);
-  return wrong;
-}
-
 std::int64_t repair(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, int reach, const LocalSolver& solve) {
   std::int64_t replaced = 0;
-  std::vector<int> left;
+  std::vector<int> edges;
   for (const Patch& patch : patchesAround(dual, wrong, reach)) {
     if (replacePatch(discs.circles(), dual, patch, solve)) {
       ++replaced;
       for (const int face : patch.faces) discs.update(face);
     }
-    for (const int face : patch.faces) {
-      for (int h = 3 * face; h < 3 * face + 3; ++h) addWrong(discs, h, left);
-    }
+    for (const int face : patch.faces) edges.insert(edges.end(), {3 * face, 3 * face + 1, 3 * face + 2});
   }
-  sortUnique(left);
-  wrong = std::move(left);
+  wrong = wrongFaces(discs, edges);
   return replaced;
 }
 

@@ -16,16 +16,12 @@ namespace circle_voronoi {
 /// A certified dual of a few circles, none of which hides another, or nothing.
 using LocalSolver = std::function<std::optional<Dual>(std::span<const Circle>)>;
 
-/// The faces of a dual at which it is visibly wrong: they have no disc, or an edge is (FaceDiscs::flawOf).
-/// Increasing; linear time.
-std::vector<int> wrongFaces(const FaceDiscs& discs);
-
 /// Repairs a dual where it is visibly wrong. The faces within `reach` steps of a wrong one form a patch; the circles
 /// around the patch get a diagram of their own from `solve`, and what it has inside the patch's boundary replaces the
 /// patch, if the boundary fits. The rest of the dual stays as it is, and no more of it is looked at: the cost depends
 /// on the patches alone. The result is to be judged again.
 ///
-/// `discs` are all the discs of `dual` and `wrong` its wrongFaces, before and after.
+/// `discs` are all the discs of `dual` and `wrong` all its wrong faces (wrong_faces.h), before and after.
 /// Returns the number of patches replaced.
 std::int64_t repair(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, int reach, const LocalSolver& solve);
 

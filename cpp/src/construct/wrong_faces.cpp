@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wrong_faces.h"
+
+#include <algorithm>
+
+namespace circle_voronoi {
+namespace {
+
+void addWrong(const FaceDiscs& discs, int h, std::vector<int>& wrong) {
+  const Flaw flaw = discs.flawOf(h);
+  if (flaw == Flaw::none) return;
+  for (const int face : {h / 3, discs.dual().twin[h] / 3}) {
+    if (flaw != Flaw::vertexWithoutDisc || !discs.exists(face)) wrong.push_back(face);
+  }
+}
+
+void sortUnique(std::vector<int>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+}  // namespace
+
+std::vector<int> wrongFaces(const FaceDiscs& discs, std::span<const int> edges) {
+  std::vector<int> wrong;
+  for (const int h : edges) addWrong(discs, h, wrong);
+  sortUnique(wrong);
+  return wrong;
+}
+
+std::vector<int> wrongFaces(const FaceDiscs& discs) {
+  std::vector<int> wrong;
+  for (int h = 0; h < discs.dual().halfEdgeCount(); ++h) {
+    if (h < discs.dual().twin[h]) addWrong(discs, h, wrong);
+  }
+  sortUnique(wrong);
+  return wrong;
+}
+
+}  // namespace circle_voronoi
