@@ -268,6 +268,34 @@ TEST(ComputeOptions, ProgressGrowsInSampling) {
   }
 }
 
+// However many samples there are, a computation can be stopped while they are paired.
+TEST(ComputeOptions, ProgressGrowsInPairing) {
+  constexpr double kMost = 0.1;  // of the stage, between two calls
+  const auto circles = generate(Family::uniform, 2000, 1);
+  Options options;
+  options.method = Method::touchingDisc;
+  options.samples = 50;
+  std::vector<double> told;
+  struct Enough {};
+  options.progress = [&](Stage stage, double done) {
+    if (stage == Stage::touch) throw Enough{};
+    if (stage == Stage::pair) told.push_back(done);
+  };
+  EXPECT_THROW(compute(circles, options), Enough);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.front(), 0);
+  EXPECT_LE(told.back(), 1);
+  told.push_back(1);
+  for (std::size_t i = 1; i < told.size(); ++i) EXPECT_LE(told[i] - told[i - 1], kMost) << i;
+
+  struct Stop {};
+  options.progress = [](Stage stage, double done) {
+    if (stage == Stage::pair && done > 0.5) throw Stop{};
+  };
+  EXPECT_THROW(compute(circles, options), Stop);
+}
+
 TEST(ComputeOptions, ProgressTellsEachStageAsItBegins) {
   using Told = std::vector<std::pair<std::string, double>>;
   const std::vector<Circle> circles = {{0, 0, 1}, {5, 0, 1}, {0, 5, 2}};

@@ -38,7 +38,8 @@ gtest_discover_tests(circle_voronoi_proof_tests DISCOVERY_MODE PRE_TEST NO_PRETT
 # Its allocations fail, so it is a program of its own.
 add_executable(circle_voronoi_allocation_tests allocation_test.cpp)
 target_link_libraries(circle_voronoi_allocation_tests PRIVATE
-  circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi_options GTest::gtest_main Threads::Threads)
+  circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi::io circle_voronoi_options circle_voronoi_internals
+  GTest::gtest_main Threads::Threads)
 gtest_discover_tests(circle_voronoi_allocation_tests DISCOVERY_MODE PRE_TEST)
 
 # The same trials for as long as one likes.

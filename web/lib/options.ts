@@ -13,8 +13,8 @@ import { CircleVoronoiError } from './errors.ts'
 export type Stage = Exclude<keyof Seconds, 'total'>
 
 /**
- * Told when a stage begins (`done` is 0) and, in the event loop of the touching disc method, which part of it is done,
- * up to 1. Which stages there are depends on the method and the input.
+ * Told when a stage begins (`done` is 0) and, in those of the touching disc method (`sample`, `pair`, `touch`), which
+ * part of it is done, up to 1. Which stages there are depends on the method and the input.
  */
 export type Progress = (stage: Stage, done: number) => void
 

@@ -196,7 +196,9 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
     std::vector<Pair> pairs;
     {
       const Stopwatch watch = journal.enter(Stage::pair);
-      pairs = options.candidates == Candidates::allPairs ? pairAll(n) : pairNeighbors(samples, n);
+      pairs = options.candidates == Candidates::allPairs
+                  ? pairAll(n)
+                  : pairNeighbors(samples, n, [&](double done) { journal.tell(Stage::pair, done); });
     }
     Construction result = judged(touchPairs(sites.circles, pairs, observer, journal), sites.circles, journal);
     const bool mayResample = options.resample && options.candidates == Candidates::dynamic && round < kMostResamplings;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "guarded.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -18,38 +19,47 @@ bool isInRange(double coordinate) { return std::abs(coordinate) <= kRegionLimit;
 /// Whether a direction lies in the half-open upper half-plane; it changes twice in each full turn.
 bool isUpper(Vector v) { return v.y > 0 || (v.y == 0 && v.x > 0); }
 
-}  // namespace
-
-ConvexPolygon::ConvexPolygon(const Box& box)
-    : corners_{{box.minX, box.minY}, {box.maxX, box.minY}, {box.maxX, box.maxY}, {box.minX, box.maxY}} {}
-
-Result<ConvexPolygon> ConvexPolygon::from(const Box& box) {
-  if (!isInRange(box.minX) || !isInRange(box.minY) || !isInRange(box.maxX) || !isInRange(box.maxY)) {
-    return fail("A coordinate of the box is not finite, or beyond 1e152.");
-  }
-  if (!(box.minX < box.maxX && box.minY < box.maxY)) return fail("The box is empty.");
-  return ConvexPolygon(box);
-}
-
-Result<ConvexPolygon> ConvexPolygon::from(std::span<const Point> corners) {
-  if (corners.size() < 3) return fail("A convex polygon needs three corners or more.");
+/// What is wrong with the corners of a convex polygon, or null.
+const char* problemOf(std::span<const Point> corners) {
+  if (corners.size() < 3) return "A convex polygon needs three corners or more.";
   for (const Point& p : corners) {
-    if (!isInRange(p.x) || !isInRange(p.y)) return fail("A corner of the polygon is not finite, or beyond 1e152.");
+    if (!isInRange(p.x) || !isInRange(p.y)) return "A corner of the polygon is not finite, or beyond 1e152.";
   }
   const std::size_t n = corners.size();
   int halfTurns = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vector in = difference(corners[i], corners[(i + 1) % n]);
     const Vector out = difference(corners[(i + 1) % n], corners[(i + 2) % n]);
-    if (in.x == 0 && in.y == 0) return fail("Two corners of the polygon in a row are equal.");
+    if (in.x == 0 && in.y == 0) return "Two corners of the polygon in a row are equal.";
     const double side = turn(in, out);
     if (side < 0 || (side == 0 && facing(in, out) < 0)) {
-      return fail("The polygon is not convex, or its corners are not counter-clockwise.");
+      return "The polygon is not convex, or its corners are not counter-clockwise.";
     }
     if (isUpper(in) != isUpper(out)) ++halfTurns;
   }
-  if (halfTurns != 2) return fail("The polygon winds more than once, or has no area.");
-  return ConvexPolygon(std::vector<Point>(corners.begin(), corners.end()));
+  return halfTurns == 2 ? nullptr : "The polygon winds more than once, or has no area.";
+}
+
+}  // namespace
+
+ConvexPolygon::ConvexPolygon(const Box& box)
+    : corners_{{box.minX, box.minY}, {box.maxX, box.minY}, {box.maxX, box.maxY}, {box.minX, box.maxY}} {}
+
+Result<ConvexPolygon> ConvexPolygon::from(const Box& box) {
+  return guarded([&]() -> Result<ConvexPolygon> {
+    if (!isInRange(box.minX) || !isInRange(box.minY) || !isInRange(box.maxX) || !isInRange(box.maxY)) {
+      return fail("A coordinate of the box is not finite, or beyond 1e152.");
+    }
+    if (!(box.minX < box.maxX && box.minY < box.maxY)) return fail("The box is empty.");
+    return ConvexPolygon(box);
+  });
+}
+
+Result<ConvexPolygon> ConvexPolygon::from(std::span<const Point> corners) {
+  return guarded([&]() -> Result<ConvexPolygon> {
+    if (const char* problem = problemOf(corners)) return fail(problem);
+    return ConvexPolygon(std::vector<Point>(corners.begin(), corners.end()));
+  });
 }
 
 bool ConvexPolygon::contains(Point p) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "circle_voronoi/io.h"
+#include "guarded.h"
 #include "json_reader.h"
 #include "stats.h"
 #include "text.h"
@@ -207,18 +208,20 @@ class DiagramReader {
 }  // namespace
 
 Result<DiagramFile> readDiagram(std::string_view text, std::string_view name) {
-  const auto content = contentOf(text, name);
-  if (!content) return content.error();
-  text = content.value();
-  DiagramReader reader(text);
-  try {
-    reader.read();
-  } catch (const ReadFailure& failure) {
-    return errorAt(name, text, failure.offset, failure.reason);
-  }
-  const auto& circles = reader.file.circles;
-  if (const auto judged = validate(circles); !judged) return placed(judged.error(), reader.circleOffsets, name, text);
-  return std::move(reader.file);
+  return guarded([&]() -> Result<DiagramFile> {
+    const auto content = contentOf(text, name);
+    if (!content) return content.error();
+    const std::string_view rest = content.value();
+    DiagramReader reader(rest);
+    try {
+      reader.read();
+    } catch (const ReadFailure& failure) {
+      return errorAt(name, rest, failure.offset, failure.reason);
+    }
+    const auto& circles = reader.file.circles;
+    if (const auto judged = validate(circles); !judged) return placed(judged.error(), reader.circleOffsets, name, rest);
+    return std::move(reader.file);
+  });
 }
 
 }  // namespace circle_voronoi

@@ -5,6 +5,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "circle_voronoi/error.h"
 
@@ -53,10 +54,10 @@ auto guarded(Function function) -> decltype(function()) {
     return function();
   } catch (const CallbackThrew& callback) {
     std::rethrow_exception(callback.thrown);
-  } catch (const Refusal& refusal) {
-    return refusal.error;
+  } catch (Refusal& refusal) {
+    return std::move(refusal.error);
   } catch (const std::bad_alloc&) {
-    return errorWith(ErrorCode::tooManyCircles, "There is not enough memory for this many circles.");
+    return errorWith(ErrorCode::tooManyCircles, "There is not enough memory.");
   } catch (const std::length_error&) {
     return errorWith(ErrorCode::tooManyCircles, "There are more circles, or candidates, than fit in memory.");
   } catch (const std::exception& exception) {

@@ -102,10 +102,12 @@ Cut cut(std::span<Site> sites) {
 
 class Triangulator {
  public:
-  explicit Triangulator(std::span<const Point> points) : representative_(points.size()) {
+  explicit Triangulator(std::span<const Point> points, Done progress = {})
+      : progress_(std::move(progress)), representative_(points.size()) {
     if (points.empty()) return;
     std::vector<Site> sites;
     sites.reserve(points.size());
+    first_ = sites.data();
     Box box = {points[0], points[0]};
     for (const Point& p : points) {
       sites.push_back({p, static_cast<int>(sites.size())});
@@ -120,7 +122,7 @@ class Triangulator {
   }
 
   Dual takeDual();
-  std::vector<std::array<int, 2>> edges() const;
+  std::vector<std::array<int, 2>> edges(const Done& progress) const;
   std::vector<int> takeRepresentative() { return std::move(representative_); }
   std::int64_t steps() const { return steps_; }
 
@@ -143,6 +145,15 @@ class Triangulator {
   template <Axis axis>
   Part merge(const Part& a, const Part& b);
   void join(int left, int right);
+
+  /// Tells, if there has been much to do since it was last told, that the sites before these are triangulated.
+  void tell(std::span<const Site> sites) {
+    if (steps_ < stepsToTell_) return;
+    stepsToTell_ = steps_ + kStepsPerReport;
+    if (progress_) {
+      progress_(static_cast<double>(sites.data() - first_) / static_cast<double>(representative_.size()));
+    }
+  }
 
   int addFace(int a, int b, int c) {
     const int h = static_cast<int>(halfEdges_.size());
@@ -194,6 +205,11 @@ class Triangulator {
     return isInPerturbedCircle(corners_[i], corners_[j], corners_[k], corners_[l]);
   }
 
+  static constexpr std::int64_t kStepsPerReport = 1 << 20;
+
+  Done progress_;
+  const Site* first_ = nullptr;
+  std::int64_t stepsToTell_ = kStepsPerReport;
   std::vector<Point> corners_;   ///< the points without repetitions, those of each part in succession
   std::vector<int> indices_;     ///< of each corner, into the points
   std::vector<int> toInfinity_;  ///< of each first or last corner of a part: its half-edge to infinity, with the hull's
@@ -238,6 +254,7 @@ Triangulator::Part Triangulator::buildHalves(std::span<Site> sites, const Box& b
   const auto [count, border] = cut<axis>(sites);
   steps_ += static_cast<std::int64_t>(sites.size());
   if (count == sites.size()) return addCorner(sites);
+  tell(sites);
   Box before = box;
   Box after = box;
   (axis == Axis::x ? before.high.x : before.high.y) = axis == Axis::x ? border.x : border.y;
@@ -412,15 +429,16 @@ Dual Triangulator::takeDual() {
   return dual;
 }
 
-std::vector<std::array<int, 2>> Triangulator::edges() const {
+std::vector<std::array<int, 2>> Triangulator::edges(const Done& progress) const {
   std::vector<std::array<int, 2>> edges;
   edges.reserve(halfEdges_.size() / 2);
-  for (const HalfEdge& h : halfEdges_) {
+  forEachIndex(halfEdges_.size(), progress, [&](std::size_t i) {
+    const HalfEdge& h = halfEdges_[i];
     // Both halves have different origins unless the edge goes to infinity.
     const int a = h.origin;
     const int b = originOf(h.twin);
     if (a != kInfinity && a < b) edges.push_back({indices_[a], indices_[b]});
-  }
+  });
   return edges;
 }
 
@@ -431,9 +449,10 @@ Delaunay delaunay(std::span<const Point> points) {
   return {triangulator.takeDual(), triangulator.takeRepresentative(), triangulator.steps()};
 }
 
-DelaunayEdges delaunayEdges(std::span<const Point> points) {
-  Triangulator triangulator(points);
-  return {triangulator.edges(), triangulator.takeRepresentative()};
+DelaunayEdges delaunayEdges(std::span<const Point> points, const Done& progress) {
+  constexpr double kTriangulated = 0.9;  // of the time, about
+  Triangulator triangulator(points, partOf(progress, 0, kTriangulated));
+  return {triangulator.edges(partOf(progress, kTriangulated, 1)), triangulator.takeRepresentative()};
 }
 
 }  // namespace circle_voronoi

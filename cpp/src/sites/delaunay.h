@@ -6,14 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "done.h"
 #include "dual.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
 
 /// The Delaunay triangulation of points, any number of them, in any position and any order, in n log n steps.
-/// Equal points share one corner; ties of four co-circular points are broken by coordinates (perturbed_circle.h), so the
-/// triangulation does not depend on the order of the points.
+/// Equal points share one corner; ties of four co-circular points are broken by coordinates (perturbed_circle.h), so
+/// the triangulation does not depend on the order of the points.
 struct Delaunay {
   Dual dual;  ///< faces in the order of their smallest corner
   /// For each point the point that stands for it as a corner: the first of those equal to it.
@@ -23,11 +24,11 @@ struct Delaunay {
 };
 Delaunay delaunay(std::span<const Point> points);
 
-/// The same triangulation as its edges alone, each once.
+/// The same triangulation as its edges alone, each once. `progress` is told which part is done.
 struct DelaunayEdges {
   std::vector<std::array<int, 2>> edges;
   std::vector<int> representative;
 };
-DelaunayEdges delaunayEdges(std::span<const Point> points);
+DelaunayEdges delaunayEdges(std::span<const Point> points, const Done& progress = {});
 
 }  // namespace circle_voronoi

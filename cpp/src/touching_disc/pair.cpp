@@ -12,44 +12,53 @@ namespace circle_voronoi {
 namespace {
 
 /// Sorts pairs by a counting sort over the first index, then each run; drops repetitions.
-std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount) {
+std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount, const Done& progress) {
   std::vector<std::size_t> first(circleCount + 1, 0);
   for (const auto& [i, j] : pairs) ++first[i + 1];
   for (int i = 0; i < circleCount; ++i) first[i + 1] += first[i];
   std::vector<int> seconds(pairs.size());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (const auto& [i, j] : pairs) seconds[next[i]++] = j;
+  forEachIndex(pairs.size(), partOf(progress, 0, 0.5), [&](std::size_t k) {
+    const auto [i, j] = pairs[k];
+    seconds[next[i]++] = j;
+  });
 
   std::vector<Pair> result;
-  for (int i = 0; i < circleCount; ++i) {
+  forEachIndex(circleCount, partOf(progress, 0.5, 1), [&](std::size_t circle) {
+    const int i = static_cast<int>(circle);
     const auto begin = seconds.begin() + static_cast<std::ptrdiff_t>(first[i]);
     const auto end = seconds.begin() + static_cast<std::ptrdiff_t>(first[i + 1]);
     std::sort(begin, end);
     std::for_each(begin, std::unique(begin, end), [&](int j) { result.push_back({i, j}); });
-  }
+  });
   return result;
 }
 
 }  // namespace
 
-std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount) {
-  const DelaunayEdges graph = delaunayEdges(samples.points);
+std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress) {
+  // Parts of the time, about.
+  constexpr double kTriangulated = 0.91;
+  constexpr double kShared = 0.915;
+  constexpr double kCounted = 0.92;
+  constexpr double kListed = 0.97;
+  const DelaunayEdges graph = delaunayEdges(samples.points, partOf(progress, 0, kTriangulated));
 
   // Samples of several circles may coincide; each joins its circle to that of its representative and, by the
   // representative's edges, to the neighbours. Listing the circles at every representative makes no pair go missing.
   std::vector<std::vector<int>> shared;  // circles at a point that several circles share
   std::vector<int> sharedAt(samples.points.size(), -1);
-  for (int s = 0; s < static_cast<int>(samples.points.size()); ++s) {
+  forEachIndex(samples.points.size(), partOf(progress, kTriangulated, kShared), [&](std::size_t s) {
     const int point = graph.representative[s];
     const int circle = samples.circles[s];
-    if (circle == samples.circles[point]) continue;
+    if (circle == samples.circles[point]) return;
     if (sharedAt[point] < 0) {
       sharedAt[point] = static_cast<int>(shared.size());
       shared.push_back({samples.circles[point]});
     }
     auto& circles = shared[sharedAt[point]];
     if (std::find(circles.begin(), circles.end(), circle) == circles.end()) circles.push_back(circle);
-  }
+  });
   const auto circlesAt = [&](int point) -> std::span<const int> {
     if (sharedAt[point] < 0) return {&samples.circles[point], 1};
     return shared[sharedAt[point]];
@@ -57,7 +66,10 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount) {
 
   std::size_t count = 0;
   for (const auto& circles : shared) count += circles.size() * (circles.size() - 1) / 2;
-  for (const auto& [s, t] : graph.edges) count += circlesAt(s).size() * circlesAt(t).size();
+  forEachIndex(graph.edges.size(), partOf(progress, kShared, kCounted), [&](std::size_t e) {
+    const auto [s, t] = graph.edges[e];
+    count += circlesAt(s).size() * circlesAt(t).size();
+  });
   if (count > kMaxPairs) {
     throw Refusal{{ErrorCode::tooManyCircles, -1,
                    std::to_string(circleCount) + " circles would have " + std::to_string(count) +
@@ -73,12 +85,13 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount) {
       for (std::size_t b = a + 1; b < circles.size(); ++b) add(circles[a], circles[b]);
     }
   }
-  for (const auto& [s, t] : graph.edges) {
+  forEachIndex(graph.edges.size(), partOf(progress, kCounted, kListed), [&](std::size_t e) {
+    const auto [s, t] = graph.edges[e];
     for (const int i : circlesAt(s)) {
       for (const int j : circlesAt(t)) add(i, j);
     }
-  }
-  return sortedUnique(pairs, circleCount);
+  });
+  return sortedUnique(pairs, circleCount, partOf(progress, kListed, 1));
 }
 
 std::vector<Pair> pairAll(int circleCount) {

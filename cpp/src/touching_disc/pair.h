@@ -18,7 +18,8 @@ inline constexpr std::int64_t kMaxPairs = std::numeric_limits<std::int32_t>::max
 
 /// The pairs of circles that have neighbouring or coinciding samples in the Delaunay graph of the samples (paper,
 /// section 4.1), each once, in lexicographic order. Refuses (guarded.h) more than kMaxPairs, tooManyCircles.
-std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount);
+/// `progress` is told now and then which part is done.
+std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress = {});
 
 /// Every pair, in lexicographic order.
 std::vector<Pair> pairAll(int circleCount);

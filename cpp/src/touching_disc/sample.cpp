@@ -48,7 +48,7 @@ double smallestRadius(std::span<const Circle> circles) {
 class Sampler {
  public:
   /// `count` is how many there will be.
-  Sampler(std::span<const Circle> circles, std::int64_t count, const std::function<void(double)>& progress)
+  Sampler(std::span<const Circle> circles, std::int64_t count, const Done& progress)
       : circles_(circles), smallest_(smallestRadius(circles)), count_(count), progress_(progress) {
     if (count > kMaxSamplePoints) {
       throw Refusal{{ErrorCode::tooManyCircles, -1,
@@ -76,7 +76,7 @@ class Sampler {
   std::span<const Circle> circles_;
   double smallest_;
   std::int64_t count_;
-  const std::function<void(double)>& progress_;
+  const Done& progress_;
   Samples samples_;
 };
 
@@ -94,7 +94,7 @@ std::int64_t countDynamically(const Dual& centres, std::span<const int> angular)
 }  // namespace
 
 Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular,
-                          const std::function<void(double)>& progress) {
+                          const Done& progress) {
   Sampler sampler(circles, countDynamically(centres, angular), progress);
   for (int h = 0; h < centres.halfEdgeCount(); ++h) {
     const int i = centres.origin[h];
@@ -110,7 +110,7 @@ Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, 
   return std::move(sampler).take();
 }
 
-Samples sampleUniformly(std::span<const Circle> circles, int count, const std::function<void(double)>& progress) {
+Samples sampleUniformly(std::span<const Circle> circles, int count, const Done& progress) {
   constexpr Vector kQuadrants[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
   std::vector<Vector> directions;
   for (int k = 0; k < count; ++k) {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "circle_voronoi/circle.h"
+#include "done.h"
 #include "dual.h"
 #include "vectors.h"
 
@@ -31,10 +31,10 @@ inline constexpr std::int64_t kMaxSamplePoints = std::numeric_limits<std::int32_
 ///
 /// Refuses (guarded.h) more than kMaxSamplePoints, tooManyCircles. `progress` is told now and then which part is done.
 Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular,
-                          const std::function<void(double)>& progress = {});
+                          const Done& progress = {});
 
 /// `count` equally spaced points on each circle (paper, section 4.1), likewise less the smallest radius; refuses and
 /// tells the same.
-Samples sampleUniformly(std::span<const Circle> circles, int count, const std::function<void(double)>& progress = {});
+Samples sampleUniformly(std::span<const Circle> circles, int count, const Done& progress = {});
 
 }  // namespace circle_voronoi

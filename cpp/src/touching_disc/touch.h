@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/trace.h"
+#include "done.h"
 #include "pair.h"
 #include "topology.h"
 
@@ -27,6 +27,6 @@ struct TouchResult {
 /// The leftover directed edges are the hull: one cycle if all went well (paper, Lemma 2).
 /// `progress` is told now and then which part of the pairs is done.
 TouchResult touch(std::span<const Circle> circles, std::span<const Pair> pairs, const Observer& observer = {},
-                  const std::function<void(double)>& progress = {});
+                  const Done& progress = {});
 
 }  // namespace circle_voronoi
