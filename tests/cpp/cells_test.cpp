@@ -66,8 +66,8 @@ ConvexPolygon randomPolygon(const Box& box, Random& random) {
   return ConvexPolygon::from(corners).value();
 }
 
-/// Loops are closed without gaps, and their areas add up to the region's.
-void expectPartition(const Cells& cells, const ConvexPolygon& region) {
+/// Loops are closed without gaps, and their areas add up to the region's. None is negative but for rounding.
+void expectPartition(const Cells& cells, const ConvexPolygon& region, double rounding) {
   double sum = 0;
   for (std::size_t i = 0; i < cells.circles().size(); ++i) {
     const Outline parts = outline(cells, static_cast<std::int32_t>(i), region);
@@ -78,7 +78,7 @@ void expectPartition(const Cells& cells, const ConvexPolygon& region) {
       }
     }
     const double part = area(parts);
-    ASSERT_GE(part, -1e-12 * region.area()) << "cell " << i;
+    ASSERT_GE(part, -rounding * region.area()) << "cell " << i;
     sum += part;
   }
   EXPECT_NEAR(sum / region.area(), 1, 1e-9);
@@ -139,11 +139,13 @@ TEST(Cells, AreasAddUpToTheRegion) {
       const auto circles = generate(family.family, count, count);
       const Diagram diagram = diagramOf(circles);
       const Cells cells(circles, diagram);
-      expectPartition(cells, boxAround(circles, 1.5));
-      expectPartition(cells, boxAround(circles, 1));
-      expectPartition(cells, boxAround(circles, 1000));
-      expectPartition(cells, boxAround(circles, 0.3));
-      expectPartition(cells, randomPolygon(boxAround(circles, 1), random));
+      // Cells between circles that touch inside but for rounding are narrower than the rounding of their vertices.
+      const double rounding = family.family == Family::nestedTangent ? 1e-8 : 1e-12;
+      expectPartition(cells, boxAround(circles, 1.5), rounding);
+      expectPartition(cells, boxAround(circles, 1), rounding);
+      expectPartition(cells, boxAround(circles, 1000), rounding);
+      expectPartition(cells, boxAround(circles, 0.3), rounding);
+      expectPartition(cells, randomPolygon(boxAround(circles, 1), random), rounding);
     }
   }
 }

@@ -90,7 +90,9 @@ TEST_P(ClearestPathIn, IsAsClearAsThatOfPixels) {
       box.maxX = std::max(box.maxX, c.x + c.r);
       box.maxY = std::max(box.maxY, c.y + c.r);
     }
-    const double size = std::max({box.maxX - box.minX, box.maxY - box.minY, 1e-12});
+    // Pixels are larger than rounding, even around a single point far from the origin.
+    const double least = 1e-9 * (std::abs(box.minX) + std::abs(box.minY)) + 1e-12;
+    const double size = std::max({box.maxX - box.minX, box.maxY - box.minY, least});
     // Room to go around everything.
     const Pixels pixels(circles, {box.minX - size, box.minY - size, box.minX + 2 * size, box.minY + 2 * size});
     for (int trial = 0; trial < 3; ++trial) {

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "circle_voronoi/compute.h"
 #include "random.h"
 #include "vectors.h"
 
@@ -119,6 +120,19 @@ TEST_P(FamilyTest, HasTheSameBitsEverywhere) {
       {"hexagonal", 0x7a2f5e619fc14e4U},
       {"cocircular-varied", 0xb564c7f39be0ab87U},
       {"cocircular-equal", 0x56f0d1a48b07b698U},
+      {"two-clusters", 0xaf861088219362b5U},
+      {"far-clusters", 0xd07ba1888649e038U},
+      {"outlier", 0x1b899cbfe5e5ef71U},
+      {"line-and-huge", 0xc50b35feea7460dbU},
+      {"tangent-inside", 0xe880236f4cbb5de1U},
+      {"tangent-outside", 0xdb7bc695a4f18abcU},
+      {"tangent-line", 0x1bc175ce7a5582d7U},
+      {"common-point", 0x2445406e5e36b170U},
+      {"near-nested", 0xf926f15427c0c569U},
+      {"nested-tangent", 0x93e0d765d5469f18U},
+      {"concentric", 0xcf2c5fa0a8972246U},
+      {"cocircular-large", 0x3fdbc4189184bdc7U},
+      {"on-rim", 0xdace973dd328e81aU},
   };
   const std::uint64_t hash = hashOf(circles(100, 42));
   const auto expected = kHashes.find(GetParam());
@@ -154,6 +168,36 @@ TEST(Families, DuplicatesHasCopiesAndConcentricCircles) {
   }
   EXPECT_GT(copies, 5);
   EXPECT_GT(concentric, 5);
+}
+
+std::int64_t hiddenAmong(Family family, std::size_t count) {
+  return compute(generate(family, count, 1)).value().stats.counts.hidden;
+}
+
+TEST(Families, ThoseThatNearlyHideOneAnotherAreVisible) {
+  for (const Family family : {Family::tangentInside, Family::tangentOutside, Family::tangentLine, Family::commonPoint,
+                              Family::nearNested, Family::cocircularLarge}) {
+    EXPECT_EQ(hiddenAmong(family, 1000), 0) << familyName(family);
+  }
+}
+
+TEST(Families, OfConcentricCirclesTheLargestIsVisible) { EXPECT_EQ(hiddenAmong(Family::concentric, 1000), 999); }
+
+TEST(Families, OfNestedTangentCirclesMostAreHidden) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EXPECT_GT(compute(generate(Family::nestedTangent, 1000, seed)).value().stats.counts.hidden, 900) << seed;
+  }
+}
+
+TEST(Families, CirclesFarApart) {
+  const auto inside = [](Family family, double low, double high) {
+    return std::ranges::count_if(generate(family, 1000, 1), [&](const Circle& c) { return low <= c.x && c.x < high; });
+  };
+  EXPECT_EQ(inside(Family::twoClusters, -100, 100), 500);
+  EXPECT_EQ(inside(Family::twoClusters, 1e12 - 100, 1e12 + 100), 500);
+  EXPECT_EQ(inside(Family::outlier, 0, 100), 999);
+  EXPECT_EQ(inside(Family::outlier, 1e9, 1.1e9), 1);
+  EXPECT_EQ(inside(Family::farClusters, 2e6, 2e6 + 4.1e5), 200);
 }
 
 TEST(Random, PowersOfTen) {

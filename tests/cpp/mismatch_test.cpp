@@ -15,6 +15,7 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -49,6 +50,14 @@ const std::array<Way, 6> kWays = {{
     {Method::automatic, Candidates::dynamic, -1, false, "auto"},
 }};
 
+/// Of these families all circles touch one disc or line, or nearly, and overlap: in floating point the touching disc
+/// method gets most of their discs in a wrong order, so it is not asked.
+bool isBeyondTouchingDisc(Family family) {
+  static const std::set<Family> kFamilies = {Family::tangentInside, Family::tangentOutside, Family::tangentLine,
+                                             Family::commonPoint,   Family::nearNested,     Family::nestedTangent};
+  return kFamilies.contains(family);
+}
+
 /// What one family came to.
 struct Row {
   std::array<int, kWays.size()> mismatches{};
@@ -65,6 +74,7 @@ Row tryFamily(const FamilyInfo& family, std::uint64_t seed, std::uint64_t trials
     const auto circles = generate(family.family, count, inputSeed);
     const Diagram exact = oracle::exactDiagram(circles);
     for (std::size_t way = 0; way < kWays.size(); ++way) {
+      if (kWays[way].method == Method::touchingDisc && isBeyondTouchingDisc(family.family)) continue;
       Options options;
       options.method = kWays[way].method;
       options.candidates = kWays[way].candidates;
@@ -114,15 +124,20 @@ std::string tableOf(const std::vector<Row>& rows, std::uint64_t seed, std::uint6
   table << "\n" << std::setprecision(3);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     table << "| " << families()[i].name << " |";
-    for (const int mismatches : rows[i].mismatches)
-      table << " " << 100.0 * mismatches / static_cast<double>(trials) << " |";
+    for (std::size_t way = 0; way < kWays.size(); ++way) {
+      if (kWays[way].method == Method::touchingDisc && isBeyondTouchingDisc(families()[i].family)) {
+        table << " |";
+      } else {
+        table << " " << 100.0 * rows[i].mismatches[way] / static_cast<double>(trials) << " |";
+      }
+    }
     table << "\n";
   }
   return table.str();
 }
 
-/// The most percent of inputs that may differ at N_s = 0, 1, 3 and resampled, where it is not none: a few times what was
-/// measured over several seeds, so that another seed passes too.
+/// The most percent of inputs that may differ at N_s = 0, 1, 3 and resampled, where it is not none: a few times what
+/// was measured over several seeds, so that another seed passes too.
 const std::map<Family, std::array<double, 4>> kMostPercent = {
     {Family::logUniform, {3, 0.4, 0.4, 0.4}},
     {Family::mixed, {2, 0.4, 0.4, 0.4}},
@@ -137,6 +152,7 @@ const std::map<Family, std::array<double, 4>> kMostPercent = {
     {Family::hidden, {8, 1.2, 0.8, 0.4}},
     {Family::duplicates, {2, 0.4, 0.4, 0.4}},
     {Family::chaos, {12, 3, 1.2, 0.4}},
+    {Family::outlier, {2, 0.4, 0.4, 0.4}},
 };
 
 TEST(Mismatches, ByFamilyAndNumberOfSamples) {

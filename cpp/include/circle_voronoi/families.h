@@ -49,6 +49,21 @@ enum class Family {
   hexagonal,
   cocircularVaried,
   cocircularEqual,
+  // far apart
+  twoClusters,
+  farClusters,
+  outlier,
+  lineAndHuge,
+  // circles that nearly hide one another, or are nested
+  tangentInside,
+  tangentOutside,
+  tangentLine,
+  commonPoint,
+  nearNested,
+  nestedTangent,
+  concentric,
+  cocircularLarge,
+  onRim,
 };
 
 struct FamilyInfo {

@@ -46,4 +46,19 @@ std::vector<Circle> generateHexagonal(std::size_t count, Random& random);
 std::vector<Circle> generateCocircularVaried(std::size_t count, Random& random);
 std::vector<Circle> generateCocircularEqual(std::size_t count, Random& random);
 
+std::vector<Circle> generateTwoClusters(std::size_t count, Random& random);
+std::vector<Circle> generateFarClusters(std::size_t count, Random& random);
+std::vector<Circle> generateOutlier(std::size_t count, Random& random);
+std::vector<Circle> generateLineAndHuge(std::size_t count, Random& random);
+
+std::vector<Circle> generateTangentInside(std::size_t count, Random& random);
+std::vector<Circle> generateTangentOutside(std::size_t count, Random& random);
+std::vector<Circle> generateTangentLine(std::size_t count, Random& random);
+std::vector<Circle> generateCommonPoint(std::size_t count, Random& random);
+std::vector<Circle> generateNearNested(std::size_t count, Random& random);
+std::vector<Circle> generateNestedTangent(std::size_t count, Random& random);
+std::vector<Circle> generateConcentric(std::size_t count, Random& random);
+std::vector<Circle> generateCocircularLarge(std::size_t count, Random& random);
+std::vector<Circle> generateOnRim(std::size_t count, Random& random);
+
 }  // namespace circle_voronoi

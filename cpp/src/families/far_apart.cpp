@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Circles whose distances differ by many orders of magnitude: what one spatial order does not part.
+#include <algorithm>
+
+#include "generators.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Adds uniform circles around a place so far from the origin that they are moved by rounding: smaller by as much, so
+/// that they stay disjoint.
+void addCluster(std::vector<Circle>& circles, std::size_t count, Point place, Random& random) {
+  const double rounding = 0x1p-51 * std::max(place.x, place.y);
+  for (const Circle& c : generateUniform(count, random)) {
+    circles.push_back({place.x + c.x, place.y + c.y, c.r - rounding});
+  }
+}
+
+}  // namespace
+
+std::vector<Circle> generateTwoClusters(std::size_t count, Random& random) {
+  std::vector<Circle> circles;
+  addCluster(circles, count - count / 2, {0, 0}, random);
+  addCluster(circles, count / 2, {1e12, 0}, random);
+  random.shuffle(circles);
+  return circles;
+}
+
+std::vector<Circle> generateFarClusters(std::size_t count, Random& random) {
+  constexpr std::size_t kClusters = 20;
+  constexpr std::size_t kColumns = 5;
+  constexpr double kPitch = 1e6;
+  std::vector<Circle> circles;
+  for (std::size_t i = 0; i < kClusters; ++i) {
+    const double column = static_cast<double>(i % kColumns) + random.uniform(0, 0.4);
+    const double row = static_cast<double>(i / kColumns) + random.uniform(0, 0.4);
+    const std::size_t members = (count + i) / kClusters;
+    addCluster(circles, members, {kPitch * column, kPitch * row}, random);
+  }
+  random.shuffle(circles);
+  return circles;
+}
+
+std::vector<Circle> generateOutlier(std::size_t count, Random& random) {
+  if (count == 0) return {};
+  std::vector<Circle> circles = generateUniform(count - 1, random);
+  circles.push_back({1e9, 0, 0});
+  random.shuffle(circles);
+  return circles;
+}
+
+std::vector<Circle> generateLineAndHuge(std::size_t count, Random& random) {
+  if (count == 0) return {};
+  std::vector<Circle> circles = generateCollinearVaried(count - 1, random);
+  double length = 1;
+  for (const Circle& c : circles) length = std::max(length, c.x);
+  const double distance = 1e6 * length;
+  circles.push_back({random.unit() * length, distance, random.uniform(0.2, 0.8) * distance});
+  random.shuffle(circles);
+  return circles;
+}
+
+}  // namespace circle_voronoi
