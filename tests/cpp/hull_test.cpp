@@ -9,6 +9,7 @@
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
+#include "fixtures.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -77,6 +78,16 @@ TEST(Hull, OfCollinearPointsGoesThereAndBack) {
 TEST(Hull, ACircleMayRecur) {
   const Hull hull = hullOf({{0, 0, 10}, {10.5, 0, 0.1}, {0, 10.5, 0.1}, {-10.5, 0, 0.1}});
   EXPECT_EQ(std::ranges::count(hull.arcs, 0, &HullArc::circle), 3);
+}
+
+TEST(Hull, TurnsAroundTheLargerOfTwoCirclesThatNearlyTouchInside) {
+  const auto circles = test::readFixture("hull-around-the-larger-nested-tangent-2");
+  const Hull hull = hullOf(circles);
+  ASSERT_EQ(hull.arcs.size(), 2U);
+  EXPECT_EQ(circles[1].r, std::max(circles[0].r, circles[1].r));
+  for (const HullArc& arc : hull.arcs) EXPECT_NEAR(arc.angle, arc.circle == 1 ? 2 * std::numbers::pi : 0, 1e-6);
+  EXPECT_NEAR(hull.length, 2 * std::numbers::pi * circles[1].r, 1e-6);
+  EXPECT_NEAR(hull.area, std::numbers::pi * circles[1].r * circles[1].r, 1e-6);
 }
 
 TEST(Hull, IsTheSameHoweverSmall) {

@@ -27,6 +27,7 @@ export interface Hull {
 }
 
 const FULL_TURN = 2 * Math.PI
+const THREE_QUARTER_TURN = 1.5 * Math.PI
 
 /**
  * The hull of a certified diagram, in the order of `diagram.hull`. That of a single circle is the circle: one arc of 2 pi.
@@ -47,6 +48,7 @@ export function hull(diagram: DiagramData): Hull {
         const angle = Math.atan2(cross(normal, out), dot(normal, out))
         return angle < 0 ? angle + FULL_TURN : angle
       }),
+      circles.map(({ r }) => r),
     )
   }
   const arcs = circles.map((circle, step) => ({
@@ -75,14 +77,20 @@ function hullCircleAt({ circles, metric }: DiagramData, circle: number): Circle 
 }
 
 /**
- * Rounding may turn an arc of next to no angle into one of nearly a full turn, or the other way round. The hull turns once.
+ * Rounding may turn an arc of next to no angle into one of nearly a full turn, or the other way round. The hull turns once,
+ * and only its largest circle may turn by more than half of that: what reaches farthest in two opposite directions is as
+ * wide as any other.
  */
-function turnedOnce(angles: readonly number[]): number[] {
-  const result = [...angles]
-  const sum = angles.reduce((partial, angle) => partial + angle, 0)
+function turnedOnce(angles: readonly number[], radii: readonly number[]): number[] {
+  const largest = radii.reduce((one, other) => Math.max(one, other))
+  const result = angles.map((angle, step) => {
+    const isFalse = (radii[step] as number) < largest && angle > THREE_QUARTER_TURN
+    return isFalse ? 0 : angle
+  })
+  const sum = result.reduce((partial, angle) => partial + angle, 0)
   for (let excess = Math.round(sum / FULL_TURN) - 1; excess !== 0; excess -= Math.sign(excess)) {
-    const worst = result.reduce((one, other) => (excess > 0 ? Math.max(one, other) : Math.min(one, other)))
-    result[result.indexOf(worst)] = excess > 0 ? 0 : FULL_TURN
+    const most = result.reduce((one, other) => Math.max(one, other))
+    result[excess > 0 ? result.indexOf(most) : radii.indexOf(largest)] = excess > 0 ? 0 : FULL_TURN
   }
   return result
 }

@@ -13,15 +13,22 @@ namespace circle_voronoi {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
+constexpr double kThreeQuarterTurn = 1.5 * std::numbers::pi;
 
 /// Rounding may turn an arc of next to no angle into one of nearly a full turn, or the other way round. The hull turns
-/// once.
-void turnOnce(std::vector<HullArc>& arcs) {
+/// once, and only its largest circle may turn by more than half of that: what reaches farthest in two opposite
+/// directions is as wide as any other.
+void turnOnce(std::vector<HullArc>& arcs, std::span<const Circle> circles) {
+  const auto radius = [&](const HullArc& arc) { return circles[static_cast<std::size_t>(arc.circle)].r; };
+  const double largest = radius(*std::ranges::max_element(arcs, {}, radius));
+  for (HullArc& arc : arcs) {
+    if (radius(arc) < largest && arc.angle > kThreeQuarterTurn) arc.angle = 0;
+  }
   const double sum = std::accumulate(arcs.begin(), arcs.end(), 0.0,
                                      [](double partial, const HullArc& arc) { return partial + arc.angle; });
   for (auto excess = std::lround(sum / kFullTurn) - 1; excess != 0; excess -= excess > 0 ? 1 : -1) {
-    HullArc& arc = excess > 0 ? *std::ranges::max_element(arcs, {}, &HullArc::angle)
-                              : *std::ranges::min_element(arcs, {}, &HullArc::angle);
+    HullArc& arc =
+        excess > 0 ? *std::ranges::max_element(arcs, {}, &HullArc::angle) : *std::ranges::max_element(arcs, {}, radius);
     arc.angle = excess > 0 ? 0 : kFullTurn;
   }
 }
@@ -47,7 +54,7 @@ Hull hull(std::span<const Circle> circles, const Diagram& diagram) {
     hull.arcs.push_back({diagram.hull[step], pointOn(circleAt(step), in), pointOn(circleAt(step), out),
                          angle < 0 ? angle + kFullTurn : angle});
   }
-  turnOnce(hull.arcs);
+  turnOnce(hull.arcs, circles);
 
   for (std::size_t step = 0; step < count; ++step) {
     const HullArc& arc = hull.arcs[step];
