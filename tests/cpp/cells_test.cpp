@@ -67,7 +67,7 @@ ConvexPolygon randomPolygon(const Box& box, Random& random) {
 }
 
 /// Loops are closed without gaps, and their areas add up to the region's. None is negative but for rounding.
-void expectPartition(const Cells& cells, const ConvexPolygon& region, double rounding) {
+void expectPartition(const Cells& cells, const ConvexPolygon& region, double rounding = 1e-12) {
   double sum = 0;
   for (std::size_t i = 0; i < cells.circles().size(); ++i) {
     const Outline parts = outline(cells, static_cast<std::int32_t>(i), region);

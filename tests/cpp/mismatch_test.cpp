@@ -50,11 +50,13 @@ const std::array<Way, 6> kWays = {{
     {Method::automatic, Candidates::dynamic, -1, false, "auto"},
 }};
 
-/// Of these families all circles touch one disc or line, or nearly, and overlap: in floating point the touching disc
-/// method gets most of their discs in a wrong order, so it is not asked.
+/// Of these families all circles touch one disc or line, or nearly, and overlap, or are so far apart that rounding is
+/// all that is left of a distance: in floating point the touching disc method gets discs in a wrong order with every
+/// pair, so it is not asked.
 bool isBeyondTouchingDisc(Family family) {
-  static const std::set<Family> kFamilies = {Family::tangentInside, Family::tangentOutside, Family::tangentLine,
-                                             Family::commonPoint,   Family::nearNested,     Family::nestedTangent};
+  static const std::set<Family> kFamilies = {Family::twoClusters,  Family::tangentInside, Family::tangentOutside,
+                                             Family::tangentLine,  Family::commonPoint,   Family::nearNested,
+                                             Family::nestedTangent};
   return kFamilies.contains(family);
 }
 
@@ -152,7 +154,9 @@ const std::map<Family, std::array<double, 4>> kMostPercent = {
     {Family::hidden, {8, 1.2, 0.8, 0.4}},
     {Family::duplicates, {2, 0.4, 0.4, 0.4}},
     {Family::chaos, {12, 3, 1.2, 0.4}},
-    {Family::outlier, {2, 0.4, 0.4, 0.4}},
+    {Family::farClusters, {3, 0.4, 0.4, 0.4}},
+    {Family::outlier, {10, 0.4, 0.4, 0.4}},
+    {Family::onRim, {1, 0.4, 0.4, 0.4}},
 };
 
 TEST(Mismatches, ByFamilyAndNumberOfSamples) {
