@@ -13,6 +13,7 @@ add_executable(circle_voronoi_proof_tests
   exact_test.cpp
   fixtures.cpp
   flip_test.cpp
+  growth_test.cpp
   hide_test.cpp
   in_circle_test.cpp
   insert_test.cpp
