@@ -154,54 +154,63 @@ std::string ratio(const std::map<std::string, Measurement>& measured, const std:
   return text("%.2f", numerator->second.seconds / denominator->second.seconds, numerator->second.isOver);
 }
 
+std::vector<std::size_t> sizesOf(const std::string& list) {
+  std::vector<std::size_t> sizes;
+  for (const std::string& size : split(list)) sizes.push_back(std::strtoull(size.c_str(), nullptr, 10));
+  return sizes;
+}
+
+using OptionValues = std::map<std::string, std::string>;
+
+/// The options of each table with their defaults; --cliffs and --files come first if they come.
+OptionValues defaultsOf(const std::string& table) {
+  if (table == "--cliffs") return {{"--families", ""}, {"--sizes", "120000"}, {"--limit", "120"}};
+  if (table == "--files")
+    return {{"--families", "uniform,log-uniform"}, {"--sizes", "1000000"}, {"--repetitions", "3"}};
+  return {{"--families", "uniform,log-uniform,hidden,hexagonal,grid,rows,intersecting,one-huge,ring"},
+          {"--sizes", "1000,10000,100000,1000000"},
+          {"--methods", ""},
+          {"--repetitions", "5"},
+          {"--limit", "120"},
+          {"-o", "build/bench/native.json"}};
+}
+
 int usage() {
   std::cerr << "usage: circle-voronoi-bench [--families NAME|FILE.csv,...] [--sizes N,...] [--methods NAME,...]\n"
                "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n"
                "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n"
-               "       circle-voronoi-bench --files [NAME,... [N [REPETITIONS]]]\n";
+               "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n";
   return 2;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::string(argv[1]) == "--files") {
-    return bench::benchFiles(argc > 2 ? split(argv[2]) : std::vector<std::string>{"uniform", "log-uniform"},
-                             argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1'000'000,
-                             argc > 4 ? std::atoi(argv[4]) : 3);
-  }
-  std::map<std::string, std::string> options = {
-      {"--families", "uniform,log-uniform,hidden,hexagonal,grid,rows,intersecting,one-huge,ring"},
-      {"--sizes", "1000,10000,100000,1000000"},
-      {"--methods", ""},
-      {"--repetitions", "5"},
-      {"--limit", "120"},
-      {"-o", "build/bench/native.json"}};
-  const bool isCliffs = argc > 1 && std::string(argv[1]) == "--cliffs";
-  if (isCliffs) {
-    options["--families"] = "";
-    options["--sizes"] = "120000";
-  }
-  for (int i = isCliffs ? 2 : 1; i < argc; i += 2) {
+  const std::string first = argc > 1 ? argv[1] : "";
+  const bool hasTable = first == "--cliffs" || first == "--files";
+  OptionValues options = defaultsOf(first);
+  for (int i = hasTable ? 2 : 1; i < argc; i += 2) {
     if (!options.contains(argv[i]) || i + 1 == argc) return usage();
     options[argv[i]] = argv[i + 1];
+  }
+  const int repetitions = std::atoi(options["--repetitions"].c_str());
+  const auto limit = static_cast<unsigned>(std::atoi(options["--limit"].c_str()));
+  if (hasTable) {
+    for (const std::string& family : split(options["--families"])) {
+      if (familyFromName(family)) continue;
+      std::cerr << family << " is no family\n";
+      return 2;
+    }
+    const auto sizes = sizesOf(options["--sizes"]);
+    if (first == "--cliffs") return printCliffs(split(options["--families"]), sizes, limit) ? 0 : 1;
+    bench::benchFiles(split(options["--families"]), sizes, repetitions);
+    return 0;
   }
   const std::vector<std::string> chosen = split(options["--methods"]);
   std::vector<Contestant> methods = allContestants();
   std::erase_if(methods, [&](const Contestant& method) {
     return !chosen.empty() && std::find(chosen.begin(), chosen.end(), method.name) == chosen.end();
   });
-  const int repetitions = std::atoi(options["--repetitions"].c_str());
-  const auto limit = static_cast<unsigned>(std::atoi(options["--limit"].c_str()));
-
-  if (isCliffs) {
-    std::vector<std::size_t> sizes;
-    for (const std::string& size : split(options["--sizes"])) {
-      sizes.push_back(std::strtoull(size.c_str(), nullptr, 10));
-    }
-    printCliffs(split(options["--families"]), sizes, limit);
-    return 0;
-  }
 
   std::ostringstream json;
   json << "[";
@@ -209,8 +218,8 @@ int main(int argc, char** argv) {
               "hierarchy /");
   for (const std::string& family : split(options["--families"])) {
     const bool isFile = !familyFromName(family);
-    for (const std::string& size : isFile ? std::vector<std::string>{"0"} : split(options["--sizes"])) {
-      const auto input = inputOf(family, std::strtoull(size.c_str(), nullptr, 10));
+    for (const std::size_t size : isFile ? std::vector<std::size_t>{0} : sizesOf(options["--sizes"])) {
+      const auto input = inputOf(family, size);
       if (!input) {
         std::cerr << family << " is neither a family nor a file of circles\n";
         return 2;

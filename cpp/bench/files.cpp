@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iostream>
 #include <iterator>
 #include <optional>
 
@@ -53,48 +52,48 @@ void writeTo(const fs::path& file, Write write) {
   write(out);
 }
 
+/// A line of the table for each task.
+void benchCircles(const std::string& name, const std::vector<Circle>& circles, const fs::path& folder,
+                  int repetitions) {
+  const Diagram diagram = compute(circles).value();
+  const auto path = [&](const char* file) { return folder / file; };
+  writeTo(path("circles.csv"), [&](std::ostream& out) { writeCirclesCsv(out, circles); });
+  std::vector<Task> tasks = {
+      {"compute", [&] { (void)compute(circles); }},
+      {"csv read", [&] { (void)readCircles(readAll(path("circles.csv")), "csv"); }},
+      {"json written", [&] { writeTo(path("json"), [&](std::ostream& out) { writeJson(out, circles, diagram); }); }},
+      {"verify",
+       [&] {
+         const auto file = readDiagram(readAll(path("json")), "json");
+         if (!certify(file.value().circles, file.value().diagram).value().certified()) std::abort();
+       }},
+      {"geojson written",
+       [&] { writeTo(path("geojson"), [&](std::ostream& out) { writeGeoJson(out, circles, diagram); }); }},
+      {"svg written", [&] { writeTo(path("svg"), [&](std::ostream& out) { writeSvg(out, circles, diagram); }); }}};
+  for (int i = 0; i < repetitions; ++i) {
+    for (Task& task : tasks) task.seconds.push_back(processorSeconds(task.run));
+  }
+  const std::vector<const char*> files = {nullptr, "circles.csv", "json", "json", "geojson", "svg"};
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const double seconds = median(tasks[i].seconds);
+    const double megabytes = files[i] == nullptr ? 0 : static_cast<double>(fs::file_size(path(files[i]))) / 1e6;
+    std::printf("%-14s %8zu  %-14s %10.3f %10.2f %9.0f\n", name.c_str(), circles.size(), tasks[i].name.c_str(), seconds,
+                seconds / median(tasks[0].seconds), megabytes);
+  }
+  std::fflush(stdout);
+}
+
 }  // namespace
 
-int benchFiles(const std::vector<std::string>& families, std::size_t size, int repetitions) {
+void benchFiles(const std::vector<std::string>& families, const std::vector<std::size_t>& sizes, int repetitions) {
   const fs::path folder = fs::temp_directory_path() / "circle-voronoi-bench-files";
   fs::create_directories(folder);
   std::printf("%-14s %8s  %-14s %10s %10s %9s\n", "family", "n", "task", "median s", "/ compute", "MB");
   for (const std::string& name : families) {
-    const auto family = familyFromName(name);
-    if (!family) {
-      std::cerr << name << " is no family\n";
-      return 2;
-    }
-    const auto circles = generate(*family, size, 1);
-    const Diagram diagram = compute(circles).value();
-    const auto path = [&](const char* file) { return folder / file; };
-    writeTo(path("circles.csv"), [&](std::ostream& out) { writeCirclesCsv(out, circles); });
-    std::vector<Task> tasks = {
-        {"compute", [&] { (void)compute(circles); }},
-        {"csv read", [&] { (void)readCircles(readAll(path("circles.csv")), "csv"); }},
-        {"json written", [&] { writeTo(path("json"), [&](std::ostream& out) { writeJson(out, circles, diagram); }); }},
-        {"verify",
-         [&] {
-           const auto file = readDiagram(readAll(path("json")), "json");
-           if (!certify(file.value().circles, file.value().diagram).value().certified()) std::abort();
-         }},
-        {"geojson written",
-         [&] { writeTo(path("geojson"), [&](std::ostream& out) { writeGeoJson(out, circles, diagram); }); }},
-        {"svg written", [&] { writeTo(path("svg"), [&](std::ostream& out) { writeSvg(out, circles, diagram); }); }}};
-    for (int i = 0; i < repetitions; ++i) {
-      for (Task& task : tasks) task.seconds.push_back(processorSeconds(task.run));
-    }
-    const std::vector<const char*> files = {nullptr, "circles.csv", "json", "json", "geojson", "svg"};
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      const double seconds = median(tasks[i].seconds);
-      const double megabytes = files[i] == nullptr ? 0 : static_cast<double>(fs::file_size(path(files[i]))) / 1e6;
-      std::printf("%-14s %8zu  %-14s %10.3f %10.2f %9.0f\n", name.c_str(), circles.size(), tasks[i].name.c_str(),
-                  seconds, seconds / median(tasks[0].seconds), megabytes);
-    }
-    std::fflush(stdout);
+    const Family family = familyFromName(name).value();
+    for (const std::size_t size : sizes) benchCircles(name, generate(family, size, 1), folder, repetitions);
   }
   fs::remove_all(folder);
-  return 0;
 }
 
 }  // namespace circle_voronoi::bench
