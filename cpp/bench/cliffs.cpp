@@ -28,6 +28,7 @@ struct Cost {
   double seconds;  ///< of the processor
   char way[32];
   double flips;
+  double filtered;  ///< signs that the filter decided
   double inCircle;  ///< signs that took the in-circle test
   double exact;     ///< signs that took integers
 };
@@ -50,6 +51,7 @@ Cost costOf(const std::vector<Circle>& circles) {
   const Stats& stats = diagram.value().stats;
   std::strncpy(cost.way, stats.way.c_str(), sizeof cost.way - 1);
   cost.flips = static_cast<double>(stats.counts.flips);
+  cost.filtered = static_cast<double>(stats.counts.filtered);
   cost.inCircle = static_cast<double>(stats.counts.inCircle);
   cost.exact = static_cast<double>(stats.counts.exact);
   return cost;
@@ -69,7 +71,7 @@ std::optional<Cost> uniformCost(std::size_t size, unsigned limitSeconds) {
 /// What is measured at one number of circles after another.
 class Row {
  public:
-  Row(std::string name, double mostRatio) : name_(std::move(name)), mostRatio_(mostRatio) {}
+  Row(std::string name, bool isDegenerate) : name_(std::move(name)), isDegenerate_(isDegenerate) {}
 
   void print(std::size_t size, double uniformSeconds, const ChildResult<Cost>& child, unsigned limitSeconds) {
     std::printf("%-40s %8zu ", name_.c_str(), size);
@@ -89,13 +91,17 @@ class Row {
       first_ = each;
     }
     std::printf("  %-16s %8.2f %9.2f %8.2f%s\n", cost.way, cost.flips / count, cost.inCircle / count,
-                cost.exact / count, ratio > mostRatio_ ? "  <--" : "");
+                cost.exact / count, ratio > mostRatio(cost) ? "  <--" : "");
     std::fflush(stdout);
   }
 
  private:
+  double mostRatio(const Cost& cost) const {
+    return isDegenerate_ || cost.inCircle + cost.exact > cost.filtered ? kMostOfTies : kMost;
+  }
+
   std::string name_;
-  double mostRatio_;
+  bool isDegenerate_;
   double first_ = 0;  ///< seconds a circle at the first number of circles
 };
 
@@ -113,7 +119,7 @@ bool printCliffs(const std::vector<std::string>& names, const std::vector<std::s
   for (const FamilyInfo& family : families()) {
     if (!names.empty() && std::ranges::find(names, family.name) == names.end()) continue;
     for (const Variant& variant : variants()) {
-      Row row(std::string(family.name) + std::string(variant.name), family.isDegenerate ? kMostOfTies : kMost);
+      Row row(std::string(family.name) + std::string(variant.name), family.isDegenerate);
       for (const std::size_t size : sizes) {
         const auto child =
             runInChild<Cost>(limitSeconds, [&] { return costOf(variant.make(family.family, size, kSeed)); });
