@@ -21,7 +21,8 @@ await main(async () => {
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])
   const chosen = process.argv.slice(2)
   const [cities] = realData()
-  const families = chosen.includes('--families') ? [] : ['--families', `${FAMILIES},${cities}`]
+  const isTable = chosen[0] === '--cliffs' || chosen[0] === '--files'
+  const families = isTable || chosen.includes('--families') ? [] : ['--families', `${FAMILIES},${cities}`]
   await run(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen])
 
   if (chosen.length > 0) return

@@ -61,7 +61,8 @@ for (const { name, file } of [...fixtures, ...scaled]) {
         const parts = outline(diagram.cells, i, box)
         assert.deepEqual([...diagram.neighbors(i)], properties.neighbors)
         near(area(parts), properties.area, 1e-13 * size * size, `area of cell ${i}`)
-        assert.equal(parts.length === 0, geometry === null)
+        // A cell that rounding leaves no area has no polygon.
+        assert.ok(geometry === null ? area(parts) <= 1e-12 * size * size : parts.length > 0)
       }
     })
 

@@ -235,6 +235,17 @@ it('one circle is its own hull', () => {
   expect(area).toBeCloseTo(9 * Math.PI, 12)
 })
 
+it('the hull turns around the larger of two circles that nearly touch inside', () => {
+  // Their common tangents are the same but for rounding.
+  const small = [0.2823275086840536, 0.05996925804686018, 0.71137371209393407]
+  const large = [0.0015071996752053401, 0.0003201446669926927, 0.99845917441975318]
+  const { arcs, length, area } = hull(library.compute(Float64Array.from([...small, ...large])))
+  const r = large[2] as number
+  expect(arcs.find(({ circle }) => circle === 1)?.angle).toBeCloseTo(2 * Math.PI, 6)
+  expect(length).toBeCloseTo(2 * Math.PI * r, 6)
+  expect(area).toBeCloseTo(Math.PI * r * r, 6)
+})
+
 it.each([2 ** -520, 2 ** -900])('the hull is the same at %d times the size', (size) => {
   const circles = Float64Array.of(0, 0, 0.1, 1, 0, 0.2, 0, 1, 0.3, 0.9, 0.9, 0.05)
   const scaled = ({ x, y }: Point) => ({ x: size * x, y: size * y })
