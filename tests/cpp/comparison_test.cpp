@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/cells.h"
@@ -169,6 +172,54 @@ TEST(PowerDiagram, VerticesOfCentresNextToEachOtherAreRight) {
       EXPECT_NEAR(radius * std::abs(radius) / distance(Metric::power, circleAt(0), {x, y}), 1, 1e-6);
     }
   }
+}
+
+// Centres as near to one another, and vertices as far off, as there are numbers.
+TEST(PowerDiagram, EveryVertexInRangeIsRight) {
+  // Digits enough for sums of squares of radii and distances.
+  using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<600>, boost::multiprecision::et_off>;
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  Random random(1);
+  int given = 0, beyond = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const int size = static_cast<int>(random.below(1400)) - 900;
+    const auto exponent = [&] { return size - static_cast<int>(random.below(random.below(2) == 0 ? 10 : 700)); };
+    // Squares of radii are exact.
+    const auto radius = [&] { return std::ldexp(static_cast<double>(random.below(1 << 20)), exponent() - 20); };
+    const auto place = [&] { return std::ldexp(random.uniform(-1, 1), exponent()); };
+    std::vector<Circle> circles = {{0, 0, radius()}, {place(), place(), radius()}, {place(), place(), radius()}};
+    if (random.below(2) == 0) circles[2].r = circles[1].r = circles[0].r;
+    SCOPED_TRACE(testing::Message() << "trial " << trial << std::hexfloat << " " << circles[0].r << " " << circles[1].x
+                                    << " " << circles[1].y << " " << circles[1].r << " " << circles[2].x << " "
+                                    << circles[2].y << " " << circles[2].r);
+    const Real r = circles[0].r;
+    const auto half = [&](const Circle& c) -> Real {
+      return (Real(c.x) * c.x + Real(c.y) * c.y + r * r - Real(c.r) * c.r) / 2;
+    };
+    const auto& [u, v] = std::pair(circles[1], circles[2]);
+    const Real determinant = Real(u.x) * v.y - Real(u.y) * v.x;
+    if (determinant == 0) continue;
+    const Real x = (half(u) * v.y - half(v) * u.y) / determinant;
+    const Real y = (half(v) * u.x - half(u) * v.x) / determinant;
+    const Real square = x * x + y * y;
+    const auto diagram = computeComparison(circles, Metric::power);
+    if (!diagram) {
+      ++beyond;
+      EXPECT_EQ(diagram.error().code, ErrorCode::coordinateTooLarge);
+      EXPECT_GT(square, Real(kLargest) * kLargest / 2);
+    } else if (!diagram.value().vertices.empty()) {
+      ++given;
+      const Vertex& vertex = diagram.value().vertices[0];
+      const Real error = 1e-6 * sqrt(square) + std::numeric_limits<double>::min();
+      EXPECT_LE(abs(Real(vertex.x) - x), error);
+      EXPECT_LE(abs(Real(vertex.y) - y), error);
+      const Real power = Real(vertex.radius) * std::abs(vertex.radius);
+      EXPECT_LE(abs(power - (square - r * r)), 1e-6 * (square + r * r) + Real("1e-600"));
+    }
+    if (testing::Test::HasFailure()) FAIL();
+  }
+  EXPECT_GT(given, 200);
+  EXPECT_GT(beyond, 0);
 }
 
 TEST(PowerDiagram, AVertexBeyondAllNumbersIsAnError) {

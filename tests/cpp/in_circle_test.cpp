@@ -6,6 +6,9 @@
 
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "report.h"
 #include "tie_inputs.h"
@@ -61,6 +64,36 @@ TEST(InCircle, AgreesWithRationalArithmetic) {
         compare(points);
         if (testing::Test::HasFailure()) FAIL() << kind.name << ", disturbance " << disturbance << ", trial " << trial;
       }
+    }
+  }
+}
+
+/// One of the doubles next to x, or one after it, or x.
+double near(double x, Random& random) {
+  for (int steps = static_cast<int>(random.below(5)) - 2; steps != 0; steps += steps < 0 ? 1 : -1) {
+    x = std::nextafter(x,
+                       steps < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity());
+  }
+  return x;
+}
+
+// From the bits that one machine word holds to those that the largest integers do: corners of flat rectangles, and
+// points of very different sizes on a line, all moved in their last bits.
+TEST(InCircle, AgreesWithRationalArithmeticOverManyBits) {
+  Random random(test::seedOr(1));
+  const auto number = [&](int exponent) { return std::ldexp(random.uniform(-1, 1), exponent); };
+  const auto nearTo = [&](Point p) { return Point{near(p.x, random), near(p.y, random)}; };
+  for (int bits = 0; bits < 400; ++bits) {
+    for (int trial = 0; trial < 4; ++trial) {
+      const int other = static_cast<int>(random.below(static_cast<std::uint64_t>(bits) + 1));
+      const double x = number(bits);
+      const double y = number(other);
+      compare({nearTo({x, y}), nearTo({-x, y}), nearTo({-x, -y}), nearTo({x, -y})});
+      const Vector along = {random.uniform(-1, 1), random.uniform(-1, 1)};
+      const Point far = {std::ldexp(along.x, bits), std::ldexp(along.y, bits)};
+      const Point nearer = {std::ldexp(along.x, other), std::ldexp(along.y, other)};
+      compare({nearTo({number(0), number(0)}), nearTo(nearer), nearTo(far), {0, 0}});
+      if (testing::Test::HasFailure()) FAIL() << bits << " and " << other << " bits";
     }
   }
 }

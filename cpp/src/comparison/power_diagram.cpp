@@ -2,14 +2,13 @@
 #include "power_diagram.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Regular_triangulation_2.h>
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -45,17 +44,43 @@ class Indices {
   std::map<Key, std::int32_t> indices_;
 };
 
-using Number = CGAL::Exact_rational;
+using Integer = boost::multiprecision::cpp_int;
+using Number = boost::multiprecision::cpp_rational;
 
-/// The nearest double; what is beyond 2^1000 is infinite, and what is below 2^-1000 zero.
-double rounded(const Number& number) {
-  const Number size = CGAL::abs(number);
-  if (size > Number(0x1p1000)) return std::numeric_limits<double>::infinity();
-  return size < Number(0x1p-1000) ? 0 : CGAL::to_double(number);
+/// mantissa * 2^exponent, with one to four as the mantissa or zero: a number that may be beyond the doubles.
+struct Scaled {
+  double mantissa = 0;
+  int exponent = 0;
+
+  /// Infinite, or zero, if it is beyond the doubles.
+  double times(int powerOfTwo) const { return std::ldexp(mantissa, exponent + powerOfTwo); }
+};
+
+/// A number to the nearest of 53 bits.
+Scaled rounded(const Number& number) {
+  if (number.is_zero()) return {};
+  constexpr int kBits = 62;
+  Integer above = abs(numerator(number));
+  Integer below = denominator(number);
+  const int exponent = static_cast<int>(msb(above)) - static_cast<int>(msb(below)) - kBits;
+  (exponent > 0 ? below : above) <<= std::abs(exponent);
+  Integer quotient, rest;
+  divide_qr(above, below, quotient, rest);
+  // The last bit tells that there is more, and does not meet the rounding of the others.
+  const auto bits = static_cast<std::uint64_t>(quotient) | (rest.is_zero() ? 0U : 1U);
+  const auto size = static_cast<double>(bits);
+  return {std::ldexp(number.sign() < 0 ? -size : size, 1 - kBits), exponent + kBits - 1};
 }
 
-/// The point of equal power to three circles, every number rounded once. Infinite where it is beyond all numbers.
-Vertex exactRadicalCentre(const Circle& a, const Circle& b, const Circle& c) {
+/// With the sign of the number.
+Scaled squareRoot(Scaled number) {
+  if (number.exponent % 2 != 0) number = {2 * number.mantissa, number.exponent - 1};
+  return {std::copysign(std::sqrt(std::abs(number.mantissa)), number.mantissa), number.exponent / 2};
+}
+
+/// The point of equal power to three circles times 2^scaling, every number rounded once; infinite where it is beyond
+/// the doubles.
+Vertex exactRadicalCentre(const Circle& a, const Circle& b, const Circle& c, int scaling) {
   const auto half = [&](const Circle& d, const Number& x, const Number& y) -> Number {
     return (x * x + y * y + Number(a.r * a.r) - Number(d.r * d.r)) / 2;
   };
@@ -68,30 +93,38 @@ Vertex exactRadicalCentre(const Circle& a, const Circle& b, const Circle& c) {
   const Number determinant = ux * vy - uy * vx;
   const Number x = (ku * vy - kv * uy) / determinant;
   const Number y = (kv * ux - ku * vx) / determinant;
-  const double power = rounded(x * x + y * y - Number(a.r * a.r));
-  return {rounded(x + Number(a.x)), rounded(y + Number(a.y)), std::copysign(std::sqrt(std::abs(power)), power)};
+  const Number power = x * x + y * y - Number(a.r * a.r);
+  return {rounded(x + Number(a.x)).times(scaling), rounded(y + Number(a.y)).times(scaling),
+          squareRoot(rounded(power)).times(scaling)};
 }
 
-/// The point of equal power to three circles, relative to the first for accuracy.
-Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c) {
+/// The point of equal power to three circles times 2^scaling, relative to the first for accuracy.
+Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c, int scaling) {
   const Vector u = between(a, b);
   const Vector v = between(a, c);
   const double ku = (dot(u, u) + (a.r - b.r) * (a.r + b.r)) / 2;
   const double kv = (dot(v, v) + (a.r - c.r) * (a.r + c.r)) / 2;
   const double determinant = cross(u, v);
   const Vector centre = {(ku * v.y - kv * u.y) / determinant, (kv * u.x - ku * v.x) / determinant};
+  const double d = length(centre);
+  const double power = (d - a.r) * (d + a.r);
   // Where so much cancels, as for centres next to a line or to each other, what is left may be but rounding.
   constexpr double kCertain = 0x1p-30;
+  // Products of what is smaller underflow, and those of what is larger overflow.
+  constexpr double kSmallest = 0x1p-900;
+  constexpr double kLargest = 0x1p900;
   const auto sizeOf = [](const Vector& w) { return std::abs(w.x) + std::abs(w.y); };
   const double terms =
       (dot(u, u) + a.r * a.r + b.r * b.r) * sizeOf(v) + (dot(v, v) + a.r * a.r + c.r * c.r) * sizeOf(u);
-  if (!(std::abs(determinant) > kCertain * (std::abs(u.x * v.y) + std::abs(u.y * v.x))) ||
+  const double products = std::abs(u.x * v.y) + std::abs(u.y * v.x);
+  const bool isSafe = products > kSmallest && terms > kSmallest && terms < kLargest && d * d < kLargest;
+  if (!isSafe || !(std::abs(determinant) > kCertain * products) ||
       !(std::abs(determinant) * sizeOf(centre) > kCertain * terms)) {
-    return exactRadicalCentre(a, b, c);
+    return exactRadicalCentre(a, b, c, scaling);
   }
-  const double d = length(centre);
-  const double power = (d - a.r) * (d + a.r);
-  return {a.x + centre.x, a.y + centre.y, std::copysign(std::sqrt(std::abs(power)), power)};
+  const Scaled x = {a.x + centre.x}, y = {a.y + centre.y};
+  const Scaled radius = {std::copysign(std::sqrt(std::abs(power)), power)};
+  return {x.times(scaling), y.times(scaling), radius.times(scaling)};
 }
 
 /// Centres on a line: parallel edges, and a hull that goes there and back.
@@ -102,14 +135,14 @@ void addChain(const std::vector<std::int32_t>& chain, Diagram& diagram) {
 }
 
 void addTriangles(const Triangulation& triangulation, const Indices& indices, std::span<const Circle> circles,
-                  Diagram& diagram) {
+                  int scaling, Diagram& diagram) {
   std::map<Triangulation::Face_handle, std::int32_t> vertexOf;
   for (const auto face : triangulation.finite_face_handles()) {
     vertexOf[face] = static_cast<std::int32_t>(diagram.vertices.size());
     const auto& triple = diagram.vertexCircles.emplace_back(std::array<std::int32_t, 3>{
         indices.of(face->vertex(0)), indices.of(face->vertex(1)), indices.of(face->vertex(2))});
     const auto circleAt = [&](std::size_t k) { return circles[static_cast<std::size_t>(triple[k])]; };
-    diagram.vertices.push_back(radicalCentre(circleAt(0), circleAt(1), circleAt(2)));
+    diagram.vertices.push_back(radicalCentre(circleAt(0), circleAt(1), circleAt(2), scaling));
   }
   // CGAL's own list of edges takes that face of each which lies lower in memory: here it is the first in this list.
   for (const auto face : triangulation.finite_face_handles()) {
@@ -132,7 +165,8 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
   } while (--corner != first);
 }
 
-Diagram powerDiagramOf(std::span<const Circle> circles) {
+/// The vertices times 2^scaling.
+Diagram powerDiagramOf(std::span<const Circle> circles, int scaling) {
   Triangulation triangulation;
   std::vector<Point> centres;
   centres.reserve(circles.size());
@@ -154,7 +188,7 @@ Diagram powerDiagramOf(std::span<const Circle> circles) {
     if (!isVisible[i]) diagram.hidden.push_back({static_cast<std::int32_t>(i), kNone});
   }
   if (triangulation.dimension() == 2) {
-    addTriangles(triangulation, indices, circles, diagram);
+    addTriangles(triangulation, indices, circles, scaling, diagram);
   } else if (!visible.empty()) {
     std::sort(visible.begin(), visible.end(), [](VertexHandle a, VertexHandle b) {
       return std::pair(a->point().x(), a->point().y()) < std::pair(b->point().x(), b->point().y());
@@ -173,19 +207,9 @@ Diagram powerDiagramOf(std::span<const Circle> circles) {
 Result<Diagram> powerDiagram(std::span<const Circle> circles) {
   const auto scaled = validate(circles);
   if (!scaled) return scaled.error();
-  Diagram diagram;
-  try {
-    diagram = powerDiagramOf(scaled.value().circles);
-  } catch (const std::runtime_error&) {
-    // What a rational number throws that no double is near to.
-    return Error{ErrorCode::coordinateTooLarge, -1, "A vertex of the power diagram is beyond the range of numbers."};
-  }
-  const double unit = scaled.value().unit;
+  Diagram diagram = powerDiagramOf(scaled.value().circles, std::ilogb(scaled.value().unit));
   for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
-    auto& [x, y, radius] = diagram.vertices[v];
-    x *= unit;
-    y *= unit;
-    radius *= unit;
+    const auto& [x, y, radius] = diagram.vertices[v];
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius)) {
       const std::int32_t circle = diagram.vertexCircles[v][0];
       return Error{ErrorCode::coordinateTooLarge, circle,
