@@ -13,6 +13,7 @@
 #include "homogeneous_disc.h"
 #include "in_circle.h"
 #include "random.h"
+#include "refined_disc.h"
 #include "report.h"
 
 namespace circle_voronoi {
@@ -84,9 +85,10 @@ double reachPart(const Circles& c) {
 }
 
 /// Of the directions and distances to a disc from all its circles.
+template <CornerDisc (*find)(const Circle&, const Circle&, const Circle&)>
 double discPart(const Circles& c) {
   if (hide(c[0], c[1]) || hide(c[1], c[2]) || hide(c[0], c[2])) return 0;
-  const auto [disc, corner] = discOf(c[0], c[1], c[2]);
+  const auto [disc, corner] = find(c[0], c[1], c[2]);
   if (!std::isfinite(disc.error)) return 0;
   const Circle& o = c[corner];
   const Exact a(c[(corner + 1) % 3], o);
@@ -201,7 +203,8 @@ INSTANTIATE_TEST_SUITE_P(Each, EstimateBound,
                          testing::Values(Bound{"Orientation", orientationPart}, Bound{"InCircle", inCirclePart<false>},
                                          Bound{"InCircleFine", inCirclePart<true>},
                                          Bound{"TangentLength", tangentLengthPart}, Bound{"Infinity", infinityPart},
-                                         Bound{"Reach", reachPart}, Bound{"Disc", discPart}),
+                                         Bound{"Reach", reachPart}, Bound{"Disc", discPart<discOf>},
+                                         Bound{"RefinedDisc", discPart<refinedDiscOf>}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Estimate, OfACrossProductCoversTheErrorsOfItsDirections) {

@@ -4,6 +4,7 @@
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "in_circle.h"
+#include "refined_disc.h"
 
 namespace circle_voronoi {
 namespace {
@@ -18,9 +19,20 @@ exact::Face facing(std::span<const Circle> circles, const Triple& face) {
   return {at(face[0]), at(face[1]), at(face[2])};
 }
 
-CornerDisc discOf(const exact::Face& face) {
+using Find = CornerDisc (*)(const Circle&, const Circle&, const Circle&);
+
+/// The disc of a face; as `find` has it, if it is no tangent line.
+template <Find find>
+CornerDisc discAt(const exact::Face& face) {
   if (face[2] == nullptr) return {discAtInfinity(*face[0], *face[1]), 0};
-  return discOf(*face[0], *face[1], *face[2]);
+  return find(*face[0], *face[1], *face[2]);
+}
+
+/// The direction from a circle of a face to its disc.
+Direction refinedDirection(const exact::Face& face, const Circle& from) {
+  const auto [disc, corner] = discAt<refinedDiscOf>(face);
+  const Circle& o = *face[corner];
+  return {disc.x + disc.w * (o.x - from.x), disc.y + disc.w * (o.y - from.y), disc.error};
 }
 
 /// Of the distance of a disc from the smallest circle of its face.
@@ -34,7 +46,7 @@ int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
 
 FaceDisc Predicates::disc(const Triple& face) {
   const exact::Face circles = facing(circles_, face);
-  const auto placed = discOf(circles);
+  const auto placed = discAt<discOf>(circles);
   FaceDisc result;
   result.v = {placed.disc.x, placed.disc.y};
   result.w = placed.disc.w;
@@ -46,15 +58,30 @@ FaceDisc Predicates::disc(const Triple& face) {
     ++counts_.filtered;
     result.exists = sign > 0;
   } else {
-    ++counts_.exact;
-    result.exists = exact::hasDisc(circles);
+    result.exists = hasDisc(circles);
   }
   return result;
 }
 
-int Predicates::exactCross(int from, const Triple& first, const Triple& second) {
+bool Predicates::hasDisc(const exact::Face& face) {
+  if (const int sign = filteredExistence(face, discAt<refinedDiscOf>(face)); sign != 0) {
+    ++counts_.filtered;
+    return sign > 0;
+  }
   ++counts_.exact;
-  return exact::crossSign(facing(circles_, first), facing(circles_, second), circles_[from]);
+  return exact::hasDisc(face);
+}
+
+int Predicates::exactCross(int from, const Triple& first, const Triple& second) {
+  const exact::Face one = facing(circles_, first);
+  const exact::Face other = facing(circles_, second);
+  const Circle& seenFrom = circles_[from];
+  if (const int sign = crossOf(refinedDirection(one, seenFrom), refinedDirection(other, seenFrom)).sign(); sign != 0) {
+    ++counts_.filtered;
+    return sign;
+  }
+  ++counts_.exact;
+  return exact::crossSign(one, other, seenFrom);
 }
 
 int Predicates::exactEdgeOrder(int a, int b, int c, int d) {

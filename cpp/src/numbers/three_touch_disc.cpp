@@ -6,6 +6,7 @@
 
 #include "exact.h"
 #include "homogeneous_disc.h"
+#include "refined_disc.h"
 
 namespace circle_voronoi {
 namespace {
@@ -24,14 +25,13 @@ double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y -
 
 Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
 
-/// The disc of a face, if its error bound is small enough.
-std::optional<Vertex> filteredVertex(const Circle& a, const Circle& b, const Circle& c, double unit) {
-  const auto [disc, corner] = discOf(a, b, c);
-  const Circle& o = corner == 0 ? a : corner == 1 ? b : c;
-  const Circle& p = corner == 0 ? b : corner == 1 ? c : a;
-  const Circle& q = corner == 0 ? c : corner == 1 ? a : b;
+/// The centre and the radius of a disc, if its error bound is small enough.
+std::optional<Vertex> vertexAt(const CornerDisc& placed, const std::array<const Circle*, 3>& circles, double unit) {
+  const auto& [disc, corner] = placed;
+  const Circle& o = *circles[corner];
   // The error of w times the longer side is part of the bound, so w is right to as many bits.
-  const double side = std::max(length(between(o, p)), length(between(o, q)));
+  const double side =
+      std::max(length(between(o, *circles[(corner + 1) % 3])), length(between(o, *circles[(corner + 2) % 3])));
   if (!(disc.error <= 0x1p-36 * disc.w * side)) return std::nullopt;
   return Vertex{(o.x + disc.x / disc.w) * unit, (o.y + disc.y / disc.w) * unit, (disc.rho / disc.w - o.r) * unit};
 }
@@ -82,8 +82,10 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 }
 
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit) {
-  if (const auto vertex = filteredVertex(a, b, c, unit)) return vertex;
-  return exact::disc({&a, &b, &c}, unit);
+  const std::array circles = {&a, &b, &c};
+  if (const auto vertex = vertexAt(discOf(a, b, c), circles, unit)) return vertex;
+  if (const auto vertex = vertexAt(refinedDiscOf(a, b, c), circles, unit)) return vertex;
+  return exact::disc(circles, unit);
 }
 
 }  // namespace circle_voronoi
