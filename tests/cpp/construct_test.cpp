@@ -75,6 +75,12 @@ TEST(Construct, RepairCostsWhatItsPatchesCost) {
   for (const std::uint64_t seed : {39, 398}) EXPECT_LE(perCircle(seed, "repair"), perCircle(1, "flip") + 2) << seed;
 }
 
+// Where circles are 1e5 times smaller than their neighbour, doubles lose the lengths of their common tangents.
+TEST(Construct, SignsBesideAHugeCircleRarelyNeedIntegers) {
+  const Stats stats = compute(generate(Family::oneHuge, 20000, 1)).value().stats;
+  EXPECT_LT(stats.counts.exact, stats.counts.circles / 100);
+}
+
 TEST(Construct, TakesMoreSamplesOnlyIfAskedTo) {
   const auto circles = test::readFixture("missed-antipodal-disc-log-uniform-4");
   Options options;
