@@ -140,6 +140,10 @@ std::vector<CubicBezier> cubicBeziers(const EdgeCurve& curve, double tolerance) 
 }
 
 std::vector<Point> polyline(const EdgeCurve& curve, double tolerance) {
+  // Most arcs are short.
+  if (chordError(curve.bisector, curve.from, curve.to) <= tolerance / curve.bisector.unit) {
+    return {curve.start, curve.end};
+  }
   tolerance = atLeast(1e-9, curve, tolerance);
   std::vector<Point> points = {curve.start};
   double from = farthest(curve.bisector, curve.from, curve.to, tolerance, chordError);

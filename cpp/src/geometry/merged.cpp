@@ -86,6 +86,7 @@ MergedDiagram mergeVertices(std::span<const Circle> circles, const Diagram& diag
   // goes on at the other end. Counter-clockwise, a circle is followed by the one across the edge that ends its corner.
   std::vector<std::array<bool, 3>> isMet(count, {false, false, false});
   std::vector<std::vector<std::int32_t>> around(merged.vertices.size());
+  for (auto& list : around) list.reserve(3);
   for (std::size_t v = 0; v < count; ++v) {
     for (std::size_t i = 0; i < 3; ++i) {
       auto vertex = static_cast<std::int32_t>(v);

@@ -35,16 +35,17 @@ bool turnsAround(Point left, Point right, Point p, Point q) {
 /// its circle's centre, so a polygon of such steps is, too, and does not cross itself.
 void refine(std::vector<Point>& points, const EdgeCurve& curve) {
   const Bisector& bisector = curve.bisector;
+  const auto isCoarse = [&](Point p, Point q) { return !turnsAround(bisector.left, bisector.right, p, q); };
   for (int i = 0; i < kMostHalvings; ++i) {
+    if (std::ranges::adjacent_find(points, isCoarse) == points.end()) return;
     std::vector<Point> finer = {points.front()};
     for (std::size_t k = 1; k < points.size(); ++k) {
       const Point p = points[k - 1];
       const Point q = points[k];
       const double middle = std::sqrt(parameterAt(bisector, p)) * std::sqrt(parameterAt(bisector, q));
-      if (!turnsAround(bisector.left, bisector.right, p, q)) finer.push_back(pointAt(bisector, middle));
+      if (isCoarse(p, q)) finer.push_back(pointAt(bisector, middle));
       finer.push_back(q);
     }
-    if (finer.size() == points.size()) return;
     points = std::move(finer);
   }
 }

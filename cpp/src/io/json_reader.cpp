@@ -6,12 +6,6 @@
 namespace circle_voronoi {
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-/// A character of a string that stands for itself, of one byte.
-bool isPlain(char c) {
-  return static_cast<unsigned char>(c) >= 0x20 && static_cast<signed char>(c) >= 0 && c != '"' && c != '\\';
-}
-
 void appendUtf8(std::string& text, char32_t c) {
   const auto append = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
   const auto tail = [&](int shift) { append(0x80 | ((c >> shift) & 0x3F)); };
@@ -82,11 +76,7 @@ void JsonReader::failSyntax(const std::string& expected) const {
   throw ReadFailure{at_, "bad JSON: expected " + expected + ", not " + found + "."};
 }
 
-JsonKind JsonReader::kind() {
-  skipSpace();
-  if (isAtEnd()) failSyntax("a value");
-  const char c = text_[at_];
-  if (c == '-' || isDigit(c)) return JsonKind::number;
+JsonKind JsonReader::kindAfter(char c) const {
   switch (c) {
     case '"':
       return JsonKind::string;
@@ -102,45 +92,6 @@ JsonKind JsonReader::kind() {
     default:
       failSyntax("a value");
   }
-}
-
-void JsonReader::enter(char begin) {
-  skipSpace();
-  if (isAtEnd() || text_[at_] != begin) failSyntax(std::string(1, begin));
-  ++at_;
-  isFirst_ = true;
-}
-
-/// Whether there is another item before `end`; else reads past it.
-bool JsonReader::next(char end) {
-  skipSpace();
-  const bool isFirst = isFirst_;
-  isFirst_ = false;
-  if (!isAtEnd() && text_[at_] == end) {
-    ++at_;
-    return false;
-  }
-  if (isFirst) return true;
-  if (isAtEnd() || text_[at_] != ',') failSyntax(std::string(", or ") + end);
-  ++at_;
-  return true;
-}
-
-bool JsonReader::nextItem() {
-  if (!next(']')) return false;
-  (void)kind();  // no comma comes before the end
-  return true;
-}
-
-std::optional<std::string_view> JsonReader::nextKey() {
-  if (!next('}')) return std::nullopt;
-  skipSpace();
-  if (isAtEnd() || text_[at_] != '"') failSyntax("a key in quotation marks");
-  const std::string_view key = string();
-  skipSpace();
-  if (isAtEnd() || text_[at_] != ':') failSyntax("a colon after a key");
-  ++at_;
-  return key;
 }
 
 std::string_view JsonReader::numeral() {
@@ -183,13 +134,7 @@ double JsonReader::valueOf(std::string_view numeral) const {
 
 double JsonReader::number() { return valueOf(numeral()); }
 
-std::string_view JsonReader::string() {
-  if (kind() != JsonKind::string) failSyntax("a string");
-  const std::size_t begin = ++at_;
-  std::size_t at = begin;
-  while (at != text_.size() && isPlain(text_[at])) ++at;
-  at_ = at;
-  if (!isAtEnd() && text_[at_] == '"') return text_.substr(begin, at_++ - begin);
+std::string_view JsonReader::decoded(std::size_t begin) {
   decoded_.assign(text_, begin, at_ - begin);
   while (!isAtEnd() && text_[at_] != '"') {
     if (text_[at_] == '\\') {

@@ -35,12 +35,21 @@ class JsonReader {
   std::size_t offset() const { return at_; }
 
   /// What the value is that comes next.
-  JsonKind kind();
+  JsonKind kind() {
+    skipSpace();
+    if (isAtEnd()) failSyntax("a value");
+    const char c = text_[at_];
+    return c == '-' || isDigit(c) ? JsonKind::number : kindAfter(c);
+  }
 
   void enterArray() { enter('['); }
   void enterObject() { enter('{'); }
   /// Goes on to the next value of the array last entered; false at its end, which leaves it.
-  bool nextItem();
+  bool nextItem() {
+    if (!next(']')) return false;
+    (void)kind();  // no comma comes before the end
+    return true;
+  }
   /// The same for an object: the key of the next value, valid until the next key or string is read.
   std::optional<std::string_view> nextKey();
 
@@ -50,7 +59,15 @@ class JsonReader {
   template <class Integer>
   std::optional<Integer> whole();
   /// Valid until the next key or string is read.
-  std::string_view string();
+  std::string_view string() {
+    if (kind() != JsonKind::string) failSyntax("a string");
+    const std::size_t begin = ++at_;
+    std::size_t at = begin;
+    while (at != text_.size() && isPlain(text_[at])) ++at;
+    at_ = at;
+    if (!isAtEnd() && text_[at_] == '"') return text_.substr(begin, at_++ - begin);
+    return decoded(begin);
+  }
   /// Reads past a value of any kind and depth.
   void skip();
 
@@ -62,12 +79,40 @@ class JsonReader {
 
  private:
   static bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+  static bool isDigit(char c) { return c >= '0' && c <= '9'; }
+  /// A character of a string that stands for itself, of one byte.
+  static bool isPlain(char c) {
+    return static_cast<unsigned char>(c) >= 0x20 && static_cast<signed char>(c) >= 0 && c != '"' && c != '\\';
+  }
   bool isAtEnd() const { return at_ == text_.size(); }
   void skipSpace() {
     while (!isAtEnd() && isSpace(text_[at_])) ++at_;
   }
-  bool next(char end);
-  void enter(char begin);
+  /// Whether there is another item before `end`; else reads past it.
+  bool next(char end) {
+    skipSpace();
+    const bool isFirst = isFirst_;
+    isFirst_ = false;
+    if (!isAtEnd() && text_[at_] == end) {
+      ++at_;
+      return false;
+    }
+    if (isFirst) return true;
+    if (isAtEnd() || text_[at_] != ',') failSyntax(std::string(", or ") + end);
+    ++at_;
+    return true;
+  }
+  void enter(char begin) {
+    skipSpace();
+    if (isAtEnd() || text_[at_] != begin) failSyntax(std::string(1, begin));
+    ++at_;
+    isFirst_ = true;
+  }
+  /// Of a value that is no number, by its first character.
+  JsonKind kindAfter(char c) const;
+  /// The rest of a string that began at `begin` and has an escape or a character of several bytes where it is read
+  /// next.
+  std::string_view decoded(std::size_t begin);
   void skipWord();
   /// The text of a number.
   std::string_view numeral();
@@ -83,8 +128,31 @@ class JsonReader {
   std::string decoded_;   ///< a string with escapes
 };
 
+inline std::optional<std::string_view> JsonReader::nextKey() {
+  if (!next('}')) return std::nullopt;
+  skipSpace();
+  if (isAtEnd() || text_[at_] != '"') failSyntax("a key in quotation marks");
+  const std::string_view key = string();
+  skipSpace();
+  if (isAtEnd() || text_[at_] != ':') failSyntax("a colon after a key");
+  ++at_;
+  return key;
+}
+
 template <class Integer>
 std::optional<Integer> JsonReader::whole() {
+  // Most have few digits and nothing else.
+  if (kind() == JsonKind::number && text_[at_] != '-' && text_[at_] != '0') {
+    std::size_t at = at_;
+    Integer few = 0;
+    for (; at - at_ < std::numeric_limits<Integer>::digits10 && at != text_.size() && isDigit(text_[at]); ++at) {
+      few = 10 * few + (text_[at] - '0');
+    }
+    if (at != text_.size() && (text_[at] == ',' || text_[at] == ']' || text_[at] == '}')) {
+      at_ = at;
+      return few;
+    }
+  }
   const std::string_view digits = numeral();
   Integer integer = 0;
   const char* end = digits.data() + digits.size();
