@@ -18,7 +18,16 @@ constexpr double kMostSteps = 1e15;
 
 /// Decimals of up to six places are common, and quick to write.
 constexpr double kCommonSteps = 1e6;
-constexpr int kCommonPlaces = 6;
+
+/// "00", "01" and so on to "99".
+constexpr std::array<char, 200> kPairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < pairs.size(); i += 2) {
+    pairs[i] = static_cast<char>('0' + i / 20);
+    pairs[i + 1] = static_cast<char>('0' + i / 2 % 10);
+  }
+  return pairs;
+}();
 
 /// A decimal of up to fifteen digits is the shortest that reads back to its double. Writes one of few places, if the
 /// value is one; nullptr if not.
@@ -33,13 +42,14 @@ char* writeCommon(char* to, double value) {
   }
   constexpr auto kUnit = static_cast<std::int64_t>(kCommonSteps);
   to = std::to_chars(to, to + kMostDigits, whole / kUnit).ptr;
-  auto places = static_cast<std::int32_t>(whole % kUnit);
+  const auto places = static_cast<std::uint32_t>(whole % kUnit);
   if (places == 0) return to;
-  *to = '.';
-  char* end = to + 1 + kCommonPlaces;
-  for (char* digit = end; digit != to + 1; places /= 10) *--digit = static_cast<char>('0' + places % 10);
-  while (end[-1] == '0') --end;
-  return end;
+  *to++ = '.';
+  // In pairs, up to the last that is not zero.
+  const std::array pairs = {places / 10'000, places / 100 % 100, places % 100};
+  const std::size_t count = pairs[2] != 0 ? 3 : pairs[1] != 0 ? 2 : 1;
+  for (std::size_t i = 0; i < count; ++i, to += 2) std::memcpy(to, &kPairs[2 * pairs[i]], 2);
+  return to[-1] == '0' ? to - 1 : to;
 }
 
 }  // namespace
