@@ -58,8 +58,8 @@ class Predicates {
     return sign;
   }
 
-  /// The sign of the cross product of the directions to the discs of two faces, seen from a corner of both, without the
-  /// filter. The faces share an edge.
+  /// The sign of the cross product of the directions to the discs of two faces, seen from a corner of both, where the
+  /// filter did not decide: by refined discs, then exactly. The faces share an edge.
   int exactCross(int from, const Triple& first, const Triple& second);
 
   /// For faces (a, b, c) and (b, a, d) of circles, which have discs, and a bisector that looksFromFirst(a, b): 1 if the
