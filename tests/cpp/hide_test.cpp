@@ -8,6 +8,7 @@
 
 #include "circle_voronoi/families.h"
 #include "exact.h"
+#include "judge.h"
 #include "report.h"
 #include "tie_inputs.h"
 #include "triangulate.h"
@@ -33,12 +34,15 @@ std::vector<HiddenCircle> hiddenByDefinition(const std::vector<Circle>& circles)
 }
 
 void check(const std::vector<Circle>& circles, const std::string& what) {
-  const VisibleCircles visible = hide(order(circles));
   const std::vector<HiddenCircle> expected = hiddenByDefinition(circles);
-  ASSERT_EQ(visible.hidden, expected) << what << test::describe(circles);
-  EXPECT_EQ(visible.circles.size() + visible.hidden.size(), circles.size());
-  for (std::size_t i = 0; i < visible.circles.size(); ++i) {
-    EXPECT_EQ(visible.circles[i], circles[visible.indices[i]]);
+  // By a search, and where it gives up at once by insertion.
+  for (const std::int64_t mostSteps : {kMostStepsACircle, std::int64_t{-1000}}) {
+    const VisibleCircles visible = hide(order(circles), mostSteps);
+    ASSERT_EQ(visible.hidden, expected) << what << test::describe(circles);
+    EXPECT_EQ(visible.circles.size() + visible.hidden.size(), circles.size());
+    for (std::size_t i = 0; i < visible.circles.size(); ++i) {
+      EXPECT_EQ(visible.circles[i], circles[visible.indices[i]]);
+    }
   }
 }
 
@@ -77,6 +81,32 @@ TEST(Hide, OfEqualCirclesTheFirstIsNamed) {
   circles.push_back({50, 0, 1});
   check(circles, "equal");
   EXPECT_EQ(hide(order(circles)).hidden, (std::vector<HiddenCircle>{{100, 0}}));
+}
+
+TEST(Hide, InsertionLeavesTheDiagramOfTheVisibleCircles) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    const auto circles = validate(generate(family.family, 500, seed)).value().circles;
+    const VisibleCircles visible = hide(order(circles), -1000);
+    if (visible.centres) continue;  // the triangulation has shown that none is hidden
+    ASSERT_TRUE(visible.diagram) << family.name;
+    Predicates predicates(visible.circles);
+    EXPECT_TRUE(judge(visible.circles, *visible.diagram, predicates).isRight()) << family.name;
+  }
+}
+
+TEST(Hide, TakesNLogNSteps) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    const auto steps = [&](std::size_t count) {
+      return hide(order(validate(generate(family.family, count, seed)).value().circles)).steps;
+    };
+    const auto few = static_cast<double>(steps(2'000));
+    const auto many = static_cast<double>(steps(32'000));
+    // 16 times n log n is 22 times as many, 16 times n^1.5 would be 64.
+    EXPECT_LE(many, 34 * few + 1000) << family.name << ", seed " << seed;
+    EXPECT_LE(many, 150 * 32'000) << family.name << ", seed " << seed;
+  }
 }
 
 TEST(Hide, TheTriangulationIsThatOfTheVisibleCentres) {

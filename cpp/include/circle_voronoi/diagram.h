@@ -75,7 +75,7 @@ struct Seconds {
 
 struct Stats {
   std::string method;  ///< the method asked for
-  std::string way;     ///< the construction that made the result: flip, repair, insert, touching-disc or apollonius-graph
+  std::string way;  ///< the construction that made the result: flip, repair, insert, apollonius-graph or touching-disc
   std::string candidates;
   Counts counts;
   Seconds seconds;

@@ -25,8 +25,8 @@ struct ExportOptions {
 Box exportBox(std::span<const Circle> circles);
 
 // Each writes a certified diagram of `circles`. Polygons of cells are counter-clockwise, and those of neighbours share
-// their points bit for bit; none crosses itself. But a cell that is narrower than the rounding of its vertices, as between
-// circles that touch inside but for rounding, may have a polygon that does, or none.
+// their points bit for bit; none crosses itself. But a cell that is narrower than the rounding of its vertices, as
+// between circles that touch inside but for rounding, may have a polygon that does, or none.
 //
 // Coordinates have decimals enough for the tolerance, of which rounding takes at most a tenth: their last place is the
 // largest power of ten that does. Points that meet the box, arcs of the hull, and polygons that would collapse or cross

@@ -15,8 +15,8 @@ enum class Stage { hide, sample, pair, touch, flip, repair, certify };
 std::string_view stageName(Stage stage);
 
 /// Told when a stage begins (0) and, in those of the touching disc method (sample, pair, touch), which part of it is
-/// done, up to 1. Which stages there are, and how often, is up to the method and the input. What it throws passes through `compute`, which is how
-/// to cancel one.
+/// done, up to 1. Which stages there are, and how often, is up to the method and the input. What it throws passes
+/// through `compute`, which is how to cancel one.
 using Progress = std::function<void(Stage stage, double done)>;
 
 }  // namespace circle_voronoi

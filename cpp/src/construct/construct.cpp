@@ -226,22 +226,22 @@ Construction constructByFlips(const Sites& sites, Journal& journal) {
 }
 
 Construction constructAutomatically(Sites& sites, Journal& journal) {
-  journal.stats.way = "flip";
-  auto dual = flippedAndRepaired(std::move(sites.centres), sites, journal);
-  if (!dual) {
-    journal.stats.way = "insert";
-    dual = insertedAll(sites, journal);
-  }
   Construction result;
-  if (dual) result = judged(*dual, sites.circles, journal);
-  if (result.certificate.certified()) return result;
-  sites.centres = delaunay(centresOf(sites.circles)).dual;
-  for (const int samples : {1, 3}) {
-    Options options;
-    options.samples = samples;
-    result = constructByTouchingDisc(sites, options, {}, journal);
-    if (result.certificate.certified()) return result;
+  const auto isCertified = [&](const std::optional<Dual>& dual) {
+    if (!dual) return false;
+    result = judged(*dual, sites.circles, journal);
+    return result.certificate.certified();
+  };
+  if (sites.diagram) {
+    journal.stats.way = "insert";
+    result.topology = topologyOf(*sites.diagram, static_cast<int>(sites.circles.size()));
+    result.certificate = certificateOf(Verdict{}, *sites.diagram, result.topology);
+    return result;
   }
+  journal.stats.way = "flip";
+  if (isCertified(flippedAndRepaired(std::move(sites.centres), sites, journal))) return result;
+  journal.stats.way = "insert";
+  if (isCertified(insertedAll(sites, journal))) return result;
   journal.stats.way = "apollonius-graph";
   return judged(apolloniusGraph(sites.circles), sites.circles, journal);
 }

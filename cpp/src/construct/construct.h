@@ -22,9 +22,9 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
 /// Flips from the Delaunay triangulation of the centres, judged.
 Construction constructByFlips(const Sites& sites, Journal& journal);
 
-/// The fastest construction that leads to a certified topology: flips; local repair, or insertion where much is wrong;
-/// the touching disc method with dynamic sampling, N_s = 1, then 3; CGAL's Apollonius graph. If none does, the last
-/// one, with its certificate. Uses up the triangulation of the sites, which flips change in place.
+/// The first that leads to a certified topology: flips, with local repair where they leave little wrong; insertion;
+/// CGAL's Apollonius graph. If none does, the last one, with its certificate. Uses up the triangulation of the sites,
+/// which flips change in place.
 Construction constructAutomatically(Sites& sites, Journal& journal);
 
 }  // namespace circle_voronoi

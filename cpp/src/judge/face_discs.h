@@ -33,6 +33,12 @@ class FaceDiscs {
     discs_[face] = predicates_.disc(cornersOf(dual_, 3 * face));
   }
 
+  /// Notes that a face has no disc, as one with a circle and another that hides it; or one added after the last.
+  void clear(int face) {
+    if (face == static_cast<int>(discs_.size())) discs_.emplace_back();
+    discs_[face] = {};
+  }
+
   const FaceDisc& operator[](int face) const { return discs_[face]; }
 
   /// The direction from the origin of a half-edge to the disc of its face.

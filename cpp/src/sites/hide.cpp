@@ -2,16 +2,23 @@
 #include "hide.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "centres.h"
 #include "hiders.h"
+#include "insert.h"
+#include "judge.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
 namespace {
+
+constexpr std::int64_t kFewSteps = 1000;
+constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 
 /// Whether the larger of two circles, its radius taken less the smallest one, may contain the centre of the other.
 bool mayReach(const Circle& a, const Circle& b, double smallest) {
@@ -54,14 +61,11 @@ std::optional<Dual> proofOfClearance(std::span<const Circle> circles) {
   return std::move(centres.dual);
 }
 
-}  // namespace
-
-VisibleCircles hide(OrderedCircles ordered) {
-  auto [circles, indices] = std::move(ordered);
-  if (auto centres = proofOfClearance(circles)) return {std::move(circles), std::move(indices), {}, std::move(centres)};
-
-  const std::vector<int> hider = findHiders(circles, indices);
+VisibleCircles withoutHidden(const OrderedCircles& ordered, const Hiders& found) {
+  const auto& [circles, indices] = ordered;
+  const auto& hider = found.hider;
   VisibleCircles visible;
+  visible.steps = found.steps;
   visible.circles.reserve(circles.size());
   visible.indices.reserve(circles.size());
   for (std::size_t i = 0; i < circles.size(); ++i) {
@@ -75,6 +79,106 @@ VisibleCircles hide(OrderedCircles ordered) {
   std::sort(visible.hidden.begin(), visible.hidden.end(),
             [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
   return visible;
+}
+
+/// Some of the circles that were ordered.
+struct Part {
+  std::vector<Circle> circles;
+  std::vector<int> indices;
+  std::vector<int> places;  ///< of each its place in the order
+
+  Part(const OrderedCircles& ordered, std::vector<int> places_) : places(std::move(places_)) {
+    for (const int i : places) {
+      circles.push_back(ordered.circles[i]);
+      indices.push_back(ordered.indices[i]);
+    }
+  }
+  operator NumberedCircles() const { return {circles, indices}; }
+};
+
+/// Of each centre the largest circle, of equal ones the first, which hides the others.
+Part largestOfEachCentre(const OrderedCircles& ordered) {
+  const auto& circles = ordered.circles;
+  std::vector<int> places;
+  for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
+    // Those with the same centre follow one another.
+    if (places.empty() || circles[i].x != circles[places.back()].x || circles[i].y != circles[places.back()].y) {
+      places.push_back(i);
+    } else if (circles[i].r > circles[places.back()].r) {
+      places.back() = i;
+    }
+  }
+  return {ordered, std::move(places)};
+}
+
+/// Whether a dual is that of the Voronoi diagram, also if the circles might hide one another: if no neighbours do, the
+/// judge's signs are right, and by its theorem every circle's centre is nearest to that circle.
+bool provesVisible(const Dual& dual, std::span<const Circle> circles, Predicates& predicates) {
+  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+    const int i = dual.origin[h];
+    const int j = dual.target(h);
+    if (i != kInfinity && j != kInfinity && predicates.contains(circles[i], circles[j])) return false;
+  }
+  return judge(circles, dual, predicates).isRight();
+}
+
+/// The visible circles as those that insertion leaves a cell, with a proof; nothing if there is none.
+std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
+  const Part apart = largestOfEachCentre(ordered);
+  Predicates predicatesApart(apart.circles);
+  auto inserted = insertAll(apart.circles, predicatesApart);
+  if (!inserted) return std::nullopt;
+
+  // Those that have a cell, numbered anew, and the rest.
+  std::vector<int> numbers(apart.places.size(), kNone);
+  std::vector<char> isVisible(ordered.circles.size());
+  std::vector<int> seen;
+  for (std::size_t i = 0; i < apart.places.size(); ++i) {
+    if (inserted->isHidden[i]) continue;
+    numbers[i] = static_cast<int>(seen.size());
+    isVisible[apart.places[i]] = 1;
+    seen.push_back(apart.places[i]);
+  }
+  std::vector<int> rest;
+  for (int i = 0; i < static_cast<int>(isVisible.size()); ++i) {
+    if (!isVisible[i]) rest.push_back(i);
+  }
+  Dual& dual = inserted->dual;
+  for (int& corner : dual.origin) {
+    if (corner != kInfinity) corner = numbers[corner];
+  }
+  const Part visible(ordered, std::move(seen));
+  const Part hidden(ordered, std::move(rest));
+
+  Predicates predicates(visible.circles);
+  if (!provesVisible(dual, visible.circles, predicates)) return std::nullopt;
+  const Hiders named = findHiders(visible, hidden, kNoLimit);
+  Hiders all{std::vector<int>(ordered.circles.size(), kNone), named.steps + inserted->flips};
+  for (std::size_t j = 0; j < hidden.places.size(); ++j) {
+    const int i = named.hider[j];
+    if (i == kNone) return std::nullopt;
+    all.hider[hidden.places[j]] = visible.places[i];
+  }
+  VisibleCircles result = withoutHidden(ordered, all);
+  result.diagram = std::move(dual);
+  return result;
+}
+
+}  // namespace
+
+VisibleCircles hide(OrderedCircles ordered, std::int64_t mostStepsACircle) {
+  if (auto centres = proofOfClearance(ordered.circles)) {
+    return {std::move(ordered.circles), std::move(ordered.indices), {}, std::move(centres), {}, 0};
+  }
+  const NumberedCircles all{ordered.circles, ordered.indices};
+  const auto count = static_cast<std::int64_t>(ordered.circles.size());
+  const Hiders found = findHiders(all, all, kFewSteps + mostStepsACircle * count);
+  if (!found.hider.empty()) return withoutHidden(ordered, found);
+  if (auto visible = hideByInsertion(ordered)) {
+    visible->steps += found.steps;
+    return *std::move(visible);
+  }
+  return withoutHidden(ordered, findHiders(all, all, kNoLimit));
 }
 
 }  // namespace circle_voronoi

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,9 +18,16 @@ struct VisibleCircles {
   std::vector<int> indices;          ///< of each its index in the input
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
   std::optional<Dual> centres;       ///< their centres' Delaunay triangulation, where it has shown that none is hidden
+  std::optional<Dual> diagram;       ///< the dual of their Voronoi diagram, proven, where it took that to find them
+  std::int64_t steps = 0;            ///< taken to find them: boxes and circles looked at, edges flipped
 };
 
+/// A search for hiders of ordinary circles takes about ten.
+inline constexpr std::int64_t kMostStepsACircle = 60;
+
 /// Takes out the hidden circles. Exact: of identical circles the first stays, a tangent circle inside is hidden.
-VisibleCircles hide(OrderedCircles ordered);
+/// A search for what contains each circle tells them, or, where it takes more steps than those given and 1000, the
+/// construction of their Voronoi diagram (insert.h).
+VisibleCircles hide(OrderedCircles ordered, std::int64_t mostStepsACircle = kMostStepsACircle);
 
 }  // namespace circle_voronoi

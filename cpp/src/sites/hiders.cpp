@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "circle_voronoi/none.h"
@@ -17,7 +16,7 @@
 namespace circle_voronoi {
 namespace {
 
-constexpr int kFanOut = 8;
+constexpr std::size_t kFanOut = 8;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// A box around centres, and the range of their radii.
@@ -77,19 +76,29 @@ class Slope {
   double most_ = -kInfinite;
 };
 
-class Hiders {
+/// Whether a circle hides before another: the larger one, of equal ones the one with the lower index. One that contains
+/// another comes before it, so the first that contains a circle is visible.
+struct Rank {
+  double r = 0;
+  int index = 0;
+
+  bool isBefore(const Rank& other) const { return r != other.r ? r > other.r : index < other.index; }
+};
+
+class Search {
  public:
-  Hiders(std::span<const Circle> circles, std::span<const int> indices)
-      : circles_(circles), indices_(indices), predicates_(circles), hider_(circles.size(), kNone) {
-    std::vector<Node> below(circles.size());
-    for (int i = 0; i < static_cast<int>(circles.size()); ++i) below[i] = {Box::of(circles[i]), {}, i};
+  Search(NumberedCircles circles, NumberedCircles inner)
+      : circles_(circles), inner_(inner), predicates_(circles.circles), hider_(inner.circles.size(), kNone) {
+    const std::size_t count = circles.circles.size();
+    std::vector<Node> below(count);
+    for (std::size_t i = 0; i < count; ++i) below[i] = {Box::of(circles.circles[i]), {}, rankOf(circles, i), {}};
     std::size_t width = 1;
     do {
       width *= kFanOut;
       std::vector<Node> level((below.size() + kFanOut - 1) / kFanOut);
       for (std::size_t i = 0; i < level.size(); ++i) {
         level[i] = over(below, i);
-        level[i].slope = Slope(circles.subspan(i * width, std::min(width, circles.size() - i * width)));
+        level[i].slope = Slope(circles.circles.subspan(i * width, std::min(width, count - i * width)));
       }
       levels_.push_back(std::move(below));
       below = std::move(level);
@@ -97,14 +106,16 @@ class Hiders {
     levels_.push_back(std::move(below));
   }
 
-  std::vector<int> find() && {
-    for (std::size_t leaf = 0; leaf < levels_[1].size(); ++leaf) {
-      std::tie(first_, last_) = children(1, leaf);
-      query_ = levels_[1][leaf].box;
+  Hiders find(std::int64_t limit) && {
+    for (first_ = 0; first_ < hider_.size(); first_ = last_) {
+      last_ = std::min(first_ + kFanOut, hider_.size());
+      query_ = {};
+      for (std::size_t j = first_; j < last_; ++j) query_.include(Box::of(inner_.circles[j]));
       noteLastBound();
       descend(levels_.size() - 1, 0);
+      if (steps_ > limit) return {{}, steps_};
     }
-    return std::move(hider_);
+    return {std::move(hider_), steps_};
   }
 
  private:
@@ -112,25 +123,21 @@ class Hiders {
   struct Node {
     Box box;
     Slope slope;
-    int first = kNone;                          ///< of its circles the one that comes before all others
+    Rank first;                                 ///< of its circles the one that comes before all others
     std::array<std::uint8_t, kFanOut> order{};  ///< its children, each before those whose first comes after its own
   };
 
-  /// Whether a circle hides before another: the larger one, of equal ones the one with the lower index. One that
-  /// contains another comes before it, so the first that contains a circle is visible.
-  bool isBefore(int i, int j) const {
-    return circles_[i].r != circles_[j].r ? circles_[i].r > circles_[j].r : indices_[i] < indices_[j];
-  }
+  static Rank rankOf(NumberedCircles circles, std::size_t i) { return {circles.circles[i].r, circles.indices[i]}; }
 
-  Node over(const std::vector<Node>& below, std::size_t index) const {
+  static Node over(const std::vector<Node>& below, std::size_t index) {
     const std::size_t begin = index * kFanOut;
-    const std::size_t count = std::min<std::size_t>(below.size() - begin, kFanOut);
+    const std::size_t count = std::min(below.size() - begin, kFanOut);
     Node node;
     for (std::size_t child = 0; child < count; ++child) {
       const Node& added = below[begin + child];
       node.box.include(added.box);
       std::size_t place = child;
-      for (; place > 0 && isBefore(added.first, below[begin + node.order[place - 1]].first); --place) {
+      for (; place > 0 && added.first.isBefore(below[begin + node.order[place - 1]].first); --place) {
         node.order[place] = node.order[place - 1];
       }
       node.order[place] = static_cast<std::uint8_t>(child);
@@ -139,28 +146,27 @@ class Hiders {
     return node;
   }
 
-  std::pair<int, int> children(std::size_t level, std::size_t node) const {
-    return {static_cast<int>(node * kFanOut),
-            static_cast<int>(std::min((node + 1) * kFanOut, levels_[level - 1].size()))};
-  }
-
   /// What must come before a circle to hide it and be named.
-  int bound(int j) const { return hider_[j] == kNone ? j : hider_[j]; }
+  Rank bound(std::size_t j) const {
+    return hider_[j] == kNone ? rankOf(inner_, j) : rankOf(circles_, static_cast<std::size_t>(hider_[j]));
+  }
 
   void noteLastBound() {
     lastBound_ = bound(first_);
-    for (int j = first_ + 1; j < last_; ++j) {
-      if (isBefore(lastBound_, bound(j))) lastBound_ = bound(j);
+    for (std::size_t j = first_ + 1; j < last_; ++j) {
+      if (lastBound_.isBefore(bound(j))) lastBound_ = bound(j);
     }
   }
 
   void descend(std::size_t level, std::size_t index) {
     const Node& node = levels_[level][index];
-    const auto [begin, end] = children(level, index);
-    for (int i = 0; i < end - begin; ++i) {
-      const int child = begin + node.order[i];
+    const std::size_t begin = index * kFanOut;
+    const std::size_t count = std::min(levels_[level - 1].size() - begin, kFanOut);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t child = begin + node.order[i];
       const Node& below = levels_[level - 1][child];
-      if (!isBefore(below.first, lastBound_)) return;
+      if (!below.first.isBefore(lastBound_)) return;
+      ++steps_;
       if (!below.box.mayHide(query_) || (level > 1 && !mayHide(below.slope))) continue;
       if (level == 1) {
         tryHider(child);
@@ -171,40 +177,44 @@ class Hiders {
   }
 
   bool mayHide(const Slope& slope) const {
-    const auto query = circles_.subspan(first_, static_cast<std::size_t>(last_ - first_));
+    const auto query = inner_.circles.subspan(first_, last_ - first_);
     return std::any_of(query.begin(), query.end(), [&](const Circle& c) { return slope.mayHide(c); });
   }
 
-  void tryHider(int i) {
+  void tryHider(std::size_t i) {
+    const Circle& outer = circles_.circles[i];
     bool hides = false;
-    for (int j = first_; j < last_; ++j) {
-      if (i == j || !isBefore(i, bound(j))) continue;
-      const Vector v = between(circles_[i], circles_[j]);
-      const double slack = circles_[i].r - circles_[j].r;
-      if (dot(v, v) > slack * slack * (1 + 1e-12) || !predicates_.contains(circles_[i], circles_[j])) continue;
-      hider_[j] = i;
+    for (std::size_t j = first_; j < last_; ++j) {
+      // A circle does not come before itself.
+      if (!rankOf(circles_, i).isBefore(bound(j))) continue;
+      const Circle& c = inner_.circles[j];
+      const Vector v = between(outer, c);
+      const double slack = outer.r - c.r;
+      if (dot(v, v) > slack * slack * (1 + 1e-12) || !predicates_.contains(outer, c)) continue;
+      hider_[j] = static_cast<int>(i);
       hides = true;
     }
     if (hides) noteLastBound();
   }
 
-  std::span<const Circle> circles_;
-  std::span<const int> indices_;
+  NumberedCircles circles_;
+  NumberedCircles inner_;
   Predicates predicates_;
   std::vector<int> hider_;
   std::vector<std::vector<Node>> levels_;  ///< from the circles up to one root
-  // The query: the circles from first_ to before last_, their box, and of their bounds the one that comes last.
-  int first_ = 0;
-  int last_ = 0;
+  std::int64_t steps_ = 0;
+  // The query: the inner circles from first_ to before last_, their box, and of their bounds the one that comes last.
+  std::size_t first_ = 0;
+  std::size_t last_ = 0;
   Box query_;
-  int lastBound_ = 0;
+  Rank lastBound_;
 };
 
 }  // namespace
 
-std::vector<int> findHiders(std::span<const Circle> circles, std::span<const int> indices) {
-  if (circles.empty()) return {};
-  return Hiders(circles, indices).find();
+Hiders findHiders(NumberedCircles circles, NumberedCircles inner, std::int64_t limit) {
+  if (circles.circles.empty()) return {std::vector<int>(inner.circles.size(), kNone), 0};
+  return Search(circles, inner).find(limit);
 }
 
 }  // namespace circle_voronoi

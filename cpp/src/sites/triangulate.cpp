@@ -10,7 +10,8 @@ namespace circle_voronoi {
 
 Sites triangulate(VisibleCircles visible) {
   Dual centres = visible.centres ? *std::move(visible.centres) : delaunay(centresOf(visible.circles)).dual;
-  return {std::move(visible.circles), std::move(visible.indices), std::move(visible.hidden), std::move(centres)};
+  return {std::move(visible.circles), std::move(visible.indices), std::move(visible.hidden), std::move(centres),
+          std::move(visible.diagram)};
 }
 
 }  // namespace circle_voronoi

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "circle_voronoi/circle.h"
@@ -16,6 +17,7 @@ struct Sites {
   std::vector<int> indices;          ///< of each its index in the input
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
   Dual centres;                      ///< the Delaunay triangulation of the visible circles' centres
+  std::optional<Dual> diagram;       ///< the dual of their Voronoi diagram, proven, if it took that to find them
 };
 
 /// Triangulates the centres of visible circles.

@@ -17,7 +17,7 @@ class Flipper {
 
   Flips run() {
     // Far more flips than any input seen needs.
-    const std::int64_t limit = 1000 + 10 * static_cast<std::int64_t>(dual_.faceCount());
+    const std::int64_t limit = 1000 + 6 * static_cast<std::int64_t>(dual_.faceCount());
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
       if (first > dual_.twin[first]) continue;
       stack_.push_back(first);

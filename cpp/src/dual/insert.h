@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "dual.h"
+#include "predicates.h"
+
+namespace circle_voronoi {
+
+struct Inserted {
+  Dual dual;                   ///< of those that are not hidden, in no particular order
+  std::vector<char> isHidden;  ///< whether a circle lies in another one
+  std::int64_t flips = 0;
+};
+
+/// The dual of the Voronoi diagram of circles in spatial order, no two of them with the same centre, by inserting one
+/// after the other in random rounds: of any circles n log n steps are expected (K. Mehlhorn, S. Meiser, C. O'Dunlaing,
+/// "On the construction of abstract Voronoi diagrams", 1991; K. L. Clarkson, P. W. Shor, "Applications of random
+/// sampling in computational geometry, II", 1989). A new circle cuts an edge of the cell that its centre lies in, and
+/// flips take the edges away that its cell has all of. A circle that is inside another gets no cell, or loses it.
+///
+/// Where more than three circles touch one disc, or nearly, a circle may come to a wrong place: the result is to be
+/// judged. Nothing if that went so far that time ran away.
+std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates);
+
+}  // namespace circle_voronoi

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "infinity.h"
+
+namespace circle_voronoi {
+
+/// Circles that wait, each in a list of a half-edge. A list moves as a whole in one step.
+class WaitingCircles {
+ public:
+  explicit WaitingCircles(std::size_t circleCount) : next_(circleCount, kEnd), listOf_(circleCount, kInfinity) {}
+
+  /// The half-edge in whose list a circle was put last, or kInfinity if it does not wait.
+  int listOf(int circle) const { return listOf_[circle]; }
+
+  /// From now on the circle does not wait; it is taken out of its list as that is taken.
+  void leave(int circle) { listOf_[circle] = kInfinity; }
+
+  /// Makes room for the lists of so many half-edges.
+  void resize(std::size_t halfEdgeCount) { lists_.resize(halfEdgeCount); }
+
+  void add(int h, int circle) {
+    listOf_[circle] = h;
+    next_[circle] = lists_[h].first;
+    if (lists_[h].first == kEnd) lists_[h].last = circle;
+    lists_[h].first = circle;
+  }
+
+  /// Puts all that wait at one half-edge before those at another.
+  void move(int from, int to) {
+    List& moved = lists_[from];
+    if (moved.first == kEnd) return;
+    next_[moved.last] = lists_[to].first;
+    if (lists_[to].first == kEnd) lists_[to].last = moved.last;
+    lists_[to].first = moved.first;
+    moved = {};
+  }
+
+  /// Appends those of a list that still wait, and leaves it empty.
+  void take(int h, std::vector<int>& taken) {
+    for (int circle = lists_[h].first; circle != kEnd; circle = next_[circle]) {
+      if (listOf_[circle] != kInfinity) taken.push_back(circle);
+    }
+    lists_[h] = {};
+  }
+
+ private:
+  static constexpr int kEnd = -1;
+  struct List {
+    int first = kEnd;
+    int last = kEnd;
+  };
+  std::vector<List> lists_;  ///< of each half-edge
+  std::vector<int> next_;    ///< of each circle the one after it in its list
+  std::vector<int> listOf_;
+};
+
+}  // namespace circle_voronoi
