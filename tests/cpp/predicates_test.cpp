@@ -187,6 +187,22 @@ TEST(Predicates, AgreeWithExactArithmeticOnRandomCircles) {
   }
 }
 
+// Directions are told apart by an axis that no short numbers lie along; these do.
+TEST(Predicates, AgreeWithExactArithmeticAlongTheAxisItself) {
+  for (const double r : {0.0, 1.0}) {
+    std::vector<Circle> circles;
+    for (const double step : {-1.0, 0.0, 2.0}) circles.push_back({step * exact::kAxisY, -step * exact::kAxisX, r});
+    const exact::Face above = {&circles[0], &circles[1], nullptr};
+    const exact::Face below = {&circles[1], &circles[0], nullptr};
+    ASSERT_EQ(exact::directionSign(above, circles[0], 1), 0);
+    ASSERT_EQ(exact::directionSign(above, circles[0], 0), -exact::directionSign(below, circles[0], 0));
+    compare(circles);
+    // Not along it, for the half-planes to turn at it.
+    circles.push_back({exact::kAxisX, exact::kAxisY, r});
+    compare(circles);
+  }
+}
+
 TEST(Predicates, TangentSideOfACircleSoNearThatSquaresUnderflow) {
   Random random(test::seedOr(1));
   for (int trial = 0; trial < 2000; ++trial) {
