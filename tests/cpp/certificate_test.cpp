@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/compute.h"
@@ -64,6 +65,16 @@ TEST(Certificate, NamesTheVertexThatIsElsewhere) {
   const Certificate certificate = judged(kSquare, diagram);
   EXPECT_EQ(certificate.flaw, Flaw::vertexMisplaced);
   EXPECT_EQ(certificate.vertex, 1);
+}
+
+// It touches the same three circles, but clockwise.
+TEST(Certificate, RefusesTheDiscOnTheOtherSide) {
+  const std::vector<Circle> circles = {{-5, 0, 4}, {5, 0, 4}, {0, 0, 0.1}};
+  Diagram diagram = diagramOf(circles);
+  ASSERT_EQ(diagram.vertices.size(), 2U);
+  EXPECT_EQ(judged(circles, diagram).flaw, Flaw::none);
+  std::swap(diagram.vertices[0], diagram.vertices[1]);
+  EXPECT_EQ(judged(circles, diagram).flaw, Flaw::vertexMisplaced);
 }
 
 TEST(Certificate, AcceptsVerticesRoundedOtherwise) {

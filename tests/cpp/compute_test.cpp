@@ -268,6 +268,11 @@ TEST(ComputeOptions, ProgressGrowsInSampling) {
   }
 }
 
+TEST(Compute, VerticesBeginWithTheirFirstCircle) {
+  const Diagram diagram = compute(generate(Family::uniform, 100, 1)).value();
+  for (const auto& triple : diagram.vertexCircles) EXPECT_EQ(triple[0], *std::ranges::min_element(triple));
+}
+
 // However many samples there are, a computation can be stopped while they are paired.
 TEST(ComputeOptions, ProgressGrowsInPairing) {
   constexpr double kMost = 0.1;  // of the stage, between two calls

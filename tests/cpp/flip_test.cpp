@@ -50,6 +50,19 @@ TEST(Flip, RightsRandomFlips) {
   std::cout << righted << " of " << broken << " broken duals flipped back\n";
 }
 
+// Where two faces have the same corner opposite their edge, the flipped edge would go from that corner to itself.
+TEST(Flip, MakesNoEdgeFromACircleToItself) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (std::uint64_t trial = 0; trial < 500; ++trial) {
+    Random random(seed * 1'000'003 + trial);
+    const auto circles = visibleCircles(Family::logUniform, 4 + random.below(4), random.next());
+    Dual dual = *solve(circles);
+    test::flipRandomEdges(dual, 8, random);
+    flipAll(circles, dual);
+    for (int h = 0; h < dual.halfEdgeCount(); ++h) ASSERT_NE(dual.origin[h], dual.target(h)) << "trial " << trial;
+  }
+}
+
 TEST(Flip, DoesNothingToARightDual) {
   for (const Family family : kFamilies) {
     const auto circles = visibleCircles(family, 40, 3);

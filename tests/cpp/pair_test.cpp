@@ -26,5 +26,11 @@ TEST(Pairs, OfCoincidingSamples) {
   EXPECT_EQ(pairNeighbors(samples, 2), (Pairs{{0, 1}}));
 }
 
+// As many as there are, though none has another sample.
+TEST(Pairs, OfOneSampleThatManyShare) {
+  const Samples samples = {{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, {3, 0, 2, 1}};
+  EXPECT_EQ(pairNeighbors(samples, 4), pairAll(4));
+}
+
 }  // namespace
 }  // namespace circle_voronoi
