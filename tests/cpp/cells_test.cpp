@@ -347,6 +347,16 @@ TEST(Cells, TheCentroidOfAnOutlineWithoutAreaIsThatOfItsPoints) {
   const Outline thin = {{{segment(p, q)}, {segment(q, r)}, {segment(r, p)}}};
   EXPECT_NEAR(centroid(thin).x, q.x, 1e-15);
   EXPECT_NEAR(centroid(thin).y, q.y, 1e-15);
+  // As thin as rounding makes them, either way round.
+  Random random(1);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double slope = random.uniform(-1, 1);
+    const auto on = [&](double x) { return Point{x, slope * x}; };
+    const double x = random.uniform(0, 1);
+    const Outline sliver = {{{segment(on(0), on(x))}, {segment(on(x), on(1))}, {segment(on(1), on(0))}}};
+    EXPECT_NEAR(centroid(sliver).x, (x + 1) / 3, 1e-12) << slope << ", " << x;
+    EXPECT_NEAR(centroid(sliver).y, slope * (x + 1) / 3, 1e-12) << slope << ", " << x;
+  }
 }
 
 }  // namespace
