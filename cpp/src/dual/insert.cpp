@@ -68,7 +68,7 @@ class Inserter {
       start(order[0], order[second]);
       for (std::size_t i = second + 1; i < order.size(); ++i) wait(order[i], order[0], order[second]);
       for (std::size_t i = second + 1; i < order.size(); ++i) {
-        if (!insert(order[i])) return std::nullopt;
+        if (!isHidden_[order[i]] && !insert(order[i])) return std::nullopt;
       }
     }
     return Inserted{compact(), std::move(isHidden_), flips_};
@@ -93,9 +93,18 @@ class Inserter {
 
   double distance(int from, int to) const { return length(between(circles_[from], circles_[to])) - circles_[to].r; }
 
+  /// Whether the circle of the cell in which the centre of circle j lies hides j, which then waits no longer.
+  bool isKnownHidden(int i, int j) {
+    if (!hides(i, j)) return false;
+    isHidden_[j] = 1;
+    waiting_.leave(j);
+    return true;
+  }
+
   /// Lets a circle wait in one of the first two cells.
   void wait(int j, int a, int b) {
     const int from = distance(j, a) <= distance(j, b) ? a : b;
+    if (isKnownHidden(from, j)) return;
     const int h = edgeOf_[from];
     waiting_.add(nearness(from, from == a ? b : a, j) > 0 ? h : dual_.twin[Dual::previous(h)], j);
   }
@@ -473,7 +482,7 @@ class Inserter {
     for (const int h : {right, toNew, left}) waiting_.take(h, movers_);
     for (const int j : movers_) {
       if (distance(j, i) < distance(j, a)) {
-        arrivals_.push_back(j);
+        if (!isKnownHidden(i, j)) arrivals_.push_back(j);
         continue;
       }
       int h = nearer(right, left, j);
