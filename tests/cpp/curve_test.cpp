@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "chord.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
 #include "random.h"
@@ -241,6 +242,7 @@ TEST(Curve, CubicsAndPolylinesKeepTheTolerance) {
       }
     }
     EXPECT_LE(cubics.size(), points.size() - 1);
+    EXPECT_EQ(isNearChord(arc, tolerance), points.size() == 2);
   }
 }
 

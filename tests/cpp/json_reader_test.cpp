@@ -70,6 +70,24 @@ bool isSkipped(const std::string& text) {
   }
 }
 
+/// The keys of an object of numbers, those of `names` asked for in turn by name.
+std::vector<std::string> keysOf(const std::string& text, const std::vector<std::string>& names, std::size_t& plain) {
+  JsonReader reader(text);
+  reader.enterObject();
+  std::vector<std::string> keys;
+  for (std::size_t i = 0;; ++i) {
+    if (i < names.size() && reader.nextKeyIs(names[i])) {
+      ++plain;
+      keys.push_back(names[i]);
+    } else if (const auto key = reader.nextKey()) {
+      keys.emplace_back(*key);
+    } else {
+      return keys;
+    }
+    (void)reader.number();
+  }
+}
+
 /// The other parser's answer; integers as doubles.
 std::optional<Json> expected(const std::string& text) {
   // It takes a byte-order mark, which is not part of JSON.
@@ -129,6 +147,33 @@ void expectTheSame(const std::string& text) {
   if (ours) {
     // Their numbers may be integers; comparison of numbers does not look at that.
     ASSERT_EQ(*ours, *theirs) << text;
+  }
+}
+
+TEST(JsonReader, AKeyAskedForByNameIsReadOnlyIfItComesNext) {
+  const std::vector<std::string> names = {"x", "y", "r"};
+  struct Case {
+    std::string text;
+    std::vector<std::string> keys;
+    std::size_t plain;
+  };
+  const Case cases[] = {{R"({"x": 1, "y": 2, "r": 3})", names, 3},
+                        {R"({"x":1,"y":2,"r":3})", names, 1},
+                        {R"({ "x": 1, "y" : 2, "r": 3})", names, 1},
+                        {R"({"x": 1, "yr": 2})", {"x", "yr"}, 1},
+                        {R"({"y": 1, "x": 2})", {"y", "x"}, 0},
+                        {R"({"\u0078": 1, "y": 2})", {"x", "y"}, 1},
+                        {R"({"x": 1, "y": 2, "r": 3, "s": 4})", {"x", "y", "r", "s"}, 3},
+                        {"{}", {}, 0}};
+  for (const auto& [text, keys, plain] : cases) {
+    std::size_t count = 0;
+    EXPECT_EQ(keysOf(text, names, count), keys) << text;
+    EXPECT_EQ(count, plain) << text;
+  }
+  for (const std::string text :
+       {R"({"x)", R"({"x")", R"({"x":)", R"({"x": 1, "y)", R"({"x": 1, "y": 2 "r": 3})", R"({"x": 1 "y": 2})"}) {
+    std::size_t count = 0;
+    EXPECT_THROW(keysOf(text, names, count), ReadFailure) << text;
   }
 }
 

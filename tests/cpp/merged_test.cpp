@@ -12,6 +12,7 @@
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
+#include "near_vertices.h"
 
 namespace circle_voronoi {
 namespace {
@@ -52,6 +53,19 @@ TEST(Merged, GridHasVerticesOfDegreeFour) {
   for (std::size_t v = 0; v < 81; ++v) {
     const std::int32_t* around = &merged.circles[merged.firstCircle[v]];
     EXPECT_EQ((Around{around, around + 4}), (Around{around[0], around[0] + 1, around[0] + 11, around[0] + 10}));
+  }
+}
+
+TEST(Merged, EachVertexIsWhereTheFirstOfItsMergedVertexIs) {
+  for (const Family family : {Family::grid, Family::hexagonal, Family::cocircularEqual, Family::uniform}) {
+    const auto circles = generate(family, 200, 1);
+    const Diagram diagram = compute(circles).value();
+    const auto& merged = mergeVertices(circles, diagram).mergedVertex;
+    const auto firstHere = firstVerticesHere(circles, diagram);
+    ASSERT_EQ(firstHere.size(), merged.size());
+    for (std::size_t v = 0; v < merged.size(); ++v) {
+      EXPECT_EQ(firstHere[v], std::ranges::find(merged, merged[v]) - merged.begin());
+    }
   }
 }
 

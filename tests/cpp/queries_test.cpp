@@ -214,8 +214,10 @@ TEST(Query, NeighborPairsAreThoseOfTheEdges) {
   for (const Edge& edge : diagram.edges) {
     expected.insert({std::min(edge.left, edge.right), std::max(edge.left, edge.right)});
   }
+  ASSERT_LT(expected.size(), diagram.edges.size());  // some share several
   const auto pairs = neighborPairs(diagram);
   EXPECT_TRUE(std::ranges::equal(pairs, expected));
+  EXPECT_TRUE(neighborPairs({}).empty());
 }
 
 TEST(Query, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chord.h"
 #include "circle_voronoi/curve.h"
 #include "scale.h"
 
@@ -15,6 +16,8 @@ namespace circle_voronoi {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Of an arc's extent: the least tolerance of a polyline.
+constexpr double kFinestPolyline = 1e-9;
 
 /// w - 1
 double excessOf(double from, double to) {
@@ -82,6 +85,13 @@ double atLeast(double share, const EdgeCurve& curve, double tolerance) {
   return tolerance / unit > least ? tolerance / unit : least;
 }
 
+/// Whether an arc is nearer to its chord than a tolerance in the unit of the bisector, quickly; not so if that is not
+/// plain. The error is at most w - 1 times |a| but for rounding.
+bool isPlainlyStraight(const EdgeCurve& curve, double tolerance) {
+  constexpr double kShare = 1 - 0x1p-40;
+  return excessOf(curve.from, curve.to) * std::abs(curve.bisector.a) <= kShare * tolerance;
+}
+
 Point mix(Point p, Point q, double share) { return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)}; }
 
 /// Where the tangents at two parameters meet: the polar form of the branch.
@@ -139,12 +149,15 @@ std::vector<CubicBezier> cubicBeziers(const EdgeCurve& curve, double tolerance) 
   return pieces;
 }
 
-std::vector<Point> polyline(const EdgeCurve& curve, double tolerance) {
+bool isNearChord(const EdgeCurve& curve, double tolerance) {
   // Most arcs are short.
-  if (chordError(curve.bisector, curve.from, curve.to) <= tolerance / curve.bisector.unit) {
-    return {curve.start, curve.end};
-  }
-  tolerance = atLeast(1e-9, curve, tolerance);
+  if (curve.isStraight() || isPlainlyStraight(curve, tolerance / curve.bisector.unit)) return true;
+  return !(chordError(curve.bisector, curve.from, curve.to) > atLeast(kFinestPolyline, curve, tolerance));
+}
+
+std::vector<Point> polyline(const EdgeCurve& curve, double tolerance) {
+  if (isNearChord(curve, tolerance)) return {curve.start, curve.end};
+  tolerance = atLeast(kFinestPolyline, curve, tolerance);
   std::vector<Point> points = {curve.start};
   double from = farthest(curve.bisector, curve.from, curve.to, tolerance, chordError);
   while (from < curve.to) {

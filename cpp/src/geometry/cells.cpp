@@ -18,13 +18,15 @@ Cells::Cells(std::span<const Circle> circles, const Diagram& diagram, Metric met
   for (std::int32_t side = 0; side < sideCount; ++side) ++first_[index(circleOf(side)) + 1];
   for (std::size_t i = 0; i < circles.size(); ++i) first_[i + 1] += first_[i];
 
-  // The sides of a cell form one cycle, infinity included.
+  // The sides of a cell form one cycle, infinity included, which begins at the first. Cells in the order of their edges
+  // are near to each other in memory, whatever the order of the circles.
   const std::vector<std::int32_t> next = nextSides();
-  std::vector<std::int32_t> some(circles.size(), kNone);
-  for (std::int32_t side = sideCount - 1; side >= 0; --side) some[index(circleOf(side))] = side;
-  sides_.reserve(index(sideCount));
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    for (std::int32_t side = some[i]; sides_.size() < first_[i + 1]; side = next[index(side)]) sides_.push_back(side);
+  sides_.assign(index(sideCount), kNone);
+  for (std::int32_t begin = 0; begin < sideCount; ++begin) {
+    const std::size_t i = index(circleOf(begin));
+    if (sides_[first_[i]] != kNone) continue;
+    std::int32_t side = begin;
+    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k, side = next[index(side)]) sides_[k] = side;
   }
 }
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
+#include "near_vertices.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -27,6 +29,12 @@ class Sets {
     parent_[std::max(i, j)] = std::min(i, j);
   }
 
+  /// Of each index the one that stands for its set.
+  std::vector<std::int32_t> first() && {
+    for (std::int32_t& parent : parent_) parent = parent_[parent];  // of a smaller index, and so done before
+    return std::move(parent_);
+  }
+
  private:
   std::vector<std::int32_t> parent_;
 };
@@ -41,7 +49,27 @@ double roundingError(const Vertex& vertex, const std::array<std::int32_t, 3>& tr
   return 0x1p-40 * size;
 }
 
+/// Whether an edge between vertices is of length near zero.
+bool isShortEdge(const Edge& edge, std::span<const Circle> circles, const Diagram& diagram, double nearZero) {
+  if (edge.start == kNone || edge.end == kNone) return false;
+  const Vertex& s = diagram.vertices[edge.start];
+  const Vertex& t = diagram.vertices[edge.end];
+  const double limit = nearZero >= 0 ? nearZero
+                                     : roundingError(s, diagram.vertexCircles[edge.start], circles) +
+                                           roundingError(t, diagram.vertexCircles[edge.end], circles);
+  return !(lengthOf({t.x - s.x, t.y - s.y}) > limit);
+}
+
 }  // namespace
+
+std::vector<std::int32_t> firstVerticesHere(std::span<const Circle> circles, const Diagram& diagram) {
+  constexpr double kByRounding = -1;
+  Sets sets(diagram.vertices.size());
+  for (const Edge& edge : diagram.edges) {
+    if (isShortEdge(edge, circles, diagram, kByRounding)) sets.unite(edge.start, edge.end);
+  }
+  return std::move(sets).first();
+}
 
 MergedDiagram mergeVertices(std::span<const Circle> circles, const Diagram& diagram, double nearZero) {
   const std::size_t count = diagram.vertices.size();
@@ -59,13 +87,7 @@ MergedDiagram mergeVertices(std::span<const Circle> circles, const Diagram& diag
     const auto index = static_cast<std::int32_t>(e);
     if (edge.start != kNone) edgeAt[edge.start][cornerOf(edge.start, edge.right)] = index;
     if (edge.end != kNone) edgeAt[edge.end][cornerOf(edge.end, edge.left)] = index;
-    if (edge.start == kNone || edge.end == kNone) continue;
-    const Vertex& s = diagram.vertices[edge.start];
-    const Vertex& t = diagram.vertices[edge.end];
-    const double limit = nearZero >= 0 ? nearZero
-                                       : roundingError(s, diagram.vertexCircles[edge.start], circles) +
-                                             roundingError(t, diagram.vertexCircles[edge.end], circles);
-    if (lengthOf({t.x - s.x, t.y - s.y}) > limit) continue;
+    if (!isShortEdge(edge, circles, diagram, nearZero)) continue;
     isShort[e] = true;
     sets.unite(edge.start, edge.end);
   }

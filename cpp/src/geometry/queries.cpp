@@ -2,18 +2,29 @@
 #include "circle_voronoi/queries.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "scale.h"
 
 namespace circle_voronoi {
 
 std::vector<std::array<std::int32_t, 2>> neighborPairs(const Diagram& diagram) {
-  std::vector<std::array<std::int32_t, 2>> pairs;
-  pairs.reserve(diagram.edges.size());
+  // First by the smaller index, then those of each: few.
+  std::int32_t last = kNone;
+  for (const Edge& edge : diagram.edges) last = std::max(last, std::min(edge.left, edge.right));
+  std::vector<std::size_t> end(static_cast<std::size_t>(last) + 2);
+  for (const Edge& edge : diagram.edges) ++end[static_cast<std::size_t>(std::min(edge.left, edge.right)) + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<std::array<std::int32_t, 2>> pairs(diagram.edges.size());
   for (const Edge& edge : diagram.edges) {
-    pairs.push_back({std::min(edge.left, edge.right), std::max(edge.left, edge.right)});
+    const auto [smaller, larger] = std::minmax(edge.left, edge.right);
+    pairs[end[static_cast<std::size_t>(smaller)]++] = {smaller, larger};
   }
-  std::ranges::sort(pairs);
+  std::size_t begin = 0;
+  for (const std::size_t stop : end) {
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.begin() + static_cast<std::ptrdiff_t>(stop));
+    begin = stop;
+  }
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "arc_measure.h"
-#include "circle_voronoi/merged.h"
+#include "chord.h"
+#include "near_vertices.h"
 #include "scale.h"
 #include "vectors.h"
 
@@ -60,6 +61,13 @@ std::vector<Point> pointsBetween(const EdgeCurve& curve, Point start, Point end,
   return points;
 }
 
+/// Whether pointsBetween has none but the ends.
+bool isOneStep(const EdgeCurve& curve, Point start, Point end, double tolerance) {
+  if (start == end) return true;
+  return isNearChord(curve, tolerance) &&
+         turnsAround(curve.bisector.left, curve.bisector.right, curve.start, curve.end);
+}
+
 /// Whether the area of a counter-clockwise ring is more than what rounding of its points can make.
 bool hasArea(const std::vector<Point>& ring) {
   if (ring.size() < 3) return false;
@@ -88,44 +96,49 @@ void closeRing(std::vector<Point>& ring) {
 }  // namespace
 
 CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame), region_(frame.box) {
-  MergedDiagram merged = mergeVertices(frame.cells.circles(), frame.cells.diagram());
-  places_.reserve(merged.vertices.size());
-  for (const Vertex& vertex : merged.vertices) places_.push_back({vertex.x, vertex.y});
-  mergedVertex_ = std::move(merged.mergedVertex);
+  const Diagram& diagram = frame.cells.diagram();
+  const std::vector<std::int32_t> firstHere = firstVerticesHere(frame.cells.circles(), diagram);
+  places_.reserve(firstHere.size());
+  for (const std::int32_t v : firstHere)
+    places_.push_back({diagram.vertices[index(v)].x, diagram.vertices[index(v)].y});
   followEdges();
-  roundPoints();
+  roundPoints(firstHere);
 }
 
 void CellPolygons::followEdges() {
   const auto& edges = frame_.cells.diagram().edges;
   isInside_.reserve(edges.size());
-  beyond_.reserve(edges.size());
-  firstInner_.reserve(edges.size() + 1);
+  arcs_.reserve(edges.size() + 1);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const EdgeCurve curve = edgeCurve(frame_.cells.circles(), frame_.cells.diagram(), static_cast<std::int32_t>(e));
     isInside_.push_back(circle_voronoi::isInside(frame_, edges[e], curve));
-    firstInner_.push_back(inner_.size());
-    beyond_.push_back(0);
+    arcs_.push_back({inner_.size()});
     if (!isInside_.back() || curve.isStraight()) continue;
-    beyond_.back() = momentsOverChord(curve, curve.start, 1).area;
-    const auto points = pointsBetween(curve, placeOf(edges[e].start), placeOf(edges[e].end), frame_.tolerance);
+    arcs_.back().beyond = momentsOverChord(curve, curve.start, 1).area;
+    const Point start = placeOf(edges[e].start);
+    const Point end = placeOf(edges[e].end);
+    if (isOneStep(curve, start, end, frame_.tolerance)) continue;
+    const auto points = pointsBetween(curve, start, end, frame_.tolerance);
     if (points.size() > 2) inner_.insert(inner_.end(), points.begin() + 1, points.end() - 1);
   }
-  firstInner_.push_back(inner_.size());
+  arcs_.push_back({inner_.size()});
 }
 
 /// Rounds what only edges inside the box have, and takes it back for edges that it turns around: then each step still
 /// turns around both foci, and polygons of such steps do not cross themselves.
-void CellPolygons::roundPoints() {
+void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
   const auto& edges = frame_.cells.diagram().edges;
   const std::vector<Point> exactPlaces = places_;
   const std::vector<Point> exactInner = inner_;
   for (Point& p : places_) p = frame_.round(p);
   for (Point& p : inner_) p = frame_.round(p);
+  // What is taken back is so for the first of the vertices that are one point.
+  std::vector<bool> isRestored(places_.size(), false);
+  const auto firstOf = [&](std::int32_t vertex) { return index(firstHere[index(vertex)]); };
   const auto restorePlace = [&](std::int32_t vertex) {
     if (vertex == kNone) return;
-    const std::size_t v = index(mergedVertex_[index(vertex)]);
-    places_[v] = exactPlaces[v];
+    places_[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
+    isRestored[firstOf(vertex)] = true;
   };
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (isInside_[e]) continue;
@@ -136,34 +149,39 @@ void CellPolygons::roundPoints() {
   for (int round = 0; !isDone && round < kMostRounds; ++round) {
     isDone = true;
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (!isInside_[e] || turnsRight(static_cast<std::int32_t>(e))) continue;
-      const Point start = placeOf(edges[e].start);
-      const Point end = placeOf(edges[e].end);
+      if (!isInside_[e]) continue;
+      const std::size_t start = firstOf(edges[e].start);
+      const std::size_t end = firstOf(edges[e].end);
+      // After the first round only edges at a place that was taken back can have changed.
+      if (round > 0 && !isRestored[start] && !isRestored[end]) continue;
+      const Point from = places_[start];
+      const Point to = places_[end];
+      if (start == end || turnsRight(static_cast<std::int32_t>(e), from, to)) continue;
       restorePlace(edges[e].start);
       restorePlace(edges[e].end);
-      bool isChanged = start != placeOf(edges[e].start) || end != placeOf(edges[e].end);
-      for (std::size_t k = firstInner_[e]; k < firstInner_[e + 1]; ++k) {
+      bool isChanged = from != places_[start] || to != places_[end];
+      for (std::size_t k = arcs_[e].firstInner; k < arcs_[e + 1].firstInner; ++k) {
         isChanged = isChanged || inner_[k] != exactInner[k];
         inner_[k] = exactInner[k];
       }
       isDone = isDone && !isChanged;
     }
   }
-  if (isDone) return;
-  places_ = exactPlaces;
-  inner_ = exactInner;
+  if (!isDone) {
+    places_ = exactPlaces;
+    inner_ = exactInner;
+  }
+  for (std::size_t v = 0; v < places_.size(); ++v) places_[v] = places_[index(firstHere[v])];
 }
 
 /// Whether each step of an edge, as its points are now, turns around both foci and is farther from them than rounding
 /// can move it.
-bool CellPolygons::turnsRight(std::int32_t edge) const {
+bool CellPolygons::turnsRight(std::int32_t edge, Point start, Point end) const {
   const Edge& ends = frame_.cells.diagram().edges[index(edge)];
   const auto circles = frame_.cells.circles();
   const Point left = {circles[index(ends.left)].x, circles[index(ends.left)].y};
   const Point right = {circles[index(ends.right)].x, circles[index(ends.right)].y};
-  const Point end = placeOf(ends.end);
-  Point p = placeOf(ends.start);
-  if (p == end && mergedVertex_[index(ends.start)] == mergedVertex_[index(ends.end)]) return true;
+  Point p = start;
   const auto isFar = [&](Point q) {
     const double least = 2 * frame_.grid.error();
     const auto isBeyond = [&](Vector v) { return std::max(std::abs(v.x), std::abs(v.y)) > least; };
@@ -175,6 +193,24 @@ bool CellPolygons::turnsRight(std::int32_t edge) const {
     return isRight;
   };
   return std::ranges::all_of(innerPoints(edge), stepsTo) && stepsTo(end);
+}
+
+/// What prefetchPoints, isWhole, area and rings ask for first.
+void CellPolygons::prefetchEdges(std::int32_t circle) const {
+  for (const std::int32_t side : frame_.cells.sides(circle)) {
+    prefetch(frame_.cells.diagram().edges, index(side / 2));
+    prefetch(arcs_, index(side / 2));
+  }
+}
+
+void CellPolygons::prefetchPoints(std::int32_t circle) const {
+  for (const std::int32_t side : frame_.cells.sides(circle)) {
+    prefetch(inner_, arcs_[index(side / 2)].firstInner);
+    const std::int32_t vertex = frame_.cells.originOf(side);
+    if (vertex == kNone) continue;
+    prefetch(places_, index(vertex));
+    prefetch(frame_.cells.diagram().vertices, index(vertex));
+  }
 }
 
 bool CellPolygons::isWhole(std::int32_t circle) const {
@@ -274,7 +310,8 @@ double CellPolygons::area(std::int32_t circle) const {
     double sum = 0;
     for (const std::int32_t side : sides) {
       const Vector next = vectorTo(reference, vertexAt(side));
-      sum += cross(last, next) / 2 + (side % 2 == 0 ? beyond_[index(side / 2)] : -beyond_[index(side / 2)]);
+      const double beyond = arcs_[index(side / 2)].beyond;
+      sum += cross(last, next) / 2 + (side % 2 == 0 ? beyond : -beyond);
       last = next;
     }
     if (isSafe(sum) && sum > 0) return sum;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "export_frame.h"
+#include "visit_ahead.h"
 
 namespace circle_voronoi {
 
@@ -25,6 +26,14 @@ class CellPolygons {
   /// is but rounding error.
   std::vector<Ring> rings(std::int32_t circle) const;
 
+  /// Calls `visitCell` with each circle in order; quicker than doing so without this.
+  template <class VisitCell>
+  void visit(VisitCell visitCell) const {
+    visitAhead(
+        static_cast<std::int32_t>(frame_.cells.circles().size()), [&](std::int32_t i) { prefetchEdges(i); },
+        [&](std::int32_t i) { prefetchPoints(i); }, visitCell);
+  }
+
   /// The parts of an edge inside the box, from its start to its end.
   std::vector<Ring> polylines(std::int32_t edge) const;
 
@@ -34,17 +43,17 @@ class CellPolygons {
  private:
   std::span<const Point> innerPoints(std::int32_t edge) const {
     const auto e = static_cast<std::size_t>(edge);
-    return std::span(inner_).subspan(firstInner_[e], firstInner_[e + 1] - firstInner_[e]);
+    return std::span(inner_).subspan(arcs_[e].firstInner, arcs_[e + 1].firstInner - arcs_[e].firstInner);
   }
   bool isInside(std::int32_t edge) const { return isInside_[static_cast<std::size_t>(edge)]; }
   bool isWhole(std::int32_t circle) const;
-  Point placeOf(std::int32_t vertex) const {
-    return places_[static_cast<std::size_t>(mergedVertex_[static_cast<std::size_t>(vertex)])];
-  }
+  Point placeOf(std::int32_t vertex) const { return places_[static_cast<std::size_t>(vertex)]; }
 
   void followEdges();
-  void roundPoints();
-  bool turnsRight(std::int32_t edge) const;
+  void roundPoints(const std::vector<std::int32_t>& firstHere);
+  void prefetchEdges(std::int32_t circle) const;
+  void prefetchPoints(std::int32_t circle) const;
+  bool turnsRight(std::int32_t edge, Point start, Point end) const;
 
   template <class Add>
   void addSide(std::int32_t side, Add add) const;
@@ -54,15 +63,17 @@ class CellPolygons {
 
   const ExportFrame& frame_;
   ConvexPolygon region_;
-  /// Vertices joined by edges of length near zero are one point, so that rounding cannot turn such an edge around.
-  std::vector<std::int32_t> mergedVertex_;
-  std::vector<Point> places_;  ///< of each merged vertex
+  /// Of each vertex; those joined by edges of length near zero have one, so that rounding cannot turn such an edge
+  /// around.
+  std::vector<Point> places_;
   std::vector<bool> isInside_;
-  /// Of edges inside the box: the points between its ends, those of edge e from firstInner_[e] to firstInner_[e + 1],
-  /// and the area between the arc and the chord of its vertices, positive to the right.
-  std::vector<std::size_t> firstInner_;
+  /// Of an edge inside the box.
+  struct Arc {
+    std::size_t firstInner;  ///< of its points between its ends, in inner_; they end where those of the next edge begin
+    double beyond = 0;       ///< the area between the arc and the chord of its vertices, positive to the right
+  };
+  std::vector<Arc> arcs_;
   std::vector<Point> inner_;
-  std::vector<double> beyond_;
 };
 
 }  // namespace circle_voronoi

@@ -52,6 +52,8 @@ class JsonReader {
   }
   /// The same for an object: the key of the next value, valid until the next key or string is read.
   std::optional<std::string_view> nextKey();
+  /// Goes on to the next key if it is plainly this one, as text of ours has it; if not, reads nothing.
+  bool nextKeyIs(std::string_view key);
 
   /// The nearest double; a minus sign before zero is kept.
   double number();
@@ -137,6 +139,21 @@ inline std::optional<std::string_view> JsonReader::nextKey() {
   if (isAtEnd() || text_[at_] != ':') failSyntax("a colon after a key");
   ++at_;
   return key;
+}
+
+inline bool JsonReader::nextKeyIs(std::string_view key) {
+  std::string_view rest = text_.substr(at_);
+  if (!isFirst_) {
+    if (!rest.starts_with(", ")) return false;
+    rest.remove_prefix(2);
+  }
+  if (rest.size() < key.size() + 3 || rest[0] != '"' || rest.substr(1, key.size()) != key ||
+      rest[key.size() + 1] != '"' || rest[key.size() + 2] != ':') {
+    return false;
+  }
+  isFirst_ = false;
+  at_ = text_.size() - rest.size() + key.size() + 3;
+  return true;
 }
 
 template <class Integer>

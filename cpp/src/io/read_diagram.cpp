@@ -152,13 +152,18 @@ class DiagramReader {
     std::array<bool, kMostValues> isGiven{};  // of each field, at its first value
     auto next = section.fields.begin();       // fields mostly come in this order
     reader_.enterObject();
-    while (const auto key = reader_.nextKey()) {
-      const bool isNext = next != section.fields.end() && next->key == *key;
-      const auto field = isNext ? next++ : std::ranges::find(section.fields, *key, &Field::key);
-      if (field == section.fields.end()) {
-        reader_.skip();
-        continue;
+    while (true) {
+      auto field = next;
+      if (next == section.fields.end() || !reader_.nextKeyIs(next->key)) {
+        const auto key = reader_.nextKey();
+        if (!key) break;
+        field = std::ranges::find(section.fields, *key, &Field::key);
+        if (field == section.fields.end()) {
+          reader_.skip();
+          continue;
+        }
       }
+      if (field == next) ++next;
       if (isGiven[field->first]) reader_.fail(nameOfField(section, *field) + " is given twice.");
       isGiven[field->first] = true;
       readField(section, *field);

@@ -42,7 +42,7 @@ void writeGeoJson(std::ostream& stream, std::span<const Circle> circles, const D
   std::vector<std::int32_t> hiders(circles.size(), kNone);
   for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
   out << R"({"type":"FeatureCollection","features":[)";
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+  polygons.visit([&](std::int32_t i) {
     out << (i == 0 ? "\n" : ",\n") << R"({"type":"Feature","properties":{"circle":)" << i << R"(,"radius":)"
         << circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << polygons.area(i) << R"(,"neighbors":[)";
     std::string_view separator;
@@ -57,7 +57,7 @@ void writeGeoJson(std::ostream& stream, std::span<const Circle> circles, const D
     out << R"(},"geometry":)";
     writeGeometry(out, polygons.rings(i));
     out << "}";
-  }
+  });
   out << "\n]}\n";
 }
 

@@ -5,10 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "chord.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/queries.h"
 #include "export_frame.h"
+#include "visit_ahead.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -42,7 +44,7 @@ void writePoint(Writer& out, std::string_view command, Point p) {
 /// Bezier curves.
 std::vector<Point> innerPoints(const ExportFrame& frame, const EdgeCurve& curve) {
   std::vector<Point> points;
-  if (curve.isStraight() || polyline(curve, frame.tolerance).size() == 2) return points;
+  if (isNearChord(curve, frame.tolerance)) return points;
   for (const CubicBezier& cubic : cubicBeziers(curve, frame.tolerance)) {
     if (!points.empty()) points.push_back(frame.round(cubic.start));
     points.push_back(frame.round(cubic.control1));
@@ -64,6 +66,9 @@ void trace(Writer& out, Iterator inner, Iterator innerEnd, Point end) {
 struct Drawing {
   explicit Drawing(const ExportFrame& exportFrame) : frame(exportFrame), region(exportFrame.box) {
     const Diagram& diagram = frame.cells.diagram();
+    vertices.reserve(diagram.vertices.size());
+    isInside.reserve(diagram.edges.size());
+    firstInner.reserve(diagram.edges.size() + 1);
     for (const Vertex& vertex : diagram.vertices) vertices.push_back(frame.round({vertex.x, vertex.y}));
     for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
       const EdgeCurve curve = edgeCurve(frame.cells.circles(), diagram, static_cast<std::int32_t>(e));
@@ -90,6 +95,22 @@ struct Drawing {
     }
   }
 
+  /// For visitAhead: what traceSide needs. Inlined, as a compiler may take a function that only does this for idle.
+  [[gnu::always_inline]] void prefetchEdges(std::int32_t circle) const {
+    for (const std::int32_t side : frame.cells.sides(circle)) {
+      prefetch(frame.cells.diagram().edges, static_cast<std::size_t>(side / 2));
+      prefetch(firstInner, static_cast<std::size_t>(side / 2));
+    }
+  }
+  [[gnu::always_inline]] void prefetchPoints(std::int32_t circle) const {
+    for (const std::int32_t side : frame.cells.sides(circle)) {
+      if (const std::int32_t end = frame.cells.targetOf(side); end != kNone) {
+        prefetch(vertices, static_cast<std::size_t>(end));
+      }
+      prefetch(inner, firstInner[static_cast<std::size_t>(side / 2)]);
+    }
+  }
+
   const ExportFrame& frame;
   ConvexPolygon region;
   std::vector<Point> vertices;
@@ -112,7 +133,7 @@ void tracePiece(Writer& out, const Drawing& drawing, const OutlinePiece& piece) 
 void writeCells(Writer& out, const Drawing& drawing) {
   const Cells& cells = drawing.frame.cells;
   const auto isInside = [&](std::int32_t side) { return drawing.isInside[static_cast<std::size_t>(side / 2)]; };
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(cells.circles().size()); ++i) {
+  const auto writeCell = [&](std::int32_t i) {
     const auto begin = [&] { out << "<path data-circle=\"" << i << "\" d=\""; };
     const auto sides = cells.sides(i);
     if (!sides.empty() && std::ranges::all_of(sides, isInside)) {
@@ -120,10 +141,10 @@ void writeCells(Writer& out, const Drawing& drawing) {
       writePoint(out, "M", drawing.vertexAt(cells.originOf(sides.front())));
       for (const std::int32_t side : sides) drawing.traceSide(out, side);
       out << "Z\"/>\n";
-      continue;
+      return;
     }
     const Outline loops = outline(cells, i, drawing.region);
-    if (loops.empty()) continue;
+    if (loops.empty()) return;
     begin();
     for (const auto& loop : loops) {
       writePoint(out, "M", drawing.frame.round(loop.front().curve.start));
@@ -131,7 +152,10 @@ void writeCells(Writer& out, const Drawing& drawing) {
       out << "Z";
     }
     out << "\"/>\n";
-  }
+  };
+  visitAhead(
+      static_cast<std::int32_t>(cells.circles().size()), [&](std::int32_t i) { drawing.prefetchEdges(i); },
+      [&](std::int32_t i) { drawing.prefetchPoints(i); }, writeCell);
 }
 
 void writeEdges(Writer& out, const Drawing& drawing) {
@@ -164,9 +188,12 @@ void writeDual(Writer& out, const ExportFrame& frame) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
     return frame.round({c.x, c.y});
   };
-  for (const auto& [i, j] : neighborPairs(frame.cells.diagram())) {
-    const Point p = centre(i);
-    const Point q = centre(j);
+  const auto pairs = neighborPairs(frame.cells.diagram());
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (pairs.size() - k > kAhead) prefetch(circles, static_cast<std::size_t>(pairs[k + kAhead][1]));
+    const Point p = centre(pairs[k][0]);
+    const Point q = centre(pairs[k][1]);
     out << "<line x1=\"" << p.x << "\" y1=\"" << p.y << "\" x2=\"" << q.x << "\" y2=\"" << q.y << "\"/>\n";
   }
 }

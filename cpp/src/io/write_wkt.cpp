@@ -25,11 +25,11 @@ void writeWkt(std::ostream& stream, std::span<const Circle> circles, const Diagr
   Writer out(stream);
   const ExportFrame frame(circles, diagram, options);
   const CellPolygons polygons(frame);
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+  polygons.visit([&](std::int32_t i) {
     const auto rings = polygons.rings(i);
     if (rings.empty()) {
       out << "POLYGON EMPTY\n";
-      continue;
+      return;
     }
     out << (rings.size() == 1 ? "POLYGON " : "MULTIPOLYGON (");
     for (std::size_t k = 0; k < rings.size(); ++k) {
@@ -37,7 +37,7 @@ void writeWkt(std::ostream& stream, std::span<const Circle> circles, const Diagr
       writePolygon(out, rings[k]);
     }
     out << (rings.size() == 1 ? "\n" : ")\n");
-  }
+  });
 }
 
 }  // namespace circle_voronoi
