@@ -82,6 +82,15 @@ TEST(Outline, OfACellThatEndsAtACurveHasItsArea) {
   EXPECT_NEAR(area(outlines[0]) + area(outlines[1]), 32, 1e-12);
 }
 
+// The third point's cell has its corner (2, 1.5) on the box's left side, along which it goes on.
+TEST(Outline, OfACellWithItsCornerOnTheBorderHasNoPieceOfLengthZeroThere) {
+  const auto outlines = outlinesOf({{4, -1, 0}, {0, 4, 0}, {4, 4, 0}}, Box{2, 0, 8, 2});
+  ASSERT_EQ(outlines[2].size(), 1U);
+  EXPECT_EQ(outlines[2][0].size(), 4U);
+  for (const OutlinePiece& piece : outlines[2][0]) EXPECT_TRUE(piece.curve.start != piece.curve.end);
+  EXPECT_EQ(area(outlines[2]), 3);
+}
+
 TEST(Outline, OfAHiddenCircleIsEmpty) {
   const auto outlines = outlinesOf({{0, 0, 5}, {1, 0, 1}}, Box{-2, -2, 2, 2});
   EXPECT_TRUE(outlines[1].empty());

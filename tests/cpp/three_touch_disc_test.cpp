@@ -41,6 +41,25 @@ TEST(ThreeTouchDisc, HasANegativeRadiusInsideIntersectingCircles) {
   EXPECT_NEAR(gap(disc->disc, {-1, 0, 2}), 0, 1e-14);
 }
 
+// The other disc of three circles that rest on one line is the line itself, and one form of the root 0 / 0.
+TEST(ThreeTouchDisc, OfCirclesOnALineIsExact) {
+  const auto disc = threeTouchDisc({-3, 2, 2}, {0, 0.5, 0.5}, {3, 2, 2});
+  ASSERT_TRUE(disc);
+  EXPECT_EQ(disc->disc, (Vertex{0, 2, 1}));
+}
+
+// Nearly on a line that form cancels.
+TEST(ThreeTouchDisc, OfCirclesNearlyOnALineDoesNotCancel) {
+  for (const double off : {1e-9, -1e-9, 1e-12, -1e-12}) {
+    const Circle left = {-3, 2, 2};
+    const Circle right = {3, 2, 2};
+    const Circle middle = {0, 0.5 + off, 0.5};
+    const auto disc = threeTouchDisc(left, middle, right);
+    ASSERT_TRUE(disc);
+    for (const Circle& c : {left, middle, right}) EXPECT_NEAR(gap(disc->disc, c), 0, 1e-14) << off;
+  }
+}
+
 TEST(ThreeTouchDisc, TouchesRandomCircles) {
   for (const Family family : {Family::uniform, Family::logUniform, Family::mixed, Family::lightlyIntersecting}) {
     int found = 0;
