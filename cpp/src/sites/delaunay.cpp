@@ -365,7 +365,6 @@ void Triangulator::join(int left, int right) {
       const Lifted liftedA = lift(corners_[a], origin);
       if (!isInCircle(left, right, w, a, r, liftedW, liftedA)) break;
       ++steps_;
-      if (toInfinity_[w] == previous(atW)) toInfinity_[w] = inner;
       link(outer, twinOf(next(inner)));
       link(inner, twinOf(previous(atW)));
       link(previous(atW), next(inner));
