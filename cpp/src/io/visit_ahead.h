@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
+
+#include "prefetch.h"
 
 namespace circle_voronoi {
-
-/// Asks for an item's memory, which is read soon.
-template <class Item>
-void prefetch(std::span<const Item> items, std::size_t i) {
-  __builtin_prefetch(items.data() + i);
-}
-template <class Item>
-void prefetch(const std::vector<Item>& items, std::size_t i) {
-  prefetch(std::span(items), i);
-}
 
 /// Visits 0 to count - 1 in order, and before that calls `early` and then `late` with indices ahead. Cells in the order
 /// of the input lie all over the memory: these two ask for what a cell needs, `late` by what `early` asked for, so that

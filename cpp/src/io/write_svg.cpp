@@ -189,9 +189,10 @@ void writeDual(Writer& out, const ExportFrame& frame) {
     return frame.round({c.x, c.y});
   };
   const auto pairs = neighborPairs(frame.cells.diagram());
-  constexpr std::size_t kAhead = 16;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (pairs.size() - k > kAhead) prefetch(circles, static_cast<std::size_t>(pairs[k + kAhead][1]));
+    if (pairs.size() - k > kPrefetchAhead) {
+      prefetch(circles, static_cast<std::size_t>(pairs[k + kPrefetchAhead][1]));
+    }
     const Point p = centre(pairs[k][0]);
     const Point q = centre(pairs[k][1]);
     out << "<line x1=\"" << p.x << "\" y1=\"" << p.y << "\" x2=\"" << q.x << "\" y2=\"" << q.y << "\"/>\n";

@@ -8,6 +8,7 @@
 #include "circle_voronoi/certificate.h"
 #include "guarded.h"
 #include "judge.h"
+#include "prefetch.h"
 #include "three_touch_disc.h"
 #include "topology.h"
 #include "validate.h"
@@ -101,6 +102,9 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
                              double unit) {
   if (diagram.vertices.size() != diagram.vertexCircles.size()) return 0;
   for (std::size_t vertex = 0; vertex < diagram.vertices.size(); ++vertex) {
+    if (diagram.vertices.size() - vertex > kPrefetchAhead) {
+      for (const std::int32_t i : topology.vertexCircles[vertex + kPrefetchAhead]) prefetch(circles, i);
+    }
     auto triple = topology.vertexCircles[vertex];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto& [i, j, k] = triple;
@@ -114,7 +118,13 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
 /// A circle that one of its neighbours hides, or kNone. The judge takes circles that do not hide one another: if no
 /// neighbours do, its signs are right, and by its theorem every circle's centre is nearest to that circle.
 std::int32_t hiddenByNeighbor(const Topology& topology, std::span<const Circle> circles, Predicates& predicates) {
-  for (const auto& [left, right, start, end] : topology.edges) {
+  const auto& edges = topology.edges;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    if (edges.size() - edge > kPrefetchAhead) {
+      prefetch(circles, edges[edge + kPrefetchAhead].left);
+      prefetch(circles, edges[edge + kPrefetchAhead].right);
+    }
+    const auto& [left, right, start, end] = edges[edge];
     if (predicates.contains(circles[left], circles[right])) return right;
     if (predicates.contains(circles[right], circles[left])) return left;
   }

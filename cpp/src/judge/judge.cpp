@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "edge_order.h"
+#include "prefetch.h"
 
 namespace circle_voronoi {
 namespace {
@@ -49,6 +50,7 @@ class Judge {
     error_.resize(dual_.faceCount());
     windings_.resize(circleCount_);
     for (int face = 0; face < dual_.faceCount(); ++face) {
+      prefetchCircles(face + static_cast<int>(kPrefetchAhead));
       if (!findDisc(face)) return {Flaw::vertexWithoutDisc, kNone, face};
       for (int t = 3 * face; t < 3 * face + 3; ++t) {
         const int h = dual_.twin[t];
@@ -56,6 +58,15 @@ class Judge {
       }
     }
     return {};
+  }
+
+  /// A diagram from outside has its circles in any order. Inlined, as a compiler may take a function that only does
+  /// this for idle.
+  [[gnu::always_inline]] void prefetchCircles(int face) const {
+    if (face >= dual_.faceCount()) return;
+    for (const int i : triple(face)) {
+      if (isFinite(i)) prefetch(circles_, i);
+    }
   }
 
   bool findDisc(int face) {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace circle_voronoi {
+
+/// How many steps ahead a loop over edges or faces asks for what it reads in an order that is not theirs.
+inline constexpr std::size_t kPrefetchAhead = 16;
+
+/// Asks for an item's memory, which is read soon.
+template <class Item>
+void prefetch(std::span<const Item> items, std::size_t i) {
+  __builtin_prefetch(items.data() + i);
+}
+template <class Item>
+void prefetch(const std::vector<Item>& items, std::size_t i) {
+  prefetch(std::span(items), i);
+}
+
+}  // namespace circle_voronoi
