@@ -87,10 +87,12 @@ function turnedOnce(angles: readonly number[], radii: readonly number[]): number
     const isFalse = (radii[step] as number) < largest && angle > THREE_QUARTER_TURN
     return isFalse ? 0 : angle
   })
-  const sum = result.reduce((partial, angle) => partial + angle, 0)
-  for (let excess = Math.round(sum / FULL_TURN) - 1; excess !== 0; excess -= Math.sign(excess)) {
-    const most = result.reduce((one, other) => Math.max(one, other))
-    result[excess > 0 ? result.indexOf(most) : radii.indexOf(largest)] = excess > 0 ? 0 : FULL_TURN
+  const sum = () => result.reduce((partial, angle) => partial + angle, 0)
+  const widest = () => result.indexOf(result.reduce((one, other) => Math.max(one, other)))
+  for (let excess = Math.round(sum() / FULL_TURN) - 1; excess !== 0; excess -= Math.sign(excess)) {
+    result[excess > 0 ? widest() : radii.indexOf(largest)] = excess > 0 ? 0 : FULL_TURN
   }
+  // What the arcs now lack is what rounding made of others that hardly turn.
+  ;(result[widest()] as number) += FULL_TURN - sum()
   return result
 }

@@ -24,13 +24,17 @@ void turnOnce(std::vector<HullArc>& arcs, std::span<const Circle> circles) {
   for (HullArc& arc : arcs) {
     if (radius(arc) < largest && arc.angle > kThreeQuarterTurn) arc.angle = 0;
   }
-  const double sum = std::accumulate(arcs.begin(), arcs.end(), 0.0,
-                                     [](double partial, const HullArc& arc) { return partial + arc.angle; });
-  for (auto excess = std::lround(sum / kFullTurn) - 1; excess != 0; excess -= excess > 0 ? 1 : -1) {
-    HullArc& arc =
-        excess > 0 ? *std::ranges::max_element(arcs, {}, &HullArc::angle) : *std::ranges::max_element(arcs, {}, radius);
+  const auto sum = [&] {
+    return std::accumulate(arcs.begin(), arcs.end(), 0.0,
+                           [](double partial, const HullArc& arc) { return partial + arc.angle; });
+  };
+  const auto widest = [&]() -> HullArc& { return *std::ranges::max_element(arcs, {}, &HullArc::angle); };
+  for (auto excess = std::lround(sum() / kFullTurn) - 1; excess != 0; excess -= excess > 0 ? 1 : -1) {
+    HullArc& arc = excess > 0 ? widest() : *std::ranges::max_element(arcs, {}, radius);
     arc.angle = excess > 0 ? 0 : kFullTurn;
   }
+  // What the arcs now lack is what rounding made of others that hardly turn.
+  widest().angle += kFullTurn - sum();
 }
 
 }  // namespace
