@@ -30,6 +30,7 @@ export default defineConfig({
   worker: { format: 'es' },
   server: { headers },
   preview: { headers },
-  test: { root: '.', include: ['tests/{web,scripts}/**/*.test.{ts,mjs}'] },
+  // The limit is for what hangs: on a busy machine a test of many random inputs may take long.
+  test: { root: '.', include: ['tests/{web,scripts}/**/*.test.{ts,mjs}'], testTimeout: 60_000 },
   plugins: [{ name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] }],
 })
