@@ -10,9 +10,7 @@
 #include <variant>
 
 #include "apollonius.h"
-#include "centres.h"
 #include "certificate_message.h"
-#include "delaunay.h"
 #include "flip.h"
 #include "insert.h"
 #include "judge.h"
