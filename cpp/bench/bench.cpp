@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Times every method on the same circles, family by family, and prints one table and a JSON file. Each case runs in a
-// process of its own, so that its peak memory is its own; times are medians of Google Benchmark's repetitions.
+// Times every method on the same circles, family by family, and prints one table and a JSON file. Each run has a
+// process of its own, so that its peak memory is its own. The methods take turns, so that a machine that is slower for
+// a while is so for all of them: times are medians of the repetitions, ratios medians of the ratios within each.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -73,48 +75,71 @@ std::vector<Contestant> allContestants() {
   };
 }
 
-struct Measurement {
-  double seconds = 0;
-  bool isOver = false;  ///< stopped at the limit: a repetition takes more than `seconds`
-  double megabytes = 0;
-};
-
-/// Keeps the median of the repetitions and prints nothing.
-class MedianReporter : public benchmark::BenchmarkReporter {
+/// Keeps the seconds of a run and prints nothing.
+class SecondsReporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      // A single repetition has no aggregates; else they come last.
-      if (run.run_type == Run::RT_Iteration || run.aggregate_name == "median") {
-        median = run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
-      }
-    }
+    for (const Run& run : runs) seconds = run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
   }
-  double median = 0;
+  double seconds = 0;
 };
 
-double medianSeconds(const Contestant& method, const Circles& circles, int repetitions) {
+/// Mean of as many runs as Google Benchmark takes for a short method, one of a long one.
+double meanSeconds(const Contestant& method, const Circles& circles) {
   benchmark::RegisterBenchmark("case",
                                [&](benchmark::State& state) {
                                  for (auto _ : state) method.run(circles);
                                })
-      ->Iterations(1)
-      ->Repetitions(repetitions)
+      ->MinTime(0.25)
       ->Unit(benchmark::kSecond)
       ->UseRealTime();
-  MedianReporter reporter;
+  SecondsReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  return reporter.median;
+  return reporter.seconds;
 }
 
-/// Runs one case in a child process, at most up to the limit for all repetitions; nothing if it fails.
-std::optional<Measurement> measure(const Contestant& method, const Circles& circles, int repetitions,
-                                   unsigned limitSeconds) {
-  const auto child = runInChild<double>(limitSeconds, [&] { return medianSeconds(method, circles, repetitions); });
-  if (!child.isOver && !child.value) return std::nullopt;
-  const double seconds = child.isOver ? static_cast<double>(limitSeconds) / repetitions : *child.value;
-  return Measurement{seconds, child.isOver, child.megabytes};
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+/// One method on one input.
+struct Measurement {
+  std::vector<double> seconds;  ///< of each repetition, in order
+  bool isOver = false;          ///< stopped at the limit: a repetition takes longer than the one number in `seconds`
+  double megabytes = 0;
+};
+
+using Measurements = std::map<std::string, Measurement>;
+
+/// Runs every method once in each repetition, in a child process, at most up to the limit for all its repetitions.
+/// Without those that fail.
+Measurements measure(const std::vector<Contestant>& methods, const Circles& circles, int repetitions,
+                     unsigned limitSeconds) {
+  Measurements measured;
+  std::set<std::string> done;
+  const unsigned limitEach = std::max(1U, limitSeconds / static_cast<unsigned>(repetitions));
+  for (int i = 0; i < repetitions; ++i) {
+    for (const Contestant& method : methods) {
+      if (circles.size() > 2 * method.largest || done.contains(method.name)) continue;
+      const auto child = runInChild<double>(limitEach, [&] { return meanSeconds(method, circles); });
+      Measurement& measurement = measured[method.name];
+      measurement.megabytes = std::max(measurement.megabytes, child.megabytes);
+      if (child.value) {
+        measurement.seconds.push_back(*child.value);
+        continue;
+      }
+      done.insert(method.name);
+      if (!child.isOver) {
+        measured.erase(method.name);
+      } else {
+        measurement.isOver = true;
+        measurement.seconds = {static_cast<double>(limitEach)};
+      }
+    }
+  }
+  return measured;
 }
 
 struct Input {
@@ -146,12 +171,16 @@ std::string text(const char* format, double value, bool isOver) {
 }
 
 /// How many times longer one method takes than another; empty if that cannot be told.
-std::string ratio(const std::map<std::string, Measurement>& measured, const std::string& slow,
-                  const std::string& fast) {
+std::string ratio(const Measurements& measured, const std::string& slow, const std::string& fast) {
   const auto numerator = measured.find(slow);
   const auto denominator = measured.find(fast);
   if (numerator == measured.end() || denominator == measured.end() || denominator->second.isOver) return "";
-  return text("%.2f", numerator->second.seconds / denominator->second.seconds, numerator->second.isOver);
+  const bool isOver = numerator->second.isOver;
+  if (isOver) return text("%.2f", numerator->second.seconds[0] / median(denominator->second.seconds), isOver);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < numerator->second.seconds.size(); ++i)
+    ratios.push_back(numerator->second.seconds[i] / denominator->second.seconds[i]);
+  return text("%.2f", median(ratios), isOver);
 }
 
 std::vector<std::size_t> sizesOf(const std::string& list) {
@@ -202,8 +231,11 @@ int main(int argc, char** argv) {
       return 2;
     }
     const auto sizes = sizesOf(options["--sizes"]);
-    if (first == "--cliffs") return printCliffs(split(options["--families"]), sizes, limit) ? 0 : 1;
-    bench::benchFiles(split(options["--families"]), sizes, repetitions);
+    if (first == "--cliffs") {
+      printCliffs(split(options["--families"]), sizes, limit);
+    } else {
+      bench::benchFiles(split(options["--families"]), sizes, repetitions);
+    }
     return 0;
   }
   const std::vector<std::string> chosen = split(options["--methods"]);
@@ -224,15 +256,11 @@ int main(int argc, char** argv) {
         std::cerr << family << " is neither a family nor a file of circles\n";
         return 2;
       }
-      std::map<std::string, Measurement> measured;
-      for (const Contestant& method : methods) {
-        if (input->circles.size() > 2 * method.largest) continue;
-        const auto result = measure(method, input->circles, repetitions, limit);
-        if (result) measured[method.name] = *result;
-      }
+      const Measurements measured = measure(methods, input->circles, repetitions, limit);
       for (const Contestant& method : methods) {
         if (!measured.contains(method.name)) continue;
-        const auto [seconds, isOver, megabytes] = measured[method.name];
+        const auto& [repeated, isOver, megabytes] = measured.at(method.name);
+        const double seconds = median(repeated);
         std::printf("%-14s %8zu  %-26s %10s %9.0f %12s %12s\n", input->family.c_str(), input->circles.size(),
                     method.name.c_str(), text("%.4f", seconds, isOver).c_str(), megabytes,
                     ratio(measured, method.name, "cgal-delaunay").c_str(),

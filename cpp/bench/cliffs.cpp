@@ -7,8 +7,6 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
-#include <map>
-#include <optional>
 #include <utility>
 
 #include "child.h"
@@ -57,15 +55,16 @@ Cost costOf(const std::vector<Circle>& circles) {
   return cost;
 }
 
-std::optional<Cost> uniformCost(std::size_t size, unsigned limitSeconds) {
-  std::array<Cost, 3> costs;
-  for (Cost& cost : costs) {
+/// Processor seconds of uniform circles, the median of three runs: measured anew beside each entry, for a machine may
+/// be slower for a while.
+double uniformSeconds(std::size_t size, unsigned limitSeconds) {
+  std::array<double, 3> seconds{};
+  for (double& one : seconds) {
     const auto child = runInChild<Cost>(limitSeconds, [&] { return costOf(generate(Family::uniform, size, kSeed)); });
-    if (!child.value) return std::nullopt;
-    cost = *child.value;
+    one = child.value ? child.value->seconds : limitSeconds;
   }
-  std::ranges::sort(costs, {}, &Cost::seconds);
-  return costs[1];
+  std::ranges::sort(seconds);
+  return seconds[1];
 }
 
 /// What is measured at one number of circles after another.
@@ -73,7 +72,7 @@ class Row {
  public:
   Row(std::string name, bool isDegenerate) : name_(std::move(name)), isDegenerate_(isDegenerate) {}
 
-  void print(std::size_t size, double uniformSeconds, const ChildResult<Cost>& child, unsigned limitSeconds) {
+  void print(std::size_t size, double uniform, const ChildResult<Cost>& child, unsigned limitSeconds) {
     std::printf("%-40s %8zu ", name_.c_str(), size);
     const double count = static_cast<double>(size);
     if (!child.value) {
@@ -82,7 +81,7 @@ class Row {
     }
     const Cost& cost = *child.value;
     const double each = cost.seconds / count;
-    const double ratio = cost.seconds / uniformSeconds;
+    const double ratio = cost.seconds / uniform;
     std::printf("%9.2f %9.2f ", 1e6 * each, ratio);
     if (first_ > 0) {
       std::printf("%7.2f", each / first_);
@@ -107,13 +106,7 @@ class Row {
 
 }  // namespace
 
-bool printCliffs(const std::vector<std::string>& names, const std::vector<std::size_t>& sizes, unsigned limitSeconds) {
-  std::map<std::size_t, double> uniformSeconds;
-  for (const std::size_t size : sizes) {
-    const auto cost = uniformCost(size, limitSeconds);
-    if (!cost) return false;
-    uniformSeconds[size] = cost->seconds;
-  }
+void printCliffs(const std::vector<std::string>& names, const std::vector<std::size_t>& sizes, unsigned limitSeconds) {
   std::printf("%-40s %8s %9s %9s %7s  %-16s %8s %9s %8s\n", "family", "n", "us/circle", "/ uniform", "growth", "way",
               "flips", "in-circle", "exact");
   for (const FamilyInfo& family : families()) {
@@ -123,9 +116,8 @@ bool printCliffs(const std::vector<std::string>& names, const std::vector<std::s
       for (const std::size_t size : sizes) {
         const auto child =
             runInChild<Cost>(limitSeconds, [&] { return costOf(variant.make(family.family, size, kSeed)); });
-        row.print(size, uniformSeconds[size], child, limitSeconds);
+        row.print(size, uniformSeconds(size, limitSeconds), child, limitSeconds);
       }
     }
   }
-  return true;
 }

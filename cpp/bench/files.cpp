@@ -75,10 +75,11 @@ void benchCircles(const std::string& name, const std::vector<Circle>& circles, c
   }
   const std::vector<const char*> files = {nullptr, "circles.csv", "json", "json", "geojson", "svg"};
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const double seconds = median(tasks[i].seconds);
+    std::vector<double> ratios;
+    for (int k = 0; k < repetitions; ++k) ratios.push_back(tasks[i].seconds[k] / tasks[0].seconds[k]);
     const double megabytes = files[i] == nullptr ? 0 : static_cast<double>(fs::file_size(path(files[i]))) / 1e6;
-    std::printf("%-14s %8zu  %-14s %10.3f %10.2f %9.0f\n", name.c_str(), circles.size(), tasks[i].name.c_str(), seconds,
-                seconds / median(tasks[0].seconds), megabytes);
+    std::printf("%-14s %8zu  %-14s %10.3f %10.2f %9.0f\n", name.c_str(), circles.size(), tasks[i].name.c_str(),
+                median(tasks[i].seconds), median(ratios), megabytes);
   }
   std::fflush(stdout);
 }
