@@ -13,7 +13,7 @@
 #include "homogeneous_disc.h"
 #include "in_circle.h"
 #include "random.h"
-#include "refined_disc.h"
+#include "refined.h"
 #include "report.h"
 
 namespace circle_voronoi {
@@ -84,25 +84,47 @@ double reachPart(const Circles& c) {
   return part(exact, reachBeyond(c[0], c[1], c[2]));
 }
 
+Exact crossOf3(const Exact& a, const Exact& b) {
+  return {a.y * b.s - a.s * b.y, a.s * b.x - a.x * b.s, a.x * b.y - a.y * b.x};
+}
+
+/// A homogeneous disc, exactly, of any scale.
+struct ExactDisc {
+  Real x, y, rho, w;
+};
+
+/// In the scale of discOf, relative to a circle of which a and b are the differences of the others.
+ExactDisc exactDisc(const Exact& a, const Exact& b) {
+  const Exact side(a.x - b.x, a.y - b.y, a.s - b.s);
+  const Exact n = crossOf3(a, b);
+  const Real g11 = coneOf(a, a), g22 = coneOf(b, b), g12 = coneOf(a, b);
+  const Real root = sqrt(Real(g11 * g22 * coneOf(side, side)));
+  const Real alpha = g22 * (g11 - g12), beta = g11 * (g22 - g12), k = coneOf(n, n);
+  const int turn = k < 0 ? 1 : -1;
+  return {turn * (alpha * a.x + beta * b.x + n.x * root), turn * (alpha * a.y + beta * b.y + n.y * root),
+          turn * (n.s * root - alpha * a.s - beta * b.s), -2 * turn * k};
+}
+
+/// In the scale of refinedDiscOf: the direction and the offset of the tangent line after inversion (exact.cpp).
+ExactDisc exactRefinedDisc(const Exact& a, const Exact& b) {
+  const Real g11 = coneOf(a, a), g22 = coneOf(b, b);
+  const Exact d(a.x * g22 - b.x * g11, a.y * g22 - b.y * g11, a.s * g22 - b.s * g11);
+  const Exact n = crossOf3(a, b);
+  const Real root = sqrt(coneOf(d, d));
+  const Real w = 2 * (d.y * n.x - d.x * n.y + n.s * root);
+  const int turn = w < 0 ? -1 : 1;
+  return {turn * (-d.s * d.x - root * d.y), turn * (-d.s * d.y + root * d.x), turn * (d.x * d.x + d.y * d.y), turn * w};
+}
+
 /// Of the directions and distances to a disc from all its circles.
-template <CornerDisc (*find)(const Circle&, const Circle&, const Circle&)>
+template <CornerDisc (*find)(const Circle&, const Circle&, const Circle&),
+          ExactDisc (*exactly)(const Exact&, const Exact&)>
 double discPart(const Circles& c) {
   if (hide(c[0], c[1]) || hide(c[1], c[2]) || hide(c[0], c[2])) return 0;
   const auto [disc, corner] = find(c[0], c[1], c[2]);
   if (!std::isfinite(disc.error)) return 0;
   const Circle& o = c[corner];
-  const Exact a(c[(corner + 1) % 3], o);
-  const Exact b(c[(corner + 2) % 3], o);
-  const Exact side(a.x - b.x, a.y - b.y, a.s - b.s);
-  const Exact n(a.y * b.s - a.s * b.y, a.s * b.x - a.x * b.s, a.x * b.y - a.y * b.x);
-  const Real g11 = coneOf(a, a), g22 = coneOf(b, b), g12 = coneOf(a, b);
-  const Real root = sqrt(Real(g11 * g22 * coneOf(side, side)));
-  const Real alpha = g22 * (g11 - g12), beta = g11 * (g22 - g12), k = coneOf(n, n);
-  const int turn = k < 0 ? 1 : -1;
-  const Real x = turn * (alpha * a.x + beta * b.x + n.x * root);
-  const Real y = turn * (alpha * a.y + beta * b.y + n.y * root);
-  const Real rho = turn * (n.s * root - alpha * a.s - beta * b.s);
-  const Real w = -2 * turn * k;
+  const auto [x, y, rho, w] = exactly({c[(corner + 1) % 3], o}, {c[(corner + 2) % 3], o});
   double worst = 0;
   for (int i = 0; i < 3; ++i) {
     const Exact shift(o, c[i]);
@@ -112,6 +134,98 @@ double discPart(const Circles& c) {
                       part(rho - w * shift.s, distanceOf(c[i], disc, o).value, distanceOf(c[i], disc, o).error)});
   }
   return worst;
+}
+
+Real squareOf(const Circle* a, const Circle* b) {
+  if (a == nullptr || b == nullptr) return 1;
+  const Exact d(*a, *b);
+  return coneOf(d, d);
+}
+
+/// (x, y, s) of a circle seen from another, of infinity nothing.
+Exact seenFrom(const Circle* c, const Circle& o) { return c == nullptr ? Exact(0, 0, 0) : Exact(*c, o); }
+
+struct ExactAxis {
+  Exact d;
+  Real root;
+};
+
+ExactAxis axisOf(const Circle& o, const Circle* p, const Circle* q) {
+  const Real gp = squareOf(p, &o), gq = squareOf(q, &o);
+  const Exact u = seenFrom(p, o), v = seenFrom(q, o);
+  return {{u.x * gq - v.x * gp, u.y * gq - v.y * gp, u.s * gq - v.s * gp}, sqrt(Real(gp * gq * squareOf(p, q)))};
+}
+
+/// The direction to a disc, as long as refinedDirection has it.
+std::array<Real, 2> exactDirection(const ExactAxis& axis) {
+  const auto& [d, root] = axis;
+  return {-d.s * d.x - root * d.y, -d.s * d.y + root * d.x};
+}
+
+/// Faces (a, b, c) and (b, a, d) of the four circles, and with infinity as d, seen from a.
+template <class Compare>
+double worstOfTurns(const Circles& c, Compare compare) {
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (hide(c[i], c[j])) return 0;
+    }
+  }
+  const exact::Face one = {&c[0], &c[1], &c[2]};
+  return std::max(compare(one, exact::Face{&c[1], &c[0], &c[3]}, c[0]),
+                  compare(exact::Face{&c[1], &c[0], nullptr}, one, c[0]));
+}
+
+double refinedDirectionPart(const Circles& c) {
+  return worstOfTurns(c, [](const exact::Face& face, const exact::Face&, const Circle& from) {
+    const auto [p, q] = exact::othersOf(face, &from);
+    const auto direction = exactDirection(axisOf(from, p, q));
+    const Direction found = refinedDirection(face, from);
+    return std::max(part(direction[0], found.x, found.error), part(direction[1], found.y, found.error));
+  });
+}
+
+/// Of the parts of refinedTurn.
+template <Estimate RefinedTurn::*kPart>
+double turnPartOf(const Circles& c) {
+  return worstOfTurns(c, [](const exact::Face& first, const exact::Face& second, const Circle& from) {
+    const RefinedTurn turn = refinedTurn(first, second, from);
+    const auto [p, q] = exact::othersOf(first, &from);
+    const auto [y, z] = exact::othersOf(second, &from);
+    const ExactAxis d = axisOf(from, p, q);
+    const ExactAxis e = axisOf(from, y, z);
+    const auto toFirst = exactDirection(d);
+    if constexpr (kPart == &RefinedTurn::cross) {
+      const auto toSecond = exactDirection(e);
+      return part(toFirst[0] * toSecond[1] - toFirst[1] * toSecond[0], turn.cross);
+    } else if constexpr (kPart == &RefinedTurn::left) {
+      return part(e.d.x * toFirst[1] - e.d.y * toFirst[0], turn.left);
+    }
+    const Circle* n = turn.added;
+    const Exact u = seenFrom(p, from), v = seenFrom(q, from), w = seenFrom(n, from);
+    const Real gp = squareOf(p, &from), gq = squareOf(q, &from), gn = squareOf(n, &from);
+    const Exact vu = crossOf3(v, u), uw = crossOf3(u, w), wv = crossOf3(w, v);
+    const Exact m(gn * vu.x + gq * uw.x + gp * wv.x, gn * vu.y + gq * uw.y + gp * wv.y,
+                  gn * vu.s + gq * uw.s + gp * wv.s);
+    if constexpr (kPart == &RefinedTurn::norm) {
+      // Not in the form that refinedTurn has.
+      return part(4 * coneOf(m, m), turn.norm);
+    } else {
+      const Real conjugate = m.x * d.d.y - m.y * d.d.x - m.s * d.root;
+      return part(n == z ? Real(-conjugate) : conjugate, turn.factor);
+    }
+  });
+}
+
+/// The circles in their directions, so that they touch the unit circle: what rounding leaves of the norm then shows its
+/// error, which is far less than the last place of a norm of other circles.
+double normPart(const Circles& c) {
+  Circles touching = c;
+  for (Circle& circle : touching) {
+    const double l = length({circle.x, circle.y});
+    if (l == 0) return 0;
+    circle = {(1 + circle.r) * circle.x / l, (1 + circle.r) * circle.y / l, circle.r};
+  }
+  return turnPartOf<&RefinedTurn::norm>(touching);
 }
 
 /// N of a disc, relative to its corner.
@@ -127,7 +241,7 @@ double flatDiscPart(const Circles& c) {
   const Exact n = normalOf(c, corner);
   const double longest =
       std::sqrt(sizeSquared({c[(corner + 1) % 3], c[corner]}) * sizeSquared({c[(corner + 2) % 3], c[corner]}));
-  return abs(n.x) + abs(n.y) + abs(n.s) < 0.01 * longest ? discPart<discOf>(c) : 0;
+  return abs(n.x) + abs(n.y) + abs(n.s) < 0.01 * longest ? discPart<discOf, exactDisc>(c) : 0;
 }
 
 /// Of k, whose bound is what it has to exceed.
@@ -234,9 +348,14 @@ INSTANTIATE_TEST_SUITE_P(Each, EstimateBound,
                          testing::Values(Bound{"Orientation", orientationPart}, Bound{"InCircle", inCirclePart<false>},
                                          Bound{"InCircleFine", inCirclePart<true>},
                                          Bound{"TangentLength", tangentLengthPart}, Bound{"Infinity", infinityPart},
-                                         Bound{"Reach", reachPart}, Bound{"Disc", discPart<discOf>},
-                                         Bound{"RefinedDisc", discPart<refinedDiscOf>},
-                                         Bound{"FlatDisc", flatDiscPart, 0.06}, Bound{"Turn", turnPart, 0.05}),
+                                         Bound{"Reach", reachPart}, Bound{"Disc", discPart<discOf, exactDisc>},
+                                         Bound{"RefinedDisc", discPart<refinedDiscOf, exactRefinedDisc>},
+                                         Bound{"RefinedDirection", refinedDirectionPart},
+                                         Bound{"RefinedCross", turnPartOf<&RefinedTurn::cross>},
+                                         Bound{"RefinedLeft", turnPartOf<&RefinedTurn::left>},
+                                         Bound{"RefinedFactor", turnPartOf<&RefinedTurn::factor>},
+                                         Bound{"RefinedNorm", normPart, 0.03}, Bound{"FlatDisc", flatDiscPart, 0.06},
+                                         Bound{"Turn", turnPart, 0.05}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Estimate, OfACrossProductCoversTheErrorsOfItsDirections) {

@@ -34,6 +34,10 @@ template <class Number>
 Numbers(Number, Number, Number) -> Numbers<Number>;
 
 template <class Number>
+auto operator+(const Numbers<Number>& u, const Numbers<Number>& v) {
+  return Numbers{u.x + v.x, u.y + v.y, u.s + v.s};
+}
+template <class Number>
 auto operator-(const Numbers<Number>& u, const Numbers<Number>& v) {
   return Numbers{u.x - v.x, u.y - v.y, u.s - v.s};
 }
@@ -63,9 +67,10 @@ template <class Number>
 struct Seen {
   Numbers<Number> v;
   decltype(Number() * Number()) g;
+  bool isAtInfinity;
 
-  Seen() : g(1) {}
-  explicit Seen(const Numbers<Number>& difference) : v(difference), g(cone(v, v)) {}
+  Seen() : g(1), isAtInfinity(true) {}
+  explicit Seen(const Numbers<Number>& difference) : v(difference), g(cone(v, v)), isAtInfinity(false) {}
 };
 
 using limbs::SignedWide;
@@ -135,12 +140,6 @@ auto seenFrom(const Circle& o, const std::array<const Circle*, kCount>& circles,
   return all >> kOneLimb == 0 ? seenAs(fixed<1>(differences)) : seenAs(fixed<2>(differences));
 }
 
-/// The other corners of a face, in order after `from`.
-std::array<const Circle*, 2> othersOf(const Face& face, const Circle* from) {
-  const auto at = static_cast<std::size_t>(std::find(face.begin(), face.end(), from) - face.begin());
-  return {face[(at + 1) % 3], face[(at + 2) % 3]};
-}
-
 /// D of the disc of (o, u, v).
 template <class Number>
 auto axisOf(const Seen<Number>& u, const Seen<Number>& v) {
@@ -165,13 +164,41 @@ int reachSign(const Numbers<M>& m, const Numbers<D>& d) {
       cone(m, m).sign(), [&] { return planeCross(m, d).sign(); }, [&] { return m.s.sign(); });
 }
 
-/// 1 if a circle z overlaps the disc of (o, u, v), 0 if it touches it, -1 if it is clear of it.
+/// The squared length of the common tangents of two circles seen from a third.
+template <class Number>
+auto tangentSquare(const Seen<Number>& u, const Seen<Number>& v) {
+  if (u.isAtInfinity || v.isAtInfinity) return Seen<Number>().g;
+  const auto w = u.v - v.v;
+  return cone(w, w);
+}
+
+/// The sign of <M, M>, M as in `overlapSign`. It is g_u g_v g_z times the cross product of two sides of the triangle
+/// W_u, W_v, W_z, so that <M, M> is -(g_u g_v g_z)^2 times the Gram determinant of these sides. A squared side, as
+/// <W_u - W_v, W_u - W_v>, is g_uv / (g_u g_v), g_uv = 1 if one of the two is at infinity. With A = g_uv g_z, B = g_vz
+/// g_u, C = g_zu g_v it follows that
+///   4 <M, M> = (A + C - B)^2 - 4 A C,
+/// J. Casey's condition that four circles touch one.
+template <class Number>
+int touchSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& z) {
+  const auto a = tangentSquare(u, v) * z.g;
+  const auto b = tangentSquare(v, z) * u.g;
+  const auto c = tangentSquare(z, u) * v.g;
+  const auto sum = a + c - b;
+  const auto twice = a * (c + c);
+  return (sum * sum - (twice + twice)).sign();
+}
+
+/// 1 if a circle z overlaps the disc of (o, u, v), 0 if it touches it, -1 if it is clear of it: reachSign with
+/// M = g_z (V x U) + g_v (U x Z) + g_u (Z x V).
 template <class Number, class D>
 int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& z, const Numbers<D>& d) {
-  const auto vu = times(z.g, cross(v.v, u.v));
-  const auto uz = times(v.g, cross(u.v, z.v));
-  const auto zv = times(u.g, cross(z.v, v.v));
-  return reachSign(Numbers{vu.x + uz.x + zv.x, vu.y + uz.y + zv.y, vu.s + uz.s + zv.s}, d);
+  return signOf(
+      touchSign(u, v, z),
+      [&] {
+        const auto m = times(z.g, cross(v.v, u.v)) + times(v.g, cross(u.v, z.v)) + times(u.g, cross(z.v, v.v));
+        return planeCross(m, d).sign();
+      },
+      [&] { return (z.g * planeCross(v.v, u.v) + v.g * planeCross(u.v, z.v) + u.g * planeCross(z.v, v.v)).sign(); });
 }
 
 /// The same vector times a power of two, each component right within 2^-51 of the largest, none beyond 2^128.
@@ -318,6 +345,12 @@ int crossSign(const Face& first, const Face& second, const Circle& from) {
     return signOf((sum * sum - cone(d, d) * cone(e, e)).sign(),
                   [&] { return -(d.s * dot + e.s * planeDot(d, d)).sign(); }, [&] { return planeCross(d, e).sign(); });
   });
+}
+
+int touchSign(const Face& face, const Circle* other, const Circle& from) {
+  const auto [u, v] = othersOf(face, &from);
+  return seenFrom(from, std::array{u, v, other},
+                  [](const auto& seen, int) { return touchSign(seen[0], seen[1], seen[2]); });
 }
 
 bool contains(const Circle& outer, const Circle& inner) {

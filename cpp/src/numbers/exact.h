@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "circle_voronoi/circle.h"
@@ -16,6 +18,12 @@ namespace circle_voronoi::exact {
 /// two circles and their outer tangent line: (a, b, null) has the line to the left of a -> b. No circle of a face hides
 /// another.
 using Face = std::array<const Circle*, 3>;
+
+/// The other corners of a face, in order after `from`.
+inline std::array<const Circle*, 2> othersOf(const Face& face, const Circle* from) {
+  const auto at = static_cast<std::size_t>(std::find(face.begin(), face.end(), from) - face.begin());
+  return {face[(at + 1) % 3], face[(at + 2) % 3]};
+}
 
 /// A direction that no drawing is likely to be aligned with: its ties are rare.
 inline constexpr int kAxisX = 1009;
@@ -37,6 +45,10 @@ int directionSign(const Face& face, const Circle& from, int axis);
 /// The sign of the cross product of two such directions, seen from the same circle.
 /// Precondition: both faces have a disc, `from` as a corner, and a second corner in common.
 int crossSign(const Face& first, const Face& second, const Circle& from);
+
+/// The sign that decides a near tie (refined_turn.h): 0 if one disc touches the circles of the face and `other`, which
+/// may be the point at infinity too. `from` is a corner of the face.
+int touchSign(const Face& face, const Circle* other, const Circle& from);
 
 /// Whether `outer` contains `inner`.
 bool contains(const Circle& outer, const Circle& inner);

@@ -4,7 +4,7 @@
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "in_circle.h"
-#include "refined_disc.h"
+#include "refined.h"
 
 namespace circle_voronoi {
 namespace {
@@ -19,22 +19,6 @@ exact::Face facing(std::span<const Circle> circles, const Triple& face) {
   return {at(face[0]), at(face[1]), at(face[2])};
 }
 
-using Find = CornerDisc (*)(const Circle&, const Circle&, const Circle&);
-
-/// The disc of a face; as `find` has it, if it is no tangent line.
-template <Find find>
-CornerDisc discAt(const exact::Face& face) {
-  if (face[2] == nullptr) return {discAtInfinity(*face[0], *face[1]), 0};
-  return find(*face[0], *face[1], *face[2]);
-}
-
-/// The direction from a circle of a face to its disc.
-Direction refinedDirection(const exact::Face& face, const Circle& from) {
-  const auto [disc, corner] = discAt<refinedDiscOf>(face);
-  const Circle& o = *face[corner];
-  return {disc.x + disc.w * (o.x - from.x), disc.y + disc.w * (o.y - from.y), disc.error};
-}
-
 /// Of the distance of a disc from the smallest circle of its face.
 int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
   const Circle* smallest = face[0]->r <= face[1]->r ? face[0] : face[1];
@@ -46,42 +30,38 @@ int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
 
 FaceDisc Predicates::disc(const Triple& face) {
   const exact::Face circles = facing(circles_, face);
-  const auto placed = discAt<discOf>(circles);
-  FaceDisc result;
-  result.v = {placed.disc.x, placed.disc.y};
-  result.w = placed.disc.w;
-  result.error = placed.disc.error;
-  result.origin = static_cast<int>(circles[placed.corner] - circles_.data());
-  if (circles[2] == nullptr) {
-    result.exists = true;
-  } else if (const int sign = filteredExistence(circles, placed); sign != 0) {
-    ++counts_.filtered;
-    result.exists = sign > 0;
-  } else {
-    result.exists = hasDisc(circles);
+  if (circles[2] == nullptr) return faceDisc(circles, {discAtInfinity(*circles[0], *circles[1]), 0}, true);
+  CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
+  int sign = filteredExistence(circles, placed);
+  if (sign == 0) {
+    placed = refinedDiscOf(*circles[0], *circles[1], *circles[2]);
+    sign = filteredExistence(circles, placed);
   }
-  return result;
+  if (sign == 0) {
+    ++counts_.exact;
+    return faceDisc(circles, placed, exact::hasDisc(circles));
+  }
+  ++counts_.filtered;
+  return faceDisc(circles, placed, sign > 0);
 }
 
-bool Predicates::hasDisc(const exact::Face& face) {
-  if (const int sign = filteredExistence(face, discAt<refinedDiscOf>(face)); sign != 0) {
-    ++counts_.filtered;
-    return sign > 0;
-  }
-  ++counts_.exact;
-  return exact::hasDisc(face);
+FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists) const {
+  const HomogeneousDisc& disc = placed.disc;
+  return {{disc.x, disc.y}, disc.w, disc.error, static_cast<int>(face[placed.corner] - circles_.data()), exists};
 }
 
 int Predicates::exactCross(int from, const Triple& first, const Triple& second) {
   const exact::Face one = facing(circles_, first);
   const exact::Face other = facing(circles_, second);
   const Circle& seenFrom = circles_[from];
-  if (const int sign = crossOf(refinedDirection(one, seenFrom), refinedDirection(other, seenFrom)).sign(); sign != 0) {
+  const RefinedTurn turn = refinedTurn(one, other, seenFrom);
+  if (const int sign = turn.sign(); sign != 0) {
     ++counts_.filtered;
     return sign;
   }
   ++counts_.exact;
-  return exact::crossSign(one, other, seenFrom);
+  const int factor = turn.factorSign();
+  return factor != 0 ? factor * exact::touchSign(one, turn.added, seenFrom) : exact::crossSign(one, other, seenFrom);
 }
 
 int Predicates::exactEdgeOrder(int a, int b, int c, int d) {
@@ -95,6 +75,10 @@ int Predicates::exactEdgeOrder(int a, int b, int c, int d) {
 
 bool Predicates::isLowerExactly(int from, const Triple& face) {
   const exact::Face circles = facing(circles_, face);
+  if (const int sign = heightOf(refinedDirection(circles, circles_[from])).sign(); sign != 0) {
+    ++counts_.filtered;
+    return sign < 0;
+  }
   ++counts_.exact;
   const int sign = exact::directionSign(circles, circles_[from], 1);
   return sign < 0 || (sign == 0 && exact::directionSign(circles, circles_[from], 0) < 0);

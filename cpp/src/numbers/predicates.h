@@ -90,7 +90,7 @@ class Predicates {
   const FilterCounts& counts() const { return counts_; }
 
  private:
-  bool hasDisc(const exact::Face& face);
+  FaceDisc faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists) const;
   bool isLowerExactly(int from, const Triple& face);
   Point centre(int i) const { return {circles_[i].x, circles_[i].y}; }
 

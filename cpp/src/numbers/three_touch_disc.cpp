@@ -6,7 +6,7 @@
 
 #include "exact.h"
 #include "homogeneous_disc.h"
-#include "refined_disc.h"
+#include "refined.h"
 
 namespace circle_voronoi {
 namespace {

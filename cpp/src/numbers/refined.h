@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "estimate.h"
+#include "exact.h"
+#include "homogeneous_disc.h"
+
+namespace circle_voronoi {
+
+/// The second stage of the predicates: estimates that rest on the lengths of common tangents, which have twice the
+/// digits here, and on discs as seen from one of their circles. They decide near ties, and discs that are far larger or
+/// of circles far larger than their distances. Where a tangent length is lost all the same, errors are unknown.
+/// Preconditions are those of exact.h.
+
+/// The disc of three circles counter-clockwise, with the smallest as its corner.
+CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2);
+
+/// The direction from a corner of a face to its disc, of any length.
+Direction refinedDirection(const exact::Face& face, const Circle& from);
+
+/// exact::crossSign of two faces that share an edge.
+struct RefinedTurn {
+  Estimate cross;
+  // If the first direction lies to the left of the line that the second disc touches, as where both nearly agree, the
+  // sign is also the product of those of factor, which is not zero in a tie, and norm, which is.
+  Estimate left;
+  Estimate factor;
+  Estimate norm;                  ///< its sign is exact::touchSign(first, added, from)
+  const Circle* added = nullptr;  ///< the corner of the second face that the first does not have
+
+  /// That of the factor if it counts; 0 if neither is known.
+  int factorSign() const { return left.sign() > 0 ? factor.sign() : 0; }
+
+  /// 0 if the estimates do not decide.
+  int sign() const { return cross.sign() != 0 ? cross.sign() : factorSign() * norm.sign(); }
+};
+
+RefinedTurn refinedTurn(const exact::Face& first, const exact::Face& second, const Circle& from);
+
+}  // namespace circle_voronoi
