@@ -43,6 +43,19 @@ TEST(SpatialOrder, GoesFromNeighborToNeighbor) {
   EXPECT_LT(lengthOfWay(uniformPoints(10000), 0), 1.1 * 10000);
 }
 
+TEST(SpatialOrder, EqualPointsFollowOneAnother) {
+  // In one cell of the curve: a point, another next to it, and the first again.
+  std::vector<Point> points = uniformPoints(1000);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    points.push_back({points[i].x + 1e-6, points[i].y});
+    points.push_back(points[i]);
+  }
+  const std::vector<int> order = spatialOrder(points);
+  std::vector<std::size_t> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = k;
+  for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(place[1001 + 2 * i], place[i] + 1) << i;
+}
+
 TEST(SpatialOrder, IsAsGoodWithAnOutlier) {
   for (const double far : {1e6, 1e9, 1e15}) {
     std::vector<Point> points = uniformPoints(10000);

@@ -16,8 +16,8 @@ class Flipper {
       : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()) {}
 
   Flips run() {
-    // Far more flips than any input seen needs.
-    const std::int64_t limit = 1000 + 6 * static_cast<std::int64_t>(dual_.faceCount());
+    // Four a circle: no family needs more than three and a bit, and who does gets there by insertion.
+    const std::int64_t limit = 1000 + 2 * static_cast<std::int64_t>(dual_.faceCount());
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
       if (first > dual_.twin[first]) continue;
       stack_.push_back(first);

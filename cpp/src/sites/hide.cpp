@@ -97,19 +97,22 @@ struct Part {
 };
 
 /// Of each centre the largest circle, of equal ones the first, which hides the others.
-Part largestOfEachCentre(const OrderedCircles& ordered) {
-  const auto& circles = ordered.circles;
+struct LargestOfEachCentre {
   std::vector<int> places;
-  for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
-    // Those with the same centre follow one another.
-    if (places.empty() || circles[i].x != circles[places.back()].x || circles[i].y != circles[places.back()].y) {
-      places.push_back(i);
-    } else if (circles[i].r > circles[places.back()].r) {
-      places.back() = i;
+  std::vector<int> which;  ///< of each circle which of them has its centre
+
+  explicit LargestOfEachCentre(std::span<const Circle> circles) {
+    for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
+      // Those with the same centre follow one another.
+      if (places.empty() || circles[i].x != circles[places.back()].x || circles[i].y != circles[places.back()].y) {
+        places.push_back(i);
+      } else if (circles[i].r > circles[places.back()].r) {
+        places.back() = i;
+      }
+      which.push_back(static_cast<int>(places.size()) - 1);
     }
   }
-  return {ordered, std::move(places)};
-}
+};
 
 /// Whether a dual is that of the Voronoi diagram, also if the circles might hide one another: if no neighbours do, the
 /// judge's signs are right, and by its theorem every circle's centre is nearest to that circle.
@@ -124,24 +127,31 @@ bool provesVisible(const Dual& dual, std::span<const Circle> circles, Predicates
 
 /// The visible circles as those that insertion leaves a cell, with a proof; nothing if there is none.
 std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
-  const Part apart = largestOfEachCentre(ordered);
+  const LargestOfEachCentre largest(ordered.circles);
+  const Part apart(ordered, largest.places);
   Predicates predicatesApart(apart.circles);
   auto inserted = insertAll(apart.circles, predicatesApart);
   if (!inserted) return std::nullopt;
 
-  // Those that have a cell, numbered anew, and the rest.
+  // Those that have a cell, numbered anew, and the rest; of these the copies of another share its fate.
   std::vector<int> numbers(apart.places.size(), kNone);
-  std::vector<char> isVisible(ordered.circles.size());
   std::vector<int> seen;
-  for (std::size_t i = 0; i < apart.places.size(); ++i) {
-    if (inserted->isHidden[i]) continue;
-    numbers[i] = static_cast<int>(seen.size());
-    isVisible[apart.places[i]] = 1;
-    seen.push_back(apart.places[i]);
-  }
   std::vector<int> rest;
-  for (int i = 0; i < static_cast<int>(isVisible.size()); ++i) {
-    if (!isVisible[i]) rest.push_back(i);
+  std::vector<std::pair<int, int>> copies;
+  for (int i = 0; i < static_cast<int>(ordered.circles.size()); ++i) {
+    const int k = largest.which[i];
+    if (const int original = apart.places[k]; i != original) {
+      if (ordered.circles[i].r == ordered.circles[original].r) {
+        copies.emplace_back(i, original);
+      } else {
+        rest.push_back(i);
+      }
+    } else if (inserted->isHidden[k]) {
+      rest.push_back(i);
+    } else {
+      numbers[k] = static_cast<int>(seen.size());
+      seen.push_back(i);
+    }
   }
   Dual& dual = inserted->dual;
   for (int& corner : dual.origin) {
@@ -158,6 +168,9 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
     const int i = named.hider[j];
     if (i == kNone) return std::nullopt;
     all.hider[hidden.places[j]] = visible.places[i];
+  }
+  for (const auto& [copy, original] : copies) {
+    all.hider[copy] = all.hider[original] == kNone ? original : all.hider[original];
   }
   VisibleCircles result = withoutHidden(ordered, all);
   result.diagram = std::move(dual);

@@ -22,8 +22,8 @@ struct VisibleCircles {
   std::int64_t steps = 0;            ///< taken to find them: boxes and circles looked at, edges flipped
 };
 
-/// A search for hiders of ordinary circles takes about ten.
-inline constexpr std::int64_t kMostStepsACircle = 60;
+/// A search for hiders of ordinary circles takes ten to twenty.
+inline constexpr std::int64_t kMostStepsACircle = 30;
 
 /// Takes out the hidden circles. Exact: of identical circles the first stays, a tangent circle inside is hidden.
 /// A search for what contains each circle tells them, or, where it takes more steps than those given and 1000, the

@@ -75,9 +75,22 @@ class SpatialOrder {
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= items.size(); ++i) {
       if (i < items.size() && items[i].key == items[begin].key) continue;
-      if (i - begin > kCrowd) runs_.push_back({run.begin + begin, run.begin + i});
+      if (i - begin > kCrowd) {
+        runs_.push_back({run.begin + begin, run.begin + i});
+      } else if (i - begin > 1) {
+        bringTogether(items.subspan(begin, i - begin));
+      }
       begin = i;
     }
+  }
+
+  /// Lets equal points of a cell follow one another.
+  void bringTogether(std::span<Keyed> cell) const {
+    std::stable_sort(cell.begin(), cell.end(), [this](const Keyed& a, const Keyed& b) {
+      const Point& p = points_[a.index];
+      const Point& q = points_[b.index];
+      return p.x != q.x ? p.x < q.x : p.y < q.y;
+    });
   }
 
   /// False if all points are the same.
