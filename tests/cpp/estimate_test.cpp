@@ -211,7 +211,7 @@ double turnPartOf(const Circles& c) {
       return part(4 * coneOf(m, m), turn.norm);
     } else {
       const Real conjugate = m.x * d.d.y - m.y * d.d.x - m.s * d.root;
-      return part(n == z ? Real(-conjugate) : conjugate, turn.factor);
+      return part(conjugate, turn.factor);
     }
   });
 }

@@ -190,13 +190,13 @@ int touchSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& 
 
 /// 1 if a circle z overlaps the disc of (o, u, v), 0 if it touches it, -1 if it is clear of it: reachSign with
 /// M = g_z (V x U) + g_v (U x Z) + g_u (Z x V).
-template <class Number, class D>
-int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& z, const Numbers<D>& d) {
+template <class Number>
+int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>& z) {
   return signOf(
       touchSign(u, v, z),
       [&] {
         const auto m = times(z.g, cross(v.v, u.v)) + times(v.g, cross(u.v, z.v)) + times(u.g, cross(z.v, v.v));
-        return planeCross(m, d).sign();
+        return planeCross(m, axisOf(u, v)).sign();
       },
       [&] { return (z.g * planeCross(v.v, u.v) + v.g * planeCross(u.v, z.v) + u.g * planeCross(z.v, v.v)).sign(); });
 }
@@ -337,7 +337,7 @@ int crossSign(const Face& first, const Face& second, const Circle& from) {
     // delta - cos beta if 0 < delta < pi, and that of cos delta + cos beta if not. How far one of W_y, W_z reaches
     // beyond the first line, which touches the other.
     if (isLeftOf(e, d)) {
-      const int sign = overlapSign(seen[0], seen[1], seen[isSecondNew ? 3 : 2], d);
+      const int sign = overlapSign(seen[0], seen[1], seen[isSecondNew ? 3 : 2]);
       return isSecondNew ? -sign : sign;
     }
     const auto dot = planeDot(d, e);
@@ -345,6 +345,12 @@ int crossSign(const Face& first, const Face& second, const Circle& from) {
     return signOf((sum * sum - cone(d, d) * cone(e, e)).sign(),
                   [&] { return -(d.s * dot + e.s * planeDot(d, d)).sign(); }, [&] { return planeCross(d, e).sign(); });
   });
+}
+
+int overlapSign(const Face& face, const Circle* other, const Circle& from) {
+  const auto [u, v] = othersOf(face, &from);
+  return seenFrom(from, std::array{u, v, other},
+                  [](const auto& seen, int) { return overlapSign(seen[0], seen[1], seen[2]); });
 }
 
 int touchSign(const Face& face, const Circle* other, const Circle& from) {

@@ -46,6 +46,10 @@ int directionSign(const Face& face, const Circle& from, int axis);
 /// Precondition: both faces have a disc, `from` as a corner, and a second corner in common.
 int crossSign(const Face& first, const Face& second, const Circle& from);
 
+/// 1 if `other`, a circle or the point at infinity, overlaps the disc of a face, 0 if it touches it, -1 if it is clear
+/// of it. `from` is a corner of the face.
+int overlapSign(const Face& face, const Circle* other, const Circle& from);
+
 /// The sign that decides a near tie (refined_turn.h): 0 if one disc touches the circles of the face and `other`, which
 /// may be the point at infinity too. `from` is a corner of the face.
 int touchSign(const Face& face, const Circle* other, const Circle& from);

@@ -60,8 +60,10 @@ int Predicates::exactCross(int from, const Triple& first, const Triple& second) 
     return sign;
   }
   ++counts_.exact;
-  const int factor = turn.factorSign();
-  return factor != 0 ? factor * exact::touchSign(one, turn.added, seenFrom) : exact::crossSign(one, other, seenFrom);
+  if (turn.left.sign() <= 0) return exact::crossSign(one, other, seenFrom);
+  const int factor = turn.factor.sign();
+  return turn.side * (factor != 0 ? factor * exact::touchSign(one, turn.added, seenFrom)
+                                  : exact::overlapSign(one, turn.added, seenFrom));
 }
 
 int Predicates::exactEdgeOrder(int a, int b, int c, int d) {

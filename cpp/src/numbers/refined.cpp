@@ -201,6 +201,7 @@ RefinedTurn refinedTurn(const exact::Face& first, const exact::Face& second, con
   const Circle* other = firstOthers[shared == firstOthers[0] ? 1 : 0];
   RefinedTurn result;
   result.added = secondOthers[isSharedFirst ? 1 : 0];
+  result.side = isSharedFirst ? -1 : 1;
 
   const Sight p(firstOthers[0], from);
   const Sight q(firstOthers[1], from);
@@ -218,8 +219,6 @@ RefinedTurn refinedTurn(const exact::Face& first, const exact::Face& second, con
   if (!areKnown({on})) return result;
   result.left = crossOf({e.x, e.y, 6 * u * e.size}, toFirst);
   result.factor = factorOf(p, q, n, d);
-  // A circle that reaches beyond the first line moves the second one towards the left if it touches that first.
-  if (isSharedFirst) result.factor.value = -result.factor.value;
   const auto& [pn, qn] = shared == firstOthers[0] ? std::tie(wn, on) : std::tie(on, wn);
   result.norm = normOf(pq * n.square, qn * p.square, pn * q.square);
   return result;

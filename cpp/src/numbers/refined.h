@@ -21,18 +21,20 @@ Direction refinedDirection(const exact::Face& face, const Circle& from);
 /// exact::crossSign of two faces that share an edge.
 struct RefinedTurn {
   Estimate cross;
-  // If the first direction lies to the left of the line that the second disc touches, as where both nearly agree, the
-  // sign is also the product of those of factor, which is not zero in a tie, and norm, which is.
+  /// Positive if the first direction lies to the left of the axis of the second disc, as where both nearly agree. Then
+  /// the sign is `side` times exact::overlapSign(first, added, from), which is the product of the signs of the next
+  /// two.
   Estimate left;
-  Estimate factor;
-  Estimate norm;                  ///< its sign is exact::touchSign(first, added, from)
+  Estimate factor;  ///< not zero in a tie
+  Estimate norm;    ///< its sign is exact::touchSign(first, added, from)
+  int side = 0;
   const Circle* added = nullptr;  ///< the corner of the second face that the first does not have
 
-  /// That of the factor if it counts; 0 if neither is known.
-  int factorSign() const { return left.sign() > 0 ? factor.sign() : 0; }
-
   /// 0 if the estimates do not decide.
-  int sign() const { return cross.sign() != 0 ? cross.sign() : factorSign() * norm.sign(); }
+  int sign() const {
+    if (const int sign = cross.sign(); sign != 0) return sign;
+    return left.sign() > 0 ? side * factor.sign() * norm.sign() : 0;
+  }
 };
 
 RefinedTurn refinedTurn(const exact::Face& first, const exact::Face& second, const Circle& from);
