@@ -21,9 +21,10 @@ export interface Server {
   close(): Promise<void>
 }
 
-/** Serves a folder as any server of files does, under a Content-Security-Policy. */
+/** Serves a folder as any server of files does, under a Content-Security-Policy, and to pages from anywhere. */
 export async function serve(folder: string, policy = STRICT_POLICY): Promise<Server> {
   const headersOf = (path: string) => ({
+    'Access-Control-Allow-Origin': '*',
     'Content-Security-Policy': policy,
     'Content-Type': TYPES[extname(path)] ?? 'application/octet-stream',
   })

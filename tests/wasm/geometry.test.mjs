@@ -58,7 +58,7 @@ for (const { name, file } of [...fixtures, ...scaled]) {
       assert.equal(features.length, circles.length)
       for (const { properties, geometry } of features) {
         const i = properties.circle
-        const parts = outline(diagram.cells, i, box)
+        const parts = outline(diagram, i, box)
         assert.deepEqual([...diagram.neighbors(i)], properties.neighbors)
         near(area(parts), properties.area, 1e-13 * size * size, `area of cell ${i}`)
         // A cell that rounding leaves no area has no polygon.

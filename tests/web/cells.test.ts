@@ -13,6 +13,7 @@ import {
   NONE,
   outline,
   type Point,
+  type Polygon,
   pointAt,
 } from '../../web/lib/index.ts'
 import { area, centroid, perimeter } from '../../web/lib/measure.ts'
@@ -44,7 +45,7 @@ function expectPartition(diagram: Diagram, bounds: Bounds): void {
   const whole = ConvexPolygon.of(bounds).area()
   let sum = 0
   for (let i = 0; i < diagram.circles.length / 3; i++) {
-    const parts = outline(diagram.cells, i, bounds)
+    const parts = outline(diagram, i, bounds)
     for (const loop of parts) {
       loop.forEach(({ curve }, k) => {
         expect(curve.end).toEqual(loop[(k + 1) % loop.length]?.curve.start)
@@ -136,7 +137,7 @@ describe('the outline of a cell', () => {
         const size = box.maxX - box.minX
         if (!(size > 0 && box.maxY > box.minY)) return
         for (let i = 0; i < circles.length / 3; i++) {
-          const parts = outline(diagram.cells, i, box)
+          const parts = outline(diagram, i, box)
           const origin = pointIn(box, 0.5, 0.5)
           let [twice, x, y, around] = [0, 0, 0, 0]
           for (const { bisector, from, to } of parts.flat().map(({ curve }) => curve)) {
@@ -181,7 +182,7 @@ describe('the outline of a cell', () => {
     }
     const pixel = ((box.maxX - box.minX) * (box.maxY - box.minY)) / pixels ** 2
     counts.forEach((count, i) => {
-      const parts = outline(diagram.cells, i, box)
+      const parts = outline(diagram, i, box)
       // Each pixel on the outline may be wrong by one half.
       const wrong = (0.5 * perimeter(parts)) / Math.sqrt(pixel)
       expect(Math.abs(area(parts) / pixel - count)).toBeLessThan(wrong + 4)
@@ -191,10 +192,10 @@ describe('the outline of a cell', () => {
   it('is the box of a single circle', () => {
     const diagram = library.compute(Float64Array.of(0, 0, 1, 0.1, 0, 0.5))
     const box = { minX: 2, minY: 3, maxX: 5, maxY: 4 }
-    const parts = outline(diagram.cells, 0, box)
+    const parts = outline(diagram, 0, box)
     expect(diagram.cell(0)).toMatchObject({ sides: new Int32Array(0), isBounded: false })
     expect([area(parts), perimeter(parts), centroid(parts)]).toEqual([3, 8, { x: 3.5, y: 3.5 }])
-    expect(outline(diagram.cells, 1, box)).toEqual([])
+    expect(outline(diagram, 1, box)).toEqual([])
     expect([area([]), perimeter([]), centroid([])]).toEqual([0, 0, { x: 0, y: 0 }])
   })
 
@@ -204,17 +205,26 @@ describe('the outline of a cell', () => {
       expect(diagram.cell(i)).toBeUndefined()
       expect(diagram.neighbors(i)).toHaveLength(0)
       expect(diagram.contains(i, 0, 0)).toBe(false)
-      expect(diagram.cellPath(i)).toBe('')
+      for (const ask of [() => diagram.cellPath(i), () => diagram.cellPolygon(i), () => diagram.cellArea(i)]) {
+        expect(ask).toThrow(expect.objectContaining({ code: 'badArgument' }))
+      }
     }
   })
 
   it('has two loops where a box cuts the cell apart', () => {
     // The branch bends around the small circle: a box above its apex sees the large circle's cell on both sides of it.
-    const { cells } = library.compute(Float64Array.of(0, 0, 10, 0, 10.6, 0.1))
+    const diagram = library.compute(Float64Array.of(0, 0, 10, 0, 10.6, 0.1))
     const box = { minX: -8, minY: 10.5, maxX: 8, maxY: 14 }
-    expect(outline(cells, 0, box)).toHaveLength(2)
-    expect(outline(cells, 1, { ...box, minY: 10.3 })).toHaveLength(1)
-    expect(area(outline(cells, 0, box)) + area(outline(cells, 1, box))).toBeCloseTo(56, 11)
+    expect(outline(diagram, 0, box)).toHaveLength(2)
+    expect(outline(diagram, 1, { ...box, minY: 10.3 })).toHaveLength(1)
+    expect(area(outline(diagram, 0, box)) + area(outline(diagram, 1, box))).toBeCloseTo(56, 11)
+  })
+
+  it('as one polygon has the area of all its loops', () => {
+    const diagram = library.compute(Float64Array.of(0, 0, 10, 0, 10.6, 0.1))
+    const bounds = { minX: -8, minY: 10.5, maxX: 8, maxY: 14 }
+    const ring = (diagram.cellPolygon(0, { bounds, tolerance: 1e-9 }) as Polygon).map(([x, y]) => ({ x, y }))
+    expect(doubleArea(ring) / 2).toBeCloseTo(diagram.cellArea(0, { bounds }), 6)
   })
 
   it('bears a boundary along an edge, or touching one', () => {
@@ -227,7 +237,7 @@ describe('the outline of a cell', () => {
     ] as const) {
       expectPartition(square, { minX, minY, maxX, maxY })
     }
-    expect(area(outline(square.cells, 3, { minX: 1, minY: 1, maxX: 2, maxY: 2 }))).toBe(1)
+    expect(area(outline(square, 3, { minX: 1, minY: 1, maxX: 2, maxY: 2 }))).toBe(1)
     const touching = library.compute(Float64Array.of(1, 3, 0, 1, 0, 1)) // the apex of their edge is (1, 2)
     for (const [minX, minY, maxX, maxY] of [
       [1, 0, 3, 2],
@@ -245,7 +255,7 @@ describe('the outline of a cell', () => {
     const box = boxAround(circles, 0.01)
     expectPartition(diagram, box)
     for (let i = 0; i < circles.length / 3; i++) {
-      expect(area(outline(diagram.cells, i, box)) > 0).toBe(diagram.cell(i) !== undefined)
+      expect(area(outline(diagram, i, box)) > 0).toBe(diagram.cell(i) !== undefined)
     }
   })
 })
@@ -323,7 +333,7 @@ describe('a convex polygon', () => {
     { minX: Number.NaN, minY: 0, maxX: 1, maxY: 1 },
     { minX: 0, minY: 0, maxX: Number.POSITIVE_INFINITY, maxY: 1 },
   ])('refuses the box %j', (box) => {
-    expect(() => library.compute(Float64Array.of(0, 0, 1)).cellPath(0, box)).toThrow(/^The box is empty/)
+    expect(() => library.compute(Float64Array.of(0, 0, 1)).cellPath(0, { bounds: box })).toThrow(/^The box is empty/)
   })
 })
 
@@ -349,13 +359,56 @@ describe('of equal radii, as d3-delaunay', () => {
   it('cells are the same polygons', () => {
     points.forEach((_, i) => {
       const polygon = (voronoi.cellPolygon(i) as [number, number][]).slice(1).map(([x, y]) => ({ x, y }))
-      const parts = outline(diagram.cells, i, box)
+      const parts = outline(diagram, i, box)
       expect(area(parts)).toBeCloseTo(Math.abs(doubleArea(polygon)) / 2, 7)
       const corners = parts.flat().map(({ curve }) => curve.start)
       for (const { x, y } of polygon) {
         expect(Math.min(...corners.map((corner) => Math.hypot(corner.x - x, corner.y - y)))).toBeLessThan(1e-7)
       }
     })
+  })
+
+  it('polygons, triangles and half-edges are those of the same names', () => {
+    const bounds = [box.minX, box.minY, box.maxX, box.maxY] as const
+    const polygons = [...diagram.cellPolygons({ bounds })]
+    expect(polygons.map(({ index }) => index)).toEqual(points.map((_, i) => i))
+    polygons.forEach((polygon, i) => {
+      expect(polygon).toEqual(Object.assign(diagram.cellPolygon(i, { bounds }) as Polygon, { index: i }))
+      expect(polygon.at(-1)).toEqual(polygon[0])
+      const ring = polygon.slice(1).map(([x, y]) => ({ x, y }))
+      expect(doubleArea(ring) / 2).toBeCloseTo(diagram.cellArea(i, { bounds }), 9)
+      const theirs = voronoi.cellPolygon(i) as [number, number][]
+      const lengthOf = (list: readonly (readonly number[])[]) =>
+        list.slice(1).reduce((sum, [x, y], k) => {
+          const [fromX, fromY] = list[k] as [number, number]
+          return sum + Math.hypot((x as number) - fromX, (y as number) - fromY)
+        }, 0)
+      expect(diagram.cellPerimeter(i, { bounds })).toBeCloseTo(lengthOf(theirs), 7)
+    })
+    const triangleSet = (triangles: ArrayLike<number>) =>
+      Array.from({ length: triangles.length / 3 }, (_, t) =>
+        [0, 1, 2]
+          .map((k) => triangles[3 * t + k] as number)
+          .sort((a, b) => a - b)
+          .join(),
+      ).sort()
+    expect(triangleSet(diagram.triangles)).toEqual(triangleSet(delaunay.triangles))
+    const { triangles, halfedges } = diagram
+    expect([...halfedges].filter((h) => h === NONE)).toHaveLength(diagram.hull.length)
+    halfedges.forEach((t, h) => {
+      if (t === NONE) return
+      const next = (edge: number) => (edge % 3 === 2 ? edge - 2 : edge + 1)
+      expect([halfedges[t], triangles[t], triangles[next(t)]]).toEqual([h, triangles[next(h)], triangles[h]])
+    })
+    expect(diagram.renderBounds({ bounds })).toBe('M-10,-20L110,-20L110,102L-10,102Z')
+  })
+
+  it('for all cells is for each', () => {
+    const each = <Value>(ask: (i: number) => Value) => points.map((_, i) => ask(i))
+    expect([...diagram.cellAreas()]).toEqual(each((i) => diagram.cellArea(i)))
+    expect([...diagram.cellPerimeters()]).toEqual(each((i) => diagram.cellPerimeter(i)))
+    const centroids = each((i) => diagram.cellCentroid(i) as Point)
+    expect([...diagram.cellCentroids()]).toEqual(centroids.flatMap(({ x, y }) => [x, y]))
   })
 
   it('find and contains give the same circle', () => {

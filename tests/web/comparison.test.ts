@@ -33,7 +33,7 @@ function leastDistance(circles: Float64Array, point: Point, metric: Metric): num
 }
 
 function areas(diagram: Diagram, region: ConvexPolygon): number[] {
-  return Array.from({ length: diagram.circles.length / 3 }, (_, i) => area(outline(diagram.cells, i, region)))
+  return Array.from({ length: diagram.circles.length / 3 }, (_, i) => area(outline(diagram, i, region)))
 }
 
 describe.each(['circles', 'centres', 'power'] as const)('by %s', (metric) => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { reversed, segment } from '../../web/lib/curve.ts'
 import {
   arcLength,
   type BoundedCurve,
@@ -15,8 +16,6 @@ import {
   pointAt,
   polyline,
   rationalBezier,
-  reversed,
-  segment,
   traceArc,
 } from '../../web/lib/index.ts'
 import { anyCircles, circlePair, unit } from './arbitrary-circles.ts'

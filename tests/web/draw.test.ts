@@ -29,7 +29,7 @@ describe.each(SETS)('%s', (_, circles) => {
   it('draws every edge where both circles are equally near and no other is nearer', () => {
     for (let e = 0; e < diagram.edges.length / 4; e++) {
       const sink = new RecordingSink(4)
-      diagram.edgePath(e, sink, box, tolerance)
+      diagram.edgePath(e, { context: sink, bounds: box, tolerance })
       const [left, right] = diagram.edges.subarray(4 * e, 4 * e + 2) as unknown as [number, number]
       for (const point of sink.points) {
         const distance = signedDistance(circles, left, point)
@@ -41,8 +41,8 @@ describe.each(SETS)('%s', (_, circles) => {
 
   it('draws nothing outside the box', () => {
     const sink = new RecordingSink(4)
-    diagram.render(sink, box, tolerance)
-    for (const i of indices) diagram.cellPath(i, box, sink, tolerance)
+    diagram.render({ context: sink, bounds: box, tolerance })
+    for (const i of indices) diagram.cellPath(i, { context: sink, bounds: box, tolerance })
     for (const { x, y } of sink.points) {
       expect(Math.max(box.minX - x, x - box.maxX, box.minY - y, y - box.maxY)).toBeLessThanOrEqual(tolerance)
     }
@@ -51,7 +51,7 @@ describe.each(SETS)('%s', (_, circles) => {
   it('draws each cell as a counter-clockwise outline, where its own circle is the nearest', () => {
     for (const i of indices) {
       const sink = new RecordingSink(8)
-      diagram.cellPath(i, box, sink, tolerance)
+      diagram.cellPath(i, { context: sink, bounds: box, tolerance })
       if (diagram.cell(i) === undefined) {
         expect(sink.strokes).toEqual([])
         continue
@@ -67,7 +67,7 @@ describe.each(SETS)('%s', (_, circles) => {
     const random = seededRandom(1)
     const outlines = indices.map((i) => {
       const sink = new RecordingSink(16)
-      diagram.cellPath(i, box, sink, tolerance)
+      diagram.cellPath(i, { context: sink, bounds: box, tolerance })
       return sink.strokes
     })
     for (let k = 0; k < 100; k++) {
@@ -89,11 +89,11 @@ it('draws the same curve when magnified ten million times', () => {
   const size = 1e-6
   for (let e = 0; e < diagram.edges.length / 4; e++) {
     const whole = new RecordingSink(3)
-    diagram.edgePath(e, whole, boxAround(circles, 0.5), 1e-12)
+    diagram.edgePath(e, { context: whole, bounds: boxAround(circles, 0.5), tolerance: 1e-12 })
     for (const { x, y } of whole.points.slice(0, 40)) {
       const box = { minX: x - size, minY: y - size, maxX: x + size, maxY: y + size }
       const part = new RecordingSink(64)
-      diagram.edgePath(e, part, box, 1e-9)
+      diagram.edgePath(e, { context: part, bounds: box, tolerance: 1e-9 })
       expect(Math.min(...part.strokes.map((stroke) => distanceToPolyline(stroke, { x, y })))).toBeLessThan(size / 10)
     }
   }
@@ -139,18 +139,19 @@ describe('an SVG path', () => {
 
   it('says the same as a context is told', () => {
     const bounds = ConvexPolygon.of(boxAround(circles, 0.05))
+    const digits = 99 // all of them
     const all = new RecordingSink()
-    diagram.render(all, bounds)
-    expect(replayed(diagram.render(undefined, bounds)).strokes).toEqual(all.strokes)
+    diagram.render({ context: all, bounds })
+    expect(replayed(diagram.render({ bounds, digits })).strokes).toEqual(all.strokes)
     for (let e = 0; e < diagram.edges.length / 4; e++) {
       const sink = new RecordingSink()
-      diagram.edgePath(e, sink)
-      expect(replayed(diagram.edgePath(e)).strokes).toEqual(sink.strokes)
+      diagram.edgePath(e, { context: sink })
+      expect(replayed(diagram.edgePath(e, { digits })).strokes).toEqual(sink.strokes)
     }
     for (let i = 0; i < circles.length / 3; i++) {
       const sink = new RecordingSink()
-      diagram.cellPath(i, bounds, sink)
-      expect(replayed(diagram.cellPath(i)).strokes).toEqual(sink.strokes)
+      diagram.cellPath(i, { context: sink, bounds })
+      expect(replayed(diagram.cellPath(i, { digits })).strokes).toEqual(sink.strokes)
     }
   })
 
@@ -165,9 +166,27 @@ describe('an SVG path', () => {
     expect(library.compute([]).renderHull()).toBe('')
   })
 
-  it.each([-1, 0.5, Number.NaN, Number.POSITIVE_INFINITY, 1e9])('of what is not there is empty: %d', (index) => {
-    expect(diagram.edgePath(index)).toBe('')
-    expect(diagram.cellPath(index)).toBe('')
+  it.each([-1, 0.5, Number.NaN, Number.POSITIVE_INFINITY, 1e9])('of what is not there is refused: %d', (index) => {
+    const refusal = expect.objectContaining({ code: 'badArgument' })
+    expect(() => diagram.edgePath(index)).toThrow(refusal)
+    expect(() => diagram.cellPath(index)).toThrow(refusal)
+  })
+
+  it('has digits enough for a tenth of the tolerance, or as many as are asked for', () => {
+    const bounds = boxAround(circles, 0.05)
+    const tolerance = 1e-3 * (bounds.maxX - bounds.minX)
+    const numbersOf = (path: string) => path.match(/-?[\d.]+(e[+-]?\d+)?/g) ?? []
+    const exact = numbersOf(diagram.render({ bounds, tolerance, digits: 99 })).map(Number)
+    const rounded = numbersOf(diagram.render({ bounds, tolerance })).map(Number)
+    expect(rounded).toHaveLength(exact.length)
+    for (let k = 0; k < exact.length; k += 2) {
+      const moved = Math.hypot(...[k, k + 1].map((place) => (exact[place] as number) - (rounded[place] as number)))
+      expect(moved).toBeLessThanOrEqual(0.1 * tolerance)
+    }
+    const longest = (digits: number) =>
+      Math.max(0, ...numbersOf(diagram.render({ bounds, digits })).map((text) => text.split('.')[1]?.length ?? 0))
+    expect(longest(0)).toBe(0)
+    expect(longest(2)).toBeLessThanOrEqual(2)
   })
 
   it('draws circles, the dual and the hull', () => {
@@ -187,7 +206,7 @@ describe('a hull drawn on a context', () => {
   it.each(SETS)('of %s has every circle inside', (_, circles) => {
     const diagram = library.compute(circles)
     const sink = new RecordingSink(400)
-    diagram.renderHull(sink)
+    diagram.renderHull({ context: sink })
     const box = boxAround(circles, 0)
     const size = Math.max(box.maxX - box.minX, box.maxY - box.minY)
     const [stroke] = sink.strokes as [Point[]]

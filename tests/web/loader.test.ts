@@ -10,6 +10,8 @@ import {
   type Options,
   vertexAt,
 } from '../../web/lib/index.ts'
+import { compileCircleVoronoi } from '../../web/lib/load-options.ts'
+import { instantiate } from '../../web/lib/wasm.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -85,8 +87,10 @@ describe('compute', () => {
 })
 
 describe('errors', () => {
-  it('has the codes of the C++ core', () => {
-    expect(library.errorCodeNames()).toEqual(ERROR_CODES)
+  it('has the codes of the C++ core', async () => {
+    const { default: createModule } = await import('../../web/lib/generated/circle-voronoi.js')
+    const { errorCodeNames } = await instantiate(createModule, await compileCircleVoronoi({}))
+    expect(errorCodeNames()).toEqual(ERROR_CODES)
   })
 
   it.each([
@@ -224,7 +228,6 @@ describe('the WebAssembly', () => {
 describe('certify', () => {
   it('certifies a diagram that compute made', () => {
     expect(library.certify(library.compute(THREE))).toMatchObject({ certified: true, flaw: 'none', message: '' })
-    expect(library.verify(library.compute(THREE))).toEqual(library.certify(library.compute(THREE)))
   })
 
   it('names what is wrong', () => {
@@ -235,7 +238,6 @@ describe('certify', () => {
     const moved = { ...diagram, vertices: diagram.vertices.map((value) => value + 0.001) }
     expect(library.certify(moved)).toMatchObject({ certified: false, flaw: 'vertexMisplaced', vertex: 0 })
     const hidden = { ...diagram, hidden: Int32Array.of(0, 1) }
-    expect(library.verify(hidden)).toEqual(library.certify(hidden))
     expect(library.certify(hidden)).toMatchObject({ certified: false, flaw: 'hiddenWithoutHider', circle: 0 })
   })
 

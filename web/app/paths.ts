@@ -54,7 +54,7 @@ export function circlePaths(state: State, viewport: Viewport, tints: Uint8Array,
 
 export function edgesPath({ diagram, camera, size, region, tolerance }: Viewport): Path2D {
   const sink = new ScreenSink(camera, size)
-  diagram?.render(sink, region, tolerance)
+  diagram?.render({ context: sink, bounds: region, tolerance })
   return sink.path
 }
 
@@ -72,7 +72,7 @@ export function verticesPath({ diagram, camera, size, region }: Viewport): Path2
 export function cellsPath(indices: readonly number[], { diagram, camera, size, region, tolerance }: Viewport): Path2D {
   const sink = new ScreenSink(camera, size)
   for (const circle of indices) {
-    if (isInDiagram(circle, diagram)) diagram.cellPath(circle, region, sink, tolerance)
+    if (isInDiagram(circle, diagram)) diagram.cellPath(circle, { context: sink, bounds: region, tolerance })
   }
   return sink.path
 }

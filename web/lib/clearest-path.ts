@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { pointAt } from './bisector.ts'
+import { checkDiagram, checkMetric, checkPoint, refuseArgument } from './check.ts'
 import { LineCrossing } from './clip.ts'
 import { type EdgeCurve, edgeCurve } from './curve.ts'
 import type { Diagram } from './diagram.ts'
@@ -33,8 +34,15 @@ export interface ClearestPath {
  *
  * To move straight away from the nearest centre until an edge is met never loses clearance. As that carries every path onto
  * the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
+ *
+ * @throws CircleVoronoiError `badArgument`
  */
 export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath {
+  checkDiagram(diagram, 'clearestPath')
+  checkMetric(diagram, 'clearestPath', 'circles')
+  checkPoint(p, 'clearestPath')
+  checkPoint(q, 'clearestPath')
+  if (diagram.circles.length === 0) refuseArgument('clearestPath takes a diagram of one circle or more.')
   const fromCircle = diagram.find(p.x, p.y)
   const toCircle = diagram.find(q.x, q.y)
   const from = exitOf(diagram, fromCircle, p)

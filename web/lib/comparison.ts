@@ -4,13 +4,12 @@
  *
  * @module circle-voronoi/comparison
  */
-import { coordinatesOf } from './coordinates.ts'
+import { type Circles, coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
-import type { Circle } from './diagram-data.ts'
 import { CircleVoronoiError } from './errors.ts'
 import createModule from './generated/circle-voronoi-comparison.js'
 import type { CircleVoronoi } from './library.ts'
-import type { LoadOptions } from './load-options.ts'
+import { checkLoadOptions, type LoadOptions } from './load-options.ts'
 import type { Metric } from './metric.ts'
 import { compileWasm, instantiate, unwrap } from './wasm.ts'
 
@@ -20,7 +19,7 @@ const COORDINATE_LIMIT = 1e150
 /** Diagrams of the same circles by other distances, to show how they differ. */
 export interface Comparison {
   /**
-   * The diagram of `circles`, x, y, r each or objects, by another distance: with `centres` the ordinary Voronoi diagram of
+   * The diagram of `circles`, as `compute` takes them, by another distance: with `centres` the ordinary Voronoi diagram of
    * the centres, with `power` the power diagram, with `circles` that of `compute`. The methods of the result and the
    * functions of cells and curves take that distance too.
    *
@@ -31,7 +30,7 @@ export interface Comparison {
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
-  computeComparison(circles: Float64Array | readonly Circle[], metric: Metric): Diagram
+  computeComparison(circles: Circles, metric: Metric): Diagram
 }
 
 /**
@@ -40,8 +39,9 @@ export interface Comparison {
  * @param options `wasm`: `circle-voronoi-comparison.wasm`. Default: the file beside this module.
  * @throws CircleVoronoiError `notLoaded`
  */
-export async function loadComparison(library: CircleVoronoi, { wasm }: LoadOptions = {}): Promise<Comparison> {
-  const source = wasm ?? new URL('./generated/circle-voronoi-comparison.wasm', import.meta.url)
+export async function loadComparison(library: CircleVoronoi, options: LoadOptions = {}): Promise<Comparison> {
+  checkLoadOptions(options, 'loadComparison')
+  const source = options.wasm ?? new URL('./generated/circle-voronoi-comparison.wasm', import.meta.url)
   const module = await instantiate(createModule, await compileWasm(source))
 
   return {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from './errors.ts'
+import { refuseOption, shown } from './check.ts'
 import { between, cross, type Point, type Vector } from './point.ts'
 import { facing, largestOf, turn } from './scale.ts'
 
@@ -14,8 +14,8 @@ export interface Box {
 /** The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers. */
 export const REGION_LIMIT = 1e152
 
-/** What curves and cells are clipped to. */
-export type Bounds = Box | ConvexPolygon
+/** What curves and cells are clipped to: a box, also as `[minX, minY, maxX, maxY]`, or a convex polygon. */
+export type Bounds = Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | ConvexPolygon
 
 /** The closed region that curves and cells are clipped to. */
 export class ConvexPolygon {
@@ -42,37 +42,38 @@ export class ConvexPolygon {
    * `REGION_LIMIT`, two corners in a row are equal, or they do not turn left exactly once.
    */
   static from(corners: readonly Point[]): ConvexPolygon {
-    if (corners.length < 3) refuse('A convex polygon needs three corners or more.')
-    if (!corners.every(({ x, y }) => isInRange(x) && isInRange(y))) {
-      refuse('A corner of the polygon is not finite, or beyond 1e152.')
+    if (!Array.isArray(corners)) refuseOption(`The corners of a polygon are an array of points, not ${shown(corners)}.`)
+    if (corners.length < 3) refuseOption('A convex polygon needs three corners or more.')
+    if (!corners.every((corner) => isInRange(corner?.x) && isInRange(corner?.y))) {
+      refuseOption('A corner of the polygon is not finite, or beyond 1e152.')
     }
     const polygon = new ConvexPolygon(corners.map(({ x, y }) => ({ x, y })))
     const sides = polygon.corners.map((corner, k) => between(corner, polygon.cornerAfter(k)))
     let halfTurns = 0
     sides.forEach((out, k) => {
       const before = sides.at(k - 1) as Vector
-      if (out.x === 0 && out.y === 0) refuse('Two corners of the polygon in a row are equal.')
+      if (out.x === 0 && out.y === 0) refuseOption('Two corners of the polygon in a row are equal.')
       const side = turn(before, out)
       if (side < 0 || (side === 0 && facing(before, out) < 0)) {
-        refuse('The polygon is not convex, or its corners are not counter-clockwise.')
+        refuseOption('The polygon is not convex, or its corners are not counter-clockwise.')
       }
       if (isUpper(before) !== isUpper(out)) halfTurns += 1
     })
-    if (halfTurns !== 2) refuse('The polygon winds more than once, or has no area.')
+    if (halfTurns !== 2) refuseOption('The polygon winds more than once, or has no area.')
     return polygon
   }
 
   /**
    * The polygon of some bounds.
    *
-   * @throws CircleVoronoiError `badOption`, if they are a box that is empty, or a coordinate is not finite or exceeds
-   * `REGION_LIMIT`.
+   * @throws CircleVoronoiError `badOption`, if they are neither a polygon nor a box of four numbers, or a box that is
+   * empty, or a coordinate is not finite or exceeds `REGION_LIMIT`.
    */
   static of(bounds: Bounds): ConvexPolygon {
     if (bounds instanceof ConvexPolygon) return bounds
-    const { minX, minY, maxX, maxY } = bounds
+    const [minX, minY, maxX, maxY] = sidesOf(bounds)
     if (!(minX < maxX && minY < maxY && [minX, minY, maxX, maxY].every(isInRange))) {
-      refuse('The box is empty, or a coordinate is not finite, or beyond 1e152.')
+      refuseOption('The box is empty, or a coordinate is not finite, or beyond 1e152.')
     }
     return new ConvexPolygon([
       { x: minX, y: minY },
@@ -130,6 +131,12 @@ function isInRange(coordinate: number): boolean {
   return Math.abs(coordinate) <= REGION_LIMIT
 }
 
-function refuse(message: string): never {
-  throw new CircleVoronoiError('badOption', -1, message)
+/** The numbers of a box, in the order of its array. */
+function sidesOf(bounds: Exclude<Bounds, ConvexPolygon>): readonly [number, number, number, number] {
+  const { minX, minY, maxX, maxY }: Partial<Box> = Object(bounds)
+  const sides: readonly unknown[] = Array.isArray(bounds) ? bounds : [minX, minY, maxX, maxY]
+  if (sides.length !== 4 || !sides.every((side) => typeof side === 'number')) {
+    refuseOption('Bounds are a ConvexPolygon, or a box of four numbers: { minX, minY, maxX, maxY } or an array.')
+  }
+  return sides as readonly [number, number, number, number]
 }

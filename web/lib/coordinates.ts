@@ -1,36 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle } from './diagram-data.ts'
+import { shown } from './check.ts'
+import type { Circle, Float64s } from './diagram-data.ts'
 import { CircleVoronoiError } from './errors.ts'
+
+/** A circle as an object, or as an array of its x, y and r. */
+export type CircleLike = Circle | ArrayLike<number>
+
+/** Circles: x, y, r of each in one typed array, or anything that can be gone through with `for of`. */
+export type Circles = Float64Array | Float32Array | Iterable<CircleLike>
 
 /**
  * A copy of the circles as x, y, r of each.
  *
  * @throws CircleVoronoiError `badInput`: embind would convert whatever it is given, so types are checked here.
  */
-export function coordinatesOf(circles: Float64Array | readonly Circle[]): Float64Array<ArrayBuffer> {
-  if (circles instanceof Float64Array) {
-    if (circles.length % 3 !== 0) {
-      throw new CircleVoronoiError(
-        'badInput',
-        -1,
-        `Three numbers per circle are needed, but there are ${circles.length}.`,
-      )
-    }
+export function coordinatesOf(circles: Circles): Float64s {
+  if (circles instanceof Float64Array || circles instanceof Float32Array) {
+    if (circles.length % 3 !== 0) refuse(-1, `Three numbers per circle are needed, but there are ${circles.length}.`)
     return new Float64Array(circles)
   }
-  if (!Array.isArray(circles)) {
-    throw new CircleVoronoiError('badInput', -1, 'The circles are neither a Float64Array nor an array.')
+  return coordinatesFrom(circles, circleX, circleY, circleRadius)
+}
+
+/** What of a datum is asked for, as d3-delaunay asks for it. */
+export type Accessor<Datum> = (datum: Datum, index: number, data: Iterable<Datum>) => number
+
+/**
+ * The circles that three functions find in data.
+ *
+ * @throws CircleVoronoiError `badInput`, if the data cannot be gone through or a function gives something else than a
+ * number; what the functions throw
+ */
+export function coordinatesFrom<Datum>(
+  data: Iterable<Datum>,
+  fx: Accessor<Datum>,
+  fy: Accessor<Datum>,
+  fr: Accessor<Datum>,
+): Float64s {
+  if (
+    typeof (data as Partial<Iterable<Datum>> | null | undefined)?.[Symbol.iterator] !== 'function' ||
+    typeof data === 'string'
+  ) {
+    refuse(-1, `The circles are neither a typed array nor a list, but ${shown(data)}.`)
   }
-  const flat = new Float64Array(3 * circles.length)
-  // Not forEach, which leaves out what was never set.
-  for (let i = 0; i < circles.length; i++) {
-    const { x, y, r }: Partial<Circle> = circles[i] ?? {}
+  const numbers: number[] = []
+  let i = 0
+  for (const datum of data) {
+    const [x, y, r]: readonly unknown[] = [fx(datum, i, data), fy(datum, i, data), fr(datum, i, data)]
     if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
-      throw new CircleVoronoiError('badInput', i, `Circle ${i} does not have three numbers x, y and r.`)
+      refuse(i, `Circle ${i} does not have three numbers x, y and r.`)
     }
-    flat[3 * i] = x
-    flat[3 * i + 1] = y
-    flat[3 * i + 2] = r
+    numbers.push(x, y, r)
+    i += 1
   }
-  return flat
+  return new Float64Array(numbers)
+}
+
+/** The accessors of an object or an array; of anything else nothing, which is refused. */
+export function circleX(circle: CircleLike): number {
+  return part(circle, 0, 'x')
+}
+export function circleY(circle: CircleLike): number {
+  return part(circle, 1, 'y')
+}
+export function circleRadius(circle: CircleLike): number {
+  return part(circle, 2, 'r')
+}
+
+function part(circle: CircleLike | null | undefined, k: number, name: keyof Circle): number {
+  const isList = typeof circle === 'object' && circle !== null && 'length' in circle
+  const value = isList ? circle[k] : (circle as Circle | null | undefined)?.[name]
+  return value as number
+}
+
+function refuse(circle: number, message: string): never {
+  throw new CircleVoronoiError('badInput', circle, message)
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type Bisector, bisector, exponentialOf, movedApart, parameterAt } from './bisector.ts'
+import { checkIndex } from './check.ts'
 import { at, type DiagramData, NONE } from './diagram-data.ts'
 import { between, length, type Point } from './point.ts'
 import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
@@ -34,8 +35,11 @@ export function isBounded(curve: EdgeCurve): curve is BoundedCurve {
  * The curve of edge `edge` of a diagram. Where it ends more than 2^900 times as far away as the two centres are from each
  * other, they are moved apart to 2^-900 of that: that cannot be seen from there, and parameters stay in the range of
  * numbers.
+ *
+ * @throws CircleVoronoiError `badArgument`, if there is no such edge
  */
 export function edgeCurve({ circles, metric, vertices, edges }: DiagramData, edge: number): EdgeCurve {
+  checkIndex(edge, edges.length / 4, 'edgeCurve', 'edge')
   const start = at(edges, 4 * edge + 2)
   const end = at(edges, 4 * edge + 3)
   const startPoint = start === NONE ? undefined : { x: at(vertices, 3 * start), y: at(vertices, 3 * start + 1) }

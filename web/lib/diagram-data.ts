@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { checkIndex } from './check.ts'
 import type { Metric } from './metric.ts'
 
 /** "None": the unbounded end of an edge. */
 export const NONE = -1
+
+/** Numbers whose memory can be handed over to a worker: `Float64Array<ArrayBuffer>`, also before TypeScript 5.7. */
+export interface Float64s extends Float64Array {
+  readonly buffer: ArrayBuffer
+}
+
+/** Indices, likewise. */
+export interface Int32s extends Int32Array {
+  readonly buffer: ArrayBuffer
+}
 
 /** A circle with centre (x, y) and radius r >= 0; r = 0 is a point. Mathematics is y-up. */
 export interface Circle {
@@ -121,33 +132,48 @@ export interface DiagramData {
   /** The distance that makes the cells. */
   readonly metric: Metric
   /** Three per circle: x, y, r, in input order. */
-  readonly circles: Float64Array
+  readonly circles: Float64s
   /** Three per vertex: x, y, radius. */
-  readonly vertices: Float64Array
+  readonly vertices: Float64s
   /** Three per vertex: its circles, counter-clockwise. */
-  readonly vertexCircles: Int32Array
+  readonly vertexCircles: Int32s
   /** Four per edge: left, right, start, end. */
-  readonly edges: Int32Array
+  readonly edges: Int32s
   /** Two per hidden circle: circle, by; in increasing order of `circle`. */
-  readonly hidden: Int32Array
+  readonly hidden: Int32s
   /** The circles on the convex hull, counter-clockwise; a circle recurs if the hull touches it more than once. */
-  readonly hull: Int32Array
+  readonly hull: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
 }
 
-/** Circle `i` of a flat array of x, y, r. */
+/**
+ * Circle `i` of a flat array of x, y, r.
+ *
+ * @throws CircleVoronoiError `badArgument`, if there is none
+ */
 export function circleAt(circles: Float64Array, i: number): Circle {
+  checkIndex(i, circles.length / 3, 'circleAt', 'circle')
   return { x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) }
 }
 
-/** Vertex `v` of a diagram. */
+/**
+ * Vertex `v` of a diagram.
+ *
+ * @throws CircleVoronoiError `badArgument`, if there is none
+ */
 export function vertexAt({ vertices }: DiagramData, v: number): Vertex {
+  checkIndex(v, vertices.length / 3, 'vertexAt', 'vertex')
   return { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1), radius: at(vertices, 3 * v + 2) }
 }
 
-/** Edge `e` of a diagram. */
+/**
+ * Edge `e` of a diagram.
+ *
+ * @throws CircleVoronoiError `badArgument`, if there is none
+ */
 export function edgeAt({ edges }: DiagramData, e: number): Edge {
+  checkIndex(e, edges.length / 4, 'edgeAt', 'edge')
   return {
     left: at(edges, 4 * e),
     right: at(edges, 4 * e + 1),

@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Cells } from './cells.ts'
-import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
-import { type Certificate, type DiagramData, NONE, type Stats } from './diagram-data.ts'
-import { drawCell, drawCircle, drawDual, drawEdge, drawHull } from './draw.ts'
-import { exportBox, exportTolerance } from './export-box.ts'
+import { checkIndex, checkNumber, refuseArgument, shown } from './check.ts'
+import { ConvexPolygon } from './convex-polygon.ts'
+import { at, type Certificate, type DiagramData, type Float64s, type Int32s, NONE, type Stats } from './diagram-data.ts'
+import { drawCell, drawCircle, drawDual, drawEdge, drawHull, drawRegion } from './draw.ts'
+import {
+  type BoundsOptions,
+  type ContextOptions,
+  checkDrawOptions,
+  DRAW_OPTIONS,
+  type DrawOptions,
+  drawn,
+  PATH_OPTIONS,
+  type PolygonOptions,
+  type TextOptions,
+  toleranceOf,
+} from './draw-options.ts'
+import { exportBox } from './export-box.ts'
 import { Finder } from './finder.ts'
+import { area, centroid, perimeter } from './measure.ts'
 import type { Metric } from './metric.ts'
+import { type Outline, outlineOf } from './outline.ts'
 import type { PathSink } from './path-sink.ts'
-import { SvgPath } from './svg-path.ts'
+import type { Point } from './point.ts'
+import { hullRing, type Polygon, ringOf } from './polygon.ts'
 
 /**
  * The cell of a circle. Its sides are listed counter-clockwise; where it goes to infinity, the next side after one that ends
@@ -31,29 +47,32 @@ export interface Cell {
  * The Voronoi diagram of n circles: flat arrays, and what one asks of them. A structured clone, as `postMessage` makes, is
  * its `DiagramData`; `new Diagram(data)` gives that its methods back. There is nothing to free.
  *
- * What draws takes a canvas, a `Path2D` or any other `PathSink`, or returns the `d` attribute of an SVG path. Curves are
- * Bezier curves no farther than `tolerance` from the true ones, by default a hundred-thousandth of the bounds. Bounds are
- * a box or a convex polygon in the units of the input, by default a box with room for a twentieth of the circles' extent
- * around them.
+ * What draws takes one object of options: on a `context` (a canvas, a `Path2D` or any other `PathSink`) it draws, without
+ * one it returns the `d` attribute of an SVG path. Curves are Bezier curves no farther than `tolerance` from the true ones,
+ * by default a hundred-thousandth of the bounds. `bounds` are a box or a convex polygon in the units of the input, by
+ * default a box with room for a twentieth of the circles' extent around them.
  *
  * The methods presume a certified diagram. What is made to answer them, in linear time, is made once, when first needed.
+ * All throw a `CircleVoronoiError`: `badOption`, if options make no sense, `badArgument`, if something else does not.
  */
 export class Diagram implements DiagramData {
   readonly metric: Metric
-  readonly circles: Float64Array
-  readonly vertices: Float64Array
-  readonly vertexCircles: Int32Array
-  readonly edges: Int32Array
-  readonly hidden: Int32Array
-  readonly hull: Int32Array
+  readonly circles: Float64s
+  readonly vertices: Float64s
+  readonly vertexCircles: Int32s
+  readonly edges: Int32s
+  readonly hidden: Int32s
+  readonly hull: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
+  readonly #recompute: ((circles: Float64s) => DiagramData) | undefined
   #cells: Cells | undefined
   #finder: Finder | undefined
   #bounds: ConvexPolygon | undefined
+  #halfedges: Int32Array | undefined
 
-  /** Around the arrays of `data`, which are not copied. */
-  constructor(data: DiagramData) {
+  /** Around the arrays of `data`, which are not copied. `recompute`: what `update` calls. */
+  constructor(data: DiagramData, recompute?: (circles: Float64s) => DiagramData) {
     this.metric = data.metric
     this.circles = data.circles
     this.vertices = data.vertices
@@ -63,6 +82,24 @@ export class Diagram implements DiagramData {
     this.hull = data.hull
     this.certificate = data.certificate
     this.stats = data.stats
+    this.#recompute = recompute
+  }
+
+  /**
+   * Computes the diagram anew after `circles` was changed in place, with the options of the first time. If that fails,
+   * the diagram stays as it was.
+   *
+   * @throws CircleVoronoiError as `compute`; `badArgument`, if the diagram was not made by `compute` here
+   */
+  update(): this {
+    if (this.#recompute === undefined) refuseArgument('update takes a diagram that compute made here.')
+    const { vertices, vertexCircles, edges, hidden, hull, certificate, stats } = this.#recompute(this.circles)
+    Object.assign(this, { vertices, vertexCircles, edges, hidden, hull, certificate, stats })
+    this.#cells = undefined
+    this.#finder = undefined
+    this.#bounds = undefined
+    this.#halfedges = undefined
+    return this
   }
 
   /** The sides of all cells in order. */
@@ -71,8 +108,26 @@ export class Diagram implements DiagramData {
     return this.#cells
   }
 
+  /**
+   * The triangles of the dual, three circles each, counter-clockwise: `vertexCircles` by the name that d3-delaunay has
+   * for it. Two of them may share two circles or all three.
+   */
+  get triangles(): Int32Array {
+    return this.vertexCircles
+  }
+
+  /**
+   * For each half-edge of the dual its opposite, or -1 at the hull, as in d3-delaunay: half-edge 3 t + k leads from the
+   * k-th circle of triangle t to the next one.
+   */
+  get halfedges(): Int32Array {
+    this.#halfedges ??= halfedgesOf(this)
+    return this.#halfedges
+  }
+
   /** The cell of circle `i`; `undefined` if it is hidden, or there is no such circle. */
   cell(i: number): Cell | undefined {
+    checkNumber(i, 'cell', 'the index of a circle')
     const { cells } = this
     if (!cells.exists(i)) return undefined
     const sides = cells.sides(i).slice()
@@ -90,11 +145,15 @@ export class Diagram implements DiagramData {
    * The circles whose cells share an edge with that of circle `i`, counter-clockwise: one recurs if they share several.
    */
   neighbors(i: number): Int32Array {
+    checkNumber(i, 'neighbors', 'the index of a circle')
     return this.cells.neighbors(i)
   }
 
   /** Whether (x, y) is in the cell of circle `i`: no circle is nearer, up to rounding. False if `i` is hidden. */
   contains(i: number, x: number, y: number): boolean {
+    checkNumber(i, 'contains', 'the index of a circle')
+    checkNumber(x, 'contains', 'x')
+    checkNumber(y, 'contains', 'y')
     return this.cells.contains(i, x, y)
   }
 
@@ -104,85 +163,213 @@ export class Diagram implements DiagramData {
    * evenly a step or two. `NONE` if there are no circles, or a coordinate is not finite.
    */
   find(x: number, y: number, hint: number = NONE): number {
+    checkNumber(x, 'find', 'x')
+    checkNumber(y, 'find', 'y')
+    checkNumber(hint, 'find', 'hint')
     this.#finder ??= new Finder(this.cells)
     return this.#finder.find(x, y, hint)
   }
 
   /** For each of many points, x and y each, the same; it is fastest if points near in the list are near in the plane. */
-  findAll(points: Float64Array): Int32Array {
+  findAll(points: Float64Array | Float32Array | readonly number[]): Int32Array {
+    const isList = points instanceof Float64Array || points instanceof Float32Array || Array.isArray(points)
+    if (!isList) refuseArgument(`findAll takes a Float64Array of x and y for each point, not ${shown(points)}.`)
+    if (points.length % 2 !== 0) {
+      refuseArgument(`findAll takes two numbers for each point, but there are ${points.length}.`)
+    }
+    const coordinates = points instanceof Float64Array ? points : Float64Array.from(points, numberOf)
     this.#finder ??= new Finder(this.cells)
-    return this.#finder.findAll(points)
+    return this.#finder.findAll(coordinates)
   }
 
-  /** What of edge `e` lies in the bounds; nothing if there is no such edge. */
-  edgePath(e: number, context?: undefined, bounds?: Bounds, tolerance?: number): string
-  edgePath(e: number, context: PathSink, bounds?: Bounds, tolerance?: number): void
-  edgePath(e: number, context?: PathSink, bounds?: Bounds, tolerance?: number): string | undefined {
-    const region = this.#regionOf(bounds)
-    return drawn(context, (sink) => drawEdge(sink, this, e, region, toleranceOr(tolerance, region)))
+  /** What of edge `e` lies in the bounds. */
+  edgePath(e: number, options?: PolygonOptions & TextOptions): string
+  edgePath(e: number, options: PolygonOptions & ContextOptions): void
+  edgePath(e: number, options: DrawOptions = {}): string | undefined {
+    checkIndex(e, this.edges.length / 4, 'edgePath', 'edge')
+    return this.#drawn('edgePath', options, (sink, region, tolerance) => drawEdge(sink, this, e, region, tolerance))
   }
 
   /**
    * The outline of what of the cell of circle `i` lies in the bounds: a closed counter-clockwise path for each of its parts,
-   * nothing if it is hidden, or there is no such circle.
+   * nothing if it is hidden.
    */
-  cellPath(i: number, bounds?: Bounds, context?: undefined, tolerance?: number): string
-  cellPath(i: number, bounds: Bounds | undefined, context: PathSink, tolerance?: number): void
-  cellPath(i: number, bounds?: Bounds, context?: PathSink, tolerance?: number): string | undefined {
-    const region = this.#regionOf(bounds)
-    return drawn(context, (sink) => drawCell(sink, this.cells, i, region, toleranceOr(tolerance, region)))
+  cellPath(i: number, options?: PolygonOptions & TextOptions): string
+  cellPath(i: number, options: PolygonOptions & ContextOptions): void
+  cellPath(i: number, options: DrawOptions = {}): string | undefined {
+    this.#checkCircle(i, 'cellPath')
+    return this.#drawn('cellPath', options, (sink, region, tolerance) =>
+      drawCell(sink, this.cells, i, region, tolerance),
+    )
   }
 
   /** All edges within the bounds. */
-  render(context?: undefined, bounds?: Bounds, tolerance?: number): string
-  render(context: PathSink, bounds?: Bounds, tolerance?: number): void
-  render(context?: PathSink, bounds?: Bounds, tolerance?: number): string | undefined {
-    const region = this.#regionOf(bounds)
-    return drawn(context, (sink) => {
-      for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, region, toleranceOr(tolerance, region))
+  render(options?: PolygonOptions & TextOptions): string
+  render(options: PolygonOptions & ContextOptions): void
+  render(options: DrawOptions = {}): string | undefined {
+    return this.#drawn('render', options, (sink, region, tolerance) => {
+      for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, region, tolerance)
     })
   }
 
+  /** The bounds themselves. */
+  renderBounds(options?: PolygonOptions & TextOptions): string
+  renderBounds(options: PolygonOptions & ContextOptions): void
+  renderBounds(options: DrawOptions = {}): string | undefined {
+    return this.#drawn('renderBounds', options, drawRegion)
+  }
+
   /** All circles, hidden ones too. */
-  renderCircles(context?: undefined): string
-  renderCircles(context: PathSink): void
-  renderCircles(context?: PathSink): string | undefined {
-    return drawn(context, (sink) => {
+  renderCircles(options?: TextOptions): string
+  renderCircles(options: ContextOptions): void
+  renderCircles(options: TextOptions | ContextOptions = {}): string | undefined {
+    checkDrawOptions(options, 'renderCircles', PATH_OPTIONS)
+    return drawn(options, undefined, (sink) => {
       for (let i = 0; i < this.circles.length / 3; i++) drawCircle(sink, this, i)
     })
   }
 
   /** The dual: a segment from centre to centre for each edge. */
-  renderDual(context?: undefined): string
-  renderDual(context: PathSink): void
-  renderDual(context?: PathSink): string | undefined {
-    return drawn(context, (sink) => drawDual(sink, this))
+  renderDual(options?: TextOptions): string
+  renderDual(options: ContextOptions): void
+  renderDual(options: TextOptions | ContextOptions = {}): string | undefined {
+    checkDrawOptions(options, 'renderDual', PATH_OPTIONS)
+    return drawn(options, undefined, (sink) => drawDual(sink, this))
   }
 
   /** The convex hull of the circles: arcs and the tangent segments between them. */
-  renderHull(context?: undefined): string
-  renderHull(context: PathSink): void
-  renderHull(context?: PathSink): string | undefined {
-    return drawn(context, (sink) => drawHull(sink, this))
+  renderHull(options?: TextOptions): string
+  renderHull(options: ContextOptions): void
+  renderHull(options: TextOptions | ContextOptions = {}): string | undefined {
+    checkDrawOptions(options, 'renderHull', PATH_OPTIONS)
+    return drawn(options, undefined, (sink) => drawHull(sink, this))
   }
 
-  #regionOf(bounds: Bounds | undefined): ConvexPolygon {
-    if (bounds !== undefined) return ConvexPolygon.of(bounds)
+  /**
+   * What of the cell of circle `i` lies in the bounds as a closed polygon, counter-clockwise, its first point again at the
+   * end; `undefined` if there is nothing. Of a cell that the bounds cut apart the ring goes to each further part and back
+   * along one segment, so that its area and what is inside are right; `outline` has the parts.
+   */
+  cellPolygon(i: number, options: PolygonOptions = {}): Polygon | undefined {
+    this.#checkCircle(i, 'cellPolygon')
+    const region = this.#regionOf('cellPolygon', options, ['bounds', 'tolerance'])
+    return ringOf(outlineOf(this.cells, i, region), toleranceOf(options, region))
+  }
+
+  /** The polygons of all cells that have one, each with the `index` of its circle. */
+  *cellPolygons(options: PolygonOptions = {}): Generator<Polygon & { index: number }, void> {
+    for (let index = 0; index < this.circles.length / 3; index++) {
+      const polygon = this.cellPolygon(index, options)
+      if (polygon !== undefined) yield Object.assign(polygon, { index })
+    }
+  }
+
+  /** The convex hull of the circles as a closed polygon, counter-clockwise, its first point again at the end. */
+  hullPolygon(options: Pick<PolygonOptions, 'tolerance'> = {}): Polygon | undefined {
+    checkDrawOptions(options, 'hullPolygon', ['tolerance'])
+    return hullRing(this, toleranceOf(options, this.#defaultBounds()))
+  }
+
+  /** The area of what of the cell of circle `i` lies in the bounds; 0 if it is hidden. Exact up to rounding. */
+  cellArea(i: number, options: BoundsOptions = {}): number {
+    return area(this.#outline(i, 'cellArea', options))
+  }
+
+  /** Its centre of mass, likewise; `undefined` if there is nothing. */
+  cellCentroid(i: number, options: BoundsOptions = {}): Point | undefined {
+    const outline = this.#outline(i, 'cellCentroid', options)
+    return outline.length === 0 ? undefined : centroid(outline)
+  }
+
+  /** The length of its outline, likewise; 0 if there is nothing. */
+  cellPerimeter(i: number, options: BoundsOptions = {}): number {
+    return perimeter(this.#outline(i, 'cellPerimeter', options))
+  }
+
+  /** The areas of all cells. */
+  cellAreas(options: BoundsOptions = {}): Float64Array {
+    return this.#ofEach('cellAreas', options, 1, (outline) => [area(outline)])
+  }
+
+  /** The centres of mass of all cells, x and y each; NaN where there is nothing. */
+  cellCentroids(options: BoundsOptions = {}): Float64Array {
+    return this.#ofEach('cellCentroids', options, 2, (outline) => {
+      if (outline.length === 0) return [Number.NaN, Number.NaN]
+      const { x, y } = centroid(outline)
+      return [x, y]
+    })
+  }
+
+  /** The lengths of the outlines of all cells. */
+  cellPerimeters(options: BoundsOptions = {}): Float64Array {
+    return this.#ofEach('cellPerimeters', options, 1, (outline) => [perimeter(outline)])
+  }
+
+  #outline(i: number, caller: string, options: BoundsOptions): Outline {
+    this.#checkCircle(i, caller)
+    return outlineOf(this.cells, i, this.#regionOf(caller, options, ['bounds']))
+  }
+
+  #ofEach(
+    caller: string,
+    options: BoundsOptions,
+    size: number,
+    measure: (outline: Outline) => readonly number[],
+  ): Float64Array {
+    const region = this.#regionOf(caller, options, ['bounds'])
+    const count = this.circles.length / 3
+    const values = new Float64Array(size * count)
+    for (let i = 0; i < count; i++) values.set(measure(outlineOf(this.cells, i, region)), size * i)
+    return values
+  }
+
+  #drawn(
+    caller: string,
+    options: DrawOptions,
+    draw: (sink: PathSink, region: ConvexPolygon, tolerance: number) => void,
+  ): string | undefined {
+    const region = this.#regionOf(caller, options, DRAW_OPTIONS)
+    const tolerance = toleranceOf(options, region)
+    return drawn(options, tolerance, (sink) => draw(sink, region, tolerance))
+  }
+
+  #regionOf(caller: string, options: BoundsOptions, known: readonly string[]): ConvexPolygon {
+    checkDrawOptions(options, caller, known)
+    return options.bounds === undefined ? this.#defaultBounds() : ConvexPolygon.of(options.bounds)
+  }
+
+  #defaultBounds(): ConvexPolygon {
     this.#bounds ??= ConvexPolygon.of(exportBox(this.circles))
     return this.#bounds
   }
-}
 
-function toleranceOr(tolerance: number | undefined, region: ConvexPolygon): number {
-  return tolerance ?? exportTolerance(region.box)
-}
-
-function drawn(context: PathSink | undefined, draw: (sink: PathSink) => void): string | undefined {
-  if (context !== undefined) {
-    draw(context)
-    return undefined
+  #checkCircle(i: number, caller: string): void {
+    checkIndex(i, this.circles.length / 3, caller, 'circle')
   }
-  const path = new SvgPath()
-  draw(path)
-  return path.toString()
+}
+
+function numberOf(value: unknown): number {
+  checkNumber(value, 'findAll', 'a coordinate')
+  return value as number
+}
+
+/** An edge is crossed by the half-edges left to right of the triangle at its end, and right to left of that at its start. */
+function halfedgesOf({ vertexCircles, edges }: DiagramData): Int32Array {
+  const opposite = new Int32Array(vertexCircles.length).fill(NONE)
+  const halfedge = (triangle: number, from: number, to: number) => {
+    for (let k = 0; k < 3; k++) {
+      const isHere =
+        at(vertexCircles, 3 * triangle + k) === from && at(vertexCircles, 3 * triangle + ((k + 1) % 3)) === to
+      if (isHere) return 3 * triangle + k
+    }
+    return NONE
+  }
+  for (let e = 0; e < edges.length; e += 4) {
+    const [left, right, start, end] = [at(edges, e), at(edges, e + 1), at(edges, e + 2), at(edges, e + 3)]
+    if (start === NONE || end === NONE) continue
+    const [h, t] = [halfedge(end, left, right), halfedge(start, right, left)]
+    opposite[h] = t
+    opposite[t] = h
+  }
+  return opposite
 }

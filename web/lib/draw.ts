@@ -6,12 +6,12 @@ import type { ConvexPolygon } from './convex-polygon.ts'
 import { edgeCurve, isBounded, reversed } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
 import { hull } from './hull.ts'
-import { outline } from './outline.ts'
+import { outlineOf } from './outline.ts'
 import type { PathSink } from './path-sink.ts'
 import type { Point } from './point.ts'
 import { lengthOf } from './scale.ts'
 
-/** Draws what of edge `e`, if there is such an edge, lies in a region, no farther than `tolerance` from the true curve. */
+/** Draws what of edge `e` lies in a region, no farther than `tolerance` from the true curve. */
 export function drawEdge(
   sink: PathSink,
   diagram: DiagramData,
@@ -19,7 +19,7 @@ export function drawEdge(
   region: ConvexPolygon,
   tolerance: number,
 ): void {
-  if (!isIndex(e, diagram.edges.length / 4) || isBeyondEdge(diagram, e, region)) return
+  if (isBeyondEdge(diagram, e, region)) return
   for (const { curve } of partsInside(edgeCurve(diagram, e), region)) {
     sink.moveTo(curve.start.x, curve.start.y)
     traceArc(sink, curve, tolerance)
@@ -34,7 +34,7 @@ export function drawCell(sink: PathSink, cells: Cells, circle: number, region: C
     drawWholeCell(sink, cells, circle, tolerance)
     return
   }
-  for (const loop of outline(cells, circle, region)) {
+  for (const loop of outlineOf(cells, circle, region)) {
     loop.forEach(({ curve }, k) => {
       if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
       traceArc(sink, curve, tolerance)
@@ -69,6 +69,15 @@ export function drawHull(sink: PathSink, diagram: DiagramData): void {
   if (arcs.length > 0) sink.closePath()
 }
 
+/** Draws the outline of a region. */
+export function drawRegion(sink: PathSink, { corners }: ConvexPolygon): void {
+  corners.forEach(({ x, y }, k) => {
+    if (k === 0) sink.moveTo(x, y)
+    else sink.lineTo(x, y)
+  })
+  sink.closePath()
+}
+
 /** Draws a segment from centre to centre for each edge. */
 export function drawDual(sink: PathSink, { circles, edges }: DiagramData): void {
   for (let e = 0; e < edges.length; e += 4) {
@@ -84,10 +93,6 @@ export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number):
   sink.moveTo(x + r, y)
   sink.arc(x, y, r, 0, 2 * Math.PI)
   sink.closePath()
-}
-
-function isIndex(i: number, count: number): boolean {
-  return Number.isInteger(i) && 0 <= i && i < count
 }
 
 /**

@@ -22,11 +22,12 @@ export const ERROR_CODES = [
  * - `badOption`: an option is out of its range;
  * - `notCertified`: no construction led to a certified diagram;
  * - `badInput`: the input cannot be read as circles;
+ * - `badArgument`: a method or a function was given what it cannot take;
  * - `badArithmetic`: the program rounds otherwise than to nearest (in C++ only);
  * - `notLoaded`: the WebAssembly cannot be loaded; `cause` says why;
  * - `internal`: the program itself failed; please report it with the input.
  */
-export type ErrorCode = (typeof ERROR_CODES)[number] | 'notLoaded'
+export type ErrorCode = (typeof ERROR_CODES)[number] | 'badArgument' | 'notLoaded'
 
 /** What every function of this library throws. `message` is one sentence. */
 export class CircleVoronoiError extends Error {

@@ -19,10 +19,10 @@ export { Cells } from './cells.ts'
 export { type ClearestPath, clearestPath } from './clearest-path.ts'
 export { clip } from './clip.ts'
 export { type Bounds, type Box, ConvexPolygon, REGION_LIMIT } from './convex-polygon.ts'
-export { type BoundedCurve, type EdgeCurve, edgeCurve, isBounded, reversed, segment } from './curve.ts'
+export type { Accessor, CircleLike, Circles } from './coordinates.ts'
+export { type BoundedCurve, type EdgeCurve, edgeCurve, isBounded } from './curve.ts'
 export { type Cell, Diagram } from './diagram.ts'
 export {
-  at,
   type Certificate,
   type Circle,
   type Counts,
@@ -30,13 +30,16 @@ export {
   type DiagramData,
   type Edge,
   edgeAt,
+  type Float64s,
   type HiddenCircle,
+  type Int32s,
   NONE,
   type Seconds,
   type Stats,
   type Vertex,
   vertexAt,
 } from './diagram-data.ts'
+export type { BoundsOptions, ContextOptions, DrawOptions, PolygonOptions, TextOptions } from './draw-options.ts'
 export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './errors.ts'
 export { exportBox } from './export-box.ts'
 export { type Hull, type HullArc, hull } from './hull.ts'
@@ -52,6 +55,7 @@ export type { Options, Progress, Stage } from './options.ts'
 export { type Outline, type OutlinePiece, outline } from './outline.ts'
 export type { PathSink } from './path-sink.ts'
 export type { Point, Vector } from './point.ts'
+export type { Polygon } from './polygon.ts'
 export { type ClosestPair, closestPair, neighborPairs } from './queries.ts'
 export { SvgPath } from './svg-path.ts'
 export type { CompiledWasm, WasmSource } from './wasm.ts'

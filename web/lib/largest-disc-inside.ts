@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { pointAt } from './bisector.ts'
+import { checkDiagram, checkMetric } from './check.ts'
 import { partsInside } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { edgeCurve } from './curve.ts'
@@ -25,8 +26,12 @@ const ROUNDING_OF_DEPTH = 2 ** -48
  * circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
  * circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All of
  * these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
+ *
+ * @throws CircleVoronoiError `badArgument`, `badOption`
  */
 export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+  checkDiagram(diagram, 'largestEmptyDiscInside')
+  checkMetric(diagram, 'largestEmptyDiscInside', 'circles')
   const region = ConvexPolygon.of(bounds)
   const centred = largestEmptyDiscCentredIn(diagram, region)
   if (centred === undefined || centred.disc.radius <= 0) return centred

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { pointAt } from './bisector.ts'
+import { checkDiagram, checkMetric } from './check.ts'
 import { LineCrossing, partsInside } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { edgeCurve, seenFrom } from './curve.ts'
@@ -24,8 +25,12 @@ export interface EmptyDisc {
  *
  * The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
  * cell it is convex along every line.
+ *
+ * @throws CircleVoronoiError `badArgument`, `badOption`
  */
 export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+  checkDiagram(diagram, 'largestEmptyDiscCentredIn')
+  checkMetric(diagram, 'largestEmptyDiscCentredIn', 'circles')
   const region = ConvexPolygon.of(bounds)
   const largest = new Largest(diagram)
   for (const corner of region.corners) {
@@ -61,6 +66,8 @@ export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): Emp
  * inside the hull.
  */
 export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | undefined {
+  checkDiagram(diagram, 'largestEmptyDiscCentredInHull')
+  checkMetric(diagram, 'largestEmptyDiscCentredInHull', 'circles')
   const { cells, circles, hull, vertices, edges } = diagram
   const largest = new Largest(diagram)
   if (hull.length === 0) return undefined

@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { coordinatesOf } from './coordinates.ts'
+
+import { refuseArgument } from './check.ts'
+import {
+  type Accessor,
+  type CircleLike,
+  type Circles,
+  circleRadius,
+  circleX,
+  circleY,
+  coordinatesFrom,
+  coordinatesOf,
+} from './coordinates.ts'
 import { Diagram } from './diagram.ts'
-import type { Certificate, Circle, DiagramData } from './diagram-data.ts'
+import type { Certificate, DiagramData, Float64s } from './diagram-data.ts'
 import { CircleVoronoiError } from './errors.ts'
 import createModule from './generated/circle-voronoi.js'
 import { checkOptions, type Options, type Progress } from './options.ts'
@@ -13,12 +24,34 @@ export type Verifiable = Omit<DiagramData, 'metric' | 'certificate' | 'stats'>
 /** The library, loaded. */
 export interface CircleVoronoi {
   /**
-   * The Voronoi diagram of `circles`: x, y, r of each in one `Float64Array`, or objects. They may be disjoint,
-   * intersecting, tangent, nested, equal or points, in any position, and any number from 0. The input is copied.
+   * The Voronoi diagram of `circles`: x, y, r of each in one `Float64Array` or `Float32Array`, or a list of objects
+   * `{ x, y, r }` or arrays `[x, y, r]`. They may be disjoint, intersecting, tangent, nested, equal or points, in any
+   * position, and any number from 0. The input is copied.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
-  compute(circles: Float64Array | readonly Circle[], options?: Options): Diagram
+  compute(circles: Circles, options?: Options): Diagram
+  /**
+   * The same of the circles that three functions find in data, as `Delaunay.from` of d3-delaunay: each is called with a
+   * datum, its index and the data. Default: x, y and r of an object, or the first three items of an array.
+   *
+   * @throws CircleVoronoiError as `compute`; what the functions throw
+   */
+  from<Datum>(
+    data: Iterable<Datum>,
+    fx: Accessor<Datum>,
+    fy: Accessor<Datum>,
+    fr: Accessor<Datum>,
+    options?: Options,
+  ): Diagram
+  /** The same of data that have x, y and r, or are arrays of them. */
+  from<Datum extends CircleLike>(
+    data: Iterable<Datum>,
+    fx?: Accessor<Datum>,
+    fy?: Accessor<Datum>,
+    fr?: Accessor<Datum>,
+    options?: Options,
+  ): Diagram
   /**
    * Judges in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, however it was
    * made; only its typed arrays are looked at. `compute` has done so for its results.
@@ -26,10 +59,6 @@ export interface CircleVoronoi {
    * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is none.
    */
   certify(diagram: Verifiable): Certificate
-  /** `certify` by its name on the command line, `circle-voronoi verify`. */
-  verify(diagram: Verifiable): Certificate
-  /** The error codes of the C++ core, in order; the same as `ERROR_CODES`. */
-  errorCodeNames(): readonly string[]
 }
 
 /** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
@@ -46,19 +75,36 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
     return unwrap(module.certify({ circles, vertices, vertexCircles, edges, hidden, hull }))
   }
 
+  const dataOf = (coordinates: Float64s, options: Options): DiagramData => {
+    const { method, candidates, samples, resample } = options
+    const reporter = new Reporter(options.progress)
+    const result = module.compute(coordinates, { method, candidates, samples, resample, progress: reporter.progress })
+    reporter.rethrow()
+    return { metric: 'circles', circles: coordinates, ...unwrap(result) }
+  }
+
+  const diagramOf = (coordinates: Float64s, options: Options): Diagram =>
+    new Diagram(dataOf(coordinates, options), (circles) => dataOf(circles, options))
+
   return {
     compute(circles, options = {}) {
-      const coordinates = coordinatesOf(circles)
-      checkOptions(options)
-      const { method, candidates, samples, resample } = options
-      const reporter = new Reporter(options.progress)
-      const result = module.compute(coordinates, { method, candidates, samples, resample, progress: reporter.progress })
-      reporter.rethrow()
-      return new Diagram({ metric: 'circles', circles: coordinates, ...unwrap(result) })
+      checkOptions(options, 'compute')
+      return diagramOf(coordinatesOf(circles), options)
+    },
+    from(
+      data: Iterable<never>,
+      fx: Accessor<never> = circleX,
+      fy: Accessor<never> = circleY,
+      fr: Accessor<never> = circleRadius,
+      options: Options = {},
+    ) {
+      checkOptions(options, 'from')
+      if (![fx, fy, fr].every((accessor) => typeof accessor === 'function')) {
+        refuseArgument('from takes three functions, for x, y and r of a datum.')
+      }
+      return diagramOf(coordinatesFrom(data, fx, fy, fr), options)
     },
     certify,
-    verify: certify,
-    errorCodeNames: () => module.errorCodeNames(),
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { checkOptionNames, refuseOption, shown } from './check.ts'
 import type { Seconds } from './diagram-data.ts'
-import { CircleVoronoiError } from './errors.ts'
 
 /**
  * A stage of the computation:
@@ -25,46 +25,46 @@ export interface Options {
    * `touching-disc`: the paper's method, candidate pairs and then the event loop. `flip`: edge flips from the Delaunay
    * triangulation of the centres. The last two may give a wrong diagram; its certificate then says so.
    */
-  readonly method?: 'auto' | 'touching-disc' | 'flip'
+  readonly method?: 'auto' | 'touching-disc' | 'flip' | undefined
   /**
    * For the touching disc method: which pairs of circles get an antipodal disc, neighbours in the Delaunay graph of
    * dynamically chosen samples, of equally spaced samples, or every pair (quadratic, at most 10,000 circles). Default:
    * `dynamic`.
    */
-  readonly candidates?: 'dynamic' | 'uniform' | 'all-pairs'
+  readonly candidates?: 'dynamic' | 'uniform' | 'all-pairs' | undefined
   /**
    * `dynamic`: samples inside each angle of a Delaunay face, 0 to 1000, default 1.
    * `uniform`: samples on each circle, 1 to 1000, default 50.
    * `all-pairs` takes none.
    */
-  readonly samples?: number
+  readonly samples?: number | undefined
   /** `dynamic`: if the diagram is not certified, take more samples near what is wrong and try again. Default: false. */
-  readonly resample?: boolean
+  readonly resample?: boolean | undefined
   /** Called during the computation. If it throws, the computation ends, and `compute` throws the same. */
-  readonly progress?: Progress
+  readonly progress?: Progress | undefined
 }
 
+/** The names of the options of `compute`. */
+const NAMES = ['method', 'candidates', 'samples', 'resample', 'progress']
+
 /**
- * Refuses options of another type than theirs: embind converts whatever it is given. The core judges their values.
+ * Refuses options of another name or type than theirs: embind converts whatever it is given. The core judges the other
+ * values. `more`: names of options that the caller takes besides.
  *
  * @throws CircleVoronoiError `badOption`
  */
-export function checkOptions(options: Options): void {
-  if (typeof options !== 'object' || options === null) {
-    throw new CircleVoronoiError('badOption', -1, 'The options are not an object.')
-  }
+export function checkOptions(options: Options, caller: string, more: readonly string[] = []): void {
+  checkOptionNames(options, caller, [...NAMES, ...more])
   const { method, candidates, samples, resample, progress }: { [Name in keyof Options]: unknown } = options
   const isText = (value: unknown) => value === undefined || typeof value === 'string'
-  if (!isText(method) || !isText(candidates)) {
-    throw new CircleVoronoiError('badOption', -1, 'The options method and candidates are strings.')
+  if (!isText(method) || !isText(candidates)) refuseOption('The options method and candidates are strings.')
+  // -1 is what the core has for the default.
+  if (
+    samples !== undefined &&
+    !(Number.isInteger(samples) && 0 <= (samples as number) && (samples as number) < 2 ** 31)
+  ) {
+    refuseOption(`The option samples is a whole number from 0, not ${shown(samples)}.`)
   }
-  if (samples !== undefined && !(Number.isInteger(samples) && Math.abs(samples as number) < 2 ** 31)) {
-    throw new CircleVoronoiError('badOption', -1, 'The option samples is a whole number.')
-  }
-  if (resample !== undefined && typeof resample !== 'boolean') {
-    throw new CircleVoronoiError('badOption', -1, 'The option resample is true or false.')
-  }
-  if (progress !== undefined && typeof progress !== 'function') {
-    throw new CircleVoronoiError('badOption', -1, 'The option progress is a function.')
-  }
+  if (resample !== undefined && typeof resample !== 'boolean') refuseOption('The option resample is true or false.')
+  if (progress !== undefined && typeof progress !== 'function') refuseOption('The option progress is a function.')
 }

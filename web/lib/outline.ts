@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Cells } from './cells.ts'
+import { checkDiagram, checkIndex } from './check.ts'
 import { type Part, partsInside } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { type BoundedCurve, edgeCurve, reversed, segment } from './curve.ts'
+import type { Diagram } from './diagram.ts'
 import { NONE } from './diagram-data.ts'
 import type { Point } from './point.ts'
 import { Ring } from './ring.ts'
@@ -22,10 +24,21 @@ export interface OutlinePiece {
  */
 export type Outline = readonly (readonly OutlinePiece[])[]
 
-/** The part of a cell inside a region: empty if they do not meet, several loops if the region cuts the cell apart. */
-export function outline(cells: Cells, circle: number, bounds: Bounds): Outline {
+/**
+ * The part of the cell of a circle inside some bounds: empty if they do not meet, several loops if the bounds cut the cell
+ * apart.
+ *
+ * @throws CircleVoronoiError `badArgument`, `badOption`
+ */
+export function outline(diagram: Diagram, circle: number, bounds: Bounds): Outline {
+  checkDiagram(diagram, 'outline')
+  checkIndex(circle, diagram.circles.length / 3, 'outline', 'circle')
+  return outlineOf(diagram.cells, circle, ConvexPolygon.of(bounds))
+}
+
+/** The same of checked arguments. */
+export function outlineOf(cells: Cells, circle: number, region: ConvexPolygon): Outline {
   if (!cells.exists(circle)) return []
-  const region = ConvexPolygon.of(bounds)
   const { chains, isClosed } = chainsOf(cells, circle, region)
   if (chains.length === 0) {
     const { x, y } = region.middle()

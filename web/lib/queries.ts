@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the diagram of the metric `circles` tells about its circles, each in linear time but for sorting. The dual's
 // triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
+import { checkMetric } from './check.ts'
 import { at, circleAt, type DiagramData } from './diagram-data.ts'
 import { between } from './point.ts'
 import { lengthOf } from './scale.ts'
@@ -37,8 +38,11 @@ export interface ClosestPair {
  * The two visible circles with the smallest gap; `undefined` if fewer than two are visible.
  *
  * They share an edge: a circle k nearer than gap / 2 to the middle of their gap would have a smaller gap to each.
+ *
+ * @throws CircleVoronoiError `badArgument`, if the diagram is of another metric than `circles`
  */
 export function closestPair(diagram: DiagramData): ClosestPair | undefined {
+  checkMetric(diagram, 'closestPair', 'circles')
   const pairs = neighborPairs(diagram)
   let closest: ClosestPair | undefined
   for (let k = 0; k < pairs.length; k += 2) {

@@ -25,14 +25,30 @@ export function startThread(events: ThreadEvents): Thread {
 }
 
 function startWebWorker({ onReply, onFailure }: ThreadEvents): Thread {
-  // Bundlers look for exactly this expression.
-  const worker = new Worker(new URL('./worker-thread.js', import.meta.url), { type: 'module' })
+  const worker = newWebWorker()
   worker.onmessage = ({ data }: MessageEvent<Reply>) => onReply(data)
   worker.onerror = (event) => onFailure(event.message ?? 'its file cannot be loaded')
   return {
     post: (message, transfer = []) => worker.postMessage(message, transfer),
     keepAlive: () => {},
     terminate: () => worker.terminate(),
+  }
+}
+
+function newWebWorker(): Worker {
+  try {
+    // Bundlers look for exactly this expression.
+    return new Worker(new URL('./worker-thread.js', import.meta.url), { type: 'module' })
+  } catch (error) {
+    if (!(error instanceof DOMException && error.name === 'SecurityError')) throw error
+    // A page takes workers from its own origin alone, but a worker takes modules from anywhere. Not the expression above.
+    const here = import.meta.url
+    const script = `import ${JSON.stringify(new URL('./worker-thread.js', here).href)}`
+    const url = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
+    const worker = new Worker(url, { type: 'module' })
+    // The worker has read it once its module runs; what it says first is later.
+    worker.addEventListener('message', () => URL.revokeObjectURL(url), { once: true })
+    return worker
   }
 }
 

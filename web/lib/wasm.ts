@@ -20,6 +20,8 @@ export interface WasmError {
 /** What Emscripten's modules call to get at the WebAssembly. */
 export interface EmscriptenOptions {
   instantiateWasm(imports: object, receive: (instance: object) => void): object
+  /** Where a file is. Without it they resolve its name against their own address, which some modules do not have. */
+  locateFile(name: string): string
 }
 
 /**
@@ -61,7 +63,7 @@ export function instantiate<Exports>(
         .catch(fail)
       return {}
     }
-    create({ instantiateWasm }).then(resolve, fail)
+    create({ instantiateWasm, locateFile: (name) => name }).then(resolve, fail)
   })
 }
 

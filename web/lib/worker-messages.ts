@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between a worker's client and its thread: `Start` once, then one `Request` at a time, each followed by any
 // number of `progress` and one other reply.
-import type { DiagramData } from './diagram-data.ts'
+import type { DiagramData, Float64s } from './diagram-data.ts'
 import type { ErrorCode } from './errors.ts'
 import type { Options, Stage } from './options.ts'
 import type { CompiledWasm } from './wasm.ts'
@@ -11,7 +11,7 @@ export interface Start {
 }
 
 export interface Request {
-  readonly circles: Float64Array<ArrayBuffer>
+  readonly circles: Float64s
   readonly options: Omit<Options, 'progress'>
   readonly tellsProgress: boolean
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// <reference lib="esnext.disposable" preserve="true" />
 /**
  * Diagrams computed in a worker, with progress and cancelling.
  *
  * @module circle-voronoi/worker
  */
-import { coordinatesOf } from './coordinates.ts'
+import { refuseOption } from './check.ts'
+import { type Circles, coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
-import type { Circle } from './diagram-data.ts'
 import { CircleVoronoiError, reasonOf } from './errors.ts'
-import { compileCircleVoronoi, type LoadOptions } from './load-options.ts'
+import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load-options.ts'
 import { checkOptions, type Options } from './options.ts'
 import { startThread, type Thread } from './thread.ts'
 import type { CompiledWasm } from './wasm.ts'
@@ -20,11 +19,11 @@ export type { LoadOptions, Options }
 /** How a diagram is computed in a worker. */
 export interface AsyncOptions extends Options {
   /** Aborting it cancels the computation at once, and rejects the promise with the signal's reason. */
-  readonly signal?: AbortSignal
+  readonly signal?: AbortSignal | undefined
 }
 
-/** Computes diagrams in a worker of its own, one after the other. */
-export interface CircleVoronoiWorker {
+/** What a worker does. */
+export interface WorkerMethods {
   /**
    * As `compute` of the library, elsewhere: what waits or goes on here is not held up. Arrays are handed over to the
    * worker and back without a copy, but for the one of the input. What `progress` throws cancels the computation and
@@ -33,18 +32,25 @@ export interface CircleVoronoiWorker {
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`; the reason of `signal`; a `DOMException` named
    * AbortError if the worker is disposed of. Each as a rejection.
    */
-  computeAsync(circles: Float64Array | readonly Circle[], options?: AsyncOptions): Promise<Diagram>
+  computeAsync(circles: Circles, options?: AsyncOptions): Promise<Diagram>
   /** Ends the worker and cancels what it has to do. */
   dispose(): void
-  /** The same, for `using`. */
-  [Symbol.dispose](): void
 }
+
+/** `dispose` for `using`, to compilers that know it. */
+export type Disposal = SymbolConstructor extends { readonly dispose: infer Key extends symbol }
+  ? Record<Key, () => void>
+  : unknown
+
+/** Computes diagrams in a worker of its own, one after the other; `using` disposes of it. */
+export type CircleVoronoiWorker = WorkerMethods & Disposal
 
 /**
  * A worker, in a page, in another worker or in Node. Its thread starts with the first computation; while it is idle it
  * does not keep Node from ending.
  */
 export function createWorker(options: LoadOptions = {}): CircleVoronoiWorker {
+  checkLoadOptions(options, 'createWorker')
   return new Client(options)
 }
 
@@ -71,9 +77,10 @@ class Client implements CircleVoronoiWorker {
     this.#loadOptions = loadOptions
   }
 
-  async computeAsync(circles: Float64Array | readonly Circle[], options: AsyncOptions = {}): Promise<Diagram> {
-    checkOptions(options)
+  async computeAsync(circles: Circles, options: AsyncOptions = {}): Promise<Diagram> {
+    checkOptions(options, 'computeAsync', ['signal'])
     const { signal, progress, ...rest } = options
+    if (signal !== undefined && !(signal instanceof AbortSignal)) refuseOption('The option signal is an AbortSignal.')
     if (this.#isDisposed) throw disposed()
     signal?.throwIfAborted()
     const request = { circles: coordinatesOf(circles), options: rest, tellsProgress: progress !== undefined }

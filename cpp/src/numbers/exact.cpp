@@ -151,9 +151,7 @@ template <class P, class Q>
 int signOf(int norm, P p, Q q) {
   if (norm < 0) return q();
   if (norm > 0) return p();
-  // Then p is zero if q is.
-  const int second = q();
-  const int both = second == 0 ? 0 : p() + second;
+  const int both = p() + q();
   return both > 0 ? 1 : both < 0 ? -1 : 0;
 }
 

@@ -6,6 +6,7 @@ import {
   ERROR_CODES,
   type ErrorCode,
   loadCircleVoronoi,
+  type PathSink,
   type Stage,
 } from 'circle-voronoi'
 import { loadComparison } from 'circle-voronoi/comparison'
@@ -18,6 +19,44 @@ export const path: string = diagram.render()
 export const neighbors: Int32Array = diagram.neighbors(0)
 export const code: ErrorCode | undefined = ERROR_CODES[0]
 export const power: Diagram = (await loadComparison(library)).computeComparison([], 'power')
+
+// Every option.
+const { bounds, ...rest } = { bounds: [0, 0, 1, 1] as const, tolerance: 0.1 }
+export const texts: string[] = [
+  diagram.render({ bounds, ...rest, digits: 3 }),
+  diagram.cellPath(0, { bounds: { minX: 0, minY: 0, maxX: 1, maxY: 1 } }),
+  diagram.edgePath(0, { tolerance: 0.1 }),
+  diagram.renderBounds({ bounds }),
+  diagram.renderCircles({ digits: 2 }),
+  diagram.renderDual(),
+  diagram.renderHull({}),
+]
+declare const context: PathSink
+diagram.render({ context, bounds, tolerance: 0.1 })
+diagram.renderCircles({ context })
+export const polygon: [number, number][] | undefined = diagram.cellPolygon(0, { bounds, tolerance: 0.1 })
+export const polygons: number[] = [...diagram.cellPolygons({ bounds })].map(({ index }) => index)
+export const hullPolygon = diagram.hullPolygon({ tolerance: 0.1 })
+export const measures: number[] = [diagram.cellArea(0, { bounds }), diagram.cellPerimeter(0), ...diagram.cellAreas()]
+export const centroid: { x: number; y: number } | undefined = diagram.cellCentroid(0, { bounds })
+export const dual: readonly Int32Array[] = [diagram.triangles, diagram.halfedges]
+library.compute([[0, 0, 1]], {
+  method: 'touching-disc',
+  candidates: 'dynamic',
+  samples: 1,
+  resample: true,
+  progress: (stage: Stage, done: number) => `${stage} ${done}`,
+})
+library.compute(new Set([new Float32Array(3)]))
+library.from(
+  [{ city: 'a', size: 2 }],
+  ({ size }) => size,
+  (_, i) => i,
+  () => 1,
+)
+export const updated: Diagram = library.from([[0, 0, 1]]).update()
+// The memory of a diagram can be handed over.
+export const buffers: ArrayBuffer[] = [diagram.vertices.buffer, diagram.edges.buffer]
 
 const worker: CircleVoronoiWorker = createWorker({ wasm: new Uint8Array(8) })
 export const later: Diagram = await worker.computeAsync(new Float64Array(3), {
@@ -32,3 +71,9 @@ library.compute([], { method: 'magic' })
 library.compute([{ x: 0, y: 0 }])
 // @ts-expect-error: there is no such option
 createWorker({ url: '' })
+// @ts-expect-error: of all that is drawn on something, that is an option
+diagram.render(context)
+// @ts-expect-error: what is drawn is not written as text
+diagram.render({ context, digits: 3 })
+// @ts-expect-error: a datum without x, y and r needs functions that find them
+library.from([{ city: 'a' }])

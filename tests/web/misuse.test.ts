@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What JavaScript lets through and makes no sense: one sentence each, and nothing is answered.
+import { describe, expect, it } from 'vitest'
+import { loadComparison } from '../../web/lib/comparison.ts'
+import {
+  CircleVoronoiError,
+  ConvexPolygon,
+  circleAt,
+  clearestPath,
+  closestPair,
+  type Diagram,
+  edgeAt,
+  edgeCurve,
+  largestEmptyDiscCentredIn,
+  largestEmptyDiscCentredInHull,
+  largestEmptyDiscInside,
+  loadCircleVoronoi,
+  outline,
+  vertexAt,
+} from '../../web/lib/index.ts'
+import { createWorker } from '../../web/lib/worker.ts'
+import { library } from './library.ts'
+
+const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
+const diagram = library.compute(CIRCLES)
+const { computeComparison } = await loadComparison(library)
+const power = computeComparison(CIRCLES, 'power')
+/** As a program without types sees it. */
+const d = diagram as unknown as Record<string, (...args: unknown[]) => unknown>
+const l = library as unknown as Record<string, (...args: unknown[]) => unknown>
+const untyped = (f: unknown) => f as (...args: unknown[]) => unknown
+const box = { minX: 0, minY: 0, maxX: 9, maxY: 9 }
+const texts = { minX: '0', minY: '0', maxX: '9', maxY: '9' }
+const data = { ...diagram }
+
+/** Which code, what is said, and what is done. */
+const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown])[] = [
+  ['badArgument', 'find takes a number as x, not an object.', () => d.find?.({ x: 5, y: 1 })],
+  ['badArgument', 'find takes a number as x, not an array.', () => d.find?.([5, 1])],
+  ['badArgument', 'find takes a number as x, not "5".', () => d.find?.('5', '1')],
+  ['badArgument', 'find takes a number as y, not undefined.', () => d.find?.(5)],
+  ['badArgument', 'find takes a number as hint, not "0".', () => d.find?.(5, 1, '0')],
+  [
+    'badArgument',
+    'findAll takes two numbers for each point, but there are 3.',
+    () => diagram.findAll(new Float64Array(3)),
+  ],
+  ['badArgument', 'findAll takes a Float64Array of x and y for each point, not an object.', () => d.findAll?.({})],
+  [
+    'badArgument',
+    'findAll takes a number as a coordinate, not an array.',
+    () =>
+      d.findAll?.([
+        [1, 2],
+        [3, 4],
+      ]),
+  ],
+  ['badArgument', 'contains takes a number as x, not an object.', () => d.contains?.(0, { x: 1, y: 2 })],
+  ['badArgument', 'cell takes a number as the index of a circle, not "0".', () => d.cell?.('0')],
+  ['badArgument', 'neighbors takes a number as the index of a circle, not "0".', () => d.neighbors?.('0')],
+  ['badArgument', 'cellPath takes a number as the index of a circle, not "0".', () => d.cellPath?.('0')],
+  ['badArgument', 'cellArea: there is no circle 3; the diagram has 3.', () => diagram.cellArea(3)],
+  ['badArgument', 'edgePath: there is no edge 0.5; the diagram has 3.', () => diagram.edgePath(0.5)],
+  ['badArgument', 'edgeAt: there is no edge 9; the diagram has 3.', () => edgeAt(diagram, 9)],
+  ['badArgument', 'edgeCurve: there is no edge 9; the diagram has 3.', () => edgeCurve(diagram, 9)],
+  ['badArgument', 'vertexAt: there is no vertex -1; the diagram has 1.', () => vertexAt(diagram, -1)],
+  ['badArgument', 'circleAt: there is no circle 3; the diagram has 3.', () => circleAt(CIRCLES, 3)],
+  [
+    'badArgument',
+    'clearestPath takes points { x, y } of finite numbers, not an array.',
+    () => untyped(clearestPath)(diagram, [3, 0], [0, 4]),
+  ],
+  [
+    'badArgument',
+    'clearestPath takes points { x, y } of finite numbers, not an object.',
+    () => clearestPath(diagram, { x: Number.NaN, y: 0 }, { x: 0, y: 4 }),
+  ],
+  [
+    'badArgument',
+    'clearestPath takes a diagram of one circle or more.',
+    () => clearestPath(library.compute([]), { x: 3, y: 0 }, { x: 0, y: 4 }),
+  ],
+  [
+    'badArgument',
+    'outline takes a Diagram, not an object; new Diagram(data) makes one of plain data.',
+    () => untyped(outline)(data, 0, box),
+  ],
+  [
+    'badArgument',
+    'outline takes a number as the index of a circle, not "0".',
+    () => untyped(outline)(diagram, '0', box),
+  ],
+  ['badArgument', 'closestPair takes a diagram of the metric circles, not of power.', () => closestPair(power)],
+  ['badArgument', 'update takes a diagram that compute made here.', () => power.update()],
+  ['badArgument', 'from takes three functions, for x, y and r of a datum.', () => l.from?.([], 'x', 'y', 'r')],
+  [
+    'badOption',
+    'There is no option minX of render; its options are context, bounds, tolerance and digits.',
+    () => d.render?.(box),
+  ],
+  ['badOption', 'What render draws on is an option: { context }.', () => d.render?.({ moveTo() {} })],
+  ['badOption', 'The context is nothing to draw on, but an object.', () => d.render?.({ context: {} })],
+  ['badOption', 'The options of render are not an object.', () => d.render?.('context')],
+  [
+    'badOption',
+    'There is no option bounds of renderCircles; its options are context and digits.',
+    () => d.renderCircles?.({ bounds: box }),
+  ],
+  [
+    'badOption',
+    'Bounds are a ConvexPolygon, or a box of four numbers: { minX, minY, maxX, maxY } or an array.',
+    () => d.render?.({ bounds: texts }),
+  ],
+  [
+    'badOption',
+    'Bounds are a ConvexPolygon, or a box of four numbers: { minX, minY, maxX, maxY } or an array.',
+    () => d.render?.({ bounds: [0, 0, 9] }),
+  ],
+  [
+    'badOption',
+    'The box is empty, or a coordinate is not finite, or beyond 1e152.',
+    () => diagram.render({ bounds: [0, 0, 0, 9] }),
+  ],
+  ['badOption', 'The tolerance is a number above 0, not 0.', () => diagram.render({ tolerance: 0 })],
+  ['badOption', 'The number of digits is a whole number from 0, not -1.', () => diagram.render({ digits: -1 })],
+  ['badOption', 'The corners of a polygon are an array of points, not undefined.', () => untyped(ConvexPolygon.from)()],
+  [
+    'badOption',
+    'There is no option sample of compute; its options are method, candidates, samples, resample and progress.',
+    () => l.compute?.([], { sample: 1 }),
+  ],
+  [
+    'badOption',
+    'There is no option Method of compute; its options are method, candidates, samples, resample and progress.',
+    () => l.compute?.([], { Method: 'flip' }),
+  ],
+  [
+    'badOption',
+    'There is no option signal of compute; its options are method, candidates, samples, resample and progress.',
+    () => l.compute?.([], { signal: AbortSignal.abort() }),
+  ],
+  ['badOption', 'The option samples is a whole number from 0, not -1.', () => library.compute([], { samples: -1 })],
+  ['badOption', 'The options of compute are not an object.', () => l.compute?.([], 'flip')],
+  [
+    'badOption',
+    'There is no option url of createWorker; its only one is wasm.',
+    () => untyped(createWorker)({ url: '' }),
+  ],
+  ['badInput', 'The circles are neither a typed array nor a list, but 5.', () => l.compute?.(5)],
+  ['badInput', 'The circles are neither a typed array nor a list, but "0,0,1".', () => l.compute?.('0,0,1')],
+  ['badInput', 'Three numbers per circle are needed, but there are 4.', () => library.compute(new Float32Array(4))],
+  [
+    'badInput',
+    'Circle 1 does not have three numbers x, y and r.',
+    () =>
+      library.compute([
+        [0, 0, 1],
+        [5, 5],
+      ]),
+  ],
+  ['badInput', 'Circle 0 does not have three numbers x, y and r.', () => l.compute?.([0, 0, 1])],
+]
+
+describe('is refused with a sentence', () => {
+  it.each(MISUSE)('%s: %s', (code, says, act) => {
+    let error: unknown
+    try {
+      act()
+    } catch (thrown) {
+      error = thrown
+    }
+    expect(error).toBeInstanceOf(CircleVoronoiError)
+    expect(error).toMatchObject({ code, message: says })
+  })
+
+  it.each([largestEmptyDiscCentredIn, largestEmptyDiscCentredInHull, largestEmptyDiscInside])(
+    '%o of a power diagram',
+    (query) => {
+      const ask = query as (diagram: Diagram, bounds: unknown) => unknown
+      expect(() => ask(power, box)).toThrow(expect.objectContaining({ code: 'badArgument' }))
+    },
+  )
+
+  it('as a rejection of what loads', async () => {
+    const refusal = expect.objectContaining({ name: 'CircleVoronoiError', code: 'badOption' })
+    for (const options of [{ wasm: 5 }, { url: '' }, 'x']) {
+      await expect(loadCircleVoronoi(options as object)).rejects.toThrow(refusal)
+      await expect(loadComparison(library, options as object)).rejects.toThrow(refusal)
+    }
+    using worker = createWorker()
+    await expect(worker.computeAsync(CIRCLES, { sample: 1 } as object)).rejects.toThrow(refusal)
+    await expect(worker.computeAsync(CIRCLES, { signal: 'now' } as object)).rejects.toThrow(refusal)
+  })
+})
+
+describe('circles', () => {
+  const lists: readonly (readonly [string, () => Parameters<typeof library.compute>[0]])[] = [
+    ['a Float32Array', () => Float32Array.from(CIRCLES)],
+    [
+      'arrays',
+      () => [
+        [0, 0, 1],
+        [6, 0, 1],
+        [0, 8, 1],
+      ],
+    ],
+    ['typed arrays', () => [CIRCLES.subarray(0, 3), CIRCLES.subarray(3, 6), CIRCLES.subarray(6)]],
+    ['objects and arrays', () => [{ x: 0, y: 0, r: 1 }, [6, 0, 1], { x: 0, y: 8, r: 1 }]],
+    [
+      'a set',
+      () =>
+        new Set([
+          [0, 0, 1],
+          [6, 0, 1],
+          [0, 8, 1],
+        ]),
+    ],
+    [
+      'a generator',
+      function* () {
+        yield* [
+          [0, 0, 1],
+          [6, 0, 1],
+          [0, 8, 1],
+        ]
+      },
+    ],
+  ]
+  it.each(lists)('may be %s', (_, circles) => {
+    expect(library.compute(circles())).toMatchObject({ circles: CIRCLES, vertices: diagram.vertices })
+    expect(library.compute(circles()).edges).toEqual(diagram.edges)
+  })
+
+  it('may be found in data by three functions', () => {
+    const cities = [
+      { name: 'a', at: [0, 0], size: 1 },
+      { name: 'b', at: [6, 0], size: 1 },
+      { name: 'c', at: [0, 8], size: 1 },
+    ] as const
+    const seen: unknown[] = []
+    const found = library.from(
+      cities,
+      (city, i, all) => {
+        seen.push([city.name, i, all])
+        return city.at[0]
+      },
+      ({ at: [, y] }) => y,
+      ({ size }) => size,
+      { method: 'flip' },
+    )
+    expect(found).toMatchObject({ circles: CIRCLES, vertices: diagram.vertices, stats: { method: 'flip' } })
+    expect(seen).toEqual(cities.map(({ name }, i) => [name, i, cities]))
+    expect(
+      library.from([
+        [0, 0, 1],
+        [6, 0, 1],
+        [0, 8, 1],
+      ]).vertices,
+    ).toEqual(diagram.vertices)
+    expect(() =>
+      library.from(
+        cities,
+        () => 1,
+        () => 2,
+        () => '3' as unknown as number,
+      ),
+    ).toThrow(/^Circle 0 does not/)
+  })
+})
+
+describe('update', () => {
+  it('computes the diagram of circles that were moved in place', () => {
+    const moving = library.compute(CIRCLES)
+    expect(moving.find(3.5, 0)).toBe(1)
+    expect(moving.halfedges).toHaveLength(3)
+    moving.circles[3] = 20
+    expect(moving.update()).toBe(moving)
+    const fresh = library.compute(moving.circles)
+    expect(moving.vertices).toEqual(fresh.vertices)
+    expect(moving.find(3.5, 0)).toBe(0)
+    expect(moving.render()).toBe(fresh.render())
+  })
+
+  it('leaves the diagram as it was if the circles are refused', () => {
+    const moving = library.compute(CIRCLES)
+    moving.circles[5] = -1
+    expect(() => moving.update()).toThrow(expect.objectContaining({ code: 'negativeRadius', circle: 1 }))
+    expect(moving.vertices).toEqual(diagram.vertices)
+    expect(moving.certificate.certified).toBe(true)
+  })
+})

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What callers of JavaScript may give in place of what the types ask for: it is refused, in one sentence.
+import type { Diagram } from './diagram.ts'
+import type { DiagramData } from './diagram-data.ts'
+import { CircleVoronoiError } from './errors.ts'
+import type { Metric } from './metric.ts'
+import type { Point } from './point.ts'
+
+/** @throws CircleVoronoiError `badArgument` */
+export function refuseArgument(message: string): never {
+  throw new CircleVoronoiError('badArgument', -1, message)
+}
+
+/** @throws CircleVoronoiError `badOption` */
+export function refuseOption(message: string): never {
+  throw new CircleVoronoiError('badOption', -1, message)
+}
+
+/**
+ * Whether `options` is an object with no other options than those named; an option that is `undefined` is none.
+ *
+ * @throws CircleVoronoiError `badOption`
+ */
+export function checkOptionNames(options: unknown, caller: string, known: readonly string[]): void {
+  if (typeof options !== 'object' || options === null || Array.isArray(options)) {
+    refuseOption(`The options of ${caller} are not an object.`)
+  }
+  for (const [name, value] of Object.entries(options)) {
+    if (value !== undefined && !known.includes(name)) {
+      refuseOption(
+        `There is no option ${name} of ${caller}; ${known.length === 1 ? 'its only one is' : 'its options are'} ${listed(known)}.`,
+      )
+    }
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `value` is not a number */
+export function checkNumber(value: unknown, caller: string, name: string): void {
+  if (typeof value !== 'number') refuseArgument(`${caller} takes a number as ${name}, not ${shown(value)}.`)
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `index` is not one of `count` things */
+export function checkIndex(index: unknown, count: number, caller: string, thing: string): void {
+  checkNumber(index, caller, `the index of ${thing === 'edge' ? 'an' : 'a'} ${thing}`)
+  if (!Number.isInteger(index) || (index as number) < 0 || (index as number) >= count) {
+    refuseArgument(`${caller}: there is no ${thing} ${index}; the diagram has ${count}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `diagram` has no methods: `new Diagram(data)` gives it some */
+export function checkDiagram(diagram: unknown, caller: string): void {
+  if (typeof (diagram as Partial<Diagram> | null | undefined)?.find !== 'function') {
+    refuseArgument(`${caller} takes a Diagram, not ${shown(diagram)}; new Diagram(data) makes one of plain data.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `point` is no finite point */
+export function checkPoint(point: unknown, caller: string): asserts point is Point {
+  const { x, y }: Partial<Point> = Object(point)
+  if (!Number.isFinite(x) || !Number.isFinite(y)) {
+    refuseArgument(`${caller} takes points { x, y } of finite numbers, not ${shown(point)}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if a question has no answer in the metric of a diagram */
+export function checkMetric({ metric }: DiagramData, caller: string, ...known: readonly Metric[]): void {
+  if (!known.includes(metric)) {
+    refuseArgument(`${caller} takes a diagram of the metric ${listed(known)}, not of ${metric}.`)
+  }
+}
+
+/** A value as it can stand in a sentence. */
+export function shown(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value)
+  if (Array.isArray(value)) return 'an array'
+  if (typeof value === 'function') return 'a function'
+  return typeof value === 'object' && value !== null ? 'an object' : String(value)
+}
+
+function listed(names: readonly string[]): string {
+  return names.length < 2 ? names.join() : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
+}
