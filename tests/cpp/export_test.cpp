@@ -338,6 +338,46 @@ TEST(Export, SvgTellsHiddenCirclesAndPoints) {
   EXPECT_NE(svg.find("<desc>5 circles, 2 of them hidden; 1 vertices, 3 edges</desc>"), std::string::npos);
 }
 
+TEST(Export, SvgLeavesOutWhatIsOutsideTheBox) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {9, 0, 1}, {0, 9, 1}, {30, 30, 1}, {39, 30, 1}};
+  ExportOptions options;
+  options.box = Box{-2, -2, 7, 7};
+  const std::string svg = textOf(writeSvg, circles, options);
+  EXPECT_EQ(countOf(svg, "<circle data-circle="), 1U);
+  EXPECT_EQ(countOf(svg, "<line"), 3U) << "the triangle of the first three circles";
+}
+
+TEST(Export, SvgFiguresHaveTheirGroupsAndLayers) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {9, 0, 1}, {4, 6, 1}};
+  const Diagram diagram = compute(circles).value();
+  const auto figureOf = [&](const SvgFigure& figure) {
+    std::ostringstream out;
+    writeSvgFigure(out, circles, diagram, figure);
+    return out.str();
+  };
+  EXPECT_EQ(figureOf({}), textOf(writeSvg, circles));
+
+  SvgFigure figure;
+  figure.frame.box = Box{-10, -10, 10, 10};
+  figure.pixels = 200;
+  figure.groups = {"edges"};
+  figure.style = ".samples { stroke: red; }\n";
+  figure.layers.push_back({.name = "samples", .points = {{1, 2}, {3, -4}}});
+  figure.layers.push_back({.name = "discs", .discs = {{5, 6, 0.5}}});
+  figure.layers.push_back({.name = "directed", .segments = {{{{0, 0}, {0, 5}}}}, .areArrows = true});
+  figure.layers.push_back({.name = "arcs", .arcs = {segment({1, 1}, {2, 1})}});
+  const std::string svg = figureOf(figure);
+  EXPECT_NE(svg.find("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\""), std::string::npos);
+  EXPECT_NE(svg.find(".samples { stroke: red; }\n</style>"), std::string::npos);
+  EXPECT_EQ(countOf(svg, "<g id="), 5U);
+  EXPECT_EQ(svg.find("id=\"cells\""), std::string::npos);
+  EXPECT_NE(svg.find("<g id=\"samples\" class=\"samples\">\n<path d=\"M1 2h0M3 -4h0\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<circle cx=\"5\" cy=\"6\" r=\"0.5\"/>"), std::string::npos);
+  // Seven pixels of a tenth: a head of length 0.7 at the end.
+  EXPECT_NE(svg.find("<path d=\"M0 0L0 5M-0.28 4.3L0 5L0.28 4.3\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("<path d=\"M1 1L2 1\"/>"), std::string::npos);
+}
+
 TEST(Export, NoCirclesGiveValidFiles) {
   EXPECT_TRUE(Json::parse(textOf(writeGeoJson, {}))["features"].empty());
   EXPECT_EQ(textOf(writeWkt, {}), "");

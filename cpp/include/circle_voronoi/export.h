@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <iosfwd>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/convex_polygon.h"
+#include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
@@ -33,11 +38,35 @@ Box exportBox(std::span<const Circle> circles);
 // themselves if they were rounded keep all digits; so do radii and areas of GeoJSON and all numbers of CSV, which read
 // back to the same bits.
 
-/// A drawing, y upwards, that fits the box: groups of class cells, dual, circles, edges, vertices and hull, styled by a
-/// style sheet. Curves are cubic Bezier curves. Hidden circles have the class hidden, circles too small to be seen
-/// the class point.
+/// A drawing, y upwards, that fits the box and has nothing of what is outside: groups of class cells, dual, circles,
+/// edges, vertices and hull, styled by a style sheet. Curves are cubic Bezier curves. Hidden circles have the class
+/// hidden, circles too small to be seen the class point.
 void writeSvg(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
               const ExportOptions& options = {});
+
+/// Marks of one kind in a figure: a group of this class.
+struct SvgLayer {
+  std::string name;
+  std::vector<Point> points = {};  ///< strokes of length zero: as wide as the style says
+  std::vector<Circle> discs = {};
+  std::vector<std::array<Point, 2>> segments = {};  ///< with an arrowhead at the second point, if they are arrows
+  bool areArrows = false;
+  std::vector<EdgeCurve> arcs = {};  ///< bounded ones
+};
+
+/// A drawing with more, or less, than a diagram has.
+struct SvgFigure {
+  ExportOptions frame;
+  /// Which groups of `writeSvg` are drawn.
+  std::vector<std::string> groups = {"cells", "dual", "circles", "edges", "vertices", "hull"};
+  std::vector<SvgLayer> layers = {};  ///< drawn over these, in their order
+  std::string style;                  ///< rules of a style sheet, after those of `writeSvg`
+  double pixels = 1000;               ///< the longer side of the drawing, to which strokes and dots refer
+};
+
+/// The drawing of `writeSvg` as a figure.
+void writeSvgFigure(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
+                    const SvgFigure& figure);
 
 /// RFC 7946: a feature for each circle, its cell as a Polygon, a MultiPolygon if the box cuts it apart, or null if it
 /// is hidden or outside the box; with the properties circle, radius, area, neighbors (circles), and hiddenBy of a

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -16,9 +17,9 @@
 namespace circle_voronoi {
 namespace {
 
-constexpr double kPixels = 1000;  ///< the longer side of the drawing
 constexpr double kVertexPixels = 1.5;
 constexpr double kPointPixels = 0.5;  ///< a smaller radius is hard to see
+constexpr double kHeadPixels = 7;     ///< the length of an arrowhead
 
 constexpr std::string_view kStyle = R"(<style>
 path, line, circle { vector-effect: non-scaling-stroke; }
@@ -30,7 +31,6 @@ path, line, circle { vector-effect: non-scaling-stroke; }
 .circles .hidden { fill: #8c8c8c; stroke: #6e6e6e; stroke-dasharray: 3 2; }
 .circles .point { stroke-width: 3; stroke-linecap: round; stroke-dasharray: none; }
 .vertices { fill: #1f4e79; stroke: none; }
-</style>
 )";
 
 void writePoint(Writer& out, Point p) { out << p.x << " " << p.y; }
@@ -188,6 +188,7 @@ void writeDual(Writer& out, const ExportFrame& frame) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
     return frame.round({c.x, c.y});
   };
+  const Box& box = frame.box;
   const auto pairs = neighborPairs(frame.cells.diagram());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     if (pairs.size() - k > kPrefetchAhead) {
@@ -195,6 +196,10 @@ void writeDual(Writer& out, const ExportFrame& frame) {
     }
     const Point p = centre(pairs[k][0]);
     const Point q = centre(pairs[k][1]);
+    if (std::max(p.x, q.x) < box.minX || std::min(p.x, q.x) > box.maxX || std::max(p.y, q.y) < box.minY ||
+        std::min(p.y, q.y) > box.maxY) {
+      continue;
+    }
     out << "<line x1=\"" << p.x << "\" y1=\"" << p.y << "\" x2=\"" << q.x << "\" y2=\"" << q.y << "\"/>\n";
   }
 }
@@ -223,11 +228,13 @@ void writeHull(Writer& out, const ExportFrame& frame) {
 
 /// Circles of radius below `visible` are drawn as dots.
 void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
+  const Box& box = frame.box;
   const auto circles = frame.cells.circles();
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     const Circle& circle = circles[static_cast<std::size_t>(i)];
     const auto& [x, y] = frame.round({circle.x, circle.y});
     const double r = frame.grid.round(circle.r);
+    if (x + r < box.minX || x - r > box.maxX || y + r < box.minY || y - r > box.maxY) continue;
     const bool isHidden = !frame.cells.exists(i);
     const bool isPoint = circle.r < visible;
     out << (r == 0 ? "<path" : "<circle") << " data-circle=\"" << i << "\"";
@@ -252,34 +259,87 @@ void writeVertices(Writer& out, const Drawing& drawing, double radius) {
   }
 }
 
+/// The two strokes of the head of an arrow, at most two fifths of its length.
+void writeHead(Writer& out, const ExportFrame& frame, Point from, Point to, double unit) {
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double size = std::sqrt(dx * dx + dy * dy);
+  if (size == 0) return;
+  const double part = std::min(kHeadPixels * unit / size, 0.4);
+  const Point foot = {to.x - part * dx, to.y - part * dy};
+  const Vector side = {-0.4 * part * dy, 0.4 * part * dx};
+  writePoint(out, "M", frame.round({foot.x + side.x, foot.y + side.y}));
+  writePoint(out, "L", frame.round(to));
+  writePoint(out, "L", frame.round({foot.x - side.x, foot.y - side.y}));
+}
+
+void writeLayer(Writer& out, const ExportFrame& frame, const SvgLayer& layer, double unit) {
+  for (const Circle& disc : layer.discs) {
+    const Point centre = frame.round({disc.x, disc.y});
+    out << "<circle cx=\"" << centre.x << "\" cy=\"" << centre.y << "\" r=\"" << frame.grid.round(disc.r) << "\"/>\n";
+  }
+  for (const EdgeCurve& arc : layer.arcs) {
+    const auto points = innerPoints(frame, arc);
+    out << "<path d=\"";
+    writePoint(out, "M", frame.round(arc.start));
+    trace(out, points.begin(), points.end(), frame.round(arc.end));
+    out << "\"/>\n";
+  }
+  for (const auto& [from, to] : layer.segments) {
+    out << "<path d=\"";
+    writePoint(out, "M", frame.round(from));
+    writePoint(out, "L", frame.round(to));
+    if (layer.areArrows) writeHead(out, frame, from, to, unit);
+    out << "\"/>\n";
+  }
+  if (layer.points.empty()) return;
+  out << "<path d=\"";
+  for (const Point& point : layer.points) {
+    writePoint(out, "M", frame.round(point));
+    out << "h0";
+  }
+  out << "\"/>\n";
+}
+
 }  // namespace
 
 void writeSvg(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
               const ExportOptions& options) {
+  SvgFigure figure;
+  figure.frame = options;
+  writeSvgFigure(stream, circles, diagram, figure);
+}
+
+void writeSvgFigure(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
+                    const SvgFigure& figure) {
   Writer out(stream);
-  const ExportFrame frame(circles, diagram, options);
+  const ExportFrame frame(circles, diagram, figure.frame);
   const Drawing drawing(frame);
   const double width = frame.box.maxX - frame.box.minX;
   const double height = frame.box.maxY - frame.box.minY;
-  const double unit = std::max(width, height) / kPixels;  // what a pixel stands for
+  const double unit = std::max(width, height) / figure.pixels;  // what a pixel stands for
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
       << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height << "\">\n"
       << "<title>Voronoi diagram of circles</title>\n<desc>" << static_cast<std::int64_t>(circles.size())
       << " circles, " << static_cast<std::int64_t>(diagram.hidden.size()) << " of them hidden; "
       << static_cast<std::int64_t>(diagram.vertices.size()) << " vertices, "
       << static_cast<std::int64_t>(diagram.edges.size()) << " edges</desc>\n"
-      << kStyle << "<g transform=\"scale(1,-1)\">\n";
+      << kStyle << figure.style << "</style>\n<g transform=\"scale(1,-1)\">\n";
   const auto group = [&](std::string_view name, auto write) {
     out << "<g id=\"" << name << "\" class=\"" << name << "\">\n";
     write();
     out << "</g>\n";
   };
-  group("cells", [&] { writeCells(out, drawing); });
-  group("dual", [&] { writeDual(out, frame); });
-  group("circles", [&] { writeCircles(out, frame, kPointPixels * unit); });
-  group("edges", [&] { writeEdges(out, drawing); });
-  group("vertices", [&] { writeVertices(out, drawing, frame.grid.round(kVertexPixels * unit)); });
-  group("hull", [&] { writeHull(out, frame); });
+  const auto ownGroup = [&](std::string_view name, auto write) {
+    if (std::ranges::find(figure.groups, name) != figure.groups.end()) group(name, write);
+  };
+  ownGroup("cells", [&] { writeCells(out, drawing); });
+  ownGroup("dual", [&] { writeDual(out, frame); });
+  ownGroup("circles", [&] { writeCircles(out, frame, kPointPixels * unit); });
+  ownGroup("edges", [&] { writeEdges(out, drawing); });
+  ownGroup("vertices", [&] { writeVertices(out, drawing, frame.grid.round(kVertexPixels * unit)); });
+  ownGroup("hull", [&] { writeHull(out, frame); });
+  for (const SvgLayer& layer : figure.layers) group(layer.name, [&] { writeLayer(out, frame, layer, unit); });
   out << "</g>\n</svg>\n";
 }
 
