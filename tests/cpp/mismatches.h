@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+
+namespace circle_voronoi::test {
+
+/// A way to a diagram that is compared with the exact one.
+struct ComparedWay {
+  Method method;
+  Candidates candidates;
+  int samples;
+  bool resample;
+  std::string name;
+};
+
+inline constexpr std::size_t kComparedWays = 6;
+std::span<const ComparedWay, kComparedWays> comparedWays();
+
+/// Of these families all circles touch one disc or line, or nearly, and overlap, or are so far apart that rounding is
+/// all that is left of a distance: in floating point the touching disc method gets discs in a wrong order with every
+/// pair, so it is not asked.
+bool isBeyondTouchingDisc(Family family);
+
+/// Input `trial` of a family: 10 to 100 circles, of the extreme family, which is meant for a few, 5 to 14.
+std::vector<Circle> comparedInput(Family family, std::uint64_t seed, std::uint64_t trial);
+
+/// What one family came to.
+struct Mismatches {
+  std::array<int, kComparedWays> wrong{};   ///< diagrams that differ from the exact one
+  std::array<int, kComparedWays> passed{};  ///< of these, those that pass the paper's check: their leftover directed
+                                            ///< edges form one cycle
+  std::array<std::string, kComparedWays> firstProblem;
+  std::string firstMisjudged;  ///< where the certificate and the comparison do not agree
+};
+
+/// Compares diagrams of every family with the exact ones, on all processors; in the order of `families()`.
+std::vector<Mismatches> countMismatches(std::uint64_t seed, std::uint64_t trials);
+
+}  // namespace circle_voronoi::test
