@@ -59,6 +59,19 @@ const SUITES = [
     ],
   },
   {
+    name: "The paper's results in Node",
+    report: `${RESULTS}/results.xml`,
+    program: process.execPath,
+    args: [
+      '--test',
+      '--test-reporter=spec',
+      '--test-reporter-destination=stdout',
+      '--test-reporter=junit',
+      `--test-reporter-destination=${RESULTS}/results.xml`,
+      'tests/results/reproduce.test.mjs',
+    ],
+  },
+  {
     name: 'Playwright',
     report: `${RESULTS}/playwright.xml`,
     program: `${BIN}/playwright`,

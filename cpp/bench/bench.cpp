@@ -70,6 +70,7 @@ std::vector<Contestant> allContestants() {
       {"touching-disc-1", computing(touchingDisc(Candidates::dynamic, 1)), 1'000'000},
       {"touching-disc-3", computing(touchingDisc(Candidates::dynamic, 3)), 100'000},
       {"touching-disc-uniform-50", computing(touchingDisc(Candidates::uniform, 50)), 10'000},
+      {"touching-disc-all-pairs", computing(touchingDisc(Candidates::allPairs, -1)), 1'000},
       {"cgal-hierarchy", referring(reference::apolloniusHierarchy), 1'000'000},
       {"cgal-exact", referring(reference::apolloniusExact), 1'000},
   };
@@ -267,8 +268,9 @@ int main(int argc, char** argv) {
                     ratio(measured, "cgal-hierarchy", method.name).c_str());
         json << (json.tellp() > 1 ? ",\n " : "\n ") << R"({"family": ")" << input->family << R"(", "n": )"
              << input->circles.size() << R"(, "method": ")" << method.name << R"(", ")"
-             << (isOver ? "secondsOver" : "seconds") << R"(": )" << seconds << R"(, "peakMegabytes": )" << megabytes
-             << "}";
+             << (isOver ? "secondsOver" : "seconds") << R"(": )" << seconds << R"(, "repetitions": [)";
+        for (std::size_t i = 0; i < repeated.size() && !isOver; ++i) json << (i > 0 ? ", " : "") << repeated[i];
+        json << R"(], "peakMegabytes": )" << megabytes << "}";
       }
       std::fflush(stdout);
     }

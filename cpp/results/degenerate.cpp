@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/merged.h"
+#include "circle_voronoi/queries.h"
+#include "experiments.h"
+#include "figure.h"
+#include "method.h"
+
+namespace circle_voronoi::results {
+namespace {
+
+constexpr std::size_t kColumns = 10;  ///< of the grids
+
+struct Case {
+  std::string figure;
+  Family family;
+  std::size_t count;
+};
+
+const Case kCases[] = {{"15a", Family::cocircularVaried, 24},
+                       {"15b", Family::cocircularEqual, 100},
+                       {"15d", Family::grid, kColumns* kColumns},
+                       {"15e", Family::gridTangent, kColumns* kColumns},
+                       {"15f", Family::gridColumns, kColumns* kColumns}};
+
+/// How many merged vertices have each degree.
+std::map<std::string, int> degreesOf(const MergedDiagram& merged) {
+  std::map<std::string, int> degrees;
+  for (std::size_t v = 0; v + 1 < merged.firstCircle.size(); ++v) {
+    ++degrees[std::to_string(merged.firstCircle[v + 1] - merged.firstCircle[v])];
+  }
+  return degrees;
+}
+
+/// How far apart the vertices are whose disc is about the reference disc.
+double spreadOf(const Diagram& diagram, double reference) {
+  double most = 0;
+  for (const Vertex& v : diagram.vertices) {
+    if (std::abs(v.radius - reference) < 1e-6 * reference) most = std::max(most, std::hypot(v.x, v.y));
+  }
+  return 2 * most;
+}
+
+/// Of a grid, how many squares of four centres have two triangles, and how many triangles lie in no square.
+Json quasiTriangulation(const Diagram& diagram) {
+  std::map<std::array<std::size_t, 2>, int> trianglesIn;
+  int outside = 0;
+  for (const auto& triple : diagram.vertexCircles) {
+    std::array<std::size_t, 2> low = {kColumns, kColumns};
+    std::array<std::size_t, 2> high = {0, 0};
+    for (const std::int32_t circle : triple) {
+      const std::array<std::size_t, 2> place = {static_cast<std::size_t>(circle) % kColumns,
+                                                static_cast<std::size_t>(circle) / kColumns};
+      for (std::size_t k = 0; k < 2; ++k) {
+        low[k] = std::min(low[k], place[k]);
+        high[k] = std::max(high[k], place[k]);
+      }
+    }
+    if (high[0] - low[0] == 1 && high[1] - low[1] == 1) {
+      ++trianglesIn[low];
+    } else {
+      ++outside;
+    }
+  }
+  const auto twos = std::ranges::count_if(trianglesIn, [](const auto& square) { return square.second == 2; });
+  return {{"squares", (kColumns - 1) * (kColumns - 1)},
+          {"squaresOfTwoTriangles", twos},
+          {"trianglesElsewhere", outside},
+          {"pairs", neighborPairs(diagram).size()}};
+}
+
+/// Figure 15 c: the middle, so near that rounding can be seen. A browser draws no lengths that small, so the circles
+/// are enlarged, by a power of two: the diagram is the same.
+void drawMiddle(const std::filesystem::path& folder, std::span<const Circle> circles, double spread) {
+  const double scale = std::exp2(-std::ilogb(spread));
+  std::vector<Circle> large;
+  for (const Circle& c : circles) large.push_back({scale * c.x, scale * c.y, scale * c.r});
+  SvgFigure figure;
+  figure.pixels = 420;
+  const double reach = scale * spread / 12;
+  figure.frame.box = Box{-reach, -reach, reach, reach};
+  figure.groups = {"edges", "vertices"};
+  draw(folder, "figure-15c", large, diagramOf(large), figure);
+}
+
+void drawCase(const std::filesystem::path& folder, const Case& its, std::span<const Circle> circles,
+              const Diagram& diagram) {
+  SvgFigure figure;
+  figure.pixels = 420;
+  figure.groups = {"circles", "edges"};
+  if (its.figure == "15f") figure.groups = {"circles", "dual"};
+  if (its.figure == "15a") figure.groups.push_back("vertices");
+  draw(folder, "figure-" + its.figure, circles, diagram, figure);
+  if (its.figure == "15b") drawMiddle(folder, circles, spreadOf(diagram, 50));
+}
+
+}  // namespace
+
+Json degeneratePositions(const Parameters& parameters) {
+  Json cases = Json::array();
+  for (const Case& its : kCases) {
+    const auto circles = generate(its.family, its.count, 1);
+    const Diagram method = diagramOf(circles, touchingDisc(Candidates::dynamic, 1));
+    const Diagram diagram = diagramOf(circles);
+    Json row = {{"figure", its.figure},
+                {"family", familyName(its.family)},
+                {"n", its.count},
+                {"certifiedByMethod", method.certificate.certified()},
+                {"certifiedByAuto", diagram.certificate.certified()},
+                {"vertices", diagram.vertices.size()},
+                {"degrees", degreesOf(mergeVertices(circles, diagram))}};
+    if (its.figure == "15b") row["spread"] = spreadOf(diagram, 50);
+    if (its.figure == "15f") row["quasiTriangulation"] = quasiTriangulation(diagram);
+    cases.push_back(std::move(row));
+    drawCase(parameters.folder, its, circles, diagram);
+  }
+  Json discs = Json::array();
+  for (const std::size_t n : {8, 16, 32, 64, 128, 256, 512, 1024}) {
+    const Diagram diagram = diagramOf(generate(Family::cocircularEqual, n, 1), touchingDisc(Candidates::dynamic, 1));
+    discs.push_back({{"n", n}, {"threeTouchDiscs", diagram.stats.counts.threeTouchDiscs}});
+  }
+  return {{"cases", std::move(cases)}, {"aroundOneDisc", std::move(discs)}};
+}
+
+}  // namespace circle_voronoi::results

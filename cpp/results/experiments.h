@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace circle_voronoi::results {
+
+using Json = nlohmann::ordered_json;
+
+/// What the experiments are run on; each takes what it needs.
+struct Parameters {
+  std::vector<std::size_t> sizes = {100, 1000};  ///< numbers of circles
+  std::uint64_t seed = 1;                        ///< of the first input; others follow it
+  std::uint64_t trials = 5;                      ///< inputs of each kind
+  std::filesystem::path folder = ".";            ///< for drawings
+};
+
+/// Table 1: samples on the circles of figure 7 at N_s = 3.
+Json sampleTable(const Parameters&);
+
+/// Figure 16 a: samples, antipodal and three-touch discs of random circles at N_s = 1, by size and seed; and the part
+/// of the time that each stage takes.
+Json countDiscs(const Parameters& parameters);
+
+/// Figure 6: with how many samples a circle each way of sampling leads to the right diagram, by family.
+Json neededSamples(const Parameters& parameters);
+
+/// How often the touching disc method differs from the exact diagram, by family and way.
+Json correctness(const Parameters& parameters);
+
+/// How often Algorithms 2 and 3 as printed do, and the smallest circles for which they fail, which it draws.
+Json printedRules(const Parameters& parameters);
+
+/// Figure 15: the degrees of merged vertices, the quasi-triangulation, and section 8.1: three-touch discs of circles
+/// around one disc.
+Json degeneratePositions(const Parameters&);
+
+/// Draws the other figures.
+Json drawFigures(const Parameters& parameters);
+
+}  // namespace circle_voronoi::results

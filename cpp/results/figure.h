@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/export.h"
+#include "printed_algorithm.h"
+#include "sample.h"
+
+namespace circle_voronoi::results {
+
+// The layers of the paper's figures.
+
+SvgLayer samplesLayer(const Samples& samples);
+/// The Delaunay graph of the centres.
+SvgLayer centresLayer(std::span<const Circle> circles);
+/// The Delaunay graph of the samples.
+SvgLayer sampleGraphLayer(const Samples& samples);
+/// The directed edges that the touching disc method with all pairs leaves over: the hull's.
+SvgLayer leftoverLayer(std::span<const Circle> circles);
+/// The antipodal discs that it finds empty; those of intersecting circles, of negative radius, have no disc to draw.
+SvgLayer antipodalLayer(std::span<const Circle> circles);
+SvgLayer leftoverLayer(std::span<const Circle> circles, const PrintedResult& printed);
+/// The Voronoi segments that were finished, as far as a box goes.
+SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& printed, const Box& box);
+
+/// The style of all figures, light and dark.
+std::string figureStyle();
+
+/// Writes FOLDER/NAME.svg.
+void draw(const std::filesystem::path& folder, const std::string& name, std::span<const Circle> circles,
+          const Diagram& diagram, SvgFigure figure);
+
+}  // namespace circle_voronoi::results

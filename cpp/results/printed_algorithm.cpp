@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "printed_algorithm.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "angle.h"
+#include "compare.h"
+#include "three_touch_disc.h"
+
+namespace circle_voronoi::results {
+namespace {
+
+/// A full turn of `pseudoAngle`, and how near two angles or lengths count as the same.
+constexpr double kTurn = 4;
+constexpr double kNear = 0x1p-30;
+constexpr int kNothing = -1;
+
+/// How far `angle` is counter-clockwise of `from`: from 0 to below a turn, and 0 if the two are the same.
+double turnTo(double from, double angle) {
+  double turn = angle - from;
+  if (turn < 0) turn += kTurn;
+  return turn > kTurn - kNear || turn < kNear ? 0 : turn;
+}
+
+Vector minus(Vector v) { return {-v.x, -v.y}; }
+
+/// A disc of the list L: an antipodal disc of circles 0 and 1, or the three-touch disc of directed edges 0 to 1, 1 to 2
+/// and 2 to 0.
+struct Listed {
+  Vertex disc;
+  std::array<int, 3> circles = {kNothing, kNothing, kNothing};
+  std::array<int, 3> edges = {kNothing, kNothing, kNothing};  ///< those that a three-touch disc was formed of
+  std::int64_t order = 0;
+
+  friend bool operator<(const Listed& u, const Listed& v) {  // the queue serves the largest first
+    return u.disc.radius != v.disc.radius ? u.disc.radius > v.disc.radius : u.order > v.order;
+  }
+};
+
+class Printed {
+ public:
+  Printed(std::span<const Circle> circles, std::span<const Pair> pairs)
+      : circles_(circles), used_(circles.size()), around_(circles.size()) {
+    for (const auto& [a, b] : pairs) listAntipodalDisc(a, b);
+  }
+
+  PrintedResult run() {
+    while (!list_.empty()) {
+      const Listed first = list_.top();
+      list_.pop();
+      if (first.circles[2] == kNothing) {
+        processAntipodalDisc(first);
+      } else {
+        processThreeTouchDisc(first);
+      }
+    }
+    finishLeftover();
+    return std::move(result_);
+  }
+
+ private:
+  /// An arc of a circle that is used for the diagram, counter-clockwise.
+  struct Arc {
+    double from = 0;
+    double size = 0;
+  };
+
+  const Circle& circle(int i) const { return circles_[i]; }
+  PrintedEdge& edge(int index) { return edges_[index]; }
+
+  void list(Listed disc) {
+    disc.order = next_++;
+    list_.push(disc);
+  }
+
+  // --- Algorithm 2 ---
+
+  void listAntipodalDisc(int a, int b) {
+    const Vector v = between(circle(a), circle(b));
+    const double distance = length(v);
+    if (distance == 0) return;  // concentric circles have no line of centres
+    const double radius = (distance - circle(a).r - circle(b).r) / 2;
+    const double part = (circle(a).r + radius) / distance;
+    list({{circle(a).x + part * v.x, circle(a).y + part * v.y, radius}, {a, b, kNothing}});
+  }
+
+  bool isUsed(int i, Vector direction) const {
+    const double angle = pseudoAngle(direction);
+    return std::ranges::any_of(used_[i], [&](const Arc& arc) { return turnTo(arc.from, angle) <= arc.size + kNear; });
+  }
+
+  /// The directed edges next to a direction on circle i, one way or the other.
+  std::vector<int> closeTo(int i, Vector direction, int except) {
+    const double angle = pseudoAngle(direction);
+    struct Near {
+      int index;
+      double forth;
+      double back;
+    };
+    std::vector<Near> near;
+    double leastForth = kTurn;
+    double leastBack = kTurn;
+    for (const int index : around_[i]) {
+      const PrintedEdge& other = edge(index);
+      if (!other.isAlive || (except != kNothing && other.voronoiEdge == edge(except).voronoiEdge)) continue;
+      const double its = pseudoAngle(other.a == i ? other.fromA : other.fromB);
+      near.push_back({index, turnTo(angle, its), turnTo(its, angle)});
+      leastForth = std::min(leastForth, near.back().forth);
+      leastBack = std::min(leastBack, near.back().back);
+    }
+    std::vector<int> close;
+    for (const auto& [index, forth, back] : near) {
+      if (forth <= leastForth + kNear || back <= leastBack + kNear) close.push_back(index);
+    }
+    return close;
+  }
+
+  bool isEmpty(const Listed& antipodal, Vector v) {
+    if (antipodal.disc.radius < 0) return true;
+    for (const auto& [i, direction] : {std::pair{antipodal.circles[0], v}, std::pair{antipodal.circles[1], minus(v)}}) {
+      for (const int index : closeTo(i, direction, kNothing)) {
+        const int near = edge(index).a == i ? edge(index).b : edge(index).a;
+        if (near == antipodal.circles[0] || near == antipodal.circles[1]) continue;
+        const double distance = length({antipodal.disc.x - circle(near).x, antipodal.disc.y - circle(near).y});
+        if (distance - circle(near).r < antipodal.disc.radius * (1 - kNear)) return false;
+      }
+    }
+    return true;
+  }
+
+  void processAntipodalDisc(const Listed& antipodal) {
+    const auto [a, b, none] = antipodal.circles;
+    const Vector v = between(circle(a), circle(b));
+    if (isUsed(a, v) || isUsed(b, minus(v)) || !isEmpty(antipodal, v)) return;
+    const int voronoi = static_cast<int>(result_.diagram.edges.size());
+    result_.diagram.edges.push_back({b, a, kNone, kNone});
+    const int forth = place({a, b, antipodal.disc, v, minus(v), true, voronoi, true});
+    const int back = place({b, a, antipodal.disc, minus(v), v, true, voronoi, false});
+    formThreeTouchDiscs(forth);
+    formThreeTouchDiscs(back);
+  }
+
+  // --- Algorithm 3 ---
+
+  int place(const PrintedEdge& placed) {
+    const int index = static_cast<int>(edges_.size());
+    edges_.push_back(placed);
+    around_[placed.a].push_back(index);
+    around_[placed.b].push_back(index);
+    return index;
+  }
+
+  Point foot(int i, Vector direction) const {
+    const double size = length(direction);
+    const double part = size == 0 ? 0 : circle(i).r / size;
+    return {circle(i).x + part * direction.x, circle(i).y + part * direction.y};
+  }
+
+  /// "The center lies at the right side of the directed edge."
+  bool isRight(const PrintedEdge& de, const Vertex& disc) const {
+    const Point start = de.isAntipodal ? Point{circle(de.a).x, circle(de.a).y} : foot(de.a, de.fromA);
+    const Point end = de.isAntipodal ? Point{circle(de.b).x, circle(de.b).y} : foot(de.b, de.fromB);
+    const Vector along = {end.x - start.x, end.y - start.y};
+    const Vector to = {disc.x - start.x, disc.y - start.y};
+    return cross(along, to) <= kNear * length(along) * length(to);
+  }
+
+  void formThreeTouchDiscs(int index) {
+    const PrintedEdge placed = edge(index);
+    for (const int close : closeTo(placed.b, placed.fromB, index)) {
+      if (edge(close).a == placed.b) formThreeTouchDisc(index, close);
+    }
+    for (const int close : closeTo(placed.a, placed.fromA, index)) {
+      if (edge(close).b == placed.a) formThreeTouchDisc(close, index);
+    }
+  }
+
+  void formThreeTouchDisc(int first, int second) {
+    const auto [a, b, c] = std::array{edge(first).a, edge(first).b, edge(second).b};
+    if (c == a) return;
+    const auto disc = threeTouchDisc(circle(a), circle(c), circle(b));
+    if (!disc || disc->disc.radius < 0) return;
+    if (isRight(edge(first), disc->disc) && isRight(edge(second), disc->disc)) {
+      list({disc->disc, {a, b, c}, {first, second, kNothing}});
+    }
+  }
+
+  /// The directed edge from circle a to circle b: that one if it is there, else any.
+  int find(int preferred, int a, int b) {
+    if (preferred != kNothing && edge(preferred).isAlive) return preferred;
+    for (const int index : around_[a]) {
+      if (edge(index).isAlive && edge(index).a == a && edge(index).b == b) return index;
+    }
+    return kNothing;
+  }
+
+  bool isInsideUsed(int i, Vector direction) const {
+    const double angle = pseudoAngle(direction);
+    return std::ranges::any_of(used_[i], [&](const Arc& arc) {
+      const double turn = turnTo(arc.from, angle);
+      return turn > kNear && turn < arc.size - kNear;
+    });
+  }
+
+  bool isCovered(const PrintedEdge& de) const { return isInsideUsed(de.a, de.fromA) || isInsideUsed(de.b, de.fromB); }
+
+  Vector toCentre(int i, const Vertex& disc) const { return {disc.x - circle(i).x, disc.y - circle(i).y}; }
+
+  void use(int i, Vector from, Vector to) {
+    const double start = pseudoAngle(from);
+    const double size = turnTo(start, pseudoAngle(to));
+    if (size > 0) used_[i].push_back({start, size});
+  }
+
+  void finish(int index, int vertex, const Vertex& disc) {
+    PrintedEdge& de = edge(index);
+    use(de.a, toCentre(de.a, disc), de.fromA);
+    use(de.b, de.fromB, toCentre(de.b, disc));
+    Edge& voronoi = result_.diagram.edges[de.voronoiEdge];
+    (de.isEnd ? voronoi.end : voronoi.start) = vertex;
+    result_.segments.push_back({de.a, de.b, de.disc, disc});
+    de.isAlive = false;
+  }
+
+  void processThreeTouchDisc(const Listed& listed) {
+    const auto [a, b, c] = listed.circles;
+    std::array<int, 3> own = {find(listed.edges[0], a, b), find(listed.edges[1], b, c), find(kNothing, c, a)};
+    for (int& index : own) {
+      if (index == kNothing || !isCovered(edge(index))) continue;
+      edge(index).isAlive = false;
+      index = kNothing;
+    }
+    if (std::ranges::count(own, kNothing) > 1) return;
+    const int vertex = static_cast<int>(result_.diagram.vertices.size());
+    result_.diagram.vertices.push_back(listed.disc);
+    result_.diagram.vertexCircles.push_back({a, c, b});
+    for (const int index : own) {
+      if (index != kNothing) finish(index, vertex, listed.disc);
+    }
+    const auto missing = std::ranges::find(own, kNothing);
+    if (missing == own.end()) return;
+    // The directed edge of the missing one's circles, the other way round.
+    const std::size_t k = static_cast<std::size_t>(missing - own.begin());
+    const int to = listed.circles[k];
+    const int from = listed.circles[(k + 1) % 3];
+    const int voronoi = static_cast<int>(result_.diagram.edges.size());
+    result_.diagram.edges.push_back({to, from, vertex, kNone});
+    formThreeTouchDiscs(
+        place({from, to, listed.disc, toCentre(from, listed.disc), toCentre(to, listed.disc), false, voronoi, true}));
+  }
+
+  /// Edges of directed edges that are covered are none: they were placed, and have no segment.
+  void finishLeftover() {
+    auto& voronoi = result_.diagram.edges;
+    std::vector<int> segments(voronoi.size(), 0);
+    for (const PrintedEdge& de : edges_) {
+      const Edge& its = voronoi[de.voronoiEdge];
+      const bool isFinished = (de.isEnd ? its.end : its.start) != kNone;
+      const bool isLeft = de.isAlive && !isCovered(de);
+      if (isFinished || isLeft) ++segments[de.voronoiEdge];
+      if (isLeft) result_.leftover.push_back(de);
+    }
+    std::vector<Edge> kept;
+    for (std::size_t e = 0; e < voronoi.size(); ++e) {
+      if (segments[e] > 0) kept.push_back(voronoi[e]);
+    }
+    voronoi = std::move(kept);
+  }
+
+  std::span<const Circle> circles_;
+  std::vector<std::vector<Arc>> used_;
+  std::vector<std::vector<int>> around_;  ///< the directed edges that were placed at each circle
+  std::vector<PrintedEdge> edges_;
+  std::priority_queue<Listed> list_;
+  std::int64_t next_ = 0;
+  PrintedResult result_;
+};
+
+using Triple = std::array<std::int32_t, 3>;
+
+/// The vertices outside all circles, each from its smallest circle on, sorted.
+std::vector<Triple> outerVertices(std::span<const Circle> circles, const Diagram& diagram) {
+  const auto circle = [&](std::int32_t i) { return circles[i]; };
+  std::vector<Triple> triples;
+  for (Triple triple : diagram.vertexCircles) {
+    const auto disc = threeTouchDisc(circle(triple[0]), circle(triple[1]), circle(triple[2]));
+    if (disc && disc->disc.radius < 0) continue;
+    std::ranges::rotate(triple, std::ranges::min_element(triple));
+    triples.push_back(triple);
+  }
+  std::ranges::sort(triples);
+  return triples;
+}
+
+}  // namespace
+
+PrintedResult runPrinted(std::span<const Circle> circles, std::span<const Pair> pairs) {
+  return Printed(circles, pairs).run();
+}
+
+bool isPrintedWrong(std::span<const Circle> circles, const PrintedResult& printed, const Diagram& exact,
+                    const FamilyInfo& family) {
+  if (!family.isDisjoint) return outerVertices(circles, printed.diagram) != outerVertices(circles, exact);
+  return !(family.isDegenerate ? test::differenceAfterMerging(printed.diagram, exact, circles)
+                               : test::difference(printed.diagram, exact))
+              .empty();
+}
+
+}  // namespace circle_voronoi::results

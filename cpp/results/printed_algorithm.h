@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/families.h"
+#include "pair.h"
+#include "vectors.h"
+
+namespace circle_voronoi::results {
+
+/// A directed edge of the paper's method: from circle a to circle b, its Voronoi segment to its right.
+struct PrintedEdge {
+  int a = 0;
+  int b = 0;
+  Vertex disc;   ///< its disc of R_min
+  Vector fromA;  ///< from the centre of a to its footpoint there, of any length
+  Vector fromB;
+  bool isAntipodal = true;
+  int voronoiEdge = 0;
+  bool isEnd = false;  ///< whether it leads to the end of that edge, or to its start
+  bool isAlive = true;
+};
+
+/// A Voronoi segment that was finished.
+struct PrintedSegment {
+  int a = 0;
+  int b = 0;
+  Vertex from;  ///< its disc of R_min
+  Vertex to;    ///< its disc of R_max
+};
+
+struct PrintedResult {
+  Diagram diagram;  ///< vertices, their circles and the edges alone
+  std::vector<PrintedSegment> segments;
+  std::vector<PrintedEdge> leftover;
+};
+
+/// Algorithms 2 to 4 of the paper as they are printed, on the candidates given, to be compared with `touch`. Where the
+/// text leaves a choice, it is made so that more comes out right:
+/// - antipodal discs have half the gap for radius (section 9 prints the gap); those of intersecting circles are empty
+///   ("assuming"), and their directed edges point from centre to centre;
+/// - the directed edges of a three-touch disc are those that it was formed of, if they are there, else any of that
+/// name;
+/// - angles within rounding are equal, and an endpoint is covered only inside an arc that is used;
+/// - directed edges with a covered endpoint are no leftover ones.
+PrintedResult runPrinted(std::span<const Circle> circles, std::span<const Pair> pairs);
+
+/// Whether the result differs from the exact diagram. Of circles that may overlap only vertices outside all circles
+/// count: inside them the paper claims nothing.
+bool isPrintedWrong(std::span<const Circle> circles, const PrintedResult& printed, const Diagram& exact,
+                    const FamilyInfo& family);
+
+}  // namespace circle_voronoi::results

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `npm run reproduce [-- --quick]`: runs the paper's experiments and writes docs/results.md with its pictures, or with
+// --quick, on less of everything, build/results/results.md. The data is in build/results/data.json. Fails if a claim of
+// the paper comes out otherwise than this project knows it (scripts/results/claims.mjs).
+import { execFileSync } from 'node:child_process'
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { cpus, totalmem } from 'node:os'
+import { benchWasm } from './bench-wasm.mjs'
+import { buildLib, buildWasm } from './build.mjs'
+import { claimsOf } from './results/claims.mjs'
+import { median } from './results/fit.mjs'
+import { METHODS } from './results/methods.mjs'
+import { pageOf } from './results/page.mjs'
+import { plots } from './results/plots.mjs'
+import { main, ROOT, run } from './run.mjs'
+import { setup } from './setup.mjs'
+
+const NATIVE = `${ROOT}build/native/`
+const DATA = `${ROOT}build/results`
+
+const FULL = {
+  folder: `${ROOT}docs`,
+  countSizes: [100, 316, 1000, 3162, 10_000, 31_623, 100_000],
+  trials: { counts: 5, needed: 40, correctness: 500, printed: 200 },
+  figureCircles: 100_000,
+  timeSizes: [100, 200, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000],
+  timeRepetitions: 5,
+  largeSizes: [10_000, 100_000, 1_000_000, 10_000_000],
+  wasmFamilies: ['uniform', 'log-uniform', 'hidden', 'grid', 'one-huge'],
+  wasmSizes: [10_000, 100_000, 1_000_000],
+  wasmRepetitions: 5,
+}
+const QUICK = {
+  folder: DATA,
+  countSizes: [100, 1000, 10_000],
+  trials: { counts: 2, needed: 5, correctness: 20, printed: 20 },
+  figureCircles: 10_000,
+  timeSizes: [100, 300, 1000, 3000, 10_000],
+  timeRepetitions: 2,
+  largeSizes: [10_000, 30_000, 100_000],
+  wasmFamilies: ['uniform'],
+  wasmSizes: [10_000, 100_000],
+  wasmRepetitions: 2,
+}
+
+await main(async () => {
+  const isQuick = process.argv.includes('--quick')
+  const plan = isQuick ? QUICK : FULL
+  await build()
+  const pictures = `${plan.folder}/results`
+  rmSync(pictures, { recursive: true, force: true })
+  mkdirSync(pictures, { recursive: true })
+  const data = await measure(plan, isQuick, pictures)
+  mkdirSync(DATA, { recursive: true })
+  writeFileSync(`${DATA}/data.json`, `${JSON.stringify(data, undefined, 1)}\n`)
+
+  const claims = claimsOf(data)
+  for (const [name, svg] of Object.entries(await plots(data))) writeFileSync(`${pictures}/${name}.svg`, svg)
+  writeFileSync(`${plan.folder}/results.md`, pageOf(data, claims))
+  console.log(`Written: ${plan.folder}/results.md`)
+  const news = Object.values(claims).filter(({ outcome, expected }) => outcome !== expected)
+  for (const { claim, measured, outcome, expected } of news) {
+    console.error(`Expected ${expected}, found ${outcome}: ${claim} ${measured}`)
+  }
+  if (news.length > 0) throw new Error(`${news.length} claims came out otherwise than expected.`)
+})
+
+async function build() {
+  await setup({ tests: true })
+  await run('cmake', ['--preset', 'native', '-DCIRCLE_VORONOI_BUILD_BENCH=ON'])
+  const targets = ['circle_voronoi_results', 'circle_voronoi_bench', 'circle_voronoi_cli']
+  await run('cmake', ['--build', 'build/native', '--target', ...targets])
+  await buildWasm()
+  await buildLib()
+}
+
+async function measure(plan, isQuick, pictures) {
+  const { trials } = plan
+  return {
+    machine: machine(isQuick),
+    trials,
+    table1: experiment('table-1'),
+    counts: experiment('counts', '--sizes', plan.countSizes.join(), '--trials', trials.counts),
+    needed: experiment('needed-samples', '--trials', trials.needed),
+    correctness: experiment('correctness', '--trials', trials.correctness),
+    printed: experiment('printed-rules', '--trials', trials.printed, '--folder', pictures),
+    degenerate: experiment('degenerate', '--folder', pictures),
+    figures: experiment('figures', '--sizes', plan.figureCircles, '--folder', pictures),
+    times: bench(Object.keys(METHODS), plan.timeSizes, plan.timeRepetitions),
+    large: bench(['auto'], plan.largeSizes, 1).map((row) => ({ ...row, seconds: median(row.repetitions) })),
+    wasm: await benchWasm(plan.wasmFamilies, plan.wasmSizes, plan.wasmRepetitions),
+  }
+}
+
+function experiment(name, ...options) {
+  console.log(`── ${name}`)
+  const output = execFileSync(`${NATIVE}circle-voronoi-results`, [name, ...options.map(String)], {
+    maxBuffer: 2 ** 28,
+    stdio: ['ignore', 'pipe', 'inherit'],
+  })
+  return JSON.parse(output)
+}
+
+/** Rows of the benchmark on random circles; without those that were stopped. */
+function bench(methods, sizes, repetitions) {
+  console.log(`── times of ${methods.join(', ')}`)
+  const file = `${DATA}/bench.json`
+  mkdirSync(DATA, { recursive: true })
+  const options = {
+    '--families': 'uniform',
+    '--sizes': sizes.join(),
+    '--methods': methods.join(),
+    '--repetitions': repetitions,
+    '--limit': 600,
+    '-o': file,
+  }
+  execFileSync(`${NATIVE}circle-voronoi-bench`, Object.entries(options).flat().map(String), {
+    stdio: ['ignore', 'inherit', 'inherit'],
+  })
+  return JSON.parse(readFileSync(file, 'utf8')).filter((row) => row.repetitions.length === repetitions)
+}
+
+function machine(isQuick) {
+  const firstLine = (program, args) => execFileSync(program, args, { cwd: ROOT, encoding: 'utf8' }).split('\n')[0]
+  const system = existsSync('/etc/os-release') ? readFileSync('/etc/os-release', 'utf8') : ''
+  const cgal = readFileSync(`${NATIVE}cpp/third_party/CGAL/version.h`, 'utf8')
+  return {
+    processor: cpus()[0].model.trim(),
+    cores: cpus().length,
+    memory: Math.round(totalmem() / 2 ** 30),
+    system: /^PRETTY_NAME="?([^"\n]+)/m.exec(system)?.[1] ?? process.platform,
+    node: process.version,
+    compiler: firstLine('c++', ['--version']),
+    cgal: /#define CGAL_VERSION ([\d.]+)/.exec(cgal)?.[1] ?? 'of unknown version',
+    commit: existsSync(`${ROOT}.git`) ? firstLine('git', ['rev-parse', '--short', 'HEAD']) : 'unknown',
+    date: new Date().toISOString().slice(0, 10),
+    mode: isQuick ? 'quick' : 'full',
+  }
+}

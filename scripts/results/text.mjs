@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers and tables as docs/results.md has them.
+
+export function count(value) {
+  return value.toLocaleString('en-US')
+}
+
+export function fixed(value, digits) {
+  return value.toFixed(digits)
+}
+
+export function percent(part) {
+  const value = 100 * part
+  return `${value === 0 || value >= 10 ? Math.round(value) : value.toPrecision(2)} %`
+}
+
+/** Three digits and a unit. */
+export function seconds(value) {
+  if (value >= 1) return `${Number(value.toPrecision(3))} s`
+  return value >= 1e-3 ? `${Number((1e3 * value).toPrecision(3))} ms` : `${Number((1e6 * value).toPrecision(3))} µs`
+}
+
+/** The exponent of a power law with its confidence. */
+export function power({ slope, halfWidth }) {
+  return `n^${slope.toFixed(3)} ± ${halfWidth.toFixed(3)}`
+}
+
+/** A Markdown table. */
+export function table(header, rows) {
+  const line = (cells) => `| ${cells.join(' | ')} |`
+  return [line(header), `|${'---|'.repeat(header.length)}`, ...rows.map(line)].join('\n')
+}
