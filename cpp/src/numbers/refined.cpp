@@ -63,7 +63,8 @@ struct Sight {
 };
 
 bool areKnown(std::initializer_list<Relative> squares) {
-  return std::ranges::all_of(squares, [](const Relative& square) { return square.error < kUnknownError; });
+  return std::all_of(squares.begin(), squares.end(),
+                     [](const Relative& square) { return square.error < kUnknownError; });
 }
 
 /// The axis of the disc of (o, p, q). Its length is at most `size`; its components, and `root`, which is sqrt(d) and at
