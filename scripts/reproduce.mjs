@@ -36,7 +36,7 @@ const QUICK = {
   trials: { counts: 2, needed: 5, correctness: 20, printed: 20 },
   figureCircles: 10_000,
   timeSizes: [100, 300, 1000, 3000, 10_000],
-  timeRepetitions: 2,
+  timeRepetitions: 3,
   largeSizes: [10_000, 30_000, 100_000],
   wasmFamilies: ['uniform'],
   wasmSizes: [10_000, 100_000],

@@ -111,7 +111,7 @@ function discsLinear(counts) {
   const fitOf = (key) => fitPower(counts.map((row) => ({ x: row.n, y: row[key] })))
   const fits = [fitOf('antipodalDiscs'), fitOf('threeTouchDiscs')]
   return {
-    claim: 'So are the antipodal and the three-touch discs.',
+    claim: 'The numbers of antipodal and of three-touch discs are linear too.',
     measured: `${fixed(atLargest(counts, 'antipodalDiscs'), 2)} antipodal discs a circle, ${power(fits[0])}; ${fixed(atLargest(counts, 'threeTouchDiscs'), 2)} three-touch discs, ${power(fits[1])}`,
     outcome: outcomeOf(fits.filter(({ slope }) => slope < 1.05).length, fits.length),
     expected: 'yes',
@@ -145,8 +145,8 @@ function printedRules({ printed, correctness, trials }) {
   return {
     claim: 'Algorithms 1 to 4 compute the Voronoi diagram of circles that do not intersect (lemma 3).',
     measured: `as printed, and with every pair for a candidate, in ${right.length} of ${disjoint.length} families; in ${worst.length} (${worst.map(({ family }) => family).join(', ')}) no result is right. With the corrected rules ${corrected === 0 ? 'none is wrong' : `${corrected} are wrong`} in any family`,
-    outcome: outcomeOf(right.length, disjoint.length),
-    expected: 'partly',
+    outcome: right.length === disjoint.length ? 'yes' : 'no',
+    expected: 'no',
     why: 'Algorithm 3 takes any directed edge between the third pair of circles for the third edge of a three-touch disc. Two circles with a smaller one between them have two Voronoi edges, and the directed edge may be that of the other one: the picture shows what comes of it.',
   }
 }
@@ -188,12 +188,14 @@ function overlapping({ printed, correctness, trials }) {
   const rows = printed.families.filter(({ isDisjoint }) => !isDisjoint)
   const right = rows.filter(({ wrongOfAllPairs }) => wrongOfAllPairs === 0)
   const wrong = rows.reduce((sum, { wrongOfAllPairs }) => sum + wrongOfAllPairs, 0)
-  const auto = correctness.reduce((sum, row) => sum + row.wrong.auto, 0)
+  const corrected = correctness
+    .filter(({ isDisjoint }) => !isDisjoint)
+    .reduce((sum, row) => sum + (row.wrong['all pairs'] ?? 0), 0)
   return {
     claim: 'Intersecting circles, and circles that another one hides, are handled outside all circles (section 9).',
-    measured: `as printed, ${percent(wrong / rows.length / trials.printed)} of such inputs are wrong outside all circles, in ${rows.length - right.length} of ${rows.length} families; with the corrected rules, inside as well, of \`auto\`'s diagrams ${auto === 0 ? 'none' : auto}`,
-    outcome: outcomeOf(right.length, rows.length),
-    expected: 'partly',
+    measured: `as printed, and with every pair for a candidate, ${percent(wrong / rows.length / trials.printed)} of such inputs come out wrong there, in ${rows.length - right.length} of ${rows.length} families; with the corrected rules ${corrected === 0 ? 'none does' : `${corrected} do`}, and inside the circles neither`,
+    outcome: wrong === 0 ? 'yes' : 'no',
+    expected: 'no',
     why: 'The antipodal disc of two intersecting circles may meet a third circle like any other disc, so it cannot be taken for empty; and hidden circles, left in, displace the neighbours of the circle that contains them. With signed radii, and hidden circles taken out first, there is nothing special about either.',
   }
 }
@@ -250,7 +252,7 @@ function loglinear(times) {
   const dynamic = exponentOf(times, 'touching-disc-1', 1000)
   const allPairs = exponentOf(times, 'touching-disc-all-pairs', 100)
   return {
-    claim: 'The time is O(n log n), where all pairs take O(n²).',
+    claim: 'The time of dynamic sampling is O(n log n), where all pairs take O(n²).',
     measured: `dynamic sampling ${power(dynamic)} from 1,000 circles on (n log n itself has 1.1 there); all pairs ${power(allPairs)}`,
     // Refuted only by an exponent that is clearly another one.
     outcome: outcomeOf(
@@ -264,7 +266,7 @@ function loglinear(times) {
 function exactSlower(times) {
   const { n, ratio } = ratioOf(times, 'cgal-exact', 'touching-disc-1')
   return {
-    claim: 'It is faster than CGAL with an exact number type.',
+    claim: 'Dynamic sampling is faster than CGAL with an exact number type.',
     measured: `${fixed(ratio, 1)} times faster at ${count(n)} circles`,
     outcome: outcomeOf(Number(ratio > 1), 1),
     expected: 'yes',
@@ -274,9 +276,9 @@ function exactSlower(times) {
 function hierarchy(times) {
   const { n, ratio } = ratioOf(times, 'touching-disc-1', 'cgal-hierarchy')
   return {
-    claim: "Its time is comparable to that of CGAL's filtered hierarchy.",
+    claim: "Its time is comparable to that of CGAL's filtered hierarchy (within a factor of 3).",
     measured: `${fixed(ratio, 2)} times CGAL's at ${count(n)} circles`,
-    outcome: outcomeOf(Number(ratio < 2.5 && ratio > 0.4), 1),
+    outcome: outcomeOf(Number(ratio < 3 && ratio > 1 / 3), 1),
     expected: 'yes',
   }
 }
