@@ -6,6 +6,10 @@ import { facing, turn } from './scale.ts'
 
 /** Up to so many sides it is quicker to ask every neighbour, and the nearest one makes the longest step. */
 const FEW_SIDES = 24
+/** Of a difference of distances, of the numbers that it is made of: more than twice what its operations may lose. */
+const ROUNDING = 2 ** -49
+/** Squares of smaller numbers lose digits. */
+const SMALL = 1e-140
 /** Circles for each bucket of the grid, on average. */
 const PER_BUCKET = 2
 
@@ -139,9 +143,17 @@ export class Finder {
     }
     let most = 0
     let nearest = NONE
+    const { circles, metric } = diagram
+    const r = at(circles, 3 * circle + 2)
+    const toCentre = plainDistance(circles, circle, x, y)
     for (let k = first; k < first + asked; k++) {
       const neighbor = cells.neighborOf(at(sides, k % count))
-      const lead = cells.lead(neighbor, circle, x, y)
+      const toOther = plainDistance(circles, neighbor, x, y)
+      const otherR = at(circles, 3 * neighbor + 2)
+      let lead = metric === 'centres' ? toCentre - toOther : toCentre - r - (toOther - otherR)
+      // What rounding may decide, here or beyond the range of squares, is asked with care.
+      const isClear = Math.abs(lead) > ROUNDING * (toCentre + toOther + r + otherR) + SMALL
+      if (!isClear || metric === 'power') lead = cells.lead(neighbor, circle, x, y)
       if (lead <= most) continue
       most = lead
       nearest = neighbor
@@ -180,6 +192,13 @@ export class Finder {
     const size = Math.abs(a)
     return { x: -size * along.x - b * across.x, y: -size * along.y - b * across.y }
   }
+}
+
+/** The distance from the centre of a circle, without care for numbers whose squares are beyond the range of numbers. */
+function plainDistance(circles: Float64Array, circle: number, x: number, y: number): number {
+  const dx = x - at(circles, 3 * circle)
+  const dy = y - at(circles, 3 * circle + 1)
+  return Math.sqrt(dx * dx + dy * dy)
 }
 
 /** Whether turning counter-clockwise from `reference` one meets v no later than w. */

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { DecimalText } from '../../web/lib/decimal.ts'
+
+const digits = fc.integer({ min: 0, max: 20 })
+const numbers = fc.oneof(
+  fc.double({ noNaN: true, noDefaultInfinity: true }),
+  fc.double({ min: -1000, max: 1000, noNaN: true }),
+  fc.integer({ min: -1000, max: 1000 }).map((i) => i / 64),
+  fc.tuple(fc.integer({ min: -(2 ** 30), max: 2 ** 30 }), digits).map(([i, k]) => i / 10 ** k),
+)
+
+describe('the text of a number with few digits', () => {
+  it('is the shortest of the number rounded', () => {
+    fc.assert(
+      fc.property(numbers, digits, (value, count) => {
+        const scaled = value * 10 ** count
+        const expected = Math.abs(scaled) < 2 ** 53 ? Math.round(scaled) / 10 ** count : value
+        const text = new DecimalText(count).of(value)
+        expect(Number(text)).toBe(expected === 0 ? Number(text) * 0 : expected)
+        expect(text.length).toBeLessThanOrEqual(`${expected}`.length + (`${expected}`.includes('e') ? 25 : 0))
+      }),
+      { numRuns: 2000 },
+    )
+  })
+
+  it.each([
+    [0, 3, '0'],
+    [-0.0001, 3, '0'],
+    [-0.5, 1, '-0.5'],
+    [1.0004, 4, '1.0004'],
+    [12.3456789, 6, '12.345679'],
+    [0.00001, 5, '0.00001'],
+    [3.1, 7, '3.1'],
+    [1e21, 2, '1e+21'],
+    [0.1, Number.POSITIVE_INFINITY, '0.1'],
+  ])('%d to %d digits is %s', (value, count, text) => {
+    expect(new DecimalText(count).of(value)).toBe(text)
+  })
+})
