@@ -4,7 +4,7 @@
 // the paper comes out otherwise than this project knows it (scripts/results/claims.mjs).
 import { execFileSync } from 'node:child_process'
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
-import { cpus, totalmem } from 'node:os'
+import { cpus, loadavg, totalmem } from 'node:os'
 import { benchWasm } from './bench-wasm.mjs'
 import { buildLib, buildWasm } from './build.mjs'
 import { claimsOf } from './results/claims.mjs'
@@ -127,6 +127,7 @@ function machine(isQuick) {
   return {
     processor: cpus()[0].model.trim(),
     cores: cpus().length,
+    load: loadavg()[2].toFixed(1),
     memory: Math.round(totalmem() / 2 ** 30),
     system: /^PRETTY_NAME="?([^"\n]+)/m.exec(system)?.[1] ?? process.platform,
     node: process.version,

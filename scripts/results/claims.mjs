@@ -130,7 +130,7 @@ function exactness({ correctness, trials }) {
   const worst = [...rows].sort((a, b) => b.wrong['N_s = 1'] - a.wrong['N_s = 1'])[0]
   return {
     claim: 'Dynamic sampling with N_s = 1 leads to the right diagram.',
-    measured: `in all of ${trials.correctness} inputs each of ${right.length} families out of ${rows.length}; worst in ${worst.family}, where ${percent(worst.wrong['N_s = 1'] / trials.correctness)} are wrong`,
+    measured: `right in all ${trials.correctness} inputs of each of ${right.length} families out of ${rows.length}; worst in ${worst.family}, where ${percent(worst.wrong['N_s = 1'] / trials.correctness)} are wrong`,
     outcome: outcomeOf(right.length, rows.length),
     expected: 'partly',
     why: 'Samples see a circle at a few points only, so an empty antipodal disc between two of them may be missed, and not every missed one is found again by a three-touch disc; no fixed N_s is safe. This library therefore proves each result and, asked to, samples again where the proof fails.',

@@ -51,11 +51,12 @@ function head({ machine }) {
 method that this library started from. \`npm run reproduce\` runs its experiments again and writes this page: beside each
 claim stands what came out, and where it does not hold, why.
 
-| processor | cores | memory | system | compiler | CGAL | Node | commit | run |
-|---|---|---|---|---|---|---|---|---|
-| ${machine.processor} | ${machine.cores} | ${machine.memory} GB | ${machine.system} | ${machine.compiler} | ${machine.cgal} | ${machine.node} | ${machine.commit} | ${machine.date}, ${machine.mode} |
+| processor | cores | load before | memory | system | compiler | CGAL | Node | commit | run |
+|---|---|---|---|---|---|---|---|---|---|
+| ${machine.processor} | ${machine.cores} | ${machine.load} | ${machine.memory} GB | ${machine.system} | ${machine.compiler} | ${machine.cgal} | ${machine.node} | ${machine.commit} | ${machine.date}, ${machine.mode} |
 
-Random inputs have the seeds from 1 on: counts and pictures are the same on every machine, times are not.`
+Random inputs have the seeds from 1 on: counts and pictures are the same on every machine, times are not. A load
+other than 0 says how many other programs wanted the processor: then ratios are what can be believed of the times.`
 }
 
 function method() {

@@ -12,7 +12,10 @@ let run
 let data
 
 before(() => {
-  run = spawnSync(process.execPath, [`${ROOT}scripts/reproduce.mjs`, '--quick'], { encoding: 'utf8' })
+  run = spawnSync(process.execPath, [`${ROOT}scripts/reproduce.mjs`, '--quick'], {
+    encoding: 'utf8',
+    maxBuffer: 2 ** 26,
+  })
   assert.ok(run.status !== null, String(run.error))
   data = JSON.parse(readFileSync(`${FOLDER}/data.json`, 'utf8'))
 })
