@@ -21,20 +21,22 @@ constexpr std::string_view kStyle = R"(svg { background: #ffffff; }
 .dual { stroke: #6b7785; stroke-width: 0.9; }
 .hull { stroke: #8a6d1d; }
 .samples { fill: none; stroke: #c0392b; stroke-width: 3; stroke-linecap: round; }
-.dots { fill: none; stroke: #b0701c; stroke-width: 1.5; stroke-linecap: round; }
+.dots { fill: none; stroke: #b0701c; stroke-linecap: round; }
+.dots path { vector-effect: none; stroke-width: 1.5; }
 .centres { fill: none; stroke: #c0392b; stroke-width: 0.7; stroke-opacity: 0.7; }
 .sample-graph { fill: none; stroke: #6b7785; stroke-width: 0.7; }
 .antipodal { fill: #5a8fd6; fill-opacity: 0.25; stroke: #3f74bb; stroke-width: 0.8; }
 .leftover { fill: none; stroke: #a8327a; stroke-width: 1.6; }
 .segments { fill: none; stroke: #c0392b; stroke-width: 2.4; }
-.box { fill: none; stroke: #c0392b; stroke-width: 2; }
+.box { fill: none; stroke: #27447c; stroke-width: 2; }
 @media (prefers-color-scheme: dark) {
 svg { background: #12161d; }
 .circles { fill: #b97f3a; stroke: #e6b06a; }
 .edges { stroke: #8fb3ef; }
 .dual { stroke: #93a0b1; }
 .hull { stroke: #d9bd6a; }
-.samples, .segments, .box, .centres { stroke: #ff8a75; }
+.samples, .segments, .centres { stroke: #ff8a75; }
+.box { stroke: #ffffff; }
 .dots { stroke: #e6b06a; }
 .sample-graph { stroke: #8d99a8; }
 .antipodal { fill: #5a8fd6; stroke: #8fb8f0; }

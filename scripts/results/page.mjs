@@ -90,7 +90,7 @@ linear time whether a diagram is right ([ARCHITECTURE.md](../ARCHITECTURE.md)); 
 }
 
 function summary(claims) {
-  const rows = Object.values(claims).map(({ claim, outcome }) => [claim, OUTCOMES[outcome]])
+  const rows = Object.values(claims).map(({ claim, outcome }) => [claim, OUTCOMES[outcome].replaceAll(' ', '\u00a0')])
   return `## The claims\n\n${table(['the paper', 'here'], rows)}`
 }
 

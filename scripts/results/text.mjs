@@ -11,18 +11,22 @@ export function fixed(value, digits) {
 
 export function percent(part) {
   const value = 100 * part
-  return `${value === 0 || value >= 10 ? Math.round(value) : value.toPrecision(2)} %`
+  return `${value === 0 || value >= 10 ? Math.round(value) : value.toPrecision(2)}${NBSP}%`
 }
+
+const NBSP = '\u00a0'
 
 /** Three digits and a unit. */
 export function seconds(value) {
-  if (value >= 1) return `${Number(value.toPrecision(3))} s`
-  return value >= 1e-3 ? `${Number((1e3 * value).toPrecision(3))} ms` : `${Number((1e6 * value).toPrecision(3))} µs`
+  if (value >= 1) return `${Number(value.toPrecision(3))}${NBSP}s`
+  return value >= 1e-3
+    ? `${Number((1e3 * value).toPrecision(3))}${NBSP}ms`
+    : `${Number((1e6 * value).toPrecision(3))}${NBSP}µs`
 }
 
 /** The exponent of a power law with its confidence. */
 export function power({ slope, halfWidth }) {
-  return `n^${slope.toFixed(3)} ± ${halfWidth.toFixed(3)}`
+  return `n^${slope.toFixed(3)}${NBSP}±${NBSP}${halfWidth.toFixed(3)}`
 }
 
 /** A Markdown table. */
