@@ -14,6 +14,7 @@ const TEST_PACKAGES = [
   'libmpfr-dev',
   'nlohmann-json3-dev',
   'libcli11-dev',
+  'python3-distributed',
 ]
 
 /** `tests`: whether what only the native build and the tests need is wanted too. */

@@ -12,6 +12,7 @@
 #include "files.h"
 #include "output.h"
 #include "progress_line.h"
+#include "tile_part.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -28,6 +29,7 @@ struct ComputeArguments {
   std::string candidates = "dynamic";
   int samples = Options{}.samples;
   bool resample = Options{}.resample;
+  TilePart tile;
   std::string progress = "auto";
 };
 
@@ -42,13 +44,16 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   }
   refuse("--samples", arguments.candidates != "all-pairs", "--candidates dynamic or uniform");
   refuse("--resample", arguments.candidates == "dynamic", "--candidates dynamic");
+  refuse("--known", arguments.method == "auto", "--method auto");
 }
 
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   refuseUnused(command, arguments);
   settle(arguments.output, arguments.input);
+  check(arguments.tile, arguments.output);
   ProgressLine progress(arguments.progress);
   progress.show("read");
+  if (arguments.tile.isAsked()) return computeTilePart(arguments.tile, arguments.output, arguments.input, progress);
   const std::string name = inputName(arguments.input);
   const auto circles = readCircles(readText(arguments.input), name);
   if (!circles) throw Failure{kBadInput, circles.error().message};
@@ -94,7 +99,9 @@ void addComputeCommand(CLI::App& program) {
                        "); uniform: samples on each circle (" + std::to_string(kDefaultUniformSamples) + ")")
       ->type_name("COUNT")
       ->check(CLI::Range(0, kMaxSamples).description("0 to " + std::to_string(kMaxSamples)));
-  command->add_flag("--resample", arguments->resample, "dynamic: take more samples where the certificate failed and try again");
+  command->add_flag("--resample", arguments->resample,
+                    "dynamic: take more samples where the certificate failed and try again");
+  addTileOptions(*command, arguments->tile);
   addProgressOption(*command, arguments->progress);
   command->footer(
       "Formats:\n"
@@ -102,6 +109,7 @@ void addComputeCommand(CLI::App& program) {
       "  csv      its vertices and edges\n"
       "  svg      a drawing with true curves, a group for each layer\n"
       "  geojson  the cells as polygons, with circle, radius, area and neighbors\n"
+      "  geojsonl the same features, one a line\n"
       "  wkt      the cells as well-known text, a line for each circle\n"
       "  obj      the edges and cells as Wavefront OBJ\n"
       "  stats    what was done, how long it took, and the certificate");

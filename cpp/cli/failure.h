@@ -11,6 +11,7 @@ enum ExitStatus : int {
   kSuccess = 0,
   kFailure = 1,
   kBadInput = 2,
+  kNotFinal = 3,
 };
 
 struct ExitMeaning {
@@ -19,10 +20,11 @@ struct ExitMeaning {
 };
 
 /// What each exit status says, as --help and the manual page have it.
-inline constexpr std::array<ExitMeaning, 3> kExitMeanings = {
+inline constexpr std::array<ExitMeaning, 4> kExitMeanings = {
     {{kSuccess, "All is well."},
      {kFailure, "A file cannot be read or written, or a diagram is not certified."},
-     {kBadInput, "The circles, the diagram or the command line are wrong."}}};
+     {kBadInput, "The circles, the diagram or the command line are wrong."},
+     {kNotFinal, "Circles of a tile's core are not final; what is written is."}}};
 
 /// Thrown by a command: how the program ends, and one sentence why.
 struct Failure {

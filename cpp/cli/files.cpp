@@ -22,22 +22,40 @@ Failure ioFailure(const std::string& what, const std::string& file, int error) {
   return {kFailure, "Cannot " + what + " " + name + ": " + std::strerror(error) + "."};
 }
 
-std::string readAll(int descriptor, const std::string& file) {
-  std::string text;
-  struct stat status {};
-  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode))
-    text.reserve(static_cast<std::size_t>(status.st_size));
-  std::vector<char> piece(1 << 20);
-  for (;;) {
-    const ssize_t size = read(descriptor, piece.data(), piece.size());
-    if (size == 0) return text;
-    if (size > 0) {
-      text.append(piece.data(), static_cast<std::size_t>(size));
-    } else if (errno != EINTR) {
-      throw ioFailure("read", file, errno);
+/// A file or standard input, open for reading.
+class Input {
+ public:
+  explicit Input(const std::string& file)
+      : file_(file), descriptor_(file == kStandardStream ? STDIN_FILENO : open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (descriptor_ == -1) throw ioFailure("read", file, errno);
+  }
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+  ~Input() {
+    if (descriptor_ != STDIN_FILENO) close(descriptor_);
+  }
+
+  /// Of a regular file, or 0.
+  std::size_t size() const {
+    struct stat status {};
+    const bool isFile = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+    return isFile ? static_cast<std::size_t>(status.st_size) : 0;
+  }
+
+  /// The next piece, which is valid up to the next call; empty at the end.
+  std::string_view next() {
+    for (;;) {
+      const ssize_t size = read(descriptor_, piece_.data(), piece_.size());
+      if (size >= 0) return {piece_.data(), static_cast<std::size_t>(size)};
+      if (errno != EINTR) throw ioFailure("read", file_, errno);
     }
   }
-}
+
+ private:
+  std::string file_;
+  int descriptor_;
+  std::vector<char> piece_ = std::vector<char>(1 << 20);
+};
 
 /// What a name stands for; nothing if there is no such file.
 std::optional<struct stat> statusOf(const std::string& file, int standardStream) {
@@ -58,12 +76,21 @@ void writeTo(int descriptor, const std::string& file, const std::function<void(s
 std::string inputName(const std::string& file) { return file == kStandardStream ? "standard input" : file; }
 
 std::string readText(const std::string& file) {
-  if (file == kStandardStream) return readAll(STDIN_FILENO, file);
-  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor == -1) throw ioFailure("read", file, errno);
-  std::string text = readAll(descriptor, file);
-  close(descriptor);
+  Input input(file);
+  std::string text;
+  text.reserve(input.size());
+  for (auto piece = input.next(); !piece.empty(); piece = input.next()) text += piece;
   return text;
+}
+
+void readPieces(const std::string& file, const std::function<void(std::string_view piece, double done)>& take) {
+  Input input(file);
+  const auto size = static_cast<double>(input.size());
+  double done = 0;
+  for (auto piece = input.next(); !piece.empty(); piece = input.next()) {
+    done += static_cast<double>(piece.size());
+    take(piece, size > 0 ? done / size : 0);
+  }
 }
 
 void refuseOneFile(const std::string& input, const std::string& output) {

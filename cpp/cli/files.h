@@ -4,6 +4,7 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 
 namespace circle_voronoi::cli {
 
@@ -15,6 +16,10 @@ std::string inputName(const std::string& file);
 
 /// All of a file or of standard input. Throws Failure.
 std::string readText(const std::string& file);
+
+/// Hands a file or standard input to `take` piece by piece, with the part of it that is read by then, 0 where its size
+/// is not known. Throws Failure.
+void readPieces(const std::string& file, const std::function<void(std::string_view piece, double done)>& take);
 
 /// Throws Failure if the output is the input, by whatever names: to write it would destroy what is read.
 void refuseOneFile(const std::string& input, const std::string& output);

@@ -54,6 +54,7 @@ int main(int argumentCount, char** arguments) {
     addComputeCommand(program);
     addConvertCommand(program);
     addGenerateCommand(program);
+    addTileCommand(program);
     addVerifyCommand(program);
     program.footer(exitStatuses());
     checkCommand(program, argumentCount, arguments);

@@ -2,17 +2,12 @@
 #include "output.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <ostream>
-#include <string_view>
-#include <system_error>
 #include <vector>
 
+#include "box.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
 #include "failure.h"
@@ -21,56 +16,21 @@ namespace circle_voronoi::cli {
 namespace {
 
 constexpr const char* kDefaultFormat = "json";
-const std::vector<std::string> kFormats = {"json", "csv", "svg", "geojson", "wkt", "obj", "stats"};
+const std::vector<std::string> kFormats = {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj", "stats"};
+
+void writeAllLines(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
+                   const ExportOptions& options) {
+  writeGeoJsonLines(out, circles, diagram, options);
+}
 
 using WriteExport = void (*)(std::ostream&, std::span<const Circle>, const Diagram&, const ExportOptions&);
 /// The formats that need a certified diagram.
 const std::map<std::string, WriteExport> kExports = {
-    {"svg", writeSvg}, {"geojson", writeGeoJson}, {"wkt", writeWkt}, {"obj", writeObj}};
+    {"svg", writeSvg}, {"geojson", writeGeoJson}, {"geojsonl", writeAllLines}, {"wkt", writeWkt}, {"obj", writeObj}};
 
 using WriteCircles = void (*)(std::ostream&, std::span<const Circle>);
 const std::map<std::string, WriteCircles> kCircleFormats = {
     {"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}};
-
-/// All of the text as a number that is finite.
-std::optional<double> readNumber(std::string_view text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, code] = std::from_chars(text.data(), end, value);
-  if (code != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-constexpr std::array<const char*, 4> kBoxNames = {"MINX", "MINY", "MAXX", "MAXY"};
-
-/// Reads MINX,MINY,MAXX,MAXY, or says what is wrong with it.
-std::string readBox(std::string_view text, Box& box) {
-  std::array<double, 4> values{};
-  const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
-  if (count != values.size()) return "expected MINX,MINY,MAXX,MAXY, not " + std::to_string(count) + " numbers.";
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::string_view field = text.substr(0, text.find(','));
-    const auto value = readNumber(field);
-    if (!value) return std::string(kBoxNames[i]) + " is not a finite number: \"" + std::string(field) + "\".";
-    values[i] = *value;
-    text.remove_prefix(std::min(field.size() + 1, text.size()));
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string min = kBoxNames[i];
-    const std::string max = kBoxNames[i + 2];
-    if (!(values[i] < values[i + 2])) return max + " has to be above " + min + ".";
-    if (!std::isfinite(values[i + 2] - values[i])) return max + " - " + min + " is beyond the range of a double.";
-  }
-  box = {values[0], values[1], values[2], values[3]};
-  return "";
-}
-
-ExportOptions exportOptions(const Output& output) {
-  ExportOptions options;
-  if (!output.box.empty()) (void)readBox(output.box, options.box.emplace());
-  if (output.tolerance > 0) options.tolerance = output.tolerance;
-  return options;
-}
 
 void write(const Output& output, ProgressLine& progress, const std::function<void(std::ostream&)>& writer) {
   // The terminal, or the program that reads the text, may use the same screen.
@@ -96,15 +56,16 @@ void addOutputOptions(CLI::App& command, Output& output) {
       ->check(CLI::IsMember(kFormats));
   command
       .add_option("--box", output.box,
-                  "svg, geojson, wkt, obj: the box to clip to; by default some room around the circles")
+                  "svg, geojson, geojsonl, wkt, obj: the box to clip to; by default some room around the circles")
       ->type_name("MINX,MINY,MAXX,MAXY")
       ->check([](const std::string& text) {
         Box box;
         return readBox(text, box);
       });
   command
-      .add_option("--tolerance", output.tolerance,
-                  "svg, geojson, wkt, obj: how near to the true curves; by default a hundred-thousandth of the box")
+      .add_option(
+          "--tolerance", output.tolerance,
+          "svg, geojson, geojsonl, wkt, obj: how near to the true curves; by default a hundred-thousandth of the box")
       ->type_name("DISTANCE")
       ->check([](const std::string& text) {
         const auto distance = readNumber(text);
@@ -130,7 +91,15 @@ void settle(Output& output, const std::string& input) {
   }
   if (kExports.contains(output.format)) return;
   const char* unused = !output.box.empty() ? "--box" : output.tolerance > 0 ? "--tolerance" : nullptr;
-  if (unused != nullptr) throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, wkt or obj."};
+  if (unused != nullptr)
+    throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
+}
+
+ExportOptions exportOptions(const Output& output) {
+  ExportOptions options;
+  if (!output.box.empty()) (void)readBox(output.box, options.box.emplace());
+  if (output.tolerance > 0) options.tolerance = output.tolerance;
+  return options;
 }
 
 void writeDiagram(const Output& output, const std::string& name, std::span<const Circle> circles,

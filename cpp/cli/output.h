@@ -7,6 +7,7 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/export.h"
 #include "files.h"
 #include "progress_line.h"
 
@@ -30,6 +31,9 @@ std::string endingOf(const std::string& file);
 /// Chooses the format if the user has not, before any work is done. Throws Failure if the file's ending is that of no
 /// format, if an option is given that the format does not use, or if the output is the input.
 void settle(Output& output, const std::string& input);
+
+/// The box and the tolerance that the user gave.
+ExportOptions exportOptions(const Output& output);
 
 /// Writes a diagram of circles. `name` is what the input is called. Throws Failure if the format needs a certified
 /// diagram and this is not, or if anything could not be written.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <span>
@@ -24,6 +25,19 @@ struct ExportOptions {
   std::optional<Box> box;
   /// The largest distance of what is written from the true curves, above 0; by default a hundred-thousandth of the box.
   std::optional<double> tolerance;
+};
+
+/// Which circles' parts are written, and by which names; all, and by their indices, where a span is empty.
+struct Selection {
+  std::span<const std::int64_t> ids;       ///< of each circle, increasing
+  std::span<const std::uint8_t> isChosen;  ///< of each circle
+
+  std::int64_t id(std::int32_t circle) const {
+    return ids.empty() || circle == kNone ? circle : ids[static_cast<std::size_t>(circle)];
+  }
+  bool contains(std::int32_t circle) const {
+    return isChosen.empty() || isChosen[static_cast<std::size_t>(circle)] != 0;
+  }
 };
 
 /// The box that is used by default.
@@ -73,6 +87,10 @@ void writeSvgFigure(std::ostream& out, std::span<const Circle> circles, const Di
 /// hidden circle.
 void writeGeoJson(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
                   const ExportOptions& options = {});
+
+/// The same features of the chosen circles, by their ids, one a line and nothing else: such texts can be put together.
+void writeGeoJsonLines(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
+                       const ExportOptions& options = {}, const Selection& selection = {});
 
 /// Well-known text: line i is the cell of circle i, POLYGON, MULTIPOLYGON or POLYGON EMPTY.
 void writeWkt(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,

@@ -17,6 +17,7 @@
 #include "pair.h"
 #include "repair.h"
 #include "sample.h"
+#include "settle_ties.h"
 #include "touch.h"
 #include "triangulate.h"
 
@@ -29,11 +30,12 @@ void addCounts(const Predicates& predicates, Counts& counts) {
   counts.exact += predicates.counts().exact;
 }
 
-Construction judged(const Dual& dual, std::span<const Circle> circles, Journal& journal) {
+Construction judged(Dual dual, std::span<const Circle> circles, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::certify);
   Predicates predicates(circles);
   const Verdict verdict = judge(circles, dual, predicates);
   addCounts(predicates, journal.stats.counts);
+  settleTies(dual, verdict.ties, circles);
   Topology topology = topologyOf(dual, static_cast<int>(circles.size()));
   Certificate certificate = certificateOf(verdict, dual, topology);
   return {std::move(topology), std::move(certificate)};
@@ -42,7 +44,7 @@ Construction judged(const Dual& dual, std::span<const Circle> circles, Journal& 
 /// A topology of `touch` need not be a triangulated sphere.
 Construction judged(Topology topology, std::span<const Circle> circles, Journal& journal) {
   auto dual = dualOf(topology, static_cast<int>(circles.size()));
-  if (const auto* fitting = std::get_if<Dual>(&dual)) return judged(*fitting, circles, journal);
+  if (auto* fitting = std::get_if<Dual>(&dual)) return judged(std::move(*fitting), circles, journal);
   const auto& misfit = std::get<Misfit>(dual);
   return {std::move(topology), {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}}};
 }
@@ -225,9 +227,9 @@ Construction constructByFlips(const Sites& sites, Journal& journal) {
 
 Construction constructAutomatically(Sites& sites, Journal& journal) {
   Construction result;
-  const auto isCertified = [&](const std::optional<Dual>& dual) {
+  const auto isCertified = [&](std::optional<Dual> dual) {
     if (!dual) return false;
-    result = judged(*dual, sites.circles, journal);
+    result = judged(*std::move(dual), sites.circles, journal);
     return result.certificate.certified();
   };
   if (sites.diagram) {

@@ -99,8 +99,14 @@ CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame), region_(fr
   const Diagram& diagram = frame.cells.diagram();
   const std::vector<std::int32_t> firstHere = firstVerticesHere(frame.cells.circles(), diagram);
   places_.reserve(firstHere.size());
-  for (const std::int32_t v : firstHere)
-    places_.push_back({diagram.vertices[index(v)].x, diagram.vertices[index(v)].y});
+  for (const Vertex& vertex : diagram.vertices) places_.push_back({vertex.x, vertex.y});
+  // Of those that are one point the least, by x and then y: it does not depend on the order of the vertices.
+  const auto isLess = [](Point p, Point q) { return std::pair(p.x, p.y) < std::pair(q.x, q.y); };
+  for (std::size_t v = 0; v < places_.size(); ++v) {
+    Point& place = places_[index(firstHere[v])];
+    if (isLess(places_[v], place)) place = places_[v];
+  }
+  for (std::size_t v = 0; v < places_.size(); ++v) places_[v] = places_[index(firstHere[v])];
   followEdges();
   roundPoints(firstHere);
 }

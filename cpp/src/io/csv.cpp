@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "csv.h"
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <optional>
 #include <span>
@@ -20,9 +21,11 @@ using Names = std::array<std::string_view, 4>;
 constexpr std::array<Names, 3> kNames = {
     {{"x", "cx", "lon", "longitude"}, {"y", "cy", "lat", "latitude"}, {"r", "rad", "radius"}}};
 
+constexpr Names kIdNames = {"id", "fid"};
+constexpr Names kDoneNames = {"done"};
+
 /// The columns of x, y and r.
 using Columns = std::array<std::size_t, 3>;
-constexpr Columns kFirstThree = {0, 1, 2};
 
 /// In the order in which they are tried: a comma may be a decimal mark, and a tab or a space stand beside a separator.
 constexpr std::string_view kSeparators = ";\t, ";
@@ -46,9 +49,11 @@ bool isName(std::string_view text, std::string_view name) {
   return !name.empty() && std::ranges::equal(text, name, {}, lower);
 }
 
-bool isNameOf(std::size_t number, std::string_view text) {
-  return std::ranges::any_of(kNames[number], [&](std::string_view name) { return isName(text, name); });
+bool isOneOf(const Names& names, std::string_view text) {
+  return std::ranges::any_of(names, [&](std::string_view name) { return isName(text, name); });
 }
+
+bool isNameOf(std::size_t number, std::string_view text) { return isOneOf(kNames[number], text); }
 
 /// Without the empty fields at the end.
 Fields filled(Fields fields) {
@@ -67,53 +72,14 @@ std::string listOfNames(std::size_t number) {
   return list;
 }
 
-/// Reads numbers, whose decimal mark is a point, or a comma where that separates no fields, but not both.
-class NumberReader {
- public:
-  explicit NumberReader(char separator) : mayBeComma_(separator == ';' || separator == '\t') {}
-
-  /// What is wrong with a field as a number; otherwise nothing, and `value` is set.
-  std::optional<std::string> read(const CsvField& field, double& value) {
-    std::string_view digits = field.text;
-    if (digits.empty()) return " is empty.";
-    // from_chars knows no leading plus.
-    const bool hasPlus = digits.size() > 1 && digits[0] == '+' && digits[1] != '-';
-    if (hasPlus) digits.remove_prefix(1);
-    const std::size_t mark = digits.find_first_of(".,");
-    std::string withPoint;
-    if (mark != std::string_view::npos) {
-      const bool isComma = digits[mark] == ',';
-      if (isComma) {
-        const bool isInside = mark + 1 < digits.size() && digits[mark + 1] >= '0' && digits[mark + 1] <= '9';
-        if (!isInside || !(mayBeComma_ || field.isQuoted)) return quoting(" is not a number", field);
-        withPoint = digits;
-        withPoint[mark] = '.';
-        digits = withPoint;
-      }
-      if (mark_ != 0 && mark_ != field.text[mark + (hasPlus ? 1 : 0)]) {
-        return quoting(" has another decimal mark than the numbers before it", field);
-      }
-      mark_ = isComma ? ',' : '.';
-    }
-    const char* end = digits.data() + digits.size();
-    const auto [stop, code] = std::from_chars(digits.data(), end, value);
-    if (stop != end || code == std::errc::invalid_argument) return quoting(" is not a number", field);
-    if (code != std::errc()) return quoting(" is beyond the range of a double", field);
-    return std::nullopt;
-  }
-
- private:
-  static std::string quoting(const std::string& problem, const CsvField& field) {
-    return problem + ": \"" + std::string(field.text) + "\".";
-  }
-
-  bool mayBeComma_;
-  char mark_ = 0;  ///< of the numbers so far; 0: they had none
-};
+/// What is wrong with a field, quoted.
+std::string quoting(const std::string& problem, const CsvField& field) {
+  return problem + ": \"" + std::string(field.text) + "\".";
+}
 
 bool isNumber(const CsvField& field, char separator) {
   double value = 0;
-  return !NumberReader(separator).read(field, value);
+  return !CsvNumberReader(separator).read(field, value);
 }
 
 /// The columns that a header names; nothing if it does not name all three.
@@ -164,20 +130,44 @@ std::string problemOf(const CsvTable& table) {
   }
   if (fields.size() < 3) return threeNumbersExpected(table.separator());
   double value = 0;
-  NumberReader reader(table.separator());
+  CsvNumberReader reader(table.separator());
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (const auto problem = reader.read(fields[i], value)) return std::string(kNames[i][0]) + *problem;
   }
   return "";
 }
 
-struct Layout {
-  char separator = kDefaultSeparator;
-  std::optional<Columns> header;
-};
+/// The column of one of the names, if there is one.
+std::optional<std::size_t> columnNamed(const Names& names, const CsvTable& table) {
+  const Fields fields = table.fields();
+  const auto found = std::ranges::find_if(fields, [&](const CsvField& field) { return isOneOf(names, field.text); });
+  if (found == fields.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - fields.begin());
+}
 
-/// The separator with which the first record is a header or a circle.
-std::optional<Layout> layoutOf(std::string_view text) {
+CsvLayout layoutFrom(const CsvTable& table, const std::optional<Columns>& header) {
+  CsvLayout layout;
+  layout.separator = table.separator();
+  if (!header) return layout;
+  layout.hasHeader = true;
+  layout.width = table.fields().size();
+  layout.columns = *header;
+  layout.id = columnNamed(kIdNames, table);
+  layout.done = columnNamed(kDoneNames, table);
+  return layout;
+}
+
+/// What is wrong with a field as a whole number from 0 up to `most`; otherwise nothing, and `value` is set.
+std::optional<std::string> readCount(const CsvField& field, std::int64_t most, std::int64_t& value) {
+  const char* end = field.text.data() + field.text.size();
+  const auto [stop, code] = std::from_chars(field.text.data(), end, value);
+  if (!field.text.empty() && stop == end && code == std::errc() && value >= 0 && value <= most) return std::nullopt;
+  return quoting(" is no whole number from 0 to " + std::to_string(most), field);
+}
+
+}  // namespace
+
+std::optional<CsvLayout> layoutOf(std::string_view text) {
   std::optional<ReadFailure> failure;
   std::optional<CsvTable> widest;
   for (const char separator : kSeparators) {
@@ -189,7 +179,7 @@ std::optional<Layout> layoutOf(std::string_view text) {
       continue;
     }
     const auto header = columnsOf(table);
-    if (header || isThreeNumbers(table)) return Layout{separator, header};
+    if (header || isThreeNumbers(table)) return layoutFrom(table, header);
     const std::size_t width = filled(table.fields()).size();
     const std::size_t widestWidth = widest ? filled(widest->fields()).size() : 0;
     if (width > widestWidth || (width == widestWidth && separator == kDefaultSeparator)) widest = table;
@@ -198,44 +188,84 @@ std::optional<Layout> layoutOf(std::string_view text) {
   throw ReadFailure{widest->offset(), problemOf(*widest)};
 }
 
-PlacedCircles readTable(std::string_view text, const Layout& layout) {
-  PlacedCircles result;
-  CsvTable table(text, layout.separator);
-  NumberReader reader(layout.separator);
-  const Columns columns = layout.header.value_or(kFirstThree);
-  std::size_t width = columns.size();
-  if (layout.header) {
-    (void)table.next();
-    width = table.fields().size();
+std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& value) {
+  std::string_view digits = field.text;
+  if (digits.empty()) return " is empty.";
+  // from_chars knows no leading plus.
+  const bool hasPlus = digits.size() > 1 && digits[0] == '+' && digits[1] != '-';
+  if (hasPlus) digits.remove_prefix(1);
+  const std::size_t mark = digits.find_first_of(".,");
+  std::string withPoint;
+  if (mark != std::string_view::npos) {
+    const bool isComma = digits[mark] == ',';
+    if (isComma) {
+      const bool isInside = mark + 1 < digits.size() && digits[mark + 1] >= '0' && digits[mark + 1] <= '9';
+      if (!isInside || !(mayBeComma_ || field.isQuoted)) return quoting(" is not a number", field);
+      withPoint = digits;
+      withPoint[mark] = '.';
+      digits = withPoint;
+    }
+    if (mark_ != 0 && mark_ != field.text[mark + (hasPlus ? 1 : 0)]) {
+      return quoting(" has another decimal mark than the numbers before it", field);
+    }
+    mark_ = isComma ? ',' : '.';
   }
+  const char* end = digits.data() + digits.size();
+  const auto [stop, code] = std::from_chars(digits.data(), end, value);
+  if (stop != end || code == std::errc::invalid_argument) return quoting(" is not a number", field);
+  if (code != std::errc()) return quoting(" is beyond the range of a double", field);
+  return std::nullopt;
+}
+
+void CsvRowReader::read(std::string_view text, PlacedCircles& circles) {
+  CsvTable table(text, layout_.separator);
+  if (layout_.hasHeader && !isPastHeader_) (void)table.next();
+  isPastHeader_ = true;
   std::array<double, 3> values{};
   while (table.next()) {
     const Fields fields = table.fields();
+    const std::size_t width = layout_.width;
     const std::size_t count = fields.size() > width ? filled(fields).size() : fields.size();
-    const bool isRow = layout.header ? count <= width : count == width;
+    const bool isRow = layout_.hasHeader ? count <= width : count == width;
     if (!isRow) {
-      throw ReadFailure{table.offset(), layout.header ? "there are " + std::to_string(count) + " fields in " +
-                                                            std::to_string(width) + " columns."
-                                                      : threeNumbersExpected(layout.separator)};
+      throw ReadFailure{table.offset(), layout_.hasHeader ? "there are " + std::to_string(count) + " fields in " +
+                                                                std::to_string(width) + " columns."
+                                                          : threeNumbersExpected(layout_.separator)};
     }
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const CsvField field = columns[i] < count ? fields[columns[i]] : CsvField{};
-      if (const auto problem = reader.read(field, values[i])) {
+    const auto fieldOf = [&](std::size_t column) { return column < count ? fields[column] : CsvField{}; };
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (const auto problem = numbers_.read(fieldOf(layout_.columns[i]), values[i])) {
         throw ReadFailure{table.offset(), std::string(kNames[i][0]) + *problem};
       }
     }
-    result.circles.push_back({values[0], values[1], values[2]});
-    result.offsets.push_back(table.offset());
+    circles.circles.push_back({values[0], values[1], values[2]});
+    circles.offsets.push_back(table.offset());
+    if (isOfTile_) readNames(table, fieldOf, circles);
   }
-  return result;
 }
 
-}  // namespace
+template <class FieldOf>
+void CsvRowReader::readNames(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles) {
+  std::int64_t id = next_++;
+  std::int64_t done = 0;
+  const auto read = [&](std::optional<std::size_t> column, const Names& names, std::int64_t most, std::int64_t& value) {
+    if (!column) return;
+    if (const auto problem = readCount(fieldOf(*column), most, value)) {
+      throw ReadFailure{table.offset(), std::string(names[0]) + *problem};
+    }
+  };
+  read(layout_.id, kIdNames, kMostId, id);
+  read(layout_.done, kDoneNames, 1, done);
+  circles.ids.push_back(id);
+  circles.done.push_back(done != 0);
+}
 
 Result<PlacedCircles> readCsv(std::string_view text, std::string_view name) try {
   const auto layout = layoutOf(text);
   if (!layout) return errorAt(name, text, 0, "the text is empty but for comments.");
-  return readTable(text, *layout);
+  PlacedCircles circles;
+  CsvRowReader(*layout).read(text, circles);
+  return circles;
 } catch (const ReadFailure& failure) {
   return errorAt(name, text, failure.offset, failure.reason);
 }

@@ -15,14 +15,20 @@ std::string printable(std::string reason) {
   return reason;
 }
 
-std::string lineAt(std::string_view text, std::size_t offset) {
+/// How many lines end before a place in the text.
+std::size_t lineEndsBefore(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
-  std::size_t line = 1;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const bool isInside = before[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
-    if ((before[i] == '\n' || before[i] == '\r') && !isInside) ++line;
+    if ((before[i] == '\n' || before[i] == '\r') && !isInside) ++count;
   }
-  return std::to_string(line);
+  return count;
+}
+
+/// `name:line: `
+std::string placeOf(std::string_view name, std::string_view text, std::size_t offset, std::size_t linesBefore) {
+  return std::string(name) + ":" + std::to_string(linesBefore + lineEndsBefore(text, offset) + 1) + ": ";
 }
 
 bool isUtf16(std::string_view text) {
@@ -39,14 +45,18 @@ Result<std::string_view> contentOf(std::string_view text, std::string_view name)
   return text;
 }
 
-Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason) {
-  return {ErrorCode::badInput, -1, std::string(name) + ":" + lineAt(text, offset) + ": " + printable(reason)};
+Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason,
+              std::size_t linesBefore) {
+  return {ErrorCode::badInput, -1, placeOf(name, text, offset, linesBefore) + printable(reason)};
 }
 
-Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text) {
+Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
+             std::size_t linesBefore) {
   const std::size_t offset = error.circle < 0 ? 0 : offsets[static_cast<std::size_t>(error.circle)];
-  error.message = std::string(name) + ":" + lineAt(text, offset) + ": " + error.message;
+  error.message = placeOf(name, text, offset, linesBefore) + error.message;
   return error;
 }
+
+std::size_t lineEnds(std::string_view text) { return lineEndsBefore(text, text.size()); }
 
 }  // namespace circle_voronoi

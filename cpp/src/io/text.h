@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ namespace circle_voronoi {
 struct PlacedCircles {
   std::vector<Circle> circles;
   std::vector<std::size_t> offsets;
+  std::vector<std::int64_t> ids;   ///< of a tile (tile.h)
+  std::vector<std::uint8_t> done;  ///< likewise
 };
 
 /// Why reading ends, and where in the text. Thrown inside the readers only; none lets it out.
@@ -28,11 +31,16 @@ struct ReadFailure {
 Result<std::string_view> contentOf(std::string_view text, std::string_view name);
 
 /// An error of code badInput about a place in a text, on one printable line: `name:line: reason`. Lines, from 1, end in
-/// LF, CRLF or CR.
-Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason);
+/// LF, CRLF or CR; there are `linesBefore` before the text.
+Error errorAt(std::string_view name, std::string_view text, std::size_t offset, const std::string& reason,
+              std::size_t linesBefore = 0);
 
 /// The error of `validate` with the line of the circle that it is about; `offsets` as those of PlacedCircles.
-Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text);
+Error placed(Error error, std::span<const std::size_t> offsets, std::string_view name, std::string_view text,
+             std::size_t linesBefore = 0);
+
+/// How many lines end in the text.
+std::size_t lineEnds(std::string_view text);
 
 /// A table of circles (io.h).
 Result<PlacedCircles> readCsv(std::string_view text, std::string_view name);

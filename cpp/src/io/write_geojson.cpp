@@ -32,33 +32,51 @@ void writeGeometry(Writer& out, const std::vector<std::vector<Point>>& rings) {
   out << (isOne ? "}" : "]}");
 }
 
+/// Writes the cell of each chosen circle as a feature, with a separator between them; whether there is one.
+bool writeFeatures(Writer& out, std::span<const Circle> circles, const Diagram& diagram, const ExportOptions& options,
+                   const Selection& selection, std::string_view separator) {
+  const ExportFrame frame(circles, diagram, options);
+  const CellPolygons polygons(frame);
+  std::vector<std::int32_t> hiders(circles.size(), kNone);
+  for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
+  std::string_view between;
+  bool isAny = false;
+  polygons.visit([&](std::int32_t i) {
+    if (!selection.contains(i)) return;
+    out << between << R"({"type":"Feature","properties":{"circle":)" << selection.id(i) << R"(,"radius":)"
+        << circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << polygons.area(i) << R"(,"neighbors":[)";
+    std::string_view comma;
+    for (const std::int32_t side : frame.cells.sides(i)) {
+      out << comma << selection.id(frame.cells.neighborOf(side));
+      comma = ",";
+    }
+    out << "]";
+    if (const std::int32_t hider = hiders[static_cast<std::size_t>(i)]; hider != kNone) {
+      out << R"(,"hiddenBy":)" << selection.id(hider);
+    }
+    out << R"(},"geometry":)";
+    writeGeometry(out, polygons.rings(i));
+    out << "}";
+    between = separator;
+    isAny = true;
+  });
+  return isAny;
+}
+
 }  // namespace
 
 void writeGeoJson(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
                   const ExportOptions& options) {
   Writer out(stream);
-  const ExportFrame frame(circles, diagram, options);
-  const CellPolygons polygons(frame);
-  std::vector<std::int32_t> hiders(circles.size(), kNone);
-  for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
-  out << R"({"type":"FeatureCollection","features":[)";
-  polygons.visit([&](std::int32_t i) {
-    out << (i == 0 ? "\n" : ",\n") << R"({"type":"Feature","properties":{"circle":)" << i << R"(,"radius":)"
-        << circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << polygons.area(i) << R"(,"neighbors":[)";
-    std::string_view separator;
-    for (const std::int32_t side : frame.cells.sides(i)) {
-      out << separator << frame.cells.neighborOf(side);
-      separator = ",";
-    }
-    out << "]";
-    if (const std::int32_t hider = hiders[static_cast<std::size_t>(i)]; hider != kNone) {
-      out << R"(,"hiddenBy":)" << hider;
-    }
-    out << R"(},"geometry":)";
-    writeGeometry(out, polygons.rings(i));
-    out << "}";
-  });
+  out << R"({"type":"FeatureCollection","features":[)" << (circles.empty() ? "" : "\n");
+  writeFeatures(out, circles, diagram, options, {}, ",\n");
   out << "\n]}\n";
+}
+
+void writeGeoJsonLines(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
+                       const ExportOptions& options, const Selection& selection) {
+  Writer out(stream);
+  if (writeFeatures(out, circles, diagram, options, selection, "\n")) out << "\n";
 }
 
 }  // namespace circle_voronoi

@@ -68,8 +68,8 @@ class FaceDiscs {
     const int smaller = larger == h ? t : h;
     const int from = dual_.origin[larger];
     const auto toDisc = [&](int face) { return predicates_.direction(from, discs_[face]); };
-    const bool isRight = isInOrder(dual_, larger, toDisc(smaller / 3), toDisc(larger / 3), predicates_);
-    return isRight ? Flaw::none : Flaw::edgeOutOfOrder;
+    const int order = orderOfEnds(dual_, larger, toDisc(smaller / 3), toDisc(larger / 3), predicates_);
+    return order >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
   }
 
  private:

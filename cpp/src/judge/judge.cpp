@@ -2,6 +2,7 @@
 #include "judge.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "edge_order.h"
@@ -19,7 +20,9 @@ class Judge {
     if (Verdict verdict = checkAdjacency(); !verdict.isRight()) return verdict;
     if (circleCount_ < 2) return {};
     if (Verdict verdict = checkFaces(); !verdict.isRight()) return verdict;
-    return checkWindings();
+    Verdict verdict = checkWindings();
+    if (verdict.isRight()) verdict.ties = std::move(ties_);
+    return verdict;
   }
 
  private:
@@ -97,7 +100,11 @@ class Judge {
     const int larger = fromLarger(dual_, h, predicates_);
     const int smaller = dual_.twin[larger];
     const bool isBounded = isFinite(dual_.origin[Dual::previous(h)]) && isFinite(dual_.origin[Dual::previous(t)]);
-    if (isBounded && !isInOrder(dual_, larger, toDisc(cornerBefore(larger)), toDisc(larger), predicates_)) return false;
+    if (isBounded) {
+      const int order = orderOfEnds(dual_, larger, toDisc(cornerBefore(larger)), toDisc(larger), predicates_);
+      if (order < 0) return false;
+      if (order == 0) ties_.push_back(h);
+    }
     windings_[dual_.origin[larger]] += isBounded ? passesAxisInOrder(larger) : passesAxis(larger);
     windings_[dual_.origin[smaller]] +=
         isBounded && circles_[a].r == circles_[b].r ? passesAxisInOrder(smaller) : passesAxis(smaller);
@@ -143,6 +150,7 @@ class Judge {
   std::vector<std::uint8_t> isLower_;  ///< of each half-edge: whether that direction lies in the lower half
   std::vector<int> windings_;          ///< of each circle: how often its region passes the axis
   int hullWinding_ = 0;
+  std::vector<int> ties_;
 };
 
 }  // namespace

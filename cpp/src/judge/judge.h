@@ -15,6 +15,8 @@ struct Verdict {
   int circle = kNone;    ///< index into the circles judged
   int face = kNone;      ///< face of the dual
   int halfEdge = kNone;  ///< half-edge of the dual
+  /// Of a right dual a half-edge of each edge of length zero: where more than three circles touch one disc.
+  std::vector<int> ties = {};
 
   bool isRight() const { return flaw == Flaw::none; }
 };

@@ -12,6 +12,7 @@
 #include "hiders.h"
 #include "insert.h"
 #include "judge.h"
+#include "settle_ties.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -114,15 +115,17 @@ struct LargestOfEachCentre {
   }
 };
 
-/// Whether a dual is that of the Voronoi diagram, also if the circles might hide one another: if no neighbours do, the
-/// judge's signs are right, and by its theorem every circle's centre is nearest to that circle.
-bool provesVisible(const Dual& dual, std::span<const Circle> circles, Predicates& predicates) {
+/// The verdict on a dual, also if the circles might hide one another: if no neighbours do, the judge's signs are right,
+/// and by its theorem every circle's centre is nearest to that circle.
+Verdict judgeVisible(const Dual& dual, std::span<const Circle> circles, Predicates& predicates) {
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
     const int i = dual.origin[h];
     const int j = dual.target(h);
-    if (i != kInfinity && j != kInfinity && predicates.contains(circles[i], circles[j])) return false;
+    if (i != kInfinity && j != kInfinity && predicates.contains(circles[i], circles[j])) {
+      return {Flaw::cellNotClosed, j};
+    }
   }
-  return judge(circles, dual, predicates).isRight();
+  return judge(circles, dual, predicates);
 }
 
 /// The visible circles as those that insertion leaves a cell, with a proof; nothing if there is none.
@@ -161,7 +164,9 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   const Part hidden(ordered, std::move(rest));
 
   Predicates predicates(visible.circles);
-  if (!provesVisible(dual, visible.circles, predicates)) return std::nullopt;
+  const Verdict verdict = judgeVisible(dual, visible.circles, predicates);
+  if (!verdict.isRight()) return std::nullopt;
+  settleTies(dual, verdict.ties, visible.circles);
   const Hiders named = findHiders(visible, hidden, kNoLimit);
   Hiders all{std::vector<int>(ordered.circles.size(), kNone), named.steps + inserted->flips};
   for (std::size_t j = 0; j < hidden.places.size(); ++j) {

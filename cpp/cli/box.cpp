@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "box.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace circle_voronoi::cli {
+namespace {
+
+constexpr std::array<const char*, 4> kBoxNames = {"MINX", "MINY", "MAXX", "MAXY"};
+
+}  // namespace
+
+std::optional<double> readNumber(std::string_view text, Sides sides) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, value);
+  if (code != std::errc() || stop != end || std::isnan(value)) return std::nullopt;
+  if (std::isinf(value) && sides == Sides::finite) return std::nullopt;
+  return value;
+}
+
+std::string readBox(std::string_view text, Box& box, Sides sides) {
+  const char* kinds = sides == Sides::finite ? " is not a finite number" : " is not a number";
+  std::array<double, 4> values{};
+  const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
+  if (count != values.size()) return "expected MINX,MINY,MAXX,MAXY, not " + std::to_string(count) + " numbers.";
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string_view field = text.substr(0, text.find(','));
+    const auto value = readNumber(field, sides);
+    if (!value) return std::string(kBoxNames[i]) + kinds + ": \"" + std::string(field) + "\".";
+    values[i] = *value;
+    text.remove_prefix(std::min(field.size() + 1, text.size()));
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string min = kBoxNames[i];
+    const std::string max = kBoxNames[i + 2];
+    if (!(values[i] < values[i + 2])) return max + " has to be above " + min + ".";
+    if (sides == Sides::finite && !std::isfinite(values[i + 2] - values[i]))
+      return max + " - " + min + " is beyond the range of a double.";
+  }
+  box = {values[0], values[1], values[2], values[3]};
+  return "";
+}
+
+}  // namespace circle_voronoi::cli

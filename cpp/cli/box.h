@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "circle_voronoi/convex_polygon.h"
+
+namespace circle_voronoi::cli {
+
+/// Whether numbers may be inf or -inf.
+enum class Sides { finite, maybeInfinite };
+
+/// All of the text as a number; nothing if it is none.
+std::optional<double> readNumber(std::string_view text, Sides sides = Sides::finite);
+
+/// Reads MINX,MINY,MAXX,MAXY, or says what is wrong with it; empty: nothing.
+std::string readBox(std::string_view text, Box& box, Sides sides = Sides::finite);
+
+}  // namespace circle_voronoi::cli

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tile_part.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "box.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/final_cells.h"
+#include "circle_voronoi/tile.h"
+#include "failure.h"
+#include "files.h"
+
+namespace circle_voronoi::cli {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr Box kPlane = {-kInfinite, -kInfinite, kInfinite, kInfinite};
+
+Box boxOf(const std::string& text) {
+  Box box = kPlane;
+  if (!text.empty()) (void)readBox(text, box, Sides::maybeInfinite);
+  return box;
+}
+
+/// Closed at its least coordinates and open at its greatest: each point is in one tile of a grid.
+bool isIn(const Box& core, const Circle& c) {
+  return core.minX <= c.x && c.x < core.maxX && core.minY <= c.y && c.y < core.maxY;
+}
+
+/// Whether the core lies in what is known, farther from all sides than what is outside reaches: then whether one of its
+/// circles is hidden, and by which, is known.
+bool isDeepInside(const Box& core, const Box& known, double maxRadius) {
+  const auto isDeep = [&](double inner, double outer) { return std::isinf(outer) || inner > outer + maxRadius; };
+  return isDeep(core.minX, known.minX) && isDeep(core.minY, known.minY) && isDeep(-core.maxX, -known.maxX) &&
+         isDeep(-core.maxY, -known.maxY);
+}
+
+std::string textOf(double value) {
+  std::array<char, 32> digits;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+/// What of a tile is final.
+class FinalPart {
+ public:
+  FinalPart(const Tile& tile, const Diagram& diagram, const FinalCells& cells, const Box& core)
+      : tile_(tile), cells_(cells), core_(core) {
+    const auto count = static_cast<std::int32_t>(tile.circles.size());
+    for (std::int32_t i = 0; i < count; ++i) isOwner_.push_back(isInCore(i) && !isDone(i) && cells.isFinal(i));
+    isOpen_.resize(tile.circles.size());
+    for (std::int32_t i = 0; i < count; ++i) isOpen_[at(i)] = isInCore(i) && !cells.isFinal(i);
+    for (const Edge& edge : diagram.edges) {
+      noteNeighbor(edge.left, edge.right);
+      noteNeighbor(edge.right, edge.left);
+    }
+  }
+
+  /// Of each circle whether what it owns is written.
+  const std::vector<std::uint8_t>& isOwner() const { return isOwner_; }
+
+  /// The tile with what is now done, and of each circle whether the cells that are left need it: those of the core that
+  /// are not final, and those with a neighbour that may be left, here or in another tile. A cell depends on its
+  /// neighbours alone: beyond the edge with a neighbour, all that lies in line with its circle's centre is nearer to
+  /// the neighbour.
+  Tile left() const {
+    Tile tile = tile_;
+    for (std::size_t i = 0; i < tile.done.size(); ++i) tile.done[i] |= isOwner_[i];
+    return tile;
+  }
+  const std::vector<std::uint8_t>& isOpen() const { return isOpen_; }
+
+  /// Says how many circles of the core are not done and not final, and what halo they need; empty: none.
+  std::string problem() const {
+    std::int64_t bounded = 0;
+    std::int64_t unbounded = 0;
+    std::int64_t all = 0;
+    double halo = 0;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(isOwner_.size()); ++i) {
+      if (!isInCore(i) || isDone(i)) continue;
+      ++all;
+      const double needed = cells_.neededHalo[at(i)];
+      if (needed == 0) continue;
+      ++(std::isinf(needed) ? unbounded : bounded);
+      if (!std::isinf(needed)) halo = std::max(halo, needed);
+    }
+    if (bounded + unbounded == 0) return "";
+    std::string text =
+        std::to_string(bounded + unbounded) + " of " + std::to_string(all) + " circles of the core are not final";
+    if (bounded > 0) text += "; a halo wider by " + textOf(halo) + " is enough for " + std::to_string(bounded);
+    if (unbounded > 0) text += "; none is for " + std::to_string(unbounded) + ", whose cells are unbounded";
+    return text + ".";
+  }
+
+ private:
+  static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+  bool isInCore(std::int32_t i) const { return isIn(core_, tile_.circles[at(i)]); }
+  bool isDone(std::int32_t i) const { return tile_.done[at(i)] != 0; }
+
+  void noteNeighbor(std::int32_t circle, std::int32_t neighbor) {
+    if (isInCore(circle) && !(isInCore(neighbor) && cells_.isFinal(neighbor))) isOpen_[at(circle)] = 1;
+  }
+
+  const Tile& tile_;
+  const FinalCells& cells_;
+  Box core_;
+  std::vector<std::uint8_t> isOwner_;
+  std::vector<std::uint8_t> isOpen_;
+};
+
+void write(const Output& output, const Tile& tile, const Diagram& diagram, const FinalPart& part) {
+  const Selection selection = {tile.ids, part.isOwner()};
+  writeText(output.file, [&](std::ostream& out) {
+    if (output.format == "csv") return writePartsCsv(out, diagram, selection);
+    writeGeoJsonLines(out, tile.circles, diagram, exportOptions(output), selection);
+  });
+}
+
+}  // namespace
+
+void addTileOptions(CLI::App& command, TilePart& part) {
+  const auto addBox = [&](const char* name, std::string& text, const char* what) {
+    command.add_option(name, text, what)->type_name("MINX,MINY,MAXX,MAXY")->check([](const std::string& value) {
+      Box box;
+      return readBox(value, box, Sides::maybeInfinite);
+    });
+  };
+  addBox("--known", part.known, "FILE is a tile: no other circle has its centre in this box, whose sides may be inf");
+  command.add_option("--max-radius", part.maxRadius, "The largest radius of the other circles")
+      ->type_name("RADIUS")
+      ->check([](const std::string& text) {
+        const auto radius = readNumber(text);
+        return radius && *radius >= 0 ? "" : "expected a number from 0.";
+      });
+  addBox("--core", part.core, "Write what circles with their centre in this box own, and no more");
+  command.add_option("--open", part.open, "The file for the circles that are needed for what is not final")
+      ->type_name("FILE");
+}
+
+void check(const TilePart& part, const Output& output) {
+  if (!part.isAsked()) {
+    const char* unused = part.maxRadius ? "--max-radius" : !part.core.empty() ? "--core" : "--open";
+    if (part.maxRadius || !part.core.empty() || !part.open.empty())
+      throw Failure{kBadInput, std::string(unused) + " needs --known."};
+    return;
+  }
+  if (!part.maxRadius) throw Failure{kBadInput, "--known needs --max-radius."};
+  if (output.format != "csv" && output.format != "geojsonl") {
+    throw Failure{kBadInput, "--known needs --format csv or geojsonl."};
+  }
+  // Else each tile would have a box and a tolerance of its own.
+  if (output.format == "geojsonl" && output.box.empty()) throw Failure{kBadInput, "--known needs --box for geojsonl."};
+  if (!part.open.empty() && !isDeepInside(boxOf(part.core), boxOf(part.known), *part.maxRadius)) {
+    throw Failure{kBadInput, "--open needs a --core that lies within --known, farther inside than --max-radius."};
+  }
+}
+
+void computeTilePart(const TilePart& part, const Output& output, const std::string& input, ProgressLine& progress) {
+  const std::string name = inputName(input);
+  const auto tile = readTile(readText(input), name);
+  if (!tile) throw Failure{kBadInput, tile.error().message};
+  const auto& circles = tile.value().circles;
+  Options options;
+  options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
+  const auto diagram = compute(circles, options);
+  if (!diagram) {
+    const Error& error = diagram.error();
+    throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, name + ": " + error.message};
+  }
+  const auto cells = finalCells(circles, diagram.value(), {boxOf(part.known), *part.maxRadius});
+  if (!cells) throw Failure{kBadInput, name + ": " + cells.error().message};
+  const FinalPart found(tile.value(), diagram.value(), cells.value(), boxOf(part.core));
+  if (output.file == kStandardStream) progress.end();
+  progress.show("write");
+  if (!part.open.empty()) {
+    writeText(part.open, [&](std::ostream& out) { writeTile(out, found.left(), found.isOpen()); });
+  }
+  // Last, so that where it is, all is.
+  write(output, tile.value(), diagram.value(), found);
+  progress.end();
+  if (const std::string problem = found.problem(); !problem.empty()) throw Failure{kNotFinal, name + ": " + problem};
+}
+
+}  // namespace circle_voronoi::cli

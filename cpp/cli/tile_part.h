@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "output.h"
+#include "progress_line.h"
+
+namespace circle_voronoi::cli {
+
+/// What `compute` is told of the circles outside a tile; each as the user gave it, empty if not.
+struct TilePart {
+  std::string known;
+  std::string core;
+  std::optional<double> maxRadius;
+  std::string open;  ///< the file for what is not final
+
+  bool isAsked() const { return !known.empty(); }
+};
+
+void addTileOptions(CLI::App& command, TilePart& part);
+
+/// Throws Failure if options are missing or do not go together, before any work is done.
+void check(const TilePart& part, const Output& output);
+
+/// Computes the diagram of a tile and writes what of it is final and owned by circles of the core that are not done.
+/// Throws Failure, with the status kNotFinal if circles of the core are left.
+void computeTilePart(const TilePart& part, const Output& output, const std::string& input, ProgressLine& progress);
+
+}  // namespace circle_voronoi::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "csv_table.h"
+#include "text.h"
+
+namespace circle_voronoi {
+
+/// Reads numbers, whose decimal mark is a point, or a comma where that separates no fields, but not both.
+class CsvNumberReader {
+ public:
+  explicit CsvNumberReader(char separator) : mayBeComma_(separator == ';' || separator == '\t') {}
+
+  /// What is wrong with a field as a number; otherwise nothing, and `value` is set.
+  std::optional<std::string> read(const CsvField& field, double& value);
+
+ private:
+  bool mayBeComma_;
+  char mark_ = 0;  ///< of the numbers so far; 0: they had none
+};
+
+/// How a table of circles is laid out.
+struct CsvLayout {
+  char separator = ',';
+  bool hasHeader = false;
+  std::size_t width = 3;
+  std::array<std::size_t, 3> columns = {0, 1, 2};  ///< of x, y and r
+  std::optional<std::size_t> id;                   ///< of a tile (tile.h)
+  std::optional<std::size_t> done;                 ///< likewise
+};
+
+/// The layout with which the first record is a header or a circle; nothing if there is no record. Throws ReadFailure.
+std::optional<CsvLayout> layoutOf(std::string_view text);
+
+/// Reads the rows of a table, whose text may come in pieces of whole records.
+class CsvRowReader {
+ public:
+  /// `isOfTile`: with ids, which are those of the rows from 0 where there is no such column, and what is done.
+  explicit CsvRowReader(const CsvLayout& layout, bool isOfTile = false)
+      : layout_(layout), isOfTile_(isOfTile), numbers_(layout.separator) {}
+
+  /// Adds the circles of a piece. Throws ReadFailure.
+  void read(std::string_view text, PlacedCircles& circles);
+
+ private:
+  static constexpr std::int64_t kMostId = std::numeric_limits<std::int64_t>::max();
+
+  template <class FieldOf>
+  void readNames(const CsvTable& table, FieldOf fieldOf, PlacedCircles& circles);
+
+  CsvLayout layout_;
+  bool isOfTile_;
+  CsvNumberReader numbers_;
+  bool isPastHeader_ = false;
+  std::int64_t next_ = 0;
+};
+
+}  // namespace circle_voronoi

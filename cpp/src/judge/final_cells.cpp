@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/final_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "estimate.h"
+#include "guarded.h"
+#include "three_touch_disc.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// What is known, in the units of the scaled circles.
+class Outside {
+ public:
+  Outside(const Known& known, double unit)
+      : box_{scaled(known.box.minX, unit), scaled(known.box.minY, unit), scaled(known.box.maxX, unit),
+             scaled(known.box.maxY, unit)},
+        reach_(known.maxRadius / unit) {}
+
+  /// Whether nothing is outside.
+  bool isNothing() const {
+    return box_.minX == -kInfinite && box_.minY == -kInfinite && box_.maxX == kInfinite && box_.maxY == kInfinite;
+  }
+
+  /// How much farther out the box would have to be for a disc to be final, or more: below 0 if it is. `error` is that
+  /// of each number of the disc.
+  double excess(const Vertex& disc, double error) const {
+    const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.radius) + reach_;
+    double excess = -kInfinite;
+    const auto consider = [&](double inside, double side) {
+      if (std::isinf(side)) return;
+      // Three roundings of numbers that are no larger than the sum of all.
+      const double rounding = 4 * kUnitRoundoff * (size + std::abs(side)) + kUnderflowError;
+      const double value = disc.radius + reach_ - inside + (2 * error + rounding);
+      // Not std::max, which passes over what is not a number.
+      if (!(value <= excess)) excess = value;
+    };
+    consider(disc.x - box_.minX, box_.minX);
+    consider(box_.maxX - disc.x, box_.maxX);
+    consider(disc.y - box_.minY, box_.minY);
+    consider(box_.maxY - disc.y, box_.maxY);
+    return std::isnan(excess) ? kInfinite : excess;
+  }
+
+ private:
+  /// A side that is too far off for a double is as if it were nearer, which is on the safe side.
+  static double scaled(double value, double unit) {
+    constexpr double kFarthest = 0x1p900;
+    return std::isinf(value) ? value : std::clamp(value / unit, -kFarthest, kFarthest);
+  }
+
+  Box box_;
+  double reach_;
+};
+
+/// How much farther out the box would have to be for a vertex to be final, or more.
+///
+/// vertexOf is right to 36 bits of the distances of the circles from each other and from the disc's centre. These are
+/// at most twice the farthest of the three from it, and each is computed within a part of 2^-30.
+double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circles) {
+  const auto disc = vertexOf(*circles[0], *circles[1], *circles[2]);
+  if (!disc) return outside.isNothing() ? -kInfinite : kInfinite;
+  double farthest = 0;
+  double size = 0;
+  for (const Circle* c : circles) {
+    farthest = std::max(farthest, length({disc->x - c->x, disc->y - c->y}));
+    size = std::max(size, std::abs(c->x) + std::abs(c->y) + c->r);
+  }
+  return outside.excess(*disc, 0x1p-33 * farthest + 4 * kUnitRoundoff * (size + farthest));
+}
+
+std::optional<Error> checkKnown(const Known& known) {
+  const auto& [minX, minY, maxX, maxY] = known.box;
+  if (!(minX < maxX) || !(minY < maxY)) return Error{ErrorCode::badOption, -1, "The box of what is known is empty."};
+  if (!(known.maxRadius >= 0) || std::isinf(known.maxRadius)) {
+    return Error{ErrorCode::badOption, -1, "The largest radius of what is not known is no finite number from 0."};
+  }
+  return std::nullopt;
+}
+
+bool fits(const Diagram& diagram, std::size_t circleCount) {
+  const auto isCircle = [&](std::int32_t i) { return i >= 0 && static_cast<std::size_t>(i) < circleCount; };
+  const auto isEnd = [&](std::int32_t v) {
+    return v == kNone || (v >= 0 && static_cast<std::size_t>(v) < diagram.vertexCircles.size());
+  };
+  const auto isVertex = [&](const auto& triple) { return std::ranges::all_of(triple, isCircle); };
+  const auto isEdge = [&](const Edge& edge) { return isEnd(edge.start) && isEnd(edge.end); };
+  const auto isHidden = [&](const HiddenCircle& hidden) { return isCircle(hidden.circle); };
+  return std::ranges::all_of(diagram.vertexCircles, isVertex) && std::ranges::all_of(diagram.edges, isEdge) &&
+         std::ranges::all_of(diagram.hidden, isHidden) && std::ranges::all_of(diagram.hull, isCircle);
+}
+
+FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, const Outside& outside) {
+  const auto& circles = scaled.circles;
+  FinalCells result;
+  result.neededHalo.assign(circles.size(), 0);
+  const auto need = [&](std::int32_t circle, double excess) {
+    if (excess < 0) return;
+    // A step more where it is 0 or too small for a number.
+    const double halo = std::max(excess * scaled.unit * (1 + 0x1p-40), std::numeric_limits<double>::min());
+    double& needed = result.neededHalo[static_cast<std::size_t>(circle)];
+    needed = std::max(needed, halo);
+  };
+
+  result.vertices.reserve(diagram.vertexCircles.size());
+  for (auto triple : diagram.vertexCircles) {
+    std::rotate(triple.begin(), std::ranges::min_element(triple), triple.end());
+    const auto circle = [&](std::size_t k) { return &circles[static_cast<std::size_t>(triple[k])]; };
+    const double excess = excessOf(outside, {circle(0), circle(1), circle(2)});
+    result.vertices.push_back(excess < 0);
+    for (const std::int32_t i : triple) need(i, excess);
+  }
+  result.edges.reserve(diagram.edges.size());
+  for (const Edge& edge : diagram.edges) {
+    const auto isFinal = [&](std::int32_t v) {
+      return v == kNone ? outside.isNothing() : result.vertices[static_cast<std::size_t>(v)] != 0;
+    };
+    result.edges.push_back(isFinal(edge.start) && isFinal(edge.end));
+  }
+  for (const std::int32_t i : diagram.hull) need(i, outside.isNothing() ? -kInfinite : kInfinite);
+  // What hides circle i has a distance of at most -r_i at its centre.
+  for (const HiddenCircle& hidden : diagram.hidden) {
+    const Circle& c = circles[static_cast<std::size_t>(hidden.circle)];
+    need(hidden.circle, outside.excess({c.x, c.y, -c.r}, 0));
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<FinalCells> finalCells(std::span<const Circle> circles, const Diagram& diagram, const Known& known) {
+  return guarded([&]() -> Result<FinalCells> {
+    if (auto error = checkKnown(known)) return *std::move(error);
+    if (!fits(diagram, circles.size())) {
+      return Error{ErrorCode::badInput, -1, "The diagram names circles or vertices that are not there."};
+    }
+    const auto scaled = validate(circles);
+    if (!scaled) return scaled.error();
+    return finalCellsOf(scaled.value(), diagram, Outside(known, scaled.value().unit));
+  });
+}
+
+}  // namespace circle_voronoi
