@@ -45,7 +45,7 @@ const SUITES = [
     ],
   },
   {
-    name: 'Files and README in Node',
+    name: 'Files, tiles and README in Node',
     report: `${RESULTS}/files.xml`,
     program: process.execPath,
     args: [
@@ -55,6 +55,7 @@ const SUITES = [
       '--test-reporter=junit',
       `--test-reporter-destination=${RESULTS}/files.xml`,
       'tests/files/geojson.test.mjs',
+      'tests/tiles/tiles.test.mjs',
       'tests/readme/native.test.mjs',
     ],
   },

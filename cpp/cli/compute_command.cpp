@@ -105,14 +105,14 @@ void addComputeCommand(CLI::App& program) {
   addProgressOption(*command, arguments->progress);
   command->footer(
       "Formats:\n"
-      "  json     the diagram: circles, hidden circles, vertices, edges, hull and stats\n"
-      "  csv      its vertices and edges\n"
-      "  svg      a drawing with true curves, a group for each layer\n"
-      "  geojson  the cells as polygons, with circle, radius, area and neighbors\n"
-      "  geojsonl the same features, one a line\n"
-      "  wkt      the cells as well-known text, a line for each circle\n"
-      "  obj      the edges and cells as Wavefront OBJ\n"
-      "  stats    what was done, how long it took, and the certificate");
+      "  json      the diagram: circles, hidden circles, vertices, edges, hull and stats\n"
+      "  csv       its vertices and edges\n"
+      "  svg       a drawing with true curves, a group for each layer\n"
+      "  geojson   the cells as polygons, with circle, radius, area and neighbors\n"
+      "  geojsonl  the same features, one a line\n"
+      "  wkt       the cells as well-known text, a line for each circle\n"
+      "  obj       the edges and cells as Wavefront OBJ\n"
+      "  stats     what was done, how long it took, and the certificate");
   command->callback([arguments, command] { runCompute(*command, *arguments); });
 }
 

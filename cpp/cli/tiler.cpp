@@ -22,7 +22,7 @@ constexpr const char* kHeader = "id,x,y,r,done\n";
 constexpr const char* kWideFile = "wide.csv";
 constexpr const char* kListFile = "tiles.txt";
 /// The text that waits for its files at most.
-constexpr std::size_t kMostWaiting = std::size_t{64} << 20;
+constexpr std::size_t kMostWaiting = std::size_t{16} << 20;
 /// A circle in more tiles is wide.
 constexpr double kManyTiles = 64;
 /// Tiles are numbered exactly.
@@ -176,7 +176,7 @@ void Tiler::flush() {
     if (content.text.empty()) return;
     append(file, content.text);
     content.isBegun = true;
-    content.text = {};
+    content.text = std::string();  // and no memory kept
   };
   for (auto& [place, content] : tiles_) write(content, fileOf(place));
   write(wide_, kWideFile);
@@ -190,7 +190,11 @@ void Tiler::append(const std::string& file, const std::string& text) const {
 }
 
 std::string Tiler::fileOf(Place place) const {
-  return std::to_string(place.second) + "_" + std::to_string(place.first) + ".csv";
+  std::string name = "x";
+  name += std::to_string(place.second);
+  name += 'y';
+  name += std::to_string(place.first);
+  return name += ".csv";
 }
 
 }  // namespace circle_voronoi::cli

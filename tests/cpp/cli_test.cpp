@@ -195,7 +195,7 @@ TEST_F(Cli, ListsTheFamilies) {
 }
 
 TEST_F(Cli, BadUsage) {
-  expectFailure(run(""), 2, "A command is missing; the commands are compute, convert, generate and verify.");
+  expectFailure(run(""), 2, "A command is missing; the commands are compute, convert, generate, tile and verify.");
   expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are compute, ");
   expectFailure(run("--draw"), 2, "There is no option --draw; the commands are compute, ");
   expectFailure(run("compute - --draw"), 2, "--draw");

@@ -12,6 +12,7 @@ add_executable(circle_voronoi_proof_tests
   estimate_test.cpp
   exact_test.cpp
   fixtures.cpp
+  final_cells_test.cpp
   flip_test.cpp
   growth_test.cpp
   hide_test.cpp
@@ -24,6 +25,7 @@ add_executable(circle_voronoi_proof_tests
   predicates_test.cpp
   repair_test.cpp
   report.cpp
+  settle_ties_test.cpp
   small_duals.cpp
   tie_inputs.cpp
   topology_test.cpp

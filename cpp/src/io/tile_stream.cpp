@@ -75,9 +75,15 @@ class TileStream::Impl {
     } catch (const ReadFailure& failure) {
       return errorAt(name_, text, failure.offset, failure.reason, linesBefore_);
     }
-    if (const auto judged = validate(circles.circles); !judged) {
-      return placed(judged.error(), circles.offsets, name_, text, linesBefore_);
+    if (const auto judged = validate(circles.circles, circlesBefore_); !judged) {
+      const auto before = static_cast<std::int64_t>(circlesBefore_);
+      Error error = judged.error();
+      error.circle -= before;
+      error = placed(error, circles.offsets, name_, text, linesBefore_);
+      error.circle += before;
+      return error;
     }
+    circlesBefore_ += circles.circles.size();
     linesBefore_ += lineEnds(text);
     return Tile{std::move(circles.circles), std::move(circles.ids), std::move(circles.done)};
   }
@@ -86,6 +92,7 @@ class TileStream::Impl {
   std::string rest_;  ///< the beginning of a line
   bool isBegun_ = false;
   std::size_t linesBefore_ = 0;
+  std::size_t circlesBefore_ = 0;
   std::optional<CsvRowReader> rows_;
 };
 

@@ -23,7 +23,7 @@ Error errorOf(ErrorCode code, std::size_t circle, const char* what) {
 
 }  // namespace
 
-Result<ScaledCircles> validate(std::span<const Circle> circles) {
+Result<ScaledCircles> validate(std::span<const Circle> circles, std::size_t first) {
   if (circles.size() > kMaxCircles) {
     return Error{ErrorCode::tooManyCircles, -1,
                  "There are " + std::to_string(circles.size()) + " circles; at most " + std::to_string(kMaxCircles) +
@@ -37,13 +37,14 @@ Result<ScaledCircles> validate(std::span<const Circle> circles) {
   double largest = 0;
   for (std::size_t i = 0; i < circles.size(); ++i) {
     const Circle& c = circles[i];
-    if (!std::isfinite(c.x)) return errorOf(ErrorCode::nonFinite, i, "has an x that is not a finite number.");
-    if (!std::isfinite(c.y)) return errorOf(ErrorCode::nonFinite, i, "has a y that is not a finite number.");
-    if (!std::isfinite(c.r)) return errorOf(ErrorCode::nonFinite, i, "has a radius that is not a finite number.");
-    if (c.r < 0) return errorOf(ErrorCode::negativeRadius, i, "has a negative radius.");
+    if (!std::isfinite(c.x)) return errorOf(ErrorCode::nonFinite, first + i, "has an x that is not a finite number.");
+    if (!std::isfinite(c.y)) return errorOf(ErrorCode::nonFinite, first + i, "has a y that is not a finite number.");
+    if (!std::isfinite(c.r))
+      return errorOf(ErrorCode::nonFinite, first + i, "has a radius that is not a finite number.");
+    if (c.r < 0) return errorOf(ErrorCode::negativeRadius, first + i, "has a negative radius.");
     const double size = std::max({std::abs(c.x), std::abs(c.y), c.r});
     if (size > kCoordinateLimit) {
-      return errorOf(ErrorCode::coordinateTooLarge, i, "has a coordinate or a radius beyond 1e150.");
+      return errorOf(ErrorCode::coordinateTooLarge, first + i, "has a coordinate or a radius beyond 1e150.");
     }
     largest = std::max(largest, size);
   }

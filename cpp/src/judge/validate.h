@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct ScaledCircles {
 };
 
 /// Errors: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles, badArithmetic.
-/// The readers, a library of their own, ask this too.
-CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circles);
+/// They number circles from `first`, for those who have a part of the input. The readers, a library of their own, ask
+/// this too.
+CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circles, std::size_t first = 0);
 
 }  // namespace circle_voronoi

@@ -1,0 +1,137 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Voronoi diagram of more circles than one memory holds: in tiles, by Dask.
+
+    tiles.py CIRCLES.csv FOLDER --size 1000 --halo 30
+    tiles.py CIRCLES.csv FOLDER --size 1000 --halo 30 --scheduler tcp://node1:8786
+
+The circles are cut into tiles (FOLDER/0/tiles), and each is computed by a worker: a process on this machine, or one of a
+Dask cluster whose machines share the folder. What is final of a tile is in FOLDER/0/parts. The circles that are left, at
+the rim of the whole and of holes wider than the halo, and huge ones, go on with their neighbours to the next level
+(FOLDER/1): in wider tiles as long as there are more than --most of them, at last in one. FOLDER/*/parts together are the
+diagram, each line once.
+
+A tile that fails, or whose worker is killed, is tried again. Run again after an interruption, it goes on where it was: a
+part is there as a whole or not at all.
+"""
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from distributed import Client, LocalCluster, as_completed
+
+PLANE = "-inf,-inf,inf,inf"
+CIRCLES_ARE_LEFT = 3  # an exit status
+RETRIES = 3
+WIDER = 8  # tiles of the next level
+
+
+def run(*command):
+    done = subprocess.run([str(word) for word in command], stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode not in (0, CIRCLES_ARE_LEFT):
+        raise RuntimeError(done.stderr.strip() or f"{command[0]} ended with status {done.returncode}.")
+
+
+def cut(program, circles, level, size, halo):
+    """The tiles of a level; they are all there if their list is."""
+    tiles = level / "tiles"
+    if not (tiles / "tiles.txt").exists():
+        shutil.rmtree(tiles, ignore_errors=True)
+        run(program, "tile", circles, "--size", size, "--halo", halo, "-o", tiles)
+    return [line.split() for line in (tiles / "tiles.txt").read_text().splitlines()]
+
+
+def compute(program, circles, part, left, core, known, options):
+    """Writes what is final in the core, and before that the circles that are left."""
+    to_left = ["--open", left] if left else []
+    run(program, "compute", circles, f"--known={known}", f"--core={core}", "--max-radius=0", *to_left, "-o", part, *options)
+
+
+def compute_tiles(client, level, tiles, task, ending):
+    """Computes those tiles of a level that are not done, and shows how many are."""
+    for folder in ("open", "parts"):
+        (level / folder).mkdir(exist_ok=True)
+    begin, done = time.time(), 0
+    waiting = []
+    for name, _, core, known in sorted(tiles, key=lambda tile: -int(tile[1])):  # the largest first
+        part = level / "parts" / f"{name}.{ending}"
+        if part.exists():
+            done += 1
+        else:
+            files = [str(file) for file in (level / "tiles" / f"{name}.csv", part, level / "open" / f"{name}.csv")]
+            waiting.append(client.submit(task, *files, core, known, retries=RETRIES, pure=False))
+    show(done, len(tiles), begin)
+    for future in as_completed(waiting):
+        future.result()  # throws what the task threw
+        done += 1
+        show(done, len(tiles), begin)
+
+
+def show(done, tiles, begin):
+    isOver = done == tiles
+    if isOver or sys.stderr.isatty():
+        bar = "#" * (30 * done // tiles)
+        print(f"\r[{bar:30}] {done} of {tiles} tiles, {time.time() - begin:.0f} s", end="\n" if isOver else "", file=sys.stderr)
+
+
+def gather(level, circles):
+    """Writes the circles that the tiles of a level leave, and returns how many there are."""
+    count = 0
+    circles.parent.mkdir(exist_ok=True)
+    with open(circles, "w") as out:
+        out.write("id,x,y,r,done\n")
+        for file in sorted((level / "open").iterdir()):
+            with open(file) as lines:
+                next(lines)
+                for line in lines:
+                    out.write(line)
+                    count += 1
+    return count
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("circles", help="a table with the columns x, y, r and perhaps id")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--size", type=float, required=True, help="the side of a tile: a million circles or so in each")
+    parser.add_argument("--halo", type=float, required=True, help="some ten times the distance of neighbours")
+    parser.add_argument("--most", type=int, default=5_000_000, help="circles that one process may have at last")
+    parser.add_argument("--box", help="write cells clipped to it, as lines of GeoJSON, not vertices and edges as CSV")
+    parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes on this machine")
+    parser.add_argument("--scheduler", help="the address of a cluster of Dask, in place of these")
+    parser.add_argument("--program", default="circle-voronoi")
+    arguments = parser.parse_args()
+    program, folder = arguments.program, arguments.folder.resolve()
+    ending = "geojsonl" if arguments.box else "csv"
+    options = ["--format", ending, *([f"--box={arguments.box}"] if arguments.box else [])]
+
+    def task(circles, part, left, core, known):
+        compute(program, circles, part, left, core, known, options)
+
+    cluster = None if arguments.scheduler else LocalCluster(n_workers=arguments.workers, threads_per_worker=1, dashboard_address=None)
+    with Client(arguments.scheduler or cluster) as client:
+        circles, size, halo, level = arguments.circles, arguments.size, arguments.halo, folder / "0"
+        while True:
+            level.mkdir(parents=True, exist_ok=True)
+            tiles = cut(program, circles, level, size, halo)
+            compute_tiles(client, level, tiles, task, ending)
+            size, halo, next_level = WIDER * size, WIDER * halo, folder / str(int(level.name) + 1)
+            left = gather(level, next_level / "circles.csv")
+            level, circles = next_level, next_level / "circles.csv"
+            if left <= arguments.most or len(tiles) == 1:
+                break
+        (level / "parts").mkdir(exist_ok=True)
+        part = level / "parts" / f"all.{ending}"
+        client.submit(task, str(circles), str(part), None, PLANE, PLANE, retries=RETRIES, pure=False).result()
+    if cluster:
+        cluster.close()
+    print(f"{folder}/*/parts: done; {left} circles in the last.", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()

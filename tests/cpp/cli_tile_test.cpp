@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tiles on the command line; tests/tiles has the drivers that put them together.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli.h"
+
+namespace circle_voronoi {
+namespace {
+
+using test::Outcome;
+
+const std::string kPlane = " --known=-inf,-inf,inf,inf --max-radius 0";
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// A tile of a grid of points, by ids that are not their rows.
+std::string grid() {
+  std::string text = "x;y;name;r;id\n";
+  for (int i = 0; i < 49; ++i) {
+    text += std::to_string(i % 7) + ";" + std::to_string(i / 7) + ";a;0;" + std::to_string(1000 - i) + "\n";
+  }
+  return text;
+}
+
+class CliTile : public test::Cli {};
+
+TEST_F(CliTile, WritesWhatIsFinalByTheIdsOfTheInput) {
+  const std::string tile = write("tile.csv", grid());
+  const Outcome result =
+      run("compute " + tile + " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core 2.5,2.5,3.5,3.5 --format csv");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const auto lines = linesOf(result.out);
+  ASSERT_GT(lines.size(), 1U);
+  EXPECT_EQ(lines[0], "type,x,y,radius,circle1,circle2,circle3,circle4");
+  // The circle at (3, 3) is row 24. Of its four edges those to lower ids, at greater rows, belong to other circles.
+  std::set<std::string> edges;
+  for (const std::string& line : lines) {
+    if (line.starts_with("edge,,,,")) edges.insert(line.substr(8, line.find(',', 12) - 8));
+  }
+  EXPECT_TRUE(edges.contains("976,977"));
+  EXPECT_TRUE(edges.contains("976,983"));
+  EXPECT_FALSE(edges.contains("975,976"));
+}
+
+TEST_F(CliTile, SaysWhatHaloIsMissing) {
+  const std::string tile = write("tile.csv", grid());
+  const Outcome result = run("compute " + tile +
+                             " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core=-0.5,-0.5,3.5,6 -o " + path("part.csv"));
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.find("circle-voronoi: " + tile + ": 9 of 24 circles of the core are not final; none is for 9"),
+            0U)
+      << result.err;
+  EXPECT_GT(linesOf(readFile(path("part.csv"))).size(), 10U) << "what is final is written";
+  const Outcome missing = run("compute " + tile + " --known=2,2,4,4 --max-radius 0.25 --core=3,3,4,4 --format csv");
+  EXPECT_EQ(missing.status, 3);
+  // The discs of the cell have the radius sqrt(1/2), half a step from the centre.
+  EXPECT_NE(missing.err.find("1 of 1 circles of the core are not final; a halo wider by 0.457106781"),
+            std::string::npos)
+      << missing.err;
+}
+
+TEST_F(CliTile, ThePartsOfTwoTilesAndOfWhatTheyLeaveAreTheWhole) {
+  const std::string tile = write("tile.csv", grid());
+  const auto rows = [&](const std::string& text) {
+    auto lines = linesOf(text);
+    lines.erase(lines.begin());
+    return std::multiset<std::string>(lines.begin(), lines.end());
+  };
+  std::multiset<std::string> parts;
+  std::string rest = "id,x,y,r,done\n";
+  for (const std::string core : {"-1,-1,3,7", "3,-1,7,7"}) {
+    const Outcome part = run("compute " + tile + " --known=-2,-2,8,8 --max-radius 0 --format csv --core=" + core +
+                             " --open " + path("open.csv"));
+    EXPECT_EQ(part.status, 3);
+    parts.merge(rows(part.out));
+    const std::string open = readFile(path("open.csv"));
+    EXPECT_NE(open.find(",0,0\n"), std::string::npos);
+    EXPECT_NE(open.find(",0,1\n"), std::string::npos);
+    rest += open.substr(open.find('\n') + 1);
+  }
+  const Outcome last = run("compute - --format csv" + kPlane, rest);
+  EXPECT_EQ(last.status, 0) << last.err;
+  parts.merge(rows(last.out));
+  EXPECT_EQ(parts, rows(run("compute " + tile + " --format csv" + kPlane).out));
+}
+
+TEST_F(CliTile, WritesCellsAsLinesOfGeoJson) {
+  const std::string tile = write("tile.csv", grid());
+  const Outcome all = run("compute " + tile + " --format geojsonl --box=-1,-1,7,7");
+  ASSERT_EQ(all.status, 0) << all.err;
+  EXPECT_EQ(linesOf(all.out).size(), 49U);
+  const Outcome part = run("compute " + tile +
+                           " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core 2.5,2.5,3.5,4.5 --format geojsonl "
+                           "--box=-1,-1,7,7");
+  ASSERT_EQ(part.status, 0) << part.err;
+  const auto lines = linesOf(part.out);
+  ASSERT_EQ(lines.size(), 2U);
+  const auto feature = nlohmann::json::parse(lines[1]);
+  EXPECT_EQ(feature.at("properties").at("circle"), 976);
+  EXPECT_EQ(feature.at("properties").at("area"), 1);
+  std::set<int> neighbors = feature.at("properties").at("neighbors");
+  for (const int beside : {969, 975, 977, 983}) EXPECT_TRUE(neighbors.contains(beside)) << beside;
+  EXPECT_EQ(feature.at("geometry").at("type"), "Polygon");
+}
+
+TEST_F(CliTile, CutsIntoTilesThatHaveAllThatReachesIntoThem) {
+  // Homes by half-open squares; a huge circle, known before and after the tiles that it reaches into; far ones.
+  const std::string circles = "x,y,r\n50,50,45\n0,0,0\n10,0,0\n9.75,3,0\n-1e9,5,1\n-0.5,-0.5,0.1\n1e9,0,2\n";
+  ASSERT_EQ(run("tile - --size 10 --halo 2 -o " + path("tiles"), circles).status, 0);
+  EXPECT_EQ(readFile(path("tiles/tiles.txt")),
+            "x-1y-1 1 -10,-10,0,0 -12,-12,2,2\n"
+            "x-100000000y0 1 -1e+09,0,-999999990,10 -1000000002,-2,-999999988,12\n"
+            "x0y0 2 0,0,10,10 -2,-2,12,12\n"
+            "x1y0 1 10,0,20,10 8,-2,22,12\n"
+            "x100000000y0 1 1e+09,0,1000000010,10 999999998,-2,1000000012,12\n"
+            "x5y5 1 50,50,60,60 48,48,62,62\n");
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path("tiles"))) ++files;
+  EXPECT_EQ(files, 7U);
+  EXPECT_EQ(readFile(path("tiles/x0y0.csv")),
+            "id,x,y,r,done\n1,0,0,0,0\n2,10,0,0,0\n3,9.75,3,0,0\n5,-0.5,-0.5,0.1,0\n0,50,50,45,0\n");
+  EXPECT_EQ(readFile(path("tiles/x1y0.csv")), "id,x,y,r,done\n2,10,0,0,0\n3,9.75,3,0,0\n0,50,50,45,0\n");
+  EXPECT_EQ(readFile(path("tiles/x5y5.csv")), "id,x,y,r,done\n0,50,50,45,0\n");
+}
+
+TEST_F(CliTile, ReadsATableInPiecesWithItsIdsAndLineNumbers) {
+  std::string table = "\xEF\xBB\xBF# trees\r\nname\tr\ty\tx\tfid\tdone\r\n";
+  for (int i = 0; i < 60'000; ++i) {
+    table += "\"a\r\nb\"\t0,25\t" + std::to_string(i % 7) + "\t" + std::to_string(i) + "\t" + std::to_string(7 * i) +
+             "\t" + std::to_string(i % 2) + "\r\n";
+  }
+  ASSERT_EQ(run("tile - --size 1e6 --halo 1 -o " + path("tiles"), table + "c\t1\t2\t-3\t1\t0").status, 0);
+  const auto lines = linesOf(readFile(path("tiles/x0y0.csv")));
+  ASSERT_EQ(lines.size(), 60'001U);
+  EXPECT_EQ(lines[60'000], "419993,59999,2,0.25,1");
+  EXPECT_NE(readFile(path("tiles/x-1y0.csv")).find("\n1,-3,2,1,0\n"), std::string::npos);
+  expectFailure(run("tile - --size 1e6 --halo 1 -o " + path("more"), table + "c\t1\tz\t3\t1\t0"), 2,
+                "standard input:120003: y is not a number: \"z\".");
+  expectFailure(run("tile - --size 1e6 --halo 1 -o " + path("most"), table + "c\t-1\t0\t3\t1\t0"), 2,
+                "standard input:120003: Circle 60000 has a negative radius.");
+}
+
+TEST_F(CliTile, RefusesWhatCannotBeMeant) {
+  const std::string tile = write("tile.csv", grid());
+  const auto fails = [&](const std::string& arguments, const std::string& message) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << arguments << ": " << outcome.err;
+  };
+  const std::string known = "compute " + tile + " --known 0,0,1,1";
+  fails(known + " --format csv", "--known needs --max-radius.");
+  fails(known + " --max-radius 0", "--known needs --format csv or geojsonl.");
+  fails(known + " --max-radius 0 -o a.svg", "--known needs --format csv or geojsonl.");
+  fails(known + " --max-radius -1 --format csv", "expected a number from 0");
+  fails(known + " --max-radius 0 --format geojsonl", "--known needs --box for geojsonl.");
+  fails(known + " --max-radius 0 --format csv --method flip", "--known needs --method auto.");
+  fails("compute " + tile + " --known 0,0,nan,1 --max-radius 0 --format csv", "MAXX is not a number");
+  fails("compute " + tile + " --core 0,0,1,1 --format csv", "--core needs --known.");
+  fails("compute " + tile + " --open a.csv --format csv", "--open needs --known.");
+  fails("compute " + tile + " --max-radius 0 --format csv", "--max-radius needs --known.");
+  for (const char* options : {" --max-radius 0", " --max-radius 0.25 --core 0.25,0.5,0.75,0.75"}) {
+    fails(known + options + " --format csv --open a.csv", "--open needs a --core that lies within --known");
+  }
+  const std::string twice = write("twice.csv", "id,x,y,r\n4,0,0,1\n3,1,1,1\n4,2,2,1\n");
+  fails("compute " + twice + " --format csv" + kPlane, "the id 4 is given twice.");
+  const std::string fraction = write("fraction.csv", "id,x,y,r\n4.5,0,0,1\n");
+  fails("compute " + fraction + " --format csv" + kPlane, "fraction.csv:2: id is no whole number from 0 to");
+  const std::string json = write("circles.json", "[[0,0,1]]");
+  fails("compute " + json + " --format csv" + kPlane, "a tile has to be a table (CSV), not JSON.");
+  fails("tile " + tile + " --size 0 --halo 1 -o " + path("a"), "expected a number above 0");
+  fails("tile " + tile + " --size 1 --halo -1 -o " + path("b"), "expected a number above 0");
+  fails("tile " + tile + " --size 1e-20 --halo 1 -o " + path("c"), "--size is too small");
+  fails("tile " + tile + " --size 1 --halo 1 -o " + path(""), "is not empty");
+  fails("tile " + write("empty.csv", "# nothing\n") + " --size 1 --halo 1 -o " + path("d"), "the text is empty");
+}
+
+}  // namespace
+}  // namespace circle_voronoi
