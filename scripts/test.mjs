@@ -42,6 +42,7 @@ const SUITES = [
       'tests/wasm/equal-radii.test.mjs',
       'tests/wasm/worker.test.mjs',
       'tests/wasm/geometry.test.mjs',
+      'tests/wasm/final-cells.test.mjs',
     ],
   },
   {

@@ -6,9 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/final_cells.h"
 #include "values.h"
 
 namespace {
@@ -76,18 +78,38 @@ val computeValue(const val& coordinates, const val& options) {
   });
 }
 
-/// `value`: a diagram with its circles, as `compute` in web/lib returns it.
+// In what follows `value` is a diagram with its circles, as `compute` in web/lib returns it.
+
+std::vector<Circle> circlesFrom(const val& value) { return itemsFrom<double, Circle>(value["circles"]); }
+
+Diagram diagramFrom(const val& value) {
+  Diagram diagram;
+  diagram.vertices = itemsFrom<double, Vertex>(value["vertices"]);
+  diagram.vertexCircles = itemsFrom<std::int32_t, std::array<std::int32_t, 3>>(value["vertexCircles"]);
+  diagram.edges = itemsFrom<std::int32_t, Edge>(value["edges"]);
+  diagram.hidden = itemsFrom<std::int32_t, HiddenCircle>(value["hidden"]);
+  diagram.hull = itemsFrom<std::int32_t, std::int32_t>(value["hull"]);
+  return diagram;
+}
+
 val certifyValue(const val& value) {
   return valueOf([&] {
-    const auto circles = itemsFrom<double, Circle>(value["circles"]);
-    Diagram diagram;
-    diagram.vertices = itemsFrom<double, Vertex>(value["vertices"]);
-    diagram.vertexCircles = itemsFrom<std::int32_t, std::array<std::int32_t, 3>>(value["vertexCircles"]);
-    diagram.edges = itemsFrom<std::int32_t, Edge>(value["edges"]);
-    diagram.hidden = itemsFrom<std::int32_t, HiddenCircle>(value["hidden"]);
-    diagram.hull = itemsFrom<std::int32_t, std::int32_t>(value["hull"]);
-    const Result<Certificate> certificate = certify(circles, diagram);
+    const Result<Certificate> certificate = certify(circlesFrom(value), diagramFrom(value));
     return certificate.ok() ? certificateValue(certificate.value()) : errorValue(certificate.error());
+  });
+}
+
+/// `box`: minX, minY, maxX, maxY.
+val finalCellsValue(const val& value, const val& box, double maxRadius) {
+  return valueOf([&] {
+    const Known known = {itemsFrom<double, Box>(box).at(0), maxRadius};
+    const Result<FinalCells> cells = finalCells(circlesFrom(value), diagramFrom(value), known);
+    if (!cells.ok()) return errorValue(cells.error());
+    val result = val::object();
+    result.set("neededHalo", float64Array(cells.value().neededHalo));
+    result.set("vertices", typedArray<std::uint8_t>("Uint8Array", cells.value().vertices));
+    result.set("edges", typedArray<std::uint8_t>("Uint8Array", cells.value().edges));
+    return result;
   });
 }
 
@@ -105,5 +127,6 @@ val errorCodeNames() {
 EMSCRIPTEN_BINDINGS(circle_voronoi) {
   emscripten::function("compute", &computeValue);
   emscripten::function("certify", &certifyValue);
+  emscripten::function("finalCells", &finalCellsValue);
   emscripten::function("errorCodeNames", &errorCodeNames);
 }

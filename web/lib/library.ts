@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 import { refuseArgument } from './check.ts'
+import type { Box } from './convex-polygon.ts'
 import {
   type Accessor,
   type CircleLike,
@@ -20,6 +20,28 @@ import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
 /** What of a diagram is judged. */
 export type Verifiable = Omit<DiagramData, 'metric' | 'certificate' | 'stats'>
+
+/**
+ * What is known of the circles that a diagram has not been told of: their centres are outside the box, whose sides may be
+ * infinite, and their radii are at most `maxRadius`.
+ */
+export interface Known {
+  readonly box: Box
+  readonly maxRadius: number
+}
+
+/** Which parts of a diagram are those of the whole diagram, whatever lies outside. */
+export interface FinalCells {
+  /**
+   * Of each circle by how much the box has to be widened on all sides, with the diagram computed anew, until its cell, or
+   * what hides it, is sure to be final. 0: it is; `Infinity` for an unbounded cell.
+   */
+  readonly neededHalo: Float64Array
+  /** Of each vertex 1 if it is final, else 0. */
+  readonly vertices: Uint8Array
+  /** Of each edge likewise. */
+  readonly edges: Uint8Array
+}
 
 /** The library, loaded. */
 export interface CircleVoronoi {
@@ -59,21 +81,31 @@ export interface CircleVoronoi {
    * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is none.
    */
   certify(diagram: Verifiable): Certificate
+  /**
+   * Tells in linear time what of a certified diagram is final: the same in the diagram of all circles, whatever others
+   * there are outside. A cell is final if it is bounded and the discs of its vertices, widened by `maxRadius`, lie within
+   * the box.
+   *
+   * @throws CircleVoronoiError `badArgument` if the box or the radius is none, or an array has the wrong type or length;
+   *   `badOption` if the box is empty or the radius negative or not finite.
+   */
+  finalCells(diagram: Verifiable, known: Known): FinalCells
 }
 
 /** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
 export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
   const module = await instantiate(createModule, wasm)
 
-  const certify = ({ circles, vertices, vertexCircles, edges, hidden, hull }: Verifiable): Certificate => {
+  const judged = ({ circles, vertices, vertexCircles, edges, hidden, hull }: Verifiable) => {
     checkArray('circles', circles, Float64Array, 3)
     checkArray('vertices', vertices, Float64Array, 3)
     checkArray('vertexCircles', vertexCircles, Int32Array, 3)
     checkArray('edges', edges, Int32Array, 4)
     checkArray('hidden', hidden, Int32Array, 2)
     checkArray('hull', hull, Int32Array, 1)
-    return unwrap(module.certify({ circles, vertices, vertexCircles, edges, hidden, hull }))
+    return { circles, vertices, vertexCircles, edges, hidden, hull }
   }
+  const certify = (diagram: Verifiable) => unwrap(module.certify(judged(diagram)))
 
   const dataOf = (coordinates: Float64s, options: Options): DiagramData => {
     const { method, candidates, samples, resample } = options
@@ -105,6 +137,15 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       return diagramOf(coordinatesFrom(data, fx, fy, fr), options)
     },
     certify,
+    finalCells(diagram, known) {
+      const { box, maxRadius }: Partial<Known> = Object(known)
+      const { minX, minY, maxX, maxY }: Partial<Box> = Object(box)
+      const sides = [minX, minY, maxX, maxY] as number[]
+      if (![...sides, maxRadius].every((value) => typeof value === 'number')) {
+        refuseArgument('finalCells takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.')
+      }
+      return unwrap(module.finalCells(judged(diagram), Float64Array.from(sides), maxRadius as number))
+    },
   }
 }
 

@@ -14,11 +14,13 @@ interface WasmOptions {
 
 type WasmDiagram = Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'circles'>
 
+type JudgedArrays = Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'certificate' | 'stats'>
+
 interface WasmModule {
   compute(circles: Float64Array, options: WasmOptions): WasmError | WasmDiagram
-  certify(
-    diagram: Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'certificate' | 'stats'>,
-  ): WasmError | import('./diagram-data.ts').Certificate
+  certify(diagram: JudgedArrays): WasmError | import('./diagram-data.ts').Certificate
+  /** `box`: minX, minY, maxX, maxY. */
+  finalCells(diagram: JudgedArrays, box: Float64Array, maxRadius: number): WasmError | import('./library.ts').FinalCells
   errorCodeNames(): string[]
 }
 
