@@ -17,7 +17,7 @@ class TieSettler {
 
   void run() {
     const auto isWrong = [&](int h) { return !isSettled(h); };
-    const auto first = std::ranges::find_if(ties_, isWrong);
+    const auto first = std::find_if(ties_.begin(), ties_.end(), isWrong);
     if (first == ties_.end()) return;
     isTie_.assign(dual_.origin.size(), false);
     for (const int h : ties_) isTie_[at(h)] = isTie_[at(dual_.twin[at(h)])] = true;
@@ -57,7 +57,8 @@ class TieSettler {
     // From the greatest corner to the third least each gets a face with the corners beside it, and leaves.
     std::vector<std::size_t> order(sides_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return isLess(sides_[j].corner, sides_[i].corner); });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t j) { return isLess(sides_[j].corner, sides_[i].corner); });
     std::vector<std::size_t> before(sides_.size());
     std::vector<std::size_t> after(sides_.size());
     for (std::size_t i = 0; i < sides_.size(); ++i) {

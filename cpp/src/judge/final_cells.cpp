@@ -91,11 +91,12 @@ bool fits(const Diagram& diagram, std::size_t circleCount) {
   const auto isEnd = [&](std::int32_t v) {
     return v == kNone || (v >= 0 && static_cast<std::size_t>(v) < diagram.vertexCircles.size());
   };
-  const auto isVertex = [&](const auto& triple) { return std::ranges::all_of(triple, isCircle); };
+  const auto isVertex = [&](const auto& triple) { return std::all_of(triple.begin(), triple.end(), isCircle); };
   const auto isEdge = [&](const Edge& edge) { return isEnd(edge.start) && isEnd(edge.end); };
   const auto isHidden = [&](const HiddenCircle& hidden) { return isCircle(hidden.circle); };
-  return std::ranges::all_of(diagram.vertexCircles, isVertex) && std::ranges::all_of(diagram.edges, isEdge) &&
-         std::ranges::all_of(diagram.hidden, isHidden) && std::ranges::all_of(diagram.hull, isCircle);
+  const auto all = [](const auto& items, auto is) { return std::all_of(items.begin(), items.end(), is); };
+  return all(diagram.vertexCircles, isVertex) && all(diagram.edges, isEdge) && all(diagram.hidden, isHidden) &&
+         all(diagram.hull, isCircle);
 }
 
 FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, const Outside& outside) {
@@ -112,7 +113,7 @@ FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, con
 
   result.vertices.reserve(diagram.vertexCircles.size());
   for (auto triple : diagram.vertexCircles) {
-    std::rotate(triple.begin(), std::ranges::min_element(triple), triple.end());
+    std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto circle = [&](std::size_t k) { return &circles[static_cast<std::size_t>(triple[k])]; };
     const double excess = excessOf(outside, {circle(0), circle(1), circle(2)});
     result.vertices.push_back(excess < 0);
