@@ -3,7 +3,7 @@
 // installed from build/native.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { delimiter, join } from 'node:path'
 import { after, before, describe, it } from 'node:test'
@@ -53,6 +53,19 @@ describe('From the shell', () => {
       else assert.match(text, /^<svg [^>]*viewBox="0 -50 50 50"/)
     })
   }
+})
+
+describe('Beyond one machine', () => {
+  const [{ code }] = readmeSnippets('Beyond one machine')
+
+  it('has a driver that puts the tiles together', () => {
+    symlinkSync(join(ROOT, 'examples'), join(folder, 'examples'))
+    run('sh', '-e', '-c', code)
+    const levels = readdirSync(join(folder, 'forest')).map((level) => join(folder, 'forest', level, 'parts'))
+    const parts = levels.flatMap((level) => readdirSync(level).map((name) => readFileSync(join(level, name), 'utf8')))
+    const count = (type) => parts.reduce((sum, text) => sum + text.split(`\n${type},`).length - 1, 0)
+    assert.equal(count('edge') - count('vertex'), 100_000 - 1) // Euler
+  })
 })
 
 describe('From C++', () => {

@@ -24,7 +24,7 @@ export interface MergedDiagram {
  * Merges the vertices of a certified diagram whose edges are not longer than `nearZero`, in the units of the input. A
  * negative `nearZero`, the default, stands for a small multiple of the rounding error of each vertex. The circles around
  * each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as long as
- * `nearZero`; their triangulation in `diagram` does.
+ * `nearZero`.
  */
 export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagram {
   const { vertices, vertexCircles, edges } = diagram

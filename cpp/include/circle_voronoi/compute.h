@@ -55,9 +55,10 @@ struct Options {
 ///
 /// Circles may be disjoint, intersecting, tangent, nested, equal or points, in any position, and any number from 0.
 /// The same input gives the same bits on every platform.
-/// The whole is scaled by a power of two first, which is exact unless a number is smaller than the largest by a factor
-/// of 2^1100 (1e331): such a number is rounded to the nearest multiple of 2^-1154 of the largest, and right is what is
-/// right for the rounded circles.
+/// Where more than three circles touch one disc, their faces depend on the places of their centres alone: neither on
+/// the order of the circles nor on the method. The whole is scaled by a power of two first, which is exact unless a
+/// number is smaller than the largest by a factor of 2^1100 (1e331): such a number is rounded to the nearest multiple
+/// of 2^-1154 of the largest, and right is what is right for the rounded circles.
 ///
 /// By `automatic` the diagram is certified, or there is an error. By the other methods the diagram comes with the
 /// certificate's verdict and may be wrong where that says so.

@@ -29,7 +29,7 @@ struct MergedDiagram {
 /// Merges the vertices of a certified diagram whose edges are not longer than `nearZero`, in the units of the input.
 /// A negative `nearZero`, the default, stands for a small multiple of the rounding error of each vertex. The circles
 /// around each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as
-/// long as `nearZero`; their triangulation in `diagram` does.
+/// long as `nearZero`.
 ///
 /// Precondition: `diagram` is certified for `circles`.
 MergedDiagram mergeVertices(std::span<const Circle> circles, const Diagram& diagram, double nearZero = -1);
