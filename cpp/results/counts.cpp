@@ -11,7 +11,8 @@ Json countDiscs(const Parameters& parameters) {
     for (std::uint64_t seed = parameters.seed; seed < parameters.seed + parameters.trials; ++seed) {
       const auto circles = generate(Family::uniform, n, seed);
       const Diagram diagram = diagramOf(circles, touchingDisc(Candidates::dynamic, 1));
-      const auto& [counts, seconds] = std::tie(diagram.stats.counts, diagram.stats.seconds);
+      const Counts& counts = diagram.stats.counts;
+      const Seconds& seconds = diagram.stats.seconds;
       rows.push_back({{"n", n},
                       {"seed", seed},
                       {"samples", counts.samples},

@@ -2,8 +2,11 @@
 #include "figure.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "centres.h"
 #include "circle_voronoi/compute.h"

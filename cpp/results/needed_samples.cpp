@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "circle_voronoi/families.h"
 #include "experiments.h"
