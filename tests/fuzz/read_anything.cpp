@@ -11,6 +11,7 @@
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/tile.h"
 
 namespace circle_voronoi::fuzz {
 namespace {
@@ -52,6 +53,23 @@ std::optional<std::string> tryCircles(std::string_view text) {
   return std::nullopt;
 }
 
+/// A tile that can be read as a whole can be read in pieces, of a few characters if it is short.
+std::optional<std::string> tryTile(std::string_view text) {
+  const std::size_t size = 5 + text.size() / 50;
+  const auto tile = readTile(text, kName);
+  TileStream stream{std::string(kName)};
+  std::size_t count = 0;
+  bool isRead = true;
+  const auto add = [&](const Result<Tile>& piece) {
+    isRead = isRead && piece;
+    if (isRead) count += piece.value().circles.size();
+  };
+  for (std::size_t i = 0; i < text.size() && isRead; i += size) add(stream.read(text.substr(i, size)));
+  if (isRead) add(stream.end());
+  if (!tile || (isRead && count == tile.value().circles.size())) return std::nullopt;
+  return "a tile is another in pieces";
+}
+
 std::optional<std::string> tryDiagram(std::string_view text) {
   const auto file = readDiagram(text, kName);
   if (!file) {
@@ -73,6 +91,7 @@ std::optional<std::string> tryDiagram(std::string_view text) {
 std::optional<std::string> readAnything(std::string_view text) {
   (void)holdsDiagram(text);
   auto problem = tryCircles(text);
+  if (!problem) problem = tryTile(text);
   return problem ? problem : tryDiagram(text);
 }
 
