@@ -242,7 +242,9 @@ TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
        {Case{{{10, 0, 1}, {-5, y, 1}, {-5, -y, 1}}, {-9.5, -9.25, 9.75, 9.5}, 9, 3},
         Case{{{-3, 0, 1}, {3, 0, 1}}, {-3, -4, 3, 4}, 2.4, 2},
         Case{{{0, 0, 1}}, {0, 0, 4, 4}, (4 * std::sqrt(2) - 1) / (1 + std::sqrt(2)), 1},
-        Case{{{-0.5, 0, 0.6}, {8.5, 0, 0.6}}, {-1, -1, 9, 1}, 1, 1}, Case{{{50, 0, 1}}, {0, 0, 4, 3}, 1.5, 0}}) {
+        Case{{{-0.5, 0, 0.6}, {8.5, 0, 0.6}}, {-1, -1, 9, 1}, 1, 1}, Case{{{50, 0, 1}}, {0, 0, 4, 3}, 1.5, 0},
+        // An edge passes through the centre, but neither of its circles touches.
+        Case{{{4, 0, 0}, {4, 1, 0}}, {3.9, 0, 4.1, 1}, 0.1, 0}}) {
     const Diagram diagram = compute(circles).value();
     const auto largest = largestEmptyDiscInside(Cells(circles, diagram), box);
     ASSERT_TRUE(largest);

@@ -211,6 +211,7 @@ it.each([
   ['one circle and two sides', [0, 0, 1], [0, 0, 4, 4], (4 * Math.SQRT2 - 1) / (1 + Math.SQRT2), 1],
   ['a circle between parallel sides', [-0.5, 0, 0.6, 8.5, 0, 0.6], [-1, -1, 9, 1], 1, 1],
   ['three sides', [50, 0, 1], [0, 0, 4, 3], 1.5, 0],
+  ['two sides, though an edge passes through its centre', [4, 0, 0, 4, 1, 0], [3.9, 0, 4.1, 1], 0.1, 0],
 ] as const)('the largest empty disc inside a box touches %s', (_, circles, [minX, minY, maxX, maxY], radius, count) => {
   const diagram = library.compute(Float64Array.from(circles))
   const largest = largestEmptyDiscInside(diagram, { minX, minY, maxX, maxY })

@@ -14,6 +14,8 @@ import { largestOf, lengthOf, measuredIn, turn, unitFor } from './scale.ts'
 /** Parameters may be off by rounding, and so may the order of depths. */
 const ROUNDING = 2 ** -40
 const ROUNDING_OF_DEPTH = 2 ** -48
+/** Where a disc touches a circle and a side, the two distances differ by less than this share. */
+const ROUNDING_OF_PLACE = 2 ** -31
 
 /**
  * The largest disc that meets no circle but for touching, of those that lie inside a region as a whole; it may touch sides
@@ -48,11 +50,14 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
     const empty = distance(diagram, nearest, p.x, p.y)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
-    if (circles[0] !== undefined && !circles.includes(nearest)) {
-      const size = Math.abs(p.x) + Math.abs(p.y) + inside + circleAt(diagram.circles, circles[0]).r
-      if (distance(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    if (circles[0] === undefined) {
+      best = { disc: { x: p.x, y: p.y, radius: least }, circles: empty > inside ? [] : [nearest] }
+      return
     }
-    const touched = circles.length > 0 || empty > inside ? circles : [nearest]
+    const size = Math.abs(p.x) + Math.abs(p.y) + inside + circleAt(diagram.circles, circles[0]).r
+    if (!circles.includes(nearest) && distance(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    // It may touch but sides.
+    const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
     best = { disc: { x: p.x, y: p.y, radius: least }, circles: touched }
   }
 

@@ -13,6 +13,8 @@ namespace {
 
 /// Parameters may be off by rounding, and so may the order of depths.
 constexpr double kRounding = 0x1p-40;
+/// Where a disc touches a circle and a side, the two distances differ by less than this share.
+constexpr double kRoundingOfPlace = 0x1p-31;
 constexpr double kRoundingOfDepth = 0x1p-48;
 
 /// The line of a side of the region, with the region on its left.
@@ -136,11 +138,14 @@ class Search {
     if (!(depth > radius())) return;
     const std::int32_t nearest = finder_.find(p, circle);
     const double distance = cells_.distance(nearest, p);
-    if (circle != kNone && nearest != circle && nearest != other) {
+    if (circle == kNone) {
+      if (distance <= depth) circle = nearest;
+    } else {
       const double size = std::abs(p.x) + std::abs(p.y) + depth + cells_.circles()[static_cast<std::size_t>(circle)].r;
-      if (cells_.distance(circle, p) > distance + kRounding * size) return;
+      if (nearest != circle && nearest != other && cells_.distance(circle, p) > distance + kRounding * size) return;
+      // It may touch but sides.
+      if (distance > depth + kRounding * size + kRoundingOfPlace * depth) circle = other = kNone;
     }
-    if (circle == kNone && distance <= depth) circle = nearest;
     keep(p, std::min(depth, distance), {circle, other, kNone});
   }
 
