@@ -12,6 +12,12 @@ const RESULTS = `${ROOT}build/test-results`
 // Colours and progress bars are for people, and so are the questions that some tools ask.
 const ENV = { CI: 'true', NO_COLOR: '1', CHROMIUM_PATH: chromiumPath() }
 
+/** The options of Node's test runner that writes a report. */
+function testing(report) {
+  const reporters = ['--test-reporter=spec', '--test-reporter-destination=stdout', '--test-reporter=junit']
+  return ['--test', ...reporters, `--test-reporter-destination=${report}`]
+}
+
 /** In this order; each of them writes a JUnit report. */
 const SUITES = [
   {
@@ -33,11 +39,7 @@ const SUITES = [
     // As strict as a page whose Content-Security-Policy forbids `eval`.
     args: [
       '--disallow-code-generation-from-strings',
-      '--test',
-      '--test-reporter=spec',
-      '--test-reporter-destination=stdout',
-      '--test-reporter=junit',
-      `--test-reporter-destination=${RESULTS}/node.xml`,
+      ...testing(`${RESULTS}/node.xml`),
       'tests/wasm/native.test.mjs',
       'tests/wasm/equal-radii.test.mjs',
       'tests/wasm/worker.test.mjs',
@@ -50,11 +52,7 @@ const SUITES = [
     report: `${RESULTS}/files.xml`,
     program: process.execPath,
     args: [
-      '--test',
-      '--test-reporter=spec',
-      '--test-reporter-destination=stdout',
-      '--test-reporter=junit',
-      `--test-reporter-destination=${RESULTS}/files.xml`,
+      ...testing(`${RESULTS}/files.xml`),
       'tests/files/geojson.test.mjs',
       'tests/tiles/tiles.test.mjs',
       'tests/readme/native.test.mjs',
@@ -64,14 +62,7 @@ const SUITES = [
     name: "The paper's results in Node",
     report: `${RESULTS}/results.xml`,
     program: process.execPath,
-    args: [
-      '--test',
-      '--test-reporter=spec',
-      '--test-reporter-destination=stdout',
-      '--test-reporter=junit',
-      `--test-reporter-destination=${RESULTS}/results.xml`,
-      'tests/results/reproduce.test.mjs',
-    ],
+    args: [...testing(`${RESULTS}/results.xml`), 'tests/results/reproduce.test.mjs'],
   },
   {
     name: 'Playwright',

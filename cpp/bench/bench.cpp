@@ -26,6 +26,7 @@
 #include "circle_voronoi/io.h"
 #include "cliffs.h"
 #include "files.h"
+#include "median.h"
 #include "reference.h"
 
 namespace {
@@ -98,11 +99,6 @@ double meanSeconds(const Contestant& method, const Circles& circles) {
   SecondsReporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   return reporter.seconds;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
 }
 
 /// One method on one input.

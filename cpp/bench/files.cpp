@@ -15,6 +15,7 @@
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
+#include "median.h"
 
 namespace circle_voronoi::bench {
 namespace {
@@ -32,11 +33,6 @@ double processorSeconds(const std::function<void()>& run) {
   const std::clock_t begin = std::clock();
   run();
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
 }
 
 std::string readAll(const fs::path& file) {

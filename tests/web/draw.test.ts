@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { randomCircles } from '../../web/app/random-circles.ts'
-import { ConvexPolygon, Diagram, type Point } from '../../web/lib/index.ts'
+import { ConvexPolygon, Diagram, hull, type Point } from '../../web/lib/index.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, signedDistance } from './oracle.ts'
 import { doubleArea, RecordingSink } from './recording-sink.ts'
@@ -221,6 +221,24 @@ describe('a hull drawn on a context', () => {
       }
       expect(Math.abs(drawn - reach)).toBeLessThan(1e-4 * size)
     }
+  })
+})
+
+describe('the polygon of a hull', () => {
+  const areaOf = (scale: number, tolerance?: number) => {
+    const circles = Float64Array.of(0, 0, 3, 8, 1, 1, 2, 7, 0).map((value) => value * scale)
+    const ring = library.compute(circles).hullPolygon({ tolerance })
+    expect(ring?.at(-1)).toEqual(ring?.[0])
+    return doubleArea((ring ?? []).map(([x, y]) => ({ x: x / scale, y: y / scale })).slice(1)) / 2
+  }
+  const { area } = hull(library.compute(Float64Array.of(0, 0, 3, 8, 1, 1, 2, 7, 0)))
+
+  it.each([1, 2 ** 480, 2 ** -600])('has the area of the hull, %d times as large', (scale) => {
+    expect(Math.abs(areaOf(scale) - area)).toBeLessThan(1e-2)
+  })
+
+  it('takes a tolerance that is too small as the least there is', () => {
+    expect(Math.abs(areaOf(1, 1e-300) - area)).toBeLessThan(1e-6)
   })
 })
 

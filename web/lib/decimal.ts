@@ -4,6 +4,7 @@
 
 const GROUP = 4
 const SIZE = 10 ** GROUP
+const MOST_GROUPS = 2
 /** Below it no quotient that is taken apart here is rounded to a whole number that it is not. */
 const MOST = 2 ** 44
 
@@ -22,7 +23,7 @@ export class DecimalText {
     this.#scale = 10 ** digits
     this.#groups = Math.ceil(digits / GROUP)
     this.#padding = 10 ** (this.#groups * GROUP - digits)
-    if (GROUPS.length > 0) return
+    if (this.#groups > MOST_GROUPS || GROUPS.length > 0) return
     for (let i = 0; i < SIZE; i++) {
       const text = String(i).padStart(GROUP, '0')
       GROUPS.push(text)
@@ -35,7 +36,7 @@ export class DecimalText {
     const scaled = Math.round(value * this.#scale)
     const size = Math.abs(scaled)
     // Beyond 2^53 a double has no digits to round off.
-    if (!(size < MOST) || this.#groups > 2) return `${size < 2 ** 53 ? scaled / this.#scale : value}`
+    if (!(size < MOST) || this.#groups > MOST_GROUPS) return `${size < 2 ** 53 ? scaled / this.#scale : value}`
     const whole = Math.trunc(size / this.#scale)
     const sign = scaled < 0 ? '-' : ''
     const rest = (size - whole * this.#scale) * this.#padding

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { polyline } from './bezier.ts'
-import type { DiagramData } from './diagram-data.ts'
-import { circleAt } from './diagram-data.ts'
+import { circleAt, type DiagramData } from './diagram-data.ts'
 import { hull } from './hull.ts'
 import type { Outline } from './outline.ts'
+import { lengthOf } from './scale.ts'
 
 /** A closed ring of points x, y, counter-clockwise: the last is the first again. */
 export type Polygon = [x: number, y: number][]
@@ -25,15 +25,18 @@ export function ringOf(outline: Outline, tolerance: number): Polygon | undefined
   return ring
 }
 
-/** The hull of a diagram's circles as a ring inside it, not farther from it than the tolerance. */
+/**
+ * The hull of a diagram's circles as a ring inside it, not farther from it than the tolerance. One below 1e-9 of a circle's
+ * radius counts as that.
+ */
 export function hullRing(diagram: DiagramData, tolerance: number): Polygon | undefined {
   const ring: Polygon = []
   for (const { circle, start, end, angle } of hull(diagram).arcs) {
     const { x, y } = circleAt(diagram.circles, circle)
     const [dx, dy] = [start.x - x, start.y - y]
-    const r = Math.sqrt(dx * dx + dy * dy)
+    const r = lengthOf({ x: dx, y: dy })
     // A chord of angle 2 h is r (1 - cos h) from the middle of its arc.
-    const half = 2 * Math.asin(Math.min(1, Math.sqrt(tolerance / (2 * r))))
+    const half = 2 * Math.asin(Math.min(1, Math.sqrt(Math.max(tolerance / r, 1e-9) / 2)))
     const count = r > 0 ? Math.max(Math.ceil(angle / (2 * half)), angle > Math.PI ? 3 : 1) : 1
     ring.push([start.x, start.y])
     for (let k = 1; k < count; k++) {
