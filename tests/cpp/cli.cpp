@@ -11,6 +11,8 @@
 
 namespace circle_voronoi::test {
 
+const std::string Cli::program_ = CIRCLE_VORONOI_PROGRAM;
+
 Cli::Cli() : folder_(std::filesystem::temp_directory_path() / ("circle-voronoi-test-" + std::to_string(getpid()))) {
   std::filesystem::create_directories(folder_);
 }
@@ -36,7 +38,7 @@ Outcome Cli::shell(const std::string& command, const std::string& input) const {
 }
 
 Outcome Cli::run(const std::string& arguments, const std::string& input) const {
-  return shell(std::string(CIRCLE_VORONOI_PROGRAM) + " " + arguments, input);
+  return shell(program_ + " " + arguments, input);
 }
 
 void Cli::expectFailure(const Outcome& run, int status, const std::string& message) {

@@ -21,6 +21,9 @@ class Cli : public testing::Test {
   Cli();
   ~Cli() override;
 
+  /// The program as built.
+  static const std::string program_;
+
   /// A file in the folder.
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 

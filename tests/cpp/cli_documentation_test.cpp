@@ -63,8 +63,8 @@ class CliDocumentation : public test::Cli {
         write("complete.sh", "source '" CIRCLE_VORONOI_PROGRAM_SOURCES
                              "/circle-voronoi.bash'\n"
                              "[[ $(complete -p circle-voronoi) == *' -F _circle_voronoi '* ]] || exit 1\n"
-                             "COMP_WORDS=('" CIRCLE_VORONOI_PROGRAM "' " +
-                                 words +
+                             "COMP_WORDS=('" +
+                                 program_ + "' " + words +
                                  ")\n"
                                  "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
                                  "_circle_voronoi\n"

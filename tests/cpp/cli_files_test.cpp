@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 class CliFiles : public test::Cli {
  protected:
-  const std::string program_ = CIRCLE_VORONOI_PROGRAM;
   const std::string circles_ = "0,0,1\n6,0,1\n0,8,1\n";
   const std::string generated_ = run("generate uniform 3").out;
 

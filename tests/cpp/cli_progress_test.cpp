@@ -11,7 +11,6 @@ namespace {
 
 class CliProgress : public test::Cli {
  protected:
-  const std::string program_ = CIRCLE_VORONOI_PROGRAM;
   const std::string fixture_ = CIRCLE_VORONOI_FIXTURES "/spruces.csv";
 
   /// A computation that waits for its input for more than a second.

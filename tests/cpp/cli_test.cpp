@@ -176,7 +176,7 @@ TEST_F(Cli, AnEmptyFileIsSaidToBeEmpty) {
 }
 
 TEST_F(Cli, DiesOfABrokenPipeWithoutAWord) {
-  const Outcome result = shell(std::string(CIRCLE_VORONOI_PROGRAM) + " generate uniform 100000 | head -n 1");
+  const Outcome result = shell(program_ + " generate uniform 100000 | head -n 1");
   EXPECT_EQ(result.out, "x,y,r\n");
   EXPECT_EQ(result.err, "");
 }
