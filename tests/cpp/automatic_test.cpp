@@ -32,16 +32,11 @@ TEST(Automatic, IsCertifiedAndExactOnEveryFamily) {
 TEST(Automatic, IsCertifiedInAndNearTies) {
   const std::uint64_t seed = test::seedOr(1);
   test::WayTable table;
-  for (const test::TieKind& kind : test::tieKinds()) {
-    for (std::uint64_t trial = 0; trial < 140; ++trial) {
-      Random random(seed * 1'000'003 + trial);
-      auto circles = kind.make(2 + random.below(40), random);
-      test::disturb(circles, test::Disturbance{static_cast<int>(trial % test::kDisturbances)}, random);
-      const auto result = test::tryCertified(circles);
-      table.add(std::string(kind.name), result);
-      EXPECT_EQ(result.problem, "") << kind.name << ", trial " << trial << test::describe(circles);
-    }
-  }
+  test::forEachTie(seed, 140, [&](const std::vector<Circle>& circles, std::string_view kind) {
+    const auto result = test::tryCertified(circles);
+    table.add(std::string(kind), result);
+    EXPECT_EQ(result.problem, "") << kind << test::describe(circles);
+  });
   std::cout << table.text();
 }
 

@@ -103,9 +103,9 @@ TEST(Construct, TheLaterWaysAreRare) {
   int trials = 0;
   int flip = 0;
   int repair = 0;
-  const auto count = [&](const std::vector<Circle>& circles) {
+  const auto count = [&](const std::vector<Circle>& circles, std::string_view what) {
     const auto diagram = compute(circles);
-    ASSERT_TRUE(diagram.ok()) << diagram.error().message << test::describe(circles);
+    ASSERT_TRUE(diagram.ok()) << what << ": " << diagram.error().message << test::describe(circles);
     ++trials;
     flip += diagram.value().stats.way == "flip";
     repair += diagram.value().stats.way == "repair";
@@ -113,18 +113,13 @@ TEST(Construct, TheLaterWaysAreRare) {
   for (const FamilyInfo& family : families()) {
     // Near ties inside one circle, which flips from the triangulation of the centres often find no way through.
     if (family.family == Family::tangentInside || family.family == Family::nestedTangent) continue;
-    for (std::uint64_t trial = 0; trial < 20; ++trial) count(generate(family.family, 100, seed * 1'000 + trial));
+    for (std::uint64_t trial = 0; trial < 20; ++trial) {
+      count(generate(family.family, 100, seed * 1'000 + trial), family.name);
+    }
   }
   EXPECT_GE(flip, trials - 2);
   trials = flip = repair = 0;
-  for (const test::TieKind& kind : test::tieKinds()) {
-    for (std::uint64_t trial = 0; trial < 210; ++trial) {
-      Random random(seed * 1'000'003 + trial);
-      auto circles = kind.make(2 + random.below(40), random);
-      test::disturb(circles, test::Disturbance{static_cast<int>(trial % test::kDisturbances)}, random);
-      count(circles);
-    }
-  }
+  test::forEachTie(seed, 210, count);
   std::cout << trials << " near ties: " << flip << " by flips, " << repair << " by repair\n";
   EXPECT_GE(flip, trials * 95 / 100);
   EXPECT_GE(repair, (trials - flip) * 8 / 10);

@@ -84,15 +84,11 @@ Flips flipFromCentres(const std::vector<Circle>& circles) {
 TEST(Flip, TellsWhereTheDualIsWrong) {
   const std::uint64_t seed = test::seedOr(1);
   int wrong = 0;
-  for (const test::TieKind& kind : test::tieKinds()) {
-    for (std::uint64_t trial = 0; trial < 60; ++trial) {
-      SCOPED_TRACE(std::string(kind.name) + ", trial " + std::to_string(trial));
-      Random random(seed * 1'000'003 + trial);
-      auto circles = kind.make(2 + random.below(40), random);
-      test::disturb(circles, test::Disturbance{static_cast<int>(trial % test::kDisturbances)}, random);
-      wrong += !flipFromCentres(circles).wrong.empty();
-    }
-  }
+  test::forEachTie(seed, 60, [&](const std::vector<Circle>& circles, std::string_view kind) {
+    SCOPED_TRACE(test::describe(circles));
+    SCOPED_TRACE(kind);
+    wrong += !flipFromCentres(circles).wrong.empty();
+  });
   EXPECT_GT(wrong, 5);
   std::cout << wrong << " left wrong\n";
 }

@@ -59,18 +59,11 @@ TEST(Hide, NamesTheLargestAndThenTheFirstInEveryFamily) {
 
 TEST(Hide, IsExactInAndNearTies) {
   const std::uint64_t seed = test::seedOr(1);
-  for (const test::TieKind& kind : test::tieKinds()) {
-    for (int disturbance = 0; disturbance < test::kDisturbances; ++disturbance) {
-      for (std::uint64_t trial = 0; trial < 20; ++trial) {
-        Random random(seed * 1'000'003 + trial * 64 + static_cast<std::uint64_t>(disturbance));
-        auto circles = kind.make(40, random);
-        test::disturb(circles, test::Disturbance{disturbance}, random);
-        const auto scaled = validate(circles);
-        ASSERT_TRUE(scaled.ok());
-        check(scaled.value().circles, std::string(kind.name) + ", seed " + std::to_string(seed));
-      }
-    }
-  }
+  test::forEachTie(seed, 140, [&](const std::vector<Circle>& circles, std::string_view kind) {
+    const auto scaled = validate(circles);
+    ASSERT_TRUE(scaled.ok());
+    check(scaled.value().circles, std::string(kind) + ", seed " + std::to_string(seed));
+  });
 }
 
 TEST(Hide, OfManyCopiesTheFirstHidesAll) { check(std::vector<Circle>(1000, {1, 2, 3}), "copies"); }

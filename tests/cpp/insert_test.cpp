@@ -48,7 +48,7 @@ TEST(Insert, IsNearlyAlwaysRightInTies) {
   const std::uint64_t seed = test::seedOr(1);
   int tried = 0;
   int right = 0;
-  const auto attempt = [&](const std::vector<Circle>& circles) {
+  const auto attempt = [&](const std::vector<Circle>& circles, std::string_view = {}) {
     ++tried;
     right += isInsertedRightly(visibleCircles(circles));
   };
@@ -56,14 +56,7 @@ TEST(Insert, IsNearlyAlwaysRightInTies) {
     if (!family.isDegenerate) continue;
     for (const std::size_t count : {3, 10, 30, 100, 300}) attempt(generate(family.family, count, seed));
   }
-  for (const test::TieKind& kind : test::tieKinds()) {
-    for (std::uint64_t trial = 0; trial < 30; ++trial) {
-      Random random(seed * 1'000'003 + trial);
-      auto circles = kind.make(2 + random.below(40), random);
-      test::disturb(circles, test::Disturbance{static_cast<int>(trial % test::kDisturbances)}, random);
-      attempt(circles);
-    }
-  }
+  test::forEachTie(seed, 30, attempt);
   std::cout << right << " of " << tried << " right\n";
   EXPECT_GE(100 * right, 95 * tried);
 }

@@ -170,4 +170,16 @@ void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& rand
   }
 }
 
+void forEachTie(std::uint64_t seed, std::uint64_t trials,
+                const std::function<void(const std::vector<Circle>&, std::string_view kind)>& use) {
+  for (const TieKind& kind : kKinds) {
+    for (std::uint64_t trial = 0; trial < trials; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      auto circles = kind.make(2 + random.below(40), random);
+      disturb(circles, Disturbance{static_cast<int>(trial % kDisturbances)}, random);
+      use(circles, kind.name);
+    }
+  }
+}
+
 }  // namespace circle_voronoi::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -33,5 +35,9 @@ enum class Disturbance {
 inline constexpr int kDisturbances = 7;
 
 void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& random);
+
+/// Hands on so many inputs of each kind, of 2 to 41 circles, disturbed in each way in turn, with the kind's name.
+void forEachTie(std::uint64_t seed, std::uint64_t trials,
+                const std::function<void(const std::vector<Circle>&, std::string_view kind)>& use);
 
 }  // namespace circle_voronoi::test
