@@ -123,7 +123,10 @@ Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options
   Sites sites;
   {
     const Stopwatch watch = journal.enter(Stage::hide);
-    sites = triangulate(hide(order(scaled.circles)));
+    VisibleCircles visible = hide(order(scaled.circles));
+    // Another method makes its own.
+    if (options.method != Method::automatic) visible.diagram.reset();
+    sites = triangulate(std::move(visible));
   }
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
 

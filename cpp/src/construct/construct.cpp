@@ -60,12 +60,24 @@ Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pa
   return std::move(touched.topology);
 }
 
+/// The discs of a dual after flips, and the faces that these have left wrong.
+struct FlippedFaces {
+  FaceDiscs discs;
+  std::vector<int> wrong;
+};
+
+FlippedFaces flipFaces(Dual& dual, Predicates& predicates, const Sites& sites, Journal& journal) {
+  const Stopwatch watch = journal.enter(Stage::flip);
+  FaceDiscs discs(sites.circles, dual, predicates);
+  Flips flips = flip(dual, discs);
+  journal.stats.counts.flips += flips.count;
+  return {std::move(discs), std::move(flips.wrong)};
+}
+
 /// A dual after flips.
 Dual flipped(Dual dual, const Sites& sites, Journal& journal) {
-  const Stopwatch watch = journal.enter(Stage::flip);
   Predicates predicates(sites.circles);
-  FaceDiscs discs(sites.circles, dual, predicates);
-  journal.stats.counts.flips += flip(dual, discs).count;
+  flipFaces(dual, predicates, sites, journal);
   addCounts(predicates, journal.stats.counts);
   return dual;
 }
@@ -159,18 +171,10 @@ void repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& j
 /// The dual by flips of the centres' triangulation, and repair where they leave it wrong; nothing if too much is.
 std::optional<Dual> flippedAndRepaired(Dual dual, const Sites& sites, Journal& journal) {
   Predicates predicates(sites.circles);
-  std::optional<FaceDiscs> discs;
-  std::vector<int> wrong;
-  {
-    const Stopwatch watch = journal.enter(Stage::flip);
-    discs.emplace(sites.circles, dual, predicates);
-    Flips flips = flip(dual, *discs);
-    journal.stats.counts.flips += flips.count;
-    wrong = std::move(flips.wrong);
-  }
+  auto [discs, wrong] = flipFaces(dual, predicates, sites, journal);
   // A patch takes as long as the insertion of hundreds of circles.
   const bool isMuch = wrong.size() > kFewWrongFaces + sites.circles.size() / 100;
-  if (!wrong.empty() && !isMuch) repairAll(dual, *discs, wrong, journal);
+  if (!wrong.empty() && !isMuch) repairAll(dual, discs, wrong, journal);
   addCounts(predicates, journal.stats.counts);
   if (isMuch) return std::nullopt;
   return dual;

@@ -115,22 +115,6 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
   return kNone;
 }
 
-/// A circle that one of its neighbours hides, or kNone. The judge takes circles that do not hide one another: if no
-/// neighbours do, its signs are right, and by its theorem every circle's centre is nearest to that circle.
-std::int32_t hiddenByNeighbor(const Topology& topology, std::span<const Circle> circles, Predicates& predicates) {
-  const auto& edges = topology.edges;
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    if (edges.size() - edge > kPrefetchAhead) {
-      prefetch(circles, edges[edge + kPrefetchAhead].left);
-      prefetch(circles, edges[edge + kPrefetchAhead].right);
-    }
-    const auto& [left, right, start, end] = edges[edge];
-    if (predicates.contains(circles[left], circles[right])) return right;
-    if (predicates.contains(circles[right], circles[left])) return left;
-  }
-  return kNone;
-}
-
 Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Diagram& diagram) {
   auto found = visibleCircles(circles, diagram);
   if (const auto* certificate = std::get_if<Certificate>(&found)) return *certificate;
@@ -147,10 +131,8 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
             {}};
   }
   Predicates predicates(visible.circles);
-  if (const std::int32_t hidden = hiddenByNeighbor(topology, visible.circles, predicates); hidden != kNone)
-    return {Flaw::cellNotClosed, visible.indices[hidden], kNone, kNone, {}};
   Certificate certificate =
-      certificateOf(judge(visible.circles, std::get<Dual>(dual), predicates), std::get<Dual>(dual), topology);
+      certificateOf(judgeVisible(visible.circles, std::get<Dual>(dual), predicates), std::get<Dual>(dual), topology);
   if (certificate.circle != kNone) certificate.circle = visible.indices[certificate.circle];
   if (certificate.certified()) {
     certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit);

@@ -159,4 +159,20 @@ Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& pre
   return Judge(circles, dual, predicates).run();
 }
 
+Verdict judgeVisible(std::span<const Circle> circles, const Dual& dual, Predicates& predicates) {
+  const int ahead = 3 * static_cast<int>(kPrefetchAhead);
+  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+    // A diagram from outside has its circles in any order.
+    if (dual.halfEdgeCount() - h > ahead && dual.origin[h + ahead] != kInfinity) {
+      prefetch(circles, dual.origin[h + ahead]);
+    }
+    const int i = dual.origin[h];
+    const int j = dual.target(h);
+    if (i != kInfinity && j != kInfinity && predicates.contains(circles[i], circles[j])) {
+      return {Flaw::cellNotClosed, j};
+    }
+  }
+  return judge(circles, dual, predicates);
+}
+
 }  // namespace circle_voronoi

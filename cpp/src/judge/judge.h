@@ -39,4 +39,8 @@ struct Verdict {
 /// faces. As there are 2 m - 2 faces in all, there are no others.
 Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates);
 
+/// The same of circles that may hide one another. If no neighbours do, the signs of `judge` are right, and by its
+/// theorem every circle's centre is nearest to that circle; one that a neighbour hides has a cell that is not closed.
+Verdict judgeVisible(std::span<const Circle> circles, const Dual& dual, Predicates& predicates);
+
 }  // namespace circle_voronoi

@@ -115,19 +115,6 @@ struct LargestOfEachCentre {
   }
 };
 
-/// The verdict on a dual, also if the circles might hide one another: if no neighbours do, the judge's signs are right,
-/// and by its theorem every circle's centre is nearest to that circle.
-Verdict judgeVisible(const Dual& dual, std::span<const Circle> circles, Predicates& predicates) {
-  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    const int i = dual.origin[h];
-    const int j = dual.target(h);
-    if (i != kInfinity && j != kInfinity && predicates.contains(circles[i], circles[j])) {
-      return {Flaw::cellNotClosed, j};
-    }
-  }
-  return judge(circles, dual, predicates);
-}
-
 /// The visible circles as those that insertion leaves a cell, with a proof; nothing if there is none.
 std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   const LargestOfEachCentre largest(ordered.circles);
@@ -164,7 +151,7 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   const Part hidden(ordered, std::move(rest));
 
   Predicates predicates(visible.circles);
-  const Verdict verdict = judgeVisible(dual, visible.circles, predicates);
+  const Verdict verdict = judgeVisible(visible.circles, dual, predicates);
   if (!verdict.isRight()) return std::nullopt;
   settleTies(dual, verdict.ties, visible.circles);
   const Hiders named = findHiders(visible, hidden, kNoLimit);

@@ -9,7 +9,12 @@
 namespace circle_voronoi {
 
 Sites triangulate(VisibleCircles visible) {
-  Dual centres = visible.centres ? *std::move(visible.centres) : delaunay(centresOf(visible.circles)).dual;
+  Dual centres;
+  if (visible.centres) {
+    centres = *std::move(visible.centres);
+  } else if (!visible.diagram) {
+    centres = delaunay(centresOf(visible.circles)).dual;
+  }
   return {std::move(visible.circles), std::move(visible.indices), std::move(visible.hidden), std::move(centres),
           std::move(visible.diagram)};
 }

@@ -16,11 +16,11 @@ struct Sites {
   std::vector<Circle> circles;       ///< the visible ones, neighbours near one another
   std::vector<int> indices;          ///< of each its index in the input
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
-  Dual centres;                      ///< the Delaunay triangulation of the visible circles' centres
+  Dual centres;                      ///< the Delaunay triangulation of their centres; empty where `diagram` is there
   std::optional<Dual> diagram;       ///< the dual of their Voronoi diagram, proven, if it took that to find them
 };
 
-/// Triangulates the centres of visible circles.
+/// Triangulates the centres of visible circles, unless their diagram is there.
 Sites triangulate(VisibleCircles visible);
 
 }  // namespace circle_voronoi
