@@ -26,6 +26,12 @@ export default [
   // Of it 13 kB for the exact vertices of power diagrams, also those that are beyond the doubles on the way.
   wasm('The same for comparisons, fetched when asked for', '76 kB', 'circle-voronoi-comparison'),
   {
+    name: 'All of it but comparisons in one file',
+    limit: '185 kB',
+    path: `${LIB}/bundle.js`,
+    gzip: true,
+  },
+  {
     name: 'TypeScript layer',
     // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 2 kB for
     // sentences that say what is wrong with an argument, and half a one for quick decimal texts.

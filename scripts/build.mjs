@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The four builds: native (library, command line, tests), wasm, lib (the TypeScript library) and app (the page).
-import { copyFileSync, existsSync, mkdirSync, readdirSync, rmSync, statSync } from 'node:fs'
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs'
 import { delimiter } from 'node:path'
+import { gzipSync } from 'node:zlib'
 import { isMain, main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
@@ -24,9 +25,13 @@ export async function buildWasm() {
   ])
 }
 
-/** dist/lib: web/lib as JavaScript with declarations, and the WebAssembly modules. */
+/** dist/lib: web/lib as JavaScript with declarations, the WebAssembly modules, and bundle.js, which is all in one. */
 export async function buildLib() {
-  const outputs = ['dist/lib/index.js', ...WASM_OUTPUT.map((name) => `dist/lib/generated/${name}`)]
+  const outputs = [
+    'dist/lib/index.js',
+    'dist/lib/bundle.js',
+    ...WASM_OUTPUT.map((name) => `dist/lib/generated/${name}`),
+  ]
   if (isUpToDate(outputs, ['web/lib', 'tsconfig.json', 'tsconfig.lib.json', 'package-lock.json'])) return
   // Files whose source is gone would be packed.
   rmSync(`${ROOT}dist/lib`, { recursive: true, force: true })
@@ -35,6 +40,46 @@ export async function buildLib() {
   for (const name of WASM_OUTPUT) {
     copyFileSync(`${ROOT}web/lib/generated/${name}`, `${ROOT}dist/lib/generated/${name}`)
   }
+  await bundle()
+}
+
+/** dist/lib/bundle.js, with the files of web/lib/bundled in place of those of their name in web/lib. */
+async function bundle() {
+  const replaced = readdirSync(`${ROOT}web/lib/bundled`)
+  // Installed with the npm packages, so not before setup has run.
+  const { build } = await import('esbuild')
+  await build({
+    absWorkingDir: ROOT,
+    entryPoints: ['web/lib/bundle.ts'],
+    outfile: 'dist/lib/bundle.js',
+    allowOverwrite: true,
+    bundle: true,
+    minify: true,
+    format: 'esm',
+    target: 'es2022',
+    legalComments: 'none',
+    banner: { js: '// SPDX-License-Identifier: GPL-3.0-or-later' },
+    logLevel: 'warning',
+    plugins: [
+      {
+        name: 'bundled',
+        setup({ onLoad, onResolve }) {
+          // Compressed once more by a server, base64 of the bytes themselves would be half as long again.
+          onLoad({ filter: /\.wasm$/ }, ({ path }) => ({
+            contents: gzipSync(readFileSync(path), { level: 9 }),
+            loader: 'base64',
+          }))
+          onResolve({ filter: /^\.\/[\w-]+\.ts$/ }, ({ path, resolveDir }) =>
+            replaced.includes(path.slice(2)) && resolveDir === `${ROOT}web/lib`
+              ? { path: `${ROOT}web/lib/bundled/${path.slice(2)}` }
+              : undefined,
+          )
+        },
+      },
+    ],
+  })
+  // That of the module that tsc made.
+  rmSync(`${ROOT}dist/lib/bundle.js.map`)
 }
 
 /** dist/app: the page. */

@@ -26,7 +26,9 @@ export async function setup({ tests = false } = {}) {
   } else {
     checkOtherSystem(tests, browser.length > 0)
   }
-  await installNpmPackages()
+  await installNpmPackages('')
+  // An old compiler for the tests of the package, whose program has the name of another's.
+  if (tests) await installNpmPackages('tests/pack/typescript-5.0/')
 }
 
 /** The Chromium that the tests drive. */
@@ -83,14 +85,15 @@ function checkOtherSystem(tests, browserMissing) {
   }
 }
 
-async function installNpmPackages() {
+/** Those of the lock file in a folder. */
+async function installNpmPackages(folder) {
   const lock = createHash('sha256')
-    .update(readFileSync(`${ROOT}package-lock.json`))
+    .update(readFileSync(`${ROOT}${folder}package-lock.json`))
     .digest('hex')
-  const stamp = `${ROOT}node_modules/.installed-lock`
+  const stamp = `${ROOT}${folder}node_modules/.installed-lock`
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === lock) return
   console.log('Installing npm packages')
-  await run('npm', ['ci', '--no-audit', '--no-fund'])
+  await run('npm', ['ci', '--no-audit', '--no-fund', '--prefix', `${ROOT}${folder}`])
   writeFileSync(stamp, lock)
 }
 

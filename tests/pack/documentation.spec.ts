@@ -11,7 +11,12 @@ test('every exported name has a doc comment, and no link in one is broken', () =
   try {
     // Anything that TypeDoc has to complain of is an error (typedoc.json).
     run(ROOT, join(BIN, 'typedoc'), '--out', out)
-    for (const module of ['circle-voronoi', 'circle-voronoi_worker', 'circle-voronoi_comparison']) {
+    for (const module of [
+      'circle-voronoi',
+      'circle-voronoi_worker',
+      'circle-voronoi_comparison',
+      'circle-voronoi_bundle',
+    ]) {
       expect(existsSync(join(out, `modules/${module}.html`)), module).toBe(true)
     }
   } finally {

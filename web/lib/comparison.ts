@@ -41,8 +41,8 @@ export interface Comparison {
  */
 export async function loadComparison(library: CircleVoronoi, options: LoadOptions = {}): Promise<Comparison> {
   checkLoadOptions(options, 'loadComparison')
-  const source = options.wasm ?? new URL('./generated/circle-voronoi-comparison.wasm', import.meta.url)
-  const module = await instantiate(createModule, await compileWasm(source))
+  const beside = () => new URL('./generated/circle-voronoi-comparison.wasm', import.meta.url)
+  const module = await instantiate(createModule, await compileWasm(options.wasm, beside))
 
   return {
     computeComparison(circles, metric) {

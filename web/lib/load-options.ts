@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkOptionNames, refuseOption, shown } from './check.ts'
+import { defaultWasm } from './default-wasm.ts'
 import { type CompiledWasm, compileWasm, type WasmSource } from './wasm.ts'
 
 /** How the WebAssembly is found. */
@@ -19,5 +20,5 @@ export function checkLoadOptions(options: LoadOptions, caller: string): void {
 
 /** `circle-voronoi.wasm`, compiled. */
 export function compileCircleVoronoi({ wasm }: LoadOptions): Promise<CompiledWasm> {
-  return compileWasm(wasm ?? new URL('./generated/circle-voronoi.wasm', import.meta.url))
+  return compileWasm(wasm, defaultWasm)
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Worker as NodeWorker } from 'node:worker_threads'
+import { newWorker, THREAD_NAME, threadFile } from './thread-file.ts'
 import type { Reply, Request, Start } from './worker-messages.ts'
 
-/** A running `worker-thread.js`, in a browser or in Node. */
+/** A running thread of `createWorker`, in a browser or in Node. */
 export interface Thread {
   /** Sends a message; the memory of the arrays in `transfer` goes with it. */
   post(message: Start | Request, transfer?: ArrayBuffer[]): void
@@ -37,15 +38,13 @@ function startWebWorker({ onReply, onFailure }: ThreadEvents): Thread {
 
 function newWebWorker(): Worker {
   try {
-    // Bundlers look for exactly this expression.
-    return new Worker(new URL('./worker-thread.js', import.meta.url), { type: 'module' })
+    return newWorker()
   } catch (error) {
     if (!(error instanceof DOMException && error.name === 'SecurityError')) throw error
-    // A page takes workers from its own origin alone, but a worker takes modules from anywhere. Not the expression above.
-    const here = import.meta.url
-    const script = `import ${JSON.stringify(new URL('./worker-thread.js', here).href)}`
+    // A page takes workers from its own origin alone, but a worker takes modules from anywhere.
+    const script = `import ${JSON.stringify(threadFile().href)}`
     const url = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
-    const worker = new Worker(url, { type: 'module' })
+    const worker = new Worker(url, { type: 'module', name: THREAD_NAME })
     // The worker has read it once its module runs; what it says first is later.
     worker.addEventListener('message', () => URL.revokeObjectURL(url), { once: true })
     return worker
@@ -54,11 +53,9 @@ function newWebWorker(): Worker {
 
 function startNodeThread({ onReply, onFailure }: ThreadEvents): Thread {
   const threads = globalThis.process?.getBuiltinModule?.('node:worker_threads')
-  if (threads === undefined) throw new Error('There are none here')
-  // Not the expression that bundlers look for: they would copy the file for every page.
-  const here = import.meta.url
+  if (threads === undefined) throw new Error('there are none here')
   // It needs none of the options of this process, and some (--input-type) would break it.
-  const worker: NodeWorker = new threads.Worker(new URL('./worker-thread.js', here), { execArgv: [] })
+  const worker: NodeWorker = new threads.Worker(threadFile(), { execArgv: [], workerData: THREAD_NAME })
   worker.on('message', onReply)
   worker.on('error', onFailure)
   return {

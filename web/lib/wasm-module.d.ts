@@ -35,3 +35,9 @@ declare module '*/generated/circle-voronoi.js' {
 declare module '*/generated/circle-voronoi-comparison.js' {
   export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmComparisonModule>
 }
+
+/** In the bundle alone: gzip as base64. */
+declare module '*/generated/circle-voronoi.wasm' {
+  const compressed: string
+  export default compressed
+}

@@ -25,14 +25,17 @@ export interface EmscriptenOptions {
 }
 
 /**
- * The compiled module.
+ * The compiled module. `beside`: where it is by default; it may throw, in a module without an address.
  *
  * @throws CircleVoronoiError `notLoaded`
  */
-export async function compileWasm(source: WasmSource | Promise<WasmSource>): Promise<CompiledWasm> {
-  let place = 'what was given'
+export async function compileWasm(
+  source: WasmSource | Promise<WasmSource> | undefined,
+  beside: () => WasmSource,
+): Promise<CompiledWasm> {
+  let place = source === undefined ? 'beside this module, which has no address (give it as { wasm })' : 'what was given'
   try {
-    const given = await source
+    const given = await (source ?? beside())
     if (given instanceof WebAssembly.Module) return given
     if (typeof given === 'string' || given instanceof URL) {
       const url = new URL(given, globalThis.document?.baseURI ?? globalThis.location?.href)
@@ -63,7 +66,11 @@ export function instantiate<Exports>(
         .catch(fail)
       return {}
     }
-    create({ instantiateWasm, locateFile: (name) => name }).then(resolve, fail)
+    try {
+      create({ instantiateWasm, locateFile: (name) => name }).then(resolve, fail)
+    } catch (cause) {
+      fail(cause)
+    }
   })
 }
 

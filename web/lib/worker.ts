@@ -119,7 +119,11 @@ class Client implements CircleVoronoiWorker {
   }
 
   #run(job: Job, module: CompiledWasm): void {
-    this.#thread ??= this.#startThread(module)
+    try {
+      this.#thread ??= this.#startThread(module)
+    } catch (cause) {
+      throw failed(cause)
+    }
     this.#thread.keepAlive(true)
     this.#thread.post(job.request, [job.request.circles.buffer])
     this.#running = job
@@ -159,8 +163,7 @@ class Client implements CircleVoronoiWorker {
     const job = this.#running
     this.#stopThread()
     if (job === undefined) return
-    const error = new CircleVoronoiError('internal', -1, `The worker failed: ${reasonOf(cause)}.`, { cause })
-    this.#settle(job, () => job.reject(error))
+    this.#settle(job, () => job.reject(failed(cause)))
   }
 
   #cancel(job: Job, reason: unknown): void {
@@ -185,6 +188,10 @@ class Client implements CircleVoronoiWorker {
     this.#thread = undefined
     this.#running = undefined
   }
+}
+
+function failed(cause: unknown): CircleVoronoiError {
+  return new CircleVoronoiError('internal', -1, `The worker failed: ${reasonOf(cause)}.`, { cause })
 }
 
 function disposed(): DOMException {

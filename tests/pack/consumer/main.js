@@ -16,10 +16,10 @@ const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).m
 )
 
 /** What came out, as text. */
-export async function use(options) {
+export async function use(options, comparisonOptions) {
   const library = await loadCircleVoronoi(options)
   const here = library.compute(CIRCLES)
-  const { computeComparison } = await loadComparison(library)
+  const { computeComparison } = await loadComparison(library, comparisonOptions)
   const power = computeComparison(CIRCLES, 'power')
   const worker = createWorker(options)
   const stages = []

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// As page.js, with what esbuild has to be told.
+import wasm from 'circle-voronoi/circle-voronoi.wasm'
+import comparison from 'circle-voronoi/circle-voronoi-comparison.wasm'
+import { use } from './main.js'
+import { show } from './show.js'
+
+show(use({ wasm }, { wasm: comparison }))

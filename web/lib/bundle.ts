@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The library and its worker in one file with the WebAssembly inside, for a `<script type="module">` that takes it from
+ * anywhere. It is not for bundlers, whose output its worker would not find.
+ *
+ * @module circle-voronoi/bundle
+ */
+import { answerRequests } from './answer-requests.ts'
+import { THREAD_NAME } from './thread-file.ts'
+
+export * from './index.ts'
+export * from './worker.ts'
+
+// The same file is what its workers run.
+const nodeThread = globalThis.process?.getBuiltinModule?.('node:worker_threads')
+const name: unknown = nodeThread === undefined ? Object(globalThis).name : nodeThread.workerData
+if (name === THREAD_NAME) answerRequests()
