@@ -27,6 +27,7 @@ struct Cost {
   char way[32];
   double flips;
   double filtered;  ///< signs that the filter decided
+  double refined;   ///< signs that took twice the digits
   double inCircle;  ///< signs that took the in-circle test
   double exact;     ///< signs that took integers
 };
@@ -50,6 +51,7 @@ Cost costOf(const std::vector<Circle>& circles) {
   std::strncpy(cost.way, stats.way.c_str(), sizeof cost.way - 1);
   cost.flips = static_cast<double>(stats.counts.flips);
   cost.filtered = static_cast<double>(stats.counts.filtered);
+  cost.refined = static_cast<double>(stats.counts.refined);
   cost.inCircle = static_cast<double>(stats.counts.inCircle);
   cost.exact = static_cast<double>(stats.counts.exact);
   return cost;
@@ -89,14 +91,15 @@ class Row {
       std::printf("%7s", "");
       first_ = each;
     }
-    std::printf("  %-16s %8.2f %9.2f %8.2f%s\n", cost.way, cost.flips / count, cost.inCircle / count,
-                cost.exact / count, ratio > mostRatio(cost) ? "  <--" : "");
+    std::printf("  %-16s %8.2f %8.2f %8.2f %9.2f %8.2f%s\n", cost.way, cost.flips / count, cost.filtered / count,
+                cost.refined / count, cost.inCircle / count, cost.exact / count,
+                ratio > mostRatio(cost) ? "  <--" : "");
     std::fflush(stdout);
   }
 
  private:
   double mostRatio(const Cost& cost) const {
-    return isDegenerate_ || cost.inCircle + cost.exact > cost.filtered ? kMostOfTies : kMost;
+    return isDegenerate_ || cost.refined + cost.inCircle + cost.exact > cost.filtered ? kMostOfTies : kMost;
   }
 
   std::string name_;
@@ -107,8 +110,8 @@ class Row {
 }  // namespace
 
 void printCliffs(const std::vector<std::string>& names, const std::vector<std::size_t>& sizes, unsigned limitSeconds) {
-  std::printf("%-40s %8s %9s %9s %7s  %-16s %8s %9s %8s\n", "family", "n", "us/circle", "/ uniform", "growth", "way",
-              "flips", "in-circle", "exact");
+  std::printf("%-40s %8s %9s %9s %7s  %-16s %8s %8s %8s %9s %8s\n", "family", "n", "us/circle", "/ uniform", "growth",
+              "way", "flips", "filtered", "refined", "in-circle", "exact");
   for (const FamilyInfo& family : families()) {
     if (!names.empty() && std::ranges::find(names, family.name) == names.end()) continue;
     for (const Variant& variant : variants()) {

@@ -86,10 +86,10 @@ inline val statsValue(const Stats& stats) {
   val counts = val::object();
   setFields(counts, stats.counts,
             {"circles", "hidden", "samples", "antipodalDiscs", "threeTouchDiscs", "events", "leftoverCycles",
-             "resamplings", "flips", "repairs", "filtered", "inCircle", "exact"},
+             "resamplings", "flips", "repairs", "filtered", "refined", "inCircle", "exact"},
             &Counts::circles, &Counts::hidden, &Counts::samples, &Counts::antipodalDiscs, &Counts::threeTouchDiscs,
             &Counts::events, &Counts::leftoverCycles, &Counts::resamplings, &Counts::flips, &Counts::repairs,
-            &Counts::filtered, &Counts::inCircle, &Counts::exact);
+            &Counts::filtered, &Counts::refined, &Counts::inCircle, &Counts::exact);
   val seconds = val::object();
   setFields(seconds, stats.seconds, {"hide", "sample", "pair", "touch", "flip", "repair", "certify", "total"},
             &Seconds::hide, &Seconds::sample, &Seconds::pair, &Seconds::touch, &Seconds::flip, &Seconds::repair,

@@ -14,6 +14,7 @@
 #include "fixtures.h"
 #include "report.h"
 #include "tie_inputs.h"
+#include "variants.h"
 
 namespace circle_voronoi {
 namespace {
@@ -61,7 +62,9 @@ TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
 }
 
 /// How many signs were asked for.
-std::int64_t decisions(const Counts& counts) { return counts.filtered + counts.inCircle + counts.exact; }
+std::int64_t decisions(const Counts& counts) {
+  return counts.filtered + counts.refined + counts.inCircle + counts.exact;
+}
 
 // Flips tell repair where they end wrong, and one judgement follows: no second look at all faces.
 TEST(Construct, RepairCostsWhatItsPatchesCost) {
@@ -78,6 +81,20 @@ TEST(Construct, RepairCostsWhatItsPatchesCost) {
 TEST(Construct, SignsBesideAHugeCircleRarelyNeedIntegers) {
   const Stats stats = compute(generate(Family::oneHuge, 20000, 1)).value().stats;
   EXPECT_LT(stats.counts.exact, stats.counts.circles / 100);
+}
+
+// Circles that barely stick out of one another: their common tangents are as short as doubles let them be.
+TEST(Construct, NearTiesRarelyNeedIntegers) {
+  const Stats stats = compute(generate(Family::nearNested, 2000, 1)).value().stats;
+  EXPECT_GT(stats.counts.refined, stats.counts.circles);
+  EXPECT_LT(stats.counts.exact, stats.counts.circles / 2);
+}
+
+TEST(Construct, CountsWhatInsertionTookWhereItToldTheHiddenCircles) {
+  const Stats stats = compute(variants().back().make(Family::nearNested, 4000, 1)).value().stats;
+  EXPECT_EQ(stats.way, "insert");
+  EXPECT_GT(stats.counts.flips, 0);
+  EXPECT_GT(decisions(stats.counts), stats.counts.circles);
 }
 
 TEST(Construct, TakesMoreSamplesOnlyIfAskedTo) {

@@ -75,13 +75,16 @@ double infinityPart(const Circles& c) {
   return std::max(part(-d.s * d.x - root * d.y, disc.x, disc.error), part(-d.s * d.y + root * d.x, disc.y, disc.error));
 }
 
-double reachPart(const Circles& c) {
-  if (hide(c[0], c[1])) return 0;
+Real exactReach(const Circles& c) {
   const Exact d(c[1], c[0]);
   const Exact e(c[2], c[0]);
-  const Real exact =
-      e.s * (d.x * d.x + d.y * d.y) - d.s * (d.x * e.x + d.y * e.y) + (d.x * e.y - d.y * e.x) * sqrt(coneOf(d, d));
-  return part(exact, reachBeyond(c[0], c[1], c[2]));
+  return e.s * (d.x * d.x + d.y * d.y) - d.s * (d.x * e.x + d.y * e.y) + (d.x * e.y - d.y * e.x) * sqrt(coneOf(d, d));
+}
+
+double reachPart(const Circles& c) { return hide(c[0], c[1]) ? 0 : part(exactReach(c), reachBeyond(c[0], c[1], c[2])); }
+
+double refinedReachPart(const Circles& c) {
+  return hide(c[0], c[1]) ? 0 : part(2 * exactReach(c), refinedReach(c[0], c[1], c[2]));
 }
 
 Exact crossOf3(const Exact& a, const Exact& b) {
@@ -351,6 +354,7 @@ INSTANTIATE_TEST_SUITE_P(Each, EstimateBound,
                                          Bound{"Reach", reachPart}, Bound{"Disc", discPart<discOf, exactDisc>},
                                          Bound{"RefinedDisc", discPart<refinedDiscOf, exactRefinedDisc>},
                                          Bound{"RefinedDirection", refinedDirectionPart},
+                                         Bound{"RefinedReach", refinedReachPart},
                                          Bound{"RefinedCross", turnPartOf<&RefinedTurn::cross>},
                                          Bound{"RefinedLeft", turnPartOf<&RefinedTurn::left>},
                                          Bound{"RefinedFactor", turnPartOf<&RefinedTurn::factor>},

@@ -35,7 +35,7 @@ std::int64_t repairOnce(std::span<const Circle> circles, Dual& dual, int reach, 
 /// How many signs were asked for.
 std::int64_t decisions(const Predicates& predicates) {
   const FilterCounts& counts = predicates.counts();
-  return counts.filtered + counts.inCircle + counts.exact;
+  return counts.filtered + counts.refined + counts.inCircle + counts.exact;
 }
 
 TEST(Repair, LeavesARightDualAlone) {

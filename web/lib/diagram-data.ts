@@ -91,6 +91,8 @@ export interface Counts {
   readonly repairs: number
   /** Predicates decided in floating point, with an error bound. */
   readonly filtered: number
+  /** Predicates decided so with twice the digits: near ties. */
+  readonly refined: number
   /** Predicates decided by the exact in-circle test of centres (equal radii). */
   readonly inCircle: number
   /** Predicates decided in full integer arithmetic. */

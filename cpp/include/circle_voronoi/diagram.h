@@ -57,6 +57,7 @@ struct Counts {
   std::int64_t flips = 0;            ///< edges flipped
   std::int64_t repairs = 0;          ///< places where a local diagram was spliced in
   std::int64_t filtered = 0;         ///< predicates decided in floating point, with an error bound
+  std::int64_t refined = 0;          ///< predicates decided so with twice the digits: near ties
   std::int64_t inCircle = 0;         ///< predicates decided by the exact in-circle test of centres (equal radii)
   std::int64_t exact = 0;            ///< predicates decided in integer arithmetic
 };

@@ -24,11 +24,14 @@
 namespace circle_voronoi {
 namespace {
 
-void addCounts(const Predicates& predicates, Counts& counts) {
-  counts.filtered += predicates.counts().filtered;
-  counts.inCircle += predicates.counts().inCircle;
-  counts.exact += predicates.counts().exact;
+void addCounts(const FilterCounts& signs, Counts& counts) {
+  counts.filtered += signs.filtered;
+  counts.refined += signs.refined;
+  counts.inCircle += signs.inCircle;
+  counts.exact += signs.exact;
 }
+
+void addCounts(const Predicates& predicates, Counts& counts) { addCounts(predicates.counts(), counts); }
 
 Construction judged(Dual dual, std::span<const Circle> circles, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::certify);
@@ -238,6 +241,8 @@ Construction constructAutomatically(Sites& sites, Journal& journal) {
   };
   if (sites.diagram) {
     journal.stats.way = "insert";
+    journal.stats.counts.flips += sites.flips;
+    addCounts(sites.signs, journal.stats.counts);
     result.topology = topologyOf(*sites.diagram, static_cast<int>(sites.circles.size()));
     result.certificate = certificateOf(Verdict{}, *sites.diagram, result.topology);
     return result;

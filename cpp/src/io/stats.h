@@ -29,6 +29,7 @@ inline constexpr auto kCounts = std::to_array<NamedField<Counts, std::int64_t>>(
     {"flips", &Counts::flips},
     {"repairs", &Counts::repairs},
     {"filtered", &Counts::filtered},
+    {"refined", &Counts::refined},
     {"inCircle", &Counts::inCircle},
     {"exact", &Counts::exact},
 });

@@ -31,18 +31,18 @@ int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
 FaceDisc Predicates::disc(const Triple& face) {
   const exact::Face circles = facing(circles_, face);
   if (circles[2] == nullptr) return faceDisc(circles, {discAtInfinity(*circles[0], *circles[1]), 0}, true);
-  CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
-  int sign = filteredExistence(circles, placed);
-  if (sign == 0) {
-    placed = refinedDiscOf(*circles[0], *circles[1], *circles[2]);
-    sign = filteredExistence(circles, placed);
+  const CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
+  if (const int sign = filteredExistence(circles, placed); sign != 0) {
+    ++counts_.filtered;
+    return faceDisc(circles, placed, sign > 0);
   }
-  if (sign == 0) {
-    ++counts_.exact;
-    return faceDisc(circles, placed, exact::hasDisc(circles));
+  const CornerDisc refined = refinedDiscOf(*circles[0], *circles[1], *circles[2]);
+  if (const int sign = filteredExistence(circles, refined); sign != 0) {
+    ++counts_.refined;
+    return faceDisc(circles, refined, sign > 0);
   }
-  ++counts_.filtered;
-  return faceDisc(circles, placed, sign > 0);
+  ++counts_.exact;
+  return faceDisc(circles, refined, exact::hasDisc(circles));
 }
 
 FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists) const {
@@ -56,7 +56,7 @@ int Predicates::exactCross(int from, const Triple& first, const Triple& second) 
   const Circle& seenFrom = circles_[from];
   const RefinedTurn turn = refinedTurn(one, other, seenFrom);
   if (const int sign = turn.sign(); sign != 0) {
-    ++counts_.filtered;
+    ++counts_.refined;
     return sign;
   }
   ++counts_.exact;
@@ -78,7 +78,7 @@ int Predicates::exactEdgeOrder(int a, int b, int c, int d) {
 bool Predicates::isLowerExactly(int from, const Triple& face) {
   const exact::Face circles = facing(circles_, face);
   if (const int sign = heightOf(refinedDirection(circles, circles_[from])).sign(); sign != 0) {
-    ++counts_.filtered;
+    ++counts_.refined;
     return sign < 0;
   }
   ++counts_.exact;
@@ -99,6 +99,10 @@ bool Predicates::contains(const Circle& outer, const Circle& inner) {
 int Predicates::tangentSide(int a, int b, int c) {
   if (const int sign = reachBeyond(circles_[a], circles_[b], circles_[c]).sign(); sign != 0) {
     ++counts_.filtered;
+    return sign;
+  }
+  if (const int sign = refinedReach(circles_[a], circles_[b], circles_[c]).sign(); sign != 0) {
+    ++counts_.refined;
     return sign;
   }
   ++counts_.exact;

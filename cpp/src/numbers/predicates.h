@@ -17,8 +17,17 @@ namespace circle_voronoi {
 /// How often each stage of a predicate decided.
 struct FilterCounts {
   std::int64_t filtered = 0;  ///< floating point with an error bound
+  std::int64_t refined = 0;   ///< the same with twice the digits (refined.h)
   std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centres (equal radii)
   std::int64_t exact = 0;     ///< exact, in integers
+
+  FilterCounts& operator+=(const FilterCounts& other) {
+    filtered += other.filtered;
+    refined += other.refined;
+    inCircle += other.inCircle;
+    exact += other.exact;
+    return *this;
+  }
 };
 
 /// The disc of a face of the dual, or its tangent line, with an error bound: the homogeneous point (v : w), w >= 0,
@@ -33,7 +42,7 @@ struct FaceDisc {
 };
 
 /// The signs that the construction and the certificate rest on. Each is exact: double arithmetic with a proven error
-/// bound first, integers (exact.h) if that does not decide. A zero is a tie.
+/// bound first, then with more digits (refined.h), integers (exact.h) if that does not decide. A zero is a tie.
 class Predicates {
  public:
   /// `circles` must outlive the predicates and must not hide one another.

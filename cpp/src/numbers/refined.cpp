@@ -194,6 +194,28 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   return result;
 }
 
+// With d = b - a, e = c - a and the root of g_ab it is e.s |d|^2 - d.s d.e + (d x e) root in the plane. As |d|^2 = g_ab
+// + d.s^2 and 2 <d, e> = g_ab + g_ac - g_bc, the first two are e.s g_ab - d.s <d, e>, which does not cancel where
+// tangents are short.
+//
+// Error: let P be the sum of the three g, each within 2 u.
+// - 2 e.s g_ab is within 4 u of itself.
+// - The sum of the g is within 4 u P, times d.s within 6 u.
+// - d x e is at most |d| |e|, within 4 u, its double times the root within 7 u of twice that.
+// The sums add 2 u to all. One u more covers what is of higher order.
+Estimate refinedReach(const Circle& a, const Circle& b, const Circle& c) {
+  const Sight d(&b, a);
+  const Sight e(&c, a);
+  const Relative bc = tangentSquareOf(&b, &c);
+  if (!areKnown({d.square, e.square, bc})) return {};
+  const double root = std::sqrt(d.g());
+  const double whole = d.g() + e.g() + bc.number.value;
+  const double twice = d.g() + e.g() - bc.number.value;
+  return {
+      2 * e.v.s * d.g() - d.v.s * twice + 2 * (d.v.x * e.v.y - d.v.y * e.v.x) * root,
+      u * (13 * std::abs(e.v.s) * d.g() + 9 * std::abs(d.v.s) * whole + 19 * d.size * e.size * root) + kUnderflowError};
+}
+
 RefinedTurn refinedTurn(const exact::Face& first, const exact::Face& second, const Circle& from) {
   const auto firstOthers = exact::othersOf(first, &from);
   const auto secondOthers = exact::othersOf(second, &from);

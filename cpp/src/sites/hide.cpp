@@ -166,6 +166,9 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   }
   VisibleCircles result = withoutHidden(ordered, all);
   result.diagram = std::move(dual);
+  result.flips = inserted->flips;
+  result.signs = predicatesApart.counts();
+  result.signs += predicates.counts();
   return result;
 }
 
@@ -173,7 +176,7 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
 
 VisibleCircles hide(OrderedCircles ordered, std::int64_t mostStepsACircle) {
   if (auto centres = proofOfClearance(ordered.circles)) {
-    return {std::move(ordered.circles), std::move(ordered.indices), {}, std::move(centres), {}, 0};
+    return {std::move(ordered.circles), std::move(ordered.indices), {}, std::move(centres), {}, 0, 0, {}};
   }
   const NumberedCircles all{ordered.circles, ordered.indices};
   const auto count = static_cast<std::int64_t>(ordered.circles.size());

@@ -9,6 +9,7 @@
 #include "circle_voronoi/diagram.h"
 #include "delaunay.h"
 #include "order.h"
+#include "predicates.h"
 
 namespace circle_voronoi {
 
@@ -20,6 +21,8 @@ struct VisibleCircles {
   std::optional<Dual> centres;       ///< their centres' Delaunay triangulation, where it has shown that none is hidden
   std::optional<Dual> diagram;       ///< the dual of their Voronoi diagram, proven, where it took that to find them
   std::int64_t steps = 0;            ///< taken to find them: boxes and circles looked at, edges flipped
+  std::int64_t flips = 0;            ///< of these, the edges that the construction of `diagram` flipped
+  FilterCounts signs;                ///< that `diagram` and its proof took
 };
 
 /// A search for hiders of ordinary circles takes ten to twenty.

@@ -15,8 +15,13 @@ Sites triangulate(VisibleCircles visible) {
   } else if (!visible.diagram) {
     centres = delaunay(centresOf(visible.circles)).dual;
   }
-  return {std::move(visible.circles), std::move(visible.indices), std::move(visible.hidden), std::move(centres),
-          std::move(visible.diagram)};
+  return {std::move(visible.circles),
+          std::move(visible.indices),
+          std::move(visible.hidden),
+          std::move(centres),
+          std::move(visible.diagram),
+          visible.flips,
+          visible.signs};
 }
 
 }  // namespace circle_voronoi

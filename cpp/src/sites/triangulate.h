@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Sites {
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
   Dual centres;                      ///< the Delaunay triangulation of their centres; empty where `diagram` is there
   std::optional<Dual> diagram;       ///< the dual of their Voronoi diagram, proven, if it took that to find them
+  std::int64_t flips = 0;            ///< that `diagram` took
+  FilterCounts signs;                ///< that `diagram` and its proof took
 };
 
 /// Triangulates the centres of visible circles, unless their diagram is there.
