@@ -27,15 +27,15 @@ export default [
   wasm('The same for comparisons, fetched when asked for', '76 kB', 'circle-voronoi-comparison'),
   {
     name: 'All of it but comparisons in one file',
-    limit: '185 kB',
+    limit: '187 kB',
     path: `${LIB}/bundle.js`,
     gzip: true,
   },
   {
     name: 'TypeScript layer',
     // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 2 kB for
-    // sentences that say what is wrong with an argument, and half a one for quick decimal texts.
-    limit: '20.5 kB',
+    // sentences that say what is wrong with an argument, half a one for quick decimal texts, and 1 kB for JSON.
+    limit: '21.7 kB',
     path: `${LIB}/index.js`,
     ignore: ['./generated/*'],
     gzip: true,

@@ -3,6 +3,7 @@ import { Cells } from './cells.ts'
 import { checkIndex, checkNumber, refuseArgument, shown } from './check.ts'
 import { ConvexPolygon } from './convex-polygon.ts'
 import { at, type Certificate, type DiagramData, type Float64s, type Int32s, NONE, type Stats } from './diagram-data.ts'
+import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
 import { drawCell, drawCircle, drawDual, drawEdge, drawHull, drawRegion } from './draw.ts'
 import {
   type BoundsOptions,
@@ -45,7 +46,8 @@ export interface Cell {
 
 /**
  * The Voronoi diagram of n circles: flat arrays, and what one asks of them. A structured clone, as `postMessage` makes, is
- * its `DiagramData`; `new Diagram(data)` gives that its methods back. There is nothing to free.
+ * its `DiagramData`; `new Diagram(data)` gives that its methods back, `Diagram.fromJSON` those of JSON. There is nothing to
+ * free.
  *
  * What draws takes one object of options: on a `context` (a canvas, a `Path2D` or any other `PathSink`) it draws, without
  * one it returns the `d` attribute of an SVG path. Curves are Bezier curves no farther than `tolerance` from the true ones,
@@ -83,6 +85,22 @@ export class Diagram implements DiagramData {
     this.certificate = data.certificate
     this.stats = data.stats
     this.#recompute = recompute
+  }
+
+  /**
+   * The diagram of a JSON file, or of what `JSON.parse` makes of one, as `JSON.stringify(diagram)` and the command line
+   * write it: numbers to the bit. It is not judged; `certify` of the library does that.
+   *
+   * @throws CircleVoronoiError `badInput`, if it is no such file or an index is none of its circles or vertices;
+   *   `negativeRadius`, `coordinateTooLarge`
+   */
+  static fromJSON(json: string | object): Diagram {
+    return new Diagram(dataFrom(json))
+  }
+
+  /** What `JSON.stringify` writes: a file as the command line writes and reads it. Only the sign of a zero is lost. */
+  toJSON(): DiagramFile {
+    return fileOf(this)
   }
 
   /**

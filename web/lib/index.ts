@@ -39,6 +39,7 @@ export {
   type Vertex,
   vertexAt,
 } from './diagram-data.ts'
+export type { DiagramFile } from './diagram-file.ts'
 export type { BoundsOptions, ContextOptions, DrawOptions, PolygonOptions, TextOptions } from './draw-options.ts'
 export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './errors.ts'
 export { exportBox } from './export-box.ts'
@@ -50,7 +51,7 @@ export type { LoadOptions } from './load-options.ts'
 export { loadCircleVoronoi } from './loader.ts'
 export { arcLength, area, centroid, perimeter } from './measure.ts'
 export { type MergedDiagram, mergeVertices } from './merged.ts'
-export { distance, type Metric } from './metric.ts'
+export { distance, METRICS, type Metric } from './metric.ts'
 export type { Options, Progress, Stage } from './options.ts'
 export { type Outline, type OutlinePiece, outline } from './outline.ts'
 export type { PathSink } from './path-sink.ts'

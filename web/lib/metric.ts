@@ -9,7 +9,10 @@ import { lengthOf } from './scale.ts'
  * - `centres`: |p - c|: the ordinary Voronoi diagram of the centres;
  * - `power`: |p - c|^2 - r^2: the power (Laguerre) diagram.
  */
-export type Metric = 'circles' | 'centres' | 'power'
+export type Metric = (typeof METRICS)[number]
+
+/** Their names. */
+export const METRICS = ['circles', 'centres', 'power'] as const
 
 /** The distance from a circle of the diagram to the point (x, y), in the diagram's metric. */
 export function distance({ circles, metric }: DiagramData, circle: number, x: number, y: number): number {

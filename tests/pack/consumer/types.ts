@@ -2,7 +2,8 @@
 // Only its types are checked.
 import {
   type Certificate,
-  type Diagram,
+  Diagram,
+  type DiagramFile,
   ERROR_CODES,
   type ErrorCode,
   loadCircleVoronoi,
@@ -55,6 +56,12 @@ library.from(
   () => 1,
 )
 export const updated: Diagram = library.from([[0, 0, 1]]).update()
+export const file: DiagramFile = diagram.toJSON()
+export const reads: Diagram[] = [
+  Diagram.fromJSON(JSON.stringify(diagram)),
+  Diagram.fromJSON(file),
+  new Diagram(diagram),
+]
 // The memory of a diagram can be handed over.
 export const buffers: ArrayBuffer[] = [diagram.vertices.buffer, diagram.edges.buffer]
 

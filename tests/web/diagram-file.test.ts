@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { loadComparison } from '../../web/lib/comparison.ts'
+import { CircleVoronoiError, Diagram, type DiagramFile } from '../../web/lib/index.ts'
+import { anyCircles } from './arbitrary-circles.ts'
+import { library } from './library.ts'
+
+const THREE = [
+  [0, 0, 1],
+  [6, 0, 1],
+  [0, 8, 1],
+]
+
+/** The arrays, which are what a diagram is, without the signs of zeros. */
+function arraysOf({ metric, circles, vertices, vertexCircles, edges, hidden, hull }: Diagram) {
+  const [unsignedCircles, unsignedVertices] = [circles, vertices].map((array) => array.map((value) => value + 0))
+  return { metric, circles: unsignedCircles, vertices: unsignedVertices, vertexCircles, edges, hidden, hull }
+}
+
+function errorOf(json: unknown): CircleVoronoiError {
+  try {
+    Diagram.fromJSON(json as object)
+  } catch (error) {
+    expect(error).toBeInstanceOf(CircleVoronoiError)
+    return error as CircleVoronoiError
+  }
+  throw new Error('Nothing was thrown.')
+}
+
+describe('a diagram as JSON', () => {
+  it('is one again, to the bit, and certified anew', () => {
+    fc.assert(
+      fc.property(anyCircles, (input) => {
+        const diagram = library.compute(input)
+        const read = Diagram.fromJSON(JSON.stringify(diagram))
+        expect(arraysOf(read)).toEqual(arraysOf(diagram))
+        expect(read.stats).toEqual(diagram.stats)
+        expect(read.certificate.certified).toBe(false)
+        expect(library.certify(read)).toEqual(diagram.certificate)
+        expect(read.render()).toBe(diagram.render())
+      }),
+      { numRuns: 200 },
+    )
+  })
+
+  it('has the keys of the format', () => {
+    const file = JSON.parse(JSON.stringify(library.compute(THREE)))
+    expect(Object.keys(file)).toEqual(['format', 'version', 'circles', 'hidden', 'vertices', 'edges', 'hull', 'stats'])
+    expect(file.vertices).toEqual([{ x: 3, y: 4, radius: 4, circles: expect.arrayContaining([0, 1, 2]) }])
+    expect(file.edges).toHaveLength(3)
+    expect(file.stats.certificate).toEqual(library.compute(THREE).certificate)
+  })
+
+  it('keeps another distance', async () => {
+    const { computeComparison } = await loadComparison(library)
+    for (const metric of ['centres', 'power'] as const) {
+      const diagram = computeComparison([...THREE, [0, 0, 0.5]], metric)
+      expect(arraysOf(Diagram.fromJSON(JSON.stringify(diagram)))).toEqual(arraysOf(diagram))
+    }
+  })
+
+  it('may have been parsed, and have more than it needs and fewer stats', () => {
+    const { stats: _, ...file } = library.compute(THREE).toJSON()
+    const read = Diagram.fromJSON({ ...file, more: 1 })
+    expect(read.stats.way).toBe('')
+    expect(read.stats.counts.circles).toBe(0)
+    const odd = Diagram.fromJSON({
+      ...file,
+      stats: { method: 7, way: 'flip', counts: { flips: 3, events: '2', odd: 1 } },
+    })
+    expect(odd.stats).toMatchObject({ method: '', way: 'flip', counts: { flips: 3, events: 0 } })
+    expect(odd.stats.counts).not.toHaveProperty('odd')
+  })
+
+  it('is refused in one sentence where it is none', () => {
+    const file = library.compute([...THREE, [0, 0, 0.5]]).toJSON()
+    const [vertex] = file.vertices
+    const [edge] = file.edges
+    const wrong: [unknown, string][] = [
+      ['{"format"', 'The text is no JSON: '],
+      [null, 'the file is no object, but null.'],
+      ['[]', 'the file is no object, but an array.'],
+      [{}, 'The format of the file is undefined, not "circle-voronoi".'],
+      [{ ...file, version: 2 }, 'The version of the file is 2, not 1, the only one that can be read.'],
+      [{ ...file, metric: 'taxi' }, 'There is no metric "taxi".'],
+      [{ ...file, hull: undefined }, 'There is no list of hull.'],
+      [{ ...file, edges: 'none' }, 'edges is no list, but "none".'],
+      [{ ...file, circles: [0] }, 'circles[0] is no object, but 0.'],
+      [{ ...file, circles: [{ x: 0, y: null, r: 1 }] }, 'y of circles[0] is no finite number, but null.'],
+      [{ ...file, vertices: [{ ...vertex, radius: '4' }] }, 'radius of vertices[0] is no finite number, but "4".'],
+      [{ ...file, vertices: [{ ...vertex, circles: [0, 1] }] }, 'circles of vertices[0] are 2 numbers, not 3.'],
+      [
+        { ...file, vertices: [{ ...vertex, circles: [0, 1, 4] }] },
+        'circles of vertices[0]: 4 is no index from 0 to 3.',
+      ],
+      [{ ...file, edges: [{ ...edge, vertices: [-2, 0] }] }, 'vertices of edges[0]: -2 is no index from -1 to 0.'],
+      [{ ...file, edges: [{ ...edge, circles: [0, -1] }] }, 'circles of edges[0]: -1 is no index from 0 to 3.'],
+      [{ ...file, hidden: [{ circle: 3, by: -1 }] }, 'by of hidden[0]: -1 is no index from 0 to 3.'],
+      [{ ...file, hull: [0.5] }, 'hull: 0.5 is no index from 0 to 3.'],
+    ]
+    for (const [json, message] of wrong) {
+      const error = errorOf(json)
+      expect(error.code).toBe('badInput')
+      expect(error.message.startsWith(message), error.message).toBe(true)
+    }
+    const ofCircle = (circle: object) => errorOf({ ...file, circles: [...file.circles.slice(0, 3), circle] })
+    expect(ofCircle({ x: 0, y: 0, r: -1 })).toMatchObject({ code: 'negativeRadius', circle: 3 })
+    expect(ofCircle({ x: 0, y: -1e151, r: 1 })).toMatchObject({ code: 'coordinateTooLarge', circle: 3 })
+  })
+
+  it('has types', () => {
+    const file: DiagramFile = library.compute(THREE).toJSON()
+    expect(Diagram.fromJSON(file).vertices).toHaveLength(3)
+  })
+})
+
+describe('a structured clone of a diagram', () => {
+  it('gets its methods back from new Diagram', () => {
+    const diagram = library.compute(THREE)
+    const clone = new Diagram(structuredClone(diagram))
+    expect(arraysOf(clone)).toEqual(arraysOf(diagram))
+    expect(clone.certificate).toEqual(diagram.certificate)
+    expect(clone.find(5, 1)).toBe(1)
+  })
+})
