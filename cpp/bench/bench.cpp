@@ -28,6 +28,7 @@
 #include "files.h"
 #include "median.h"
 #include "reference.h"
+#include "touching_disc.h"
 
 namespace {
 
@@ -52,14 +53,6 @@ std::function<void(const Circles&)> computing(Options options) {
   };
 }
 
-Options touchingDisc(Candidates candidates, int samples) {
-  Options options;
-  options.method = Method::touchingDisc;
-  options.candidates = candidates;
-  options.samples = samples;
-  return options;
-}
-
 std::vector<Contestant> allContestants() {
   const auto referring = [](std::size_t (*run)(std::span<const Circle>)) {
     return [run](const Circles& circles) { benchmark::DoNotOptimize(run(circles)); };
@@ -71,7 +64,7 @@ std::vector<Contestant> allContestants() {
       {"touching-disc-1", computing(touchingDisc(Candidates::dynamic, 1)), 1'000'000},
       {"touching-disc-3", computing(touchingDisc(Candidates::dynamic, 3)), 100'000},
       {"touching-disc-uniform-50", computing(touchingDisc(Candidates::uniform, 50)), 10'000},
-      {"touching-disc-all-pairs", computing(touchingDisc(Candidates::allPairs, -1)), 1'000},
+      {"touching-disc-all-pairs", computing(touchingDisc(Candidates::allPairs)), 1'000},
       {"cgal-hierarchy", referring(reference::apolloniusHierarchy), 1'000'000},
       {"cgal-exact", referring(reference::apolloniusExact), 1'000},
   };

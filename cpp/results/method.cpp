@@ -8,14 +8,6 @@
 
 namespace circle_voronoi::results {
 
-Options touchingDisc(Candidates candidates, int samples) {
-  Options options;
-  options.method = Method::touchingDisc;
-  options.candidates = candidates;
-  options.samples = samples;
-  return options;
-}
-
 Diagram diagramOf(std::span<const Circle> circles, const Options& options) {
   auto diagram = compute(circles, options);
   if (!diagram) throw std::runtime_error(diagram.error().message);

@@ -7,11 +7,9 @@
 #include "circle_voronoi/compute.h"
 #include "pair.h"
 #include "sample.h"
+#include "touching_disc.h"
 
 namespace circle_voronoi::results {
-
-/// The touching disc method's options.
-Options touchingDisc(Candidates candidates, int samples = -1);
 
 /// The diagram; throws the error's message.
 Diagram diagramOf(std::span<const Circle> circles, const Options& options = {});

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "circle_voronoi/compute.h"
+
+namespace circle_voronoi {
+
+/// The touching disc method's options; its own number of samples if none is given.
+inline Options touchingDisc(Candidates candidates, int samples = -1) {
+  Options options;
+  options.method = Method::touchingDisc;
+  options.candidates = candidates;
+  options.samples = samples;
+  return options;
+}
+
+}  // namespace circle_voronoi
