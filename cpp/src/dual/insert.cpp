@@ -42,6 +42,37 @@ double angleOf(Vector v) {
   return v.y >= 0 ? 1 - along : 3 + along;
 }
 
+/// From the centre of a circle to that of another.
+struct Ray {
+  Vector to;
+  double length;
+
+  Ray(const Circle& from, const Circle& circle) : to(between(from, circle)), length(circle_voronoi::length(to)) {}
+};
+
+/// The bisector of a circle and a neighbour, as rays from the circle's centre see it.
+class Bisector {
+ public:
+  /// At infinity.
+  Bisector() = default;
+  Bisector(const Circle& circle, const Circle& neighbor)
+      : v_(between(circle, neighbor)), s_(neighbor.r - circle.r), g_(dot(v_, v_) - s_ * s_) {}
+
+  /// The inverse of twice the distance at which a ray meets it, 0 if it does not.
+  double nearness(const Ray& ray) const {
+    const double along = dot(ray.to, v_) / ray.length;
+    // (s + along) / g, without its cancellation where s and along are nearly opposite.
+    if ((s_ < 0) == (along < 0)) return std::max(0.0, (along + s_) / g_);
+    const double across = cross(ray.to, v_) / ray.length;
+    return std::max(0.0, (1 - across * across / g_) / (along - s_));
+  }
+
+ private:
+  Vector v_ = {0, 0};
+  double s_ = 0;
+  double g_ = 1;
+};
+
 class Inserter {
  public:
   Inserter(std::span<const Circle> circles, Predicates& predicates)
@@ -106,23 +137,14 @@ class Inserter {
     const int from = distance(j, a) <= distance(j, b) ? a : b;
     if (isKnownHidden(from, j)) return;
     const int h = edgeOf_[from];
-    waiting_.add(nearness(from, from == a ? b : a, j) > 0 ? h : dual_.twin[Dual::previous(h)], j);
+    const double nearness = bisectorOf(h).nearness(Ray(circles_[from], circles_[j]));
+    waiting_.add(nearness > 0 ? h : dual_.twin[Dual::previous(h)], j);
   }
 
-  /// The inverse of twice the distance from the centre of circle a at which the ray through that of circle j meets the
-  /// bisector of a and b, 0 if it does not.
-  double nearness(int a, int b, int j) const {
-    if (b == kInfinity) return 0;
-    const Vector toCentre = between(circles_[a], circles_[j]);
-    const Vector v = between(circles_[a], circles_[b]);
-    const double s = circles_[b].r - circles_[a].r;
-    const double l = length(toCentre);
-    const double along = dot(toCentre, v) / l;
-    const double across = cross(toCentre, v) / l;
-    const double g = dot(v, v) - s * s;
-    // (s + along) / g, without its cancellation where s and along are nearly opposite.
-    const double value = (s < 0) == (along < 0) ? (along + s) / g : (1 - across * across / g) / (along - s);
-    return std::max(0.0, value);
+  /// The bisector of a half-edge.
+  Bisector bisectorOf(int h) const {
+    const int b = dual_.target(h);
+    return b == kInfinity ? Bisector() : Bisector(circles_[dual_.origin[h]], circles_[b]);
   }
 
   /// Far more than a random order makes likely: going on means that rounding led astray.
@@ -480,32 +502,41 @@ class Inserter {
     const int left = dual_.twin[Dual::previous(toNew)];
     movers_.clear();
     for (const int h : {right, toNew, left}) waiting_.take(h, movers_);
+    if (movers_.empty()) return;
+    const Bisector toRight = bisectorOf(right);
+    const Bisector toLeft = bisectorOf(left);
+    const Bisector toMiddle(circles_[a], circles_[i]);
     for (const int j : movers_) {
-      if (distance(j, i) < distance(j, a)) {
+      const Ray ray(circles_[a], circles_[j]);
+      if (distance(j, i) < ray.length - circles_[a].r) {
         if (!isKnownHidden(i, j)) arrivals_.push_back(j);
         continue;
       }
-      int h = nearer(right, left, j);
-      if (nearness(a, i, j) > nearness(a, dual_.target(h), j)) {
+      Met met = nearer({right, toRight.nearness(ray)}, {left, toLeft.nearness(ray)}, j);
+      if (const double nearness = toMiddle.nearness(ray); nearness > met.nearness) {
         // The new cell may have another border with this one beyond the next.
-        h = toNew;
+        met = {toNew, nearness};
         for (const int beyond : {Dual::next(dual_.twin[right]), dual_.twin[Dual::previous(left)]}) {
-          if (dual_.target(beyond) == i) h = nearer(h, beyond, j);
+          if (dual_.target(beyond) == i) met = nearer(met, {beyond, nearness}, j);
         }
       }
-      waiting_.add(h, j);
+      waiting_.add(met.h, j);
     }
   }
 
+  /// An edge of a cell, and how near a ray meets its bisector.
+  struct Met {
+    int h;
+    double nearness;
+  };
+
   /// Of two edges of a cell the one that the ray through the centre of circle j meets first.
-  int nearer(int g, int h, int j) const {
-    const int a = dual_.origin[g];
-    const double atG = nearness(a, dual_.target(g), j);
-    const double atH = nearness(a, dual_.target(h), j);
-    if (atG != atH) return atG > atH ? g : h;
+  Met nearer(const Met& first, const Met& second, int j) const {
+    if (first.nearness != second.nearness) return first.nearness > second.nearness ? first : second;
     // A bisector that it never meets, or two parts of one bisector.
-    if ((dual_.target(g) == kInfinity) != (dual_.target(h) == kInfinity)) return dual_.target(g) == kInfinity ? g : h;
-    return !spans(g, j) && spans(h, j) ? h : g;
+    const bool isFirstAtInfinity = dual_.target(first.h) == kInfinity;
+    if (isFirstAtInfinity != (dual_.target(second.h) == kInfinity)) return isFirstAtInfinity ? first : second;
+    return !spans(first.h, j) && spans(second.h, j) ? second : first;
   }
 
   /// Finds those whose centres the new cell has their sectors in it.
@@ -516,32 +547,45 @@ class Inserter {
     do {
       // Where one sector ends the next begins.
       const int next = dual_.twin[Dual::previous(spoke)];
-      sectors_.emplace_back(angleOf(discs_.direction(spoke)), next);
+      sectors_.push_back({angleOf(discs_.direction(spoke)), next, bisectorOf(next)});
       spoke = next;
     } while (spoke != first);
-    std::sort(sectors_.begin(), sectors_.end());
+    std::sort(sectors_.begin(), sectors_.end(),
+              [](const Sector& a, const Sector& b) { return std::pair(a.angle, a.h) < std::pair(b.angle, b.h); });
     for (const int j : arrivals_) {
+      const Ray ray(circles_[i], circles_[j]);
       const bool areFew = sectors_.size() <= kFewSectors;
-      int h = areFew ? kInfinity : sectorByAngle(i, j);
+      int h = areFew ? kInfinity : sectorByAngle(ray, j);
       if (h == kInfinity) {
-        h = first;
-        for (const auto& [angle, edge] : sectors_) h = nearer(h, edge, j);
+        Met met = {first, bisectorOf(first).nearness(ray)};
+        for (const Sector& sector : sectors_) met = nearer(met, {sector.h, sector.bisector.nearness(ray)}, j);
+        h = met.h;
         if (!areFew) looks_ += static_cast<std::int64_t>(sectors_.size());
       }
       waiting_.add(h, j);
     }
   }
 
+  /// A sector of the new cell, from the angle at which it begins.
+  struct Sector {
+    double angle;
+    int h;
+    Bisector bisector;
+  };
+
   /// The sector of the new cell that has the centre of circle j, or kInfinity if rounding has put them out of order.
-  int sectorByAngle(int i, int j) const {
-    const double angle = angleOf(between(circles_[i], circles_[j]));
+  int sectorByAngle(const Ray& ray, int j) const {
+    const double angle = angleOf(ray.to);
     const auto after = std::upper_bound(sectors_.begin(), sectors_.end(), angle,
-                                        [](double value, const auto& sector) { return value < sector.first; });
-    const int h = (after == sectors_.begin() ? sectors_.back() : *std::prev(after)).second;
-    const int left = dual_.twin[Dual::previous(h)];
-    const int right = Dual::next(dual_.twin[h]);
-    const bool isThere = spans(h, j) && nearer(h, left, j) == h && nearer(h, right, j) == h;
-    return isThere ? h : kInfinity;
+                                        [](double value, const Sector& sector) { return value < sector.angle; });
+    const Sector& sector = after == sectors_.begin() ? sectors_.back() : *std::prev(after);
+    const Met met = {sector.h, sector.bisector.nearness(ray)};
+    const auto isBefore = [&](int other) {
+      return nearer(met, {other, bisectorOf(other).nearness(ray)}, j).h == sector.h;
+    };
+    const bool isThere = spans(sector.h, j) && isBefore(dual_.twin[Dual::previous(sector.h)]) &&
+                         isBefore(Dual::next(dual_.twin[sector.h]));
+    return isThere ? sector.h : kInfinity;
   }
 
   /// The dual without the faces that were removed.
@@ -586,7 +630,7 @@ class Inserter {
   std::vector<int> removedFaces_;  ///< places for new ones
   std::vector<int> movers_;        ///< those that waited at an edge beside the new cell
   std::vector<int> arrivals_;      ///< those whose centres the new cell has
-  std::vector<std::pair<double, int>> sectors_;
+  std::vector<Sector> sectors_;
   std::int64_t flips_ = 0;
   std::int64_t looks_ = 0;
 };
