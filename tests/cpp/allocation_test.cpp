@@ -3,17 +3,21 @@
 // the address sanitizer nothing leaks.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <limits>
 #include <new>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/convex_polygon.h"
+#include "circle_voronoi/editor.h"
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
 #include "guarded.h"
@@ -120,6 +124,77 @@ TEST(Allocation, MayFailInCertify) {
   wrong.edges.pop_back();
   failEachAllocation([&] { return certify(circles, wrong); },
                      [](const Certificate& certificate) { ASSERT_FALSE(certificate.certified()); });
+}
+
+/// Memory never runs out while this lives.
+class Enough {
+ public:
+  Enough() { allocationsLeft = kNever; }
+  ~Enough() { allocationsLeft = left_; }
+  Enough(const Enough&) = delete;
+  Enough& operator=(const Enough&) = delete;
+
+ private:
+  long left_ = allocationsLeft;
+};
+
+bool areSame(const Change& a, const Change& b) {
+  return a.addedVertices == b.addedVertices && a.vertices == b.vertices && a.vertexCircles == b.vertexCircles &&
+         a.addedEdges == b.addedEdges && a.edges == b.edges && a.inserted == b.inserted && a.hidden == b.hidden;
+}
+
+/// The circles of all vertices and the hidden ones: which diagram it is, whatever the numbers.
+auto contentOf(const DiagramEditor& editor) {
+  const Change all = editor.all().value();
+  std::multiset<std::array<CircleId, 3>> vertices(all.vertexCircles.begin(), all.vertexCircles.end());
+  return std::pair(vertices, all.hidden);
+}
+
+TEST(Allocation, MayFailInEdits) {
+  const auto circles = someCircles();
+  failEachAllocation([&] { return DiagramEditor::from(circles); },
+                     [&](const DiagramEditor& editor) { ASSERT_EQ(editor.size(), circles.size()); });
+  // A new circle, one that goes, one that hides others and goes again, moves near and far; at the end so many that
+  // everything is computed.
+  const Circle hider = {circles[20].x, circles[20].y, 2};
+  const auto moved = [&](CircleId id, double step) {
+    const Circle& c = circles[static_cast<std::size_t>(id)];
+    return Edit{Edit::Kind::replace, id, {c.x + step, c.y, c.r}};
+  };
+  const std::vector<std::vector<Edit>> scripts = {
+      {{Edit::Kind::insert, kNone, {1.51, 1.52, 0.01}}},
+      {{Edit::Kind::remove, 25, {}}},
+      {{Edit::Kind::insert, kNone, hider}, moved(21, 0.1)},
+      {{Edit::Kind::remove, 37, {}}},
+      {moved(26, 1e-3), moved(27, -2)},
+      std::vector<Edit>(50, {Edit::Kind::insert, kNone, {0.25, 0.75, 0.1}})};
+  const auto editorAfter = [&](std::size_t count) {
+    DiagramEditor editor = std::move(DiagramEditor::from(circles)).value();
+    for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(editor.apply(scripts[i]).ok());
+    return editor;
+  };
+  for (std::size_t i = 0; i < scripts.size(); ++i) {
+    const Change before = editorAfter(i).all().value();
+    const auto after = contentOf(editorAfter(i + 1));
+    DiagramEditor editor = editorAfter(i);
+    failEachAllocation(
+        [&] {
+          {
+            const Enough enough;
+            editor = editorAfter(i);
+          }
+          auto change = editor.apply(scripts[i]);
+          const Enough enough;
+          if (!change.ok()) {
+            // It left all as it was, to go on from there.
+            EXPECT_TRUE(areSame(editor.all().value(), before)) << "script " << i;
+            EXPECT_TRUE(editor.apply(scripts[i]).ok());
+          }
+          EXPECT_EQ(contentOf(editor), after) << "script " << i;
+          return change;
+        },
+        [&](const Change&) { EXPECT_TRUE(editor.certificate().value().certified()); });
+  }
 }
 
 TEST(Allocation, MayFailInComparisons) {

@@ -9,6 +9,8 @@ add_executable(circle_voronoi_proof_tests
   construct_test.cpp
   delaunay_test.cpp
   dual_edits.cpp
+  edit_script.cpp
+  editor_test.cpp
   estimate_test.cpp
   exact_test.cpp
   fixtures.cpp
@@ -20,6 +22,7 @@ add_executable(circle_voronoi_proof_tests
   insert_test.cpp
   integer_test.cpp
   io_read_diagram_test.cpp
+  judge_step_test.cpp
   judge_test.cpp
   metamorphic_test.cpp
   predicates_test.cpp

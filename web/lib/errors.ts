@@ -8,6 +8,7 @@ export const ERROR_CODES = [
   'tooManyCircles',
   'badOption',
   'notCertified',
+  'unknownCircle',
   'badInput',
   'badArithmetic',
   'internal',
@@ -21,6 +22,7 @@ export const ERROR_CODES = [
  * - `tooManyCircles`: the input, or the candidates asked for, do not fit in memory;
  * - `badOption`: an option is out of its range;
  * - `notCertified`: no construction led to a certified diagram;
+ * - `unknownCircle`: an editor has no circle with this id (in C++ only);
  * - `badInput`: the input cannot be read as circles;
  * - `badArgument`: a method or a function was given what it cannot take;
  * - `badArithmetic`: the program rounds otherwise than to nearest (in C++ only);

@@ -20,6 +20,7 @@ enum class ErrorCode {
   tooManyCircles,      ///< the input, or the candidates asked for, do not fit in memory or in 32-bit indices
   badOption,           ///< an option is out of its range
   notCertified,        ///< no construction led to a certified diagram
+  unknownCircle,       ///< an editor has no circle with this id
   badInput,            ///< text that cannot be read as circles
   badArithmetic,       ///< the program rounds otherwise than to nearest, or takes tiny numbers for zero
   internal,            ///< the program itself failed; please report it with the input

@@ -109,7 +109,7 @@ constexpr int kMostResamplings = 4;
 /// In the angles of Delaunay faces, of which a circle has six on average.
 constexpr std::int64_t kMostAngularSamples = 4'000'000;
 constexpr int kAllPairsPatch = 64;
-constexpr int kLargestPatch = 256;
+constexpr std::size_t kLargestPatch = 256;
 constexpr std::size_t kFewWrongFaces = 100;
 
 /// The dual by insertion, and by flips where a near tie misled it.
@@ -123,35 +123,6 @@ std::optional<Dual> inserted(std::span<const Circle> circles, Counts& counts) {
   addCounts(predicates, counts);
   if (!result) return std::nullopt;
   return std::move(result->dual);
-}
-
-/// Solves a patch by the touching disc method on all pairs if it is small, else by insertion, and if that is not
-/// certified by CGAL.
-std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journal) {
-  const int n = static_cast<int>(circles.size());
-  if (n > kLargestPatch) return std::nullopt;
-  const Sites sites = triangulate(hide(order(circles)));
-  const auto isRight = [&](const Dual& candidate) {
-    Predicates predicates(sites.circles);
-    const bool right = judge(sites.circles, candidate, predicates).isRight();
-    addCounts(predicates, journal.stats.counts);
-    return right;
-  };
-  std::optional<Dual> dual;
-  if (n <= kAllPairsPatch) {
-    auto touched = dualOf(touch(sites.circles, pairAll(n), {}).topology, n);
-    if (auto* fitting = std::get_if<Dual>(&touched)) dual = std::move(*fitting);
-  } else {
-    dual = inserted(sites.circles, journal.stats.counts);
-  }
-  if (!dual || !isRight(*dual)) {
-    dual = apolloniusGraph(sites.circles);
-    if (!isRight(*dual)) return std::nullopt;
-  }
-  for (int& corner : dual->origin) {
-    if (corner != kInfinity) corner = sites.indices[corner];
-  }
-  return dual;
 }
 
 /// The whole dual by insertion.
@@ -184,6 +155,33 @@ std::optional<Dual> flippedAndRepaired(Dual dual, const Sites& sites, Journal& j
 }
 
 }  // namespace
+
+std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journal) {
+  if (circles.size() > kLargestPatch) return std::nullopt;
+  const Sites sites = triangulate(hide(order(circles)));
+  const int n = static_cast<int>(sites.circles.size());
+  const auto isRight = [&](const Dual& candidate) {
+    Predicates predicates(sites.circles);
+    const bool right = judge(sites.circles, candidate, predicates).isRight();
+    addCounts(predicates, journal.stats.counts);
+    return right;
+  };
+  std::optional<Dual> dual;
+  if (n <= kAllPairsPatch) {
+    auto touched = dualOf(touch(sites.circles, pairAll(n), {}).topology, n);
+    if (auto* fitting = std::get_if<Dual>(&touched)) dual = std::move(*fitting);
+  } else {
+    dual = inserted(sites.circles, journal.stats.counts);
+  }
+  if (!dual || !isRight(*dual)) {
+    dual = apolloniusGraph(sites.circles);
+    if (!isRight(*dual)) return std::nullopt;
+  }
+  for (int& corner : dual->origin) {
+    if (corner != kInfinity) corner = sites.indices[corner];
+  }
+  return dual;
+}
 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
                                      Journal& journal) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "circle_voronoi/compute.h"
 #include "journal.h"
 #include "topology.h"
@@ -21,6 +24,11 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
 
 /// Flips from the Delaunay triangulation of the centres, judged.
 Construction constructByFlips(const Sites& sites, Journal& journal);
+
+/// The certified dual of those of a few circles that are visible: by the touching disc method on all pairs if they are
+/// very few, else by insertion, and if that is not certified by CGAL. Nothing if they are too many, or it is not
+/// certified either.
+std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journal);
 
 /// The first that leads to a certified topology: flips, with local repair where they leave little wrong; insertion;
 /// CGAL's Apollonius graph. If none does, the last one, with its certificate. Uses up the triangulation of the sites,

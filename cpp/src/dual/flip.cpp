@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "edge_order.h"
+#include "settle_ties.h"
 #include "wrong_faces.h"
 
 namespace circle_voronoi {
@@ -12,8 +14,8 @@ namespace {
 
 class Flipper {
  public:
-  Flipper(Dual& dual, FaceDiscs& discs)
-      : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()) {}
+  Flipper(Dual& dual, FaceDiscs& discs, DualKeeper* keeper)
+      : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()), keeper_(keeper) {}
 
   Flips run() {
     // Four a circle: no family needs more than three and a bit, and who does gets there by insertion.
@@ -27,7 +29,32 @@ class Flipper {
     return {flips_, wrongFaces(discs_, left_)};
   }
 
+  Flips runFrom(std::span<const int> edges) {
+    const std::int64_t limit = 100 + 4 * static_cast<std::int64_t>(edges.size());
+    stack_.assign(edges.begin(), edges.end());
+    settle(limit);
+    left_.insert(left_.end(), stack_.begin(), stack_.end());
+    return {flips_, wrongFaces(discs_, left_)};
+  }
+
+  void runTies(std::span<const int> ties) {
+    stack_.assign(ties.begin(), ties.end());
+    while (!stack_.empty()) {
+      const int h = stack_.back();
+      stack_.pop_back();
+      if (isTie(h) && !isSettledTie(dual_, h, circles_)) flipEdge(h);
+    }
+  }
+
  private:
+  bool isTie(int h) const {
+    const int t = dual_.twin[h];
+    if (!dual_.isFinite(h / 3) || !dual_.isFinite(t / 3)) return false;
+    const int larger = fromLarger(dual_, h, predicates_);
+    const auto toDisc = [&](int face) { return predicates_.direction(dual_.origin[larger], discs_[face]); };
+    return orderOfEnds(dual_, larger, toDisc(dual_.twin[larger] / 3), toDisc(larger / 3), predicates_) == 0;
+  }
+
   /// The ends of an edge and the corners opposite.
   using Quad = std::array<int, 4>;
 
@@ -98,6 +125,9 @@ class Flipper {
     const int db = Dual::previous(t);
     const int beyondAd = dual_.twin[ad];
     const int beyondBc = dual_.twin[bc];
+    if (keeper_ != nullptr) {
+      for (const int changed : {h, t, beyondAd, beyondBc}) keeper_->willChange(changed / 3);
+    }
     link(h, beyondAd);
     link(t, beyondBc);
     dual_.origin[bc] = dual_.origin[db];
@@ -117,6 +147,7 @@ class Flipper {
   Dual& dual_;
   FaceDiscs& discs_;
   Predicates& predicates_;
+  DualKeeper* keeper_;
   std::int64_t flips_ = 0;
   std::vector<int> stack_;
   std::vector<int> left_;  ///< edges that were wrong, but not to be flipped
@@ -124,6 +155,14 @@ class Flipper {
 
 }  // namespace
 
-Flips flip(Dual& dual, FaceDiscs& discs) { return Flipper(dual, discs).run(); }
+Flips flip(Dual& dual, FaceDiscs& discs) { return Flipper(dual, discs, nullptr).run(); }
+
+Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, DualKeeper& keeper) {
+  return Flipper(dual, discs, &keeper).runFrom(edges);
+}
+
+void flipTies(Dual& dual, FaceDiscs& discs, std::span<const int> ties, DualKeeper& keeper) {
+  Flipper(dual, discs, &keeper).runTies(ties);
+}
 
 }  // namespace circle_voronoi

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dual.h"
+#include "dual_keeper.h"
 #include "face_discs.h"
 
 namespace circle_voronoi {
@@ -23,5 +25,12 @@ struct Flips {
 ///
 /// `discs` are all the discs of `dual`, before and after.
 Flips flip(Dual& dual, FaceDiscs& discs);
+
+/// The same where only the edges given, by a half-edge each, may be wrong. `keeper` is told of each face that changes.
+Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, DualKeeper& keeper);
+
+/// Flips the edges given, of length zero in a right dual, and those of their discs, until all are settled
+/// (settle_ties.h).
+void flipTies(Dual& dual, FaceDiscs& discs, std::span<const int> ties, DualKeeper& keeper);
 
 }  // namespace circle_voronoi

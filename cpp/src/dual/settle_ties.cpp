@@ -10,6 +10,14 @@
 namespace circle_voronoi {
 namespace {
 
+/// Whether the centre of one circle is less than that of another, by x and then y. Circles with cells have different
+/// centres.
+bool isLess(std::span<const Circle> circles, int i, int j) {
+  const Circle& a = circles[i];
+  const Circle& b = circles[j];
+  return std::pair(a.x, a.y) < std::pair(b.x, b.y);
+}
+
 class TieSettler {
  public:
   TieSettler(Dual& dual, std::span<const int> ties, std::span<const Circle> circles)
@@ -30,21 +38,8 @@ class TieSettler {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  /// Whether the centre of one circle is less than that of another, by x and then y. Circles with cells have different
-  /// centres.
-  bool isLess(int i, int j) const {
-    const Circle& a = circles_[at(i)];
-    const Circle& b = circles_[at(j)];
-    return std::pair(a.x, a.y) < std::pair(b.x, b.y);
-  }
-
-  bool isSettled(int h) const {
-    const int t = dual_.twin[at(h)];
-    const auto less = [&](int i, int j) { return isLess(i, j); };
-    const int endOfBoth = std::max(dual_.origin[at(h)], dual_.origin[at(t)], less);
-    const int beside = std::max(dual_.origin[at(Dual::previous(h))], dual_.origin[at(Dual::previous(t))], less);
-    return isLess(endOfBoth, beside);
-  }
+  bool isLess(int i, int j) const { return circle_voronoi::isLess(circles_, i, j); }
+  bool isSettled(int h) const { return isSettledTie(dual_, h, circles_); }
 
   /// A side of the polygon: its corner, and the half-edge beyond the side from there to the next corner.
   struct Side {
@@ -121,6 +116,14 @@ class TieSettler {
 
 void settleTies(Dual& dual, std::span<const int> ties, std::span<const Circle> circles) {
   TieSettler(dual, ties, circles).run();
+}
+
+bool isSettledTie(const Dual& dual, int h, std::span<const Circle> circles) {
+  const int t = dual.twin[h];
+  const auto less = [&](int i, int j) { return isLess(circles, i, j); };
+  const int endOfBoth = std::max(dual.origin[h], dual.origin[t], less);
+  const int beside = std::max(dual.origin[Dual::previous(h)], dual.origin[Dual::previous(t)], less);
+  return isLess(circles, endOfBoth, beside);
 }
 
 }  // namespace circle_voronoi

@@ -22,4 +22,7 @@ namespace circle_voronoi {
 /// judge's theorem is about stay the same sets of points.
 void settleTies(Dual& dual, std::span<const int> ties, std::span<const Circle> circles);
 
+/// Whether an edge of length zero is right in that sense.
+bool isSettledTie(const Dual& dual, int h, std::span<const Circle> circles);
+
 }  // namespace circle_voronoi

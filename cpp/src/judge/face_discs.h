@@ -39,6 +39,14 @@ class FaceDiscs {
     discs_[face] = {};
   }
 
+  /// Those that are added have none.
+  void resize(int count) { discs_.resize(count); }
+
+  void set(int face, const FaceDisc& disc) { discs_[face] = disc; }
+
+  /// Told that the circles have moved in memory, or that there are more.
+  void setCircles(std::span<const Circle> circles) { circles_ = circles; }
+
   const FaceDisc& operator[](int face) const { return discs_[face]; }
 
   /// The direction from the origin of a half-edge to the disc of its face.

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "edge_order.h"
+#include "edge_turns.h"
 #include "prefetch.h"
 
 namespace circle_voronoi {
@@ -24,6 +24,10 @@ class Judge {
     if (verdict.isRight()) verdict.ties = std::move(ties_);
     return verdict;
   }
+
+  // For turnsOf.
+  Direction toDisc(int corner) const { return {toDisc_[corner].x, toDisc_[corner].y, error_[corner / 3]}; }
+  bool isLower(int corner) const { return isLower_[corner] != 0; }
 
  private:
   Predicates::Triple triple(int face) const {
@@ -87,49 +91,18 @@ class Judge {
 
   /// Whether the ends of an edge are in order; notes how often the two regions beside it pass the axis along it.
   bool checkEdge(int h) {
-    const int t = dual_.twin[h];
-    const int a = dual_.origin[h];
-    const int b = dual_.origin[t];
-    if (a == kInfinity || b == kInfinity) {
-      const int finite = a == kInfinity ? t : h;
-      const bool passes = passesAxis(finite);
-      hullWinding_ += passes;
-      windings_[dual_.origin[finite]] += passes;
-      return true;
-    }
-    const int larger = fromLarger(dual_, h, predicates_);
-    const int smaller = dual_.twin[larger];
-    const bool isBounded = isFinite(dual_.origin[Dual::previous(h)]) && isFinite(dual_.origin[Dual::previous(t)]);
-    if (isBounded) {
-      const int order = orderOfEnds(dual_, larger, toDisc(cornerBefore(larger)), toDisc(larger), predicates_);
-      if (order < 0) return false;
-      if (order == 0) ties_.push_back(h);
-    }
-    windings_[dual_.origin[larger]] += isBounded ? passesAxisInOrder(larger) : passesAxis(larger);
-    windings_[dual_.origin[smaller]] +=
-        isBounded && circles_[a].r == circles_[b].r ? passesAxisInOrder(smaller) : passesAxis(smaller);
+    const EdgeTurns turns = turnsOf(*this, dual_, circles_, predicates_, h);
+    if (turns.order < 0) return false;
+    if (turns.order == 0) ties_.push_back(h);
+    noteTurn(dual_.origin[h], dual_.target(h), turns.passesAtOrigin);
+    noteTurn(dual_.target(h), dual_.origin[h], turns.passesAtTarget);
     return true;
   }
 
-  // Around the origin of half-edge h, counter-clockwise, the face on its right comes before the face on its left. The
-  // region of the origin turns from the disc of the one to that of the other, by less than a full turn.
-
-  /// The corner of the face on the right of h that is the origin of h.
-  int cornerBefore(int h) const { return Dual::next(dual_.twin[h]); }
-
-  Direction toDisc(int corner) const { return {toDisc_[corner].x, toDisc_[corner].y, error_[corner / 3]}; }
-
-  /// Whether the turn around the origin of h passes the axis from the lower half to the upper one, given that it is
-  /// less than half a turn.
-  bool passesAxisInOrder(int h) const { return isLower_[cornerBefore(h)] > isLower_[h]; }
-
-  /// The same of any turn: one within a half passes if it is nearly a full one.
-  bool passesAxis(int h) {
-    const int before = cornerBefore(h);
-    if (isLower_[before] != isLower_[h]) return isLower_[before] != 0;
-    int sign = predicates_.filteredCross(toDisc(before), toDisc(h));
-    if (sign == 0) sign = predicates_.exactCross(dual_.origin[h], triple(before / 3), triple(h / 3));
-    return sign < 0;
+  void noteTurn(int around, int neighbor, bool passes) {
+    if (!isFinite(around)) return;
+    windings_[around] += passes;
+    if (!isFinite(neighbor)) hullWinding_ += passes;
   }
 
   /// One full turn of every region, and of the hull.

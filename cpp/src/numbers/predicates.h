@@ -48,6 +48,9 @@ class Predicates {
   /// `circles` must outlive the predicates and must not hide one another.
   explicit Predicates(std::span<const Circle> circles) : circles_(circles) {}
 
+  /// Told that the circles have moved in memory, or that there are more.
+  void setCircles(std::span<const Circle> circles) { circles_ = circles; }
+
   using Triple = std::array<int, 3>;
 
   /// The disc of three circles counter-clockwise; one of them may be kInfinity.

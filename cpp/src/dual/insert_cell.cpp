@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "insert_cell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace circle_voronoi {
+
+CellInserter::Outcome CellInserter::insert(int i, int likely) {
+  hidden_.clear();
+  lost_.clear();
+  const auto edge = cutEdge(likely, i);
+  if (!edge) return Outcome::hidden;
+  split(*edge, i);
+  while (!stack_.empty()) {
+    const Link link = stack_.back();
+    stack_.pop_back();
+    if (isLost(link, i)) flipEdge(link.h, i);
+  }
+  return removeLost() ? Outcome::inserted : Outcome::astray;
+}
+
+std::optional<CellInserter::CutEdge> CellInserter::cutEdge(int likely, int i) {
+  int start = likely;
+  while (true) {
+    auto edge = cutEdgeAround(start, i);
+    if (!edge || edge->cut.isCut) return edge;
+    const int nearest = nearestAround(start, i);
+    if (distance(i, dual_.target(nearest)) >= distance(i, dual_.origin[start])) break;
+    start = dual_.twin[nearest];
+  }
+  // The centre may lie on the border of the cell.
+  const double least = distance(i, dual_.origin[start]);
+  const double rounding = 1e-14 * (std::abs(least) + circle(dual_.origin[start]).r);
+  int h = start;
+  do {
+    const int b = dual_.target(h);
+    if (b != kInfinity && distance(i, b) <= least + rounding) {
+      auto edge = cutEdgeAround(dual_.twin[h], i);
+      if (!edge || edge->cut.isCut) return edge;
+    }
+    h = dual_.twin[Dual::previous(h)];
+  } while (h != start);
+  return CutEdge{start, {}};
+}
+
+int CellInserter::nearestAround(int start, int i) {
+  int nearest = start;
+  double least = std::numeric_limits<double>::infinity();
+  int h = start;
+  do {
+    ++looks_;
+    const int b = dual_.target(h);
+    if (b != kInfinity && distance(i, b) < least) {
+      nearest = h;
+      least = distance(i, b);
+    }
+    h = dual_.twin[Dual::previous(h)];
+  } while (h != start);
+  return nearest;
+}
+
+std::optional<CellInserter::CutEdge> CellInserter::cutEdgeAround(int likely, int i) {
+  const auto isHider = [&](int a) {
+    if (a == kInfinity || !hides(a, i)) return false;
+    hider_ = a;
+    return true;
+  };
+  if (isHider(dual_.origin[likely])) return std::nullopt;
+  int left = likely;
+  int right = likely;
+  do {
+    for (const int h : {left, right}) {
+      ++looks_;
+      if (isHider(dual_.target(h))) return std::nullopt;
+      if (const Cut cut = cutOf(h, i); cut.isCut) return CutEdge{h, cut};
+    }
+    left = dual_.twin[Dual::previous(left)];
+    right = Dual::next(dual_.twin[right]);
+  } while (left != likely);
+  return CutEdge{likely, {}};
+}
+
+CellInserter::Disc CellInserter::discOf(const Predicates::Triple& corners) const {
+  return {corners, predicates_.disc(corners)};
+}
+
+CellInserter::Disc CellInserter::discAt(int h) const { return {cornersOf(dual_, h), discs_[h / 3]}; }
+
+bool CellInserter::isTangentLine(const Disc& disc) {
+  return std::find(disc.corners.begin(), disc.corners.end(), kInfinity) != disc.corners.end();
+}
+
+int CellInserter::order(int a, int b, const Disc& first, const Disc& second) const {
+  const int from = predicates_.looksFromFirst(a, b) ? a : b;
+  const int sign = turn(from, first, second);
+  return from == a ? sign : -sign;
+}
+
+CellInserter::Cut CellInserter::cutOf(int h, int i) const {
+  const auto [a, b, c] = cornersOf(dual_, h);
+  if (hides(i, a) || (b != kInfinity && hides(i, b))) return {true, true, false};
+  const int t = dual_.twin[h];
+  const int d = dual_.origin[Dual::previous(t)];
+  if (b == kInfinity) {
+    const bool hasStart = predicates_.tangentSide(a, d, i) > 0;
+    const bool hasEnd = predicates_.tangentSide(c, a, i) > 0;
+    const bool isWithin = turns(a, discAt(t), discOf({a, i, kInfinity}), discAt(h)) > 0;
+    return {hasStart || hasEnd || isWithin, hasStart, hasEnd && !hasStart};
+  }
+  // The edge goes from the disc of t to that of h. On its bisector the cell of i begins at `enter`, ends at `leave`.
+  const Disc enter = discOf({a, b, i});
+  const Disc leave = discOf({b, a, i});
+  const bool hasStart = leave.disc.exists && (d == kInfinity || order(a, b, discAt(t), leave) > 0);
+  const bool hasEnd = enter.disc.exists && (c == kInfinity || order(a, b, enter, discAt(h)) > 0);
+  if (!leave.disc.exists && !enter.disc.exists) {
+    const int side = predicates_.tangentSide(a, b, i);
+    return {side > 0 || (side == 0 && liesNearer(i, a, b)), false, false};
+  }
+  if (!leave.disc.exists || !enter.disc.exists) return {hasStart || hasEnd, false, false};
+  if (order(a, b, enter, leave) >= 0) return {hasStart && hasEnd, false, false};
+  return {hasStart || hasEnd, hasStart, !hasStart};
+}
+
+bool CellInserter::liesNearer(int i, int a, int b) const {
+  const Vector v = between(circle(a), circle(b));
+  const double l = length(v);
+  const double reach = (l - circle(a).r - circle(b).r) / 2;
+  const double t = (circle(a).r + reach) / l;
+  return distanceFrom({circle(a).x + t * v.x, circle(a).y + t * v.y}, circle(i)) < reach;
+}
+
+void CellInserter::renewDisc(int face, int i) {
+  bool isLost = false;
+  for (const int corner : cornersOf(dual_, 3 * face)) {
+    if (corner == i || corner == kInfinity) continue;
+    if (!isHidden_[corner] && hides(i, corner)) {
+      keeper_.willHide(corner);
+      isHidden_[corner] = 1;
+      hidden_.push_back(corner);
+      lost_.push_back(corner);
+    }
+    isLost = isLost || isHidden_[corner];
+  }
+  if (isLost) {
+    discs_.clear(face);
+  } else {
+    discs_.update(face);
+  }
+}
+
+void CellInserter::split(const CutEdge& edge, int i) {
+  const int h = edge.h;
+  const int t = dual_.twin[h];
+  const Disc near = edge.cut.hasStart ? discAt(t) : edge.cut.hasEnd ? discAt(h) : Disc{};
+  const int atH = 3 * keeper_.addFace();
+  const int atT = 3 * keeper_.addFace();
+  keeper_.willChange(h / 3);
+  keeper_.willChange(t / 3);
+  const auto fill = [&](int first, int beyond) {
+    dual_.origin[first] = dual_.target(beyond);
+    dual_.origin[first + 1] = dual_.origin[beyond];
+    dual_.origin[first + 2] = i;
+    link(first, beyond);
+  };
+  fill(atH, h);
+  fill(atT, t);
+  link(atH + 1, atT + 2);
+  link(atH + 2, atT + 1);
+  edgeOf_[i] = atH + 2;
+  renewDisc(atH / 3, i);
+  renewDisc(atT / 3, i);
+  stack_ = {{atH, edge.cut.hasEnd, near}, {atT, edge.cut.hasStart, near}};
+}
+
+bool CellInserter::isLost(const Link& link, int i) const {
+  // The edge across would be a loop.
+  if (dual_.origin[Dual::previous(dual_.twin[link.h])] == i) return false;
+  if (link.isWithin || !discs_.exists(link.h / 3)) return true;
+  const bool hasNear = link.near.corners[0] != link.near.corners[1];
+  return isAtInfinity(link.h) && hasNear ? isHullLost(link) : discs_.flawOf(link.h) != Flaw::none;
+}
+
+bool CellInserter::isHullLost(const Link& link) const {
+  const Disc border = discAt(link.h);
+  const Disc beyond = discAt(dual_.twin[link.h]);
+  const bool isOutgoing = dual_.origin[link.h] != kInfinity;
+  const int from = isOutgoing ? dual_.origin[link.h] : dual_.target(link.h);
+  const int sign = turns(from, border, beyond, link.near);
+  if (sign != 0) return isOutgoing ? sign > 0 : sign < 0;
+  // Two are the same. If the old ones are, the new cell has both.
+  const auto u = predicates_.direction(from, beyond.disc);
+  const auto v = predicates_.direction(from, link.near.disc);
+  return turn(from, beyond, link.near) == 0 && turn(from, border, beyond) != 0 && u.x * v.x + u.y * v.y > 0;
+}
+
+int CellInserter::turns(int from, const Disc& first, const Disc& second, const Disc& third) const {
+  return turn(from, first, second) + turn(from, second, third) + turn(from, third, first);
+}
+
+bool CellInserter::isAtInfinity(int h) const { return dual_.origin[h] == kInfinity || dual_.target(h) == kInfinity; }
+
+int CellInserter::turn(int from, const Disc& first, const Disc& second) const {
+  const int sign =
+      predicates_.filteredCross(predicates_.direction(from, first.disc), predicates_.direction(from, second.disc));
+  return sign != 0 ? sign : predicates_.exactCross(from, first.corners, second.corners);
+}
+
+void CellInserter::flipEdge(int h, int i) {
+  const int t = dual_.twin[h];
+  const int bi = Dual::next(h);
+  const int ad = Dual::next(t);
+  const int ia = Dual::previous(h);
+  const int db = Dual::previous(t);
+  const Disc lost = discAt(t);
+  for (const int changed : {h, t, dual_.twin[ad], dual_.twin[bi]}) keeper_.willChange(changed / 3);
+  keeper_.replaceEdge(h, dual_.twin[ia]);
+  keeper_.replaceEdge(bi, t);
+  keeper_.replaceEdge(ad, h);
+  link(h, dual_.twin[ad]);
+  link(t, dual_.twin[bi]);
+  dual_.origin[bi] = dual_.origin[db];
+  dual_.origin[ad] = dual_.origin[ia];
+  link(bi, ad);
+  renewDisc(h / 3, i);
+  renewDisc(t / 3, i);
+  for (const int kept : {h, t, ia, db}) noteEdge(kept);
+  for (const int link : {h, db}) stack_.push_back({link, isWithin(link, lost), lost});
+  ++flips_;
+}
+
+bool CellInserter::isWithin(int h, const Disc& lost) const {
+  const int a = dual_.origin[h];
+  const int b = dual_.target(h);
+  if (!discs_.exists(h / 3)) return true;
+  if (a == kInfinity || b == kInfinity || isTangentLine(lost)) return false;
+  return order(a, b, discAt(h), lost) < 0;
+}
+
+bool CellInserter::removeLost() {
+  while (!lost_.empty()) {
+    const auto removed = std::remove_if(lost_.begin(), lost_.end(), [&](int circle) { return remove(circle); });
+    if (removed == lost_.end()) return false;
+    lost_.erase(removed, lost_.end());
+  }
+  return true;
+}
+
+bool CellInserter::remove(int circle) {
+  const int g = edgeOf_[circle];
+  const int h = dual_.twin[Dual::previous(g)];
+  if (h == g || dual_.twin[Dual::previous(h)] != g) return false;
+  const int pq = dual_.twin[Dual::next(h)];
+  const int qp = dual_.twin[Dual::next(g)];
+  if (pq / 3 == g / 3) return false;
+  keeper_.dropEdge(g);
+  keeper_.dropEdge(h);
+  keeper_.willChange(pq / 3);
+  keeper_.willChange(qp / 3);
+  for (const int lost : {Dual::next(g), Dual::previous(h)}) keeper_.replaceEdge(lost, pq);
+  for (const int lost : {Dual::next(h), Dual::previous(g)}) keeper_.replaceEdge(lost, qp);
+  link(pq, qp);
+  noteEdge(pq);
+  noteEdge(qp);
+  keeper_.removeFace(g / 3);
+  keeper_.removeFace(h / 3);
+  return true;
+}
+
+}  // namespace circle_voronoi

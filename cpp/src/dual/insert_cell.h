@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "dual.h"
+#include "dual_keeper.h"
+#include "face_discs.h"
+#include "predicates.h"
+#include "vectors.h"
+
+namespace circle_voronoi {
+
+/// The signed distance of a circle from a point.
+inline double distanceFrom(Point p, const Circle& c) { return length({c.x - p.x, c.y - p.y}) - c.r; }
+
+/// The dual of a Voronoi diagram of two circles or more, and what those keep who change it circle by circle.
+struct LiveDual {
+  Dual& dual;
+  FaceDiscs& discs;             ///< of its faces
+  std::vector<int>& edgeOf;     ///< of each circle in the dual a half-edge that starts from it
+  std::vector<char>& isHidden;  ///< of each circle whether another one hides it
+  DualKeeper& keeper;
+};
+
+/// Inserts circles into a dual. A new circle cuts an edge of the cell that its centre lies in, and flips take the edges
+/// away that its cell has all of. Circles that it hides lose their cells.
+///
+/// Where more than three circles touch one disc, or nearly, a circle may come to a wrong place: the result is to be
+/// judged.
+class CellInserter {
+ public:
+  /// What is given must outlive this.
+  explicit CellInserter(const LiveDual& live)
+      : dual_(live.dual),
+        discs_(live.discs),
+        predicates_(live.discs.predicates()),
+        edgeOf_(live.edgeOf),
+        isHidden_(live.isHidden),
+        keeper_(live.keeper) {}
+
+  enum class Outcome {
+    inserted,
+    hidden,  ///< another circle hides it, and nothing has changed
+    astray,  ///< a circle that it hides did not let itself be taken away
+  };
+
+  /// Inserts circle i. Its centre most likely lies in the sector of half-edge `likely`: between the rays from the
+  /// centre of its origin to the ends of its bisector.
+  Outcome insert(int i, int likely);
+
+  /// The circle that hides the last one.
+  int hider() const { return hider_; }
+  /// The circles that the last one hides.
+  std::span<const int> hidden() const { return hidden_; }
+
+  std::int64_t flips() const { return flips_; }
+  std::int64_t looks() const { return looks_; }  ///< at edges, for one that is cut
+
+ private:
+  /// What the cell of a new circle has of an edge of the old diagram: whether anything, and whether the start or the
+  /// end. Of both only the start counts: that the new cell has the other it learns on its way around.
+  struct Cut {
+    bool isCut = false;
+    bool hasStart = false;
+    bool hasEnd = false;
+  };
+
+  struct CutEdge {
+    int h = kInfinity;
+    Cut cut;
+  };
+
+  struct Disc {
+    Predicates::Triple corners;
+    FaceDisc disc;
+  };
+
+  /// A half-edge opposite the new circle. Its bisector, with its origin on the left, comes from the disc of the old
+  /// face beyond it, leaves the old cells at that of its own face, and comes to `near` in the new cell: in this order,
+  /// or the new cell has all of it.
+  struct Link {
+    int h;
+    bool isWithin;  ///< the last two are known to be out of order
+    Disc near;      ///< of an old face that is gone; without corners if it was on no disc that the new cell came in
+  };
+
+  const Circle& circle(int i) const { return discs_.circles()[i]; }
+  bool hides(int i, int j) const { return circle(i).r >= circle(j).r && predicates_.contains(circle(i), circle(j)); }
+  double distance(int from, int to) const { return distanceFrom({circle(from).x, circle(from).y}, circle(to)); }
+
+  /// An edge of the old diagram that the cell of circle i cuts; nothing if another circle hides i. It is one of the
+  /// cell in which the centre of i lies, most often `likely`; where rounding has led astray, the way goes from cell to
+  /// cell until no neighbour is nearer.
+  std::optional<CutEdge> cutEdge(int likely, int i);
+
+  /// The half-edge around the origin of one to the neighbour that is nearest to the centre of circle i.
+  int nearestAround(int start, int i);
+
+  /// The same around one cell: from an edge that is likely to be cut to both sides.
+  std::optional<CutEdge> cutEdgeAround(int likely, int i);
+
+  Disc discOf(const Predicates::Triple& corners) const;
+  Disc discAt(int h) const;
+  static bool isTangentLine(const Disc& disc);
+
+  /// 1 if a disc comes before another along the bisector of a and b with a on the left, 0 if they are the same.
+  int order(int a, int b, const Disc& first, const Disc& second) const;
+
+  Cut cutOf(int h, int i) const;
+
+  /// Whether circle i is nearer than a and b to where the line through the centres of these crosses their bisector.
+  bool liesNearer(int i, int a, int b) const;
+
+  /// Finds the disc of a face with a new circle. It has none if that hides one of the others.
+  void renewDisc(int face, int i);
+
+  /// Puts circle i between the circles of an edge, which becomes two.
+  void split(const CutEdge& edge, int i);
+
+  /// Whether the new circle takes away an edge.
+  bool isLost(const Link& link, int i) const;
+
+  /// The same of an edge to infinity: the tangent lines of its circle turn all around it, so that only the order of
+  /// three of them tells.
+  bool isHullLost(const Link& link) const;
+
+  /// Positive if three discs follow one another counter-clockwise around a circle, negative if clockwise, 0 if two are
+  /// in the same direction.
+  int turns(int from, const Disc& first, const Disc& second, const Disc& third) const;
+
+  bool isAtInfinity(int h) const;
+
+  /// The sign of the turn around a circle from a disc to another.
+  int turn(int from, const Disc& first, const Disc& second) const;
+
+  /// Faces (a, b, i) and (b, a, d) become (a, d, i) and (b, i, d).
+  void flipEdge(int h, int i);
+
+  /// Whether the new cell, which has the disc given, has all of the bisector on this side of it.
+  bool isWithin(int h, const Disc& lost) const;
+
+  /// Takes the circles away that the new one hides, which leaves them but two edges. Whether it did.
+  bool removeLost();
+
+  /// Faces (circle, p, q) and (circle, q, p) vanish. Whether the circle had two edges.
+  bool remove(int circle);
+
+  void noteEdge(int h) {
+    if (dual_.origin[h] != kInfinity) edgeOf_[dual_.origin[h]] = h;
+  }
+  void link(int h, int t) {
+    dual_.twin[h] = t;
+    dual_.twin[t] = h;
+  }
+
+  Dual& dual_;
+  FaceDiscs& discs_;
+  Predicates& predicates_;
+  std::vector<int>& edgeOf_;
+  std::vector<char>& isHidden_;
+  DualKeeper& keeper_;
+  std::vector<Link> stack_;
+  std::vector<int> hidden_;  ///< the circles that the new one hides
+  std::vector<int> lost_;    ///< those of them that still have a cell
+  int hider_ = kInfinity;
+  std::int64_t flips_ = 0;
+  std::int64_t looks_ = 0;
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "build_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "construct.h"
+#include "diagram_of.h"
+#include "edge_turns.h"
+#include "hide.h"
+#include "judge_step.h"
+#include "order.h"
+#include "three_touch_disc.h"
+#include "triangulate.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Coordinates may grow by 2^24 before everything is scaled anew. Lengths below 2^-100 of the whole are then decided
+/// in integers, which would do for those below 2^-124 only.
+constexpr double kRoom = 0x1p24;
+constexpr double kLargestScaled = 0x1p80;
+
+struct Scaled {
+  std::vector<Circle> circles;
+  double unit;
+  bool isExact;
+};
+
+/// The circles in a unit that leaves room to grow, if that rounds none of them.
+Result<Scaled> scale(std::span<const Circle> circles) {
+  auto validated = validate(circles);
+  if (!validated) return validated.error();
+  auto& [scaled, unit] = validated.value();
+  for (const double factor : {kRoom, 1.0}) {
+    Scaled result{{}, unit * factor, true};
+    result.circles.reserve(circles.size());
+    for (const Circle& c : circles) {
+      const auto exact = scaledExactly(c, result.unit);
+      if (!exact) break;
+      result.circles.push_back(*exact);
+    }
+    if (result.circles.size() == circles.size()) return result;
+  }
+  return Scaled{std::move(scaled), unit, false};
+}
+
+void fillDual(EditState& state, const Topology& topology, int visibleCount) {
+  // A right topology is that of a dual.
+  state.dual = std::get<Dual>(dualOf(topology, visibleCount));
+  state.faceCount = state.dual.faceCount();
+  state.facePlaces = Places(state.faceCount);
+}
+
+/// What is kept of faces and edges.
+void fillProof(EditState& state) {
+  const Dual& dual = state.dual;
+  for (int face = 0; face < dual.faceCount(); ++face) {
+    state.discs.update(face);
+    const auto corners = cornersOf(dual, 3 * face);
+    for (int k = 0; k < 3; ++k) {
+      if (corners[k] == kInfinity) continue;
+      state.noteEdge(3 * face + k);
+      state.proof[3 * face + k].isLower =
+          state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], state.discs[face]));
+    }
+  }
+  int edges = 0;
+  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+    const int t = dual.twin[h];
+    if (h > t) continue;
+    const EdgeTurns turns = turnsOf(StepDiscs{state}, dual, state.circles, state.predicates, h);
+    state.proof[h].passes = turns.passesAtOrigin;
+    state.proof[t].passes = turns.passesAtTarget;
+    if (dual.origin[h] != kInfinity && dual.origin[t] != kInfinity) {
+      state.edgeNumber[h] = state.edgeNumber[t] = edges++;
+    }
+  }
+  state.edgePlaces = Places(edges);
+}
+
+}  // namespace
+
+std::optional<Circle> scaledExactly(const Circle& circle, double unit) {
+  const double factor = 1 / unit;
+  // Adding zero turns -0 into +0, as in validate.
+  const Circle scaled = {circle.x * factor + 0.0, circle.y * factor + 0.0, circle.r * factor + 0.0};
+  if (std::max({std::abs(scaled.x), std::abs(scaled.y), scaled.r}) > kLargestScaled) return std::nullopt;
+  if (Circle{scaled.x * unit, scaled.y * unit, scaled.r * unit} != circle) return std::nullopt;
+  return scaled;
+}
+
+std::array<int, 3> slotsOfVertex(const EditState& state, int face) {
+  auto slots = cornersOf(state.dual, 3 * face);
+  const auto isBefore = [&](int a, int b) { return state.sites[a].id < state.sites[b].id; };
+  std::rotate(slots.begin(), std::min_element(slots.begin(), slots.end(), isBefore), slots.end());
+  return slots;
+}
+
+std::optional<Vertex> vertexOfFace(const EditState& state, int face) {
+  const auto [i, j, k] = slotsOfVertex(state, face);
+  return vertexOf(state.circles[i], state.circles[j], state.circles[k], state.unit);
+}
+
+Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const std::int32_t> ids) {
+  auto scaledOrError = scale(circles);
+  if (!scaledOrError) return scaledOrError.error();
+  const Scaled& scaled = scaledOrError.value();
+  const Progress silent;
+  Journal journal(silent);
+  Sites sites = triangulate(hide(order(scaled.circles)));
+  const Construction construction = constructAutomatically(sites, journal);
+  if (!construction.certificate.certified()) {
+    return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
+  }
+
+  auto state = std::make_unique<EditState>();
+  state->unit = scaled.unit;
+  state->hasScale = std::any_of(circles.begin(), circles.end(), [](const Circle& c) { return c != Circle{}; });
+  state->circleCount = static_cast<int>(circles.size());
+  state->visibleCount = static_cast<int>(sites.circles.size());
+  state->sitePlaces = Places(state->circleCount);
+  fillDual(*state, construction.topology, state->visibleCount);
+  state->sizeToPlaces();
+  std::vector<int> slots(circles.size(), kNone);  // of each index
+  int slot = 0;
+  for (; slot < state->visibleCount; ++slot) slots[sites.indices[slot]] = slot;
+  for (const HiddenCircle& hidden : sites.hidden) slots[hidden.circle] = slot++;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    state->circles[slots[i]] = scaled.circles[i];
+    state->sites[slots[i]].id = ids[i];
+    state->ids.add(ids[i], slots[i]);
+  }
+  if (!scaled.isExact) {
+    state->inexact.resize(circles.size());
+    for (std::size_t i = 0; i < circles.size(); ++i) state->inexact[slots[i]] = circles[i];
+  }
+  for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[hidden.circle], slots[hidden.by]);
+  state->nextId = ids.empty() ? 0 : ids.back() + 1;
+  fillProof(*state);
+  for (int face = 0; face < state->dual.faceCount(); ++face) {
+    if (!state->isVertex(face) || vertexOfFace(*state, face)) continue;
+    const auto [i, j, k] = slotsOfVertex(*state, face);
+    return vertexBeyondDoubles({state->sites[i].id, state->sites[j].id, state->sites[k].id});
+  }
+  state->prepareToKeep();
+  state->keep();
+  return state;
+}
+
+}  // namespace circle_voronoi

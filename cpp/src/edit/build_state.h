@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
+#include "edit_state.h"
+
+namespace circle_voronoi {
+
+/// The state of an editor with these circles, whose ids increase. Errors are those of `compute`, by index.
+Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const std::int32_t> ids);
+
+/// A circle in the unit of a state; nothing if it is too large there, or would be rounded.
+std::optional<Circle> scaledExactly(const Circle& circle, double unit);
+
+/// The circles of a vertex, the one with the least id first, so that its disc has the same bits however it was found.
+std::array<int, 3> slotsOfVertex(const EditState& state, int face);
+
+/// The disc of a vertex in the units of the input; nothing if it is beyond the doubles.
+std::optional<Vertex> vertexOfFace(const EditState& state, int face);
+
+}  // namespace circle_voronoi

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "circle_voronoi/editor.h"
+#include "circle_voronoi/error.h"
+#include "edit_state.h"
+
+namespace circle_voronoi {
+
+/// Tells what has become of a diagram.
+class ChangeRecorder {
+ public:
+  /// What has changed in a state since it was kept; gives numbers to new edges.
+  Result<Change> record(EditState& state, EditWay way);
+
+  /// What makes of one state another that was built anew, with numbers of its own.
+  Result<Change> recordWhole(const EditState& before, const EditState& after);
+
+ private:
+  struct Mark {
+    bool isListed = false;  ///< in `marked_`
+    bool isMoved = false;
+    bool hasCell = false;  ///< among those of the change
+  };
+
+  Mark& markOf(int slot);
+  void recordCircles(Change& change, const EditState& state);
+  std::optional<Error> recordVertices(Change& change, EditState& state);
+  void recordEdges(Change& change, EditState& state);
+
+  std::vector<Mark> marks_;  ///< of each slot
+  std::vector<int> marked_;  ///< those that have any
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edit_state.h"
+
+namespace circle_voronoi {
+
+void EditState::sizeToPlaces() {
+  const auto faces = static_cast<std::size_t>(facePlaces.count());
+  dual.origin.resize(3 * faces, kInfinity);
+  dual.twin.resize(3 * faces, kNone);
+  proof.resize(3 * faces);
+  edgeNumber.resize(3 * faces, kNone);
+  discs.resize(static_cast<int>(faces));
+  savedFaceAt_.resize(faces, kNone);
+  const auto slots = static_cast<std::size_t>(sitePlaces.count());
+  circles.resize(slots);
+  predicates.setCircles(circles);
+  discs.setCircles(circles);
+  sites.resize(slots);
+  isHidden.resize(slots);
+  edgeOf.resize(slots, kNone);
+  savedSiteAt_.resize(slots, kNone);
+}
+
+int EditState::addFace() {
+  const int face = facePlaces.take();
+  // What was sized last, should memory have run out in between.
+  if (face >= static_cast<int>(savedFaceAt_.size())) sizeToPlaces();
+  willChange(face);
+  ++faceCount;
+  return face;
+}
+
+void EditState::removeFace(int face) {
+  willChange(face);
+  for (int h = 3 * face; h < 3 * face + 3; ++h) dual.twin[h] = kNone;
+  facePlaces.release(face);
+  --faceCount;
+}
+
+void EditState::willChange(int face) {
+  const int last = savedFaceAt_[face];
+  if (last != kNone && static_cast<std::size_t>(last) >= stepFaces_) return;
+  const int h = 3 * face;
+  const auto three = [h](const auto& list) { return std::array{list[h], list[h + 1], list[h + 2]}; };
+  faceLog.push_back({face, last, three(dual.origin), three(dual.twin), three(edgeNumber), three(proof), discs[face]});
+  savedFaceAt_[face] = static_cast<int>(faceLog.size() - 1);
+}
+
+void EditState::willChangeSite(int slot) {
+  const int last = savedSiteAt_[slot];
+  if (last != kNone && static_cast<std::size_t>(last) >= stepSites_) return;
+  siteLog.push_back({slot, last, sites[slot], circles[slot], isHidden[slot]});
+  savedSiteAt_[slot] = static_cast<int>(siteLog.size() - 1);
+}
+
+int EditState::addSite(const Circle& scaled) {
+  const int slot = sitePlaces.take();
+  if (slot >= static_cast<int>(savedSiteAt_.size())) sizeToPlaces();
+  willChangeSite(slot);
+  ids.add(nextId, slot);
+  sites[slot] = {nextId++};
+  circles[slot] = scaled;
+  isHidden[slot] = 1;
+  ++circleCount;
+  return slot;
+}
+
+void EditState::removeSite(int slot) {
+  willChangeSite(slot);
+  sitePlaces.release(slot);
+  sites[slot].id = kNone;  // a list that it still has is for the judge to see
+  --circleCount;
+}
+
+void EditState::attach(int slot, int hider) {
+  willChangeSite(slot);
+  willChangeSite(hider);
+  const int next = sites[hider].firstHidden;
+  if (next != kNone) {
+    willChangeSite(next);
+    sites[next].previous = slot;
+  }
+  sites[hider].firstHidden = slot;
+  sites[slot].hider = hider;
+  sites[slot].next = next;
+  sites[slot].previous = kNone;
+  isHidden[slot] = 1;
+}
+
+void EditState::detach(int slot) {
+  willChangeSite(slot);
+  Site& site = sites[slot];
+  if (site.previous != kNone) {
+    willChangeSite(site.previous);
+    sites[site.previous].next = site.next;
+  } else {
+    willChangeSite(site.hider);
+    sites[site.hider].firstHidden = site.next;
+  }
+  if (site.next != kNone) {
+    willChangeSite(site.next);
+    sites[site.next].previous = site.previous;
+  }
+  site.hider = site.next = site.previous = kNone;
+}
+
+EditState::Mark EditState::beginStep() {
+  stepFaces_ = faceLog.size();
+  stepSites_ = siteLog.size();
+  return {stepFaces_, stepSites_, facePlaces.mark(), sitePlaces.mark(), nextId, circleCount, visibleCount, faceCount};
+}
+
+void EditState::takeBack(const Mark& mark) noexcept {
+  while (siteLog.size() > mark.sites) {
+    const SavedSite& saved = siteLog.back();
+    const int slot = saved.slot;
+    if (saved.site.id == kNone && sites[slot].id != kNone) ids.remove(sites[slot].id);
+    sites[slot] = saved.site;
+    circles[slot] = saved.circle;
+    isHidden[slot] = saved.isHidden;
+    savedSiteAt_[slot] = saved.before;
+    siteLog.pop_back();
+  }
+  for (std::size_t i = faceLog.size(); i-- > mark.faces;) {
+    const SavedFace& saved = faceLog[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t h = 3 * static_cast<std::size_t>(saved.face) + k;
+      dual.origin[h] = saved.origin[k];
+      dual.twin[h] = saved.twin[k];
+      edgeNumber[h] = saved.edgeNumber[k];
+      proof[h] = saved.proof[k];
+    }
+    discs.set(saved.face, saved.disc);
+    savedFaceAt_[saved.face] = saved.before;
+  }
+  for (std::size_t i = mark.faces; i < faceLog.size(); ++i) noteEdgesOf(faceLog[i].face);
+  faceLog.resize(mark.faces);
+  facePlaces.takeBack(mark.facePlaces);
+  sitePlaces.takeBack(mark.sitePlaces);
+  nextId = mark.nextId;
+  circleCount = mark.circleCount;
+  visibleCount = mark.visibleCount;
+  faceCount = mark.faceCount;
+}
+
+void EditState::noteEdgesOf(int face) noexcept {
+  if (!isInUse(face)) return;
+  for (int h = 3 * face; h < 3 * face + 3; ++h) noteEdge(h);
+}
+
+void EditState::noteEdges() {
+  for (std::size_t i = stepFaces_; i < faceLog.size(); ++i) noteEdgesOf(faceLog[i].face);
+}
+
+void EditState::prepareToKeep() {
+  facePlaces.prepare();
+  sitePlaces.prepare();
+  edgePlaces.prepare();
+}
+
+void EditState::keep() noexcept {
+  for (const SavedSite& saved : siteLog) {
+    const std::int32_t id = saved.site.id;
+    if (id != kNone && sites[saved.slot].id != id && ids.slotOf(id) != kNone) ids.remove(id);
+    savedSiteAt_[saved.slot] = kNone;
+  }
+  for (const SavedFace& saved : faceLog) savedFaceAt_[saved.face] = kNone;
+  siteLog.clear();
+  faceLog.clear();
+  facePlaces.keep();
+  sitePlaces.keep();
+  edgePlaces.keep();
+  kept_ = beginStep();
+}
+
+void EditState::takeAllBack() noexcept {
+  takeBack(kept_);
+  edgePlaces.takeAllBack();
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "build_state.h"
+#include "change_record.h"
+#include "circle_voronoi/compute.h"
+#include "guarded.h"
+#include "snapshot.h"
+#include "step.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+Error unknownCircle(CircleId id, std::int64_t index) {
+  return {ErrorCode::unknownCircle, index, "There is no circle with id " + std::to_string(id) + "."};
+}
+
+/// An error that is none of one edit.
+Error withoutCircle(Error error) {
+  error.circle = -1;
+  return error;
+}
+
+/// More edits than this share of the circles, and a few, are done by computing all.
+constexpr std::size_t kFewEdits = 32;
+constexpr std::size_t kManyShare = 10;
+
+}  // namespace
+
+class DiagramEditor::Editor {
+ public:
+  explicit Editor(std::unique_ptr<EditState> state) { take(std::move(state)); }
+
+  const EditState& state() const { return *state_; }
+  const Locator& locator() const { return locator_; }
+
+  /// The slot of a circle, or kNone. One that was removed in the same batch has none.
+  int slotOf(CircleId id) const {
+    const int slot = state_->ids.slotOf(id);
+    return slot != kNone && state_->sites[slot].id == id ? slot : kNone;
+  }
+
+  /// Throws only if there is no memory, and then nothing has changed.
+  Result<Change> apply(std::span<const Edit> edits, CircleId hint) {
+    if (auto error = refusalOf(edits)) return *std::move(error);
+    if (edits.size() > static_cast<std::size_t>(std::numeric_limits<CircleId>::max() - state_->nextId)) {
+      return Error{ErrorCode::tooManyCircles, -1, "There are no ids left."};
+    }
+    try {
+      auto change = areFew(edits) ? applyLocally(edits, hint) : std::nullopt;
+      if (!change) {
+        state_->takeAllBack();
+        return applyWhole(edits);
+      }
+      if (!*change) {
+        state_->takeAllBack();
+        return *std::move(change);
+      }
+      state_->prepareToKeep();
+      state_->keep();
+      note(change->value());
+      return *std::move(change);
+    } catch (...) {
+      state_->takeAllBack();
+      throw;
+    }
+  }
+
+ private:
+  void take(std::unique_ptr<EditState> state) {
+    auto stepper = std::make_unique<Stepper>(*state, locator_);
+    Locator filled;
+    filled.fill(*state);
+    state_ = std::move(state);
+    stepper_ = std::move(stepper);
+    locator_ = std::move(filled);
+  }
+
+  bool areFew(std::span<const Edit> edits) const {
+    return edits.size() <= kFewEdits + static_cast<std::size_t>(state_->circleCount) / kManyShare;
+  }
+
+  /// What is wrong with an edit, whatever the others do.
+  static std::optional<Error> refusalOf(std::span<const Edit> edits) {
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+      if (edits[i].kind == Edit::Kind::remove) continue;
+      const auto checked = validate({&edits[i].circle, 1}, i);
+      if (!checked) return checked.error();
+    }
+    return std::nullopt;
+  }
+
+  /// Nothing if it takes computing the whole.
+  std::optional<Result<Change>> applyLocally(std::span<const Edit> edits, CircleId hint) {
+    if (!state_->inexact.empty() || !state_->hasScale) return std::nullopt;
+    EditWay way = EditWay::local;
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+      const Edit& edit = edits[i];
+      int slot = kNone;
+      if (edit.kind != Edit::Kind::insert) {
+        slot = slotOf(edit.id);
+        if (slot == kNone) return unknownCircle(edit.id, static_cast<std::int64_t>(i));
+      }
+      std::optional<EditWay> done;
+      if (edit.kind == Edit::Kind::remove) {
+        done = stepper_->remove(slot);
+      } else {
+        const auto circle = scaledExactly(edit.circle, state_->unit);
+        if (!circle) return std::nullopt;
+        done = edit.kind == Edit::Kind::insert ? stepper_->insert(*circle, slotOf(hint))
+                                               : stepper_->replace(slot, *circle);
+      }
+      if (!done) return std::nullopt;
+      way = std::max(way, *done);
+    }
+    auto change = recorder_.record(*state_, way);
+    if (!change) return withoutCircle(change.error());
+    return change;
+  }
+
+  Result<Change> applyWhole(std::span<const Edit> edits) {
+    std::vector<CircleId> ids;
+    std::vector<Circle> circles;
+    const CircleId firstNew = state_->nextId;
+    state_->ids.forEach([&](CircleId id, int slot) {
+      ids.push_back(id);
+      circles.push_back(state_->inputOf(slot));
+    });
+    const auto newOnes = static_cast<std::size_t>(
+        std::count_if(edits.begin(), edits.end(), [](const Edit& e) { return e.kind == Edit::Kind::insert; }));
+    std::vector<char> isThere(ids.size(), 1);
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+      const Edit& edit = edits[i];
+      if (edit.kind == Edit::Kind::insert) {
+        ids.push_back(ids.empty() ? firstNew : std::max(firstNew, ids.back() + 1));
+        circles.push_back(edit.circle);
+        isThere.push_back(1);
+        continue;
+      }
+      const auto found = static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), edit.id) - ids.begin());
+      if (found == ids.size() || ids[found] != edit.id || isThere[found] == 0) {
+        return unknownCircle(edit.id, static_cast<std::int64_t>(i));
+      }
+      if (edit.kind == Edit::Kind::remove) {
+        isThere[found] = 0;
+      } else {
+        circles[found] = edit.circle;
+      }
+    }
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (isThere[i] == 0) continue;
+      ids[count] = ids[i];
+      circles[count++] = circles[i];
+    }
+    ids.resize(count);
+    circles.resize(count);
+    auto built = buildState(circles, ids);
+    if (!built) return withoutCircle(built.error());
+    auto state = std::move(built).value();
+    state->nextId = firstNew + static_cast<CircleId>(newOnes);
+    state->keep();
+    auto change = recorder_.recordWhole(*state_, *state);
+    if (change) take(std::move(state));
+    return change;
+  }
+
+  /// Notes where circles are now; for want of memory not.
+  void note(const Change& change) noexcept {
+    try {
+      for (const auto* list : {&change.replaced, &change.inserted, &change.shown}) {
+        for (const CircleId id : *list) {
+          if (const int slot = slotOf(id); state_->isVisible(slot)) locator_.note(*state_, slot);
+        }
+      }
+      if (change.inserted.empty() && change.replaced.empty() && !change.cells.empty()) {
+        locator_.note(*state_, slotOf(change.cells.front()));
+      }
+    } catch (const std::bad_alloc&) {
+      locator_ = {};
+    }
+  }
+
+  std::unique_ptr<EditState> state_;
+  Locator locator_;
+  std::unique_ptr<Stepper> stepper_;
+  ChangeRecorder recorder_;
+};
+
+DiagramEditor::DiagramEditor(std::unique_ptr<Editor> editor) : editor_(std::move(editor)) {}
+DiagramEditor::DiagramEditor(DiagramEditor&&) noexcept = default;
+DiagramEditor& DiagramEditor::operator=(DiagramEditor&&) noexcept = default;
+DiagramEditor::~DiagramEditor() = default;
+
+Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles) {
+  return guarded([&]() -> Result<DiagramEditor> {
+    if (const auto checked = validate(circles); !checked) return checked.error();
+    std::vector<CircleId> ids(circles.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    auto state = buildState(circles, ids);
+    if (!state) return state.error();
+    return DiagramEditor(std::make_unique<Editor>(std::move(state).value()));
+  });
+}
+
+Result<Change> DiagramEditor::insert(const Circle& circle, CircleId hint) {
+  const Edit edit{Edit::Kind::insert, kNone, circle};
+  return guarded([&] { return editor_->apply({&edit, 1}, hint); });
+}
+
+Result<Change> DiagramEditor::remove(CircleId id) {
+  const Edit edit{Edit::Kind::remove, id, {}};
+  return guarded([&] { return editor_->apply({&edit, 1}, kNone); });
+}
+
+Result<Change> DiagramEditor::replace(CircleId id, const Circle& circle) {
+  const Edit edit{Edit::Kind::replace, id, circle};
+  return guarded([&] { return editor_->apply({&edit, 1}, kNone); });
+}
+
+Result<Change> DiagramEditor::apply(std::span<const Edit> edits) {
+  return guarded([&] { return editor_->apply(edits, kNone); });
+}
+
+CircleId DiagramEditor::nearest(Point p, CircleId hint) const {
+  const EditState& state = editor_->state();
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) return kNone;
+  const Point scaled = {p.x / state.unit, p.y / state.unit};
+  return state.idOf(editor_->locator().locate(state, scaled, editor_->slotOf(hint)).slot);
+}
+
+std::size_t DiagramEditor::size() const { return static_cast<std::size_t>(editor_->state().circleCount); }
+
+std::optional<Circle> DiagramEditor::circle(CircleId id) const {
+  const int slot = editor_->slotOf(id);
+  if (slot == kNone) return std::nullopt;
+  return editor_->state().inputOf(slot);
+}
+
+bool DiagramEditor::isHidden(CircleId id) const { return !editor_->state().isVisible(editor_->slotOf(id)); }
+
+std::vector<CircleId> DiagramEditor::ids() const {
+  std::vector<CircleId> ids;
+  ids.reserve(size());
+  editor_->state().ids.forEach([&](CircleId id, int) { ids.push_back(id); });
+  return ids;
+}
+
+std::vector<Circle> DiagramEditor::circles() const {
+  std::vector<Circle> circles;
+  circles.reserve(size());
+  editor_->state().ids.forEach([&](CircleId, int slot) { circles.push_back(editor_->state().inputOf(slot)); });
+  return circles;
+}
+
+Result<Change> DiagramEditor::all() const {
+  return guarded([&] { return ChangeRecorder().recordWhole(EditState(), editor_->state()); });
+}
+
+Result<Diagram> DiagramEditor::snapshot() const {
+  return guarded([&] { return snapshotOf(editor_->state()); });
+}
+
+Result<Certificate> DiagramEditor::certificate() const {
+  return guarded([&]() -> Result<Certificate> {
+    const auto diagram = snapshotOf(editor_->state());
+    if (!diagram) return diagram.error();
+    return certify(circles(), diagram.value());
+  });
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "judge_step.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "edge_turns.h"
+#include "settle_ties.h"
+
+namespace circle_voronoi {
+StepJudge::Verdict StepJudge::judge(EditState& state, int moved) {
+  unsettled_.clear();
+  for (const int slot : touched_) turns_[slot] = 0;  // should memory have run out
+  touched_.clear();
+  turns_.resize(state.sites.size());
+  hullTurns_ = 0;
+  const int faceCount = state.visibleCount < 2 ? 0 : 2 * state.visibleCount - 2;
+  if (state.faceCount != faceCount) return Verdict::broken;
+  if (const Verdict verdict = judgeFaces(state, moved); verdict != Verdict::right) return verdict;
+  const bool areRight = areEdgesRight(state);
+  // Leaves the counts at zero, whatever was right before.
+  return areTurnsRight(state) && areRight && areCirclesRight(state, moved) ? Verdict::right : Verdict::wrong;
+}
+
+/// Adjacency, and a disc of each changed face. Their neighbours, whose edges change, count as touched, too.
+StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved) {
+  const Dual& dual = state.dual;
+  Verdict verdict = Verdict::right;
+  for (std::size_t i = state.stepFaces(); i < state.faceLog.size(); ++i) {
+    const int face = state.faceLog[i].face;
+    const auto corners = cornersOf(dual, 3 * face);
+    const bool isInUse = state.isInUse(face);
+    const bool isChanged = isInUse != state.faceLog[i].wasInUse() || corners != state.faceLog[i].origin ||
+                           (moved != kNone && std::find(corners.begin(), corners.end(), moved) != corners.end());
+    state.faceLog[i].isChanged = isChanged;
+    if (!isInUse) continue;
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      const int t = dual.twin[h];
+      if (t < 0 || t >= dual.halfEdgeCount() || dual.twin[t] != h || t / 3 == face ||
+          dual.origin[t] != dual.target(h) || dual.target(t) != dual.origin[h] || dual.origin[h] == dual.target(h)) {
+        return Verdict::broken;
+      }
+      if (dual.origin[h] != kInfinity && !state.isVisible(dual.origin[h])) return Verdict::broken;
+      if (isChanged) state.willChange(t / 3);
+    }
+    if (!isChanged) continue;
+    state.discs.update(face);
+    const FaceDisc& disc = state.discs[face];
+    if (!disc.exists) {
+      verdict = Verdict::wrong;
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (corners[k] == kInfinity) continue;
+      state.proof[3 * static_cast<std::size_t>(face) + k].isLower =
+          state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], disc));
+    }
+  }
+  return verdict;
+}
+
+void StepJudge::addTurns(int around, int neighbor, int count) {
+  if (around == kInfinity) return;
+  touched_.push_back(around);
+  turns_[around] += count;
+  if (neighbor == kInfinity) hullTurns_ += count;
+}
+
+/// The changed edges: none of two neighbours hides the other, and ends are in order. Counts what turns are no more, and
+/// what are new.
+bool StepJudge::areEdgesRight(EditState& state) {
+  const Dual& dual = state.dual;
+  const StepDiscs discs{state};
+  const auto isChanged = [&](int face) {
+    const EditState::SavedFace* saved = state.savedInStep(face);
+    return saved != nullptr && saved->isChanged;
+  };
+  for (std::size_t i = state.stepFaces(); i < state.faceLog.size(); ++i) {
+    const EditState::SavedFace& saved = state.faceLog[i];
+    for (std::size_t k = 0; saved.wasInUse() && k < 3; ++k) {
+      const int h = 3 * saved.face + static_cast<int>(k);
+      if (!saved.isChanged && dual.twin[h] == saved.twin[k] && !isChanged(saved.twin[k] / 3)) continue;
+      addTurns(saved.origin[k], saved.origin[(k + 1) % 3], -static_cast<int>(saved.proof[k].passes));
+    }
+  }
+  for (std::size_t i = state.stepFaces(); i < state.faceLog.size(); ++i) {
+    const EditState::SavedFace& saved = state.faceLog[i];
+    if (!state.isInUse(saved.face)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int h = 3 * saved.face + static_cast<int>(k);
+      const int t = dual.twin[h];
+      const bool isOther = saved.isChanged || t != saved.twin[k] || isChanged(t / 3);
+      // The other half, if it was touched, too, is or was that of the same edge.
+      if (!isOther || (h > t && state.savedInStep(t / 3) != nullptr)) continue;
+      const int a = dual.origin[h];
+      const int b = dual.origin[t];
+      if (a != kInfinity && b != kInfinity &&
+          (state.predicates.contains(state.circles[a], state.circles[b]) ||
+           state.predicates.contains(state.circles[b], state.circles[a]))) {
+        return false;
+      }
+      const EdgeTurns turns = turnsOf(discs, dual, state.circles, state.predicates, h);
+      if (turns.order < 0) return false;
+      if (turns.order == 0 && !isSettledTie(dual, h, state.circles)) unsettled_.push_back(h);
+      state.proof[h].passes = turns.passesAtOrigin;
+      state.proof[t].passes = turns.passesAtTarget;
+      addTurns(a, b, turns.passesAtOrigin);
+      addTurns(b, a, turns.passesAtTarget);
+    }
+  }
+  return true;
+}
+
+/// One full turn of each region that there is, and of the hull.
+bool StepJudge::areTurnsRight(const EditState& state) {
+  for (std::size_t i = state.stepSites(); i < state.siteLog.size(); ++i) {
+    const EditState::SavedSite& saved = state.siteLog[i];
+    touched_.push_back(saved.slot);
+    turns_[saved.slot] -= static_cast<int>(state.isVisible(saved.slot)) - static_cast<int>(saved.wasVisible());
+  }
+  bool areRight = hullTurns_ == 0;
+  for (const int slot : touched_) {
+    areRight = areRight && turns_[slot] == 0;
+    turns_[slot] = 0;
+  }
+  return areRight;
+}
+
+/// Each hidden circle is in the list of a visible one that contains it.
+bool StepJudge::areCirclesRight(EditState& state, int moved) const {
+  const auto isRightlyHidden = [&](int slot) {
+    const int hider = state.sites[slot].hider;
+    return hider != kNone && state.isVisible(hider) && state.hides(hider, slot);
+  };
+  for (std::size_t i = state.stepSites(); i < state.siteLog.size(); ++i) {
+    const int slot = state.siteLog[i].slot;
+    if (state.isVisible(slot)) continue;
+    const Site& site = state.sites[slot];
+    if (site.firstHidden != kNone || (site.id != kNone && !isRightlyHidden(slot))) return false;
+  }
+  if (moved == kNone) return true;
+  for (int slot = state.sites[moved].firstHidden; slot != kNone; slot = state.sites[slot].next) {
+    if (!isRightlyHidden(slot)) return false;
+  }
+  return true;
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "snapshot.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "certificate_message.h"
+#include "diagram_of.h"
+#include "hiders.h"
+#include "validate.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// The faces in use, without gaps, by sites in place of slots.
+Dual compacted(const EditState& state, const std::vector<int>& siteOf) {
+  std::vector<int> placeOf(static_cast<std::size_t>(state.dual.faceCount()), kNone);
+  int count = 0;
+  for (int face = 0; face < state.dual.faceCount(); ++face) {
+    if (state.isInUse(face)) placeOf[face] = count++;
+  }
+  Dual dual;
+  dual.origin.reserve(3 * static_cast<std::size_t>(count));
+  dual.twin.reserve(3 * static_cast<std::size_t>(count));
+  for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
+    if (!state.isInUse(h / 3)) continue;
+    const int origin = state.dual.origin[h];
+    const int t = state.dual.twin[h];
+    dual.origin.push_back(origin == kInfinity ? kInfinity : siteOf[origin]);
+    dual.twin.push_back(3 * placeOf[t / 3] + t % 3);
+  }
+  return dual;
+}
+
+}  // namespace
+
+Result<Diagram> snapshotOf(const EditState& state) {
+  std::vector<Circle> circles;
+  std::vector<int> rankOf(state.sites.size(), kNone);  // of each slot
+  circles.reserve(static_cast<std::size_t>(state.circleCount));
+  state.ids.forEach([&](std::int32_t, int slot) {
+    rankOf[slot] = static_cast<int>(circles.size());
+    circles.push_back(state.inputOf(slot));
+  });
+  const auto scaled = validate(circles);
+  if (!scaled) return scaled.error();
+
+  // In the order of slots, neighbours are near one another.
+  Sites sites;
+  std::vector<Circle> hiddenCircles;
+  std::vector<int> hiddenIndices;
+  std::vector<int> siteOf(state.sites.size(), kNone);
+  for (int slot = 0; slot < static_cast<int>(state.sites.size()); ++slot) {
+    if (state.sites[slot].id == kNone) continue;
+    const Circle& circle = scaled.value().circles[rankOf[slot]];
+    if (state.isVisible(slot)) {
+      siteOf[slot] = static_cast<int>(sites.circles.size());
+      sites.circles.push_back(circle);
+      sites.indices.push_back(rankOf[slot]);
+    } else {
+      hiddenCircles.push_back(circle);
+      hiddenIndices.push_back(rankOf[slot]);
+    }
+  }
+  const Hiders hiders = findHiders({sites.circles, sites.indices}, {hiddenCircles, hiddenIndices},
+                                   std::numeric_limits<std::int64_t>::max());
+  for (std::size_t i = 0; i < hiddenIndices.size(); ++i) {
+    sites.hidden.push_back({hiddenIndices[i], sites.indices[hiders.hider[i]]});
+  }
+  std::sort(sites.hidden.begin(), sites.hidden.end(),
+            [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
+
+  Stats stats;
+  stats.method = "auto";
+  stats.way = "edit";
+  stats.counts.circles = static_cast<std::int64_t>(circles.size());
+  stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
+  const Dual dual = compacted(state, siteOf);
+  Construction construction;
+  construction.topology = topologyOf(dual, static_cast<int>(sites.circles.size()));
+  construction.certificate = certificateOf(Verdict{}, dual, construction.topology);
+  auto diagram = diagramOf(std::move(construction), std::move(sites), scaled.value().unit);
+  if (diagram) diagram.value().stats = std::move(stats);
+  return diagram;
+}
+
+}  // namespace circle_voronoi

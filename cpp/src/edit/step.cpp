@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "construct.h"
+#include "flip.h"
+#include "repair.h"
+#include "wrong_faces.h"
+
+namespace circle_voronoi {
+namespace {
+
+Point centreOf(const Circle& c) { return {c.x, c.y}; }
+
+}  // namespace
+
+std::optional<EditWay> Stepper::insert(const Circle& circle, int hint) {
+  begin();
+  const int slot = state_.addSite(circle);
+  if (!put(slot, hint) || !putWaiting(hint)) return std::nullopt;
+  return certify(kNone);
+}
+
+std::optional<EditWay> Stepper::remove(int slot) {
+  begin();
+  if (!state_.isVisible(slot)) {
+    state_.detach(slot);
+    state_.removeSite(slot);
+    return certify(kNone);
+  }
+  const int hint = neighborOf(slot);
+  if (!takeOut(slot)) return std::nullopt;
+  state_.removeSite(slot);
+  if (!putWaiting(hint)) return std::nullopt;
+  return certify(kNone);
+}
+
+std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
+  const EditState::Mark mark = begin();
+  const bool isVisible = state_.isVisible(slot);
+  if (isVisible && staysNear(slot, circle)) {
+    if (move(slot, circle) && isRight(slot)) return EditWay::local;
+    state_.takeBack(mark);
+  }
+  int hint = slot;
+  if (isVisible) {
+    hint = neighborOf(slot);
+    if (!takeOut(slot)) return std::nullopt;
+  } else {
+    hint = state_.sites[slot].hider;
+    state_.detach(slot);
+  }
+  state_.willChangeSite(slot);
+  state_.circles[slot] = circle;
+  if (!put(slot, hint) || !putWaiting(hint)) return std::nullopt;
+  return certify(slot);
+}
+
+EditState::Mark Stepper::begin() {
+  waiting_.clear();
+  return state_.beginStep();
+}
+
+/// Puts a circle that is not there into the dual, or into the list of one that hides it. Whether that went well.
+bool Stepper::put(int slot, int hint) {
+  if (state_.visibleCount == 0) return false;
+  const Place place = locator_.locate(state_, centreOf(state_.circles[slot]), hint);
+  int hider = place.slot;
+  auto outcome = CellInserter::Outcome::hidden;
+  if (state_.visibleCount > 1) {
+    outcome = inserter_.insert(slot, place.halfEdge);
+    hider = inserter_.hider();
+  } else if (!state_.predicates.contains(state_.circles[hider], state_.circles[slot])) {
+    return false;
+  }
+  if (outcome == CellInserter::Outcome::astray) return false;
+  if (outcome == CellInserter::Outcome::hidden) {
+    if (!state_.hides(hider, slot)) return putBefore(slot, hider);
+    state_.attach(slot, hider);
+    return true;
+  }
+  state_.willChangeSite(slot);
+  state_.isHidden[slot] = 0;
+  ++state_.visibleCount;
+  for (const int hidden : inserter_.hidden()) {
+    --state_.visibleCount;
+    while (state_.sites[hidden].firstHidden != kNone) {
+      const int inner = state_.sites[hidden].firstHidden;
+      state_.detach(inner);
+      state_.attach(inner, slot);
+    }
+    state_.attach(hidden, slot);
+  }
+  return state_.visibleCount > 1;
+}
+
+/// The same of a circle that is identical with a visible one, but has the lower id: it takes that one's place.
+bool Stepper::putBefore(int slot, int identical) {
+  const int hint = neighborOf(identical);
+  if (!takeOut(identical)) return false;
+  waiting_.push_back(identical);
+  return put(slot, hint);
+}
+
+/// Takes a visible circle out of the dual; those in its list wait. Whether that went well.
+bool Stepper::takeOut(int slot) {
+  if (state_.visibleCount <= 2 || !shrinker_.takeOut(state_, slot)) return false;
+  --state_.visibleCount;
+  state_.willChangeSite(slot);
+  state_.isHidden[slot] = 1;
+  while (state_.sites[slot].firstHidden != kNone) waitFor(state_.sites[slot].firstHidden);
+  return true;
+}
+
+void Stepper::waitFor(int slot) {
+  state_.detach(slot);
+  waiting_.push_back(slot);
+}
+
+/// Puts those that wait, the largest first: none of them hides one before it.
+bool Stepper::putWaiting(int hint) {
+  const auto rank = [&](int slot) { return std::tuple(-state_.circles[slot].r, state_.sites[slot].id); };
+  std::sort(waiting_.begin(), waiting_.end(), [&](int a, int b) { return rank(a) < rank(b); });
+  bool isWell = true;
+  for (std::size_t i = 0; i < waiting_.size() && isWell; ++i) isWell = put(waiting_[i], hint);
+  waiting_.clear();
+  return isWell;
+}
+
+/// A neighbour of a visible circle, or kNone.
+int Stepper::neighborOf(int slot) const {
+  const int first = state_.edgeOf[slot];
+  if (first == kNone) return kNone;
+  int h = first;
+  do {
+    if (state_.dual.target(h) != kInfinity) return state_.dual.target(h);
+    h = state_.dual.twin[Dual::previous(h)];
+  } while (h != first);
+  return kNone;
+}
+
+/// Whether a visible circle, after a change, would still be nearer to its centre than its neighbours are.
+bool Stepper::staysNear(int slot, const Circle& circle) const {
+  if (state_.visibleCount < 2) return false;
+  const Dual& dual = state_.dual;
+  const int first = state_.edgeOf[slot];
+  int h = first;
+  do {
+    const int neighbor = dual.target(h);
+    if (neighbor != kInfinity && distanceFrom(centreOf(circle), state_.circles[neighbor]) <= -circle.r) return false;
+    h = dual.twin[Dual::previous(h)];
+  } while (h != first);
+  return true;
+}
+
+/// Changes a visible circle in its place in the dual. Whether that went well.
+bool Stepper::move(int slot, const Circle& circle) {
+  Dual& dual = state_.dual;
+  state_.willChangeSite(slot);
+  state_.circles[slot] = circle;
+  edges_.clear();
+  const int first = state_.edgeOf[slot];
+  int h = first;
+  do {
+    state_.willChange(h / 3);
+    state_.discs.update(h / 3);
+    edges_.push_back(Dual::next(h));
+    edges_.push_back(h);
+    h = dual.twin[Dual::previous(h)];
+  } while (h != first);
+  const Flips flips = flipFrom(dual, state_.discs, edges_, state_);
+  state_.noteEdges();
+  if (!flips.wrong.empty()) return false;
+  for (int inner = state_.sites[slot].firstHidden; inner != kNone;) {
+    const int next = state_.sites[inner].next;
+    if (!state_.hides(slot, inner)) waitFor(inner);
+    inner = next;
+  }
+  return putWaiting(slot);
+}
+
+/// The way in which the step is certified, if it is.
+std::optional<EditWay> Stepper::certify(int moved) {
+  if (isRight(moved)) return EditWay::local;
+  if (isBroken_) return std::nullopt;
+  flipFrom(state_.dual, state_.discs, changedEdges(), state_);
+  state_.noteEdges();
+  if (isRight(moved)) return EditWay::local;
+  if (!isBroken_ && patch(moved)) return EditWay::patch;
+  return std::nullopt;
+}
+
+/// Judges the step, and settles its ties.
+bool Stepper::isRight(int moved) {
+  StepJudge::Verdict verdict = judge_.judge(state_, moved);
+  if (verdict == StepJudge::Verdict::right && !judge_.unsettled().empty()) {
+    edges_.assign(judge_.unsettled().begin(), judge_.unsettled().end());
+    flipTies(state_.dual, state_.discs, edges_, state_);
+    state_.noteEdges();
+    verdict = judge_.judge(state_, moved);
+  }
+  isBroken_ = verdict == StepJudge::Verdict::broken;
+  return verdict == StepJudge::Verdict::right && judge_.unsettled().empty();
+}
+
+/// The edges of all faces that have changed in this step.
+std::span<const int> Stepper::changedEdges() {
+  edges_.clear();
+  for (std::size_t i = state_.stepFaces(); i < state_.faceLog.size(); ++i) {
+    const int face = state_.faceLog[i].face;
+    if (state_.isInUse(face)) edges_.insert(edges_.end(), {3 * face, 3 * face + 1, 3 * face + 2});
+  }
+  return edges_;
+}
+
+/// Replaces what is wrong by a diagram of the circles around, in patches that grow.
+bool Stepper::patch(int moved) {
+  const Progress silent;
+  Journal journal(silent);
+  const Dual& dual = state_.dual;
+  std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
+  for (const int reach : {2, 4, 8}) {
+    if (wrong.empty()) break;
+    // All that the repair may change: the patches, and the faces around them.
+    std::vector<int> near = wrong;
+    for (int distance = 0; distance <= reach; ++distance) {
+      std::vector<int> beyond;
+      for (const int face : near) {
+        state_.willChange(face);
+        for (int h = 3 * face; h < 3 * face + 3; ++h) beyond.push_back(dual.twin[h] / 3);
+      }
+      near.insert(near.end(), beyond.begin(), beyond.end());
+      std::sort(near.begin(), near.end());
+      near.erase(std::unique(near.begin(), near.end()), near.end());
+    }
+    for (const int face : near) state_.willChange(face);
+    repair(state_.dual, state_.discs, wrong, reach,
+           [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
+    state_.noteEdges();
+    if (isRight(moved)) return true;
+    if (isBroken_) return false;
+  }
+  return false;
+}
+
+}  // namespace circle_voronoi

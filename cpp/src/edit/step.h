@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/editor.h"
+#include "edit_state.h"
+#include "insert_cell.h"
+#include "judge_step.h"
+#include "locate.h"
+#include "shrink_cell.h"
+
+namespace circle_voronoi {
+
+/// Makes edits, one after the other, on the state that it is given; circles are in its unit.
+class Stepper {
+ public:
+  /// What is given must outlive this.
+  Stepper(EditState& state, Locator& locator) : state_(state), locator_(locator), inserter_(state.live()) {}
+
+  // Each returns the way in which the edit was certified; nothing if the whole is to be computed, and then the state is
+  // to be taken back.
+  std::optional<EditWay> insert(const Circle& circle, int hint);
+  std::optional<EditWay> remove(int slot);
+  std::optional<EditWay> replace(int slot, const Circle& circle);
+
+ private:
+  EditState::Mark begin();
+  bool put(int slot, int hint);
+  bool putBefore(int slot, int identical);
+  bool takeOut(int slot);
+  bool putWaiting(int hint);
+  void waitFor(int slot);
+  int neighborOf(int slot) const;
+  bool staysNear(int slot, const Circle& circle) const;
+  bool move(int slot, const Circle& circle);
+  std::optional<EditWay> certify(int moved);
+  bool isRight(int moved);
+  std::span<const int> changedEdges();
+  bool patch(int moved);
+
+  EditState& state_;
+  Locator& locator_;
+  CellInserter inserter_;
+  CellShrinker shrinker_;
+  StepJudge judge_;
+  bool isBroken_ = false;
+  std::vector<int> waiting_;  ///< hidden circles whose hider is gone
+  std::vector<int> edges_;
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edit_script.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+
+#include "circle_voronoi/compute.h"
+#include "compare.h"
+#include "oracle.h"
+#include "random.h"
+
+namespace circle_voronoi::test {
+namespace {
+
+using Triple = std::array<std::int32_t, 3>;
+constexpr Triple kUnbounded = {kNone, kNone, kNone};
+
+/// What a diagram says, without numbers of vertices and edges.
+struct Content {
+  std::vector<std::tuple<Triple, double, double, double>> vertices;
+  std::vector<std::tuple<std::int32_t, std::int32_t, Triple, Triple>> edges;
+  std::vector<std::int32_t> hidden;
+
+  void addEdge(std::int32_t left, std::int32_t right, Triple start, Triple end) {
+    if (std::tuple(right, end) < std::tuple(left, start)) {
+      std::swap(left, right);
+      std::swap(start, end);
+    }
+    edges.emplace_back(left, right, start, end);
+  }
+  void sort() {
+    std::ranges::sort(vertices);
+    std::ranges::sort(edges);
+    std::ranges::sort(hidden);
+  }
+};
+
+Content contentOf(const Diagram& diagram) {
+  Content content;
+  const auto tripleOf = [&](std::int32_t vertex) {
+    if (vertex == kNone) return kUnbounded;
+    const auto& [i, j, k] = diagram.vertexCircles[static_cast<std::size_t>(vertex)];
+    return Triple{i, j, k};
+  };
+  for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
+    const auto& [x, y, radius] = diagram.vertices[v];
+    content.vertices.emplace_back(tripleOf(static_cast<std::int32_t>(v)), x, y, radius);
+  }
+  for (const Edge& e : diagram.edges) content.addEdge(e.left, e.right, tripleOf(e.start), tripleOf(e.end));
+  for (const HiddenCircle& h : diagram.hidden) content.hidden.push_back(h.circle);
+  content.sort();
+  return content;
+}
+
+std::string differenceOf(const Content& actual, const Content& expected) {
+  if (actual.vertices.size() != expected.vertices.size()) return "another number of vertices";
+  if (actual.vertices != expected.vertices) return "other vertices";
+  if (actual.edges != expected.edges) return "other edges";
+  if (actual.hidden != expected.hidden) return "other hidden circles";
+  return {};
+}
+
+/// Circles that come, go and change.
+class Script {
+ public:
+  Script(const FamilyInfo& family, std::size_t count, std::uint64_t seed)
+      : random_(seed), supply_(generate(family.family, 2 * count, seed)) {}
+
+  std::vector<Circle> start() const {
+    return {supply_.begin(), supply_.begin() + static_cast<std::ptrdiff_t>(supply_.size() / 2)};
+  }
+
+  Edit next(const DiagramEditor& editor) {
+    const std::vector<CircleId> ids = editor.ids();
+    if (ids.empty()) return {Edit::Kind::insert, kNone, any()};
+    const CircleId id = ids[random_.below(ids.size())];
+    const Circle old = *editor.circle(id);
+    const Circle other = *editor.circle(ids[random_.below(ids.size())]);
+    switch (random_.below(12)) {
+      case 0:
+      case 1:
+        return {Edit::Kind::insert, kNone, any()};
+      case 2:
+      case 3:
+      case 4:
+        return {Edit::Kind::remove, id, {}};
+      case 5:
+        return {Edit::Kind::insert, kNone, between(old, other)};
+      case 6:
+        return {Edit::Kind::replace, id, any()};
+      case 7:  // as large as to reach another
+        return {Edit::Kind::replace, id, {old.x, old.y, std::hypot(other.x - old.x, other.y - old.y)}};
+      case 8:
+        return {Edit::Kind::replace, id, {old.x, old.y, old.r * random_.unit()}};
+      case 9:  // a copy, or what lies inside
+        return {Edit::Kind::replace, id, {other.x, other.y, random_.below(2) == 0 ? other.r : other.r / 2}};
+      case 10:
+        return {Edit::Kind::replace, id, between(old, between(old, between(old, other)))};
+      default: {
+        const double step = random_.logUniform(-6, 0) * std::hypot(other.x - old.x, other.y - old.y);
+        const Vector u = random_.direction();
+        return {Edit::Kind::replace, id, {old.x + step * u.x, old.y + step * u.y, old.r}};
+      }
+    }
+  }
+
+  std::size_t below(std::size_t count) { return random_.below(count); }
+
+ private:
+  Circle any() { return supply_[random_.below(supply_.size())]; }
+  static Circle between(const Circle& a, const Circle& b) {
+    return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.r + b.r) / 2};
+  }
+
+  Random random_;
+  std::vector<Circle> supply_;
+};
+
+std::string wholeProblem(const DiagramEditor& editor, const Mirror& mirror, bool isLast, const FamilyInfo& family) {
+  const auto snapshot = editor.snapshot();
+  if (!snapshot) return "no snapshot: " + snapshot.error().message;
+  const auto certificate = editor.certificate();
+  if (!certificate) return certificate.error().message;
+  if (!certificate.value().certified()) return "not certified: " + certificate.value().message;
+  const std::vector<Circle> circles = editor.circles();
+  const auto computed = compute(circles);
+  if (!computed) return "compute: " + computed.error().message;
+  if (auto problem = differenceToTheBit(snapshot.value(), computed.value()); !problem.empty()) return problem;
+  if (auto problem = mirror.difference(snapshot.value(), editor.ids()); !problem.empty()) return "mirror: " + problem;
+  if (!isLast) return {};
+  const Diagram exact = oracle::exactDiagram(circles);
+  const auto problem = family.isDegenerate ? problemInDegeneratePosition : problemInGeneralPosition;
+  return problem(snapshot.value(), exact, circles);
+}
+
+}  // namespace
+
+std::string Mirror::apply(const Change& change) {
+  for (const CircleId id : change.removed) {
+    if (circles_.erase(id) == 0) return "removes a circle that is not there";
+    hidden_.erase(id);
+  }
+  for (const CircleId id : change.inserted) {
+    if (!circles_.insert(id).second) return "inserts a circle that is there";
+  }
+  for (const CircleId id : change.replaced) {
+    if (!circles_.contains(id)) return "replaces a circle that is not there";
+  }
+  for (const CircleId id : change.hidden) {
+    if (!circles_.contains(id) || !hidden_.insert(id).second) return "hides a circle that is hidden";
+  }
+  for (const CircleId id : change.shown) {
+    if (hidden_.erase(id) == 0) return "shows a circle that is not hidden";
+  }
+  for (const std::int32_t vertex : change.removedVertices) {
+    if (vertices_.erase(vertex) == 0) return "removes a vertex that is not there";
+  }
+  for (const std::int32_t edge : change.removedEdges) {
+    if (edges_.erase(edge) == 0) return "removes an edge that is not there";
+  }
+  for (std::size_t i = 0; i < change.addedVertices.size(); ++i) {
+    if (!vertices_.try_emplace(change.addedVertices[i], Corner{change.vertexCircles[i], change.vertices[i]}).second) {
+      return "adds a vertex that is there";
+    }
+  }
+  const std::set<CircleId> cells(change.cells.begin(), change.cells.end());
+  if (cells.size() != change.cells.size()) return "names a cell twice";
+  for (std::size_t i = 0; i < change.addedEdges.size(); ++i) {
+    const EditedEdge& edge = change.edges[i];
+    if (!edges_.try_emplace(change.addedEdges[i], edge).second) return "adds an edge that is there";
+    if (!cells.contains(edge.left) || !cells.contains(edge.right)) return "leaves out a cell";
+  }
+  return {};
+}
+
+std::string Mirror::difference(const Diagram& snapshot, const std::vector<CircleId>& ids) const {
+  if (ids != std::vector<CircleId>(circles_.begin(), circles_.end())) return "other circles";
+  const auto rank = [&](CircleId id) {
+    return static_cast<std::int32_t>(std::ranges::lower_bound(ids, id) - ids.begin());
+  };
+  Content content;
+  const auto tripleOf = [&](std::int32_t vertex) {
+    const auto found = vertices_.find(vertex);
+    if (found == vertices_.end()) return kUnbounded;
+    const auto& [i, j, k] = found->second.circles;
+    return Triple{rank(i), rank(j), rank(k)};
+  };
+  for (const auto& [number, corner] : vertices_) {
+    content.vertices.emplace_back(tripleOf(number), corner.vertex.x, corner.vertex.y, corner.vertex.radius);
+  }
+  for (const auto& [number, edge] : edges_) {
+    content.addEdge(rank(edge.left), rank(edge.right), tripleOf(edge.start), tripleOf(edge.end));
+  }
+  for (const CircleId id : hidden_) content.hidden.push_back(rank(id));
+  content.sort();
+  return differenceOf(content, contentOf(snapshot));
+}
+
+std::string differenceToTheBit(const Diagram& actual, const Diagram& expected) {
+  if (auto problem = differenceOf(contentOf(actual), contentOf(expected)); !problem.empty()) return problem;
+  if (actual.hidden != expected.hidden) return "other hiders";
+  if (actual.hull != expected.hull) return "another hull";
+  return {};
+}
+
+ScriptResult runScript(const FamilyInfo& family, std::size_t count, int edits, std::uint64_t seed) {
+  Script script(family, count, seed);
+  auto made = DiagramEditor::from(script.start());
+  if (!made) return {made.error().message};
+  DiagramEditor editor = std::move(made).value();
+  Mirror mirror;
+  mirror.apply(editor.all().value());
+  ScriptResult result;
+  for (int i = 0; i < edits; ++i) {
+    Edit edit = script.next(editor);
+    const auto where = [&] { return " at edit " + std::to_string(i); };
+    const auto change = editor.apply({&edit, 1});
+    if (!change) {
+      // A vertex beyond the doubles; compute then refuses, too.
+      if (change.error().code == ErrorCode::coordinateTooLarge) continue;
+      result.problem = change.error().message + where();
+      return result;
+    }
+    ++result.edits;
+    ++result.ways[static_cast<int>(change.value().way)];
+    result.problem = mirror.apply(change.value());
+    const bool isLast = i + 1 == edits;
+    if (result.problem.empty() && (isLast || i % 10 == 9))
+      result.problem = wholeProblem(editor, mirror, isLast, family);
+    if (!result.problem.empty()) {
+      result.problem += where();
+      return result;
+    }
+  }
+  return result;
+}
+
+}  // namespace circle_voronoi::test

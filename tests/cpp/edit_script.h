@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/editor.h"
+#include "circle_voronoi/families.h"
+
+namespace circle_voronoi::test {
+
+/// A diagram that is kept by what an editor says has changed, as a page or a worker would.
+class Mirror {
+ public:
+  /// What in a change contradicts the changes before; empty: nothing.
+  std::string apply(const Change& change);
+
+  /// How the diagram differs from a snapshot, whose circles are those of `ids`; empty: not at all.
+  std::string difference(const Diagram& snapshot, const std::vector<CircleId>& ids) const;
+
+ private:
+  struct Corner {
+    std::array<CircleId, 3> circles;
+    Vertex vertex;
+  };
+  std::set<CircleId> circles_;
+  std::set<CircleId> hidden_;
+  std::map<std::int32_t, Corner> vertices_;
+  std::map<std::int32_t, EditedEdge> edges_;
+};
+
+/// How two diagrams of the same circles differ but for the order of their vertices and edges, to the bit, hidden
+/// circles and hull included; empty: not at all.
+std::string differenceToTheBit(const Diagram& actual, const Diagram& expected);
+
+struct ScriptResult {
+  std::string problem;  ///< empty: after each edit the mirror is right, after some the whole
+  int edits = 0;
+  int ways[3] = {};  ///< how often an edit was done in each way
+};
+
+/// Random edits of circles of a family: small moves, jumps, growing and shrinking back, copies of one another, circles
+/// that come and go. After each tenth the snapshot is certified and that of `compute`; at the end it is the exact one.
+ScriptResult runScript(const FamilyInfo& family, std::size_t count, int edits, std::uint64_t seed);
+
+}  // namespace circle_voronoi::test

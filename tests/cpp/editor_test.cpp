@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/editor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/families.h"
+#include "edit_script.h"
+#include "random.h"
+#include "report.h"
+
+namespace circle_voronoi {
+namespace {
+
+DiagramEditor editorOf(const std::vector<Circle>& circles) {
+  auto editor = DiagramEditor::from(circles);
+  EXPECT_TRUE(editor.ok()) << (editor.ok() ? "" : editor.error().message);
+  return std::move(editor).value();
+}
+
+/// That the diagram is the one that `compute` makes, to the bit, and is certified from outside.
+void expectRight(const DiagramEditor& editor) {
+  const auto snapshot = editor.snapshot();
+  ASSERT_TRUE(snapshot.ok()) << snapshot.error().message;
+  EXPECT_EQ(test::differenceToTheBit(snapshot.value(), compute(editor.circles()).value()), "");
+  EXPECT_TRUE(editor.certificate().value().certified());
+}
+
+Change changeOf(Result<Change> change) {
+  EXPECT_TRUE(change.ok()) << (change.ok() ? "" : change.error().message);
+  return change.ok() ? std::move(change).value() : Change{};
+}
+
+std::vector<CircleId> hiddenOf(const DiagramEditor& editor) {
+  std::vector<CircleId> hidden;
+  for (const CircleId id : editor.ids()) {
+    if (editor.isHidden(id)) hidden.push_back(id);
+  }
+  return hidden;
+}
+
+TEST(Editor, IsRightThroughRandomScriptsInEveryFamily) {
+  const std::uint64_t seed = test::seedOr(1);
+  std::cout << "seed " << seed << '\n';
+  int ways[3] = {};
+  for (const FamilyInfo& family : families()) {
+    for (std::uint64_t i = 0; i < 6; ++i) {
+      const std::size_t count = i % 2 == 0 ? 30 : 4;
+      const test::ScriptResult result = test::runScript(family, count, 100, seed + i);
+      EXPECT_EQ(result.problem, "") << family.name << ", " << count << " circles, seed " << seed + i;
+      if (count < 10) continue;
+      for (int way = 0; way < 3; ++way) ways[way] += result.ways[way];
+    }
+  }
+  std::cout << ways[0] << " local, " << ways[1] << " patch, " << ways[2] << " whole\n";
+  // Each way is taken, and the first by far the most.
+  EXPECT_GT(ways[1], 0);
+  EXPECT_GT(ways[2], 0);
+  EXPECT_LT(20 * (ways[1] + ways[2]), ways[0]);
+}
+
+TEST(Editor, MakesADiagramOfNothingAndNothingOfADiagram) {
+  for (const Family family : {Family::uniform, Family::hidden, Family::grid, Family::collinear, Family::duplicates}) {
+    const std::vector<Circle> circles = generate(family, 60, 3);
+    DiagramEditor editor = editorOf({});
+    test::Mirror mirror;
+    for (const Circle& circle : circles) {
+      ASSERT_EQ(mirror.apply(changeOf(editor.insert(circle))), "");
+      expectRight(editor);
+    }
+    EXPECT_EQ(editor.circles(), circles);
+    for (CircleId id = 0; id < 60; ++id) {
+      ASSERT_EQ(mirror.apply(changeOf(editor.remove(id))), "");
+      expectRight(editor);
+      EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+    }
+    EXPECT_EQ(editor.size(), 0U);
+  }
+}
+
+TEST(Editor, NeverGivesAnIdAgain) {
+  DiagramEditor editor = editorOf(generate(Family::uniform, 20, 1));
+  CircleId last = 19;
+  for (int i = 0; i < 3000; ++i) {
+    const CircleId id = changeOf(editor.insert({i * 0.001, 0.5, 0.0001})).inserted.at(0);
+    EXPECT_GT(id, last);
+    last = id;
+    changeOf(editor.remove(id));
+    EXPECT_FALSE(editor.circle(id));
+  }
+  expectRight(editor);
+}
+
+TEST(Editor, BringsBackWhatAHugeCircleHid) {
+  const std::vector<Circle> circles = generate(Family::uniform, 12'000, 1);
+  DiagramEditor editor = editorOf(circles);
+  double reach = 0;
+  for (const Circle& c : circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y)});
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  const Change hiding = changeOf(editor.insert({0.4 * reach, 0.5 * reach, 0.55 * reach}));
+  EXPECT_EQ(hiding.way, EditWay::local);
+  EXPECT_GT(hiding.hidden.size(), 8'000U);
+  EXPECT_EQ(mirror.apply(hiding), "");
+  expectRight(editor);
+  // It moves, and hides others.
+  const Change moving = changeOf(editor.replace(12'000, {0.6 * reach, 0.5 * reach, 0.5 * reach}));
+  EXPECT_FALSE(moving.hidden.empty());
+  EXPECT_FALSE(moving.shown.empty());
+  EXPECT_EQ(mirror.apply(moving), "");
+  expectRight(editor);
+  const Change showing = changeOf(editor.remove(12'000));
+  EXPECT_EQ(mirror.apply(showing), "");
+  EXPECT_TRUE(hiddenOf(editor).empty());
+  EXPECT_EQ(editor.circles(), circles);
+  expectRight(editor);
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+}
+
+TEST(Editor, OfIdenticalCirclesShowsTheFirst) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {10, 0, 2}, {0, 9, 1}, {-8, -7, 1}, {5, 5, 1}};
+  DiagramEditor editor = editorOf(circles);
+  const CircleId copy = changeOf(editor.insert(circles[4])).inserted.at(0);
+  EXPECT_EQ(hiddenOf(editor), std::vector<CircleId>{copy});
+  // Circle 2 comes to be identical with both, and has the lowest id.
+  const Change change = changeOf(editor.replace(2, circles[4]));
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{4, copy}));
+  EXPECT_EQ(change.hidden, std::vector<CircleId>{4});
+  expectRight(editor);
+  changeOf(editor.remove(2));
+  EXPECT_EQ(hiddenOf(editor), std::vector<CircleId>{copy});
+  expectRight(editor);
+  // A circle that shrinks onto one of lower id that it hid.
+  changeOf(editor.insert({5, 5, 2}));
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{4, copy}));
+  changeOf(editor.replace(6, {5, 5, 1}));
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{copy, 6}));
+  expectRight(editor);
+}
+
+TEST(Editor, RefusesWithoutATrace) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  DiagramEditor editor = editorOf(generate(Family::hidden, 40, 1));
+  const auto before = editor.snapshot().value();
+  const Change allBefore = editor.all().value();
+  const auto expectRefusal = [&](const std::vector<Edit>& edits, ErrorCode code, std::int64_t index) {
+    const auto change = editor.apply(edits);
+    ASSERT_FALSE(change.ok());
+    EXPECT_EQ(change.error().code, code);
+    EXPECT_EQ(change.error().circle, index);
+    EXPECT_EQ(editor.size(), 40U);
+    EXPECT_EQ(test::differenceToTheBit(editor.snapshot().value(), before), "");
+    const Change all = editor.all().value();
+    EXPECT_EQ(all.addedVertices, allBefore.addedVertices);
+    EXPECT_EQ(all.addedEdges, allBefore.addedEdges);
+    EXPECT_EQ(all.edges, allBefore.edges);
+  };
+  const Edit good = {Edit::Kind::insert, kNone, {0.5, 0.5, 0.1}};
+  const Edit away = {Edit::Kind::remove, 7, {}};
+  const Edit moves = {Edit::Kind::replace, 8, {0.2, 0.3, 0.5}};
+  expectRefusal({{Edit::Kind::insert, kNone, {kInfinite, 0, 0}}}, ErrorCode::nonFinite, 0);
+  expectRefusal({good, away, {Edit::Kind::replace, 3, {0, 0, -1}}}, ErrorCode::negativeRadius, 2);
+  expectRefusal({good, {Edit::Kind::insert, kNone, {0, 1e151, 0}}}, ErrorCode::coordinateTooLarge, 1);
+  expectRefusal({good, away, moves, away}, ErrorCode::unknownCircle, 3);
+  expectRefusal({good, {Edit::Kind::replace, 41, {}}}, ErrorCode::unknownCircle, 1);
+  expectRefusal({{Edit::Kind::remove, -1, {}}}, ErrorCode::unknownCircle, 0);
+  // The same where so much is edited that everything would be computed.
+  std::vector<Edit> many(100, good);
+  many.push_back(away);
+  many.push_back(away);
+  expectRefusal(many, ErrorCode::unknownCircle, 101);
+  // And the first new circle has the first new id.
+  EXPECT_EQ(changeOf(editor.insert({0.5, 0.5, 0.1})).inserted, std::vector<CircleId>{40});
+}
+
+TEST(Editor, ABatchIsOneChange) {
+  const std::vector<Circle> circles = generate(Family::uniform, 300, 1);
+  const std::vector<Edit> edits = {{Edit::Kind::remove, 5, {}},
+                                   {Edit::Kind::insert, kNone, circles[5]},
+                                   {Edit::Kind::replace, 300, {circles[6].x, circles[6].y, circles[6].r / 2}},
+                                   {Edit::Kind::insert, kNone, circles[7]},
+                                   {Edit::Kind::remove, 301, {}},
+                                   {Edit::Kind::replace, 9, circles[9]}};
+  DiagramEditor editor = editorOf(circles);
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  const Change change = changeOf(editor.apply(edits));
+  EXPECT_EQ(change.way, EditWay::local);
+  EXPECT_EQ(change.inserted, std::vector<CircleId>{300});
+  EXPECT_EQ(change.removed, std::vector<CircleId>{5});
+  EXPECT_TRUE(change.replaced.empty());
+  EXPECT_EQ(change.hidden, std::vector<CircleId>{300});
+  EXPECT_EQ(mirror.apply(change), "");
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  expectRight(editor);
+  // So many that everything is computed.
+  std::vector<Edit> many;
+  for (CircleId id = 100; id < 300; ++id) many.push_back({Edit::Kind::remove, id, {}});
+  for (int i = 0; i < 50; ++i) many.push_back({Edit::Kind::insert, kNone, {i * 0.01, i * 0.02, 0.001}});
+  many.push_back({Edit::Kind::remove, 310, {}});
+  const Change whole = changeOf(editor.apply(many));
+  EXPECT_EQ(whole.way, EditWay::whole);
+  EXPECT_EQ(mirror.apply(whole), "");
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  EXPECT_FALSE(editor.circle(310));
+  EXPECT_EQ(editor.ids().back(), 351);
+  expectRight(editor);
+}
+
+TEST(Editor, AnEditOfNothingChangesNothing) {
+  DiagramEditor editor = editorOf(generate(Family::grid, 49, 1));
+  const Change change = changeOf(editor.replace(20, *editor.circle(20)));
+  EXPECT_TRUE(change.replaced.empty() && change.cells.empty() && change.removedVertices.empty() &&
+              change.addedVertices.empty() && change.removedEdges.empty() && change.addedEdges.empty());
+  EXPECT_TRUE(changeOf(editor.apply({})).cells.empty());
+}
+
+TEST(Editor, GrowsBeyondTheScaleAtTheStart) {
+  DiagramEditor editor = editorOf(generate(Family::uniform, 30, 1));
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  for (const double size : {1e6, 1e9, 1e30, 1e60, 1e61, 1e100}) {
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_EQ(mirror.apply(changeOf(editor.insert({size, i * size, size / 4}))), "");
+      expectRight(editor);
+    }
+  }
+  for (CircleId id = 47; id >= 30; --id) {
+    ASSERT_EQ(mirror.apply(changeOf(editor.remove(id))), "");
+    expectRight(editor);
+  }
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+}
+
+TEST(Editor, KeepsNumbersThatNoScaleHoldsTogether) {
+  // 1e150 and 3e-323: any power of two that brings the first near 2^80 rounds the second.
+  const Circle tiny = {3e-323, 1e-300, 5e-324};
+  DiagramEditor editor = editorOf({{1e150, 0, 1}, {0, 1e150, 1}, {-1e150, 0, 1}});
+  const CircleId id = changeOf(editor.insert(tiny)).inserted.at(0);
+  EXPECT_EQ(editor.circle(id), tiny);
+  changeOf(editor.insert({0, -1e150, 2}));
+  EXPECT_EQ(editor.circle(id), tiny);
+  expectRight(editor);
+  for (CircleId other = 0; other < 3; ++other) changeOf(editor.remove(other));
+  changeOf(editor.remove(4));
+  changeOf(editor.insert({1e-300, 1e-300, 1e-301}));
+  EXPECT_EQ(editor.circle(id), tiny);
+  expectRight(editor);
+}
+
+TEST(Editor, FindsTheNearestCircle) {
+  for (const Family family : {Family::uniform, Family::ring, Family::hidden, Family::collinear, Family::clustered}) {
+    DiagramEditor editor = editorOf(generate(family, 400, 1));
+    Random random(1);
+    for (int i = 0; i < 200; ++i) changeOf(editor.remove(2 * i));
+    for (int i = 0; i < 400; ++i) {
+      const auto& circles = editor.circles();
+      const Circle& near = circles[random.below(circles.size())];
+      const Circle& far = circles[random.below(circles.size())];
+      const Point p = {near.x + random.unit() * (far.x - near.x), near.y + random.unit() * (far.y - near.y)};
+      const auto distance = [&](const Circle& c) { return std::hypot(c.x - p.x, c.y - p.y) - c.r; };
+      double least = std::numeric_limits<double>::infinity();
+      for (const Circle& c : circles) least = std::min(least, distance(c));
+      const CircleId hint = static_cast<CircleId>(random.below(400));
+      for (const CircleId id : {editor.nearest(p), editor.nearest(p, hint)}) {
+        EXPECT_LE(distance(*editor.circle(id)), least + 1e-9 * (std::abs(least) + 1)) << familyName(family);
+        EXPECT_FALSE(editor.isHidden(id));
+      }
+    }
+  }
+  DiagramEditor editor = editorOf({});
+  EXPECT_EQ(editor.nearest({0, 0}), kNone);
+  changeOf(editor.insert({1, 1, 1}));
+  EXPECT_EQ(editor.nearest({5, 0}), 0);
+  EXPECT_EQ(editor.nearest({std::numeric_limits<double>::quiet_NaN(), 0}), kNone);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

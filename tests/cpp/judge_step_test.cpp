@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "judge_step.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <vector>
+
+#include "build_state.h"
+#include "circle_voronoi/families.h"
+#include "judge.h"
+#include "random.h"
+#include "report.h"
+#include "shrink_cell.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Verdict = StepJudge::Verdict;
+
+std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
+  std::vector<std::int32_t> ids(circles.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  return std::move(buildState(circles, ids)).value();
+}
+
+/// Flips an edge, right or wrong; whether that left no loop.
+bool flipEdge(EditState& state, int h) {
+  Dual& dual = state.dual;
+  const int t = dual.twin[h];
+  const int bc = Dual::next(h);
+  const int ad = Dual::next(t);
+  if (dual.origin[Dual::previous(h)] == dual.origin[Dual::previous(t)]) return false;
+  const int beyondAd = dual.twin[ad];
+  const int beyondBc = dual.twin[bc];
+  for (const int changed : {h, t, beyondAd, beyondBc}) state.willChange(changed / 3);
+  state.link(h, beyondAd);
+  state.link(t, beyondBc);
+  dual.origin[bc] = dual.origin[Dual::previous(t)];
+  dual.origin[ad] = dual.origin[Dual::previous(h)];
+  state.link(bc, ad);
+  return true;
+}
+
+/// What the judge of the whole says.
+bool isWholeRight(EditState& state) {
+  return judgeVisible(std::span(state.circles).first(static_cast<std::size_t>(state.visibleCount)), state.dual,
+                      state.predicates)
+      .isRight();
+}
+
+TEST(JudgeStep, AgreesWithTheJudgeOfTheWhole) {
+  const std::uint64_t seed = test::seedOr(1);
+  int right = 0;
+  int wrong = 0;
+  for (const FamilyInfo& family : families()) {
+    const auto state = stateOf(generate(family.family, 30, seed));
+    if (state->visibleCount < 3) continue;
+    StepJudge judge;
+    Random random(seed);
+    for (int trial = 0; trial < 200; ++trial) {
+      const EditState::Mark mark = state->beginStep();
+      bool isFlipped = true;
+      for (std::size_t flips = 1 + random.below(3); flips > 0 && isFlipped; --flips) {
+        isFlipped =
+            flipEdge(*state, static_cast<int>(random.below(static_cast<std::size_t>(state->dual.halfEdgeCount()))));
+      }
+      const bool isRight = isWholeRight(*state);
+      if (isFlipped) {
+        EXPECT_EQ(judge.judge(*state, kNone) == Verdict::right, isRight) << family.name << ", trial " << trial;
+        (isRight ? right : wrong) += 1;
+      }
+      state->takeBack(mark);
+      ASSERT_TRUE(isWholeRight(*state)) << family.name;
+    }
+  }
+  // Flips of ties, and edges flipped back.
+  EXPECT_GT(right, 30);
+  EXPECT_GT(wrong, 1000);
+}
+
+TEST(JudgeStep, SeesThatACircleHasMovedTooFar) {
+  const std::uint64_t seed = test::seedOr(1);
+  int right = 0;
+  int wrong = 0;
+  for (const FamilyInfo& family : families()) {
+    const auto state = stateOf(generate(family.family, 30, seed));
+    if (state->visibleCount < 3) continue;
+    StepJudge judge;
+    Random random(seed);
+    for (int trial = 0; trial < 100; ++trial) {
+      const EditState::Mark mark = state->beginStep();
+      const int slot = static_cast<int>(random.below(static_cast<std::size_t>(state->visibleCount)));
+      state->willChangeSite(slot);
+      for (int h = 0; h < state->dual.halfEdgeCount(); ++h) {
+        if (state->dual.origin[h] == slot) state->willChange(h / 3);
+      }
+      const Circle& other = state->circles[random.below(static_cast<std::size_t>(state->visibleCount))];
+      Circle& circle = state->circles[slot];
+      const double step = random.logUniform(-8, 0);
+      circle.x += step * (other.x - circle.x);
+      circle.y += step * (other.y - circle.y);
+      // Circles that it no longer hides are another matter.
+      while (state->sites[slot].firstHidden != kNone)
+        state->removeSite([&] {
+          const int inner = state->sites[slot].firstHidden;
+          state->detach(inner);
+          return inner;
+        }());
+      const bool isRight = isWholeRight(*state);
+      EXPECT_EQ(judge.judge(*state, slot) == Verdict::right, isRight) << family.name << ", trial " << trial;
+      (isRight ? right : wrong) += 1;
+      state->takeBack(mark);
+    }
+  }
+  EXPECT_GT(right, 300);
+  EXPECT_GT(wrong, 300);
+}
+
+TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
+  const auto state = stateOf({{0, 0, 4}, {10, 0, 2}, {0, 12, 3}, {1, 1, 1}, {-1, 0, 1}});
+  ASSERT_EQ(state->visibleCount, 3);
+  const int first = state->ids.slotOf(0);
+  const int second = state->ids.slotOf(1);
+  const int inner = state->ids.slotOf(3);
+  StepJudge judge;
+  EditState::Mark mark = state->beginStep();
+  state->detach(inner);
+  EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);
+  state->attach(inner, first);
+  EXPECT_EQ(judge.judge(*state, kNone), Verdict::right);
+  state->detach(inner);
+  state->attach(inner, second);
+  EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);
+  state->takeBack(mark);
+
+  // A circle taken away though it hides others.
+  mark = state->beginStep();
+  CellShrinker shrinker;
+  ASSERT_TRUE(shrinker.takeOut(*state, first));
+  --state->visibleCount;
+  state->removeSite(first);
+  EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);
+  state->takeBack(mark);
+
+  // A visible circle that is not in the dual.
+  mark = state->beginStep();
+  state->detach(inner);
+  state->isHidden[inner] = 0;
+  EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);
+  ++state->visibleCount;
+  EXPECT_EQ(judge.judge(*state, kNone), Verdict::broken);
+  state->takeBack(mark);
+  EXPECT_TRUE(isWholeRight(*state));
+}
+
+}  // namespace
+}  // namespace circle_voronoi
