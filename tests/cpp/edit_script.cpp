@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
+#include <sstream>
 #include <tuple>
 
 #include "circle_voronoi/compute.h"
@@ -237,6 +239,38 @@ ScriptResult runScript(const FamilyInfo& family, std::size_t count, int edits, s
     }
   }
   return result;
+}
+
+void EditTable::add(const std::string& family, const ScriptResult& result) {
+  auto row = std::ranges::find(rows_, family, &Row::family);
+  if (row == rows_.end()) row = rows_.insert(row, Row{family, {}, 0, 0});
+  ++row->scripts;
+  row->problems += !result.problem.empty();
+  row->sum.edits += result.edits;
+  for (std::size_t way = 0; way < std::size(result.ways); ++way) row->sum.ways[way] += result.ways[way];
+}
+
+std::string EditTable::text() const {
+  std::ostringstream table;
+  table << "| family | scripts | edits | local | patch | whole | problems |\n|---|---|---|---|---|---|---|\n";
+  for (const Row& row : rows_) {
+    table << "| " << row.family << " | " << row.scripts << " | " << row.sum.edits << " |";
+    for (const int count : row.sum.ways) table << ' ' << count << " |";
+    table << ' ' << row.problems << " |\n";
+  }
+  return table.str();
+}
+
+int EditTable::edits() const {
+  int sum = 0;
+  for (const Row& row : rows_) sum += row.sum.edits;
+  return sum;
+}
+
+int EditTable::problems() const {
+  int sum = 0;
+  for (const Row& row : rows_) sum += row.problems;
+  return sum;
 }
 
 }  // namespace circle_voronoi::test

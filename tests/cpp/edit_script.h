@@ -46,4 +46,22 @@ struct ScriptResult {
 /// that come and go. After each tenth the snapshot is certified and that of `compute`; at the end it is the exact one.
 ScriptResult runScript(const FamilyInfo& family, std::size_t count, int edits, std::uint64_t seed);
 
+/// How often edits were done in each way, by family; a Markdown table.
+class EditTable {
+ public:
+  void add(const std::string& family, const ScriptResult& result);
+  std::string text() const;
+  int edits() const;
+  int problems() const;
+
+ private:
+  struct Row {
+    std::string family;
+    ScriptResult sum;
+    int scripts = 0;
+    int problems = 0;
+  };
+  std::vector<Row> rows_;
+};
+
 }  // namespace circle_voronoi::test

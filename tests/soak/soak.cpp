@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random inputs of every family, for as long or as many as one likes: each diagram certified and the same as the exact
-// one. Prints how to repeat each failure and its shrunk input; the exit status is 1 if there was any.
+// one; and random edits, after which a diagram is that of the circles as they are then. Prints how to repeat each
+// failure and its shrunk input; the exit status is 1 if there was any.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <atomic>
@@ -11,6 +12,7 @@
 #include <random>
 #include <thread>
 
+#include "edit_script.h"
 #include "report.h"
 #include "tie_inputs.h"
 #include "trial.h"
@@ -48,14 +50,16 @@ class Soak {
   }
 
   int report() const {
-    std::cout << table_.text() << table_.trials() << " inputs, " << table_.problems() << " problems\n";
-    return table_.problems() == 0 ? 0 : 1;
+    std::cout << table_.text() << table_.trials() << " inputs, " << table_.problems() << " problems\n\n"
+              << edits_.text() << edits_.edits() << " edits, " << edits_.problems() << " problems\n";
+    return table_.problems() + edits_.problems() == 0 ? 0 : 1;
   }
 
  private:
-  /// One input of every family and of every kind of tie; now and then many circles.
+  /// One input of every family and of every kind of tie, and one script of edits; now and then many circles.
   void round(std::uint64_t seed) {
     for (const FamilyInfo& family : families()) {
+      edit(family, seed);
       Random random(seed);
       const std::size_t count = 3 + random.below(198);
       attempt(std::string(family.name), commandOf(family.family, count, seed), generate(family.family, count, seed),
@@ -77,6 +81,18 @@ class Soak {
     }
   }
 
+  void edit(const FamilyInfo& family, std::uint64_t seed) {
+    if (Clock::now() >= end_) return;
+    constexpr int kEdits = 100;
+    const std::size_t count = Random(seed).below(64);
+    const ScriptResult result = runScript(family, count, kEdits, seed);
+    const std::lock_guard lock(mutex_);
+    edits_.add(std::string(family.name), result);
+    if (result.problem.empty()) return;
+    std::cout << "edits of " << family.name << " (" << count << " circles, --seed " << seed << "): " << result.problem
+              << std::endl;
+  }
+
   template <class Try>
   void attempt(const std::string& name, const std::string& repeat, const std::vector<Circle>& circles, Try tryOnce) {
     if (Clock::now() >= end_) return;
@@ -95,6 +111,7 @@ class Soak {
   std::atomic<std::uint64_t> round_ = 0;
   std::mutex mutex_;
   WayTable table_;
+  EditTable edits_;
 };
 
 }  // namespace
