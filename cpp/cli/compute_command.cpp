@@ -69,7 +69,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
     const Error& error = diagram.error();
     throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, name + ": " + error.message};
   }
-  writeDiagram(arguments.output, name, circles.value(), diagram.value(), progress);
+  writeDiagram(arguments.output, name, diagram.value(), progress);
 }
 
 }  // namespace

@@ -29,16 +29,16 @@ void convertCircles(const ConvertArguments& arguments, const std::string& text, 
 
 void convertDiagram(const ConvertArguments& arguments, const std::string& text, ProgressLine& progress) {
   const std::string name = inputName(arguments.input);
-  auto file = readDiagram(text, name);
-  if (!file) throw Failure{kBadInput, file.error().message};
-  auto& [circles, diagram] = file.value();
-  if (arguments.circlesAlone) return writeCircles(arguments.output, circles, progress);
+  auto read = readDiagram(text, name);
+  if (!read) throw Failure{kBadInput, read.error().message};
+  Diagram& diagram = read.value();
+  if (arguments.circlesAlone) return writeCircles(arguments.output, diagram.circles, progress);
   progress.show(stageName(Stage::certify));
   // What is written is drawn from the diagram, so it has to be one, whatever its file says.
-  const auto certificate = certify(circles, diagram);
+  const auto certificate = certify(diagram);
   if (!certificate) throw Failure{kBadInput, name + ": " + certificate.error().message};
   diagram.certificate = certificate.value();
-  writeDiagram(arguments.output, name, circles, diagram, progress);
+  writeDiagram(arguments.output, name, diagram, progress);
 }
 
 void runConvert(ConvertArguments& arguments) {

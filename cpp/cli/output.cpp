@@ -18,12 +18,11 @@ namespace {
 constexpr const char* kDefaultFormat = "json";
 const std::vector<std::string> kFormats = {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj", "stats"};
 
-void writeAllLines(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
-                   const ExportOptions& options) {
-  writeGeoJsonLines(out, circles, diagram, options);
+void writeAllLines(std::ostream& out, const Diagram& diagram, const ExportOptions& options) {
+  writeGeoJsonLines(out, diagram, options);
 }
 
-using WriteExport = void (*)(std::ostream&, std::span<const Circle>, const Diagram&, const ExportOptions&);
+using WriteExport = void (*)(std::ostream&, const Diagram&, const ExportOptions&);
 /// The formats that need a certified diagram.
 const std::map<std::string, WriteExport> kExports = {
     {"svg", writeSvg}, {"geojson", writeGeoJson}, {"geojsonl", writeAllLines}, {"wkt", writeWkt}, {"obj", writeObj}};
@@ -102,17 +101,16 @@ ExportOptions exportOptions(const Output& output) {
   return options;
 }
 
-void writeDiagram(const Output& output, const std::string& name, std::span<const Circle> circles,
-                  const Diagram& diagram, ProgressLine& progress) {
+void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress) {
   const auto found = kExports.find(output.format);
   if (found != kExports.end() && !diagram.certificate.certified()) {
     throw Failure{kFailure, name + ": the diagram is not certified: " + diagram.certificate.message};
   }
   write(output, progress, [&](std::ostream& out) {
-    if (found != kExports.end()) return found->second(out, circles, diagram, exportOptions(output));
+    if (found != kExports.end()) return found->second(out, diagram, exportOptions(output));
     if (output.format == "stats") return writeStatsJson(out, diagram);
     if (output.format == "csv") return writeDiagramCsv(out, diagram);
-    writeJson(out, circles, diagram);
+    writeJson(out, diagram);
   });
 }
 

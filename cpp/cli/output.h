@@ -35,10 +35,9 @@ void settle(Output& output, const std::string& input);
 /// The box and the tolerance that the user gave.
 ExportOptions exportOptions(const Output& output);
 
-/// Writes a diagram of circles. `name` is what the input is called. Throws Failure if the format needs a certified
+/// Writes a diagram. `name` is what the input is called. Throws Failure if the format needs a certified
 /// diagram and this is not, or if anything could not be written.
-void writeDiagram(const Output& output, const std::string& name, std::span<const Circle> circles,
-                  const Diagram& diagram, ProgressLine& progress);
+void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress);
 
 /// Writes circles alone. Throws Failure if the format is one of a diagram only, or if anything could not be written.
 void writeCircles(const Output& output, std::span<const Circle> circles, ProgressLine& progress);

@@ -101,7 +101,7 @@ class FinalPart {
   bool isInCore(std::int32_t i) const { return isIn(core_, tile_.circles[at(i)]); }
   bool isDone(std::int32_t i) const { return tile_.done[at(i)] != 0; }
 
-  void noteNeighbor(std::int32_t circle, std::int32_t neighbor) {
+  void noteNeighbor(CircleIndex circle, CircleIndex neighbor) {
     if (isInCore(circle) && !(isInCore(neighbor) && cells_.isFinal(neighbor))) isOpen_[at(circle)] = 1;
   }
 
@@ -116,7 +116,7 @@ void write(const Output& output, const Tile& tile, const Diagram& diagram, const
   const Selection selection = {tile.ids, part.isOwner()};
   writeText(output.file, [&](std::ostream& out) {
     if (output.format == "csv") return writePartsCsv(out, diagram, selection);
-    writeGeoJsonLines(out, tile.circles, diagram, exportOptions(output), selection);
+    writeGeoJsonLines(out, diagram, exportOptions(output), selection);
   });
 }
 
@@ -171,7 +171,7 @@ void computeTilePart(const TilePart& part, const Output& output, const std::stri
     const Error& error = diagram.error();
     throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, name + ": " + error.message};
   }
-  const auto cells = finalCells(circles, diagram.value(), {boxOf(part.known), *part.maxRadius});
+  const auto cells = finalCells(diagram.value(), {boxOf(part.known), *part.maxRadius});
   if (!cells) throw Failure{kBadInput, name + ": " + cells.error().message};
   const FinalPart found(tile.value(), diagram.value(), cells.value(), boxOf(part.core));
   if (output.file == kStandardStream) progress.end();

@@ -23,16 +23,16 @@ void runVerify(const VerifyArguments& arguments) {
   ProgressLine progress(arguments.progress);
   progress.show("read");
   const std::string name = inputName(arguments.input);
-  const auto file = readDiagram(readText(arguments.input), name);
-  if (!file) throw Failure{kBadInput, file.error().message};
-  const auto& [circles, diagram] = file.value();
+  const auto read = readDiagram(readText(arguments.input), name);
+  if (!read) throw Failure{kBadInput, read.error().message};
+  const Diagram& diagram = read.value();
   progress.show(stageName(Stage::certify));
-  const auto certificate = certify(circles, diagram);
+  const auto certificate = certify(diagram);
   progress.end();
   if (!certificate) throw Failure{kBadInput, name + ": " + certificate.error().message};
   if (!certificate.value().certified()) throw Failure{kFailure, name + ": " + certificate.value().message};
   writeText(kStandardStream, [&](std::ostream& out) {
-    out << "certified: " << circles.size() << " circles, " << diagram.hidden.size() << " of them hidden; "
+    out << "certified: " << diagram.circles.size() << " circles, " << diagram.hidden.size() << " of them hidden; "
         << diagram.vertices.size() << " vertices, " << diagram.edges.size() << " edges\n";
   });
 }

@@ -112,7 +112,7 @@ Json degeneratePositions(const Parameters& parameters) {
                 {"certifiedByMethod", method.certificate.certified()},
                 {"certifiedByAuto", diagram.certificate.certified()},
                 {"vertices", diagram.vertices.size()},
-                {"degrees", degreesOf(mergeVertices(circles, diagram))}};
+                {"degrees", degreesOf(mergeVertices(diagram))}};
     if (its.figure == "15b") row["spread"] = spreadOf(diagram, 50);
     if (its.figure == "15f") row["quasiTriangulation"] = quasiTriangulation(diagram);
     cases.push_back(std::move(row));

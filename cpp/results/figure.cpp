@@ -155,7 +155,7 @@ void draw(const std::filesystem::path& folder, const std::string& name, std::spa
     // A tenth of a pixel.
     figure.frame.tolerance = 0.1 * std::max(box.maxX - box.minX, box.maxY - box.minY) / figure.pixels;
   }
-  writeSvgFigure(file, circles, diagram, figure);
+  writeSvgFigure(file, diagram, figure);
   file.close();
   if (!file) throw std::runtime_error("Cannot write " + path.string());
 }

@@ -126,14 +126,13 @@ Json figure13b(const Path& folder) {
 
   std::map<std::array<std::int32_t, 2>, int> edgesOf;
   for (const Edge& e : diagram.edges) ++edgesOf[{std::min(e.left, e.right), std::max(e.left, e.right)}];
-  const Cells cells(circles, diagram);
   int convex = 0;
   int twoSided = 0;
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    const auto neighbors = cells.neighbors(i);
+  for (CircleIndex i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+    const auto neighbors = circle_voronoi::neighbors(diagram, i);
     if (neighbors.size() == 2) ++twoSided;
     // A bisector is bent around the smaller circle.
-    convex += std::ranges::all_of(neighbors, [&](std::int32_t j) { return circles[j].r >= circles[i].r; });
+    convex += std::ranges::all_of(neighbors, [&](CircleIndex j) { return circles[j].r >= circles[i].r; });
   }
   return {{"certified", diagram.certificate.certified()},
           {"pairsOfSeveralEdges", std::ranges::count_if(edgesOf, [](const auto& pair) { return pair.second > 1; })},

@@ -278,7 +278,7 @@ class Printed {
   PrintedResult result_;
 };
 
-using Triple = std::array<std::int32_t, 3>;
+using Triple = std::array<CircleIndex, 3>;
 
 /// The vertices outside all circles, each from its smallest circle on, sorted.
 std::vector<Triple> outerVertices(std::span<const Circle> circles, const Diagram& diagram) {

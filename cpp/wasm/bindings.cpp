@@ -80,21 +80,23 @@ val computeValue(const val& coordinates, const val& options) {
 
 // In what follows `value` is a diagram with its circles, as `compute` in web/lib returns it.
 
-std::vector<Circle> circlesFrom(const val& value) { return itemsFrom<double, Circle>(value["circles"]); }
-
 Diagram diagramFrom(const val& value) {
   Diagram diagram;
+  diagram.circles = itemsFrom<double, Circle>(value["circles"]);
   diagram.vertices = itemsFrom<double, Vertex>(value["vertices"]);
-  diagram.vertexCircles = itemsFrom<std::int32_t, std::array<std::int32_t, 3>>(value["vertexCircles"]);
+  diagram.vertexCircles = itemsFrom<std::int32_t, std::array<CircleIndex, 3>>(value["vertexCircles"]);
   diagram.edges = itemsFrom<std::int32_t, Edge>(value["edges"]);
   diagram.hidden = itemsFrom<std::int32_t, HiddenCircle>(value["hidden"]);
-  diagram.hull = itemsFrom<std::int32_t, std::int32_t>(value["hull"]);
+  diagram.hull = itemsFrom<std::int32_t, CircleIndex>(value["hull"]);
+  diagram.nextSide = itemsFrom<std::int32_t, SideIndex>(value["nextSide"]);
+  diagram.vertexSides = itemsFrom<std::int32_t, std::array<SideIndex, 3>>(value["vertexSides"]);
+  diagram.firstSide = itemsFrom<std::int32_t, SideIndex>(value["firstSide"]);
   return diagram;
 }
 
 val certifyValue(const val& value) {
   return valueOf([&] {
-    const Result<Certificate> certificate = certify(circlesFrom(value), diagramFrom(value));
+    const Result<Certificate> certificate = certify(diagramFrom(value));
     return certificate.ok() ? certificateValue(certificate.value()) : errorValue(certificate.error());
   });
 }
@@ -103,7 +105,7 @@ val certifyValue(const val& value) {
 val finalCellsValue(const val& value, const val& box, double maxRadius) {
   return valueOf([&] {
     const Known known = {itemsFrom<double, Box>(box).at(0), maxRadius};
-    const Result<FinalCells> cells = finalCells(circlesFrom(value), diagramFrom(value), known);
+    const Result<FinalCells> cells = finalCells(diagramFrom(value), known);
     if (!cells.ok()) return errorValue(cells.error());
     val result = val::object();
     result.set("neededHalo", float64Array(cells.value().neededHalo));

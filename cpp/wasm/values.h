@@ -110,6 +110,9 @@ inline val diagramValue(const Diagram& diagram) {
   result.set("edges", int32Array(diagram.edges));
   result.set("hidden", int32Array(diagram.hidden));
   result.set("hull", int32Array(diagram.hull));
+  result.set("nextSide", int32Array(diagram.nextSide));
+  result.set("vertexSides", int32Array(diagram.vertexSides));
+  result.set("firstSide", int32Array(diagram.firstSide));
   result.set("certificate", certificateValue(diagram.certificate));
   result.set("stats", statsValue(diagram.stats));
   return result;

@@ -50,11 +50,10 @@ int main(int count, char** arguments) {
   }
 
   const cv::ConvexPolygon box = boundingBox(circles);
-  const cv::Cells cells(circles, diagram.value());
   std::cout << "circle,area,density\n";
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    if (!cells.exists(i)) continue;
-    const double area = cv::area(cv::outline(cells, i, box));
+  for (cv::CircleIndex i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+    if (!diagram.value().hasCell(i)) continue;
+    const double area = cv::area(cv::outline(diagram.value(), i, box));
     const double r = circles[static_cast<std::size_t>(i)].r;
     std::cout << i << ',' << area << ',' << std::numbers::pi * r * r / area << '\n';
   }

@@ -49,8 +49,7 @@ int main(int count, char** arguments) {
 
   const cv::Point from = {coordinates[0], coordinates[1]};
   const cv::Point to = {coordinates[2], coordinates[3]};
-  const cv::Cells cells(trees.value(), diagram.value());
-  const cv::ClearestPath path = cv::clearestPath(cells, from, to);
+  const cv::ClearestPath path = cv::clearestPath(diagram.value(), from, to);
   std::cout << "A disc of diameter " << 2 * std::max(path.clearance, 0.0) << " gets through, between these trees:\n";
   for (const auto e : path.edges) {
     const cv::Edge& edge = diagram.value().edges[static_cast<std::size_t>(e)];

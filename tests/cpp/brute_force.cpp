@@ -8,7 +8,7 @@
 namespace circle_voronoi::test {
 namespace {
 
-bool isEmpty(const Vertex& disc, std::span<const Circle> circles, const std::array<std::int32_t, 3>& touched) {
+bool isEmpty(const Vertex& disc, std::span<const Circle> circles, const std::array<CircleIndex, 3>& touched) {
   for (std::size_t i = 0; i < circles.size(); ++i) {
     if (std::ranges::find(touched, static_cast<std::int32_t>(i)) != touched.end()) continue;
     const Vector v = {circles[i].x - disc.x, circles[i].y - disc.y};
@@ -19,9 +19,9 @@ bool isEmpty(const Vertex& disc, std::span<const Circle> circles, const std::arr
 
 }  // namespace
 
-std::vector<std::array<std::int32_t, 3>> bruteForceVertices(std::span<const Circle> circles) {
+std::vector<std::array<CircleIndex, 3>> bruteForceVertices(std::span<const Circle> circles) {
   const auto n = static_cast<std::int32_t>(circles.size());
-  std::vector<std::array<std::int32_t, 3>> vertices;
+  std::vector<std::array<CircleIndex, 3>> vertices;
   for (std::int32_t i = 0; i < n; ++i) {
     for (std::int32_t j = i + 1; j < n; ++j) {
       for (std::int32_t k = i + 1; k < n; ++k) {

@@ -67,10 +67,10 @@ ConvexPolygon randomPolygon(const Box& box, Random& random) {
 }
 
 /// Loops are closed without gaps, and their areas add up to the region's. None is negative but for rounding.
-void expectPartition(const Cells& cells, const ConvexPolygon& region, double rounding = 1e-12) {
+void expectPartition(const Diagram& diagram, const ConvexPolygon& region, double rounding = 1e-12) {
   double sum = 0;
-  for (std::size_t i = 0; i < cells.circles().size(); ++i) {
-    const Outline parts = outline(cells, static_cast<std::int32_t>(i), region);
+  for (std::size_t i = 0; i < diagram.circles.size(); ++i) {
+    const Outline parts = outline(diagram, static_cast<std::int32_t>(i), region);
     for (const auto& loop : parts) {
       ASSERT_FALSE(loop.empty());
       for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -89,25 +89,24 @@ TEST(Cells, SidesTurnCounterClockwiseAndLinkUp) {
     SCOPED_TRACE(family.name);
     const auto circles = generate(family.family, 200, 1);
     const Diagram diagram = diagramOf(circles);
-    const Cells cells(circles, diagram);
     std::size_t count = 0;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-      const auto sides = cells.sides(i);
+      const auto range = diagram.sides(i);
+      const std::vector<SideIndex> sides(range.begin(), range.end());
       count += sides.size();
       for (std::size_t k = 0; k < sides.size(); ++k) {
-        ASSERT_EQ(cells.circleOf(sides[k]), i);
-        ASSERT_EQ(cells.targetOf(sides[k]), cells.originOf(sides[(k + 1) % sides.size()]));
+        ASSERT_EQ(diagram.circleOf(sides[k]), i);
+        ASSERT_EQ(diagram.targetOf(sides[k]), diagram.originOf(sides[(k + 1) % sides.size()]));
       }
-      const auto neighbors = cells.neighbors(i);
-      for (const std::int32_t j : neighbors) {
-        const auto back = cells.neighbors(j);
-        ASSERT_EQ(std::ranges::count(back, i), std::ranges::count(neighbors, j));
+      const auto around = neighbors(diagram, i);
+      for (const CircleIndex j : around) {
+        ASSERT_EQ(std::ranges::count(neighbors(diagram, j), i), std::ranges::count(around, j));
       }
     }
     EXPECT_EQ(count, 2 * diagram.edges.size());
     for (const HiddenCircle& hidden : diagram.hidden) {
-      EXPECT_FALSE(cells.exists(hidden.circle));
-      EXPECT_TRUE(outline(cells, hidden.circle, boxAround(circles, 1.1)).empty());
+      EXPECT_FALSE(diagram.hasCell(hidden.circle));
+      EXPECT_TRUE(outline(diagram, hidden.circle, boxAround(circles, 1.1)).empty());
     }
   }
 }
@@ -118,14 +117,13 @@ TEST(Cells, ContainWhatIsNearest) {
     SCOPED_TRACE(family.name);
     const auto circles = generate(family.family, 60, 2);
     const Diagram diagram = diagramOf(circles);
-    const Cells cells(circles, diagram);
     const Box box = boxAround(circles, 1.2);
     for (int k = 0; k < 200; ++k) {
       const Point p = randomPoint(box, random);
       const double least = distance(Metric::circles, circles[static_cast<std::size_t>(nearest(circles, p))], p);
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-        const double own = cells.distance(i, p);
-        EXPECT_EQ(cells.contains(i, p), cells.exists(i) && own == least) << i;
+        const double own = distance(diagram, i, p);
+        EXPECT_EQ(contains(diagram, i, p), diagram.hasCell(i) && own == least) << i;
       }
     }
   }
@@ -138,14 +136,13 @@ TEST(Cells, AreasAddUpToTheRegion) {
       SCOPED_TRACE(std::string(family.name) + " " + std::to_string(count));
       const auto circles = generate(family.family, count, count);
       const Diagram diagram = diagramOf(circles);
-      const Cells cells(circles, diagram);
       // Cells between circles that touch inside but for rounding are narrower than the rounding of their vertices.
       const double rounding = family.family == Family::nestedTangent ? 1e-8 : 1e-12;
-      expectPartition(cells, boxAround(circles, 1.5), rounding);
-      expectPartition(cells, boxAround(circles, 1), rounding);
-      expectPartition(cells, boxAround(circles, 1000), rounding);
-      expectPartition(cells, boxAround(circles, 0.3), rounding);
-      expectPartition(cells, randomPolygon(boxAround(circles, 1), random), rounding);
+      expectPartition(diagram, boxAround(circles, 1.5), rounding);
+      expectPartition(diagram, boxAround(circles, 1), rounding);
+      expectPartition(diagram, boxAround(circles, 1000), rounding);
+      expectPartition(diagram, boxAround(circles, 0.3), rounding);
+      expectPartition(diagram, randomPolygon(boxAround(circles, 1), random), rounding);
     }
   }
 }
@@ -153,7 +150,6 @@ TEST(Cells, AreasAddUpToTheRegion) {
 TEST(Cells, AreasAndCentroidsAreThoseOfPixels) {
   const auto circles = generate(Family::extreme, 12, 4);
   const Diagram diagram = diagramOf(circles);
-  const Cells cells(circles, diagram);
   const Box box = boxAround(circles, 1.1);
   constexpr int kPixels = 800;
   const double width = (box.maxX - box.minX) / kPixels;
@@ -169,7 +165,7 @@ TEST(Cells, AreasAndCentroidsAreThoseOfPixels) {
     }
   }
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    const Outline parts = outline(cells, i, box);
+    const Outline parts = outline(diagram, i, box);
     const auto& [count, x, y] = sums[i];
     EXPECT_NEAR(area(parts), count * width * height, perimeter(parts) * (width + height) / 4 + 4 * width * height) << i;
     if (count < 1000) continue;
@@ -183,11 +179,10 @@ TEST(Cells, AreaCentroidAndPerimeterAreThoseOfAFinePolygon) {
   for (const Family family : {Family::logUniform, Family::twoHuge, Family::intersecting, Family::chaos}) {
     const auto circles = generate(family, 10, 5);
     const Diagram diagram = diagramOf(circles);
-    const Cells cells(circles, diagram);
     const ConvexPolygon region = boxAround(circles, 1.3);
     const double size = std::sqrt(region.area());
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-      const Outline parts = outline(cells, i, region);
+      const Outline parts = outline(diagram, i, region);
       if (parts.empty()) continue;
       const Point origin = region.middle();
       double twice = 0, x = 0, y = 0, around = 0;
@@ -216,52 +211,48 @@ TEST(Cells, AreaCentroidAndPerimeterAreThoseOfAFinePolygon) {
 TEST(Cells, OneCircleHasTheWholeBox) {
   const std::vector<Circle> circles = {{0, 0, 1}, {0.1, 0, 0.5}};
   const Diagram diagram = diagramOf(circles);
-  const Cells cells(circles, diagram);
   const Box box = {2, 3, 5, 4};
-  EXPECT_TRUE(cells.sides(0).empty());
-  EXPECT_EQ(area(outline(cells, 0, box)), 3);
-  EXPECT_EQ(perimeter(outline(cells, 0, box)), 8);
-  EXPECT_EQ(centroid(outline(cells, 0, box)), (Point{3.5, 3.5}));
-  EXPECT_TRUE(outline(cells, 1, box).empty());
+  EXPECT_TRUE(diagram.sides(0).empty());
+  EXPECT_EQ(area(outline(diagram, 0, box)), 3);
+  EXPECT_EQ(perimeter(outline(diagram, 0, box)), 8);
+  EXPECT_EQ(centroid(outline(diagram, 0, box)), (Point{3.5, 3.5}));
+  EXPECT_TRUE(outline(diagram, 1, box).empty());
 }
 
 TEST(Cells, ARegionMayCutACellApart) {
   // A tall cell between two large circles, seen through a window that misses its middle: a small circle in the way.
   const std::vector<Circle> circles = {{0, 0, 10}, {0, 10.6, 0.1}};
   const Diagram diagram = diagramOf(circles);
-  const Cells cells(circles, diagram);
   // The branch bends around the small circle; a box below its apex sees the large circle's cell on both sides of it.
   const Box box = {-8, 10.3, 8, 14};
-  EXPECT_EQ(outline(cells, 1, box).size(), 1U);
-  const Outline parts = outline(cells, 0, Box{-8, 10.5, 8, 14});
+  EXPECT_EQ(outline(diagram, 1, box).size(), 1U);
+  const Outline parts = outline(diagram, 0, Box{-8, 10.5, 8, 14});
   EXPECT_EQ(parts.size(), 2U);
-  EXPECT_NEAR(area(parts) + area(outline(cells, 1, Box{-8, 10.5, 8, 14})), 16 * 3.5, 1e-12);
+  EXPECT_NEAR(area(parts) + area(outline(diagram, 1, Box{-8, 10.5, 8, 14})), 16 * 3.5, 1e-12);
 }
 
 TEST(Cells, ABoundaryAlongAnEdgeIsNoTrouble) {
   const std::vector<Circle> circles = {{0, 0, 0.5}, {2, 0, 0.5}, {0, 2, 0.5}, {2, 2, 0.5}};
   const Diagram diagram = diagramOf(circles);
-  const Cells cells(circles, diagram);
   for (const Box& box : {Box{0, 0, 1, 1}, Box{0, 0, 1, 2}, Box{-1, -1, 1, 3}, Box{1, 1, 2, 2}, Box{0, 0, 2, 2}}) {
-    expectPartition(cells, box);
+    expectPartition(diagram, box);
   }
-  EXPECT_EQ(area(outline(cells, 3, Box{1, 1, 2, 2})), 1);
+  EXPECT_EQ(area(outline(diagram, 3, Box{1, 1, 2, 2})), 1);
 }
 
 TEST(Cells, TwoSidesOfARegionMayLieOnTheBoundaryOfACell) {
   const std::vector<Circle> circles = {{25, 0, 1}, {27, 0, 1}, {21, 0, 1}};
   const Diagram diagram = diagramOf(circles);
-  expectPartition(Cells(circles, diagram), Box{23, -1, 26, 1});
+  expectPartition(diagram, Box{23, -1, 26, 1});
 }
 
 TEST(Cells, AnEdgeMayTouchTheBoundary) {
   const std::vector<Circle> circles = {{1, 3, 0}, {1, 0, 1}};  // the apex of their edge is (1, 2)
   const Diagram diagram = diagramOf(circles);
-  const Cells cells(circles, diagram);
   for (const Box& box : {Box{1, 0, 3, 2}, Box{0, 0, 2, 2}, Box{0, 2, 2, 3}, Box{-1, 1, 1, 2}}) {
-    expectPartition(cells, box);
+    expectPartition(diagram, box);
   }
-  EXPECT_EQ(area(outline(cells, 0, Box{0, 0, 2, 2})), 0);
+  EXPECT_EQ(area(outline(diagram, 0, Box{0, 0, 2, 2})), 0);
 }
 
 /// The distance from the centre of circle i at which its cell ends in a direction: where another circle becomes as
@@ -282,7 +273,6 @@ double reach(const std::vector<Circle>& circles, std::size_t i, Vector u, const 
 TEST(Cells, OfTheBronzeFilterHaveTheAreasOfAQuadratureOverAllCircles) {
   const auto circles = test::readFixture("bronzefilter");
   const Diagram diagram = diagramOf(circles);
-  const Cells cells(circles, diagram);
   const Box box = boxAround(circles, 1.02);
   constexpr int kRays = 2000;
   constexpr double kFullTurn = 2 * std::numbers::pi;
@@ -293,38 +283,35 @@ TEST(Cells, OfTheBronzeFilterHaveTheAreasOfAQuadratureOverAllCircles) {
       sum += end * end / 2;
     }
     const double expected = sum * kFullTurn / kRays;
-    EXPECT_NEAR(area(outline(cells, static_cast<std::int32_t>(i), box)), expected, 1e-3 * expected) << i;
+    EXPECT_NEAR(area(outline(diagram, static_cast<std::int32_t>(i), box)), expected, 1e-3 * expected) << i;
   }
 }
 
 TEST(Cells, OfTheBronzeFilterFillItsBox) {
   const auto circles = test::readFixture("bronzefilter");
   const Diagram diagram = diagramOf(circles);
-  const Cells cells(circles, diagram);
   const Box box = boxAround(circles, 1.02);
-  expectPartition(cells, box);
+  expectPartition(diagram, box);
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    EXPECT_EQ(area(outline(cells, i, box)) > 0, cells.exists(i)) << i;
+    EXPECT_EQ(area(outline(diagram, i, box)) > 0, diagram.hasCell(i)) << i;
   }
 }
 
 TEST(Cells, APointOnTheBorderIsInBoth) {
   const std::vector<Circle> circles = {{0, 0, 3}, {10, 0, 1}};
   const Diagram diagram = compute(circles).value();
-  const Cells cells(circles, diagram);
-  EXPECT_TRUE(cells.contains(0, {6, 0}));
-  EXPECT_TRUE(cells.contains(1, {6, 0}));
-  EXPECT_FALSE(cells.contains(0, {6.001, 0}));
-  EXPECT_FALSE(cells.contains(1, {5.999, 0}));
+  EXPECT_TRUE(contains(diagram, 0, {6, 0}));
+  EXPECT_TRUE(contains(diagram, 1, {6, 0}));
+  EXPECT_FALSE(contains(diagram, 0, {6.001, 0}));
+  EXPECT_FALSE(contains(diagram, 1, {5.999, 0}));
 }
 
 TEST(Cells, TheirOutlinesHaveNoSegmentWithoutLength) {
   // The edge of these goes through two corners of the box.
   const std::vector<Circle> circles = {{-1, 1, 0.5}, {1, -1, 0.5}};
   const Diagram diagram = compute(circles).value();
-  const Cells cells(circles, diagram);
   for (const std::int32_t circle : {0, 1}) {
-    const Outline shape = outline(cells, circle, Box{0, 0, 4, 4});
+    const Outline shape = outline(diagram, circle, Box{0, 0, 4, 4});
     ASSERT_EQ(shape.size(), 1U);
     for (const OutlinePiece& piece : shape[0]) {
       if (piece.side == kNone) {

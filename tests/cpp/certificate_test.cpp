@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "dual_edits.h"
 
@@ -21,8 +22,11 @@ const std::vector<Circle> kNested = {{9, 9, 9}, {0, 10, 2}, {11, 6, 5}};
 
 Diagram diagramOf(std::span<const Circle> circles) { return compute(circles).value(); }
 
-Certificate judged(std::span<const Circle> circles, const Diagram& diagram) {
-  return certify(circles, diagram).value();
+/// What is said of a diagram, as it is or for other circles.
+Certificate judged(std::span<const Circle> circles, Diagram diagram) {
+  diagram.circles.assign(circles.begin(), circles.end());
+  linkSides(diagram);
+  return certify(diagram).value();
 }
 
 TEST(Certificate, CertifiesFewCircles) {
@@ -135,9 +139,23 @@ TEST(Certificate, OneOfIdenticalCirclesIsHiddenByTheOther) {
   EXPECT_EQ(judged(circles, diagram).flaw, Flaw::hiddenWithoutHider);
 }
 
+TEST(Certificate, OfCentresLooksAtNoRadiiAndOfPowerDiagramsThereIsNone) {
+  const std::vector<Circle> circles = {{0, 0, 5}, {4, 0, 1}, {0, 9, 7}, {3, 3, 0}};
+  const Diagram centres = computeComparison(circles, Metric::centres).value();
+  EXPECT_EQ(centres.circles, circles);
+  EXPECT_TRUE(certify(centres).value().certified());
+  Diagram other = centres;
+  other.metric = Metric::circles;
+  EXPECT_FALSE(certify(other).value().certified());
+  const auto power = certify(computeComparison(circles, Metric::power).value());
+  ASSERT_FALSE(power.ok());
+  EXPECT_EQ(power.error().code, ErrorCode::badOption);
+}
+
 TEST(Certificate, RejectsBadCircles) {
-  const std::array<Circle, 1> circles = {{{0, std::nan(""), 1}}};
-  const auto certificate = certify(circles, Diagram{});
+  Diagram diagram;
+  diagram.circles = {{0, std::nan(""), 1}};
+  const auto certificate = certify(diagram);
   ASSERT_FALSE(certificate.ok());
   EXPECT_EQ(certificate.error().code, ErrorCode::nonFinite);
 }

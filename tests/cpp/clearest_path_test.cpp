@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/families.h"
 #include "random.h"
 #include "vectors.h"
@@ -82,7 +83,6 @@ TEST_P(ClearestPathIn, IsAsClearAsThatOfPixels) {
     SCOPED_TRACE(count);
     const auto circles = generate(GetParam(), count, count);
     const Diagram diagram = compute(circles).value();
-    const Cells cells(circles, diagram);
     Box box = {circles[0].x, circles[0].y, circles[0].x, circles[0].y};
     for (const Circle& c : circles) {
       box.minX = std::min(box.minX, c.x - c.r);
@@ -98,9 +98,9 @@ TEST_P(ClearestPathIn, IsAsClearAsThatOfPixels) {
     for (int trial = 0; trial < 3; ++trial) {
       const Point p = {random.uniform(box.minX, box.minX + size), random.uniform(box.minY, box.minY + size)};
       const Point q = {random.uniform(box.minX, box.minX + size), random.uniform(box.minY, box.minY + size)};
-      const ClearestPath path = clearestPath(cells, p, q);
+      const ClearestPath path = clearestPath(diagram, p, q);
       EXPECT_NEAR(path.clearance, pixels.between(p, q), 2 * pixels.pixel());
-      EXPECT_NEAR(path.clearance, clearestPath(cells, q, p).clearance, 1e-12 * size);
+      EXPECT_NEAR(path.clearance, clearestPath(diagram, q, p).clearance, 1e-12 * size);
       EXPECT_LE(path.clearance, clearanceAt(circles, p) + 1e-12 * (size + std::abs(p.x) + std::abs(p.y)));
     }
   }
@@ -110,11 +110,10 @@ TEST_P(ClearestPathIn, FollowsEdgesThatMeet) {
   Random random(2);
   const auto circles = generate(GetParam(), 40, 7);
   const Diagram diagram = compute(circles).value();
-  const Cells cells(circles, diagram);
   for (int trial = 0; trial < 20; ++trial) {
     const Circle& c = circles[random.below(circles.size())];
     const Circle& d = circles[random.below(circles.size())];
-    const ClearestPath path = clearestPath(cells, {c.x + c.r, c.y}, {d.x, d.y - d.r});
+    const ClearestPath path = clearestPath(diagram, {c.x + c.r, c.y}, {d.x, d.y - d.r});
     for (std::size_t k = 1; k < path.edges.size(); ++k) {
       const Edge& e = diagram.edges[static_cast<std::size_t>(path.edges[k - 1])];
       const Edge& f = diagram.edges[static_cast<std::size_t>(path.edges[k])];
@@ -144,17 +143,17 @@ TEST(ClearestPath, GoesThroughTheWiderGap) {
   const double h = 5 * std::numbers::sqrt3 / 2;
   const std::vector<Circle> circles = {{5, 0, 2}, {2.5, h, 2}, {-2.5, h, 2}, {-5, 0, 1.5}, {-2.5, -h, 2}, {2.5, -h, 2}};
   const Diagram diagram = compute(circles).value();
-  const Cells cells(circles, diagram);
-  EXPECT_NEAR(clearestPath(cells, {0.1, 0}, {20, 0}).clearance, 0.75, 1e-12);
+  EXPECT_NEAR(clearestPath(diagram, {0.1, 0}, {20, 0}).clearance, 0.75, 1e-12);
   // Outside there is room without limit: the ends alone bound the clearance.
-  EXPECT_NEAR(clearestPath(cells, {0, 20}, {0, -20}).clearance, std::sqrt(2.5 * 2.5 + (20 - h) * (20 - h)) - 2, 1e-12);
+  EXPECT_NEAR(clearestPath(diagram, {0, 20}, {0, -20}).clearance, std::sqrt(2.5 * 2.5 + (20 - h) * (20 - h)) - 2,
+              1e-12);
 }
 
 TEST(ClearestPath, EndsAmongCirclesTooSmallForSquares) {
   const std::vector<Circle> circles = {
       {0, 0, 1e-301}, {1e-300, 0, 2e-301}, {0, 1e-300, 3e-301}, {9e-301, 9e-301, 5e-302}};
   const Diagram diagram = compute(circles).value();
-  const ClearestPath path = clearestPath(Cells(circles, diagram), {0, 0}, {1e-300, 1e-300});
+  const ClearestPath path = clearestPath(diagram, {0, 0}, {1e-300, 1e-300});
   EXPECT_LE(path.edges.size(), diagram.edges.size());
 }
 

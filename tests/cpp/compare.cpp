@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <iterator>
 #include <numeric>
 #include <sstream>
@@ -15,14 +16,14 @@
 namespace circle_voronoi::test {
 namespace {
 
-using Triple = std::array<std::int32_t, 3>;
+using Triple = std::array<CircleIndex, 3>;
 
 /// Looking along an unbounded edge to infinity, the circle on its left and the one on its right.
 using UnboundedEnd = std::array<std::int32_t, 2>;
 
 // --- differences of lists ---
 
-void print(std::ostream& out, std::int32_t item) { out << item; }
+void print(std::ostream& out, const std::convertible_to<std::int32_t> auto& item) { out << std::int32_t{item}; }
 
 template <class List>
 void print(std::ostream& out, const List& list) {

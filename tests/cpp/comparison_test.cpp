@@ -41,10 +41,10 @@ TEST_P(Comparison, CellsContainWhatIsNearestAndFillTheBox) {
     for (const std::size_t count : {1U, 2U, 3U, 10U, 100U}) {
       SCOPED_TRACE(std::string(family.name) + " " + std::to_string(count));
       const auto circles = generate(family.family, count, count);
-      const auto diagram = computeComparison(circles, GetParam());
-      ASSERT_TRUE(diagram) << diagram.error().message;
-      const Cells cells(circles, diagram.value(), GetParam());
-      const Finder finder(cells);
+      const auto computed = computeComparison(circles, GetParam());
+      ASSERT_TRUE(computed) << computed.error().message;
+      const Diagram& diagram = computed.value();
+      const Finder finder(diagram);
       const Box box = boxOf(circles);
       for (int k = 0; k < 100; ++k) {
         const Point p = {random.uniform(box.minX, box.maxX), random.uniform(box.minY, box.maxY)};
@@ -55,10 +55,10 @@ TEST_P(Comparison, CellsContainWhatIsNearestAndFillTheBox) {
           largest = std::max({largest, std::abs(p.x), std::abs(p.y), c.r});
         }
         const double rounding = 1e-14 * largest * (GetParam() == Metric::power ? largest : 1);
-        ASSERT_LE(cells.distance(finder.find(p), p), least + rounding);
+        ASSERT_LE(distance(diagram, finder.find(p), p), least + rounding);
       }
       double sum = 0;
-      for (std::size_t i = 0; i < count; ++i) sum += area(outline(cells, static_cast<std::int32_t>(i), box));
+      for (std::size_t i = 0; i < count; ++i) sum += area(outline(diagram, static_cast<std::int32_t>(i), box));
       EXPECT_NEAR(sum / ((box.maxX - box.minX) * (box.maxY - box.minY)), 1, 1e-9);
     }
   }
@@ -69,7 +69,7 @@ TEST_P(Comparison, EdgesAreStraightAndAtEqualDistances) {
   const auto circles = generate(Family::uniform, 200, 5);
   const Diagram diagram = computeComparison(circles, GetParam()).value();
   for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
-    const EdgeCurve curve = edgeCurve(circles, diagram, static_cast<std::int32_t>(e), GetParam());
+    const EdgeCurve curve = edgeCurve(diagram, static_cast<std::int32_t>(e));
     EXPECT_TRUE(curve.isStraight());
     const auto at = [&](std::int32_t i, double s) {
       return distance(GetParam(), circles[static_cast<std::size_t>(i)], pointAt(curve.bisector, s));
@@ -85,7 +85,7 @@ TEST_P(Comparison, OfEqualCirclesIsTheirDiagram) {
   for (Circle& c : circles) c.r = 0.5;
   const Diagram expected = compute(circles).value();
   const Diagram actual = computeComparison(circles, GetParam()).value();
-  const auto sorted = [](std::vector<std::array<std::int32_t, 3>> triples) {
+  const auto sorted = [](std::vector<std::array<CircleIndex, 3>> triples) {
     for (auto& triple : triples) std::ranges::rotate(triple, std::ranges::min_element(triple));
     std::ranges::sort(triples);
     return triples;

@@ -54,7 +54,7 @@ TEST_P(Compute, NoCircle) {
 TEST_P(Compute, OneCircle) {
   const Diagram diagram = diagramOf({{1, 2, 3}});
   EXPECT_TRUE(diagram.vertices.empty() && diagram.edges.empty());
-  EXPECT_EQ(diagram.hull, std::vector<std::int32_t>{0});
+  EXPECT_EQ(diagram.hull, std::vector<CircleIndex>{0});
 }
 
 TEST_P(Compute, TwoCirclesShareOneUnboundedEdge) {
@@ -72,7 +72,7 @@ TEST_P(Compute, ThreeCirclesShareOneVertex) {
   EXPECT_DOUBLE_EQ(diagram.vertices[0].x, 3);
   EXPECT_DOUBLE_EQ(diagram.vertices[0].y, 4);
   EXPECT_DOUBLE_EQ(diagram.vertices[0].radius, 4);
-  EXPECT_EQ(diagram.vertexCircles[0], (std::array<std::int32_t, 3>{0, 1, 2}));
+  EXPECT_EQ(diagram.vertexCircles[0], (std::array<CircleIndex, 3>{0, 1, 2}));
   EXPECT_EQ(diagram.edges.size(), 3U);
 }
 

@@ -53,7 +53,7 @@ TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
     EXPECT_EQ(stats.way, way);
     EXPECT_EQ(stats.counts.flips > 0, way != "flip");
     EXPECT_EQ(stats.counts.repairs, repairs);
-    EXPECT_TRUE(certify(circles, diagram.value()).value().certified());
+    EXPECT_TRUE(certify(diagram.value()).value().certified());
     // Flips on their own end in another dual, and say so.
     Options options;
     options.method = Method::flip;

@@ -177,9 +177,10 @@ TEST(Curve, EndsInItsVerticesAndStaysOnBothDistanceEquations) {
     const auto circles = generate(family.family, 150, 4);
     const auto diagram = compute(circles);
     ASSERT_TRUE(diagram);
-    const auto& [vertices, vertexCircles, edges, hidden, hull, certificate, stats] = diagram.value();
+    const auto& edges = diagram.value().edges;
+    const auto& vertices = diagram.value().vertices;
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      const EdgeCurve curve = edgeCurve(circles, diagram.value(), static_cast<std::int32_t>(e));
+      const EdgeCurve curve = edgeCurve(diagram.value(), static_cast<std::int32_t>(e));
       ASSERT_LE(curve.from, curve.to);
       ASSERT_EQ(curve.startsAtInfinity(), edges[e].start == kNone);
       ASSERT_EQ(curve.endsAtInfinity(), edges[e].end == kNone);

@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 template <class Write>
 std::string textOf(Write write, const std::vector<Circle>& circles, const ExportOptions& options = {}) {
   std::ostringstream out;
-  write(out, circles, compute(circles).value(), options);
+  write(out, compute(circles).value(), options);
   return out.str();
 }
 
@@ -216,14 +216,14 @@ TEST(Export, RoundedPointsKeepTheTolerance) {
     options.tolerance = 0.01 * (box.maxX - box.minX);
     const Json file = Json::parse(textOf(writeGeoJson, circles, options));
     const Diagram diagram = compute(circles).value();
-    const Cells cells(circles, diagram);
     for (std::size_t i = 0; i < circles.size(); ++i) {
       for (const Ring& ring : ringsOf(file["features"][i]["geometry"])) {
         for (const auto& [x, y] : ring) {
-          const auto own = cells.distance(static_cast<std::int32_t>(i), {x, y});
-          for (const std::int32_t neighbor : cells.neighbors(static_cast<std::int32_t>(i))) {
+          const auto own = distance(diagram, static_cast<std::int32_t>(i), {x, y});
+          for (const std::int32_t neighbor : neighbors(diagram, static_cast<std::int32_t>(i))) {
             // Each distance changes by no more than the point moves.
-            EXPECT_LE(own - cells.distance(neighbor, {x, y}), 2 * *options.tolerance) << familyName(family) << ' ' << i;
+            EXPECT_LE(own - distance(diagram, neighbor, {x, y}), 2 * *options.tolerance)
+                << familyName(family) << ' ' << i;
           }
         }
       }
@@ -235,11 +235,10 @@ TEST(Export, AreasAreThoseOfTheCells) {
   for (const FamilyInfo& family : families()) {
     const auto circles = generate(family.family, 60, 2);
     const Diagram diagram = compute(circles).value();
-    const Cells cells(circles, diagram);
     const ConvexPolygon box = exportBox(circles);
     const Json file = Json::parse(textOf(writeGeoJson, circles));
     for (std::size_t i = 0; i < circles.size(); ++i) {
-      const double expected = area(outline(cells, static_cast<std::int32_t>(i), box));
+      const double expected = area(outline(diagram, static_cast<std::int32_t>(i), box));
       EXPECT_NEAR(file["features"][i]["properties"]["area"], expected, 1e-9 * std::abs(expected))
           << family.name << ' ' << i;
     }
@@ -352,7 +351,7 @@ TEST(Export, SvgFiguresHaveTheirGroupsAndLayers) {
   const Diagram diagram = compute(circles).value();
   const auto figureOf = [&](const SvgFigure& figure) {
     std::ostringstream out;
-    writeSvgFigure(out, circles, diagram, figure);
+    writeSvgFigure(out, diagram, figure);
     return out.str();
   };
   EXPECT_EQ(figureOf({}), textOf(writeSvg, circles));

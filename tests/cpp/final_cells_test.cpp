@@ -30,7 +30,7 @@ namespace circle_voronoi {
 namespace {
 
 using Circles = std::vector<Circle>;
-using Triple = std::array<std::int32_t, 3>;
+using Triple = std::array<CircleIndex, 3>;
 using Bits = std::array<std::uint64_t, 3>;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -69,10 +69,10 @@ Split split(const Circles& circles, const Known& known) {
 class Parts {
  public:
   Parts(const Diagram& diagram, const std::vector<std::int32_t>& ids) {
-    const auto id = [&](std::int32_t i) { return i == kNone ? kNone : ids[at(i)]; };
+    const auto id = [&](CircleIndex i) { return i == kNone ? i : CircleIndex(ids[at(i)]); };
     const auto tripleOf = [&](std::int32_t v) {
       Triple triple = diagram.vertexCircles[at(v)];
-      for (std::int32_t& i : triple) i = id(i);
+      for (CircleIndex& i : triple) i = id(i);
       std::rotate(triple.begin(), std::ranges::min_element(triple), triple.end());
       return triple;
     };
@@ -210,7 +210,7 @@ struct Part {
       : known(known_),
         circles(split(all, known)),
         diagram(compute(circles.known).value()),
-        cells(finalCells(circles.known, diagram, known).value()) {}
+        cells(finalCells(diagram, known).value()) {}
 };
 
 /// The first circle, vertex or edge that is called final and is not as in the whole; empty if there is none.
@@ -346,7 +346,7 @@ TEST(FinalCells, AnEdgeIsNowhereFartherOutThanAtItsEnds) {
     for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
       const Edge& edge = diagram.edges[at(e)];
       if (edge.start == kNone || edge.end == kNone) continue;
-      const EdgeCurve curve = edgeCurve(circles, diagram, e);
+      const EdgeCurve curve = edgeCurve(diagram, e);
       const Circle& left = circles[at(edge.left)];
       const auto excess = [&](Point p) {
         return std::hypot(p.x - left.x, p.y - left.y) - left.r - inside(box, p.x, p.y);
@@ -372,7 +372,7 @@ TEST(FinalCells, ACircleMayReachFarThatIsKnown) {
   const Known known = {{-3, -3, 7, 7}, 0};
   const auto isFinal = [&](std::int32_t i) {
     const Diagram diagram = compute(circles).value();
-    return finalCells(circles, diagram, known).value().isFinal(i);
+    return finalCells(diagram, known).value().isFinal(i);
   };
   EXPECT_TRUE(isFinal(12));
   EXPECT_FALSE(isFinal(0)) << "unbounded";
@@ -385,7 +385,7 @@ TEST(FinalCells, WhereNothingIsOutsideAllIsFinal) {
   for (const std::size_t count : {0, 1, 2, 3, 100}) {
     const Circles circles = generate(Family::hidden, count, 1);
     const Diagram diagram = compute(circles).value();
-    const FinalCells cells = finalCells(circles, diagram, {kPlane, 7}).value();
+    const FinalCells cells = finalCells(diagram, {kPlane, 7}).value();
     EXPECT_EQ(cells.neededHalo, std::vector<double>(count, 0));
     EXPECT_EQ(cells.vertices, std::vector<std::uint8_t>(diagram.vertices.size(), 1));
     EXPECT_EQ(cells.edges, std::vector<std::uint8_t>(diagram.edges.size(), 1));
@@ -397,7 +397,7 @@ TEST(FinalCells, AHiddenCircleIsFinalOnceAllItsHidersAreKnown) {
   const Diagram diagram = compute(circles).value();
   // A circle outside may hide the second one if it reaches 2 beyond its centre.
   const auto needed = [&](double side, double maxRadius) {
-    return finalCells(circles, diagram, {{-side, -side, side, side}, maxRadius}).value().neededHalo[1];
+    return finalCells(diagram, {{-side, -side, side, side}, maxRadius}).value().neededHalo[1];
   };
   EXPECT_EQ(needed(4, 0), 0);
   EXPECT_EQ(needed(4, 3.9), 0);
@@ -410,7 +410,7 @@ TEST(FinalCells, ADiscThatTouchesTheBorderIsNotFinal) {
   // The discs of the cell of the origin are those around (1.5, 1.5), ...
   const double out = 1.5 + 1.5 * std::sqrt(2.0);
   const auto isFinal = [&](double side, double maxRadius) {
-    return finalCells(circles, diagram, {{-side, -side, side, side}, maxRadius}).value().isFinal(4);
+    return finalCells(diagram, {{-side, -side, side, side}, maxRadius}).value().isFinal(4);
   };
   EXPECT_TRUE(isFinal(out * (1 + 1e-8), 0));
   EXPECT_FALSE(isFinal(out, 0));
@@ -424,7 +424,7 @@ TEST(FinalCells, ScalesBeyondTheDoublesAreOnTheSafeSide) {
   for (Circle& c : circles) c = {c.x * 1e-300, c.y * 1e-300, c.r * 1e-300};
   const Diagram diagram = compute(circles).value();
   const auto finalCount = [&](const Known& known) {
-    const auto cells = finalCells(circles, diagram, known).value();
+    const auto cells = finalCells(diagram, known).value();
     return std::ranges::count(cells.neededHalo, 0.0);
   };
   const double far = 1e300;
@@ -437,7 +437,7 @@ TEST(FinalCells, RefusesWhatIsNoBoxNoRadiusAndNoDiagram) {
   const Circles circles = generate(Family::uniform, 10, 1);
   Diagram diagram = compute(circles).value();
   const auto codeOf = [&](const Known& known) {
-    const auto cells = finalCells(circles, diagram, known);
+    const auto cells = finalCells(diagram, known);
     return cells ? "none" : std::string(errorCodeName(cells.error().code));
   };
   EXPECT_EQ(codeOf({{0, 0, 1, 1}, 0}), "none");

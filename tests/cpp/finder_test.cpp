@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
 #include "random.h"
@@ -29,10 +30,10 @@ TEST(Finder, FindsANearestCircle) {
     for (const std::size_t count : {1U, 2U, 3U, 10U, 100U, 1000U}) {
       SCOPED_TRACE(std::string(family.name) + " " + std::to_string(count));
       const auto circles = generate(family.family, count, count);
-      const auto diagram = compute(circles);
-      ASSERT_TRUE(diagram);
-      const Cells cells(circles, diagram.value());
-      const Finder finder(cells);
+      const auto computed = compute(circles);
+      ASSERT_TRUE(computed);
+      const Diagram& diagram = computed.value();
+      const Finder finder(diagram);
       const auto points = pointsAround(circles, 300, random);
       const auto found = finder.findAll(points);
       for (std::size_t k = 0; k < points.size(); ++k) {
@@ -40,30 +41,22 @@ TEST(Finder, FindsANearestCircle) {
         double least = distance(Metric::circles, circles[0], p);
         for (const Circle& c : circles) least = std::min(least, distance(Metric::circles, c, p));
         const double rounding = 1e-14 * (std::abs(p.x) + std::abs(p.y) + std::abs(least));
-        ASSERT_LE(cells.distance(found[k], p), least + rounding) << "point " << k;
+        ASSERT_LE(distance(diagram, found[k], p), least + rounding) << "point " << k;
         const auto hint = static_cast<std::int32_t>(random.below(circles.size()));
-        ASSERT_LE(cells.distance(finder.find(p, hint), p), least + rounding) << "point " << k << " from " << hint;
+        ASSERT_LE(distance(diagram, finder.find(p, hint), p), least + rounding) << "point " << k << " from " << hint;
       }
     }
   }
 }
 
-// They look at what they are made of, which is not to go before them.
-static_assert(std::is_constructible_v<Cells, std::vector<Circle>&, Diagram&>);
-static_assert(std::is_constructible_v<Cells, std::span<const Circle>, const Diagram&, Metric>);
-static_assert(!std::is_constructible_v<Cells, std::vector<Circle>&, Diagram>);
-static_assert(!std::is_constructible_v<Cells, std::span<const Circle>, const Diagram, Metric>);
-static_assert(!std::is_constructible_v<Cells, std::vector<Circle>, Diagram&>);
-static_assert(!std::is_constructible_v<Cells, std::vector<Circle>, Diagram, Metric>);
-static_assert(!std::is_constructible_v<Cells, const std::vector<Circle>, const Diagram&>);
-static_assert(std::is_constructible_v<Finder, const Cells&>);
-static_assert(!std::is_constructible_v<Finder, Cells>);
-static_assert(!std::is_constructible_v<Finder, const Cells>);
+// It looks at the diagram, which is not to go before it.
+static_assert(std::is_constructible_v<Finder, const Diagram&>);
+static_assert(!std::is_constructible_v<Finder, Diagram>);
+static_assert(!std::is_constructible_v<Finder, const Diagram>);
 
 TEST(Finder, FindsNothingAmongNoCircles) {
   const Diagram diagram = compute({}).value();
-  const Cells cells({}, diagram);
-  EXPECT_EQ(Finder(cells).find({0, 0}), kNone);
+  EXPECT_EQ(Finder(diagram).find({0, 0}), kNone);
 }
 
 }  // namespace

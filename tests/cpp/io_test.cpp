@@ -223,11 +223,17 @@ TEST(WriteCsv, ReadsBackToTheSameBits) {
   }
 }
 
+nlohmann::json numbersOf(const auto& indices) {
+  auto numbers = nlohmann::json::array();
+  for (const std::int32_t index : indices) numbers.push_back(index);
+  return numbers;
+}
+
 TEST(WriteJson, HoldsTheDiagramToTheBit) {
   const auto circles = generate(Family::hidden, 60, 1);
   const Diagram diagram = compute(circles).value();
   std::ostringstream text;
-  writeJson(text, circles, diagram);
+  writeJson(text, diagram);
   const auto json = nlohmann::json::parse(text.str());
 
   EXPECT_EQ(json.at("format"), "circle-voronoi");
@@ -235,8 +241,8 @@ TEST(WriteJson, HoldsTheDiagramToTheBit) {
   EXPECT_EQ(read(json.at("circles").dump()), circles);
   ASSERT_EQ(json.at("hidden").size(), diagram.hidden.size());
   for (std::size_t i = 0; i < diagram.hidden.size(); ++i) {
-    EXPECT_EQ(json["hidden"][i]["circle"], diagram.hidden[i].circle);
-    EXPECT_EQ(json["hidden"][i]["by"], diagram.hidden[i].by);
+    EXPECT_EQ(json["hidden"][i]["circle"], std::int32_t{diagram.hidden[i].circle});
+    EXPECT_EQ(json["hidden"][i]["by"], std::int32_t{diagram.hidden[i].by});
   }
   ASSERT_EQ(json.at("vertices").size(), diagram.vertices.size());
   for (std::size_t i = 0; i < diagram.vertices.size(); ++i) {
@@ -244,15 +250,15 @@ TEST(WriteJson, HoldsTheDiagramToTheBit) {
     EXPECT_EQ(vertex["x"].get<double>(), diagram.vertices[i].x);
     EXPECT_EQ(vertex["y"].get<double>(), diagram.vertices[i].y);
     EXPECT_EQ(vertex["radius"].get<double>(), diagram.vertices[i].radius);
-    EXPECT_EQ(vertex["circles"], nlohmann::json(diagram.vertexCircles[i]));
+    EXPECT_EQ(vertex["circles"], numbersOf(diagram.vertexCircles[i]));
   }
   ASSERT_EQ(json.at("edges").size(), diagram.edges.size());
   for (std::size_t i = 0; i < diagram.edges.size(); ++i) {
     const Edge& edge = diagram.edges[i];
-    EXPECT_EQ(json["edges"][i]["circles"], nlohmann::json({edge.left, edge.right}));
-    EXPECT_EQ(json["edges"][i]["vertices"], nlohmann::json({edge.start, edge.end}));
+    EXPECT_EQ(json["edges"][i]["circles"], numbersOf(std::array{edge.left, edge.right}));
+    EXPECT_EQ(json["edges"][i]["vertices"], numbersOf(std::array{edge.start, edge.end}));
   }
-  EXPECT_EQ(json.at("hull"), nlohmann::json(diagram.hull));
+  EXPECT_EQ(json.at("hull"), numbersOf(diagram.hull));
   EXPECT_EQ(json.at("stats").at("counts").at("circles"), 60);
   EXPECT_EQ(json.at("stats").at("seconds").at("total").get<double>(), diagram.stats.seconds.total);
   EXPECT_EQ(json.at("stats").at("certificate").at("certified"), true);
@@ -263,14 +269,14 @@ TEST(WriteJson, TheStatsAloneAreTheSame) {
   const Diagram diagram = compute(circles).value();
   std::ostringstream all;
   std::ostringstream stats;
-  writeJson(all, circles, diagram);
+  writeJson(all, diagram);
   writeStatsJson(stats, diagram);
   EXPECT_EQ(nlohmann::json::parse(all.str()).at("stats"), nlohmann::json::parse(stats.str()));
 }
 
 TEST(WriteJson, OfNoCirclesIsValid) {
   std::ostringstream text;
-  writeJson(text, {}, compute({}).value());
+  writeJson(text, compute({}).value());
   const auto json = nlohmann::json::parse(text.str());
   EXPECT_EQ(json.at("circles").size(), 0U);
   EXPECT_EQ(json.at("vertices").size(), 0U);

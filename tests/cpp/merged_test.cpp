@@ -44,14 +44,14 @@ TEST(Merged, GridHasVerticesOfDegreeFour) {
     for (int x = 0; x < 10; ++x) circles.push_back({0.1 * x, 0.1 * y, 0.03});
   }
   const Diagram diagram = compute(circles).value();
-  const MergedDiagram merged = mergeVertices(circles, diagram);
+  const MergedDiagram merged = mergeVertices(diagram);
   ASSERT_EQ(diagram.vertices.size(), 162u);
   ASSERT_EQ(merged.vertices.size(), 81u);
   for (std::size_t v = 0; v < 81; ++v) EXPECT_EQ(merged.firstCircle[v + 1] - merged.firstCircle[v], 4);
   EXPECT_EQ(merged.edges.size(), 180u);  // 9 * 10 in each direction
   // The four circles of a square, counter-clockwise: i, i + 1, i + 11, i + 10.
   for (std::size_t v = 0; v < 81; ++v) {
-    const std::int32_t* around = &merged.circles[merged.firstCircle[v]];
+    const CircleIndex* around = &merged.circles[merged.firstCircle[v]];
     EXPECT_EQ((Around{around, around + 4}), (Around{around[0], around[0] + 1, around[0] + 11, around[0] + 10}));
   }
 }
@@ -60,8 +60,8 @@ TEST(Merged, EachVertexIsWhereTheFirstOfItsMergedVertexIs) {
   for (const Family family : {Family::grid, Family::hexagonal, Family::cocircularEqual, Family::uniform}) {
     const auto circles = generate(family, 200, 1);
     const Diagram diagram = compute(circles).value();
-    const auto& merged = mergeVertices(circles, diagram).mergedVertex;
-    const auto firstHere = firstVerticesHere(circles, diagram);
+    const auto& merged = mergeVertices(diagram).mergedVertex;
+    const auto firstHere = firstVerticesHere(diagram);
     ASSERT_EQ(firstHere.size(), merged.size());
     for (std::size_t v = 0; v < merged.size(); ++v) {
       EXPECT_EQ(firstHere[v], std::ranges::find(merged, merged[v]) - merged.begin());
@@ -71,7 +71,7 @@ TEST(Merged, EachVertexIsWhereTheFirstOfItsMergedVertexIs) {
 
 TEST(Merged, CocircularCirclesMeetInOneVertex) {
   const auto circles = generate(Family::cocircularEqual, 100, 1);
-  const MergedDiagram merged = mergeVertices(circles, compute(circles).value());
+  const MergedDiagram merged = mergeVertices(compute(circles).value());
   ASSERT_EQ(merged.vertices.size(), 1u);
   EXPECT_EQ(merged.circles.size(), 100u);
   EXPECT_EQ(merged.edges.size(), 100u);
@@ -82,12 +82,12 @@ TEST(Merged, DoesNotDependOnTheOrderOfTheInput) {
   for (const Family family : {Family::grid, Family::gridColumns, Family::cocircularVaried, Family::hexagonal}) {
     const auto circles = generate(family, 64, 3);
     std::vector<std::int32_t> names = identity(circles.size());
-    const auto expected = circlesAround(mergeVertices(circles, compute(circles).value()), names);
+    const auto expected = circlesAround(mergeVertices(compute(circles).value()), names);
     for (int trial = 0; trial < 10; ++trial) {
       std::shuffle(names.begin(), names.end(), random);
       std::vector<Circle> shuffled;
       for (const std::int32_t i : names) shuffled.push_back(circles[i]);
-      EXPECT_EQ(circlesAround(mergeVertices(shuffled, compute(shuffled).value()), names), expected)
+      EXPECT_EQ(circlesAround(mergeVertices(compute(shuffled).value()), names), expected)
           << familyName(family) << ", trial " << trial;
     }
   }
@@ -96,16 +96,16 @@ TEST(Merged, DoesNotDependOnTheOrderOfTheInput) {
 TEST(Merged, GeneralPositionStaysAsItIs) {
   const auto circles = generate(Family::logUniform, 300, 5);
   const Diagram diagram = compute(circles).value();
-  const MergedDiagram merged = mergeVertices(circles, diagram);
+  const MergedDiagram merged = mergeVertices(diagram);
   EXPECT_EQ(merged.vertices, diagram.vertices);
   EXPECT_EQ(merged.edges, diagram.edges);
 }
 
 TEST(Merged, LargeNearZeroMergesAll) {
   const auto circles = generate(Family::uniform, 50, 2);
-  const MergedDiagram merged = mergeVertices(circles, compute(circles).value(), 1e6);
+  const MergedDiagram merged = mergeVertices(compute(circles).value(), 1e6);
   EXPECT_EQ(merged.vertices.size(), 1u);
-  EXPECT_EQ(mergeVertices({}, Diagram{}).vertices.size(), 0u);
+  EXPECT_EQ(mergeVertices(Diagram{}).vertices.size(), 0u);
 }
 
 TEST(Merged, NearZeroOfNothingMergesEqualPlacesAlone) {
@@ -118,10 +118,10 @@ TEST(Merged, NearZeroOfNothingMergesEqualPlacesAlone) {
   };
   ASSERT_EQ(countNear(diagram.vertices, 0), 2);
   ASSERT_EQ(countNear(diagram.vertices, 100), 2);
-  EXPECT_EQ(countNear(mergeVertices(circles, diagram).vertices, 0), 1);
-  EXPECT_EQ(countNear(mergeVertices(circles, diagram).vertices, 100), 1);
-  EXPECT_EQ(countNear(mergeVertices(circles, diagram, 0).vertices, 0), 1);
-  EXPECT_EQ(countNear(mergeVertices(circles, diagram, 0).vertices, 100), 2);
+  EXPECT_EQ(countNear(mergeVertices(diagram).vertices, 0), 1);
+  EXPECT_EQ(countNear(mergeVertices(diagram).vertices, 100), 1);
+  EXPECT_EQ(countNear(mergeVertices(diagram, 0).vertices, 0), 1);
+  EXPECT_EQ(countNear(mergeVertices(diagram, 0).vertices, 100), 2);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ std::vector<std::int32_t> firstOfIdentical(const Circles& circles) {
 
 /// A diagram with other indices of circles.
 Diagram renamed(Diagram diagram, const std::vector<std::int32_t>& names) {
-  const auto rename = [&](std::int32_t& i) { i = names[static_cast<std::size_t>(i)]; };
+  const auto rename = [&](CircleIndex& i) { i = names[static_cast<std::size_t>(i)]; };
   for (auto& triple : diagram.vertexCircles) std::ranges::for_each(triple, rename);
   for (Edge& edge : diagram.edges) {
     rename(edge.left);

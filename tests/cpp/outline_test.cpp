@@ -14,10 +14,9 @@ namespace {
 /// The outlines of all cells of a few circles in a region.
 std::vector<Outline> outlinesOf(const std::vector<Circle>& circles, const ConvexPolygon& region) {
   const Diagram diagram = compute(circles).value();
-  const Cells cells(circles, diagram);
   std::vector<Outline> outlines;
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    outlines.push_back(outline(cells, static_cast<std::int32_t>(i), region));
+    outlines.push_back(outline(diagram, static_cast<std::int32_t>(i), region));
   }
   return outlines;
 }

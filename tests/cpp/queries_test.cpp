@@ -66,7 +66,7 @@ TEST_P(Queries, ClosestPairHasTheSmallestGap) {
         least = std::min(least, length(between(circles[i], circles[j])) - circles[i].r - circles[j].r);
       }
     }
-    const auto closest = closestPair(circles, diagram);
+    const auto closest = closestPair(diagram);
     ASSERT_EQ(closest.has_value(), std::isfinite(least));
     if (!closest) continue;
     const Circle& c = circles[static_cast<std::size_t>(closest->first)];
@@ -80,7 +80,6 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
     SCOPED_TRACE(count);
     const auto circles = generate(GetParam(), count, count);
     const Diagram diagram = compute(circles).value();
-    const Cells cells(circles, diagram);
     const Box whole = boxOf(circles);
     const double size = std::max(whole.maxX - whole.minX, whole.maxY - whole.minY);
     const double rounding = 1e-12 * (size + std::abs(whole.minX) + std::abs(whole.minY));
@@ -89,7 +88,7 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
       const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
       const double width = size * random.logUniform(-2, 0.3);
       const Box box = {p.x - width, p.y - width / 2, p.x + width, p.y + width / 2};
-      const auto largest = largestEmptyDiscCentredIn(cells, box);
+      const auto largest = largestEmptyDiscCentredIn(diagram, box);
       ASSERT_TRUE(largest);
       const Vertex& disc = largest->disc;
       EXPECT_TRUE(disc.x >= box.minX && disc.x <= box.maxX && disc.y >= box.minY && disc.y <= box.maxY);
@@ -103,7 +102,7 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
       EXPECT_GE(best, disc.radius - width / 5);
     }
 
-    const auto inHull = largestEmptyDiscCentredInHull(cells);
+    const auto inHull = largestEmptyDiscCentredInHull(diagram);
     ASSERT_TRUE(inHull);
     const Vertex& disc = inHull->disc;
     EXPECT_GE(disc.radius, 0);
@@ -135,7 +134,6 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
     SCOPED_TRACE(count);
     const auto circles = generate(GetParam(), count, count);
     const Diagram diagram = compute(circles).value();
-    const Cells cells(circles, diagram);
     const Box whole = boxOf(circles);
     const double size = std::max(whole.maxX - whole.minX, whole.maxY - whole.minY);
     for (int trial = 0; trial < 6; ++trial) {
@@ -154,7 +152,7 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
         region = ConvexPolygon::from(corners).value();
       }
       const double rounding = 1e-12 * (size + width + std::abs(p.x) + std::abs(p.y));
-      const auto largest = largestEmptyDiscInside(cells, region);
+      const auto largest = largestEmptyDiscInside(diagram, region);
       ASSERT_TRUE(largest);
       const Point centre = {largest->disc.x, largest->disc.y};
       const double radius = largest->disc.radius;
@@ -200,17 +198,16 @@ INSTANTIATE_TEST_SUITE_P(Families, Queries, testing::ValuesIn(allFamilies()), te
 
 TEST(Query, NoCirclesHaveNoAnswers) {
   const Diagram diagram = compute({}).value();
-  const Cells cells({}, diagram);
-  EXPECT_FALSE(closestPair({}, diagram));
-  EXPECT_FALSE(largestEmptyDiscCentredIn(cells, Box{0, 0, 1, 1}));
-  EXPECT_FALSE(largestEmptyDiscCentredInHull(cells));
-  EXPECT_FALSE(largestEmptyDiscInside(cells, Box{0, 0, 1, 1}));
+  EXPECT_FALSE(closestPair(diagram));
+  EXPECT_FALSE(largestEmptyDiscCentredIn(diagram, Box{0, 0, 1, 1}));
+  EXPECT_FALSE(largestEmptyDiscCentredInHull(diagram));
+  EXPECT_FALSE(largestEmptyDiscInside(diagram, Box{0, 0, 1, 1}));
 }
 
 TEST(Query, NeighborPairsAreThoseOfTheEdges) {
   const auto circles = generate(Family::oneHuge, 100, 3);
   const Diagram diagram = compute(circles).value();
-  std::set<std::array<std::int32_t, 2>> expected;
+  std::set<std::array<CircleIndex, 2>> expected;
   for (const Edge& edge : diagram.edges) {
     expected.insert({std::min(edge.left, edge.right), std::max(edge.left, edge.right)});
   }
@@ -223,7 +220,7 @@ TEST(Query, NeighborPairsAreThoseOfTheEdges) {
 TEST(Query, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {
   const std::vector<Circle> circles = {{0, 0, 1}, {10, 0, 1}};
   const Diagram diagram = compute(circles).value();
-  const auto largest = largestEmptyDiscCentredInHull(Cells(circles, diagram));
+  const auto largest = largestEmptyDiscCentredInHull(diagram);
   ASSERT_TRUE(largest);
   EXPECT_NEAR(largest->disc.x, 5, 1e-14);
   EXPECT_NEAR(std::abs(largest->disc.y), 1, 1e-14);
@@ -246,7 +243,7 @@ TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
         // An edge passes through the centre, but neither of its circles touches.
         Case{{{4, 0, 0}, {4, 1, 0}}, {3.9, 0, 4.1, 1}, 0.1, 0}}) {
     const Diagram diagram = compute(circles).value();
-    const auto largest = largestEmptyDiscInside(Cells(circles, diagram), box);
+    const auto largest = largestEmptyDiscInside(diagram, box);
     ASSERT_TRUE(largest);
     EXPECT_NEAR(largest->disc.radius, radius, 1e-14);
     EXPECT_EQ(3 - std::ranges::count(largest->circles, kNone), touched);
@@ -256,10 +253,9 @@ TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
 TEST(Query, WhereCirclesCoverTheRegionNoDiscIsInside) {
   const std::vector<Circle> circles = {{0, 0, 10}, {12, 0, 5}};
   const Diagram diagram = compute(circles).value();
-  const Cells cells(circles, diagram);
   const Box covered = {-1, -2, 3, 2};
-  EXPECT_LT(largestEmptyDiscInside(cells, covered)->disc.radius, 0);
-  EXPECT_EQ(largestEmptyDiscInside(cells, covered)->disc, largestEmptyDiscCentredIn(cells, covered)->disc);
+  EXPECT_LT(largestEmptyDiscInside(diagram, covered)->disc.radius, 0);
+  EXPECT_EQ(largestEmptyDiscInside(diagram, covered)->disc, largestEmptyDiscCentredIn(diagram, covered)->disc);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "circle_voronoi/cells.h"
 #include "circle_voronoi/clearest_path.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
@@ -50,10 +51,9 @@ struct Measures {
   }
 };
 
-void measureCurves(const Cells& cells, const Box& box, double tolerance, Measures& all) {
-  const Diagram& diagram = cells.diagram();
+void measureCurves(const Diagram& diagram, const Box& box, double tolerance, Measures& all) {
   for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
-    const EdgeCurve curve = edgeCurve(cells.circles(), diagram, e, cells.metric());
+    const EdgeCurve curve = edgeCurve(diagram, e);
     all.add(0, curve.from);
     all.add(0, curve.to);
     all.add(pointAt(curve.bisector, 3));
@@ -68,10 +68,10 @@ void measureCurves(const Cells& cells, const Box& box, double tolerance, Measure
   }
 }
 
-void measureCells(const Cells& cells, const Box& box, Measures& all) {
-  const Finder finder(cells);
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(cells.circles().size()); ++i) {
-    const Outline parts = outline(cells, i, box);
+void measureCells(const Diagram& diagram, const Box& box, Measures& all) {
+  const Finder finder(diagram);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
+    const Outline parts = outline(diagram, i, box);
     for (const auto& loop : parts) {
       for (const OutlinePiece& piece : loop) all.add(piece.curve.start);
     }
@@ -80,31 +80,30 @@ void measureCells(const Cells& cells, const Box& box, Measures& all) {
     all.add(centroid(parts));
     for (const double share : {0.1, 0.4, 0.45, 0.8}) {
       const Point p = {box.minX + share * (box.maxX - box.minX), box.minY + share * share * (box.maxY - box.minY)};
-      all.add(0, cells.contains(i, p));
+      all.add(0, contains(diagram, i, p));
       all.add(0, finder.find(p, i));
     }
   }
 }
 
-void measureQueries(const Cells& cells, const Box& box, Measures& all) {
-  const auto circles = cells.circles();
-  const Diagram& diagram = cells.diagram();
-  const Hull outer = hull(circles, diagram);
+void measureQueries(const Diagram& diagram, const Box& box, Measures& all) {
+  const auto circles = diagram.circles;
+  const Hull outer = hull(diagram);
   all.add(1, outer.length);
   all.add(2, outer.area);
   for (const HullArc& arc : outer.arcs) {
     all.add(arc.start);
     all.add(0, arc.angle);
   }
-  if (const auto pair = closestPair(circles, diagram)) all.add(1, pair->gap);
-  all.add(*largestEmptyDiscCentredIn(cells, box));
-  all.add(*largestEmptyDiscCentredInHull(cells));
-  all.add(*largestEmptyDiscInside(cells, box));
-  const ClearestPath path = clearestPath(cells, {box.minX, box.minY}, {box.maxX, box.maxY / 2});
+  if (const auto pair = closestPair(diagram)) all.add(1, pair->gap);
+  all.add(*largestEmptyDiscCentredIn(diagram, box));
+  all.add(*largestEmptyDiscCentredInHull(diagram));
+  all.add(*largestEmptyDiscInside(diagram, box));
+  const ClearestPath path = clearestPath(diagram, {box.minX, box.minY}, {box.maxX, box.maxY / 2});
   all.add(1, path.clearance);
   for (const std::int32_t edge : path.edges) all.add(0, edge);
   if (path.entry) all.add(*path.entry);
-  const MergedDiagram merged = mergeVertices(circles, diagram);
+  const MergedDiagram merged = mergeVertices(diagram);
   for (const Edge& edge : merged.edges) all.add(0, edge.start);
   const Box around = exportBox(circles);
   all.add(Point{around.minX, around.maxY});
@@ -112,11 +111,10 @@ void measureQueries(const Cells& cells, const Box& box, Measures& all) {
 
 Measures measure(const std::vector<Circle>& circles, Metric metric, const Box& box, double scale) {
   const Diagram diagram = computeComparison(circles, metric).value();
-  const Cells cells(circles, diagram, metric);
   Measures all;
-  measureCurves(cells, box, 1e-4 * scale, all);
-  measureCells(cells, box, all);
-  if (metric == Metric::circles) measureQueries(cells, box, all);
+  measureCurves(diagram, box, 1e-4 * scale, all);
+  measureCells(diagram, box, all);
+  if (metric == Metric::circles) measureQueries(diagram, box, all);
   return all;
 }
 
@@ -171,18 +169,16 @@ TEST(Scale, SmallestNumbersAreRoundedOnly) {
   const Box scaledBox = {-0.25 * scale, -0.5 * scale, scale, 0.75 * scale};
   const Diagram diagram = compute(circles).value();
   const Diagram scaledDiagram = compute(scaled).value();
-  const Cells cells(circles, diagram);
-  const Cells scaledCells(scaled, scaledDiagram);
   for (std::int32_t i = 0; i < 20; ++i) {
-    const Outline parts = outline(cells, i, box);
-    const Outline scaledParts = outline(scaledCells, i, scaledBox);
+    const Outline parts = outline(diagram, i, box);
+    const Outline scaledParts = outline(scaledDiagram, i, scaledBox);
     ASSERT_EQ(scaledParts.size(), parts.size());
     // Twelve bits and a few pieces.
     EXPECT_NEAR(perimeter(scaledParts) / scale, perimeter(parts), 0.02);
     EXPECT_NEAR(centroid(scaledParts).x / scale, centroid(parts).x, 0.02);
   }
-  const EmptyDisc disc = *largestEmptyDiscInside(cells, box);
-  const EmptyDisc scaledDisc = *largestEmptyDiscInside(scaledCells, scaledBox);
+  const EmptyDisc disc = *largestEmptyDiscInside(diagram, box);
+  const EmptyDisc scaledDisc = *largestEmptyDiscInside(scaledDiagram, scaledBox);
   EXPECT_EQ(scaledDisc.circles, disc.circles);
   EXPECT_NEAR(scaledDisc.disc.radius / scale, disc.disc.radius, 0.01);
 }
@@ -198,15 +194,15 @@ TEST(Scale, CellsFillTheBoxWhateverLiesBetweenTheirSizes) {
           {{0, 0, 0.25 * small}, {small, 0, 0.5 * small}, {0, large, 0.1 * large}},
           {{0, 0, 0}, {small, small, 0.5 * small}, {0.5 * large, large, 0}, {-large, 0.25 * large, 0.5 * large}}};
       for (const auto& circles : inputs) {
-        const auto diagram = compute(circles);
-        ASSERT_TRUE(diagram);
-        const Cells cells(circles, diagram.value());
+        const auto computed = compute(circles);
+        ASSERT_TRUE(computed);
+        const Diagram& diagram = computed.value();
         for (const double size : {small, large, std::sqrt(small) * std::sqrt(large)}) {
           if (size < 1e-307) continue;  // a box takes more bits than that
           const Box box = {-1.5 * size, -1.25 * size, 1.75 * size, 2 * size};
           double sum = 0;
           for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-            const Outline parts = outline(cells, i, box);
+            const Outline parts = outline(diagram, i, box);
             for (const auto& loop : parts) {
               for (const auto& piece : loop) {
                 for (const Point& p : polyline(piece.curve, 1e-3 * size)) {

@@ -47,13 +47,13 @@ Diagram inAnotherOrder(const Circles& circles, Random& random) {
   for (const std::int32_t i : order) shuffled.push_back(circles[at(i)]);
   Diagram diagram = visible(compute(shuffled).value());
   for (auto& triple : diagram.vertexCircles) {
-    for (std::int32_t& i : triple) i = order[at(i)];
+    for (CircleIndex& i : triple) i = order[at(i)];
   }
   for (Edge& edge : diagram.edges) {
     edge.left = order[at(edge.left)];
     edge.right = order[at(edge.right)];
   }
-  for (std::int32_t& i : diagram.hull) i = order[at(i)];
+  for (CircleIndex& i : diagram.hull) i = order[at(i)];
   return diagram;
 }
 
@@ -124,13 +124,13 @@ TEST(SettleTies, PartOfTheCirclesThatTouchADiscHasPartOfItsFaces) {
       Circles fewer = circles;
       fewer.erase(fewer.begin() + leaving);
       const Diagram rest = compute(fewer).value();
-      std::set<std::array<std::int32_t, 3>> triples;
-      const auto fromLeast = [](std::array<std::int32_t, 3> triple) {
+      std::set<std::array<CircleIndex, 3>> triples;
+      const auto fromLeast = [](std::array<CircleIndex, 3> triple) {
         std::rotate(triple.begin(), std::ranges::min_element(triple), triple.end());
         return triple;
       };
       for (auto triple : rest.vertexCircles) {
-        for (std::int32_t& i : triple) i += i >= leaving ? 1 : 0;
+        for (CircleIndex& i : triple) i = i + (i >= leaving ? 1 : 0);
         triples.insert(fromLeast(triple));
       }
       for (const auto& triple : diagram.vertexCircles) {

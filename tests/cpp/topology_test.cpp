@@ -38,7 +38,7 @@ TEST(Topology, GoesToTheDualAndBack) {
                   std::count(back.edges.begin(), back.edges.end(), reverse),
               1);
   }
-  std::vector<std::int32_t> hull = back.hull;
+  std::vector<CircleIndex> hull = back.hull;
   rotateHull(hull);
   EXPECT_EQ(hull, kTopology.hull);
 }
@@ -56,8 +56,8 @@ TEST(Topology, GoesToTheDualAndBackInEveryFamily) {
 }
 
 TEST(Topology, OfOneCircleAndOfTwo) {
-  EXPECT_EQ(topologyOf(Dual{}, 0).hull, (std::vector<std::int32_t>{}));
-  EXPECT_EQ(topologyOf(Dual{}, 1).hull, (std::vector<std::int32_t>{0}));
+  EXPECT_EQ(topologyOf(Dual{}, 0).hull, (std::vector<CircleIndex>{}));
+  EXPECT_EQ(topologyOf(Dual{}, 1).hull, (std::vector<CircleIndex>{0}));
   const Topology two = topologyOf(Dual{{0, 1, kInfinity, 1, 0, kInfinity}, {3, 5, 4, 0, 2, 1}}, 2);
   EXPECT_TRUE(two.vertexCircles.empty());
   ASSERT_EQ(two.edges.size(), 1U);
@@ -113,11 +113,11 @@ TEST(Topology, RefusesAHullThatRepeatsAStep) {
 }
 
 TEST(RotateHull, StartsWithTheSmallestStep) {
-  const auto rotated = [](std::vector<std::int32_t> hull) {
+  const auto rotated = [](std::vector<CircleIndex> hull) {
     rotateHull(hull);
     return hull;
   };
-  using Hull = std::vector<std::int32_t>;
+  using Hull = std::vector<CircleIndex>;
   EXPECT_EQ(rotated({}), Hull{});
   EXPECT_EQ(rotated({7}), Hull{7});
   EXPECT_EQ(rotated({2, 1}), (Hull{1, 2}));

@@ -15,7 +15,7 @@ namespace {
 Result<Diagram> certifiedDiagram(std::span<const Circle> circles) {
   auto diagram = compute(circles);
   if (!diagram) return diagram;
-  const auto certificate = certify(circles, diagram.value());
+  const auto certificate = certify(diagram.value());
   if (!certificate) return certificate.error();
   if (!certificate.value().certified()) return Error{ErrorCode::notCertified, -1, certificate.value().message};
   return diagram;

@@ -53,9 +53,12 @@ void run(const Input& input) {
     require(blamesCircles(automatic.error().code), "automatic: " + automatic.error().message);
   } else {
     require(automatic.value().certificate.certified(), "automatic: " + automatic.value().certificate.message);
-    const auto certificate = certify(input.circles, automatic.value());
+    const auto certificate = certify(automatic.value());
     require(certificate.ok() && certificate.value().certified(), "the diagram of automatic is not certified again");
-    (void)certify(input.circles, corrupted(automatic.value(), input.edits));
+    Diagram wrong = corrupted(automatic.value(), input.edits);
+    (void)certify(wrong);
+    linkSides(wrong);
+    (void)certify(wrong);
   }
 
   for (const Options& options : manualOptions()) {
@@ -64,7 +67,7 @@ void run(const Input& input) {
     const bool isCertified = diagram.ok() && diagram.value().certificate.certified();
     require(automatic.ok() ? diagram.ok() : !isCertified, "methods do not agree that the circles are good");
     if (!diagram) continue;
-    const auto certificate = certify(input.circles, diagram.value());
+    const auto certificate = certify(diagram.value());
     require(certificate.ok() && certificate.value().certified() == diagram.value().certificate.certified(),
             "certify does not agree with the certificate of " + diagram.value().stats.method);
   }

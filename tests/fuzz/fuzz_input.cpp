@@ -59,8 +59,9 @@ void apply(const Edit& edit, Diagram& diagram) {
       break;
     case 1:
       if (auto* e = pick(diagram.edges, edit.item)) {
-        std::int32_t* const ends[] = {&e->left, &e->right, &e->start, &e->end};
-        *ends[edit.field / 5 % 4] = edit.value;
+        const std::uint8_t part = edit.field / 5 % 4;
+        if (part < 2) (part == 0 ? e->left : e->right) = edit.value;
+        if (part >= 2) (part == 2 ? e->start : e->end) = edit.value;
       }
       break;
     case 2:

@@ -76,11 +76,11 @@ View viewOf(std::span<const std::uint8_t> bytes) {
 
 class Checker {
  public:
-  Checker(const std::vector<Circle>& circles, const Diagram& diagram, Metric metric, const Box& box)
-      : circles_(circles), diagram_(diagram), cells_(circles, diagram, metric), box_(box), region_(box) {
+  Checker(const Diagram& diagram, const Box& box)
+      : circles_(diagram.circles), diagram_(diagram), box_(box), region_(box) {
     size_ = std::max(box.maxX - box.minX, box.maxY - box.minY);
     double largest = std::max({std::abs(box.minX), std::abs(box.minY), std::abs(box.maxX), std::abs(box.maxY)});
-    for (const auto& [x, y, r] : circles) largest = std::max({largest, std::abs(x), std::abs(y), r});
+    for (const auto& [x, y, r] : circles_) largest = std::max({largest, std::abs(x), std::abs(y), r});
     rounding_ = kRounding * largest;
     for (const auto& [x, y, radius] : diagram.vertices) largest = std::max({largest, std::abs(x), std::abs(y)});
     isLarge_ = largest < kMostRange * size_ && size_ > 1e-140;
@@ -90,13 +90,13 @@ class Checker {
     checkCurves();
     checkCells();
     checkPlaces();
-    if (cells_.metric() == Metric::circles) checkQueries();
+    if (diagram_.metric == Metric::circles) checkQueries();
   }
 
  private:
   void checkCurves() const {
     for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram_.edges.size()); ++e) {
-      const EdgeCurve curve = edgeCurve(circles_, diagram_, e, cells_.metric());
+      const EdgeCurve curve = edgeCurve(diagram_, e);
       require(curve.from <= curve.to, "the ends of an edge are out of order");
       for (const EdgeCurve& piece : timed("clip", [&] { return clip(curve, region_); })) {
         require(isFinite(piece.start) && isFinite(piece.end), "a piece does not end");
@@ -120,7 +120,7 @@ class Checker {
   void checkCells() const {
     double sum = 0;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
-      const Outline parts = timed("outline", [&] { return outline(cells_, i, region_); });
+      const Outline parts = timed("outline", [&] { return outline(diagram_, i, region_); });
       const double share = timed("area", [&] { return area(parts); }) / size_ / size_;
       const double length = timed("perimeter", [&] { return perimeter(parts); });
       const Point middle = timed("centroid", [&] { return centroid(parts); });
@@ -145,21 +145,22 @@ class Checker {
 
   void checkPlaces() const {
     if (circles_.empty()) return;
-    const Finder finder = timed("Finder", [&] { return Finder(cells_); });
+    const Finder finder = timed("Finder", [&] { return Finder(diagram_); });
     for (const double share : {0.0, 0.25, 0.5, 0.7, 1.0}) {
       const Point p = {box_.minX + share * (box_.maxX - box_.minX),
                        box_.minY + share * share * (box_.maxY - box_.minY)};
       const std::int32_t found = timed("find", [&] { return finder.find(p); });
-      require(found != kNone && cells_.exists(found), "no circle is found");
+      require(found != kNone && diagram_.hasCell(found), "no circle is found");
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
-        require(cells_.lead(found, i, p) >= -rounding_, "another circle is nearer than the one found");
-        if (cells_.contains(i, p)) require(cells_.lead(i, found, p) >= -rounding_, "a cell contains what is not its");
+        require(lead(diagram_, found, i, p) >= -rounding_, "another circle is nearer than the one found");
+        if (contains(diagram_, i, p))
+          require(lead(diagram_, i, found, p) >= -rounding_, "a cell contains what is not its");
       }
     }
   }
 
   void checkQueries() const {
-    const Hull outer = timed("hull", [&] { return hull(circles_, diagram_); });
+    const Hull outer = timed("hull", [&] { return hull(diagram_); });
     double angle = 0;
     for (const HullArc& arc : outer.arcs) {
       require(isFinite(arc.start) && isFinite(arc.end) && arc.angle >= 0, "an arc of the hull is not finite");
@@ -167,16 +168,16 @@ class Checker {
     }
     require(outer.arcs.empty() || std::abs(angle - 6.283185307179586) < 1e-9, "the hull does not turn once");
     require(std::isfinite(outer.length) && std::isfinite(outer.area), "the hull is not finite");
-    const auto pair = timed("closestPair", [&] { return closestPair(circles_, diagram_); });
+    const auto pair = timed("closestPair", [&] { return closestPair(diagram_); });
     require(!pair || std::isfinite(pair->gap), "a gap is not finite");
-    (void)timed("mergeVertices", [&] { return mergeVertices(circles_, diagram_); });
-    checkDisc(timed("largestEmptyDiscCentredIn", [&] { return largestEmptyDiscCentredIn(cells_, region_); }), false);
-    checkDisc(timed("largestEmptyDiscInside", [&] { return largestEmptyDiscInside(cells_, region_); }), true);
-    const auto inHull = timed("largestEmptyDiscCentredInHull", [&] { return largestEmptyDiscCentredInHull(cells_); });
+    (void)timed("mergeVertices", [&] { return mergeVertices(diagram_); });
+    checkDisc(timed("largestEmptyDiscCentredIn", [&] { return largestEmptyDiscCentredIn(diagram_, region_); }), false);
+    checkDisc(timed("largestEmptyDiscInside", [&] { return largestEmptyDiscInside(diagram_, region_); }), true);
+    const auto inHull = timed("largestEmptyDiscCentredInHull", [&] { return largestEmptyDiscCentredInHull(diagram_); });
     require(inHull.has_value() == !circles_.empty(), "there is no disc in the hull");
     if (circles_.empty()) return;
     const ClearestPath path = timed("clearestPath", [&] {
-      return clearestPath(cells_, {box_.minX, box_.minY}, {box_.maxX, box_.maxY});
+      return clearestPath(diagram_, {box_.minX, box_.minY}, {box_.maxX, box_.maxY});
     });
     require(!std::isnan(path.clearance), "a clearance is no number");
     checkPolygons();
@@ -196,7 +197,7 @@ class Checker {
 
   void checkPolygons() const {
     if (!isLarge_) return;
-    const ExportFrame frame = timed("ExportFrame", [&] { return ExportFrame(circles_, diagram_, {box_, {}}); });
+    const ExportFrame frame = timed("ExportFrame", [&] { return ExportFrame(diagram_, {box_, {}}); });
     const CellPolygons polygons = timed("CellPolygons", [&] { return CellPolygons(frame); });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
       for (const auto& ring : timed("rings", [&] { return polygons.rings(i); })) {
@@ -233,7 +234,6 @@ class Checker {
 
   const std::vector<Circle>& circles_;
   const Diagram& diagram_;
-  Cells cells_;
   Box box_;
   ConvexPolygon region_;
   double size_ = 1;
@@ -259,7 +259,7 @@ void run(std::span<const std::uint8_t> bytes) {
                         whole.minY + (whole.maxY - whole.minY) * view.up};
   const double half = extent * view.size / 2;
   const Box box = {middle.x - half, middle.y - half / (1 + bytes[5] % 4), middle.x + half, middle.y + half};
-  if (ConvexPolygon::from(box)) Checker(circles, diagram.value(), view.metric, box).run();
+  if (ConvexPolygon::from(box)) Checker(diagram.value(), box).run();
 }
 
 }  // namespace

@@ -71,18 +71,18 @@ std::optional<std::string> tryTile(std::string_view text) {
 }
 
 std::optional<std::string> tryDiagram(std::string_view text) {
-  const auto file = readDiagram(text, kName);
-  if (!file) {
-    if (isOneLine(file.error(), text)) return std::nullopt;
-    return "the error of readDiagram names no line: " + file.error().message;
+  const auto read = readDiagram(text, kName);
+  if (!read) {
+    if (isOneLine(read.error(), text)) return std::nullopt;
+    return "the error of readDiagram names no line: " + read.error().message;
   }
-  const auto& [circles, diagram] = file.value();
-  if (!certify(circles, diagram)) return "certify rejects circles that readDiagram takes";
+  const Diagram& diagram = read.value();
+  if (!certify(diagram)) return "certify rejects circles that readDiagram takes";
   (void)written(writeDiagramCsv, diagram);
-  const std::string json = written(writeJson, circles, diagram);
+  const std::string json = written(writeJson, diagram);
   const auto again = readDiagram(json, kName);
   if (!again) return "a diagram does not come back: " + again.error().message;
-  if (written(writeJson, again.value().circles, again.value().diagram) != json) return "a diagram comes back another";
+  if (written(writeJson, again.value()) != json) return "a diagram comes back another";
   return std::nullopt;
 }
 

@@ -9,7 +9,7 @@
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/error.h"
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/index.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
@@ -36,23 +36,25 @@ std::string_view flawName(Flaw flaw);
 /// The outcome of judging a diagram: a proof that it is the Voronoi diagram, or the first thing that is wrong.
 struct Certificate {
   Flaw flaw = Flaw::notJudged;
-  std::int32_t circle = kNone;  ///< the circle concerned, kNone if there is none
-  std::int32_t vertex = kNone;  ///< the vertex concerned
-  std::int32_t edge = kNone;    ///< the edge concerned
-  std::string message;          ///< one sentence; empty if certified
+  CircleIndex circle = {};  ///< the circle concerned, kNone if there is none
+  VertexIndex vertex = {};  ///< the vertex concerned
+  EdgeIndex edge = {};      ///< the edge concerned
+  std::string message;      ///< one sentence; empty if certified
 
   bool certified() const { return flaw == Flaw::none; }
 };
 
-/// Judges in linear time whether `diagram` is the Voronoi diagram of `circles`, however it was made. All signs are
+/// Judges in linear time whether a diagram is the Voronoi diagram of its circles, however it was made. All signs are
 /// exact: a diagram is certified if and only if its topology is right, zero-length edges in either direction of a tie
 /// included, and its vertices are those of the circles up to rounding: the centre and the radius of each, as they are
-/// given, touch its three circles to 40 bits, of the larger of the disc and the coordinates. A disc that has a coordinate
-/// or a radius beyond the doubles has no such vertex. Topology is exact, coordinates are right to rounding: two vertices
-/// that are apart may be given the same coordinates.
+/// given, touch its three circles to 40 bits, of the larger of the disc and the coordinates. A disc that has a
+/// coordinate or a radius beyond the doubles has no such vertex. Topology is exact, coordinates are right to rounding:
+/// two vertices that are apart may be given the same coordinates.
 ///
-/// Only `vertices`, `vertexCircles`, `edges`, `hidden` and `hull` are looked at.
-/// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles) and internal.
-Result<Certificate> certify(std::span<const Circle> circles, const Diagram& diagram);
+/// All but `stats` and the diagram's own `certificate` is looked at; sides must be linked as `linkSides` does. Of
+/// Metric::centres radii play no part; for Metric::power there is no certificate.
+/// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles), badOption for
+/// Metric::power, and internal.
+Result<Certificate> certify(const Diagram& diagram);
 
 }  // namespace circle_voronoi

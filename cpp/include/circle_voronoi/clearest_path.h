@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
-#include "circle_voronoi/cells.h"
+#include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
@@ -17,7 +17,7 @@ struct ClearestPath {
   double clearance = 0;
   /// The edges to follow, in order. The first is followed from `entry`, the last up to `exit`. Where the path goes
   /// around everything, an edge that leads to infinity is followed by one that comes back.
-  std::vector<std::int32_t> edges;
+  std::vector<EdgeIndex> edges;
   /// Where the path from p meets an edge, straight away from the centre of the circle nearest to p, and where it leaves
   /// an edge for q. None if the way leads straight to infinity.
   std::optional<Point> entry;
@@ -29,6 +29,6 @@ struct ClearestPath {
 ///
 /// To move straight away from the nearest centre until an edge is met never loses clearance. As that carries every path
 /// onto the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
-ClearestPath clearestPath(const Cells& cells, Point p, Point q);
+ClearestPath clearestPath(const Diagram& diagram, Point p, Point q);
 
 }  // namespace circle_voronoi

@@ -67,11 +67,13 @@ struct EdgeCurve {
   bool isBounded() const { return !startsAtInfinity() && !endsAtInfinity(); }
 };
 
-/// The curve of edge `edge` of a diagram of `circles`, which was made with `metric`. Where the edge ends more than
+/// The curve of an edge. Where the edge ends more than
 /// 2^900 times as far away as the two centres are from each other, they are moved apart to 2^-900 of that: that cannot
 /// be seen from there, and parameters stay in the range of doubles.
-EdgeCurve edgeCurve(std::span<const Circle> circles, const Diagram& diagram, std::int32_t edge,
-                    Metric metric = Metric::circles);
+EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge);
+
+/// The curve of a side, with its cell on the left.
+EdgeCurve sideCurve(const Diagram& diagram, SideIndex side);
 
 /// The same arc run through the other way: left and right change places.
 EdgeCurve reversed(const EdgeCurve& curve);

@@ -8,7 +8,10 @@
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/certificate.h"
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/index.h"
+#include "circle_voronoi/metric.h"
+#include "circle_voronoi/sides.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
@@ -26,10 +29,10 @@ struct Vertex {
 /// An arc of the bisector of circles `left` and `right`, as seen when going from vertex `start` to vertex `end`.
 /// An end at infinity is kNone. Two circles may share several edges.
 struct Edge {
-  std::int32_t left = kNone;
-  std::int32_t right = kNone;
-  std::int32_t start = kNone;
-  std::int32_t end = kNone;
+  CircleIndex left = {};
+  CircleIndex right = {};
+  VertexIndex start = {};
+  VertexIndex end = {};
 
   friend bool operator==(const Edge&, const Edge&) = default;
 };
@@ -38,8 +41,8 @@ struct Edge {
 /// Of identical circles the first stays visible. Of several that contain it, `by` is the largest, of equal ones the
 /// first.
 struct HiddenCircle {
-  std::int32_t circle = kNone;
-  std::int32_t by = kNone;
+  CircleIndex circle = {};
+  CircleIndex by = {};
 
   friend bool operator==(const HiddenCircle&, const HiddenCircle&) = default;
 };
@@ -82,21 +85,68 @@ struct Stats {
   Seconds seconds;
 };
 
-/// The Voronoi diagram of n circles by indices. Circle indices are those of the input.
+/// The Voronoi diagram of circles, by indices.
 ///
 /// A vertex that touches more than three circles appears as several vertices joined by edges of length zero
 /// (paper, section 8), so every vertex has exactly three circles and three edges.
+///
+/// An edge seen from one of its two cells is a *side* of that cell: a half-edge. Side 2 e of edge e belongs to the left
+/// circle and runs from start to end; side 2 e + 1, its twin, belongs to the right circle and runs back. So every side
+/// has its own cell on its left, and the sides of a cell run counter-clockwise around it.
+///
+/// What functions promise of a diagram holds for one that is certified, or made by comparison.h.
 struct Diagram {
+  /// The input, hidden circles included.
+  std::vector<Circle> circles;
+  Metric metric = Metric::circles;
+
   std::vector<Vertex> vertices;
   /// For each vertex its three circles, counter-clockwise around it.
-  std::vector<std::array<std::int32_t, 3>> vertexCircles;
+  std::vector<std::array<CircleIndex, 3>> vertexCircles;
   std::vector<Edge> edges;
   /// Hidden circles in increasing order of `circle`.
   std::vector<HiddenCircle> hidden;
   /// The circles on the convex hull, counter-clockwise; a circle recurs if the hull touches it more than once.
-  std::vector<std::int32_t> hull;
+  std::vector<CircleIndex> hull;
+
+  // How these hang together, as linkSides finds it from them.
+
+  /// For each side the one that follows it around its cell. Where the cell goes to infinity, the next side after one
+  /// that ends there begins there.
+  std::vector<SideIndex> nextSide;
+  /// For each vertex the sides that begin there: the first belongs to the first of its circles, and so on.
+  std::vector<std::array<SideIndex, 3>> vertexSides;
+  /// For each circle the smallest of its sides; kNone if it has no cell, or its cell is the whole plane.
+  std::vector<SideIndex> firstSide;
+
   Certificate certificate;
   Stats stats;
+
+  /// Hidden circles have no cell.
+  bool hasCell(CircleIndex circle) const {
+    return firstSide[at(circle)] != kNone || (hull.size() == 1 && hull[0] == circle);
+  }
+  /// The sides of a cell, counter-clockwise; none if there is no cell, or it is the whole plane.
+  Sides sides(CircleIndex circle) const { return {nextSide, firstSide[at(circle)]}; }
+
+  static SideIndex twin(SideIndex side) { return side ^ 1; }
+  static EdgeIndex edgeOf(SideIndex side) { return side / 2; }
+  CircleIndex circleOf(SideIndex side) const { return side % 2 == 0 ? edgeAt(side).left : edgeAt(side).right; }
+  /// The circle on the other side of the edge.
+  CircleIndex neighborOf(SideIndex side) const { return circleOf(twin(side)); }
+  /// The vertex where a side begins, or kNone.
+  VertexIndex originOf(SideIndex side) const { return side % 2 == 0 ? edgeAt(side).start : edgeAt(side).end; }
+  /// The vertex where a side ends, or kNone.
+  VertexIndex targetOf(SideIndex side) const { return originOf(twin(side)); }
+
+ private:
+  static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+  const Edge& edgeAt(SideIndex side) const { return edges[at(edgeOf(side))]; }
 };
+
+/// Fills `nextSide`, `vertexSides` and `firstSide` of a diagram that was put together otherwise, in linear time but for
+/// sorting the hull. Returns whether the rest fits together; if it does not, no side has a next one, and `certify` says
+/// what is wrong.
+bool linkSides(Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -32,10 +32,10 @@ struct Selection {
   std::span<const std::int64_t> ids;       ///< of each circle, increasing
   std::span<const std::uint8_t> isChosen;  ///< of each circle
 
-  std::int64_t id(std::int32_t circle) const {
-    return ids.empty() || circle == kNone ? circle : ids[static_cast<std::size_t>(circle)];
+  std::int64_t id(CircleIndex circle) const {
+    return ids.empty() || circle == kNone ? std::int64_t{circle} : ids[static_cast<std::size_t>(circle)];
   }
-  bool contains(std::int32_t circle) const {
+  bool contains(CircleIndex circle) const {
     return isChosen.empty() || isChosen[static_cast<std::size_t>(circle)] != 0;
   }
 };
@@ -55,8 +55,7 @@ Box exportBox(std::span<const Circle> circles);
 /// A drawing, y upwards, that fits the box and has nothing of what is outside: groups of class cells, dual, circles,
 /// edges, vertices and hull, styled by a style sheet. Curves are cubic Bezier curves. Hidden circles have the class
 /// hidden, circles too small to be seen the class point.
-void writeSvg(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
-              const ExportOptions& options = {});
+void writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Marks of one kind in a figure: a group of this class.
 struct SvgLayer {
@@ -79,27 +78,23 @@ struct SvgFigure {
 };
 
 /// The drawing of `writeSvg` as a figure.
-void writeSvgFigure(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
-                    const SvgFigure& figure);
+void writeSvgFigure(std::ostream& out, const Diagram& diagram, const SvgFigure& figure);
 
 /// RFC 7946: a feature for each circle, its cell as a Polygon, a MultiPolygon if the box cuts it apart, or null if it
 /// is hidden or outside the box; with the properties circle, radius, area, neighbors (circles), and hiddenBy of a
 /// hidden circle.
-void writeGeoJson(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
-                  const ExportOptions& options = {});
+void writeGeoJson(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// The same features of the chosen circles, by their ids, one a line and nothing else: such texts can be put together.
-void writeGeoJsonLines(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
-                       const ExportOptions& options = {}, const Selection& selection = {});
+void writeGeoJsonLines(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {},
+                       const Selection& selection = {});
 
 /// Well-known text: line i is the cell of circle i, POLYGON, MULTIPOLYGON or POLYGON EMPTY.
-void writeWkt(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
-              const ExportOptions& options = {});
+void writeWkt(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Wavefront OBJ in the plane z = 0: the edges as polylines in the object `edges`, the cells as faces in the object
 /// `cells`, in a group for each circle.
-void writeObj(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram,
-              const ExportOptions& options = {});
+void writeObj(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// One table of vertices and edges, with the columns type, index, x, y, radius, circle1, circle2, circle3, start, end:
 /// of a vertex its disc and three circles, of an edge its left and right circle and its vertices, -1 for infinity.

@@ -37,7 +37,7 @@ struct FinalCells {
   std::vector<std::uint8_t> vertices;
   std::vector<std::uint8_t> edges;
 
-  bool isFinal(std::int32_t circle) const { return neededHalo[static_cast<std::size_t>(circle)] == 0; }
+  bool isFinal(CircleIndex circle) const { return neededHalo[static_cast<std::size_t>(circle)] == 0; }
 };
 
 /// Tells in linear time what of a certified diagram of `circles` is final.
@@ -74,6 +74,6 @@ struct FinalCells {
 ///
 /// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles); badOption, if the box
 /// is empty or maxRadius negative or not finite; badInput, if the diagram names circles or vertices that are not there.
-Result<FinalCells> finalCells(std::span<const Circle> circles, const Diagram& diagram, const Known& known);
+Result<FinalCells> finalCells(const Diagram& diagram, const Known& known);
 
 }  // namespace circle_voronoi

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
-#include "circle_voronoi/cells.h"
+#include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
@@ -22,28 +22,33 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// A grid of starting circles makes the walk short: for circles spread evenly a step or two.
 class Finder {
  public:
-  /// In linear time. The cells must outlive this.
-  explicit Finder(const Cells& cells);
-  explicit Finder(const Cells&& cells) = delete;
+  /// In linear time. The diagram must outlive this.
+  explicit Finder(const Diagram& diagram);
+  explicit Finder(const Diagram&& diagram) = delete;
 
   /// The circle of smallest distance to the finite point p, one of them up to rounding where several are. The walk
   /// starts near p, or from `hint`, if that is nearer. kNone if there are no circles.
-  std::int32_t find(Point p, std::int32_t hint = kNone) const;
+  CircleIndex find(Point p, CircleIndex hint = kNone) const;
 
   /// For each point the same; points near in the list that are near in the plane help.
-  std::vector<std::int32_t> findAll(std::span<const Point> points) const;
+  std::vector<CircleIndex> findAll(std::span<const Point> points) const;
 
  private:
-  std::int32_t startNear(Point p) const;
-  std::int32_t nearerNeighbor(std::int32_t circle, Point p) const;
+  CircleIndex startNear(Point p) const;
+  CircleIndex nearerNeighbor(CircleIndex circle, Point p) const;
+  std::span<const SideIndex> manySides(CircleIndex circle) const;
 
-  const Cells& cells_;
+  const Diagram& diagram_;
   Point corner_;
   double width_ = 1;  ///< of a bucket
   double height_ = 1;
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
-  std::vector<std::int32_t> starts_;  ///< a visible circle for each bucket, row by row
+  std::vector<CircleIndex> starts_;  ///< a visible circle for each bucket, row by row
+  /// Cells with many sides, increasing, and their sides: those of the k-th from firstOfMany_[k] to firstOfMany_[k + 1].
+  std::vector<CircleIndex> many_;
+  std::vector<std::size_t> firstOfMany_ = {0};
+  std::vector<SideIndex> sidesOfMany_;
 };
 
 }  // namespace circle_voronoi

@@ -15,7 +15,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// An arc of a circle on the convex hull, counter-clockwise from `start` to `end`. A point (radius 0) has an arc too:
 /// it turns, but has no length.
 struct HullArc {
-  std::int32_t circle = kNone;
+  CircleIndex circle = {};
   Point start;
   Point end;
   double angle = 0;  ///< from 0 to 2 pi
@@ -32,6 +32,6 @@ struct Hull {
 /// The hull of a certified diagram of `circles`, in the order of `diagram.hull`. That of a single circle is the circle:
 /// one arc of 2 pi. Angles, lengths and areas use std::atan2 and std::sin, whose last bit may differ between platforms;
 /// points do not.
-Hull hull(std::span<const Circle> circles, const Diagram& diagram);
+Hull hull(const Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -37,20 +37,14 @@ void writeCirclesJson(std::ostream& out, std::span<const Circle> circles);
 void writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles);
 
 /// Writes a diagram in the project's JSON format, version 1 (README). Reading a number back gives the same bits.
-void writeJson(std::ostream& out, std::span<const Circle> circles, const Diagram& diagram);
-
-/// Circles and a diagram that is said to be theirs.
-struct DiagramFile {
-  std::vector<Circle> circles;
-  Diagram diagram;
-};
+void writeJson(std::ostream& out, const Diagram& diagram);
 
 /// Reads what `writeJson` wrote, or anybody else in that format: numbers to the bit. Other keys than those of the
 /// format are skipped, `stats` is read as far as it is there, and its certificate is not believed: that is for
-/// `certify` to judge.
+/// `certify` to judge. Sides are linked (linkSides) if the diagram fits together.
 ///
 /// Errors as those of `readCircles`; badInput for another format or version as well. Indices need not fit the circles.
-Result<DiagramFile> readDiagram(std::string_view text, std::string_view name);
+Result<Diagram> readDiagram(std::string_view text, std::string_view name);
 
 /// Whether text is meant for `readDiagram` and not for `readCircles`: a JSON object with the key `format`, as far as it
 /// is well-formed, and none of GeoJSON's before it.

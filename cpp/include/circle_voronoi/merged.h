@@ -19,11 +19,11 @@ struct MergedDiagram {
   /// circles[firstCircle[v]] up to before circles[firstCircle[v + 1]]. A circle recurs if its cell meets the vertex
   /// more than once.
   std::vector<std::int32_t> firstCircle;
-  std::vector<std::int32_t> circles;
+  std::vector<CircleIndex> circles;
   /// The edges that remain, in the order of the diagram, between merged vertices.
   std::vector<Edge> edges;
   /// For each vertex of the diagram its merged vertex.
-  std::vector<std::int32_t> mergedVertex;
+  std::vector<VertexIndex> mergedVertex;
 };
 
 /// Merges the vertices of a certified diagram whose edges are not longer than `nearZero`, in the units of the input.
@@ -31,7 +31,7 @@ struct MergedDiagram {
 /// around each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as
 /// long as `nearZero`.
 ///
-/// Precondition: `diagram` is certified for `circles`.
-MergedDiagram mergeVertices(std::span<const Circle> circles, const Diagram& diagram, double nearZero = -1);
+/// Precondition: `diagram` is certified.
+MergedDiagram mergeVertices(const Diagram& diagram, double nearZero = -1);
 
 }  // namespace circle_voronoi

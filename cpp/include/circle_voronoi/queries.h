@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "circle_voronoi/abi.h"
-#include "circle_voronoi/cells.h"
-#include "circle_voronoi/circle.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/diagram.h"
 
@@ -19,23 +17,23 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 // `Diagram::vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
 
 /// The pairs of circles whose cells share an edge, the smaller index first, in increasing order, each once.
-std::vector<std::array<std::int32_t, 2>> neighborPairs(const Diagram& diagram);
+std::vector<std::array<CircleIndex, 2>> neighborPairs(const Diagram& diagram);
 
 struct ClosestPair {
-  std::int32_t first = kNone;  ///< the smaller index
-  std::int32_t second = kNone;
+  CircleIndex first = {};  ///< the smaller index
+  CircleIndex second = {};
   double gap = 0;  ///< |c - c'| - r - r': negative if the two overlap
 };
 
 /// The two visible circles with the smallest gap; none if fewer than two are visible.
 ///
 /// They share an edge: a circle k nearer than gap / 2 to the middle of their gap would have a smaller gap to each.
-std::optional<ClosestPair> closestPair(std::span<const Circle> circles, const Diagram& diagram);
+std::optional<ClosestPair> closestPair(const Diagram& diagram);
 
 struct EmptyDisc {
   Vertex disc;
   /// The circles it touches, of up to three of them; kNone in place of the others.
-  std::array<std::int32_t, 3> circles = {kNone, kNone, kNone};
+  std::array<CircleIndex, 3> circles;
 };
 
 /// The largest disc that meets no circle but for touching, of those with their centre inside a region, which they may
@@ -44,15 +42,15 @@ struct EmptyDisc {
 ///
 /// The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in
 /// a cell it is convex along every line.
-std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Cells& cells, const ConvexPolygon& region);
+std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Diagram& diagram, const ConvexPolygon& region);
 
 /// The same inside the convex hull of the circles. Its radius is not negative.
-std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Cells& cells);
+std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Diagram& diagram);
 
 /// The largest disc that meets no circle but for touching, of those that lie inside a region as a whole; it may touch
 /// sides of the region in place of circles. Where circles cover the region there is none: then it is that of
 /// largestEmptyDiscCentredIn, whose radius is not above 0. None if there are no circles. Each circle is tried with each
 /// of the segments, some two for each side, of the region's medial axis.
-std::optional<EmptyDisc> largestEmptyDiscInside(const Cells& cells, const ConvexPolygon& region);
+std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region);
 
 }  // namespace circle_voronoi

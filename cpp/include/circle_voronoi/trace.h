@@ -28,8 +28,8 @@ enum class TraceKind {
 struct TraceEvent {
   TraceKind kind = TraceKind::antipodalDiscAccepted;
   Vertex disc;
-  std::array<std::int32_t, 3> circles = {kNone, kNone, kNone};
-  std::int32_t vertex = kNone;
+  std::array<CircleIndex, 3> circles = {};
+  VertexIndex vertex = {};
 };
 
 /// Called once per event. What it throws passes through `compute`.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "circle_voronoi/comparison.h"
 
-#include <vector>
-
 #include "circle_voronoi/compute.h"
 #include "guarded.h"
 #include "power_diagram.h"
@@ -17,9 +15,11 @@ Result<Diagram> computeComparison(std::span<const Circle> circles, Metric metric
     // Without radii nobody would see what is wrong with them.
     const auto scaled = validate(circles);
     if (!scaled) return scaled.error();
-    std::vector<Circle> centres(circles.begin(), circles.end());
-    for (Circle& c : centres) c.r = 0;
-    return compute(centres);
+    auto diagram = compute(pointsOf(circles));
+    if (!diagram) return diagram;
+    diagram.value().circles.assign(circles.begin(), circles.end());
+    diagram.value().metric = metric;
+    return diagram;
   });
 }
 

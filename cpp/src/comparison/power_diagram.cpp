@@ -128,7 +128,7 @@ Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c, int scal
 }
 
 /// Centres on a line: parallel edges, and a hull that goes there and back.
-void addChain(const std::vector<std::int32_t>& chain, Diagram& diagram) {
+void addChain(const std::vector<CircleIndex>& chain, Diagram& diagram) {
   for (std::size_t i = 1; i < chain.size(); ++i) diagram.edges.push_back({chain[i - 1], chain[i], kNone, kNone});
   diagram.hull = chain;
   for (std::size_t i = chain.size() - 1; i-- > 1;) diagram.hull.push_back(chain[i]);
@@ -139,7 +139,7 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
   std::map<Triangulation::Face_handle, std::int32_t> vertexOf;
   for (const auto face : triangulation.finite_face_handles()) {
     vertexOf[face] = static_cast<std::int32_t>(diagram.vertices.size());
-    const auto& triple = diagram.vertexCircles.emplace_back(std::array<std::int32_t, 3>{
+    const auto& triple = diagram.vertexCircles.emplace_back(std::array<CircleIndex, 3>{
         indices.of(face->vertex(0)), indices.of(face->vertex(1)), indices.of(face->vertex(2))});
     const auto circleAt = [&](std::size_t k) { return circles[static_cast<std::size_t>(triple[k])]; };
     diagram.vertices.push_back(radicalCentre(circleAt(0), circleAt(1), circleAt(2), scaling));
@@ -193,7 +193,7 @@ Diagram powerDiagramOf(std::span<const Circle> circles, int scaling) {
     std::sort(visible.begin(), visible.end(), [](VertexHandle a, VertexHandle b) {
       return std::pair(a->point().x(), a->point().y()) < std::pair(b->point().x(), b->point().y());
     });
-    std::vector<std::int32_t> chain;
+    std::vector<CircleIndex> chain;
     for (const VertexHandle vertex : visible) chain.push_back(indices.of(vertex));
     addChain(chain, diagram);
   }
@@ -208,6 +208,9 @@ Result<Diagram> powerDiagram(std::span<const Circle> circles) {
   const auto scaled = validate(circles);
   if (!scaled) return scaled.error();
   Diagram diagram = powerDiagramOf(scaled.value().circles, std::ilogb(scaled.value().unit));
+  diagram.circles.assign(circles.begin(), circles.end());
+  diagram.metric = Metric::power;
+  linkSides(diagram);
   for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
     const auto& [x, y, radius] = diagram.vertices[v];
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius)) {

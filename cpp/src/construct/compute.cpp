@@ -69,14 +69,14 @@ Observer observerOfInput(const Observer& observer, const std::vector<int>& visib
   if (!observer) return {};
   return [&observer, &visible, unit](TraceEvent event) {
     event.disc = {event.disc.x * unit, event.disc.y * unit, event.disc.radius * unit};
-    for (std::int32_t& circle : event.circles) {
+    for (CircleIndex& circle : event.circles) {
       if (circle != kNone) circle = visible[circle];
     }
     observer(event);
   };
 }
 
-Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options) {
+Result<Diagram> computeValid(ScaledCircles scaled, const Options& options) {
   Journal journal(options.progress);
   Stats& stats = journal.stats;
   stats.method = nameOf(options.method);
@@ -88,6 +88,7 @@ Result<Diagram> computeValid(const ScaledCircles& scaled, const Options& options
     // Another method makes its own.
     if (options.method != Method::automatic) visible.diagram.reset();
     sites = triangulate(std::move(visible));
+    scaled.circles = {};  // the sites have them
   }
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
 
@@ -132,7 +133,12 @@ Result<Diagram> compute(std::span<const Circle> circles, const Options& options)
     double seconds = 0;
     auto result = [&] {
       const Stopwatch watch(seconds);
-      return computeValid(scaled.value(), own);
+      auto found = computeValid(std::move(scaled).value(), own);
+      if (found) {
+        found.value().circles.assign(circles.begin(), circles.end());
+        linkSides(found.value());
+      }
+      return found;
     }();
     if (result) result.value().stats.seconds.total = seconds;
     return result;

@@ -10,7 +10,7 @@
 
 namespace circle_voronoi {
 
-Error vertexBeyondDoubles(const std::array<std::int32_t, 3>& circles) {
+Error vertexBeyondDoubles(const std::array<CircleIndex, 3>& circles) {
   const auto& [i, j, k] = circles;
   return {ErrorCode::coordinateTooLarge, i,
           "The vertex of circles " + std::to_string(i) + ", " + std::to_string(j) + ", " + std::to_string(k) +
@@ -31,7 +31,7 @@ Result<Diagram> diagramOf(Construction construction, Sites sites, double unit) {
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end(), isBefore), triple.end());
     const auto& [i, j, k] = triple;
     const auto vertex = vertexOf(sites.circles[i], sites.circles[j], sites.circles[k], unit);
-    for (std::int32_t& circle : triple) circle = sites.indices[circle];
+    for (CircleIndex& circle : triple) circle = sites.indices[circle];
     // A diagram that is not certified may have triples without a disc, whose vertex may be anything.
     if (!vertex && diagram.certificate.certified()) return vertexBeyondDoubles(triple);
     diagram.vertices.push_back(vertex.value_or(Vertex{}));
@@ -40,7 +40,7 @@ Result<Diagram> diagramOf(Construction construction, Sites sites, double unit) {
     edge.left = sites.indices[edge.left];
     edge.right = sites.indices[edge.right];
   }
-  for (std::int32_t& circle : diagram.hull) circle = sites.indices[circle];
+  for (CircleIndex& circle : diagram.hull) circle = sites.indices[circle];
   rotateHull(diagram.hull);
   if (diagram.certificate.circle != kNone) diagram.certificate.circle = sites.indices[diagram.certificate.circle];
   diagram.certificate.message = messageOf(diagram.certificate, diagram);

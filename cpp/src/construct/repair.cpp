@@ -8,7 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/index.h"
 #include "wrong_faces.h"
 
 namespace circle_voronoi {

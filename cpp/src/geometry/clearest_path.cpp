@@ -5,6 +5,7 @@
 #include <limits>
 #include <queue>
 
+#include "circle_voronoi/cells.h"
 #include "circle_voronoi/finder.h"
 #include "clip.h"
 #include "scale.h"
@@ -16,21 +17,21 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Where the ray from a cell's centre through a point leaves the cell.
 struct Exit {
-  std::int32_t edge = kNone;  ///< kNone: never
-  double parameter = 0;       ///< on the curve of the edge
+  EdgeIndex edge;        ///< kNone: never
+  double parameter = 0;  ///< on the curve of the edge
   Point point;
 };
 
-Exit exitOf(const Cells& cells, std::int32_t circle, Point p) {
-  const Circle& c = cells.circles()[static_cast<std::size_t>(circle)];
+Exit exitOf(const Diagram& diagram, CircleIndex circle, Point p) {
+  const Circle& c = diagram.circles[static_cast<std::size_t>(circle)];
   Vector direction = {p.x - c.x, p.y - c.y};
   if (direction.x == 0 && direction.y == 0) direction = {1, 0};
   // One side is crossed; which one rounding may leave open where two meet.
   constexpr double kTolerance = 1 + 1e-9;
   double leastMiss = kTolerance;
   Exit exit;
-  for (const std::int32_t side : cells.sides(circle)) {
-    const EdgeCurve curve = edgeCurve(cells.circles(), cells.diagram(), side / 2);
+  for (const SideIndex side : diagram.sides(circle)) {
+    const EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(side));
     const LineCrossing ray(curve.bisector, {c.x, c.y}, direction);
     for (const double s : ray.parameters()) {
       const Point crossing = pointAt(curve.bisector, s);
@@ -38,7 +39,7 @@ Exit exitOf(const Cells& cells, std::int32_t circle, Point p) {
       const double miss = s < curve.from ? curve.from / s : s > curve.to ? s / curve.to : 1;
       if (miss >= leastMiss) continue;
       leastMiss = miss;
-      exit = {side / 2, std::clamp(s, curve.from, curve.to), crossing};
+      exit = {Diagram::edgeOf(side), std::clamp(s, curve.from, curve.to), crossing};
     }
   }
   return exit;
@@ -46,35 +47,25 @@ Exit exitOf(const Cells& cells, std::int32_t circle, Point p) {
 
 class PathFinder {
  public:
-  explicit PathFinder(const Cells& cells)
-      : cells_(cells), infinity_(static_cast<std::int32_t>(cells.diagram().vertices.size())) {
-    const auto& edges = cells.diagram().edges;
-    first_.assign(static_cast<std::size_t>(infinity_) + 2, 0);
-    for (const Edge& edge : edges) {
-      ++first_[nodeOf(edge.start) + 1];
-      ++first_[nodeOf(edge.end) + 1];
-    }
-    for (std::size_t node = 1; node < first_.size(); ++node) first_[node] += first_[node - 1];
-    incident_.resize(2 * edges.size());
-    std::vector<std::size_t> place(first_.begin(), first_.end() - 1);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      incident_[place[nodeOf(edges[e].start)]++] = static_cast<std::int32_t>(e);
-      incident_[place[nodeOf(edges[e].end)]++] = static_cast<std::int32_t>(e);
+  explicit PathFinder(const Diagram& diagram) : diagram_(diagram), infinity_(diagram.vertices.size()) {
+    for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
+      const Edge& edge = diagram.edges[e];
+      if (edge.start == kNone || edge.end == kNone) toInfinity_.push_back(static_cast<std::int32_t>(e));
     }
   }
 
   ClearestPath run(Point p, Point q) {
-    const Finder finder(cells_);
-    const std::int32_t fromCircle = finder.find(p);
-    const std::int32_t toCircle = finder.find(q);
-    const Exit from = exitOf(cells_, fromCircle, p);
-    const Exit to = exitOf(cells_, toCircle, q);
+    const Finder finder(diagram_);
+    const CircleIndex fromCircle = finder.find(p);
+    const CircleIndex toCircle = finder.find(q);
+    const Exit from = exitOf(diagram_, fromCircle, p);
+    const Exit to = exitOf(diagram_, toCircle, q);
 
-    reach_.assign(static_cast<std::size_t>(infinity_) + 1, {});
+    reach_.assign(infinity_ + 1, {});
     leave(from);
     settle();
     ClearestPath path = arrive(from, to);
-    path.clearance = std::min({path.clearance, cells_.distance(fromCircle, p), cells_.distance(toCircle, q)});
+    path.clearance = std::min({path.clearance, distance(diagram_, fromCircle, p), distance(diagram_, toCircle, q)});
     if (from.edge != kNone) path.entry = from.point;
     if (to.edge != kNone) path.exit = to.point;
     return path;
@@ -84,23 +75,23 @@ class PathFinder {
   /// How clear the best path to a node is, and the edge by which it comes.
   struct Reach {
     double clearance = -kInfinite;
-    std::int32_t edge = kNone;
+    EdgeIndex edge;
     std::int32_t before = kNone;  ///< the node it comes from; kNone: the start
   };
 
-  std::size_t nodeOf(std::int32_t vertex) const {
-    return static_cast<std::size_t>(vertex == kNone ? infinity_ : vertex);
+  std::size_t nodeOf(VertexIndex vertex) const {
+    return vertex == kNone ? infinity_ : static_cast<std::size_t>(vertex);
   }
-  const Edge& edgeAt(std::int32_t edge) const { return cells_.diagram().edges[static_cast<std::size_t>(edge)]; }
+  const Edge& edgeAt(EdgeIndex edge) const { return diagram_.edges[static_cast<std::size_t>(edge)]; }
 
   /// The least distance from its circles along a part of an edge: at the apex if that is inside, else at an end.
-  double clearanceOf(const EdgeCurve& curve, std::int32_t edge, double from, double to) const {
-    const auto at = [&](double s) { return cells_.distance(edgeAt(edge).left, pointAt(curve.bisector, s)); };
+  double clearanceOf(const EdgeCurve& curve, EdgeIndex edge, double from, double to) const {
+    const auto at = [&](double s) { return distance(diagram_, edgeAt(edge).left, pointAt(curve.bisector, s)); };
     if (from <= 1 && 1 <= to) return at(1);
     return from > 1 ? at(from) : at(to);
   }
 
-  void offer(std::size_t node, double clearance, std::int32_t edge, std::int32_t before) {
+  void offer(std::size_t node, double clearance, EdgeIndex edge, std::int32_t before) {
     Reach& reach = reach_[node];
     if (!(clearance > reach.clearance)) return;
     reach = {clearance, edge, before};
@@ -109,7 +100,7 @@ class PathFinder {
 
   void leave(const Exit& from) {
     if (from.edge == kNone) return offer(nodeOf(kNone), kInfinite, kNone, kNone);
-    const EdgeCurve curve = edgeCurve(cells_.circles(), cells_.diagram(), from.edge);
+    const EdgeCurve curve = edgeCurve(diagram_, from.edge);
     const Edge& edge = edgeAt(from.edge);
     offer(nodeOf(edge.start), clearanceOf(curve, from.edge, curve.from, from.parameter), from.edge, kNone);
     offer(nodeOf(edge.end), clearanceOf(curve, from.edge, from.parameter, curve.to), from.edge, kNone);
@@ -120,20 +111,24 @@ class PathFinder {
       const auto [clearance, node] = pending_.top();
       pending_.pop();
       if (clearance < reach_[node].clearance) continue;
-      for (std::size_t k = first_[node]; k < first_[node + 1]; ++k) {
-        const std::int32_t e = incident_[k];
-        const EdgeCurve curve = edgeCurve(cells_.circles(), cells_.diagram(), e);
+      const auto follow = [&](EdgeIndex e) {
+        const EdgeCurve curve = edgeCurve(diagram_, e);
         const double along = std::min(clearance, clearanceOf(curve, e, curve.from, curve.to));
         const auto before = static_cast<std::int32_t>(node);
         offer(nodeOf(edgeAt(e).start), along, e, before);
         offer(nodeOf(edgeAt(e).end), along, e, before);
+      };
+      if (node == infinity_) {
+        std::ranges::for_each(toInfinity_, follow);
+      } else {
+        for (const SideIndex side : diagram_.vertexSides[node]) follow(Diagram::edgeOf(side));
       }
     }
   }
 
   ClearestPath arrive(const Exit& from, const Exit& to) const {
     if (to.edge == kNone) return pathTo(nodeOf(kNone), kInfinite, kNone);
-    const EdgeCurve curve = edgeCurve(cells_.circles(), cells_.diagram(), to.edge);
+    const EdgeCurve curve = edgeCurve(diagram_, to.edge);
     const Edge& edge = edgeAt(to.edge);
     const double byStart = clearanceOf(curve, to.edge, curve.from, to.parameter);
     const double byEnd = clearanceOf(curve, to.edge, to.parameter, curve.to);
@@ -149,29 +144,27 @@ class PathFinder {
   }
 
   /// The path to a node, and on along a last edge.
-  ClearestPath pathTo(std::size_t node, double clearance, std::int32_t last) const {
+  ClearestPath pathTo(std::size_t node, double clearance, EdgeIndex last) const {
     ClearestPath path;
     path.clearance = std::min(clearance, reach_[node].clearance);
     if (last != kNone) path.edges.push_back(last);
     for (auto at = static_cast<std::int32_t>(node); at != kNone; at = reach_[static_cast<std::size_t>(at)].before) {
-      const std::int32_t edge = reach_[static_cast<std::size_t>(at)].edge;
+      const EdgeIndex edge = reach_[static_cast<std::size_t>(at)].edge;
       if (edge != kNone) path.edges.push_back(edge);
     }
     std::ranges::reverse(path.edges);
     return path;
   }
 
-  const Cells& cells_;
-  std::int32_t infinity_;
-  /// The edges at each vertex and at infinity: those from first_[node] to first_[node + 1] in incident_.
-  std::vector<std::size_t> first_;
-  std::vector<std::int32_t> incident_;
+  const Diagram& diagram_;
+  std::size_t infinity_;
+  std::vector<EdgeIndex> toInfinity_;
   std::vector<Reach> reach_;
   std::priority_queue<std::pair<double, std::size_t>> pending_;
 };
 
 }  // namespace
 
-ClearestPath clearestPath(const Cells& cells, Point p, Point q) { return PathFinder(cells).run(p, q); }
+ClearestPath clearestPath(const Diagram& diagram, Point p, Point q) { return PathFinder(diagram).run(p, q); }
 
 }  // namespace circle_voronoi

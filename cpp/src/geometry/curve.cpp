@@ -99,11 +99,13 @@ double parameterAt(const Bisector& bisector, Point p) {
   return exponentialOf(std::copysign(std::sqrt(rise) * std::sqrt(rise + 2), sine));
 }
 
-EdgeCurve edgeCurve(std::span<const Circle> circles, const Diagram& diagram, std::int32_t edge, Metric metric) {
+EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
   const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(edge)];
+  const auto& circles = diagram.circles;
   EdgeCurve curve;
-  curve.bisector = bisector(circles[static_cast<std::size_t>(left)], circles[static_cast<std::size_t>(right)], metric);
-  const auto vertexAt = [&](std::int32_t v) {
+  curve.bisector =
+      bisector(circles[static_cast<std::size_t>(left)], circles[static_cast<std::size_t>(right)], diagram.metric);
+  const auto vertexAt = [&](VertexIndex v) {
     const Vertex& vertex = diagram.vertices[static_cast<std::size_t>(v)];
     return Point{vertex.x, vertex.y};
   };
@@ -119,6 +121,11 @@ EdgeCurve edgeCurve(std::span<const Circle> circles, const Diagram& diagram, std
   moveApart(curve.bisector, reach);
   setParameters(curve, start != kNone, end != kNone);
   return curve;
+}
+
+EdgeCurve sideCurve(const Diagram& diagram, SideIndex side) {
+  const EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(side));
+  return side % 2 == 0 ? curve : reversed(curve);
 }
 
 EdgeCurve seenFrom(const EdgeCurve& curve, double reach) {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <limits>
 
+#include "circle_voronoi/cells.h"
 #include "scale.h"
 
 namespace circle_voronoi {
@@ -20,15 +22,15 @@ std::size_t bucketOf(double offset, double size, std::size_t count) {
 }
 
 /// The direction from the cell's centre in which a side begins.
-Vector beginningOf(const Cells& cells, std::int32_t side) {
-  const Circle& c = cells.circles()[static_cast<std::size_t>(cells.circleOf(side))];
-  const std::int32_t origin = cells.originOf(side);
+Vector beginningOf(const Diagram& diagram, SideIndex side) {
+  const Circle& c = diagram.circles[static_cast<std::size_t>(diagram.circleOf(side))];
+  const VertexIndex origin = diagram.originOf(side);
   if (origin != kNone) {
-    const Vertex& v = cells.diagram().vertices[static_cast<std::size_t>(origin)];
+    const Vertex& v = diagram.vertices[static_cast<std::size_t>(origin)];
     return {v.x - c.x, v.y - c.y};
   }
   // The limit of point(s) as s goes to 0.
-  const Bisector bisector = cells.curveOf(side).bisector;
+  const Bisector bisector = sideCurve(diagram, side).bisector;
   const double a = std::abs(bisector.a);
   return {-a * bisector.along.x - bisector.b * bisector.across.x,
           -a * bisector.along.y - bisector.b * bisector.across.y};
@@ -46,13 +48,13 @@ bool noLater(Vector reference, Vector v, Vector w) {
 
 }  // namespace
 
-Finder::Finder(const Cells& cells) : cells_(cells) {
-  const auto circles = cells.circles();
+Finder::Finder(const Diagram& diagram) : diagram_(diagram) {
+  const auto& circles = diagram.circles;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
   std::size_t visible = 0;
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    if (!cells.exists(static_cast<std::int32_t>(i))) continue;
+    if (!diagram.hasCell(static_cast<std::int32_t>(i))) continue;
     ++visible;
     box.minX = std::min(box.minX, circles[i].x);
     box.minY = std::min(box.minY, circles[i].y);
@@ -76,7 +78,7 @@ Finder::Finder(const Cells& cells) : cells_(cells) {
   starts_.assign(columns_ * rows_, kNone);
   std::deque<std::size_t> filled;
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    if (!cells.exists(static_cast<std::int32_t>(i))) continue;
+    if (!diagram.hasCell(static_cast<std::int32_t>(i))) continue;
     const std::size_t bucket = bucketOf(circles[i].y - corner_.y, height_, rows_) * columns_ +
                                bucketOf(circles[i].x - corner_.x, width_, columns_);
     if (starts_[bucket] == kNone) filled.push_back(bucket);
@@ -97,22 +99,43 @@ Finder::Finder(const Cells& cells) : cells_(cells) {
     if (bucket >= columns_) spread(bucket - columns_);
     if (bucket + columns_ < starts_.size()) spread(bucket + columns_);
   }
+
+  std::vector<std::uint32_t> sideCount(circles.size(), 0);
+  for (const Edge& edge : diagram.edges) {
+    ++sideCount[static_cast<std::size_t>(edge.left)];
+    ++sideCount[static_cast<std::size_t>(edge.right)];
+  }
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    if (sideCount[i] <= kFewSides) continue;
+    const auto circle = static_cast<std::int32_t>(i);
+    many_.push_back(circle);
+    std::ranges::copy(diagram.sides(circle), std::back_inserter(sidesOfMany_));
+    firstOfMany_.push_back(sidesOfMany_.size());
+  }
 }
 
-std::int32_t Finder::startNear(Point p) const {
+/// The sides of a cell with more than kFewSides; none of another.
+std::span<const SideIndex> Finder::manySides(CircleIndex circle) const {
+  const auto found = std::ranges::lower_bound(many_, circle);
+  if (found == many_.end() || *found != circle) return {};
+  const auto k = static_cast<std::size_t>(found - many_.begin());
+  return std::span(sidesOfMany_).subspan(firstOfMany_[k], firstOfMany_[k + 1] - firstOfMany_[k]);
+}
+
+CircleIndex Finder::startNear(Point p) const {
   return starts_[bucketOf(p.y - corner_.y, height_, rows_) * columns_ + bucketOf(p.x - corner_.x, width_, columns_)];
 }
 
-std::int32_t Finder::find(Point p, std::int32_t hint) const {
+CircleIndex Finder::find(Point p, CircleIndex hint) const {
   if (starts_.empty()) return kNone;
-  std::int32_t circle = startNear(p);
-  if (hint != kNone && cells_.exists(hint) && cells_.lead(hint, circle, p) > 0) circle = hint;
+  CircleIndex circle = startNear(p);
+  if (hint != kNone && diagram_.hasCell(hint) && lead(diagram_, hint, circle, p) > 0) circle = hint;
   // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
   // that was marked at step 1, 2, 4, 8 and so on.
-  std::int32_t marked = circle;
+  CircleIndex marked = circle;
   std::size_t step = 0;
   for (std::size_t markAt = 1;; ++step) {
-    const std::int32_t next = nearerNeighbor(circle, p);
+    const CircleIndex next = nearerNeighbor(circle, p);
     if (next == kNone || next == marked) return circle;
     circle = next;
     if (step == markAt) {
@@ -122,35 +145,35 @@ std::int32_t Finder::find(Point p, std::int32_t hint) const {
   }
 }
 
-std::vector<std::int32_t> Finder::findAll(std::span<const Point> points) const {
-  std::vector<std::int32_t> result;
+std::vector<CircleIndex> Finder::findAll(std::span<const Point> points) const {
+  std::vector<CircleIndex> result;
   result.reserve(points.size());
-  for (const Point& p : points) result.push_back(find(p, result.empty() ? kNone : result.back()));
+  for (const Point& p : points) result.push_back(find(p, result.empty() ? CircleIndex() : result.back()));
   return result;
 }
 
 /// A neighbour nearer to p than the circle itself, or kNone.
-std::int32_t Finder::nearerNeighbor(std::int32_t circle, Point p) const {
-  const auto sides = cells_.sides(circle);
+CircleIndex Finder::nearerNeighbor(CircleIndex circle, Point p) const {
   double most = 0;
-  std::int32_t nearest = kNone;
-  const auto ask = [&](std::int32_t side) {
-    const std::int32_t neighbor = cells_.neighborOf(side);
-    const double lead = cells_.lead(neighbor, circle, p);
-    if (lead > most) {
-      most = lead;
+  CircleIndex nearest;
+  const auto ask = [&](SideIndex side) {
+    const CircleIndex neighbor = diagram_.neighborOf(side);
+    const double its = lead(diagram_, neighbor, circle, p);
+    if (its > most) {
+      most = its;
       nearest = neighbor;
     }
   };
-  if (sides.size() <= kFewSides || cells_.metric() == Metric::power) {
-    std::ranges::for_each(sides, ask);
+  const auto sides = manySides(circle);
+  if (sides.empty() || diagram_.metric == Metric::power) {
+    std::ranges::for_each(diagram_.sides(circle), ask);
     return nearest;
   }
-  const Circle& c = cells_.circles()[static_cast<std::size_t>(circle)];
+  const Circle& c = diagram_.circles[static_cast<std::size_t>(circle)];
   const Vector toPoint = {p.x - c.x, p.y - c.y};
-  const Vector reference = beginningOf(cells_, sides.front());
+  const Vector reference = beginningOf(diagram_, sides.front());
   const auto after = std::ranges::partition_point(
-      sides, [&](std::int32_t side) { return noLater(reference, beginningOf(cells_, side), toPoint); });
+      sides, [&](SideIndex side) { return noLater(reference, beginningOf(diagram_, side), toPoint); });
   // Rounding may be off by a side of next to no length.
   const auto k = static_cast<std::size_t>(after - sides.begin()) + sides.size();
   for (const std::size_t offset : {0U, 1U, 2U, 3U}) ask(sides[(k + 1 - offset) % sides.size()]);

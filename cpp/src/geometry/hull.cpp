@@ -39,9 +39,9 @@ void turnOnce(std::vector<HullArc>& arcs, std::span<const Circle> circles) {
 
 }  // namespace
 
-Hull hull(std::span<const Circle> circles, const Diagram& diagram) {
+Hull hull(const Diagram& diagram) {
   const auto circleAt = [&](std::size_t step) {
-    return circles[static_cast<std::size_t>(diagram.hull[step % diagram.hull.size()])];
+    return diagram.circles[static_cast<std::size_t>(diagram.hull[step % diagram.hull.size()])];
   };
   const std::size_t count = diagram.hull.size();
   Hull hull;
@@ -58,7 +58,7 @@ Hull hull(std::span<const Circle> circles, const Diagram& diagram) {
     hull.arcs.push_back({diagram.hull[step], pointOn(circleAt(step), in), pointOn(circleAt(step), out),
                          angle < 0 ? angle + kFullTurn : angle});
   }
-  turnOnce(hull.arcs, circles);
+  turnOnce(hull.arcs, diagram.circles);
 
   for (std::size_t step = 0; step < count; ++step) {
     const HullArc& arc = hull.arcs[step];

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "circle_voronoi/cells.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/queries.h"
 #include "clip.h"
@@ -104,8 +105,8 @@ std::array<double, 2> rootsOf(double growth, double half, double decay, double d
 
 class Search {
  public:
-  Search(const Cells& cells, const ConvexPolygon& region)
-      : cells_(cells), region_(region), sides_(sidesOf(region)), finder_(cells) {}
+  Search(const Diagram& diagram, const ConvexPolygon& region)
+      : diagram_(diagram), region_(region), sides_(sidesOf(region)), finder_(diagram) {}
 
   std::optional<EmptyDisc> run() {
     // First what touches most circles: of equal discs the first is kept.
@@ -128,21 +129,23 @@ class Search {
   }
   double radius() const { return best_ ? best_->disc.radius : -std::numeric_limits<double>::infinity(); }
 
-  void keep(Point p, double radius, const std::array<std::int32_t, 3>& circles) {
+  void keep(Point p, double radius, const std::array<CircleIndex, 3>& circles) {
     if (radius > this->radius()) best_ = {{p.x, p.y, radius}, circles};
   }
 
   /// The largest disc around p, if it touches the circles named but for rounding.
-  void offer(Point p, std::int32_t circle = kNone, std::int32_t other = kNone) {
+  void offer(Point p, CircleIndex circle = kNone, CircleIndex other = kNone) {
     const double depth = depthOf(p);
     if (!(depth > radius())) return;
-    const std::int32_t nearest = finder_.find(p, circle);
-    const double distance = cells_.distance(nearest, p);
+    const CircleIndex nearest = finder_.find(p, circle);
+    const double distance = circle_voronoi::distance(diagram_, nearest, p);
     if (circle == kNone) {
       if (distance <= depth) circle = nearest;
     } else {
-      const double size = std::abs(p.x) + std::abs(p.y) + depth + cells_.circles()[static_cast<std::size_t>(circle)].r;
-      if (nearest != circle && nearest != other && cells_.distance(circle, p) > distance + kRounding * size) return;
+      const double size = std::abs(p.x) + std::abs(p.y) + depth + diagram_.circles[static_cast<std::size_t>(circle)].r;
+      if (nearest != circle && nearest != other &&
+          circle_voronoi::distance(diagram_, circle, p) > distance + kRounding * size)
+        return;
       // It may touch but sides.
       if (distance > depth + kRounding * size + kRoundingOfPlace * depth) circle = other = kNone;
     }
@@ -150,10 +153,9 @@ class Search {
   }
 
   void offerVertices() {
-    const Diagram& diagram = cells_.diagram();
-    for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
-      const auto& [x, y, radius] = diagram.vertices[v];
-      if (radius > this->radius() && depthOf({x, y}) >= radius) keep({x, y}, radius, diagram.vertexCircles[v]);
+    for (std::size_t v = 0; v < diagram_.vertices.size(); ++v) {
+      const auto& [x, y, radius] = diagram_.vertices[v];
+      if (radius > this->radius() && depthOf({x, y}) >= radius) keep({x, y}, radius, diagram_.vertexCircles[v]);
     }
   }
 
@@ -162,16 +164,15 @@ class Search {
   /// + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n .
   /// along + |a|)).
   void offerAlongEdges() {
-    const Diagram& diagram = cells_.diagram();
-    for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
-      const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(e)];
-      const auto radiusAt = [&](std::int32_t v) {
+    for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram_.edges.size()); ++e) {
+      const auto& [left, right, start, end] = diagram_.edges[static_cast<std::size_t>(e)];
+      const auto radiusAt = [&](VertexIndex v) {
         return v == kNone ? std::numeric_limits<double>::infinity()
-                          : diagram.vertices[static_cast<std::size_t>(v)].radius;
+                          : diagram_.vertices[static_cast<std::size_t>(v)].radius;
       };
       // Along an edge the distance is largest at one of its ends.
       if (std::max(radiusAt(start), radiusAt(end)) <= radius()) continue;
-      for (const Part& part : partsInside(edgeCurve(cells_.circles(), diagram, e), region_)) {
+      for (const Part& part : partsInside(edgeCurve(diagram_, e), region_)) {
         const Bisector& bisector = part.curve.bisector;
         const double r = std::min(circle(left).r, circle(right).r) / bisector.unit;
         const double a = std::abs(bisector.a);
@@ -196,10 +197,10 @@ class Search {
 
   /// Discs that touch a circle and two sides.
   void offerAlongRidge(const Ridge& ridge) {
-    for (std::size_t i = 0; i < cells_.circles().size(); ++i) {
-      const auto index = static_cast<std::int32_t>(i);
+    for (std::size_t i = 0; i < diagram_.circles.size(); ++i) {
+      const CircleIndex index = static_cast<std::int32_t>(i);
       if (std::max(ridge.depthFrom, ridge.depthTo) <= radius()) return;
-      if (!cells_.exists(index)) continue;
+      if (!diagram_.hasCell(index)) continue;
       const auto& [x, y, r] = circle(index);
       const Vector toFrom = {ridge.from.x - x, ridge.from.y - y};
       const Vector step = {ridge.to.x - ridge.from.x, ridge.to.y - ridge.from.y};
@@ -221,9 +222,9 @@ class Search {
     }
   }
 
-  const Circle& circle(std::int32_t i) const { return cells_.circles()[static_cast<std::size_t>(i)]; }
+  const Circle& circle(CircleIndex i) const { return diagram_.circles[static_cast<std::size_t>(i)]; }
 
-  const Cells& cells_;
+  const Diagram& diagram_;
   const ConvexPolygon& region_;
   std::vector<Side> sides_;
   Finder finder_;
@@ -237,10 +238,10 @@ class Search {
 // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
 // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All of
 // these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
-std::optional<EmptyDisc> largestEmptyDiscInside(const Cells& cells, const ConvexPolygon& region) {
-  const auto centred = largestEmptyDiscCentredIn(cells, region);
+std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region) {
+  const auto centred = largestEmptyDiscCentredIn(diagram, region);
   if (!centred || centred->disc.radius <= 0) return centred;
-  return Search(cells, region).run();
+  return Search(diagram, region).run();
 }
 
 }  // namespace circle_voronoi

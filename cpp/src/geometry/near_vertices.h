@@ -12,6 +12,6 @@ namespace circle_voronoi {
 
 /// For each vertex of a certified diagram the one of smallest index that edges of length near zero join it with, as
 /// `mergeVertices` does by default. The library of files takes it from this one.
-CIRCLE_VORONOI_API std::vector<std::int32_t> firstVerticesHere(std::span<const Circle> circles, const Diagram& diagram);
+CIRCLE_VORONOI_API std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -102,14 +102,14 @@ std::vector<OutlinePiece> ringLoop(const ConvexPolygon& region) {
 
 class Clipper {
  public:
-  Clipper(const Cells& cells, std::int32_t circle, const ConvexPolygon& region)
-      : cells_(cells), circle_(circle), region_(region), ring_(region) {}
+  Clipper(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region)
+      : diagram_(diagram), circle_(circle), region_(region), ring_(region) {}
 
   Outline run() {
-    if (!cells_.exists(circle_)) return {};
+    if (!diagram_.hasCell(circle_)) return {};
     const bool isClosed = collectChains();
     if (chains_.empty()) {
-      if (cells_.contains(circle_, region_.middle())) return {ringLoop(region_)};
+      if (contains(diagram_, circle_, region_.middle())) return {ringLoop(region_)};
       return {};
     }
     if (isClosed) return {std::move(chains_.front().pieces)};
@@ -121,8 +121,8 @@ class Clipper {
   bool collectChains() {
     bool linked = false;           // whether the last chain goes on with the next side
     bool firstIsAtOrigin = false;  // whether the first chain begins where its side begins
-    const auto sides = cells_.sides(circle_);
-    for (const std::int32_t side : sides) {
+    const auto sides = diagram_.sides(circle_);
+    for (const SideIndex side : sides) {
       bool goesOn = false;
       for (const auto& [piece, cutFrom, cutTo] : piecesOf(side)) {
         const bool isAtOrigin = cutFrom == kNone;
@@ -132,7 +132,7 @@ class Clipper {
         }
         linked = false;
         goesOn = cutTo == kNone;
-        chains_.back().pieces.push_back({piece, side, cells_.neighborOf(side)});
+        chains_.back().pieces.push_back({piece, side, diagram_.neighborOf(side)});
         chains_.back().exit = place(cutTo, piece.end);
       }
       linked = goesOn;
@@ -148,9 +148,8 @@ class Clipper {
 
   /// The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the
   /// cells on either side meet bit for bit.
-  std::vector<Part> piecesOf(std::int32_t side) const {
-    std::vector<Part> pieces =
-        partsInside(edgeCurve(cells_.circles(), cells_.diagram(), side / 2, cells_.metric()), region_);
+  std::vector<Part> piecesOf(SideIndex side) const {
+    std::vector<Part> pieces = partsInside(edgeCurve(diagram_, Diagram::edgeOf(side)), region_);
     if (side % 2 == 0) return pieces;
     std::ranges::reverse(pieces);
     for (auto& [piece, cutFrom, cutTo] : pieces) {
@@ -244,14 +243,14 @@ class Clipper {
   /// How much nearer the circle is to a point than its nearest neighbour.
   double lead(Point p) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const std::int32_t side : cells_.sides(circle_)) {
-      least = std::min(least, cells_.lead(circle_, cells_.neighborOf(side), p));
+    for (const SideIndex side : diagram_.sides(circle_)) {
+      least = std::min(least, circle_voronoi::lead(diagram_, circle_, diagram_.neighborOf(side), p));
     }
     return least;
   }
 
-  const Cells& cells_;
-  std::int32_t circle_;
+  const Diagram& diagram_;
+  CircleIndex circle_;
   const ConvexPolygon& region_;
   Ring ring_;
   std::vector<Chain> chains_;
@@ -295,8 +294,8 @@ Moments momentsOf(const Outline& outline, double unit) {
 
 }  // namespace
 
-Outline outline(const Cells& cells, std::int32_t circle, const ConvexPolygon& region) {
-  return Clipper(cells, circle, region).run();
+Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region) {
+  return Clipper(diagram, circle, region).run();
 }
 
 double area(const Outline& outline) {

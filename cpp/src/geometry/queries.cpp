@@ -8,14 +8,14 @@
 
 namespace circle_voronoi {
 
-std::vector<std::array<std::int32_t, 2>> neighborPairs(const Diagram& diagram) {
+std::vector<std::array<CircleIndex, 2>> neighborPairs(const Diagram& diagram) {
   // First by the smaller index, then those of each: few.
-  std::int32_t last = kNone;
+  CircleIndex last;
   for (const Edge& edge : diagram.edges) last = std::max(last, std::min(edge.left, edge.right));
   std::vector<std::size_t> end(static_cast<std::size_t>(last) + 2);
   for (const Edge& edge : diagram.edges) ++end[static_cast<std::size_t>(std::min(edge.left, edge.right)) + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<std::array<std::int32_t, 2>> pairs(diagram.edges.size());
+  std::vector<std::array<CircleIndex, 2>> pairs(diagram.edges.size());
   for (const Edge& edge : diagram.edges) {
     const auto [smaller, larger] = std::minmax(edge.left, edge.right);
     pairs[end[static_cast<std::size_t>(smaller)]++] = {smaller, larger};
@@ -29,11 +29,11 @@ std::vector<std::array<std::int32_t, 2>> neighborPairs(const Diagram& diagram) {
   return pairs;
 }
 
-std::optional<ClosestPair> closestPair(std::span<const Circle> circles, const Diagram& diagram) {
+std::optional<ClosestPair> closestPair(const Diagram& diagram) {
   std::optional<ClosestPair> closest;
   for (const auto& [i, j] : neighborPairs(diagram)) {
-    const Circle& c = circles[static_cast<std::size_t>(i)];
-    const Circle& d = circles[static_cast<std::size_t>(j)];
+    const Circle& c = diagram.circles[static_cast<std::size_t>(i)];
+    const Circle& d = diagram.circles[static_cast<std::size_t>(j)];
     const double gap = lengthOf(between(c, d)) - c.r - d.r;
     if (!closest || gap < closest->gap) closest = {i, j, gap};
   }

@@ -96,8 +96,8 @@ void closeRing(std::vector<Point>& ring) {
 }  // namespace
 
 CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame), region_(frame.box) {
-  const Diagram& diagram = frame.cells.diagram();
-  const std::vector<std::int32_t> firstHere = firstVerticesHere(frame.cells.circles(), diagram);
+  const Diagram& diagram = frame.diagram;
+  const std::vector<std::int32_t> firstHere = firstVerticesHere(diagram);
   places_.reserve(firstHere.size());
   for (const Vertex& vertex : diagram.vertices) places_.push_back({vertex.x, vertex.y});
   // Of those that are one point the least, by x and then y: it does not depend on the order of the vertices.
@@ -112,11 +112,11 @@ CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame), region_(fr
 }
 
 void CellPolygons::followEdges() {
-  const auto& edges = frame_.cells.diagram().edges;
+  const auto& edges = frame_.diagram.edges;
   isInside_.reserve(edges.size());
   arcs_.reserve(edges.size() + 1);
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const EdgeCurve curve = edgeCurve(frame_.cells.circles(), frame_.cells.diagram(), static_cast<std::int32_t>(e));
+    const EdgeCurve curve = edgeCurve(frame_.diagram, static_cast<std::int32_t>(e));
     isInside_.push_back(circle_voronoi::isInside(frame_, edges[e], curve));
     arcs_.push_back({inner_.size()});
     if (!isInside_.back() || curve.isStraight()) continue;
@@ -133,15 +133,15 @@ void CellPolygons::followEdges() {
 /// Rounds what only edges inside the box have, and takes it back for edges that it turns around: then each step still
 /// turns around both foci, and polygons of such steps do not cross themselves.
 void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
-  const auto& edges = frame_.cells.diagram().edges;
+  const auto& edges = frame_.diagram.edges;
   const std::vector<Point> exactPlaces = places_;
   const std::vector<Point> exactInner = inner_;
   for (Point& p : places_) p = frame_.round(p);
   for (Point& p : inner_) p = frame_.round(p);
   // What is taken back is so for the first of the vertices that are one point.
   std::vector<bool> isRestored(places_.size(), false);
-  const auto firstOf = [&](std::int32_t vertex) { return index(firstHere[index(vertex)]); };
-  const auto restorePlace = [&](std::int32_t vertex) {
+  const auto firstOf = [&](VertexIndex vertex) { return index(firstHere[index(vertex)]); };
+  const auto restorePlace = [&](VertexIndex vertex) {
     if (vertex == kNone) return;
     places_[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
     isRestored[firstOf(vertex)] = true;
@@ -182,9 +182,9 @@ void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
 
 /// Whether each step of an edge, as its points are now, turns around both foci and is farther from them than rounding
 /// can move it.
-bool CellPolygons::turnsRight(std::int32_t edge, Point start, Point end) const {
-  const Edge& ends = frame_.cells.diagram().edges[index(edge)];
-  const auto circles = frame_.cells.circles();
+bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
+  const Edge& ends = frame_.diagram.edges[index(edge)];
+  const auto circles = frame_.diagram.circles;
   const Point left = {circles[index(ends.left)].x, circles[index(ends.left)].y};
   const Point right = {circles[index(ends.right)].x, circles[index(ends.right)].y};
   Point p = start;
@@ -202,33 +202,33 @@ bool CellPolygons::turnsRight(std::int32_t edge, Point start, Point end) const {
 }
 
 /// What prefetchPoints, isWhole, area and rings ask for first.
-void CellPolygons::prefetchEdges(std::int32_t circle) const {
-  for (const std::int32_t side : frame_.cells.sides(circle)) {
-    prefetch(frame_.cells.diagram().edges, index(side / 2));
-    prefetch(arcs_, index(side / 2));
+void CellPolygons::prefetchEdges(CircleIndex circle) const {
+  for (const SideIndex side : frame_.diagram.sides(circle)) {
+    prefetch(frame_.diagram.edges, index(Diagram::edgeOf(side)));
+    prefetch(arcs_, index(Diagram::edgeOf(side)));
   }
 }
 
-void CellPolygons::prefetchPoints(std::int32_t circle) const {
-  for (const std::int32_t side : frame_.cells.sides(circle)) {
-    prefetch(inner_, arcs_[index(side / 2)].firstInner);
-    const std::int32_t vertex = frame_.cells.originOf(side);
+void CellPolygons::prefetchPoints(CircleIndex circle) const {
+  for (const SideIndex side : frame_.diagram.sides(circle)) {
+    prefetch(inner_, arcs_[index(Diagram::edgeOf(side))].firstInner);
+    const VertexIndex vertex = frame_.diagram.originOf(side);
     if (vertex == kNone) continue;
     prefetch(places_, index(vertex));
-    prefetch(frame_.cells.diagram().vertices, index(vertex));
+    prefetch(frame_.diagram.vertices, index(vertex));
   }
 }
 
-bool CellPolygons::isWhole(std::int32_t circle) const {
-  const auto sides = frame_.cells.sides(circle);
-  return !sides.empty() && std::ranges::all_of(sides, [&](std::int32_t side) { return isInside(side / 2); });
+bool CellPolygons::isWhole(CircleIndex circle) const {
+  const auto sides = frame_.diagram.sides(circle);
+  return !sides.empty() && std::ranges::all_of(sides, [&](SideIndex side) { return isInside(Diagram::edgeOf(side)); });
 }
 
 /// Adds the points of a side of an edge inside the box, but for the last.
 template <class Add>
-void CellPolygons::addSide(std::int32_t side, Add add) const {
-  add(placeOf(frame_.cells.originOf(side)));
-  const auto points = innerPoints(side / 2);
+void CellPolygons::addSide(SideIndex side, Add add) const {
+  add(placeOf(frame_.diagram.originOf(side)));
+  const auto points = innerPoints(Diagram::edgeOf(side));
   if (side % 2 == 0) {
     std::for_each(points.begin(), points.end(), add);
   } else {
@@ -236,19 +236,18 @@ void CellPolygons::addSide(std::int32_t side, Add add) const {
   }
 }
 
-CellPolygons::Ring CellPolygons::wholeRing(std::int32_t circle) const {
+CellPolygons::Ring CellPolygons::wholeRing(CircleIndex circle) const {
   Ring ring;
-  ring.reserve(2 * frame_.cells.sides(circle).size());
   const auto add = [&](Point p) { addPoint(ring, p); };
-  for (const std::int32_t side : frame_.cells.sides(circle)) addSide(side, add);
+  for (const SideIndex side : frame_.diagram.sides(circle)) addSide(side, add);
   closeRing(ring);
   return ring;
 }
 
 /// Where an end of a part of an edge is drawn: in its vertex, if it is there but for rounding.
-Point CellPolygons::drawn(std::int32_t vertex, Point end) const {
+Point CellPolygons::drawn(VertexIndex vertex, Point end) const {
   if (vertex == kNone) return end;
-  const Vertex& place = frame_.cells.diagram().vertices[index(vertex)];
+  const Vertex& place = frame_.diagram.vertices[index(vertex)];
   const double distance = std::abs(end.x - place.x) + std::abs(end.y - place.y);
   const bool isThere = distance <= kRoundingError * std::max(std::abs(place.x), std::abs(place.y));
   return isThere ? placeOf(vertex) : end;
@@ -256,20 +255,20 @@ Point CellPolygons::drawn(std::int32_t vertex, Point end) const {
 
 /// The points of a piece of an edge in the direction of the outline, the same bits from either side.
 CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
-  if (isInside(piece.side / 2)) {
+  if (isInside(Diagram::edgeOf(piece.side))) {
     Ring points;
     addSide(piece.side, [&](Point p) { points.push_back(p); });
-    points.push_back(placeOf(frame_.cells.targetOf(piece.side)));
+    points.push_back(placeOf(frame_.diagram.targetOf(piece.side)));
     return points;
   }
-  const EdgeCurve curve = edgeDirection(frame_.cells, piece);
-  const Edge& edge = frame_.cells.diagram().edges[index(piece.side / 2)];
+  const EdgeCurve curve = edgeDirection(frame_.diagram, piece);
+  const Edge& edge = frame_.diagram.edges[index(Diagram::edgeOf(piece.side))];
   Ring points = pointsBetween(curve, drawn(edge.start, curve.start), drawn(edge.end, curve.end), frame_.tolerance);
   if (piece.side % 2 == 1) std::ranges::reverse(points);
   return points;
 }
 
-std::vector<CellPolygons::Ring> CellPolygons::rings(std::int32_t circle) const {
+std::vector<CellPolygons::Ring> CellPolygons::rings(CircleIndex circle) const {
   std::vector<Ring> rings;
   const auto keep = [&](Ring ring) {
     if (hasArea(ring)) rings.push_back(std::move(ring));
@@ -278,7 +277,7 @@ std::vector<CellPolygons::Ring> CellPolygons::rings(std::int32_t circle) const {
     keep(wholeRing(circle));
     return rings;
   }
-  for (const auto& loop : outline(frame_.cells, circle, region_)) {
+  for (const auto& loop : outline(frame_.diagram, circle, region_)) {
     Ring ring;
     for (std::size_t k = 0; k < loop.size(); ++k) {
       if (loop[k].side != kNone) {
@@ -294,35 +293,35 @@ std::vector<CellPolygons::Ring> CellPolygons::rings(std::int32_t circle) const {
   return rings;
 }
 
-std::vector<CellPolygons::Ring> CellPolygons::polylines(std::int32_t edge) const {
+std::vector<CellPolygons::Ring> CellPolygons::polylines(EdgeIndex edge) const {
   if (isInside(edge)) return {pointsOf({{}, 2 * edge, kNone})};
   std::vector<Ring> lines;
-  for (const EdgeCurve& part : clip(edgeCurve(frame_.cells.circles(), frame_.cells.diagram(), edge), region_)) {
+  for (const EdgeCurve& part : clip(edgeCurve(frame_.diagram, edge), region_)) {
     lines.push_back(pointsOf({part, 2 * edge, kNone}));
   }
   return lines;
 }
 
-double CellPolygons::area(std::int32_t circle) const {
+double CellPolygons::area(CircleIndex circle) const {
   if (isWhole(circle)) {
-    const auto& vertices = frame_.cells.diagram().vertices;
-    const auto sides = frame_.cells.sides(circle);
-    const auto vertexAt = [&](std::int32_t side) {
-      const Vertex& vertex = vertices[index(frame_.cells.originOf(side))];
+    const auto& vertices = frame_.diagram.vertices;
+    const auto sides = frame_.diagram.sides(circle);
+    const auto vertexAt = [&](SideIndex side) {
+      const Vertex& vertex = vertices[index(frame_.diagram.originOf(side))];
       return Point{vertex.x, vertex.y};
     };
     const Point reference = vertexAt(sides.front());
     Vector last{};
     double sum = 0;
-    for (const std::int32_t side : sides) {
+    for (const SideIndex side : sides) {
       const Vector next = vectorTo(reference, vertexAt(side));
-      const double beyond = arcs_[index(side / 2)].beyond;
+      const double beyond = arcs_[index(Diagram::edgeOf(side))].beyond;
       sum += cross(last, next) / 2 + (side % 2 == 0 ? beyond : -beyond);
       last = next;
     }
     if (isSafe(sum) && sum > 0) return sum;
   }
-  return circle_voronoi::area(outline(frame_.cells, circle, region_));
+  return circle_voronoi::area(outline(frame_.diagram, circle, region_));
 }
 
 }  // namespace circle_voronoi

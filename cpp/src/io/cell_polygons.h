@@ -24,42 +24,42 @@ class CellPolygons {
   /// Closed rings of a cell inside the box, counter-clockwise, without the first point at the end and without points in
   /// a row that are equal. They do not cross themselves, however large the tolerance is. Rings are left out whose area
   /// is but rounding error.
-  std::vector<Ring> rings(std::int32_t circle) const;
+  std::vector<Ring> rings(CircleIndex circle) const;
 
   /// Calls `visitCell` with each circle in order; quicker than doing so without this.
   template <class VisitCell>
   void visit(VisitCell visitCell) const {
     visitAhead(
-        static_cast<std::int32_t>(frame_.cells.circles().size()), [&](std::int32_t i) { prefetchEdges(i); },
+        static_cast<std::int32_t>(frame_.diagram.circles.size()), [&](std::int32_t i) { prefetchEdges(i); },
         [&](std::int32_t i) { prefetchPoints(i); }, visitCell);
   }
 
   /// The parts of an edge inside the box, from its start to its end.
-  std::vector<Ring> polylines(std::int32_t edge) const;
+  std::vector<Ring> polylines(EdgeIndex edge) const;
 
   /// The area of a cell inside the box, but for rounding that of the cell, not of its polygon.
-  double area(std::int32_t circle) const;
+  double area(CircleIndex circle) const;
 
  private:
-  std::span<const Point> innerPoints(std::int32_t edge) const {
+  std::span<const Point> innerPoints(EdgeIndex edge) const {
     const auto e = static_cast<std::size_t>(edge);
     return std::span(inner_).subspan(arcs_[e].firstInner, arcs_[e + 1].firstInner - arcs_[e].firstInner);
   }
-  bool isInside(std::int32_t edge) const { return isInside_[static_cast<std::size_t>(edge)]; }
-  bool isWhole(std::int32_t circle) const;
-  Point placeOf(std::int32_t vertex) const { return places_[static_cast<std::size_t>(vertex)]; }
+  bool isInside(EdgeIndex edge) const { return isInside_[static_cast<std::size_t>(edge)]; }
+  bool isWhole(CircleIndex circle) const;
+  Point placeOf(VertexIndex vertex) const { return places_[static_cast<std::size_t>(vertex)]; }
 
   void followEdges();
   void roundPoints(const std::vector<std::int32_t>& firstHere);
-  void prefetchEdges(std::int32_t circle) const;
-  void prefetchPoints(std::int32_t circle) const;
-  bool turnsRight(std::int32_t edge, Point start, Point end) const;
+  void prefetchEdges(CircleIndex circle) const;
+  void prefetchPoints(CircleIndex circle) const;
+  bool turnsRight(EdgeIndex edge, Point start, Point end) const;
 
   template <class Add>
-  void addSide(std::int32_t side, Add add) const;
+  void addSide(SideIndex side, Add add) const;
   Ring pointsOf(const OutlinePiece& piece) const;
-  Ring wholeRing(std::int32_t circle) const;
-  Point drawn(std::int32_t vertex, Point end) const;
+  Ring wholeRing(CircleIndex circle) const;
+  Point drawn(VertexIndex vertex, Point end) const;
 
   const ExportFrame& frame_;
   ConvexPolygon region_;

@@ -31,15 +31,15 @@ Box exportBox(std::span<const Circle> circles) {
   return {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
 }
 
-ExportFrame::ExportFrame(std::span<const Circle> circles, const Diagram& diagram, const ExportOptions& options)
-    : cells(circles, diagram),
-      box(options.box ? *options.box : exportBox(circles)),
+ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options)
+    : diagram(its),
+      box(options.box ? *options.box : exportBox(diagram.circles)),
       grid(kRoundingShare * toleranceOf(box, options)),
       tolerance(toleranceOf(box, options) - grid.error()) {}
 
-EdgeCurve edgeDirection(const Cells& cells, const OutlinePiece& piece) {
+EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece) {
   const bool isAgainst = piece.side % 2 == 1;
-  EdgeCurve curve = edgeCurve(cells.circles(), cells.diagram(), piece.side / 2, cells.metric());
+  EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(piece.side));
   curve.start = isAgainst ? piece.curve.end : piece.curve.start;
   curve.end = isAgainst ? piece.curve.start : piece.curve.end;
   curve.from = parameterAt(curve.bisector, curve.start);

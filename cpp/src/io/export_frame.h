@@ -7,13 +7,13 @@
 
 namespace circle_voronoi {
 
-/// What every writer of a drawing needs: the cells, the region, and how closely curves and coordinates are written.
+/// What every writer of a drawing needs: the diagram, the region, and how closely curves and coordinates are written.
 struct ExportFrame {
-  ExportFrame(std::span<const Circle> circles, const Diagram& diagram, const ExportOptions& options);
+  ExportFrame(const Diagram& its, const ExportOptions& options);
 
   Point round(Point p) const { return {grid.round(p.x), grid.round(p.y)}; }
 
-  Cells cells;
+  const Diagram& diagram;
   Box box;
   DecimalGrid grid;
   double tolerance;  ///< of curves: what rounding leaves of it
@@ -21,7 +21,7 @@ struct ExportFrame {
 
 /// The curve of a piece of an outline, which is not of the region's boundary, in the direction of its edge: the same
 /// bits from either side.
-EdgeCurve edgeDirection(const Cells& cells, const OutlinePiece& piece);
+EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece);
 
 /// Whether an edge lies in the box, so far inside that it does so when its points are rounded. Then so do its ends.
 bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve);

@@ -36,7 +36,7 @@ std::int32_t index(double value) { return static_cast<std::int32_t>(value); }
 struct Section {
   std::string_view key;
   std::vector<Field> fields;
-  void (*add)(const Values& values, DiagramFile& file);
+  void (*add)(const Values& values, Diagram& diagram);
 
   /// Whether its items are numbers, not objects.
   bool isPlain() const { return fields.front().key.empty(); }
@@ -48,29 +48,29 @@ constexpr bool kReal = false;
 const std::array<Section, 5> kSections = {{
     {"circles",
      {{"x", 0, 1, !kArray, kReal}, {"y", 1, 1, !kArray, kReal}, {"r", 2, 1, !kArray, kReal}},
-     [](const Values& v, DiagramFile& file) {
-       file.circles.push_back({v[0], v[1], v[2]});
+     [](const Values& v, Diagram& diagram) {
+       diagram.circles.push_back({v[0], v[1], v[2]});
      }},
     {"hidden",
      {{"circle", 0}, {"by", 1}},
-     [](const Values& v, DiagramFile& file) {
-       file.diagram.hidden.push_back({index(v[0]), index(v[1])});
+     [](const Values& v, Diagram& diagram) {
+       diagram.hidden.push_back({index(v[0]), index(v[1])});
      }},
     {"vertices",
      {{"x", 0, 1, !kArray, kReal},
       {"y", 1, 1, !kArray, kReal},
       {"radius", 2, 1, !kArray, kReal},
       {"circles", 3, 3, kArray}},
-     [](const Values& v, DiagramFile& file) {
-       file.diagram.vertices.push_back({v[0], v[1], v[2]});
-       file.diagram.vertexCircles.push_back({index(v[3]), index(v[4]), index(v[5])});
+     [](const Values& v, Diagram& diagram) {
+       diagram.vertices.push_back({v[0], v[1], v[2]});
+       diagram.vertexCircles.push_back({index(v[3]), index(v[4]), index(v[5])});
      }},
     {"edges",
      {{"circles", 0, 2, kArray}, {"vertices", 2, 2, kArray}},
-     [](const Values& v, DiagramFile& file) {
-       file.diagram.edges.push_back({index(v[0]), index(v[1]), index(v[2]), index(v[3])});
+     [](const Values& v, Diagram& diagram) {
+       diagram.edges.push_back({index(v[0]), index(v[1]), index(v[2]), index(v[3])});
      }},
-    {"hull", {{"", 0}}, [](const Values& v, DiagramFile& file) { file.diagram.hull.push_back(index(v[0])); }},
+    {"hull", {{"", 0}}, [](const Values& v, Diagram& diagram) { diagram.hull.push_back(index(v[0])); }},
 }};
 
 class DiagramReader {
@@ -89,7 +89,7 @@ class DiagramReader {
     reader_.finish();
   }
 
-  DiagramFile file;
+  Diagram diagram;
   std::vector<std::size_t> circleOffsets;  ///< where each circle ends in the text
 
  private:
@@ -118,7 +118,7 @@ class DiagramReader {
       expect(JsonKind::number, [] { return "a number for version"; });
       if (reader_.number() != kVersion) reader_.fail("the version is not 1, the only one that can be read.");
     } else if (key == "stats") {
-      file.diagram.stats = readStats(reader_);
+      diagram.stats = readStats(reader_);
     } else {
       reader_.skip();
     }
@@ -142,7 +142,7 @@ class DiagramReader {
       } else {
         readItem(section);
       }
-      section.add(values_, file);
+      section.add(values_, diagram);
       if (isOfCircles) circleOffsets.push_back(reader_.offset());
     }
   }
@@ -212,8 +212,8 @@ class DiagramReader {
 
 }  // namespace
 
-Result<DiagramFile> readDiagram(std::string_view text, std::string_view name) {
-  return guarded([&]() -> Result<DiagramFile> {
+Result<Diagram> readDiagram(std::string_view text, std::string_view name) {
+  return guarded([&]() -> Result<Diagram> {
     const auto content = contentOf(text, name);
     if (!content) return content.error();
     const std::string_view rest = content.value();
@@ -223,9 +223,11 @@ Result<DiagramFile> readDiagram(std::string_view text, std::string_view name) {
     } catch (const ReadFailure& failure) {
       return errorAt(name, rest, failure.offset, failure.reason);
     }
-    const auto& circles = reader.file.circles;
-    if (const auto judged = validate(circles); !judged) return placed(judged.error(), reader.circleOffsets, name, rest);
-    return std::move(reader.file);
+    if (const auto judged = validate(reader.diagram.circles); !judged) {
+      return placed(judged.error(), reader.circleOffsets, name, rest);
+    }
+    linkSides(reader.diagram);
+    return std::move(reader.diagram);
   });
 }
 

@@ -33,21 +33,21 @@ void writeGeometry(Writer& out, const std::vector<std::vector<Point>>& rings) {
 }
 
 /// Writes the cell of each chosen circle as a feature, with a separator between them; whether there is one.
-bool writeFeatures(Writer& out, std::span<const Circle> circles, const Diagram& diagram, const ExportOptions& options,
-                   const Selection& selection, std::string_view separator) {
-  const ExportFrame frame(circles, diagram, options);
+bool writeFeatures(Writer& out, const Diagram& diagram, const ExportOptions& options, const Selection& selection,
+                   std::string_view separator) {
+  const ExportFrame frame(diagram, options);
   const CellPolygons polygons(frame);
-  std::vector<std::int32_t> hiders(circles.size(), kNone);
+  std::vector<std::int32_t> hiders(diagram.circles.size(), kNone);
   for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
   std::string_view between;
   bool isAny = false;
   polygons.visit([&](std::int32_t i) {
     if (!selection.contains(i)) return;
     out << between << R"({"type":"Feature","properties":{"circle":)" << selection.id(i) << R"(,"radius":)"
-        << circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << polygons.area(i) << R"(,"neighbors":[)";
+        << diagram.circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << polygons.area(i) << R"(,"neighbors":[)";
     std::string_view comma;
-    for (const std::int32_t side : frame.cells.sides(i)) {
-      out << comma << selection.id(frame.cells.neighborOf(side));
+    for (const SideIndex side : frame.diagram.sides(i)) {
+      out << comma << selection.id(frame.diagram.neighborOf(side));
       comma = ",";
     }
     out << "]";
@@ -65,18 +65,17 @@ bool writeFeatures(Writer& out, std::span<const Circle> circles, const Diagram& 
 
 }  // namespace
 
-void writeGeoJson(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
-                  const ExportOptions& options) {
+void writeGeoJson(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   Writer out(stream);
-  out << R"({"type":"FeatureCollection","features":[)" << (circles.empty() ? "" : "\n");
-  writeFeatures(out, circles, diagram, options, {}, ",\n");
+  out << R"({"type":"FeatureCollection","features":[)" << (diagram.circles.empty() ? "" : "\n");
+  writeFeatures(out, diagram, options, {}, ",\n");
   out << "\n]}\n";
 }
 
-void writeGeoJsonLines(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
-                       const ExportOptions& options, const Selection& selection) {
+void writeGeoJsonLines(std::ostream& stream, const Diagram& diagram, const ExportOptions& options,
+                       const Selection& selection) {
   Writer out(stream);
-  if (writeFeatures(out, circles, diagram, options, selection, "\n")) out << "\n";
+  if (writeFeatures(out, diagram, options, selection, "\n")) out << "\n";
 }
 
 }  // namespace circle_voronoi

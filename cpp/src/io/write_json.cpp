@@ -44,11 +44,12 @@ void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
 
 }  // namespace
 
-void writeJson(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram) {
+void writeJson(std::ostream& stream, const Diagram& diagram) {
   Writer out(stream);
   out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n \"circles\": ";
-  writeLines(out, circles.size(), [&](std::size_t i) {
-    out << "{\"x\": " << circles[i].x << ", \"y\": " << circles[i].y << ", \"r\": " << circles[i].r << "}";
+  writeLines(out, diagram.circles.size(), [&](std::size_t i) {
+    out << "{\"x\": " << diagram.circles[i].x << ", \"y\": " << diagram.circles[i].y
+        << ", \"r\": " << diagram.circles[i].r << "}";
   });
   out << ",\n \"hidden\": ";
   writeLines(out, diagram.hidden.size(), [&](std::size_t i) {

@@ -16,10 +16,9 @@ void writeElement(Writer& out, std::string_view element, const std::vector<Point
 
 }  // namespace
 
-void writeObj(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
-              const ExportOptions& options) {
+void writeObj(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   Writer out(stream);
-  const ExportFrame frame(circles, diagram, options);
+  const ExportFrame frame(diagram, options);
   const CellPolygons polygons(frame);
   std::int64_t count = 0;
   out << "# Voronoi diagram of circles\no edges\n";
@@ -27,7 +26,7 @@ void writeObj(std::ostream& stream, std::span<const Circle> circles, const Diagr
     for (const auto& line : polygons.polylines(e)) writeElement(out, "l", line, count);
   }
   out << "o cells\n";
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
     out << "g circle" << i << "\n";
     for (const auto& ring : polygons.rings(i)) writeElement(out, "f", ring, count);
   }

@@ -65,13 +65,13 @@ void trace(Writer& out, Iterator inner, Iterator innerEnd, Point end) {
 /// What is drawn, with points rounded by the frame. Edges inside the box are followed once.
 struct Drawing {
   explicit Drawing(const ExportFrame& exportFrame) : frame(exportFrame), region(exportFrame.box) {
-    const Diagram& diagram = frame.cells.diagram();
+    const Diagram& diagram = frame.diagram;
     vertices.reserve(diagram.vertices.size());
     isInside.reserve(diagram.edges.size());
     firstInner.reserve(diagram.edges.size() + 1);
     for (const Vertex& vertex : diagram.vertices) vertices.push_back(frame.round({vertex.x, vertex.y}));
     for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
-      const EdgeCurve curve = edgeCurve(frame.cells.circles(), diagram, static_cast<std::int32_t>(e));
+      const EdgeCurve curve = edgeCurve(diagram, static_cast<std::int32_t>(e));
       isInside.push_back(circle_voronoi::isInside(frame, diagram.edges[e], curve));
       firstInner.push_back(inner.size());
       if (!isInside.back()) continue;
@@ -84,10 +84,10 @@ struct Drawing {
   Point vertexAt(std::int32_t v) const { return vertices[static_cast<std::size_t>(v)]; }
 
   /// Draws a side whose edge is inside the box on from its start.
-  void traceSide(Writer& out, std::int32_t side) const {
+  void traceSide(Writer& out, SideIndex side) const {
     const auto e = static_cast<std::size_t>(side / 2);
     const auto points = std::span(inner).subspan(firstInner[e], firstInner[e + 1] - firstInner[e]);
-    const Point end = vertexAt(frame.cells.targetOf(side));
+    const Point end = vertexAt(frame.diagram.targetOf(side));
     if (side % 2 == 0) {
       trace(out, points.begin(), points.end(), end);
     } else {
@@ -97,14 +97,14 @@ struct Drawing {
 
   /// For visitAhead: what traceSide needs. Inlined, as a compiler may take a function that only does this for idle.
   [[gnu::always_inline]] void prefetchEdges(std::int32_t circle) const {
-    for (const std::int32_t side : frame.cells.sides(circle)) {
-      prefetch(frame.cells.diagram().edges, static_cast<std::size_t>(side / 2));
+    for (const SideIndex side : frame.diagram.sides(circle)) {
+      prefetch(frame.diagram.edges, static_cast<std::size_t>(side / 2));
       prefetch(firstInner, static_cast<std::size_t>(side / 2));
     }
   }
   [[gnu::always_inline]] void prefetchPoints(std::int32_t circle) const {
-    for (const std::int32_t side : frame.cells.sides(circle)) {
-      if (const std::int32_t end = frame.cells.targetOf(side); end != kNone) {
+    for (const SideIndex side : frame.diagram.sides(circle)) {
+      if (const std::int32_t end = frame.diagram.targetOf(side); end != kNone) {
         prefetch(vertices, static_cast<std::size_t>(end));
       }
       prefetch(inner, firstInner[static_cast<std::size_t>(side / 2)]);
@@ -124,26 +124,26 @@ void tracePiece(Writer& out, const Drawing& drawing, const OutlinePiece& piece) 
   const ExportFrame& frame = drawing.frame;
   std::vector<Point> points;
   if (piece.side != kNone) {
-    points = innerPoints(frame, edgeDirection(frame.cells, piece));
+    points = innerPoints(frame, edgeDirection(frame.diagram, piece));
     if (piece.side % 2 == 1) std::ranges::reverse(points);
   }
   trace(out, points.begin(), points.end(), frame.round(piece.curve.end));
 }
 
 void writeCells(Writer& out, const Drawing& drawing) {
-  const Cells& cells = drawing.frame.cells;
-  const auto isInside = [&](std::int32_t side) { return drawing.isInside[static_cast<std::size_t>(side / 2)]; };
+  const Diagram& diagram = drawing.frame.diagram;
+  const auto isInside = [&](SideIndex side) { return drawing.isInside[static_cast<std::size_t>(side / 2)]; };
   const auto writeCell = [&](std::int32_t i) {
     const auto begin = [&] { out << "<path data-circle=\"" << i << "\" d=\""; };
-    const auto sides = cells.sides(i);
+    const auto sides = diagram.sides(i);
     if (!sides.empty() && std::ranges::all_of(sides, isInside)) {
       begin();
-      writePoint(out, "M", drawing.vertexAt(cells.originOf(sides.front())));
-      for (const std::int32_t side : sides) drawing.traceSide(out, side);
+      writePoint(out, "M", drawing.vertexAt(diagram.originOf(sides.front())));
+      for (const SideIndex side : sides) drawing.traceSide(out, side);
       out << "Z\"/>\n";
       return;
     }
-    const Outline loops = outline(cells, i, drawing.region);
+    const Outline loops = outline(diagram, i, drawing.region);
     if (loops.empty()) return;
     begin();
     for (const auto& loop : loops) {
@@ -154,23 +154,23 @@ void writeCells(Writer& out, const Drawing& drawing) {
     out << "\"/>\n";
   };
   visitAhead(
-      static_cast<std::int32_t>(cells.circles().size()), [&](std::int32_t i) { drawing.prefetchEdges(i); },
+      static_cast<std::int32_t>(diagram.circles.size()), [&](std::int32_t i) { drawing.prefetchEdges(i); },
       [&](std::int32_t i) { drawing.prefetchPoints(i); }, writeCell);
 }
 
 void writeEdges(Writer& out, const Drawing& drawing) {
   const ExportFrame& frame = drawing.frame;
-  const Diagram& diagram = frame.cells.diagram();
+  const Diagram& diagram = frame.diagram;
   for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
     const auto begin = [&] { out << "<path data-edge=\"" << e << "\" d=\""; };
     if (drawing.isInside[static_cast<std::size_t>(e)]) {
       begin();
-      writePoint(out, "M", drawing.vertexAt(frame.cells.originOf(2 * e)));
+      writePoint(out, "M", drawing.vertexAt(frame.diagram.originOf(2 * e)));
       drawing.traceSide(out, 2 * e);
       out << "\"/>\n";
       continue;
     }
-    const auto parts = clip(edgeCurve(frame.cells.circles(), diagram, e), drawing.region);
+    const auto parts = clip(edgeCurve(diagram, e), drawing.region);
     if (parts.empty()) continue;
     begin();
     for (const EdgeCurve& part : parts) {
@@ -183,13 +183,13 @@ void writeEdges(Writer& out, const Drawing& drawing) {
 }
 
 void writeDual(Writer& out, const ExportFrame& frame) {
-  const auto circles = frame.cells.circles();
+  const auto circles = frame.diagram.circles;
   const auto centre = [&](std::int32_t i) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
     return frame.round({c.x, c.y});
   };
   const Box& box = frame.box;
-  const auto pairs = neighborPairs(frame.cells.diagram());
+  const auto pairs = neighborPairs(frame.diagram);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     if (pairs.size() - k > kPrefetchAhead) {
       prefetch(circles, static_cast<std::size_t>(pairs[k + kPrefetchAhead][1]));
@@ -206,8 +206,8 @@ void writeDual(Writer& out, const ExportFrame& frame) {
 
 /// With all digits: where an arc is almost a whole circle, its ends are next to each other and say where its centre is.
 void writeHull(Writer& out, const ExportFrame& frame) {
-  const auto circles = frame.cells.circles();
-  const Hull shape = hull(circles, frame.cells.diagram());
+  const auto circles = frame.diagram.circles;
+  const Hull shape = hull(frame.diagram);
   if (shape.arcs.empty()) return;
   if (shape.arcs.size() == 1) {
     const Circle& c = circles[static_cast<std::size_t>(shape.arcs[0].circle)];
@@ -229,13 +229,13 @@ void writeHull(Writer& out, const ExportFrame& frame) {
 /// Circles of radius below `visible` are drawn as dots.
 void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
   const Box& box = frame.box;
-  const auto circles = frame.cells.circles();
+  const auto circles = frame.diagram.circles;
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     const Circle& circle = circles[static_cast<std::size_t>(i)];
     const auto& [x, y] = frame.round({circle.x, circle.y});
     const double r = frame.grid.round(circle.r);
     if (x + r < box.minX || x - r > box.maxX || y + r < box.minY || y - r > box.maxY) continue;
-    const bool isHidden = !frame.cells.exists(i);
+    const bool isHidden = !frame.diagram.hasCell(i);
     const bool isPoint = circle.r < visible;
     out << (r == 0 ? "<path" : "<circle") << " data-circle=\"" << i << "\"";
     if (isPoint || isHidden) {
@@ -251,7 +251,7 @@ void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
 }
 
 void writeVertices(Writer& out, const Drawing& drawing, double radius) {
-  const auto& vertices = drawing.frame.cells.diagram().vertices;
+  const auto& vertices = drawing.frame.diagram.vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (!drawing.region.contains({vertices[v].x, vertices[v].y})) continue;
     out << "<circle data-vertex=\"" << static_cast<std::int64_t>(v) << "\" cx=\"" << drawing.vertices[v].x << "\" cy=\""
@@ -303,24 +303,22 @@ void writeLayer(Writer& out, const ExportFrame& frame, const SvgLayer& layer, do
 
 }  // namespace
 
-void writeSvg(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
-              const ExportOptions& options) {
+void writeSvg(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   SvgFigure figure;
   figure.frame = options;
-  writeSvgFigure(stream, circles, diagram, figure);
+  writeSvgFigure(stream, diagram, figure);
 }
 
-void writeSvgFigure(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
-                    const SvgFigure& figure) {
+void writeSvgFigure(std::ostream& stream, const Diagram& diagram, const SvgFigure& figure) {
   Writer out(stream);
-  const ExportFrame frame(circles, diagram, figure.frame);
+  const ExportFrame frame(diagram, figure.frame);
   const Drawing drawing(frame);
   const double width = frame.box.maxX - frame.box.minX;
   const double height = frame.box.maxY - frame.box.minY;
   const double unit = std::max(width, height) / figure.pixels;  // what a pixel stands for
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
       << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height << "\">\n"
-      << "<title>Voronoi diagram of circles</title>\n<desc>" << static_cast<std::int64_t>(circles.size())
+      << "<title>Voronoi diagram of circles</title>\n<desc>" << static_cast<std::int64_t>(diagram.circles.size())
       << " circles, " << static_cast<std::int64_t>(diagram.hidden.size()) << " of them hidden; "
       << static_cast<std::int64_t>(diagram.vertices.size()) << " vertices, "
       << static_cast<std::int64_t>(diagram.edges.size()) << " edges</desc>\n"

@@ -20,10 +20,9 @@ void writePolygon(Writer& out, const std::vector<Point>& ring) {
 
 }  // namespace
 
-void writeWkt(std::ostream& stream, std::span<const Circle> circles, const Diagram& diagram,
-              const ExportOptions& options) {
+void writeWkt(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
   Writer out(stream);
-  const ExportFrame frame(circles, diagram, options);
+  const ExportFrame frame(diagram, options);
   const CellPolygons polygons(frame);
   polygons.visit([&](std::int32_t i) {
     const auto rings = polygons.rings(i);

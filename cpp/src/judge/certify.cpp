@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <variant>
 #include <vector>
 
+#include "adjacency.h"
 #include "certificate_message.h"
 #include "circle_voronoi/certificate.h"
 #include "guarded.h"
@@ -19,9 +21,31 @@ namespace {
 /// The visible circles of a diagram, if its list of hidden ones is right.
 struct Visible {
   std::vector<Circle> circles;
-  std::vector<std::int32_t> indices;  ///< of each its index in the input
-  std::vector<std::int32_t> sites;    ///< of each input circle its place in `circles`, kNone if hidden
+  std::vector<CircleIndex> indices;  ///< of each its index in the input
+  std::vector<std::int32_t> sites;   ///< of each input circle its place in `circles`, kNone if hidden
 };
+
+/// The part of a diagram that is not as its sides are linked, or a certificate without a flaw.
+Certificate judgeSides(const Diagram& diagram) {
+  const auto right = adjacencyOf(diagram);
+  // A diagram whose dual is right fits together.
+  if (!right || diagram.nextSide.size() != right->nextSide.size() ||
+      diagram.vertexSides.size() != right->vertexSides.size() || diagram.firstSide.size() != right->firstSide.size()) {
+    return {Flaw::adjacency, 0, kNone, kNone, {}};
+  }
+  const auto firstDifference = [](const auto& a, const auto& b) {
+    const auto [found, other] = std::ranges::mismatch(a, b);
+    return found == a.end() ? kNone : static_cast<std::int32_t>(found - a.begin());
+  };
+  if (const SideIndex side = firstDifference(diagram.nextSide, right->nextSide); side != kNone) {
+    return {Flaw::adjacency, diagram.circleOf(side), kNone, kNone, {}};
+  }
+  if (const VertexIndex vertex = firstDifference(diagram.vertexSides, right->vertexSides); vertex != kNone) {
+    return {Flaw::adjacency, kNone, vertex, kNone, {}};
+  }
+  const CircleIndex circle = firstDifference(diagram.firstSide, right->firstSide);
+  return {circle == kNone ? Flaw::none : Flaw::adjacency, circle, kNone, kNone, {}};
+}
 
 std::variant<Visible, Certificate> visibleCircles(std::span<const Circle> circles, const Diagram& diagram) {
   const auto count = static_cast<std::int32_t>(circles.size());
@@ -55,13 +79,13 @@ Topology topologyOf(const Diagram& diagram, const std::vector<std::int32_t>& sit
   };
   Topology topology{diagram.vertexCircles, diagram.edges, diagram.hull};
   for (auto& triple : topology.vertexCircles) {
-    for (std::int32_t& i : triple) i = site(i);
+    for (CircleIndex& i : triple) i = site(i);
   }
   for (Edge& edge : topology.edges) {
     edge.left = site(edge.left);
     edge.right = site(edge.right);
   }
-  for (std::int32_t& i : topology.hull) i = site(i);
+  for (CircleIndex& i : topology.hull) i = site(i);
   return topology;
 }
 
@@ -125,7 +149,7 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
   auto dual = dualOf(topology, count);
   if (const auto* misfit = std::get_if<Misfit>(&dual)) {
     return {misfit->flaw,
-            misfit->circle == kNone ? kNone : visible.indices[misfit->circle],
+            misfit->circle == kNone ? CircleIndex() : visible.indices[misfit->circle],
             misfit->vertex,
             misfit->edge,
             {}};
@@ -138,15 +162,19 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
     certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit);
     if (certificate.vertex != kNone) certificate.flaw = Flaw::vertexMisplaced;
   }
-  return certificate;
+  return certificate.certified() ? judgeSides(diagram) : certificate;
 }
 
 }  // namespace
 
-Result<Certificate> certify(std::span<const Circle> circles, const Diagram& diagram) {
+Result<Certificate> certify(const Diagram& diagram) {
   return guarded([&]() -> Result<Certificate> {
-    const auto scaled = validate(circles);
+    if (diagram.metric == Metric::power) {
+      return Error{ErrorCode::badOption, -1, "There is no certificate for a power diagram."};
+    }
+    auto scaled = validate(diagram.circles);
     if (!scaled) return scaled.error();
+    if (diagram.metric == Metric::centres) scaled = validate(pointsOf(diagram.circles));
     Certificate certificate = judgeDiagram(scaled.value().circles, scaled.value().unit, diagram);
     certificate.message = messageOf(certificate, diagram);
     return certificate;

@@ -86,9 +86,9 @@ std::optional<Error> checkKnown(const Known& known) {
   return std::nullopt;
 }
 
-bool fits(const Diagram& diagram, std::size_t circleCount) {
-  const auto isCircle = [&](std::int32_t i) { return i >= 0 && static_cast<std::size_t>(i) < circleCount; };
-  const auto isEnd = [&](std::int32_t v) {
+bool fits(const Diagram& diagram) {
+  const auto isCircle = [&](CircleIndex i) { return i >= 0 && static_cast<std::size_t>(i) < diagram.circles.size(); };
+  const auto isEnd = [&](VertexIndex v) {
     return v == kNone || (v >= 0 && static_cast<std::size_t>(v) < diagram.vertexCircles.size());
   };
   const auto isVertex = [&](const auto& triple) { return std::all_of(triple.begin(), triple.end(), isCircle); };
@@ -103,7 +103,7 @@ FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, con
   const auto& circles = scaled.circles;
   FinalCells result;
   result.neededHalo.assign(circles.size(), 0);
-  const auto need = [&](std::int32_t circle, double excess) {
+  const auto need = [&](CircleIndex circle, double excess) {
     if (excess < 0) return;
     // A step more where it is 0 or too small for a number.
     const double halo = std::max(excess * scaled.unit * (1 + 0x1p-40), std::numeric_limits<double>::min());
@@ -117,16 +117,16 @@ FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, con
     const auto circle = [&](std::size_t k) { return &circles[static_cast<std::size_t>(triple[k])]; };
     const double excess = excessOf(outside, {circle(0), circle(1), circle(2)});
     result.vertices.push_back(excess < 0);
-    for (const std::int32_t i : triple) need(i, excess);
+    for (const CircleIndex i : triple) need(i, excess);
   }
   result.edges.reserve(diagram.edges.size());
   for (const Edge& edge : diagram.edges) {
-    const auto isFinal = [&](std::int32_t v) {
+    const auto isFinal = [&](VertexIndex v) {
       return v == kNone ? outside.isNothing() : result.vertices[static_cast<std::size_t>(v)] != 0;
     };
     result.edges.push_back(isFinal(edge.start) && isFinal(edge.end));
   }
-  for (const std::int32_t i : diagram.hull) need(i, outside.isNothing() ? -kInfinite : kInfinite);
+  for (const CircleIndex i : diagram.hull) need(i, outside.isNothing() ? -kInfinite : kInfinite);
   // What hides circle i has a distance of at most -r_i at its centre.
   for (const HiddenCircle& hidden : diagram.hidden) {
     const Circle& c = circles[static_cast<std::size_t>(hidden.circle)];
@@ -137,13 +137,13 @@ FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, con
 
 }  // namespace
 
-Result<FinalCells> finalCells(std::span<const Circle> circles, const Diagram& diagram, const Known& known) {
+Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
   return guarded([&]() -> Result<FinalCells> {
     if (auto error = checkKnown(known)) return *std::move(error);
-    if (!fits(diagram, circles.size())) {
+    if (!fits(diagram)) {
       return Error{ErrorCode::badInput, -1, "The diagram names circles or vertices that are not there."};
     }
-    const auto scaled = validate(circles);
+    const auto scaled = validate(diagram.circles);
     if (!scaled) return scaled.error();
     return finalCellsOf(scaled.value(), diagram, Outside(known, scaled.value().unit));
   });

@@ -146,7 +146,7 @@ Topology topologyOf(const Dual& dual, int circleCount) {
   return topology;
 }
 
-void rotateHull(std::vector<std::int32_t>& hull) {
+void rotateHull(std::vector<CircleIndex>& hull) {
   const std::size_t size = hull.size();
   std::size_t start = 0;
   const auto step = [&](std::size_t i) { return std::pair(hull[i], hull[(i + 1) % size]); };

@@ -14,9 +14,9 @@ namespace circle_voronoi {
 
 /// A diagram without coordinates, as in Diagram.
 struct Topology {
-  std::vector<std::array<std::int32_t, 3>> vertexCircles;
+  std::vector<std::array<CircleIndex, 3>> vertexCircles;
   std::vector<Edge> edges;
-  std::vector<std::int32_t> hull;
+  std::vector<CircleIndex> hull;
 };
 
 /// The finite faces of a dual become the vertices, in their order; its pairs of half-edges between circles become the
@@ -24,14 +24,14 @@ struct Topology {
 Topology topologyOf(const Dual& dual, int circleCount);
 
 /// Rotates a hull so that it starts with its smallest step: then it does not depend on how it was found.
-void rotateHull(std::vector<std::int32_t>& hull);
+void rotateHull(std::vector<CircleIndex>& hull);
 
 /// Why a topology is not that of a triangulated sphere, and where.
 struct Misfit {
   Flaw flaw = Flaw::adjacency;
-  std::int32_t circle = kNone;
-  std::int32_t vertex = kNone;
-  std::int32_t edge = kNone;
+  CircleIndex circle = {};
+  VertexIndex vertex = {};
+  EdgeIndex edge = {};
 };
 
 /// The dual whose face i, for i below the number of vertices, is vertex i; faces at infinity follow in the order of the

@@ -62,4 +62,10 @@ Result<ScaledCircles> validate(std::span<const Circle> circles, std::size_t firs
   return scaled;
 }
 
+std::vector<Circle> pointsOf(std::span<const Circle> circles) {
+  std::vector<Circle> points(circles.begin(), circles.end());
+  for (Circle& c : points) c.r = 0;
+  return points;
+}
+
 }  // namespace circle_voronoi

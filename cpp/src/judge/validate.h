@@ -23,4 +23,7 @@ struct ScaledCircles {
 /// this too.
 CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circles, std::size_t first = 0);
 
+/// The centres as circles of radius 0.
+std::vector<Circle> pointsOf(std::span<const Circle> circles);
+
 }  // namespace circle_voronoi

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/index.h"
 #include "in_circle.h"
 #include "mix.h"
 #include "perturbed_circle.h"

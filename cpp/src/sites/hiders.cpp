@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/index.h"
 #include "predicates.h"
 #include "vectors.h"
 
