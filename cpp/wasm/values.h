@@ -66,9 +66,9 @@ inline val certificateValue(const Certificate& certificate) {
   val result = val::object();
   result.set("certified", certificate.certified());
   result.set("flaw", std::string(flawName(certificate.flaw)));
-  result.set("circle", certificate.circle);
-  result.set("vertex", certificate.vertex);
-  result.set("edge", certificate.edge);
+  result.set("circle", std::int32_t{certificate.circle});
+  result.set("vertex", std::int32_t{certificate.vertex});
+  result.set("edge", std::int32_t{certificate.edge});
   result.set("message", certificate.message);
   return result;
 }

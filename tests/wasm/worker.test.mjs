@@ -31,7 +31,17 @@ describe('computeAsync', () => {
   it('gives what compute gives, with its methods', async () => {
     const here = (await loadCircleVoronoi()).compute(MANY)
     const there = await worker.computeAsync(MANY)
-    for (const name of ['circles', 'vertices', 'vertexCircles', 'edges', 'hidden', 'hull']) {
+    for (const name of [
+      'circles',
+      'vertices',
+      'vertexCircles',
+      'edges',
+      'hidden',
+      'hull',
+      'nextSide',
+      'vertexSides',
+      'firstSide',
+    ]) {
       assert.deepEqual(there[name], here[name], name)
     }
     assert.deepEqual(there.certificate, here.certificate)

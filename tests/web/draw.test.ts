@@ -248,7 +248,8 @@ it('goes to a worker and back as plain data', () => {
   const data = structuredClone(diagram)
   expect(data).not.toBeInstanceOf(Diagram)
   expect(Object.keys(data)).toEqual([
-    ...['metric', 'circles', 'vertices', 'vertexCircles', 'edges', 'hidden', 'hull', 'certificate', 'stats'],
+    ...['metric', 'circles', 'vertices', 'vertexCircles', 'edges', 'hidden', 'hull'],
+    ...['nextSide', 'vertexSides', 'firstSide', 'certificate', 'stats'],
   ])
   const revived = new Diagram(data)
   expect(revived.render()).toBe(path)

@@ -49,6 +49,5 @@ async function replyTo(
 
 /** The memory of all arrays of a diagram, to be handed over instead of copied. */
 function buffersOf(diagram: DiagramData): ArrayBuffer[] {
-  const { circles, vertices, vertexCircles, edges, hidden, hull } = diagram
-  return [circles, vertices, vertexCircles, edges, hidden, hull].map((array) => array.buffer as ArrayBuffer)
+  return Object.values(diagram).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []))
 }

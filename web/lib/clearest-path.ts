@@ -142,11 +142,15 @@ function reached(diagram: Diagram, from: Exit | undefined): Reach {
     offer(startOf(diagram, edge), clearanceOf(diagram, curve, edge, curve.from, parameter), edge, NONE)
     offer(endOf(diagram, edge), clearanceOf(diagram, curve, edge, parameter, curve.to), edge, NONE)
   }
-  const { first, incident } = edgesAtNodes(diagram)
+  const toInfinity: number[] = []
+  for (let edge = 0; edge < diagram.edges.length / 4; edge++) {
+    if (startOf(diagram, edge) === nodeCount - 1 || endOf(diagram, edge) === nodeCount - 1) toInfinity.push(edge)
+  }
   while (pending.size > 0) {
     const { item: node, key } = pending.pop()
     if (key < at(reach.clearance, node)) continue
-    for (const edge of incident.subarray(at(first, node), at(first, node + 1))) {
+    const leaving = diagram.vertexSides.subarray(3 * node, 3 * node + 3)
+    for (const edge of node === nodeCount - 1 ? toInfinity : leaving.map((side) => side >> 1)) {
       const curve = edgeCurve(diagram, edge)
       const along = Math.min(key, clearanceOf(diagram, curve, edge, curve.from, curve.to))
       offer(startOf(diagram, edge), along, edge, node)
@@ -154,26 +158,6 @@ function reached(diagram: Diagram, from: Exit | undefined): Reach {
     }
   }
   return reach
-}
-
-/** The edges at each node: those from `first[node]` to `first[node + 1]` in `incident`. */
-function edgesAtNodes(diagram: Diagram): { first: Int32Array; incident: Int32Array } {
-  const edgeCount = diagram.edges.length / 4
-  const first = new Int32Array(nodeOf(diagram, NONE) + 2)
-  const incident = new Int32Array(2 * edgeCount)
-  for (let edge = 0; edge < edgeCount; edge++) {
-    for (const node of [startOf(diagram, edge), endOf(diagram, edge)]) first[node] = at(first, node) + 1
-  }
-  for (let node = 1; node < first.length; node++) first[node] = at(first, node) + at(first, node - 1)
-  // Filled from the back, `first` comes down to where each begins.
-  for (let edge = edgeCount - 1; edge >= 0; edge--) {
-    for (const node of [startOf(diagram, edge), endOf(diagram, edge)]) {
-      const place = at(first, node) - 1
-      first[node] = place
-      incident[place] = edge
-    }
-  }
-  return { first, incident }
 }
 
 interface Route {

@@ -129,6 +129,10 @@ export interface Stats {
  *
  * A vertex that touches more than three circles appears as several vertices joined by edges of length zero, so every
  * vertex has exactly three circles and three edges.
+ *
+ * An edge seen from one of its two cells is a *side* of that cell: a half-edge. Side 2 e of edge e belongs to the left
+ * circle and runs from start to end; side 2 e + 1, its twin, belongs to the right circle and runs back. So every side has
+ * its own cell on its left, and the sides of a cell run counter-clockwise around it.
  */
 export interface DiagramData {
   /** The distance that makes the cells. */
@@ -145,6 +149,15 @@ export interface DiagramData {
   readonly hidden: Int32s
   /** The circles on the convex hull, counter-clockwise; a circle recurs if the hull touches it more than once. */
   readonly hull: Int32s
+  /**
+   * Two per edge: for each side the one that follows it around its cell. Where the cell goes to infinity, the next side
+   * after one that ends there begins there.
+   */
+  readonly nextSide: Int32s
+  /** Three per vertex: the sides that begin there, the first of the first of its circles, and so on. */
+  readonly vertexSides: Int32s
+  /** For each circle the smallest of its sides; `NONE` if it has no cell, or its cell is the whole plane. */
+  readonly firstSide: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
 }

@@ -65,6 +65,9 @@ export class Diagram implements DiagramData {
   readonly edges: Int32s
   readonly hidden: Int32s
   readonly hull: Int32s
+  readonly nextSide: Int32s
+  readonly vertexSides: Int32s
+  readonly firstSide: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
   readonly #recompute: ((circles: Float64s) => DiagramData) | undefined
@@ -82,6 +85,9 @@ export class Diagram implements DiagramData {
     this.edges = data.edges
     this.hidden = data.hidden
     this.hull = data.hull
+    this.nextSide = data.nextSide
+    this.vertexSides = data.vertexSides
+    this.firstSide = data.firstSide
     this.certificate = data.certificate
     this.stats = data.stats
     this.#recompute = recompute
@@ -111,8 +117,7 @@ export class Diagram implements DiagramData {
    */
   update(): this {
     if (this.#recompute === undefined) refuseArgument('update takes a diagram that compute made here.')
-    const { vertices, vertexCircles, edges, hidden, hull, certificate, stats } = this.#recompute(this.circles)
-    Object.assign(this, { vertices, vertexCircles, edges, hidden, hull, certificate, stats })
+    Object.assign(this, this.#recompute(this.circles))
     this.#cells = undefined
     this.#finder = undefined
     this.#bounds = undefined
@@ -148,7 +153,7 @@ export class Diagram implements DiagramData {
     checkNumber(i, 'cell', 'the index of a circle')
     const { cells } = this
     if (!cells.exists(i)) return undefined
-    const sides = cells.sides(i).slice()
+    const sides = cells.sides(i)
     return {
       circle: i,
       sides,
@@ -371,23 +376,16 @@ function numberOf(value: unknown): number {
   return value as number
 }
 
-/** An edge is crossed by the half-edges left to right of the triangle at its end, and right to left of that at its start. */
-function halfedgesOf({ vertexCircles, edges }: DiagramData): Int32Array {
-  const opposite = new Int32Array(vertexCircles.length).fill(NONE)
-  const halfedge = (triangle: number, from: number, to: number) => {
-    for (let k = 0; k < 3; k++) {
-      const isHere =
-        at(vertexCircles, 3 * triangle + k) === from && at(vertexCircles, 3 * triangle + ((k + 1) % 3)) === to
-      if (isHere) return 3 * triangle + k
-    }
-    return NONE
-  }
-  for (let e = 0; e < edges.length; e += 4) {
-    const [left, right, start, end] = [at(edges, e), at(edges, e + 1), at(edges, e + 2), at(edges, e + 3)]
-    if (start === NONE || end === NONE) continue
-    const [h, t] = [halfedge(end, left, right), halfedge(start, right, left)]
-    opposite[h] = t
-    opposite[t] = h
-  }
+/** The half-edge from the k-th circle of a triangle to the next one crosses the edge between their sides. */
+function halfedgesOf({ vertexCircles, edges, vertexSides }: DiagramData): Int32Array {
+  // Of each side the half-edge that crosses it where it begins: towards its own circle from the one before.
+  const crossing = new Int32Array(edges.length / 2).fill(NONE)
+  vertexSides.forEach((side, slot) => {
+    crossing[side] = slot % 3 === 0 ? slot + 2 : slot - 1
+  })
+  const opposite = new Int32Array(vertexCircles.length)
+  crossing.forEach((halfedge, side) => {
+    if (halfedge !== NONE) opposite[halfedge] = at(crossing, side ^ 1)
+  })
   return opposite
 }

@@ -37,6 +37,8 @@ export class Finder {
   readonly #height: number = 1
   /** A visible circle for each bucket, row by row. */
   readonly #starts: Int32Array
+  /** The sides of cells with more than `FEW_SIDES`. */
+  readonly #manySides: ReadonlyMap<number, Int32Array>
 
   /** In linear time. */
   constructor(cells: Cells) {
@@ -60,6 +62,7 @@ export class Finder {
       this.#height = (maxY - minY) / this.#columns || 1
     }
     this.#starts = this.#filledGrid()
+    this.#manySides = manySidesOf(cells)
   }
 
   /**
@@ -131,33 +134,35 @@ export class Finder {
   /** A neighbour nearer to the point than the circle itself, or `NONE`. */
   #nearerNeighbor(circle: number, x: number, y: number): number {
     const cells = this.#cells
-    const { diagram } = cells
-    const sides = cells.sides(circle)
-    const count = sides.length
-    let first = 0
-    let asked = count
-    if (count > FEW_SIDES && diagram.metric !== 'power') {
+    const { circles, metric, nextSide, firstSide } = cells.diagram
+    let side = at(firstSide, circle)
+    if (side === NONE) return NONE
+    let stop = side
+    const many = metric === 'power' ? undefined : this.#manySides.get(circle)
+    if (many !== undefined) {
       // Rounding may be off by a side of next to no length.
-      asked = 4
-      first = this.#sidesUpTo(sides, circle, x, y) + count - 2
+      const after = this.#sidesUpTo(many, circle, x, y)
+      side = at(many, (after + many.length - 2) % many.length)
+      stop = at(many, (after + 2) % many.length)
     }
     let most = 0
     let nearest = NONE
-    const { circles, metric } = diagram
     const r = at(circles, 3 * circle + 2)
     const toCentre = plainDistance(circles, circle, x, y)
-    for (let k = first; k < first + asked; k++) {
-      const neighbor = cells.neighborOf(at(sides, k % count))
+    do {
+      const neighbor = cells.neighborOf(side)
+      side = at(nextSide, side)
       const toOther = plainDistance(circles, neighbor, x, y)
       const otherR = at(circles, 3 * neighbor + 2)
       let lead = metric === 'centres' ? toCentre - toOther : toCentre - r - (toOther - otherR)
       // What rounding may decide, here or beyond the range of squares, is asked with care.
       const isClear = Math.abs(lead) > ROUNDING * (toCentre + toOther + r + otherR) + SMALL
       if (!isClear || metric === 'power') lead = cells.lead(neighbor, circle, x, y)
-      if (lead <= most) continue
-      most = lead
-      nearest = neighbor
-    }
+      if (lead > most) {
+        most = lead
+        nearest = neighbor
+      }
+    } while (side !== stop)
     return nearest
   }
 
@@ -192,6 +197,20 @@ export class Finder {
     const size = Math.abs(a)
     return { x: -size * along.x - b * across.x, y: -size * along.y - b * across.y }
   }
+}
+
+function manySidesOf(cells: Cells): Map<number, Int32Array> {
+  const { circles, edges } = cells.diagram
+  const count = new Int32Array(circles.length / 3)
+  for (let side = 0; side < edges.length / 2; side++) {
+    const circle = cells.circleOf(side)
+    count[circle] = at(count, circle) + 1
+  }
+  const sides = new Map<number, Int32Array>()
+  count.forEach((its, circle) => {
+    if (its > FEW_SIDES) sides.set(circle, cells.sides(circle))
+  })
+  return sides
 }
 
 /** The distance from the centre of a circle, without care for numbers whose squares are beyond the range of numbers. */

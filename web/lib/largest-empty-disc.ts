@@ -68,7 +68,7 @@ export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): Emp
 export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscCentredInHull')
   checkMetric(diagram, 'largestEmptyDiscCentredInHull', 'circles')
-  const { cells, circles, hull, vertices, edges } = diagram
+  const { cells, circles, hull, vertices, edges, vertexSides } = diagram
   const largest = new Largest(diagram)
   if (hull.length === 0) return undefined
   if (hull.length === 1) {
@@ -77,7 +77,6 @@ export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | und
     return largest.best
   }
 
-  const sidesFrom = departures(diagram)
   const isOutside = new Uint8Array(vertices.length / 3)
   for (let top = 0; top < edges.length / 2; top++) {
     if (cells.originOf(top) !== NONE) continue
@@ -99,7 +98,8 @@ export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | und
         // Only rounding leads to a vertex twice.
         if (isOutside[target] === 0) {
           isOutside[target] = 1
-          for (const next of sidesFrom.subarray(3 * target, 3 * target + 3)) if (next !== (side ^ 1)) pending.push(next)
+          for (const next of vertexSides.subarray(3 * target, 3 * target + 3))
+            if (next !== (side ^ 1)) pending.push(next)
         }
       } else if (crossings[0] !== undefined) {
         largest.offerAround(pointAt(bisector, crossings[0]), cells.circleOf(side), cells.neighborOf(side))
@@ -142,18 +142,4 @@ class Largest {
   #offer(disc: Vertex, circles: Iterable<number>): void {
     if (disc.radius > this.radius) this.best = { disc, circles: [...circles] }
   }
-}
-
-/** The three sides that begin at each vertex. */
-function departures({ cells, vertexCircles, edges }: Diagram): Int32Array {
-  const sides = new Int32Array(vertexCircles.length)
-  const counts = new Uint8Array(vertexCircles.length / 3)
-  for (let side = 0; side < edges.length / 2; side++) {
-    const origin = cells.originOf(side)
-    if (origin === NONE) continue
-    const count = at(counts, origin)
-    sides[3 * origin + count] = side
-    counts[origin] = count + 1
-  }
-  return sides
 }

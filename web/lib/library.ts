@@ -96,14 +96,18 @@ export interface CircleVoronoi {
 export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
   const module = await instantiate(createModule, wasm)
 
-  const judged = ({ circles, vertices, vertexCircles, edges, hidden, hull }: Verifiable) => {
+  const judged = ({ circles, ...arrays }: Verifiable) => {
+    const { vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = arrays
     checkArray('circles', circles, Float64Array, 3)
     checkArray('vertices', vertices, Float64Array, 3)
     checkArray('vertexCircles', vertexCircles, Int32Array, 3)
     checkArray('edges', edges, Int32Array, 4)
     checkArray('hidden', hidden, Int32Array, 2)
     checkArray('hull', hull, Int32Array, 1)
-    return { circles, vertices, vertexCircles, edges, hidden, hull }
+    checkArray('nextSide', nextSide, Int32Array, 2)
+    checkArray('vertexSides', vertexSides, Int32Array, 3)
+    checkArray('firstSide', firstSide, Int32Array, 1)
+    return { circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide }
   }
   const certify = (diagram: Verifiable) => unwrap(module.certify(judged(diagram)))
 

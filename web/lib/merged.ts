@@ -27,24 +27,13 @@ export interface MergedDiagram {
  * `nearZero`.
  */
 export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagram {
-  const { vertices, vertexCircles, edges } = diagram
+  const { vertices, vertexSides, edges, nextSide } = diagram
   const count = vertices.length / 3
   const edgeCount = edges.length / 4
-  const cornerOf = (vertex: number, circle: number) =>
-    vertexCircles[3 * vertex] === circle
-      ? 3 * vertex
-      : vertexCircles[3 * vertex + 1] === circle
-        ? 3 * vertex + 1
-        : 3 * vertex + 2
-  // Of each corner (vertex, circle) the edge that leaves the vertex with that circle on its right: walking such edges from
-  // corner to corner goes around a merged vertex.
-  const leaving = new Int32Array(3 * count)
   const sets = new Sets(count)
   const isShort = new Uint8Array(edgeCount)
   for (let e = 0; e < edgeCount; e++) {
-    const { left, right, start, end } = edgeAt(diagram, e)
-    if (start !== NONE) leaving[cornerOf(start, right)] = e
-    if (end !== NONE) leaving[cornerOf(end, left)] = e
+    const { start, end } = edgeAt(diagram, e)
     if (start === NONE || end === NONE) continue
     const limit = nearZero >= 0 ? nearZero : roundingError(diagram, start) + roundingError(diagram, end)
     if (lengthOf(between(vertexAt(diagram, start), vertexAt(diagram, end))) > limit) continue
@@ -59,27 +48,20 @@ export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagra
     mergedVertex[v] = root === v ? members.push(v) - 1 : at(mergedVertex, root)
   }
 
-  // Around a merged vertex: of each member a corner whose leaving edge is long starts a walk; at a short edge the walk goes
-  // on at the other end. Counter-clockwise, a circle is followed by the one across the edge that ends its corner.
-  const isMet = new Uint8Array(3 * count)
+  // Clockwise around a merged vertex: beyond a long side that leaves it lies a cell, of which the next long side leaves it
+  // too.
+  const isMet = new Uint8Array(2 * edgeCount)
   const around: number[][] = members.map(() => [])
-  const isShortAt = (corner: number) => isShort[at(leaving, corner)] === 1
-  for (let first = 0; first < 3 * count; first++) {
-    if (isMet[first] === 1 || isShortAt(first)) continue
-    const list = around[at(mergedVertex, Math.floor(first / 3))] as number[]
-    let corner = first
-    do {
-      isMet[corner] = 1
-      list.push(at(vertexCircles, corner))
-      // The next corner counter-clockwise, past short edges. Their corners belong to circles met already.
-      corner = cornerAfter(corner)
-      while (isShortAt(corner)) {
-        const { start, end } = edgeAt(diagram, at(leaving, corner))
-        const other = start === Math.floor(corner / 3) ? end : start
-        corner = cornerOf(other, at(vertexCircles, corner))
-      }
-    } while (isMet[corner] === 0)
-  }
+  const isShortSide = (side: number) => isShort[side >> 1] === 1
+  vertexSides.forEach((start, slot) => {
+    const list = around[at(mergedVertex, Math.floor(slot / 3))] as number[]
+    for (let side = start; !isShortSide(side) && isMet[side] === 0; ) {
+      isMet[side] = 1
+      list.push(at(edges, 4 * (side >> 1) + (side & 1)))
+      side = at(nextSide, side ^ 1)
+      while (isShortSide(side)) side = at(nextSide, side)
+    }
+  })
 
   const firstCircle = new Int32Array(members.length + 1)
   around.forEach((list, v) => {
@@ -89,17 +71,12 @@ export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagra
   return {
     vertices: Float64Array.from(members.flatMap((v) => [...vertices.subarray(3 * v, 3 * v + 3)])),
     firstCircle,
-    circles: Int32Array.from(around.flatMap(fromSmallest)),
+    circles: Int32Array.from(around.flatMap((list) => fromSmallest(list.reverse()))),
     edges: edges
       .map((value, k) => (k % 4 < 2 ? value : mergedEnd(value)))
       .filter((_, k) => isShort[Math.floor(k / 4)] === 0),
     mergedVertex,
   }
-}
-
-/** The next of the three corners of a vertex, counter-clockwise. */
-function cornerAfter(corner: number): number {
-  return corner % 3 === 2 ? corner - 2 : corner + 1
 }
 
 function fromSmallest(cycle: readonly number[]): number[] {

@@ -34,10 +34,12 @@ class Linker {
     const auto isBelow = [](std::int32_t index, std::size_t count) { return index >= 0 && at(index) < count; };
     const auto isCircle = [&](CircleIndex i) { return isBelow(i, diagram_.circles.size()); };
     const auto isEnd = [&](VertexIndex v) { return v == kNone || isBelow(v, diagram_.vertexCircles.size()); };
-    return diagram_.vertices.size() == diagram_.vertexCircles.size() && std::ranges::all_of(diagram_.hull, isCircle) &&
-           std::ranges::all_of(diagram_.edges, [&](const Edge& edge) {
-             return isCircle(edge.left) && isCircle(edge.right) && isEnd(edge.start) && isEnd(edge.end);
-           });
+    const auto isValid = [&](const Edge& edge) {
+      return isCircle(edge.left) && isCircle(edge.right) && isEnd(edge.start) && isEnd(edge.end);
+    };
+    return diagram_.vertices.size() == diagram_.vertexCircles.size() &&
+           std::all_of(diagram_.hull.begin(), diagram_.hull.end(), isCircle) &&
+           std::all_of(diagram_.edges.begin(), diagram_.edges.end(), isValid);
   }
 
   /// A side that leaves a vertex has its own circle on its left, and on its right the one before it around the vertex.
@@ -46,14 +48,15 @@ class Linker {
       const VertexIndex origin = diagram_.originOf(side);
       if (origin == kNone) continue;
       const auto& triple = diagram_.vertexCircles[at(origin)];
-      const auto slot = static_cast<std::size_t>(std::ranges::find(triple, diagram_.circleOf(side)) - triple.begin());
+      const auto slot =
+          static_cast<std::size_t>(std::find(triple.begin(), triple.end(), diagram_.circleOf(side)) - triple.begin());
       if (slot == triple.size() || triple[before(slot)] != diagram_.neighborOf(side)) return false;
       SideIndex& place = result_.vertexSides[at(origin)][slot];
       if (place != kNone) return false;
       place = side;
     }
     for (const auto& sides : result_.vertexSides) {
-      if (std::ranges::find(sides, kNone) != sides.end()) return false;
+      if (std::find(sides.begin(), sides.end(), kNone) != sides.end()) return false;
       for (std::size_t slot = 0; slot < sides.size(); ++slot) link(Diagram::twin(sides[slot]), sides[before(slot)]);
     }
     return true;
@@ -71,13 +74,12 @@ class Linker {
     const auto& hull = diagram_.hull;
     const std::size_t steps = hull.size() > 1 ? hull.size() : 0;
     if (fromInfinity.size() != steps) return false;
-    std::ranges::sort(fromInfinity);
+    std::sort(fromInfinity.begin(), fromInfinity.end());
     std::vector<SideIndex> sideOfStep;
     sideOfStep.reserve(steps);
     for (std::size_t k = 0; k < steps; ++k) {
       const Step step = {hull[k], hull[(k + 1) % steps]};
-      const auto found =
-          std::ranges::lower_bound(fromInfinity, step, {}, [](const auto& entry) { return entry.first; });
+      const auto found = std::lower_bound(fromInfinity.begin(), fromInfinity.end(), std::pair(step, SideIndex(0)));
       if (found == fromInfinity.end() || found->first != step) return false;
       sideOfStep.push_back(found->second);
     }

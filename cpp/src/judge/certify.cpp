@@ -34,7 +34,7 @@ Certificate judgeSides(const Diagram& diagram) {
     return {Flaw::adjacency, 0, kNone, kNone, {}};
   }
   const auto firstDifference = [](const auto& a, const auto& b) {
-    const auto [found, other] = std::ranges::mismatch(a, b);
+    const auto [found, other] = std::mismatch(a.begin(), a.end(), b.begin());
     return found == a.end() ? kNone : static_cast<std::int32_t>(found - a.begin());
   };
   if (const SideIndex side = firstDifference(diagram.nextSide, right->nextSide); side != kNone) {
