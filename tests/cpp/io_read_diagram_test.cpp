@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
@@ -46,6 +47,17 @@ TEST(ReadDiagram, ReadsBackWhatWasWrittenToTheBit) {
     EXPECT_EQ(read.vertexSides, diagram.vertexSides);
     EXPECT_EQ(read.firstSide, diagram.firstSide);
     EXPECT_TRUE(certify(read).value().certified());
+  }
+}
+
+TEST(ReadDiagram, ReadsTheMetric) {
+  const auto circles = generate(Family::intersecting, 30, 2);
+  for (const Metric metric : {Metric::circles, Metric::centres, Metric::power}) {
+    const Diagram diagram = computeComparison(circles, metric).value();
+    const auto read = readDiagram(written(diagram), "file");
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    EXPECT_EQ(read.value().metric, metric);
+    EXPECT_EQ(read.value().nextSide, diagram.nextSide);
   }
 }
 
@@ -102,6 +114,8 @@ TEST(ReadDiagram, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(errorAfter("\"version\": 1", "\"version\": 2"),
             "file:1: the version is not 1, the only one that can be read.");
   EXPECT_EQ(errorAfter("\"version\": 1,", ""), "file:10: there is no version.");
+  EXPECT_EQ(errorAfter("\"version\": 1,", "\"version\": 1, \"metric\": \"taxi\","),
+            "file:1: there is no metric \"taxi\"; it is circles, centres or power.");
   EXPECT_EQ(errorAfter("\"format\": \"circle-voronoi\",", ""),
             "file:10: there is no format; a diagram has \"format\": \"circle-voronoi\".");
   EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hulls\": [0]"), "file:10: there is no list of hull.");

@@ -13,9 +13,13 @@ const THREE = [
 ]
 
 /** The arrays, which are what a diagram is, without the signs of zeros. */
-function arraysOf({ metric, circles, vertices, vertexCircles, edges, hidden, hull }: Diagram) {
+function arraysOf(diagram: Diagram) {
+  const { metric, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = diagram
   const [unsignedCircles, unsignedVertices] = [circles, vertices].map((array) => array.map((value) => value + 0))
-  return { metric, circles: unsignedCircles, vertices: unsignedVertices, vertexCircles, edges, hidden, hull }
+  return {
+    ...{ metric, circles: unsignedCircles, vertices: unsignedVertices, vertexCircles, edges, hidden, hull },
+    ...{ nextSide, vertexSides, firstSide },
+  }
 }
 
 function errorOf(json: unknown): CircleVoronoiError {

@@ -13,6 +13,7 @@ import {
   type Stats,
 } from './diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from './errors.ts'
+import { linkSides } from './link-sides.ts'
 import { METRICS, type Metric } from './metric.ts'
 
 const FORMAT = 'circle-voronoi'
@@ -89,7 +90,7 @@ export function dataFrom(json: unknown): DiagramData {
   if (!METRICS.includes(metric as Metric)) refuse(`There is no metric ${shown(metric)}.`)
   const circleCount = listOf(circles, 'circles').length
   const vertexCount = listOf(vertices, 'vertices').length
-  return {
+  const parts = {
     metric: metric as Metric,
     circles: Float64Array.from(listOf(circles, 'circles').flatMap(circleOf)),
     vertices: Float64Array.from(
@@ -127,6 +128,10 @@ export function dataFrom(json: unknown): DiagramData {
       }),
     ),
     hull: Int32Array.from(indicesOf(hull, undefined, 0, circleCount, 'hull')),
+  }
+  return {
+    ...parts,
+    ...linkSides(parts),
     certificate: {
       certified: false,
       flaw: 'notJudged',

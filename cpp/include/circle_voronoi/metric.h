@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/point.h"
@@ -13,6 +15,9 @@ enum class Metric {
   centres,  ///< |p - c|: the ordinary Voronoi diagram of the centres
   power,    ///< |p - c|^2 - r^2: the power (Laguerre) diagram
 };
+
+/// Its name, as in the enumeration.
+std::string_view metricName(Metric metric);
 
 double distance(Metric metric, const Circle& circle, Point p);
 

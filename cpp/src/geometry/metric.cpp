@@ -5,6 +5,18 @@
 
 namespace circle_voronoi {
 
+std::string_view metricName(Metric metric) {
+  switch (metric) {
+    case Metric::circles:
+      return "circles";
+    case Metric::centres:
+      return "centres";
+    case Metric::power:
+      return "power";
+  }
+  return "";
+}
+
 double distance(Metric metric, const Circle& circle, Point p) {
   const double toCentre = lengthOf({p.x - circle.x, p.y - circle.y});
   switch (metric) {

@@ -117,6 +117,9 @@ class DiagramReader {
       once(hasVersion_, key);
       expect(JsonKind::number, [] { return "a number for version"; });
       if (reader_.number() != kVersion) reader_.fail("the version is not 1, the only one that can be read.");
+    } else if (key == "metric") {
+      once(hasMetric_, key);
+      readMetric();
     } else if (key == "stats") {
       diagram.stats = readStats(reader_);
     } else {
@@ -130,6 +133,17 @@ class DiagramReader {
     if (format != kFormat) {
       reader_.fail("the format is \"" + format + "\", not \"" + std::string(kFormat) + "\".");
     }
+  }
+
+  void readMetric() {
+    expect(JsonKind::string, [] { return "a string for metric"; });
+    const std::string name(reader_.string());
+    for (const Metric metric : {Metric::circles, Metric::centres, Metric::power}) {
+      if (name != metricName(metric)) continue;
+      diagram.metric = metric;
+      return;
+    }
+    reader_.fail("there is no metric \"" + name + "\"; it is circles, centres or power.");
   }
 
   void readSection(const Section& section) {
@@ -205,6 +219,7 @@ class DiagramReader {
   JsonReader reader_;
   bool hasFormat_ = false;
   bool hasVersion_ = false;
+  bool hasMetric_ = false;
   std::array<bool, kSections.size()> hasSection_{};
   std::size_t item_ = 0;
   Values values_{};

@@ -46,7 +46,9 @@ void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
 
 void writeJson(std::ostream& stream, const Diagram& diagram) {
   Writer out(stream);
-  out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n \"circles\": ";
+  out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n ";
+  if (diagram.metric != Metric::circles) out << "\"metric\": \"" << metricName(diagram.metric) << "\",\n ";
+  out << "\"circles\": ";
   writeLines(out, diagram.circles.size(), [&](std::size_t i) {
     out << "{\"x\": " << diagram.circles[i].x << ", \"y\": " << diagram.circles[i].y
         << ", \"r\": " << diagram.circles[i].r << "}";
