@@ -14,7 +14,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/index.h"
 #include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {

@@ -76,7 +76,7 @@ Observer observerOfInput(const Observer& observer, const std::vector<int>& visib
   };
 }
 
-Result<Diagram> computeValid(ScaledCircles scaled, const Options& options) {
+Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scaled, const Options& options) {
   Journal journal(options.progress);
   Stats& stats = journal.stats;
   stats.method = nameOf(options.method);
@@ -109,7 +109,7 @@ Result<Diagram> computeValid(ScaledCircles scaled, const Options& options) {
       break;
     }
   }
-  auto result = diagramOf(std::move(construction), std::move(sites), scaled.unit);
+  auto result = diagramOf(circles, std::move(construction), std::move(sites), scaled.unit);
   if (!result) return result;
   Diagram& diagram = result.value();
   if (options.method == Method::automatic && !diagram.certificate.certified()) {
@@ -133,12 +133,7 @@ Result<Diagram> compute(std::span<const Circle> circles, const Options& options)
     double seconds = 0;
     auto result = [&] {
       const Stopwatch watch(seconds);
-      auto found = computeValid(std::move(scaled).value(), own);
-      if (found) {
-        found.value().circles.assign(circles.begin(), circles.end());
-        linkSides(found.value());
-      }
-      return found;
+      return computeValid(circles, std::move(scaled).value(), own);
     }();
     if (result) result.value().stats.seconds.total = seconds;
     return result;

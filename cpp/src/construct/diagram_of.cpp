@@ -17,7 +17,7 @@ Error vertexBeyondDoubles(const std::array<CircleIndex, 3>& circles) {
               ", which nearly have a common tangent line, lies farther off than the largest number."};
 }
 
-Result<Diagram> diagramOf(Construction construction, Sites sites, double unit) {
+Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, double unit) {
   Diagram diagram;
   diagram.vertexCircles = std::move(construction.topology.vertexCircles);
   diagram.edges = std::move(construction.topology.edges);
@@ -44,6 +44,9 @@ Result<Diagram> diagramOf(Construction construction, Sites sites, double unit) {
   rotateHull(diagram.hull);
   if (diagram.certificate.circle != kNone) diagram.certificate.circle = sites.indices[diagram.certificate.circle];
   diagram.certificate.message = messageOf(diagram.certificate, diagram);
+  sites = {};  // before more memory is needed
+  diagram.circles.assign(circles.begin(), circles.end());
+  linkSides(diagram);
   return diagram;
 }
 

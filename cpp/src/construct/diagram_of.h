@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <span>
 
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
@@ -11,11 +11,12 @@
 
 namespace circle_voronoi {
 
-/// Turns indices of sites into those of the input and gives every vertex its disc, in the units of the input.
+/// The diagram of `circles`, the input: turns indices of sites into those of the input, gives every vertex its disc, in
+/// the units of the input, and links the sides.
 /// Error: coordinateTooLarge.
-Result<Diagram> diagramOf(Construction construction, Sites sites, double unit);
+Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, double unit);
 
 /// That a vertex of a right diagram has no place among the doubles.
-Error vertexBeyondDoubles(const std::array<std::int32_t, 3>& circles);
+Error vertexBeyondDoubles(const std::array<CircleIndex, 3>& circles);
 
 }  // namespace circle_voronoi

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "circle_voronoi/circle.h"
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/index.h"
 #include "dual.h"
 #include "dual_keeper.h"
 #include "face_discs.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/index.h"
 
 namespace circle_voronoi {
 

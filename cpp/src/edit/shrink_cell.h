@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "circle_voronoi/none.h"
+#include "circle_voronoi/index.h"
 #include "edit_state.h"
 
 namespace circle_voronoi {

@@ -82,7 +82,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
   Construction construction;
   construction.topology = topologyOf(dual, static_cast<int>(sites.circles.size()));
   construction.certificate = certificateOf(Verdict{}, dual, construction.topology);
-  auto diagram = diagramOf(std::move(construction), std::move(sites), scaled.value().unit);
+  auto diagram = diagramOf(circles, std::move(construction), std::move(sites), scaled.value().unit);
   if (diagram) diagram.value().stats = std::move(stats);
   return diagram;
 }
