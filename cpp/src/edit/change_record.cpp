@@ -18,7 +18,7 @@ std::optional<Error> addVertex(Change& change, const EditState& state, int face)
   const auto [i, j, k] = slotsOfVertex(state, face);
   const std::array<CircleId, 3> ids = {state.sites[i].id, state.sites[j].id, state.sites[k].id};
   const auto vertex = vertexOfFace(state, face);
-  if (!vertex) return vertexBeyondDoubles(ids);
+  if (!vertex) return vertexBeyondDoubles({ids[0], ids[1], ids[2]});
   change.addedVertices.push_back(face);
   change.vertices.push_back(*vertex);
   change.vertexCircles.push_back(ids);

@@ -274,7 +274,7 @@ Result<Certificate> DiagramEditor::certificate() const {
   return guarded([&]() -> Result<Certificate> {
     const auto diagram = snapshotOf(editor_->state());
     if (!diagram) return diagram.error();
-    return certify(circles(), diagram.value());
+    return certify(diagram.value());
   });
 }
 
