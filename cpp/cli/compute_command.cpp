@@ -13,6 +13,7 @@
 #include "output.h"
 #include "progress_line.h"
 #include "tile_part.h"
+#include "weights_option.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -25,6 +26,7 @@ const std::map<std::string, Candidates> kCandidates = {
 struct ComputeArguments {
   std::string input;
   Output output;
+  bool weights = Options{}.weights;
   std::string method = "auto";
   std::string candidates = "dynamic";
   int samples = Options{}.samples;
@@ -53,12 +55,15 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   check(arguments.tile, arguments.output);
   ProgressLine progress(arguments.progress);
   progress.show("read");
-  if (arguments.tile.isAsked()) return computeTilePart(arguments.tile, arguments.output, arguments.input, progress);
+  if (arguments.tile.isAsked()) {
+    return computeTilePart(arguments.tile, arguments.output, arguments.input, arguments.weights, progress);
+  }
   const std::string name = inputName(arguments.input);
-  const auto circles = readCircles(readText(arguments.input), name);
+  const auto circles = readCircles(readText(arguments.input), name, {arguments.weights});
   if (!circles) throw Failure{kBadInput, circles.error().message};
 
   Options options;
+  options.weights = arguments.weights;
   options.method = kMethods.at(arguments.method);
   options.candidates = kCandidates.at(arguments.candidates);
   options.samples = arguments.samples;
@@ -83,6 +88,7 @@ void addComputeCommand(CLI::App& program) {
           "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property radius; - is standard input")
       ->type_name("")
       ->required();
+  addWeightsOption(*command, arguments->weights);
   addOutputOptions(*command, arguments->output);
   command->add_option("--method", arguments->method, "How to build the diagram")
       ->type_name("METHOD")

@@ -10,6 +10,7 @@
 #include "files.h"
 #include "output.h"
 #include "progress_line.h"
+#include "weights_option.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -17,18 +18,22 @@ namespace {
 struct ConvertArguments {
   std::string input;
   Output output;
+  bool weights = false;
   bool circlesAlone = false;
   std::string progress = "auto";
 };
 
 void convertCircles(const ConvertArguments& arguments, const std::string& text, ProgressLine& progress) {
-  const auto circles = readCircles(text, inputName(arguments.input));
+  const auto circles = readCircles(text, inputName(arguments.input), {arguments.weights});
   if (!circles) throw Failure{kBadInput, circles.error().message};
   writeCircles(arguments.output, circles.value(), progress);
 }
 
 void convertDiagram(const ConvertArguments& arguments, const std::string& text, ProgressLine& progress) {
   const std::string name = inputName(arguments.input);
+  if (arguments.weights) {
+    throw Failure{kBadInput, name + ": --weights is for circles alone; a diagram's file says what its radii are."};
+  }
   auto read = readDiagram(text, name);
   if (!read) throw Failure{kBadInput, read.error().message};
   Diagram& diagram = read.value();
@@ -60,6 +65,7 @@ void addConvertCommand(CLI::App& program) {
       ->add_option("FILE", arguments->input, "Circles as compute reads them, or a diagram as JSON; - is standard input")
       ->type_name("")
       ->required();
+  addWeightsOption(*command, arguments->weights);
   addOutputOptions(*command, arguments->output);
   command->add_flag("--circles", arguments->circlesAlone, "Of a diagram, write the circles alone");
   addProgressOption(*command, arguments->progress);

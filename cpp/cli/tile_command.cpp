@@ -10,6 +10,7 @@
 #include "files.h"
 #include "progress_line.h"
 #include "tiler.h"
+#include "weights_option.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 struct TileArguments {
   std::string input;
   std::string folder;
+  bool weights = false;
   double size = 0;
   double halo = 0;
   std::string progress = "auto";
@@ -24,7 +26,7 @@ struct TileArguments {
 
 void runTile(const TileArguments& arguments) {
   ProgressLine progress(arguments.progress);
-  TileStream stream(inputName(arguments.input));
+  TileStream stream(inputName(arguments.input), {arguments.weights});
   Tiler tiler(arguments.folder, arguments.size, arguments.halo);
   const auto add = [&](const Result<Tile>& tile) {
     if (!tile) throw Failure{kBadInput, tile.error().message};
@@ -61,6 +63,7 @@ void addTileCommand(CLI::App& program) {
   command->add_option("-o,--output", arguments->folder, "The folder for the tiles, which is empty or new")
       ->type_name("FOLDER")
       ->required();
+  addWeightsOption(*command, arguments->weights);
   addProgressOption(*command, arguments->progress);
   command->footer(
       "Each tile is a file with the columns id, x, y, r, done. The file tiles.txt has a line for each: its name, the\n"

@@ -159,12 +159,14 @@ void check(const TilePart& part, const Output& output) {
   }
 }
 
-void computeTilePart(const TilePart& part, const Output& output, const std::string& input, ProgressLine& progress) {
+void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights,
+                     ProgressLine& progress) {
   const std::string name = inputName(input);
-  const auto tile = readTile(readText(input), name);
+  const auto tile = readTile(readText(input), name, {weights});
   if (!tile) throw Failure{kBadInput, tile.error().message};
   const auto& circles = tile.value().circles;
   Options options;
+  options.weights = weights;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto diagram = compute(circles, options);
   if (!diagram) {

@@ -82,9 +82,10 @@ std::int64_t Tiler::cellOf(double coordinate) const {
   return cell;
 }
 
-/// A little more than the circle meets, so that rounding loses none.
+/// A little more than the circle meets, so that rounding loses none. One of negative radius is as near as its centre
+/// at most.
 Tiler::Range Tiler::rangeOf(const Circle& c) const {
-  const double reach = c.r + halo_;
+  const double reach = std::max(c.r, 0.0) + halo_;
   const auto cellAt = [&](double coordinate, double way) {
     const double slack = 0x1p-40 * (std::abs(coordinate) + reach);
     const double quotient = std::floor((coordinate + way * (reach + slack)) / size_);
@@ -146,7 +147,7 @@ std::size_t Tiler::finish() {
 void Tiler::addWide() {
   if (!wide_.isBegun) return;
   const std::string file = (folder_ / kWideFile).string();
-  TileStream stream(file);
+  TileStream stream(file, {.weights = true});  // as they were let in
   readPieces(file, [&](std::string_view piece, double) {
     const auto read = stream.read(piece);
     if (!read) throw Failure{kFailure, read.error().message};

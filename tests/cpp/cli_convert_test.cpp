@@ -60,6 +60,33 @@ TEST_F(CliConvert, CirclesAreWhatTheFormatsPromise) {
   }
 }
 
+// Computed, verified, converted and cut: each with --weights, or because the file says it.
+TEST_F(CliConvert, WeightsAreOfAnySign) {
+  const std::string csv = "x,y,r\n0,0,-3\n6,0,-1\n3,7,-2\n6.5,0,-2\n";
+  const std::string plain = "x,y,r\n0,0,0\n6,0,2\n3,7,1\n6.5,0,1\n";
+  const std::string problem = "standard input:2: Circle 0 has a negative radius.";
+  for (const char* command : {"compute -", "convert -", "tile - --size 1 --halo 1 -o tiles"}) {
+    expectFailure(run(command, csv), 2, problem);
+  }
+  textOf("compute - --weights -o " + path("weights.json"), csv);
+  EXPECT_EQ(textOf("verify " + path("weights.json")), "certified: 4 circles, 1 of them hidden; 1 vertices, 3 edges\n");
+  EXPECT_EQ(textOf("convert --circles --format csv " + path("weights.json")), csv);
+  EXPECT_EQ(textOf("convert --weights --format csv -", csv), csv);
+  for (const char* format : {"wkt", "obj"}) {
+    const std::string box = " --box=-9,-9,20,20 --format " + std::string(format);
+    EXPECT_EQ(textOf("convert " + path("weights.json") + box), textOf("compute -" + box, plain));
+    EXPECT_EQ(textOf("compute --weights -" + box, csv), textOf("compute -" + box, plain));
+  }
+  expectFailure(run("convert --weights " + path("weights.json")), 2,
+                path("weights.json") + ": --weights is for circles alone; a diagram's file says what its radii are.");
+
+  textOf("tile --weights - --size 10 --halo 20 -o " + path("tiles"), csv);
+  const std::string known = " --format csv --max-radius 0 --core=0,0,10,10 --known=-inf,-inf,inf,inf ";
+  expectFailure(run("compute " + path("tiles/x0y0.csv") + known), 2,
+                path("tiles/x0y0.csv") + ":2: Circle 0 has a negative radius.");
+  EXPECT_NE(textOf("compute --weights " + path("tiles/x0y0.csv") + known).find("hidden,,,,3,1"), std::string::npos);
+}
+
 TEST_F(CliConvert, TheNameOfTheOutputTellsTheFormat) {
   for (const char* name : {"circles.csv", "circles.geojson", "circles.json", "circles"}) {
     EXPECT_EQ(textOf("convert " + fixture_ + " -o " + path(name)), "");

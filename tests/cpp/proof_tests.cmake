@@ -34,7 +34,8 @@ add_executable(circle_voronoi_proof_tests
   topology_test.cpp
   trial.cpp
   validate_test.cpp
-  vertex_test.cpp)
+  vertex_test.cpp
+  weights_test.cpp)
 target_link_libraries(circle_voronoi_proof_tests PRIVATE
   circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi::io circle_voronoi_options circle_voronoi_internals
   circle_voronoi_oracle

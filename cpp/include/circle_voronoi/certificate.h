@@ -53,8 +53,8 @@ struct Certificate {
 ///
 /// All but `stats` and the diagram's own `certificate` is looked at; sides must be linked as `linkSides` does. Of
 /// Metric::centres radii play no part; for Metric::power there is no certificate.
-/// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles), badOption for
-/// Metric::power, and internal.
+/// Errors: those of `validate` (nonFinite, negativeRadius unless the diagram is one of weights, coordinateTooLarge,
+/// tooManyCircles), badOption for Metric::power, and internal.
 Result<Certificate> certify(const Diagram& diagram);
 
 }  // namespace circle_voronoi

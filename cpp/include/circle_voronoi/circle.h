@@ -5,7 +5,8 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// A circle with centre (x, y) and radius r >= 0; r = 0 is a point.
+/// A circle with centre (x, y) and radius r >= 0; r = 0 is a point. As an additive weight (Options::weights) r has any
+/// sign.
 ///
 /// The distance from a point p to circle i is signed, d_i(p) = |p - c_i| - r_i, negative inside.
 /// Mathematics is y-up, and counter-clockwise is positive.

@@ -36,6 +36,8 @@ inline constexpr int kMaxSamples = 1000;
 inline constexpr std::size_t kMaxAllPairsCircles = 10000;
 
 struct Options {
+  /// Whether the radii are additive weights, which may be negative.
+  bool weights = false;
   Method method = Method::automatic;
   /// For the touching disc method, as are the options below.
   Candidates candidates = Candidates::dynamic;
@@ -60,13 +62,18 @@ struct Options {
 /// number is smaller than the largest by a factor of 2^1100 (1e331): such a number is rounded to the nearest multiple
 /// of 2^-1154 of the largest, and right is what is right for the rounded circles.
 ///
+/// A point belongs to the circle of least distance less radius, so radii count by their differences alone, and with
+/// `weights` they may have any sign. To add one number to all, where no sum is rounded and the scaling rounds nothing,
+/// changes neither the topology nor a bit of the vertices' coordinates, though perhaps the order of vertices and edges;
+/// of the vertices' radii it takes that number.
+///
 /// By `automatic` the diagram is certified, or there is an error. By the other methods the diagram comes with the
 /// certificate's verdict and may be wrong where that says so.
 /// Vertices are right to 36 bits of the distances between their centre and their circles. Where three circles lie so
 /// nearly along a line that their vertex is beyond the doubles (1.8e308), there is an error: this takes circles whose
 /// sizes and distances differ by more than a factor of 1e150.
-/// Errors: nonFinite, negativeRadius, coordinateTooLarge (with the index of the first such circle), badOption,
-/// tooManyCircles, notCertified, badArithmetic, internal.
+/// Errors: nonFinite, negativeRadius (without `weights`), coordinateTooLarge (with the index of the first such circle),
+/// badOption, tooManyCircles, notCertified, badArithmetic, internal.
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options = {});
 
 }  // namespace circle_voronoi

@@ -99,6 +99,8 @@ struct Diagram {
   /// The input, hidden circles included.
   std::vector<Circle> circles;
   Metric metric = Metric::circles;
+  /// Whether the radii are additive weights of any sign (Options::weights).
+  bool weights = false;
 
   std::vector<Vertex> vertices;
   /// For each vertex its three circles, counter-clockwise around it.

@@ -15,7 +15,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// The names are the same in TypeScript (`errorCodeName`, `web/lib/errors.ts`).
 enum class ErrorCode {
   nonFinite,           ///< a coordinate or a radius is NaN or infinite
-  negativeRadius,      ///< a radius is below zero
+  negativeRadius,      ///< a radius is below zero, and radii are no weights
   coordinateTooLarge,  ///< a coordinate or a radius exceeds kCoordinateLimit, or a vertex the doubles
   tooManyCircles,      ///< the input, or the candidates asked for, do not fit in memory or in 32-bit indices
   badOption,           ///< an option is out of its range

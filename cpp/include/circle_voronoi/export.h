@@ -54,7 +54,7 @@ Box exportBox(std::span<const Circle> circles);
 
 /// A drawing, y upwards, that fits the box and has nothing of what is outside: groups of class cells, dual, circles,
 /// edges, vertices and hull, styled by a style sheet. Curves are cubic Bezier curves. Hidden circles have the class
-/// hidden, circles too small to be seen the class point.
+/// hidden, circles too small to be seen, and those of negative radius, the class point.
 void writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Marks of one kind in a figure: a group of this class.

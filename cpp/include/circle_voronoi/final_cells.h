@@ -72,8 +72,9 @@ struct FinalCells {
 /// The discs are found anew from the circles; what their rounding might decide is not called final. Of the converse it
 /// takes a part of 2^-30 of a disc and of the coordinates.
 ///
-/// Errors: those of `validate` (nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles); badOption, if the box
-/// is empty or maxRadius negative or not finite; badInput, if the diagram names circles or vertices that are not there.
+/// Errors: those of `validate` (nonFinite, negativeRadius unless the diagram is one of weights, coordinateTooLarge,
+/// tooManyCircles); badOption, if the box is empty or maxRadius negative or not finite; badInput, if the diagram names
+/// circles or vertices that are not there.
 Result<FinalCells> finalCells(const Diagram& diagram, const Known& known);
 
 }  // namespace circle_voronoi

@@ -16,6 +16,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// it turns, but has no length.
 struct HullArc {
   CircleIndex circle = {};
+  double radius = 0;  ///< of its circle, grown as below
   Point start;
   Point end;
   double angle = 0;  ///< from 0 to 2 pi
@@ -29,9 +30,13 @@ struct Hull {
   double area = 0;
 };
 
-/// The hull of a certified diagram of `circles`, in the order of `diagram.hull`. That of a single circle is the circle:
-/// one arc of 2 pi. Angles, lengths and areas use std::atan2 and std::sin, whose last bit may differ between platforms;
-/// points do not.
+/// By how much circles grow that have a hull: 0, unless weights on the hull are negative, then by the amount that makes
+/// the least of them a point. All circles grow alike, so that the diagram, and which circles are on the hull, stay.
+double hullGrowth(const Diagram& diagram);
+
+/// The hull of the circles of a certified diagram, grown by hullGrowth, in the order of `diagram.hull`. That of a
+/// single circle is the circle: one arc of 2 pi. Angles, lengths and areas use std::atan2 and std::sin, whose last bit
+/// may differ between platforms; points do not.
 Hull hull(const Diagram& diagram);
 
 }  // namespace circle_voronoi

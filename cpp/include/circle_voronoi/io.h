@@ -14,6 +14,10 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
+struct ReadOptions {
+  bool weights = false;  ///< whether radii may be negative (Options::weights)
+};
+
 /// Reads circles from UTF-8 text, which may begin with a byte-order mark; lines end in LF, CRLF or CR. Text whose first
 /// character is `[` is JSON, `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`; `{` begins a GeoJSON FeatureCollection
 /// of Points with a property `radius` or `r`; all else is a table (CSV):
@@ -27,7 +31,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// Errors, each with one sentence that starts with `name:line:`: badInput, also for a text without anything, and, so
 /// that the line can be named, what `compute` would reject (nonFinite, negativeRadius, coordinateTooLarge,
 /// tooManyCircles).
-Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name);
+Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
 // Each writes circles as `readCircles` reads them: CSV with a header line, JSON objects, GeoJSON Points with the
 // properties circle (the index) and radius. Reading a number back gives the same bits.
@@ -36,7 +40,8 @@ void writeCirclesCsv(std::ostream& out, std::span<const Circle> circles);
 void writeCirclesJson(std::ostream& out, std::span<const Circle> circles);
 void writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles);
 
-/// Writes a diagram in the project's JSON format, version 1 (README). Reading a number back gives the same bits.
+/// Writes a diagram in the project's JSON format, version 1 (README), which says of radii that are weights that they
+/// are. Reading a number back gives the same bits.
 void writeJson(std::ostream& out, const Diagram& diagram);
 
 /// Reads what `writeJson` wrote, or anybody else in that format: numbers to the bit. Other keys than those of the

@@ -44,7 +44,7 @@ struct EmptyDisc {
 /// a cell it is convex along every line.
 std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Diagram& diagram, const ConvexPolygon& region);
 
-/// The same inside the convex hull of the circles. Its radius is not negative.
+/// The same inside the convex hull of the circles (hull.h). Its radius is not negative.
 std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Diagram& diagram);
 
 /// The largest disc that meets no circle but for touching, of those that lie inside a region as a whole; it may touch

@@ -14,6 +14,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/export.h"
+#include "circle_voronoi/io.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
@@ -29,12 +30,12 @@ struct Tile {
 /// their ids.
 ///
 /// Errors: those of `readCircles`; badInput also if the text is JSON, or two circles have the same id.
-Result<Tile> readTile(std::string_view text, std::string_view name);
+Result<Tile> readTile(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
 /// Reads the same table piece by piece, in memory for a piece, as its lines come: any number of circles.
 class TileStream {
  public:
-  explicit TileStream(std::string name);
+  explicit TileStream(std::string name, const ReadOptions& options = {});
   TileStream(TileStream&&) noexcept;
   TileStream& operator=(TileStream&&) noexcept;
   ~TileStream();

@@ -116,6 +116,7 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
     return Error{ErrorCode::notCertified, diagram.certificate.circle,
                  "No construction led to a certified diagram: " + diagram.certificate.message};
   }
+  diagram.weights = options.weights;
   diagram.stats = std::move(stats);
   return result;
 }
@@ -125,7 +126,7 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options) {
   return guarded([&]() -> Result<Diagram> {
     if (auto error = checkOptions(options, circles.size())) return *std::move(error);
-    auto scaled = validate(circles);
+    auto scaled = validate(circles, options.weights);
     if (!scaled) return scaled.error();
     Options own = options;
     own.progress = lettingThrough(options.progress);

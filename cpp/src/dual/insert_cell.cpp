@@ -32,7 +32,7 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdge(int likely, int i) {
   }
   // The centre may lie on the border of the cell.
   const double least = distance(i, dual_.origin[start]);
-  const double rounding = 1e-14 * (std::abs(least) + circle(dual_.origin[start]).r);
+  const double rounding = 1e-14 * (std::abs(least) + std::abs(circle(dual_.origin[start]).r));
   int h = start;
   do {
     const int b = dual_.target(h);

@@ -93,7 +93,7 @@ class DiagramEditor::Editor {
   static std::optional<Error> refusalOf(std::span<const Edit> edits) {
     for (std::size_t i = 0; i < edits.size(); ++i) {
       if (edits[i].kind == Edit::Kind::remove) continue;
-      const auto checked = validate({&edits[i].circle, 1}, i);
+      const auto checked = validate({&edits[i].circle, 1}, false, i);
       if (!checked) return checked.error();
     }
     return std::nullopt;

@@ -18,11 +18,10 @@ constexpr double kThreeQuarterTurn = 1.5 * std::numbers::pi;
 /// Rounding may turn an arc of next to no angle into one of nearly a full turn, or the other way round. The hull turns
 /// once, and only its largest circle may turn by more than half of that: what reaches farthest in two opposite
 /// directions is as wide as any other.
-void turnOnce(std::vector<HullArc>& arcs, std::span<const Circle> circles) {
-  const auto radius = [&](const HullArc& arc) { return circles[static_cast<std::size_t>(arc.circle)].r; };
-  const double largest = radius(*std::ranges::max_element(arcs, {}, radius));
+void turnOnce(std::vector<HullArc>& arcs) {
+  const double largest = std::ranges::max_element(arcs, {}, &HullArc::radius)->radius;
   for (HullArc& arc : arcs) {
-    if (radius(arc) < largest && arc.angle > kThreeQuarterTurn) arc.angle = 0;
+    if (arc.radius < largest && arc.angle > kThreeQuarterTurn) arc.angle = 0;
   }
   const auto sum = [&] {
     return std::accumulate(arcs.begin(), arcs.end(), 0.0,
@@ -30,7 +29,7 @@ void turnOnce(std::vector<HullArc>& arcs, std::span<const Circle> circles) {
   };
   const auto widest = [&]() -> HullArc& { return *std::ranges::max_element(arcs, {}, &HullArc::angle); };
   for (auto excess = std::lround(sum() / kFullTurn) - 1; excess != 0; excess -= excess > 0 ? 1 : -1) {
-    HullArc& arc = excess > 0 ? widest() : *std::ranges::max_element(arcs, {}, radius);
+    HullArc& arc = excess > 0 ? widest() : *std::ranges::max_element(arcs, {}, &HullArc::radius);
     arc.angle = excess > 0 ? 0 : kFullTurn;
   }
   // What the arcs now lack is what rounding made of others that hardly turn.
@@ -39,26 +38,35 @@ void turnOnce(std::vector<HullArc>& arcs, std::span<const Circle> circles) {
 
 }  // namespace
 
+double hullGrowth(const Diagram& diagram) {
+  double growth = 0;
+  for (const CircleIndex i : diagram.hull) growth = std::max(growth, -diagram.circles[static_cast<std::size_t>(i)].r);
+  return growth;
+}
+
 Hull hull(const Diagram& diagram) {
+  const double growth = hullGrowth(diagram);
   const auto circleAt = [&](std::size_t step) {
-    return diagram.circles[static_cast<std::size_t>(diagram.hull[step % diagram.hull.size()])];
+    const Circle& c = diagram.circles[static_cast<std::size_t>(diagram.hull[step % diagram.hull.size()])];
+    return Circle{c.x, c.y, c.r + growth};
   };
   const std::size_t count = diagram.hull.size();
   Hull hull;
   if (count == 0) return hull;
   if (count == 1) {
-    const Circle& c = circleAt(0);
+    const Circle c = circleAt(0);
     const Point start = pointOn(c, {1, 0});
-    hull.arcs.push_back({diagram.hull[0], start, start, kFullTurn});
+    hull.arcs.push_back({diagram.hull[0], c.r, start, start, kFullTurn});
   }
   for (std::size_t step = 0; count > 1 && step < count; ++step) {
-    const Vector in = tangentNormal(circleAt(step + count - 1), circleAt(step));
-    const Vector out = tangentNormal(circleAt(step), circleAt(step + 1));
+    const Circle c = circleAt(step);
+    const Vector in = tangentNormal(circleAt(step + count - 1), c);
+    const Vector out = tangentNormal(c, circleAt(step + 1));
     const double angle = std::atan2(cross(in, out), dot(in, out));
-    hull.arcs.push_back({diagram.hull[step], pointOn(circleAt(step), in), pointOn(circleAt(step), out),
-                         angle < 0 ? angle + kFullTurn : angle});
+    hull.arcs.push_back(
+        {diagram.hull[step], c.r, pointOn(c, in), pointOn(c, out), angle < 0 ? angle + kFullTurn : angle});
   }
-  turnOnce(hull.arcs, diagram.circles);
+  turnOnce(hull.arcs);
 
   for (std::size_t step = 0; step < count; ++step) {
     const HullArc& arc = hull.arcs[step];
@@ -67,7 +75,7 @@ Hull hull(const Diagram& diagram) {
     const auto triangle = [&](Point p, Point q) {
       return cross({p.x - origin.x, p.y - origin.y}, {q.x - origin.x, q.y - origin.y}) / 2;
     };
-    const double r = circleAt(step).r;
+    const double r = arc.radius;
     hull.length += r * arc.angle + lengthOf({next.x - arc.end.x, next.y - arc.end.y});
     hull.area += triangle(arc.start, arc.end) + triangle(arc.end, next) + r * r * (arc.angle - std::sin(arc.angle)) / 2;
   }

@@ -142,7 +142,7 @@ class Search {
     if (circle == kNone) {
       if (distance <= depth) circle = nearest;
     } else {
-      const double size = std::abs(p.x) + std::abs(p.y) + depth + diagram_.circles[static_cast<std::size_t>(circle)].r;
+      const double size = std::abs(p.x) + std::abs(p.y) + depth + std::abs(this->circle(circle).r);
       if (nearest != circle && nearest != other &&
           circle_voronoi::distance(diagram_, circle, p) > distance + kRounding * size)
         return;
@@ -204,7 +204,7 @@ class Search {
       const auto& [x, y, r] = circle(index);
       const Vector toFrom = {ridge.from.x - x, ridge.from.y - y};
       const Vector step = {ridge.to.x - ridge.from.x, ridge.to.y - ridge.from.y};
-      const double unit = unitFor(std::max({largestOf(toFrom), largestOf(step), r}));
+      const double unit = unitFor(std::max({largestOf(toFrom), largestOf(step), std::abs(r)}));
       const Vector w = measuredIn(unit, toFrom);
       const Vector v = measuredIn(unit, step);
       const double reach = (ridge.depthFrom + r) / unit;

@@ -4,6 +4,7 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/finder.h"
+#include "circle_voronoi/hull.h"
 #include "circle_voronoi/queries.h"
 #include "clip.h"
 #include "far_view.h"
@@ -75,10 +76,14 @@ std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Diagram& diagram) {
   const auto circles = diagram.circles;
   if (diagram.hull.empty()) return std::nullopt;
   Largest largest;
-  const Circle& onHull = circles[static_cast<std::size_t>(diagram.hull[0])];
+  const double growth = hullGrowth(diagram);
+  const auto grown = [&](CircleIndex i) {
+    const Circle& c = circles[static_cast<std::size_t>(i)];
+    return Circle{c.x, c.y, c.r + growth};
+  };
   if (diagram.hull.size() == 1) {
-    const Point p = pointOn(onHull, {1, 0});
-    largest.offer({p.x, p.y, 0}, {diagram.hull[0], kNone, kNone});
+    const Point p = pointOn(grown(diagram.hull[0]), {1, 0});
+    largest.offer({p.x, p.y, growth}, {diagram.hull[0], kNone, kNone});
     return largest.best();
   }
 
@@ -89,10 +94,10 @@ std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Diagram& diagram) {
     // The unbounded side of i next to j belongs to the hull's step from i to j.
     const CircleIndex i = diagram.circleOf(top);
     const CircleIndex j = diagram.neighborOf(top);
-    const Circle& circle = circles[static_cast<std::size_t>(i)];
-    const Vector normal = tangentNormal(circle, circles[static_cast<std::size_t>(j)]);
+    const Circle circle = grown(i);
+    const Vector normal = tangentNormal(circle, grown(j));
     const Point touch = pointOn(circle, normal);
-    largest.offer({touch.x, touch.y, 0}, {i, kNone, kNone});
+    largest.offer({touch.x, touch.y, growth}, {i, kNone, kNone});
     pending.assign(1, top);
     while (!pending.empty()) {
       const SideIndex side = pending.back();

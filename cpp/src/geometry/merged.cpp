@@ -46,7 +46,7 @@ double roundingError(const Diagram& diagram, VertexIndex v) {
   double size = std::abs(vertex.x) + std::abs(vertex.y) + std::abs(vertex.radius);
   for (const CircleIndex i : diagram.vertexCircles[v]) {
     const Circle& c = diagram.circles[i];
-    size = std::max(size, std::abs(c.x) + std::abs(c.y) + c.r);
+    size = std::max(size, std::abs(c.x) + std::abs(c.y) + std::abs(c.r));
   }
   return 0x1p-40 * size;
 }

@@ -22,10 +22,11 @@ double toleranceOf(const Box& box, const ExportOptions& options) {
 Box exportBox(std::span<const Circle> circles) {
   if (circles.empty()) return {0, 0, 1, 1};
   const auto reach = [&](auto coordinate) { return std::ranges::max(circles, {}, coordinate); };
-  const auto right = [](const Circle& c) { return c.x + c.r; };
-  const auto left = [](const Circle& c) { return -(c.x - c.r); };
-  const auto top = [](const Circle& c) { return c.y + c.r; };
-  const auto bottom = [](const Circle& c) { return -(c.y - c.r); };
+  // A circle of negative radius is drawn as a point.
+  const auto right = [](const Circle& c) { return c.x + std::max(c.r, 0.0); };
+  const auto left = [](const Circle& c) { return -(c.x - std::max(c.r, 0.0)); };
+  const auto top = [](const Circle& c) { return c.y + std::max(c.r, 0.0); };
+  const auto bottom = [](const Circle& c) { return -(c.y - std::max(c.r, 0.0)); };
   Box box = {-left(reach(left)), -bottom(reach(bottom)), right(reach(right)), top(reach(top))};
   const double margin = sizeOf(box) > 0 ? kMargin * sizeOf(box) : 1;
   return {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};

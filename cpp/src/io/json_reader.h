@@ -60,6 +60,12 @@ class JsonReader {
   /// A number that is whole and fits; nothing if it is not.
   template <class Integer>
   std::optional<Integer> whole();
+  bool boolean() {
+    if (kind() != JsonKind::boolean) failSyntax("true or false");
+    const bool value = text_[at_] == 't';
+    skipWord();
+    return value;
+  }
   /// Valid until the next key or string is read.
   std::string_view string() {
     if (kind() != JsonKind::string) failSyntax("a string");

@@ -6,7 +6,7 @@
 
 namespace circle_voronoi {
 
-Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name) {
+Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options) {
   return guarded([&]() -> Result<std::vector<Circle>> {
     const auto content = contentOf(text, name);
     if (!content) return content.error();
@@ -15,7 +15,7 @@ Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view 
     auto read = begin == '[' ? readJson(rest, name) : begin == '{' ? readGeoJson(rest, name) : readCsv(rest, name);
     if (!read) return read.error();
     // Only here is it known on which line a circle stands.
-    if (const auto judged = validate(read.value().circles); !judged) {
+    if (const auto judged = validate(read.value().circles, options.weights); !judged) {
       return placed(judged.error(), read.value().offsets, name, rest);
     }
     return std::move(read.value().circles);

@@ -120,6 +120,10 @@ class DiagramReader {
     } else if (key == "metric") {
       once(hasMetric_, key);
       readMetric();
+    } else if (key == "weights") {
+      once(hasWeights_, key);
+      expect(JsonKind::boolean, [] { return "true or false for weights"; });
+      diagram.weights = reader_.boolean();
     } else if (key == "stats") {
       diagram.stats = readStats(reader_);
     } else {
@@ -220,6 +224,7 @@ class DiagramReader {
   bool hasFormat_ = false;
   bool hasVersion_ = false;
   bool hasMetric_ = false;
+  bool hasWeights_ = false;
   std::array<bool, kSections.size()> hasSection_{};
   std::size_t item_ = 0;
   Values values_{};
@@ -238,7 +243,7 @@ Result<Diagram> readDiagram(std::string_view text, std::string_view name) {
     } catch (const ReadFailure& failure) {
       return errorAt(name, rest, failure.offset, failure.reason);
     }
-    if (const auto judged = validate(reader.diagram.circles); !judged) {
+    if (const auto judged = validate(reader.diagram.circles, reader.diagram.weights); !judged) {
       return placed(judged.error(), reader.circleOffsets, name, rest);
     }
     linkSides(reader.diagram);

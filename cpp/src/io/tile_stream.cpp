@@ -30,7 +30,7 @@ std::size_t wholeLines(std::string_view text) {
 
 class TileStream::Impl {
  public:
-  explicit Impl(std::string name) : name_(std::move(name)) {}
+  Impl(std::string name, const ReadOptions& options) : name_(std::move(name)), options_(options) {}
 
   Result<Tile> read(std::string_view piece) {
     rest_ += piece;
@@ -75,7 +75,7 @@ class TileStream::Impl {
     } catch (const ReadFailure& failure) {
       return errorAt(name_, text, failure.offset, failure.reason, linesBefore_);
     }
-    if (const auto judged = validate(circles.circles, circlesBefore_); !judged) {
+    if (const auto judged = validate(circles.circles, options_.weights, circlesBefore_); !judged) {
       const auto before = static_cast<std::int64_t>(circlesBefore_);
       Error error = judged.error();
       error.circle -= before;
@@ -89,6 +89,7 @@ class TileStream::Impl {
   }
 
   std::string name_;
+  ReadOptions options_;
   std::string rest_;  ///< the beginning of a line
   bool isBegun_ = false;
   std::size_t linesBefore_ = 0;
@@ -96,7 +97,8 @@ class TileStream::Impl {
   std::optional<CsvRowReader> rows_;
 };
 
-TileStream::TileStream(std::string name) : impl_(std::make_unique<Impl>(std::move(name))) {}
+TileStream::TileStream(std::string name, const ReadOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(name), options)) {}
 TileStream::TileStream(TileStream&&) noexcept = default;
 TileStream& TileStream::operator=(TileStream&&) noexcept = default;
 TileStream::~TileStream() = default;
@@ -134,9 +136,9 @@ Result<Tile> ordered(Tile tile, std::string_view name) {
 
 }  // namespace
 
-Result<Tile> readTile(std::string_view text, std::string_view name) {
+Result<Tile> readTile(std::string_view text, std::string_view name, const ReadOptions& options) {
   return guarded([&]() -> Result<Tile> {
-    TileStream stream{std::string(name)};
+    TileStream stream(std::string(name), options);
     auto tile = stream.read(text);
     if (!tile) return tile;
     auto last = stream.end();

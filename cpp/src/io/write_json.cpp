@@ -48,6 +48,7 @@ void writeJson(std::ostream& stream, const Diagram& diagram) {
   Writer out(stream);
   out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n ";
   if (diagram.metric != Metric::circles) out << "\"metric\": \"" << metricName(diagram.metric) << "\",\n ";
+  if (diagram.weights) out << "\"weights\": true,\n ";
   out << "\"circles\": ";
   writeLines(out, diagram.circles.size(), [&](std::size_t i) {
     out << "{\"x\": " << diagram.circles[i].x << ", \"y\": " << diagram.circles[i].y

@@ -211,15 +211,14 @@ void writeHull(Writer& out, const ExportFrame& frame) {
   if (shape.arcs.empty()) return;
   if (shape.arcs.size() == 1) {
     const Circle& c = circles[static_cast<std::size_t>(shape.arcs[0].circle)];
-    out << "<circle cx=\"" << c.x << "\" cy=\"" << c.y << "\" r=\"" << c.r << "\"/>\n";
+    out << "<circle cx=\"" << c.x << "\" cy=\"" << c.y << "\" r=\"" << shape.arcs[0].radius << "\"/>\n";
     return;
   }
   out << "<path d=\"";
   std::string_view command = "M";
   for (const HullArc& arc : shape.arcs) {
-    const double r = circles[static_cast<std::size_t>(arc.circle)].r;
     writePoint(out, command, arc.start);
-    out << "A" << r << " " << r << " 0 " << (arc.angle > std::numbers::pi ? "1" : "0") << " 1 ";
+    out << "A" << arc.radius << " " << arc.radius << " 0 " << (arc.angle > std::numbers::pi ? "1" : "0") << " 1 ";
     writePoint(out, arc.end);
     command = "L";
   }
@@ -233,7 +232,7 @@ void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     const Circle& circle = circles[static_cast<std::size_t>(i)];
     const auto& [x, y] = frame.round({circle.x, circle.y});
-    const double r = frame.grid.round(circle.r);
+    const double r = frame.grid.round(std::max(circle.r, 0.0));
     if (x + r < box.minX || x - r > box.maxX || y + r < box.minY || y - r > box.maxY) continue;
     const bool isHidden = !frame.diagram.hasCell(i);
     const bool isPoint = circle.r < visible;

@@ -114,7 +114,7 @@ bool isInPlace(const Vertex& vertex, double unit, const Circle& i, const Circle&
     const double shrink = std::ldexp(1.0, -shrinking);
     const Circle c = {circle->x * shrink, circle->y * shrink, circle->r * shrink};
     const double distance = length({given.x - c.x, given.y - c.y});
-    const double size = std::abs(given.x) + std::abs(given.y) + std::abs(c.x) + std::abs(c.y) + c.r;
+    const double size = std::abs(given.x) + std::abs(given.y) + std::abs(c.x) + std::abs(c.y) + std::abs(c.r);
     if (!(std::abs(distance - (c.r + given.radius)) <= 0x1p-40 * (size + distance))) return false;
     reach = std::max(reach, distance);
   }
@@ -172,7 +172,7 @@ Result<Certificate> certify(const Diagram& diagram) {
     if (diagram.metric == Metric::power) {
       return Error{ErrorCode::badOption, -1, "There is no certificate for a power diagram."};
     }
-    auto scaled = validate(diagram.circles);
+    auto scaled = validate(diagram.circles, diagram.weights);
     if (!scaled) return scaled.error();
     if (diagram.metric == Metric::centres) scaled = validate(pointsOf(diagram.circles));
     Certificate certificate = judgeDiagram(scaled.value().circles, scaled.value().unit, diagram);

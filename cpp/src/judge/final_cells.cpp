@@ -72,7 +72,7 @@ double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circ
   double size = 0;
   for (const Circle* c : circles) {
     farthest = std::max(farthest, length({disc->x - c->x, disc->y - c->y}));
-    size = std::max(size, std::abs(c->x) + std::abs(c->y) + c->r);
+    size = std::max(size, std::abs(c->x) + std::abs(c->y) + std::abs(c->r));
   }
   return outside.excess(*disc, 0x1p-33 * farthest + 4 * kUnitRoundoff * (size + farthest));
 }
@@ -143,7 +143,7 @@ Result<FinalCells> finalCells(const Diagram& diagram, const Known& known) {
     if (!fits(diagram)) {
       return Error{ErrorCode::badInput, -1, "The diagram names circles or vertices that are not there."};
     }
-    const auto scaled = validate(diagram.circles);
+    const auto scaled = validate(diagram.circles, diagram.weights);
     if (!scaled) return scaled.error();
     return finalCellsOf(scaled.value(), diagram, Outside(known, scaled.value().unit));
   });

@@ -23,7 +23,7 @@ Error errorOf(ErrorCode code, std::size_t circle, const char* what) {
 
 }  // namespace
 
-Result<ScaledCircles> validate(std::span<const Circle> circles, std::size_t first) {
+Result<ScaledCircles> validate(std::span<const Circle> circles, bool weights, std::size_t first) {
   if (circles.size() > kMaxCircles) {
     return Error{ErrorCode::tooManyCircles, -1,
                  "There are " + std::to_string(circles.size()) + " circles; at most " + std::to_string(kMaxCircles) +
@@ -41,8 +41,8 @@ Result<ScaledCircles> validate(std::span<const Circle> circles, std::size_t firs
     if (!std::isfinite(c.y)) return errorOf(ErrorCode::nonFinite, first + i, "has a y that is not a finite number.");
     if (!std::isfinite(c.r))
       return errorOf(ErrorCode::nonFinite, first + i, "has a radius that is not a finite number.");
-    if (c.r < 0) return errorOf(ErrorCode::negativeRadius, first + i, "has a negative radius.");
-    const double size = std::max({std::abs(c.x), std::abs(c.y), c.r});
+    if (c.r < 0 && !weights) return errorOf(ErrorCode::negativeRadius, first + i, "has a negative radius.");
+    const double size = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.r)});
     if (size > kCoordinateLimit) {
       return errorOf(ErrorCode::coordinateTooLarge, first + i, "has a coordinate or a radius beyond 1e150.");
     }

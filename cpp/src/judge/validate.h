@@ -18,12 +18,15 @@ struct ScaledCircles {
   double unit = 1;  ///< input = scaled * unit, a power of two
 };
 
-/// Errors: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles, badArithmetic.
-/// They number circles from `first`, for those who have a part of the input. The readers, a library of their own, ask
-/// this too.
-CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circles, std::size_t first = 0);
+/// Errors: nonFinite, negativeRadius unless radii are weights (Options::weights), coordinateTooLarge, tooManyCircles,
+/// badArithmetic. They number circles from `first`, for those who have a part of the input. The readers, a library of
+/// their own, ask this too.
+CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circles, bool weights = false,
+                                                  std::size_t first = 0);
 
 /// The centres as circles of radius 0.
 std::vector<Circle> pointsOf(std::span<const Circle> circles);
+/// A number in place of `weights`.
+void validate(std::span<const Circle> circles, std::size_t first) = delete;
 
 }  // namespace circle_voronoi

@@ -64,7 +64,7 @@ class Slope {
 
   /// Whether one of the circles may contain c: false only if none does, rounding included.
   bool mayHide(const Circle& c) const {
-    const double size = c.r + std::abs(c.x - origin_.x) + std::abs(c.y - origin_.y) + std::abs(most_);
+    const double size = std::abs(c.r) + std::abs(c.x - origin_.x) + std::abs(c.y - origin_.y) + std::abs(most_);
     return reach(c) <= most_ + 1e-14 * size;
   }
 

@@ -139,7 +139,7 @@ class Touch {
       const Circle& c = circles_[near];
       const Vector v = {disc.x - c.x, disc.y - c.y};
       const double distance = length(v);
-      const double rounding = kDistanceError * (distance + c.r + std::abs(disc.x) + std::abs(disc.y));
+      const double rounding = kDistanceError * (distance + std::abs(c.r) + std::abs(disc.x) + std::abs(disc.y));
       if (distance - c.r <= disc.radius + rounding) return near;
     }
     return kNone;

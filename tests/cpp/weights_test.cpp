@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Additive weights of any sign: radii that count by their differences alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/cells.h"
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/export.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/final_cells.h"
+#include "circle_voronoi/finder.h"
+#include "circle_voronoi/hull.h"
+#include "circle_voronoi/io.h"
+#include "circle_voronoi/merged.h"
+#include "circle_voronoi/queries.h"
+#include "circle_voronoi/tile.h"
+#include "compare.h"
+#include "oracle.h"
+#include "random.h"
+#include "report.h"
+#include "tie_inputs.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Circles = std::vector<Circle>;
+
+const Options kWeights = [] {
+  Options options;
+  options.weights = true;
+  return options;
+}();
+/// Two whose bisector bends around the first, and one that the second hides.
+const Circles kNegative = {{0, 0, -3}, {6, 0, -1}, {6.5, 0, -2}};
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Circles whose coordinates and radii are multiples of 2^-10 below 2^10, so that sums are exact.
+Circles onDyadicGrid(Circles circles) {
+  double low = INFINITY;
+  double extent = 0;
+  for (const Circle& c : circles) low = std::min({low, c.x, c.y});
+  for (const Circle& c : circles) extent = std::max({extent, c.x - low, c.y - low, c.r});
+  const auto rounded = [&](double value) { return std::round(value / extent * 0x1p20) * 0x1p-10; };
+  for (Circle& c : circles) c = {rounded(c.x - low), rounded(c.y - low), rounded(c.r)};
+  return circles;
+}
+
+Circles withMore(Circles circles, double more) {
+  for (Circle& c : circles) c.r += more;
+  return circles;
+}
+
+/// A diagram in an order of its own: vertices by their circles, edges by these and by those of their ends. No two
+/// vertices have the same three in the same order.
+struct Listed {
+  std::map<std::array<std::int32_t, 3>, Vertex> vertices;
+  std::set<std::array<std::int32_t, 8>> edges;
+};
+
+Listed listed(const Diagram& diagram) {
+  Listed list;
+  for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
+    const auto& [a, b, c] = diagram.vertexCircles[v];
+    list.vertices[{a, b, c}] = diagram.vertices[v];
+  }
+  for (const auto& [left, right, start, end] : diagram.edges) {
+    const auto named = [&](VertexIndex v) {
+      return v == kNone ? std::array<CircleIndex, 3>{} : diagram.vertexCircles[at(v)];
+    };
+    const auto [a, b, c] = named(left < right ? start : end);
+    const auto [d, e, f] = named(left < right ? end : start);
+    list.edges.insert({std::min<std::int32_t>(left, right), std::max<std::int32_t>(left, right), a, b, c, d, e, f});
+  }
+  return list;
+}
+
+/// The same topology, and the same bits of all coordinates; radii that differ by what was added, but for their
+/// rounding.
+void expectOnlyRadiiDiffer(const Diagram& actual, const Diagram& expected, double more) {
+  EXPECT_EQ(actual.hidden, expected.hidden);
+  EXPECT_EQ(actual.hull, expected.hull);
+  const Listed found = listed(actual);
+  const Listed same = listed(expected);
+  EXPECT_EQ(found.vertices.size(), actual.vertices.size());
+  EXPECT_EQ(found.vertices.size(), same.vertices.size());
+  EXPECT_EQ(actual.edges.size(), expected.edges.size());
+  EXPECT_EQ(found.edges, same.edges);
+  for (const auto& [circles, vertex] : found.vertices) {
+    ASSERT_TRUE(same.vertices.contains(circles));
+    const Vertex& other = same.vertices.at(circles);
+    EXPECT_EQ(vertex.x, other.x);
+    EXPECT_EQ(vertex.y, other.y);
+    EXPECT_NEAR(vertex.radius, other.radius - more, 0x1p-51 * (std::abs(vertex.radius) + std::abs(other.radius)));
+  }
+}
+
+void expectNumberChangesNothing(const Circles& circles, double more) {
+  const auto expected = compute(circles);
+  const Circles weights = withMore(circles, more);
+  const auto actual = compute(weights, kWeights);
+  ASSERT_TRUE(expected.ok());
+  ASSERT_TRUE(actual.ok()) << actual.error().message;
+  EXPECT_TRUE(actual.value().weights);
+  expectOnlyRadiiDiffer(actual.value(), expected.value(), more);
+  EXPECT_TRUE(certify(actual.value()).value().certified());
+}
+
+TEST(Weights, AddingOneNumberToAllChangesNoBitOfAnyFamily) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    for (std::uint64_t trial = 0; trial < 6; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      const Circles circles = onDyadicGrid(generate(family.family, 2 + random.below(100), random.next()));
+      SCOPED_TRACE(std::string(family.name) + ", trial " + std::to_string(trial));
+      // More than all radii, some of them, and upwards.
+      for (const double most : {-0x1p30, -0x1p18, 0x1p20}) {
+        expectNumberChangesNothing(circles, std::floor(random.uniform(0, most)) * 0x1p-10);
+      }
+      if (HasFailure()) FAIL() << test::describe(circles);
+    }
+  }
+}
+
+TEST(Weights, AddingOneNumberToAllChangesNoBitOfTies) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (std::uint64_t trial = 0; trial < 6; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      const Circles circles = kind.make(2 + random.below(60), random);
+      SCOPED_TRACE(std::string(kind.name) + ", trial " + std::to_string(trial));
+      for (const double most : {-1e6, -20.0}) expectNumberChangesNothing(circles, std::floor(random.uniform(most, 0)));
+      if (HasFailure()) FAIL() << test::describe(circles);
+    }
+  }
+}
+
+// Sums of all bits, which round: other circles, with a diagram of their own.
+TEST(Weights, OfAnySignHaveTheDiagramOfTheOracle) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    for (std::uint64_t trial = 0; trial < 3; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      Circles circles = generate(family.family, 2 + random.below(60), random.next());
+      double largest = 0;
+      for (const Circle& c : circles) largest = std::max(largest, c.r);
+      const double more = -random.uniform(0, 1.5) * (largest > 0 ? largest : 1);
+      circles = withMore(circles, more);
+      SCOPED_TRACE(std::string(family.name) + ", trial " + std::to_string(trial));
+      const auto diagram = compute(circles, kWeights);
+      ASSERT_TRUE(diagram.ok()) << diagram.error().message;
+      EXPECT_EQ(test::problemInDegeneratePosition(diagram.value(), oracle::exactDiagram(circles), circles), "");
+      EXPECT_TRUE(certify(diagram.value()).value().certified());
+      if (HasFailure()) FAIL() << test::describe(circles);
+    }
+  }
+}
+
+TEST(Weights, AllMethodsTakeThem) {
+  const Circles circles = onDyadicGrid(generate(Family::logUniform, 200, 5));
+  const Diagram expected = compute(circles).value();
+  for (const Method method : {Method::touchingDisc, Method::flip}) {
+    for (const Candidates candidates : {Candidates::dynamic, Candidates::uniform, Candidates::allPairs}) {
+      Options options = kWeights;
+      options.method = method;
+      options.candidates = candidates;
+      options.resample = candidates == Candidates::dynamic;
+      const Diagram actual = compute(withMore(circles, -600), options).value();
+      EXPECT_TRUE(actual.certificate.certified()) << actual.certificate.message;
+      EXPECT_EQ(test::difference(actual, expected), "");
+    }
+  }
+}
+
+TEST(Weights, WithoutThemANegativeRadiusIsAnError) {
+  EXPECT_EQ(compute(kNegative).error().code, ErrorCode::negativeRadius);
+  Diagram diagram = compute(kNegative, kWeights).value();
+  EXPECT_EQ(diagram.hidden, (std::vector<HiddenCircle>{{2, 1}}));
+  diagram.weights = false;
+  EXPECT_EQ(certify(diagram).error().code, ErrorCode::negativeRadius);
+  const Known known = {{-100, -100, 100, 100}, 0};
+  EXPECT_EQ(finalCells(diagram, known).error().code, ErrorCode::negativeRadius);
+  diagram.weights = true;
+  EXPECT_TRUE(certify(diagram).value().certified());
+  EXPECT_TRUE(finalCells(diagram, known).ok());
+  EXPECT_EQ(compute(Circles{{0, 0, -1e151}}, kWeights).error().code, ErrorCode::coordinateTooLarge);
+  EXPECT_EQ(compute(Circles{{0, 0, -INFINITY}}, kWeights).error().code, ErrorCode::nonFinite);
+  EXPECT_TRUE(compute(Circles{{0, 0, -1e150}, {0, 1, -1e-300}}, kWeights).ok());
+}
+
+// Far from the origin of radii rounding is that of the radii, not of what they leave of each other.
+TEST(Weights, LargeOnesRoundNothingElse) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (std::uint64_t trial = 0; trial < 20; ++trial) {
+    Random random(seed * 1'000'003 + trial);
+    Circles circles;
+    for (int i = 0; i < 40; ++i) {
+      circles.push_back({random.uniform(0, 100), random.uniform(0, 100), -0x1p40 - std::floor(random.uniform(0, 20))});
+    }
+    const Diagram diagram = compute(circles, kWeights).value();
+    expectOnlyRadiiDiffer(diagram, compute(withMore(circles, 0x1p41)).value(), -0x1p41);
+    const MergedDiagram merged = mergeVertices(diagram);
+    EXPECT_LE(merged.vertices.size(), diagram.vertices.size());
+  }
+}
+
+TEST(Weights, CellsAndNearestCirclesStay) {
+  const Circles circles = onDyadicGrid(generate(Family::intersecting, 80, 3));
+  const Circles weights = withMore(circles, -700);
+  const Diagram expected = compute(circles).value();
+  const Diagram diagram = compute(weights, kWeights).value();
+  const Finder finder(diagram);
+  const Finder sameFinder(expected);
+  const ConvexPolygon region = Box{-100, -100, 1100, 1100};
+  for (std::int32_t i = 0; i < 80; ++i) {
+    EXPECT_EQ(area(outline(diagram, i, region)), area(outline(expected, i, region)));
+  }
+  Random random(test::seedOr(1));
+  for (int k = 0; k < 200; ++k) {
+    const Point p = {random.uniform(-100, 1100), random.uniform(-100, 1100)};
+    EXPECT_EQ(finder.find(p), sameFinder.find(p));
+  }
+  const auto disc = largestEmptyDiscInside(diagram, region);
+  const auto sameDisc = largestEmptyDiscCentredIn(expected, region);
+  ASSERT_TRUE(disc && sameDisc);
+  // 700 more than the circles leave: sides are nearer than circles.
+  EXPECT_NEAR(disc->disc.radius, 600, 1e-9);
+  EXPECT_NEAR(largestEmptyDiscCentredIn(diagram, region)->disc.radius, sameDisc->disc.radius + 700, 1e-9);
+  EXPECT_NEAR(closestPair(diagram)->gap, closestPair(expected)->gap + 1400, 1e-9);
+}
+
+// The hull is that of the circles grown until the least on the hull is a point.
+TEST(Weights, TheHullIsOfGrownCircles) {
+  Circles circles = onDyadicGrid(generate(Family::logUniform, 100, 7));
+  const Diagram known = compute(circles).value();
+  double least = INFINITY;
+  for (const CircleIndex i : known.hull) least = std::min(least, circles[at(i)].r);
+  circles = withMore(circles, -least);
+  const Circles weights = withMore(circles, -512);
+  const Diagram diagram = compute(weights, kWeights).value();
+  const Diagram same = compute(circles, kWeights).value();
+  EXPECT_EQ(hullGrowth(same), 0);
+  EXPECT_EQ(hullGrowth(diagram), 512);
+  const Hull actual = hull(diagram);
+  const Hull expected = hull(same);
+  EXPECT_EQ(actual.length, expected.length);
+  EXPECT_EQ(actual.area, expected.area);
+  for (std::size_t k = 0; k < actual.arcs.size(); ++k) {
+    EXPECT_EQ(actual.arcs[k].start, expected.arcs[k].start);
+    EXPECT_EQ(actual.arcs[k].radius, expected.arcs[k].radius);
+  }
+  const auto disc = largestEmptyDiscCentredInHull(diagram);
+  const auto sameDisc = largestEmptyDiscCentredInHull(same);
+  EXPECT_NEAR(disc->disc.x, sameDisc->disc.x, 1e-9);
+  EXPECT_NEAR(disc->disc.radius, sameDisc->disc.radius + 512, 1e-9);
+
+  const Diagram alone = compute(Circles{{1, 2, -4}}, kWeights).value();
+  EXPECT_EQ(hull(alone).arcs.at(0).radius, 0);
+  EXPECT_EQ(largestEmptyDiscCentredInHull(alone)->disc.radius, 4);
+}
+
+TEST(Weights, FilesSayThatTheyAre) {
+  const Diagram diagram = compute(kNegative, kWeights).value();
+  std::ostringstream out;
+  writeJson(out, diagram);
+  const std::string text = out.str();
+  EXPECT_NE(text.find("\"weights\": true"), std::string::npos);
+  const auto read = readDiagram(text, "file");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read.value().circles, kNegative);
+  EXPECT_TRUE(read.value().weights);
+  EXPECT_TRUE(certify(read.value()).value().certified());
+
+  const auto errorAfter = [&](const std::string& written) {
+    std::string changed = text;
+    changed.replace(changed.find("true"), 4, written);
+    return readDiagram(changed, "file").error().message;
+  };
+  EXPECT_EQ(errorAfter("false"), "file:4: Circle 0 has a negative radius.");
+  EXPECT_EQ(errorAfter("1"), "file:2: expected true or false for weights, not a number.");
+  EXPECT_EQ(errorAfter("true, \"weights\": true"), "file:2: weights is given twice.");
+
+  std::ostringstream plain;
+  writeJson(plain, compute(Circles{{0, 0, 1}}).value());
+  EXPECT_EQ(plain.str().find("weights"), std::string::npos);
+  EXPECT_FALSE(readDiagram(plain.str(), "file").value().weights);
+
+  const std::string table = "0,0,-3\n6,0,-1\n6.5,0,-2\n";
+  EXPECT_EQ(readCircles(table, "file").error().message, "file:1: Circle 0 has a negative radius.");
+  EXPECT_EQ(readCircles(table, "file", {.weights = true}).value(), kNegative);
+  EXPECT_EQ(readTile(table, "file").error().code, ErrorCode::negativeRadius);
+  EXPECT_EQ(readTile(table, "file", {.weights = true}).value().circles, kNegative);
+}
+
+// A circle of negative radius has its centre to show.
+TEST(Weights, NegativeOnesAreDrawnAsPoints) {
+  const Diagram diagram = compute(kNegative, kWeights).value();
+  std::ostringstream svg;
+  writeSvg(svg, diagram);
+  const std::string text = svg.str();
+  EXPECT_NE(text.find("data-circle=\"0\" class=\"point\" d=\"M0 0h0\""), std::string::npos) << text;
+  EXPECT_EQ(text.find("r=\"-"), std::string::npos);
+  EXPECT_EQ(text.find("A-"), std::string::npos);
+  const Box box = exportBox(kNegative);
+  EXPECT_NEAR(box.minX, -0.325, 1e-15);
+  EXPECT_NEAR(box.maxY, 0.325, 1e-15);
+}
+
+}  // namespace
+}  // namespace circle_voronoi
