@@ -23,11 +23,13 @@ struct Stopped {};
 
 Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::move(message)}; }
 
-/// `options`: `method`, `candidates`, `samples`, `resample` and `progress`, each possibly undefined. `progress`, called
+/// `options`: `weights`, `method`, `candidates`, `samples`, `resample` and `progress`, each possibly undefined. `progress`, called
 /// with the name of a stage and the part of it that is done, says whether to go on. The caller sees to it that it does
 /// not throw.
 Result<Options> optionsFrom(const val& options) {
   Options result;
+  const val weights = options["weights"];
+  if (!weights.isUndefined()) result.weights = weights.as<bool>();
   const val method = options["method"];
   if (!method.isUndefined()) {
     if (method.strictlyEquals(val("auto"))) {
@@ -82,6 +84,7 @@ val computeValue(const val& coordinates, const val& options) {
 
 Diagram diagramFrom(const val& value) {
   Diagram diagram;
+  diagram.weights = value["weights"].as<bool>();
   diagram.circles = itemsFrom<double, Circle>(value["circles"]);
   diagram.vertices = itemsFrom<double, Vertex>(value["vertices"]);
   diagram.vertexCircles = itemsFrom<std::int32_t, std::array<CircleIndex, 3>>(value["vertexCircles"]);

@@ -105,6 +105,7 @@ inline val statsValue(const Stats& stats) {
 
 inline val diagramValue(const Diagram& diagram) {
   val result = val::object();
+  result.set("weights", diagram.weights);
   result.set("vertices", float64Array(diagram.vertices));
   result.set("vertexCircles", int32Array(diagram.vertexCircles));
   result.set("edges", int32Array(diagram.edges));

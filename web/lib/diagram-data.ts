@@ -15,7 +15,10 @@ export interface Int32s extends Int32Array {
   readonly buffer: ArrayBuffer
 }
 
-/** A circle with centre (x, y) and radius r >= 0; r = 0 is a point. Mathematics is y-up. */
+/**
+ * A circle with centre (x, y) and radius r >= 0; r = 0 is a point. As an additive weight (the option `weights`) r has any
+ * sign. Mathematics is y-up.
+ */
 export interface Circle {
   readonly x: number
   readonly y: number
@@ -137,6 +140,8 @@ export interface Stats {
 export interface DiagramData {
   /** The distance that makes the cells. */
   readonly metric: Metric
+  /** Whether the radii are additive weights of any sign: the option `weights`. */
+  readonly weights: boolean
   /** Three per circle: x, y, r, in input order. */
   readonly circles: Float64s
   /** Three per vertex: x, y, radius. */

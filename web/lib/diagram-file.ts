@@ -21,11 +21,15 @@ const VERSION = 1
 /** The largest coordinate or radius that is accepted (kCoordinateLimit of circle_voronoi/compute.h). */
 const COORDINATE_LIMIT = 1e150
 
-/** A diagram as the command line writes and reads it. `metric` is there where it is not `circles`. */
+/**
+ * A diagram as the command line writes and reads it. `metric` is there where it is not `circles`, `weights` where radii are
+ * weights.
+ */
 export interface DiagramFile {
   readonly format: 'circle-voronoi'
   readonly version: 1
   readonly metric?: Metric
+  readonly weights?: true
   readonly circles: readonly Circle[]
   readonly hidden: readonly HiddenCircle[]
   readonly vertices: readonly {
@@ -41,13 +45,14 @@ export interface DiagramFile {
 
 /** A diagram as the value that `JSON.stringify` writes as such a file. */
 export function fileOf(diagram: DiagramData): DiagramFile {
-  const { metric, circles, vertices, vertexCircles, edges, hidden, hull, certificate, stats } = diagram
+  const { metric, weights, circles, vertices, vertexCircles, edges, hidden, hull, certificate, stats } = diagram
   const list = <Item>(array: Float64Array | Int32Array, size: number, item: (first: number) => Item): Item[] =>
     Array.from({ length: array.length / size }, (_, i) => item(i * size))
   return {
     format: FORMAT,
     version: VERSION,
     ...(metric !== 'circles' && { metric }),
+    ...(weights && { weights }),
     circles: list(circles, 3, (k) => ({ x: at(circles, k), y: at(circles, k + 1), r: at(circles, k + 2) })),
     hidden: list(hidden, 2, (k) => ({ circle: at(hidden, k), by: at(hidden, k + 1) })),
     vertices: list(vertices, 3, (k) => ({
@@ -77,6 +82,7 @@ export function dataFrom(json: unknown): DiagramData {
     format,
     version,
     metric = 'circles',
+    weights = false,
     circles,
     hidden,
     vertices,
@@ -88,11 +94,13 @@ export function dataFrom(json: unknown): DiagramData {
   if (version !== VERSION)
     refuse(`The version of the file is ${shown(version)}, not ${VERSION}, the only one that can be read.`)
   if (!METRICS.includes(metric as Metric)) refuse(`There is no metric ${shown(metric)}.`)
+  if (typeof weights !== 'boolean') refuse(`weights is not true or false, but ${shown(weights)}.`)
   const circleCount = listOf(circles, 'circles').length
   const vertexCount = listOf(vertices, 'vertices').length
   const parts = {
     metric: metric as Metric,
-    circles: Float64Array.from(listOf(circles, 'circles').flatMap(circleOf)),
+    weights,
+    circles: Float64Array.from(listOf(circles, 'circles').flatMap((item, i) => circleOf(item, i, weights))),
     vertices: Float64Array.from(
       listOf(vertices, 'vertices').flatMap((item, v) => {
         const { x, y, radius } = itemOf(item, `vertices[${v}]`)
@@ -172,13 +180,13 @@ function numberOf(value: unknown, name: string, list: string, i: number): number
   return value
 }
 
-function circleOf(item: unknown, i: number): number[] {
+function circleOf(item: unknown, i: number, weights: boolean): number[] {
   const circle = itemOf(item, `circles[${i}]`)
   const numbers = ['x', 'y', 'r'].map((name) => numberOf(circle[name], name, 'circles', i))
   if (numbers.some((value) => Math.abs(value) > COORDINATE_LIMIT)) {
     refuse(`Circle ${i} has a coordinate or a radius over ${COORDINATE_LIMIT}.`, 'coordinateTooLarge', i)
   }
-  if ((numbers[2] as number) < 0) refuse(`Circle ${i} has a negative radius.`, 'negativeRadius', i)
+  if ((numbers[2] as number) < 0 && !weights) refuse(`Circle ${i} has a negative radius.`, 'negativeRadius', i)
   return numbers
 }
 

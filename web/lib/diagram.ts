@@ -59,6 +59,7 @@ export interface Cell {
  */
 export class Diagram implements DiagramData {
   readonly metric: Metric
+  readonly weights: boolean
   readonly circles: Float64s
   readonly vertices: Float64s
   readonly vertexCircles: Int32s
@@ -79,6 +80,7 @@ export class Diagram implements DiagramData {
   /** Around the arrays of `data`, which are not copied. `recompute`: what `update` calls. */
   constructor(data: DiagramData, recompute?: (circles: Float64s) => DiagramData) {
     this.metric = data.metric
+    this.weights = data.weights
     this.circles = data.circles
     this.vertices = data.vertices
     this.vertexCircles = data.vertexCircles

@@ -87,11 +87,12 @@ export function drawDual(sink: PathSink, { circles, edges }: DiagramData): void 
   }
 }
 
-/** Draws a circle. */
+/** Draws a circle, one of negative radius as a point. */
 export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number): void {
   const { x, y, r } = circleAt(circles, i)
-  sink.moveTo(x + r, y)
-  sink.arc(x, y, r, 0, 2 * Math.PI)
+  const radius = Math.max(r, 0)
+  sink.moveTo(x + radius, y)
+  sink.arc(x, y, radius, 0, 2 * Math.PI)
   sink.closePath()
 }
 

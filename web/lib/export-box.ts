@@ -11,7 +11,8 @@ export function exportBox(circles: Float64Array): Box {
   if (circles.length === 0) return { minX: 0, minY: 0, maxX: 1, maxY: 1 }
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
   for (let i = 0; i < circles.length; i += 3) {
-    const [x, y, r] = [at(circles, i), at(circles, i + 1), at(circles, i + 2)]
+    // A circle of negative radius is drawn as a point.
+    const [x, y, r] = [at(circles, i), at(circles, i + 1), Math.max(at(circles, i + 2), 0)]
     minX = Math.min(minX, x - r)
     minY = Math.min(minY, y - r)
     maxX = Math.max(maxX, x + r)

@@ -10,6 +10,8 @@ import { pointOn, tangentNormal } from './tangent.ts'
  */
 export interface HullArc {
   readonly circle: number
+  /** Of its circle, grown as `hull` says. */
+  readonly radius: number
   readonly start: Point
   readonly end: Point
   /** From 0 to 2 pi. */
@@ -31,10 +33,12 @@ const THREE_QUARTER_TURN = 1.5 * Math.PI
 
 /**
  * The hull of a certified diagram, in the order of `diagram.hull`. That of a single circle is the circle: one arc of 2 pi.
- * For the metrics `centres` and `power` it is the hull of the centres.
+ * For the metrics `centres` and `power` it is the hull of the centres. Where weights on the hull are negative, it is that of
+ * all circles grown by the amount that makes the least of these a point.
  */
 export function hull(diagram: DiagramData): Hull {
-  const circles = Array.from(diagram.hull, (circle) => hullCircleAt(diagram, circle))
+  const growth = hullGrowth(diagram)
+  const circles = Array.from(diagram.hull, (circle) => hullCircleAt(diagram, circle, growth))
   const count = circles.length
   if (count === 0) return { arcs: [], length: 0, area: 0 }
   const circleOf = (step: number) => circles[(step + count) % count] as Circle
@@ -53,6 +57,7 @@ export function hull(diagram: DiagramData): Hull {
   }
   const arcs = circles.map((circle, step) => ({
     circle: at(diagram.hull, step),
+    radius: circle.r,
     start: pointOn(circle, normals[step] as Point),
     end: pointOn(circle, normals[(step + 1) % count] as Point),
     angle: angles[step] as number,
@@ -70,10 +75,15 @@ export function hull(diagram: DiagramData): Hull {
   return { arcs, length: perimeter, area }
 }
 
-/** A circle as far as it matters to the hull. */
-function hullCircleAt({ circles, metric }: DiagramData, circle: number): Circle {
+/** By how much circles grow that have a hull: 0, unless weights on the hull are negative. */
+export function hullGrowth({ circles, hull }: DiagramData): number {
+  return hull.reduce((growth, circle) => Math.max(growth, -at(circles, 3 * circle + 2)), 0)
+}
+
+/** A circle as far as it matters to the hull, grown by `hullGrowth`. */
+export function hullCircleAt({ circles, metric }: DiagramData, circle: number, growth: number): Circle {
   const { x, y, r } = circleAt(circles, circle)
-  return { x, y, r: metric === 'circles' ? r : 0 }
+  return { x, y, r: metric === 'circles' ? r + growth : 0 }
 }
 
 /**

@@ -54,7 +54,7 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
       best = { disc: { x: p.x, y: p.y, radius: least }, circles: empty > inside ? [] : [nearest] }
       return
     }
-    const size = Math.abs(p.x) + Math.abs(p.y) + inside + circleAt(diagram.circles, circles[0]).r
+    const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleAt(diagram.circles, circles[0]).r)
     if (!circles.includes(nearest) && distance(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
     // It may touch but sides.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
@@ -181,7 +181,7 @@ function placesAlongRidge({ circles }: Diagram, circle: number, { from, to, dept
   const c = circleAt(circles, circle)
   const toFrom = between(c, from)
   const step = between(from, to)
-  const unit = unitFor(Math.max(largestOf(toFrom), largestOf(step), c.r))
+  const unit = unitFor(Math.max(largestOf(toFrom), largestOf(step), Math.abs(c.r)))
   const w = measuredIn(unit, toFrom)
   const v = measuredIn(unit, step)
   const reach = (depthFrom + c.r) / unit

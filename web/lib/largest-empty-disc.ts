@@ -5,7 +5,8 @@ import { LineCrossing, partsInside } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { edgeCurve, seenFrom } from './curve.ts'
 import type { Diagram } from './diagram.ts'
-import { at, type Circle, circleAt, type DiagramData, edgeAt, NONE, type Vertex, vertexAt } from './diagram-data.ts'
+import { at, type DiagramData, edgeAt, NONE, type Vertex, vertexAt } from './diagram-data.ts'
+import { hullCircleAt, hullGrowth } from './hull.ts'
 import { distance } from './metric.ts'
 import { between, dot, type Point } from './point.ts'
 import { largestOf } from './scale.ts'
@@ -54,7 +55,7 @@ export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): Emp
 }
 
 /**
- * The same inside the convex hull of the circles. Its radius is not negative.
+ * The same inside the convex hull of the circles (`hull`). Its radius is not negative.
  *
  * What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
  * from infinity by an edge of i and j. Seen from there every circle's centre is below the tangent line. So
@@ -68,12 +69,14 @@ export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): Emp
 export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscCentredInHull')
   checkMetric(diagram, 'largestEmptyDiscCentredInHull', 'circles')
-  const { cells, circles, hull, vertices, edges, vertexSides } = diagram
+  const { cells, hull, vertices, edges, vertexSides } = diagram
   const largest = new Largest(diagram)
   if (hull.length === 0) return undefined
+  const growth = hullGrowth(diagram)
+  const grown = (circle: number) => hullCircleAt(diagram, circle, growth)
   if (hull.length === 1) {
     const circle = at(hull, 0)
-    largest.offerTouch(pointOn(circleAt(circles, circle), { x: 1, y: 0 }), circle)
+    largest.offerTouch(pointOn(grown(circle), { x: 1, y: 0 }), growth, circle)
     return largest.best
   }
 
@@ -82,10 +85,10 @@ export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | und
     if (cells.originOf(top) !== NONE) continue
     // The unbounded side of i next to j belongs to the hull's step from i to j.
     const i = cells.circleOf(top)
-    const circle: Circle = circleAt(circles, i)
-    const normal = tangentNormal(circle, circleAt(circles, cells.neighborOf(top)))
+    const circle = grown(i)
+    const normal = tangentNormal(circle, grown(cells.neighborOf(top)))
     const touch = pointOn(circle, normal)
-    largest.offerTouch(touch, i)
+    largest.offerTouch(touch, growth, i)
     const pending = [top]
     for (let side = pending.pop(); side !== undefined; side = pending.pop()) {
       const whole = cells.curveOf(side)
@@ -134,9 +137,9 @@ class Largest {
     this.#offer({ x, y, radius: distance(this.#diagram, circles[0] as number, x, y) }, circles)
   }
 
-  /** A point of a circle. */
-  offerTouch({ x, y }: Point, circle: number): void {
-    this.#offer({ x, y, radius: 0 }, [circle])
+  /** A point of a circle that has grown. */
+  offerTouch({ x, y }: Point, growth: number, circle: number): void {
+    this.#offer({ x, y, radius: growth }, [circle])
   }
 
   #offer(disc: Vertex, circles: Iterable<number>): void {

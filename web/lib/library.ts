@@ -19,7 +19,9 @@ import { checkOptions, type Options, type Progress } from './options.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
 /** What of a diagram is judged. */
-export type Verifiable = Omit<DiagramData, 'metric' | 'certificate' | 'stats'>
+export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats'> & {
+  readonly weights?: boolean | undefined
+}
 
 /**
  * What is known of the circles that a diagram has not been told of: their centres are outside the box, whose sides may be
@@ -96,7 +98,7 @@ export interface CircleVoronoi {
 export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
   const module = await instantiate(createModule, wasm)
 
-  const judged = ({ circles, ...arrays }: Verifiable) => {
+  const judged = ({ weights = false, circles, ...arrays }: Verifiable) => {
     const { vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = arrays
     checkArray('circles', circles, Float64Array, 3)
     checkArray('vertices', vertices, Float64Array, 3)
@@ -107,14 +109,21 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
     checkArray('nextSide', nextSide, Int32Array, 2)
     checkArray('vertexSides', vertexSides, Int32Array, 3)
     checkArray('firstSide', firstSide, Int32Array, 1)
-    return { circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide }
+    return { weights, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide }
   }
   const certify = (diagram: Verifiable) => unwrap(module.certify(judged(diagram)))
 
   const dataOf = (coordinates: Float64s, options: Options): DiagramData => {
-    const { method, candidates, samples, resample } = options
+    const { weights, method, candidates, samples, resample } = options
     const reporter = new Reporter(options.progress)
-    const result = module.compute(coordinates, { method, candidates, samples, resample, progress: reporter.progress })
+    const result = module.compute(coordinates, {
+      weights,
+      method,
+      candidates,
+      samples,
+      resample,
+      progress: reporter.progress,
+    })
     reporter.rethrow()
     return { metric: 'circles', circles: coordinates, ...unwrap(result) }
   }

@@ -21,6 +21,11 @@ export type Progress = (stage: Stage, done: number) => void
 /** How a diagram is computed. */
 export interface Options {
   /**
+   * Whether the radii are additive weights, which may be negative: a point belongs to the circle of least distance less
+   * weight, so that one number added to all changes nothing. Default: false, and a negative radius is an error.
+   */
+  readonly weights?: boolean | undefined
+  /**
    * How the diagram is built. `auto` (the default): the fastest construction that leads to a certified diagram.
    * `touching-disc`: the paper's method, candidate pairs and then the event loop. `flip`: edge flips from the Delaunay
    * triangulation of the centres. The last two may give a wrong diagram; its certificate then says so.
@@ -45,7 +50,7 @@ export interface Options {
 }
 
 /** The names of the options of `compute`. */
-const NAMES = ['method', 'candidates', 'samples', 'resample', 'progress']
+const NAMES = ['weights', 'method', 'candidates', 'samples', 'resample', 'progress']
 
 /**
  * Refuses options of another name or type than theirs: embind converts whatever it is given. The core judges the other
@@ -55,7 +60,7 @@ const NAMES = ['method', 'candidates', 'samples', 'resample', 'progress']
  */
 export function checkOptions(options: Options, caller: string, more: readonly string[] = []): void {
   checkOptionNames(options, caller, [...NAMES, ...more])
-  const { method, candidates, samples, resample, progress }: { [Name in keyof Options]: unknown } = options
+  const { weights, method, candidates, samples, resample, progress }: { [Name in keyof Options]: unknown } = options
   const isText = (value: unknown) => value === undefined || typeof value === 'string'
   if (!isText(method) || !isText(candidates)) refuseOption('The options method and candidates are strings.')
   // -1 is what the core has for the default.
@@ -65,6 +70,7 @@ export function checkOptions(options: Options, caller: string, more: readonly st
   ) {
     refuseOption(`The option samples is a whole number from 0, not ${shown(samples)}.`)
   }
+  if (weights !== undefined && typeof weights !== 'boolean') refuseOption('The option weights is true or false.')
   if (resample !== undefined && typeof resample !== 'boolean') refuseOption('The option resample is true or false.')
   if (progress !== undefined && typeof progress !== 'function') refuseOption('The option progress is a function.')
 }

@@ -4,6 +4,7 @@
 type WasmError = import('./wasm.ts').WasmError
 
 interface WasmOptions {
+  readonly weights: boolean | undefined
   readonly method: string | undefined
   readonly candidates: string | undefined
   readonly samples: number | undefined
