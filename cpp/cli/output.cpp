@@ -2,6 +2,7 @@
 #include "output.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <ostream>
@@ -70,6 +71,14 @@ void addOutputOptions(CLI::App& command, Output& output) {
         const auto distance = readNumber(text);
         return distance && *distance > 0 ? "" : "expected a number above 0.";
       });
+  command
+      .add_option("--max-distance", output.maxDistance,
+                  "svg, geojson, geojsonl, wkt, obj: cut cells and edges at this distance from their circles")
+      ->type_name("DISTANCE")
+      ->check([](const std::string& text) {
+        const auto distance = readNumber(text);
+        return distance && std::abs(*distance) <= kRegionLimit ? "" : "expected a number up to 1e152.";
+      });
 }
 
 std::string endingOf(const std::string& file) {
@@ -89,7 +98,10 @@ void settle(Output& output, const std::string& input) {
     output.format = ending.empty() ? kDefaultFormat : ending;
   }
   if (kExports.contains(output.format)) return;
-  const char* unused = !output.box.empty() ? "--box" : output.tolerance > 0 ? "--tolerance" : nullptr;
+  const char* unused = !output.box.empty()    ? "--box"
+                       : output.tolerance > 0 ? "--tolerance"
+                       : output.maxDistance   ? "--max-distance"
+                                              : nullptr;
   if (unused != nullptr)
     throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
 }
@@ -98,6 +110,7 @@ ExportOptions exportOptions(const Output& output) {
   ExportOptions options;
   if (!output.box.empty()) (void)readBox(output.box, options.box.emplace());
   if (output.tolerance > 0) options.tolerance = output.tolerance;
+  options.maxDistance = output.maxDistance;
   return options;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -19,6 +20,7 @@ struct Output {
   std::string format;    ///< empty until settled: that of the file's name, or else json
   std::string box;       ///< MINX,MINY,MAXX,MAXY; empty: the default
   double tolerance = 0;  ///< 0: the default
+  std::optional<double> maxDistance = {};
 };
 
 void addOutputFile(CLI::App& command, Output& output);
@@ -32,7 +34,7 @@ std::string endingOf(const std::string& file);
 /// format, if an option is given that the format does not use, or if the output is the input.
 void settle(Output& output, const std::string& input);
 
-/// The box and the tolerance that the user gave.
+/// The box, the tolerance and the maximum distance that the user gave.
 ExportOptions exportOptions(const Output& output);
 
 /// Writes a diagram. `name` is what the input is called. Throws Failure if the format needs a certified

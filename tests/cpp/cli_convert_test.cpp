@@ -87,6 +87,25 @@ TEST_F(CliConvert, WeightsAreOfAnySign) {
   EXPECT_NE(textOf("compute --weights " + path("tiles/x0y0.csv") + known).find("hidden,,,,3,1"), std::string::npos);
 }
 
+TEST_F(CliConvert, CellsAreCutAtAMaximumDistance) {
+  const std::string circles = "0,0,1\n4,0,1\n";
+  const std::string cut = textOf("compute - --format wkt --max-distance 1 --tolerance 1 --box=-9,-9,1,9", circles);
+  EXPECT_EQ(cut,
+            "POLYGON ((1 -1.7320508075688767, 1 1.732050807568875, 0 2, -2 0, 0 -2, 1 -1.7320508075688767))\n"
+            "POLYGON EMPTY\n");
+  textOf("compute - -o " + path("diagram.json"), circles);
+  for (const char* format : {"svg", "geojson", "geojsonl", "wkt", "obj"}) {
+    const std::string options = " --max-distance 1.5 --format " + std::string(format);
+    const std::string text = textOf("compute -" + options, circles);
+    EXPECT_EQ(textOf("convert " + path("diagram.json") + options), text);
+    EXPECT_NE(textOf("compute - --format " + std::string(format), circles), text);
+  }
+  expectFailure(run("compute - --max-distance 1", circles), 2,
+                "--max-distance needs --format svg, geojson, geojsonl, wkt or obj.");
+  expectFailure(run("compute - --format svg --max-distance=inf", circles), 2,
+                "--max-distance: expected a number up to 1e152.");
+}
+
 TEST_F(CliConvert, TheNameOfTheOutputTellsTheFormat) {
   for (const char* name : {"circles.csv", "circles.geojson", "circles.json", "circles"}) {
     EXPECT_EQ(textOf("convert " + fixture_ + " -o " + path(name)), "");

@@ -28,9 +28,14 @@ bool contains(const Diagram& diagram, CircleIndex circle, Point p);
 
 /// A piece of the outline of a clipped cell, with the cell on its left.
 struct OutlinePiece {
-  EdgeCurve curve;            ///< bounded
-  SideIndex side = {};        ///< of the cell; kNone: a piece of the boundary of the region
+  EdgeCurve curve;            ///< bounded; of an arc of a circle its chord
+  SideIndex side = {};        ///< of the cell; kNone: a piece of the boundary of the region, or an arc of a circle
   CircleIndex neighbor = {};  ///< the circle on the other side; kNone likewise
+  /// Of an arc of the circle around the cell's centre that a maximum distance makes: its radius, else 0. The arc is
+  /// counter-clockwise and of a quarter turn at most, so that its ends and radius say where the centre is.
+  double radius = 0;
+
+  bool isOnCircle() const { return radius > 0; }
 };
 
 /// Closed loops of pieces, counter-clockwise, one for each component: the end of a piece is the start of the next.
@@ -39,6 +44,17 @@ using Outline = std::vector<std::vector<OutlinePiece>>;
 
 /// The part of a cell inside a region: empty if they do not meet, several loops if the region cuts the cell apart.
 Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region);
+
+/// The part of a cell whose points are up to `maxDistance` from its circle: the cell cut by the circle of radius
+/// r + maxDistance around its centre. Cut so, the cells share out the union of all circles grown by that distance, and
+/// no two overlap. Below 0 it is what lies so deep inside the circles. One loop, or none: a cell is star-shaped around
+/// its circle's centre (finder.h), as a disc is, so that what both have in common is in one piece and has no holes.
+/// Each side has one arc of it at most, as the distance grows from the apex to both ends.
+///
+/// Precondition: maxDistance is finite and at most kRegionLimit in absolute value; the metric is not the power.
+Outline outline(const Diagram& diagram, CircleIndex circle, double maxDistance);
+/// The same inside a region.
+Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region, double maxDistance);
 
 /// Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone.
 double area(const Outline& outline);

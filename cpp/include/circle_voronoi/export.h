@@ -21,8 +21,10 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// What of a diagram is written, and how closely.
 struct ExportOptions {
   /// Cells and unbounded edges are clipped to it; by default it has room for a twentieth of the circles' extent around
-  /// them.
+  /// them, grown by the maximum distance if there is one.
   std::optional<Box> box;
+  /// Cells and edges are cut at this distance from the nearest circle (cells.h), finite and at most kRegionLimit.
+  std::optional<double> maxDistance = {};
   /// The largest distance of what is written from the true curves, above 0; by default a hundred-thousandth of the box.
   std::optional<double> tolerance;
 };
@@ -41,7 +43,7 @@ struct Selection {
 };
 
 /// The box that is used by default.
-Box exportBox(std::span<const Circle> circles);
+Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
 
 // Each writes a certified diagram of `circles`. Polygons of cells are counter-clockwise, and those of neighbours share
 // their points bit for bit; none crosses itself. But a cell that is narrower than the rounding of its vertices, as
@@ -53,8 +55,8 @@ Box exportBox(std::span<const Circle> circles);
 // back to the same bits.
 
 /// A drawing, y upwards, that fits the box and has nothing of what is outside: groups of class cells, dual, circles,
-/// edges, vertices and hull, styled by a style sheet. Curves are cubic Bezier curves. Hidden circles have the class
-/// hidden, circles too small to be seen, and those of negative radius, the class point.
+/// edges, vertices and hull, styled by a style sheet. Curves are cubic Bezier curves, and arcs of circles are arcs.
+/// Hidden circles have the class hidden, circles too small to be seen, and those of negative radius, the class point.
 void writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
 /// Marks of one kind in a figure: a group of this class.

@@ -123,6 +123,28 @@ std::vector<Part> partsInside(const EdgeCurve& whole, const ConvexPolygon& regio
   return parts;
 }
 
+// The distance apex + c (cosh t - 1) grows from the apex to both sides: the part is from 1 / s to s.
+std::optional<Part> partNear(const EdgeCurve& whole, double reach) {
+  const EdgeCurve curve = seenFrom(whole, reach);
+  const auto& bisector = curve.bisector;
+  const double rise = (reach / bisector.unit - bisector.apex) / (bisector.apex + std::abs(bisector.a));
+  if (!(rise > 0)) return std::nullopt;
+  const double most = parameterAtRise(rise);
+  Part part = {curve};
+  if (curve.from < 1 / most) {
+    part.cutFrom = kCircleOfRing;
+    part.curve.from = 1 / most;
+    part.curve.start = pointAt(bisector, 1 / most);
+  }
+  if (curve.to > most) {
+    part.cutTo = kCircleOfRing;
+    part.curve.to = most;
+    part.curve.end = pointAt(bisector, most);
+  }
+  if (part.curve.from > part.curve.to) return std::nullopt;
+  return part;
+}
+
 std::vector<EdgeCurve> clip(const EdgeCurve& curve, const ConvexPolygon& region) {
   std::vector<EdgeCurve> pieces;
   for (const Part& part : partsInside(curve, region)) pieces.push_back(part.curve);

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "circle_voronoi/curve.h"
+#include "ring.h"
 
 namespace circle_voronoi {
 
-/// A part of a curve inside a region, and the sides of the region that cut it off, on which its ends lie then; kNone
-/// where it ends with the curve.
+/// A part of a curve inside a region, and the sides of the region, or its circle (ring.h), that cut it off, on which
+/// its ends lie then; kNone where it ends with the curve.
 struct Part {
   EdgeCurve curve;
   std::int32_t cutFrom = kNone;
@@ -18,6 +19,10 @@ struct Part {
 
 /// The parts of a curve inside a region, in order: bounded.
 std::vector<Part> partsInside(const EdgeCurve& curve, const ConvexPolygon& region);
+
+/// The part of a curve whose points are up to a distance from the origin of its bisector, the centre of the smaller
+/// circle: bounded, if there is one.
+std::optional<Part> partNear(const EdgeCurve& curve, double reach);
 
 /// Where a branch crosses the line through a point along a direction.
 class LineCrossing {

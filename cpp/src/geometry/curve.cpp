@@ -96,8 +96,10 @@ double parameterAt(const Bisector& bisector, Point p) {
   const bool isSteep = bisector.a != 0 && c * std::abs(sine) > bisector.b * lengthOf({sine, 1});
   const double rise = (lengthOf(toPoint) - bisector.apex) / c;
   if (!isSteep || !(rise > 0)) return exponentialOf(sine);
-  return exponentialOf(std::copysign(std::sqrt(rise) * std::sqrt(rise + 2), sine));
+  return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise);
 }
+
+double parameterAtRise(double rise) { return exponentialOf(std::sqrt(rise) * std::sqrt(rise + 2)); }
 
 EdgeCurve edgeCurve(const Diagram& diagram, EdgeIndex edge) {
   const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(edge)];

@@ -3,85 +3,18 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "arc_measure.h"
+#include "cell_limits.h"
+#include "circle_arc.h"
 #include "circle_voronoi/cells.h"
 #include "clip.h"
+#include "ring.h"
 #include "scale.h"
 
 namespace circle_voronoi {
 namespace {
-
-/// The boundary of a region as one closed line, measured counter-clockwise from its first corner.
-class Ring {
- public:
-  explicit Ring(const ConvexPolygon& region) : region_(region) {
-    reach_.reserve(region.size() + 1);
-    reach_.push_back(0);
-    for (std::size_t k = 0; k < region.size(); ++k) reach_.push_back(reach_.back() + lengthOf(side(k)));
-  }
-
-  double total() const { return reach_.back(); }
-
-  /// The place on side `k` next to a point.
-  double placeOn(std::size_t k, Point p) const {
-    const double size = reach_[k + 1] - reach_[k];
-    const Vector direction = {side(k).x / size, side(k).y / size};
-    const Point corner = region_.corners()[k];
-    return reach_[k] + std::clamp(dot({p.x - corner.x, p.y - corner.y}, direction), 0.0, size);
-  }
-
-  /// The place next to a point.
-  double placeNear(Point p) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    double place = 0;
-    for (std::size_t k = 0; k < region_.size(); ++k) {
-      const double candidate = placeOn(k, p);
-      const Point q = at(candidate);
-      const double gap = lengthOf({p.x - q.x, p.y - q.y});
-      if (gap < nearest) {
-        nearest = gap;
-        place = candidate;
-      }
-    }
-    return place;
-  }
-
-  Point at(double place) const {
-    const std::size_t k = sideAt(place);
-    const double share = (place - reach_[k]) / (reach_[k + 1] - reach_[k]);
-    const Point corner = region_.corners()[k];
-    const Vector direction = side(k);
-    return {corner.x + share * direction.x, corner.y + share * direction.y};
-  }
-
-  /// The corners strictly between two places; `to` may be up to two rounds ahead.
-  std::vector<Point> cornersBetween(double from, double to) const {
-    std::vector<Point> corners;
-    for (int round = 0; round < 3; ++round) {
-      for (std::size_t k = 0; k < region_.size(); ++k) {
-        const double place = reach_[k] + round * total();
-        if (from < place && place < to) corners.push_back(region_.corners()[k]);
-      }
-    }
-    return corners;
-  }
-
- private:
-  Vector side(std::size_t k) const {
-    const Point from = region_.corners()[k];
-    const Point to = region_.cornerAfter(k);
-    return {to.x - from.x, to.y - from.y};
-  }
-
-  std::size_t sideAt(double place) const {
-    const auto after = std::upper_bound(reach_.begin(), reach_.end() - 1, place);
-    return static_cast<std::size_t>(after - reach_.begin()) - 1;
-  }
-
-  const ConvexPolygon& region_;
-  std::vector<double> reach_;
-};
 
 /// Sides of a cell inside the region that follow each other without a gap, and where on the ring they begin and end.
 struct Chain {
@@ -90,26 +23,27 @@ struct Chain {
   double exit = 0;
 };
 
-void appendSegment(std::vector<OutlinePiece>& loop, Point from, Point to) {
-  if (from != to) loop.push_back({segment(from, to), kNone, kNone});
+void append(std::vector<OutlinePiece>& loop, const Ring::Element& element) {
+  loop.push_back({segment(element.start, element.end), kNone, kNone, element.radius});
 }
 
-std::vector<OutlinePiece> ringLoop(const ConvexPolygon& region) {
+std::vector<OutlinePiece> wholeLoop(const Ring& ring) {
   std::vector<OutlinePiece> loop;
-  for (std::size_t k = 0; k < region.size(); ++k) appendSegment(loop, region.corners()[k], region.cornerAfter(k));
+  for (const Ring::Element& element : ring.elements()) append(loop, element);
   return loop;
 }
 
 class Clipper {
  public:
-  Clipper(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region)
-      : diagram_(diagram), circle_(circle), region_(region), ring_(region) {}
+  /// `disc`: the one around the circle's centre that is kept, if the limits have a distance.
+  Clipper(const Diagram& diagram, CircleIndex circle, const Limits& limits, const std::optional<Circle>& disc)
+      : diagram_(diagram), circle_(circle), limits_(limits), ring_(limits.region, disc) {}
 
   Outline run() {
-    if (!diagram_.hasCell(circle_)) return {};
+    if (ring_.isEmpty()) return {};
     const bool isClosed = collectChains();
     if (chains_.empty()) {
-      if (contains(diagram_, circle_, region_.middle())) return {ringLoop(region_)};
+      if (contains(diagram_, circle_, ring_.middle())) return {wholeLoop(ring_)};
       return {};
     }
     if (isClosed) return {std::move(chains_.front().pieces)};
@@ -149,7 +83,7 @@ class Clipper {
   /// The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the
   /// cells on either side meet bit for bit.
   std::vector<Part> piecesOf(SideIndex side) const {
-    std::vector<Part> pieces = partsInside(edgeCurve(diagram_, Diagram::edgeOf(side)), region_);
+    std::vector<Part> pieces = keptParts(diagram_, Diagram::edgeOf(side), limits_);
     if (side % 2 == 0) return pieces;
     std::ranges::reverse(pieces);
     for (auto& [piece, cutFrom, cutTo] : pieces) {
@@ -160,9 +94,7 @@ class Clipper {
   }
 
   /// Where a chain begins or ends. Rounding may end it at a vertex next to the boundary.
-  double place(std::int32_t cut, Point p) const {
-    return cut == kNone ? ring_.placeNear(p) : ring_.placeOn(static_cast<std::size_t>(cut), p);
-  }
+  double place(std::int32_t cut, Point p) const { return cut == kNone ? ring_.placeNear(p) : ring_.placeNear(p, cut); }
 
   /// Along the ring exits and entries of the cell alternate. To pair the k-th exit with the k-th entry, or the one
   /// after it, is right wherever rounding confuses the order of an exit and an entry next to each other; it takes a
@@ -185,12 +117,9 @@ class Clipper {
       next[i] = j;
       const double from = ahead(chains_[i].exit);
       const double to = ahead(chains_[j].entry) + (beginsInside && k + 1 == count ? ring_.total() : 0);
-      Point last = chains_[i].pieces.back().curve.end;
-      for (const Point& corner : ring_.cornersBetween(from, to)) {
-        appendSegment(chains_[i].pieces, last, corner);
-        last = corner;
-      }
-      appendSegment(chains_[i].pieces, last, chains_[j].pieces.front().curve.start);
+      const Point start = chains_[i].pieces.back().curve.end;
+      const Point end = chains_[j].pieces.front().curve.start;
+      for (const Ring::Element& part : ring_.between(from, to, start, end)) append(chains_[i].pieces, part);
     }
 
     Outline outline;
@@ -251,7 +180,7 @@ class Clipper {
 
   const Diagram& diagram_;
   CircleIndex circle_;
-  const ConvexPolygon& region_;
+  Limits limits_;
   Ring ring_;
   std::vector<Chain> chains_;
 };
@@ -279,11 +208,12 @@ Moments momentsOf(const Outline& outline, double unit) {
   const auto toPoint = [&](Point p) { return measuredIn(unit, {p.x - reference.x, p.y - reference.y}); };
   Moments sum;
   for (const auto& loop : outline) {
-    for (const auto& [curve, side, neighbor] : loop) {
-      const Vector u = toPoint(curve.start);
-      const Vector v = toPoint(curve.end);
+    for (const OutlinePiece& piece : loop) {
+      const Vector u = toPoint(piece.curve.start);
+      const Vector v = toPoint(piece.curve.end);
       const double triangle = cross(u, v) / 2;
-      const Moments beyond = momentsOverChord(curve, reference, unit);
+      const Moments beyond = piece.isOnCircle() ? momentsOverChord(circleArc(piece), reference, unit)
+                                                : momentsOverChord(piece.curve, reference, unit);
       sum.area += triangle + beyond.area;
       sum.x += triangle * (u.x + v.x) / 3 + beyond.x;
       sum.y += triangle * (u.y + v.y) / 3 + beyond.y;
@@ -294,8 +224,49 @@ Moments momentsOf(const Outline& outline, double unit) {
 
 }  // namespace
 
+std::vector<Part> keptParts(const Diagram& diagram, EdgeIndex edge, const Limits& limits) {
+  const EdgeCurve curve = edgeCurve(diagram, edge);
+  if (!limits.maxDistance) return partsInside(curve, *limits.region);
+  const Edge& between = diagram.edges[static_cast<std::size_t>(edge)];
+  const auto near =
+      partNear(curve, std::min(limits.reachFrom(diagram, between.left), limits.reachFrom(diagram, between.right)));
+  if (!near) return {};
+  if (limits.region == nullptr) return {*near};
+  std::vector<Part> parts = partsInside(near->curve, *limits.region);
+  for (Part& part : parts) {
+    if (part.cutFrom == kNone) part.cutFrom = near->cutFrom;
+    if (part.cutTo == kNone) part.cutTo = near->cutTo;
+  }
+  return parts;
+}
+
+Outline outline(const Diagram& diagram, CircleIndex circle, const Limits& limits) {
+  if (!diagram.hasCell(circle)) return {};
+  std::optional<Circle> disc;
+  if (limits.maxDistance) {
+    const Circle& c = diagram.circles[static_cast<std::size_t>(circle)];
+    disc = {c.x, c.y, limits.reachFrom(diagram, circle)};
+    if (!(disc->r > 0)) return {};
+  }
+  Outline outline = Clipper(diagram, circle, limits, disc).run();
+  // Without a region it is in one piece: what rounding cut off where several edges end next to the circle goes.
+  if (limits.region == nullptr && outline.size() > 1) {
+    const auto areaOf = [](const std::vector<OutlinePiece>& loop) { return area({loop}); };
+    outline = {*std::ranges::max_element(outline, {}, areaOf)};
+  }
+  return outline;
+}
+
 Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region) {
-  return Clipper(diagram, circle, region).run();
+  return outline(diagram, circle, Limits{&region});
+}
+
+Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region, double maxDistance) {
+  return outline(diagram, circle, Limits{&region, maxDistance});
+}
+
+Outline outline(const Diagram& diagram, CircleIndex circle, double maxDistance) {
+  return outline(diagram, circle, Limits{nullptr, maxDistance});
 }
 
 double area(const Outline& outline) {
@@ -328,7 +299,9 @@ Point centroid(const Outline& outline) {
 double perimeter(const Outline& outline) {
   double sum = 0;
   for (const auto& loop : outline) {
-    for (const OutlinePiece& piece : loop) sum += arcLength(piece.curve);
+    for (const OutlinePiece& piece : loop) {
+      sum += piece.isOnCircle() ? arcLength(circleArc(piece)) : arcLength(piece.curve);
+    }
   }
   return sum;
 }

@@ -6,6 +6,7 @@
 
 #include "arc_measure.h"
 #include "chord.h"
+#include "circle_arc.h"
 #include "near_vertices.h"
 #include "scale.h"
 #include "vectors.h"
@@ -95,7 +96,7 @@ void closeRing(std::vector<Point>& ring) {
 
 }  // namespace
 
-CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame), region_(frame.box) {
+CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame) {
   const Diagram& diagram = frame.diagram;
   const std::vector<std::int32_t> firstHere = firstVerticesHere(diagram);
   places_.reserve(firstHere.size());
@@ -277,15 +278,19 @@ std::vector<CellPolygons::Ring> CellPolygons::rings(CircleIndex circle) const {
     keep(wholeRing(circle));
     return rings;
   }
-  for (const auto& loop : outline(frame_.diagram, circle, region_)) {
+  for (const auto& loop : outline(frame_.diagram, circle, frame_.limits)) {
     Ring ring;
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      if (loop[k].side != kNone) {
-        for (const Point& p : pointsOf(loop[k])) addPoint(ring, p);
-      } else if (loop[k == 0 ? loop.size() - 1 : k - 1].side == kNone) {
-        // A corner of the box. Where an edge meets the box, the edge says where.
-        addPoint(ring, loop[k].curve.start);
+      const OutlinePiece& piece = loop[k];
+      if (piece.side != kNone) {
+        for (const Point& p : pointsOf(piece)) addPoint(ring, p);
+        continue;
       }
+      // A corner of the box, or a point of the circle. Where an edge meets these, the edge says where.
+      if (loop[k == 0 ? loop.size() - 1 : k - 1].side == kNone) addPoint(ring, piece.curve.start);
+      if (!piece.isOnCircle()) continue;
+      const auto points = polyline(circleArc(piece), frame_.tolerance);
+      for (std::size_t i = 1; i + 1 < points.size(); ++i) addPoint(ring, frame_.round(points[i]));
     }
     closeRing(ring);
     keep(std::move(ring));
@@ -296,8 +301,8 @@ std::vector<CellPolygons::Ring> CellPolygons::rings(CircleIndex circle) const {
 std::vector<CellPolygons::Ring> CellPolygons::polylines(EdgeIndex edge) const {
   if (isInside(edge)) return {pointsOf({{}, 2 * edge, kNone})};
   std::vector<Ring> lines;
-  for (const EdgeCurve& part : clip(edgeCurve(frame_.diagram, edge), region_)) {
-    lines.push_back(pointsOf({part, 2 * edge, kNone}));
+  for (const Part& part : keptParts(frame_.diagram, edge, frame_.limits)) {
+    lines.push_back(pointsOf({part.curve, 2 * edge, kNone}));
   }
   return lines;
 }
@@ -321,7 +326,7 @@ double CellPolygons::area(CircleIndex circle) const {
     }
     if (isSafe(sum) && sum > 0) return sum;
   }
-  return circle_voronoi::area(outline(frame_.diagram, circle, region_));
+  return circle_voronoi::area(outline(frame_.diagram, circle, frame_.limits));
 }
 
 }  // namespace circle_voronoi

@@ -62,7 +62,6 @@ class CellPolygons {
   Point drawn(VertexIndex vertex, Point end) const;
 
   const ExportFrame& frame_;
-  ConvexPolygon region_;
   /// Of each vertex; those joined by edges of length near zero have one, so that rounding cannot turn such an edge
   /// around.
   std::vector<Point> places_;

@@ -19,14 +19,15 @@ double toleranceOf(const Box& box, const ExportOptions& options) {
 
 }  // namespace
 
-Box exportBox(std::span<const Circle> circles) {
+Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance) {
   if (circles.empty()) return {0, 0, 1, 1};
   const auto reach = [&](auto coordinate) { return std::ranges::max(circles, {}, coordinate); };
   // A circle of negative radius is drawn as a point.
-  const auto right = [](const Circle& c) { return c.x + std::max(c.r, 0.0); };
-  const auto left = [](const Circle& c) { return -(c.x - std::max(c.r, 0.0)); };
-  const auto top = [](const Circle& c) { return c.y + std::max(c.r, 0.0); };
-  const auto bottom = [](const Circle& c) { return -(c.y - std::max(c.r, 0.0)); };
+  const auto size = [&](const Circle& c) { return std::max({c.r, c.r + maxDistance.value_or(0), 0.0}); };
+  const auto right = [&](const Circle& c) { return c.x + size(c); };
+  const auto left = [&](const Circle& c) { return -(c.x - size(c)); };
+  const auto top = [&](const Circle& c) { return c.y + size(c); };
+  const auto bottom = [&](const Circle& c) { return -(c.y - size(c)); };
   Box box = {-left(reach(left)), -bottom(reach(bottom)), right(reach(right)), top(reach(top))};
   const double margin = sizeOf(box) > 0 ? kMargin * sizeOf(box) : 1;
   return {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
@@ -34,7 +35,9 @@ Box exportBox(std::span<const Circle> circles) {
 
 ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options)
     : diagram(its),
-      box(options.box ? *options.box : exportBox(diagram.circles)),
+      box(options.box ? *options.box : exportBox(diagram.circles, options.maxDistance)),
+      region(box),
+      limits{&region, options.maxDistance},
       grid(kRoundingShare * toleranceOf(box, options)),
       tolerance(toleranceOf(box, options) - grid.error()) {}
 
@@ -50,6 +53,8 @@ EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece) {
 
 bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve) {
   if (edge.start == kNone || edge.end == kNone) return false;
+  // Along an edge the distance is largest at one of its ends.
+  if (!frame.isNear(edge.start) || !frame.isNear(edge.end)) return false;
   const double margin = frame.grid.error();
   const auto& box = frame.box;
   const auto isIn = [&](Point p) {

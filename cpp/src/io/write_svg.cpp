@@ -32,6 +32,8 @@ path, line, circle { vector-effect: non-scaling-stroke; }
 .circles .point { stroke-width: 3; stroke-linecap: round; stroke-dasharray: none; }
 .vertices { fill: #1f4e79; stroke: none; }
 )";
+/// Cells that are cut end where no edge is.
+constexpr std::string_view kStyleOfCutCells = ".cells { stroke: #1f4e79; stroke-width: 1.5; }\n";
 
 void writePoint(Writer& out, Point p) { out << p.x << " " << p.y; }
 
@@ -64,7 +66,7 @@ void trace(Writer& out, Iterator inner, Iterator innerEnd, Point end) {
 
 /// What is drawn, with points rounded by the frame. Edges inside the box are followed once.
 struct Drawing {
-  explicit Drawing(const ExportFrame& exportFrame) : frame(exportFrame), region(exportFrame.box) {
+  explicit Drawing(const ExportFrame& exportFrame) : frame(exportFrame) {
     const Diagram& diagram = frame.diagram;
     vertices.reserve(diagram.vertices.size());
     isInside.reserve(diagram.edges.size());
@@ -112,7 +114,6 @@ struct Drawing {
   }
 
   const ExportFrame& frame;
-  ConvexPolygon region;
   std::vector<Point> vertices;
   std::vector<bool> isInside;  ///< of each edge
   std::vector<std::size_t> firstInner;
@@ -122,6 +123,10 @@ struct Drawing {
 /// Draws a piece of the outline of a cell on from its start; one of an edge as its points in the edge's own direction.
 void tracePiece(Writer& out, const Drawing& drawing, const OutlinePiece& piece) {
   const ExportFrame& frame = drawing.frame;
+  if (piece.isOnCircle()) {
+    out << "A" << piece.radius << " " << piece.radius << " 0 0 1 ";
+    return writePoint(out, frame.round(piece.curve.end));
+  }
   std::vector<Point> points;
   if (piece.side != kNone) {
     points = innerPoints(frame, edgeDirection(frame.diagram, piece));
@@ -143,7 +148,7 @@ void writeCells(Writer& out, const Drawing& drawing) {
       out << "Z\"/>\n";
       return;
     }
-    const Outline loops = outline(diagram, i, drawing.region);
+    const Outline loops = outline(diagram, i, drawing.frame.limits);
     if (loops.empty()) return;
     begin();
     for (const auto& loop : loops) {
@@ -170,13 +175,13 @@ void writeEdges(Writer& out, const Drawing& drawing) {
       out << "\"/>\n";
       continue;
     }
-    const auto parts = clip(edgeCurve(diagram, e), drawing.region);
+    const auto parts = keptParts(diagram, e, frame.limits);
     if (parts.empty()) continue;
     begin();
-    for (const EdgeCurve& part : parts) {
-      writePoint(out, "M", frame.round(part.start));
-      const auto points = innerPoints(frame, part);
-      trace(out, points.begin(), points.end(), frame.round(part.end));
+    for (const Part& part : parts) {
+      writePoint(out, "M", frame.round(part.curve.start));
+      const auto points = innerPoints(frame, part.curve);
+      trace(out, points.begin(), points.end(), frame.round(part.curve.end));
     }
     out << "\"/>\n";
   }
@@ -252,7 +257,8 @@ void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
 void writeVertices(Writer& out, const Drawing& drawing, double radius) {
   const auto& vertices = drawing.frame.diagram.vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (!drawing.region.contains({vertices[v].x, vertices[v].y})) continue;
+    if (!drawing.frame.region.contains({vertices[v].x, vertices[v].y})) continue;
+    if (!drawing.frame.isNear(static_cast<std::int32_t>(v))) continue;
     out << "<circle data-vertex=\"" << static_cast<std::int64_t>(v) << "\" cx=\"" << drawing.vertices[v].x << "\" cy=\""
         << drawing.vertices[v].y << "\" r=\"" << radius << "\"/>\n";
   }
@@ -321,7 +327,8 @@ void writeSvgFigure(std::ostream& stream, const Diagram& diagram, const SvgFigur
       << " circles, " << static_cast<std::int64_t>(diagram.hidden.size()) << " of them hidden; "
       << static_cast<std::int64_t>(diagram.vertices.size()) << " vertices, "
       << static_cast<std::int64_t>(diagram.edges.size()) << " edges</desc>\n"
-      << kStyle << figure.style << "</style>\n<g transform=\"scale(1,-1)\">\n";
+      << kStyle << (frame.limits.maxDistance ? kStyleOfCutCells : "") << figure.style
+      << "</style>\n<g transform=\"scale(1,-1)\">\n";
   const auto group = [&](std::string_view name, auto write) {
     out << "<g id=\"" << name << "\" class=\"" << name << "\">\n";
     write();

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace circle_voronoi {
+
+/// R_F(x, y, z) and R_D(x, y, z).
+struct Carlson {
+  double first;
+  double second;
+};
+
+/// Carlson's elliptic integrals to rounding, of the squares of three numbers above 0, by his duplication theorem (DLMF
+/// 19.36): each step quarters how much the arguments differ from their mean, and a series of it is the rest.
+Carlson carlson(double rootX, double rootY, double rootZ);
+
+}  // namespace circle_voronoi

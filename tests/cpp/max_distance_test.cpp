@@ -1,0 +1,529 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells cut at a maximum distance from their circles, against what is known of the union of the grown circles.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/cells.h"
+#include "circle_voronoi/comparison.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/export.h"
+#include "circle_voronoi/families.h"
+#include "random.h"
+#include "report.h"
+#include "tie_inputs.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Circles = std::vector<Circle>;
+using Loop = std::vector<OutlinePiece>;
+
+constexpr double kPi = std::numbers::pi;
+
+Diagram diagramOf(const Circles& circles) { return compute(circles).value(); }
+
+/// The area of the union of circles grown by a distance, by Green's theorem: of each the arcs that no other covers.
+double unionArea(const Circles& given, double more) {
+  Circles circles = given;
+  for (Circle& c : circles) c.r += more;
+  double sum = 0;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    const auto& [x, y, r] = circles[i];
+    if (!(r > 0)) continue;
+    struct Cover {
+      double from;
+      double to;
+    };
+    std::vector<Cover> covers;
+    bool isCovered = false;
+    const auto cover = [&](double from, double to) {
+      if (from < -kPi) {
+        covers.push_back({from + 2 * kPi, kPi});
+        from = -kPi;
+      }
+      if (to > kPi) {
+        covers.push_back({-kPi, to - 2 * kPi});
+        to = kPi;
+      }
+      covers.push_back({from, to});
+    };
+    for (std::size_t j = 0; j < circles.size() && !isCovered; ++j) {
+      if (j == i || !(circles[j].r > 0)) continue;
+      const double dx = circles[j].x - x;
+      const double dy = circles[j].y - y;
+      const double d = std::hypot(dx, dy);
+      const double less = given[i].r - given[j].r;
+      if (d >= r + circles[j].r || d <= less) {
+        isCovered = d == 0 && less == 0 && j < i;
+        continue;
+      }
+      if (d <= -less) {
+        isCovered = true;
+        continue;
+      }
+      const double half = std::acos(std::clamp((d + less / d * (r + circles[j].r)) / (2 * r), -1.0, 1.0));
+      const double middle = std::atan2(dy, dx);
+      cover(middle - half, middle + half);
+    }
+    if (isCovered) continue;
+    std::ranges::sort(covers, {}, &Cover::from);
+    covers.push_back({kPi, kPi});
+    double at = -kPi;
+    for (const Cover& next : covers) {
+      // x dy - y dx along the arc from `at` to where the next cover begins.
+      if (next.from > at) {
+        sum += r *
+               (r * (next.from - at) + x * (std::sin(next.from) - std::sin(at)) -
+                y * (std::cos(next.from) - std::cos(at))) /
+               2;
+      }
+      at = std::max(at, next.to);
+    }
+  }
+  return sum;
+}
+
+/// The area of the part of the union inside a box, by the middle rule over rows.
+double unionAreaIn(const Circles& circles, const Box& box) {
+  constexpr int kRows = 20'000;
+  struct Span {
+    double from;
+    double to;
+  };
+  double sum = 0;
+  const double step = (box.maxY - box.minY) / kRows;
+  for (int row = 0; row < kRows; ++row) {
+    const double y = box.minY + (row + 0.5) * step;
+    std::vector<Span> spans;
+    for (const Circle& c : circles) {
+      const double square = (c.r - (y - c.y)) * (c.r + (y - c.y));
+      if (c.r > 0 && square > 0) spans.push_back({c.x - std::sqrt(square), c.x + std::sqrt(square)});
+    }
+    std::ranges::sort(spans, {}, &Span::from);
+    double at = box.minX;
+    for (const Span& span : spans) {
+      const double to = std::min(span.to, box.maxX);
+      if (to > std::max(at, span.from)) sum += step * (to - std::max(at, span.from));
+      at = std::max(at, to);
+    }
+  }
+  return sum;
+}
+
+Circles grownBy(Circles circles, double more) {
+  for (Circle& c : circles) c.r += more;
+  return circles;
+}
+
+double extentOf(const Circles& circles) {
+  double extent = 0;
+  for (const Circle& c : circles) {
+    extent = std::max({extent, std::abs(c.x - circles[0].x) + c.r, std::abs(c.y - circles[0].y) + c.r});
+  }
+  return extent;
+}
+
+std::int32_t nearestOf(const Diagram& diagram, Point p) {
+  std::int32_t nearest = 0;
+  for (std::int32_t i = 1; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
+    if (distance(diagram, i, p) < distance(diagram, nearest, p)) nearest = i;
+  }
+  return nearest;
+}
+
+std::vector<Point> pointsOf(const OutlinePiece& piece, double tolerance) {
+  if (!piece.isOnCircle()) return polyline(piece.curve, tolerance);
+  const Point p = piece.curve.start;
+  const Point q = piece.curve.end;
+  const double half = std::hypot(q.x - p.x, q.y - p.y) / 2;
+  const double toCentre = std::sqrt(std::max(piece.radius * piece.radius - half * half, 0.0));
+  const Point centre = {(p.x + q.x) / 2 - toCentre * (q.y - p.y) / (2 * half),
+                        (p.y + q.y) / 2 + toCentre * (q.x - p.x) / (2 * half)};
+  const double from = std::atan2(p.y - centre.y, p.x - centre.x);
+  const double turn = 2 * std::asin(std::min(half / piece.radius, 1.0));
+  std::vector<Point> points = {p};
+  for (int k = 1; k < 200; ++k) {
+    const double angle = from + turn * k / 200;
+    points.push_back({centre.x + piece.radius * std::cos(angle), centre.y + piece.radius * std::sin(angle)});
+  }
+  points.push_back(q);
+  return points;
+}
+
+/// How often a loop goes around a point.
+int windings(const Outline& outline, Point p, double tolerance) {
+  int count = 0;
+  for (const Loop& loop : outline) {
+    for (const OutlinePiece& piece : loop) {
+      const auto points = pointsOf(piece, tolerance);
+      for (std::size_t k = 1; k < points.size(); ++k) {
+        const Point a = points[k - 1];
+        const Point b = points[k];
+        if ((a.y <= p.y) == (b.y <= p.y)) continue;
+        const double side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+        if ((side > 0) == (b.y > a.y)) count += b.y > a.y ? 1 : -1;
+      }
+    }
+  }
+  return count;
+}
+
+/// Loops close to the bit, arcs are on their circle, and pieces of sides within the distance.
+void expectSound(const Diagram& diagram, std::int32_t circle, const Outline& outline, double maxDistance,
+                 double rounding) {
+  const Circle& c = diagram.circles[static_cast<std::size_t>(circle)];
+  for (const Loop& loop : outline) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const OutlinePiece& piece = loop[k];
+      ASSERT_EQ(piece.curve.end, loop[(k + 1) % loop.size()].curve.start) << "cell " << circle << " piece " << k;
+      if (piece.isOnCircle()) {
+        ASSERT_EQ(piece.radius, c.r + maxDistance);
+        ASSERT_EQ(piece.side, kNone);
+        ASSERT_EQ(piece.neighbor, kNone);
+      }
+      for (const Point& p : {piece.curve.start, piece.curve.end}) {
+        ASSERT_LE(distance(diagram, circle, p), maxDistance + rounding) << "cell " << circle << " piece " << k;
+      }
+    }
+  }
+}
+
+TEST(MaxDistance, OfOneCircleIsADisc) {
+  const Circles circles = {{3, 4, 2}};
+  const Diagram diagram = diagramOf(circles);
+  const Outline disc = outline(diagram, 0, 1);
+  ASSERT_EQ(disc.size(), 1U);
+  EXPECT_NEAR(area(disc), 9 * kPi, 1e-14 * 9 * kPi);
+  EXPECT_NEAR(perimeter(disc), 6 * kPi, 1e-14 * 6 * kPi);
+  EXPECT_NEAR(centroid(disc).x, 3, 1e-15);
+  EXPECT_NEAR(centroid(disc).y, 4, 1e-15);
+  EXPECT_NEAR(area(outline(diagram, 0, -1)), kPi, 1e-14);
+  EXPECT_TRUE(outline(diagram, 0, -2).empty());
+  EXPECT_TRUE(outline(diagram, 0, -3).empty());
+  // A quarter, all, and nothing of it in a box; and a box inside it.
+  const auto inBox = [&](const Box& box) { return outline(diagram, 0, box, 1); };
+  EXPECT_NEAR(area(inBox({3, 4, 9, 9})), 9 * kPi / 4, 1e-13);
+  EXPECT_NEAR(perimeter(inBox({3, 4, 9, 9})), 6 + 6 * kPi / 4, 1e-13);
+  EXPECT_EQ(area(inBox({-9, -9, 9, 9})), area(disc));
+  EXPECT_TRUE(inBox({6.5, 4, 9, 9}).empty());
+  EXPECT_TRUE(inBox({5.5, 6.5, 9, 9}).empty());
+  EXPECT_EQ(area(inBox({2, 3, 4, 5})), 4);
+  // A side that cuts a segment off, from either side of the centre; one that touches.
+  const double segment = 9 * std::acos(1 / 3.0) - std::sqrt(8);
+  EXPECT_NEAR(area(inBox({-9, -9, 4, 19})), 9 * kPi - segment, 1e-13);
+  EXPECT_NEAR(area(inBox({4, -9, 19, 19})), segment, 1e-13);
+  EXPECT_NEAR(area(inBox({-9, -9, 6, 19})), 9 * kPi, 1e-13);
+  EXPECT_NEAR(area(inBox({6, -9, 19, 19})), 0, 1e-13);
+  // A half in two, by a strip.
+  EXPECT_NEAR(area(inBox({2, -9, 4, 19})), 9 * kPi - 2 * segment, 1e-13);
+}
+
+TEST(MaxDistance, OfTwoEqualCirclesIsTwoDiscsCutAlongALine) {
+  const Circles circles = {{0, 0, 1}, {4, 0, 1}};
+  const Diagram diagram = diagramOf(circles);
+  const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);
+  for (const std::int32_t i : {0, 1}) {
+    const Outline apart = outline(diagram, i, 0.5);
+    EXPECT_NEAR(area(apart), 2.25 * kPi, 1e-14 * 8);
+    // They touch, in a point of both.
+    EXPECT_NEAR(area(outline(diagram, i, 1)), 4 * kPi, 1e-13);
+    const Outline cut = outline(diagram, i, 2);
+    EXPECT_NEAR(area(cut), 9 * kPi - segment, 1e-13);
+    EXPECT_NEAR(perimeter(cut), 6 * kPi - 6 * std::acos(2 / 3.0) + 2 * std::sqrt(5), 1e-13);
+    EXPECT_EQ(std::ranges::count(cut.at(0), 1 - i, &OutlinePiece::neighbor), 1);
+  }
+}
+
+// A circle in the notch between a huge one and another, tangent and nested ones: cells bounded by arcs of all kinds.
+TEST(MaxDistance, OfNestedTangentAndHugeCirclesAddsUpToTheUnion) {
+  const Circles circles = {{0, 0, 3}, {1, 0, 1}, {5, 0, 2}, {2.5, 1.5, 2},   {1e6, 0, 1e6 - 7},
+                           {3, 0, 0}, {5, 1, 1}, {0, 0, 3}, {-4, -4, 0.125}, {-1, 0, 2}};
+  const Diagram diagram = diagramOf(circles);
+  for (const double d : {0.01, 0.5, 1.0, 3.0, 50.0}) {
+    double sum = 0;
+    const Box box = {-50, -50, 50, 40};
+    for (std::int32_t i = 0; i < 10; ++i) {
+      expectSound(diagram, i, outline(diagram, i, d), d, 1e-8);
+      sum += area(outline(diagram, i, box, d));
+    }
+    EXPECT_NEAR(sum, unionAreaIn(grownBy(circles, d), box), 1e-3) << d;
+  }
+}
+
+TEST(MaxDistance, AreasAddUpToThatOfTheUnionOfTheGrownCircles) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    for (std::uint64_t trial = 0; trial < 4; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      const Circles circles = generate(family.family, 1 + random.below(60), random.next());
+      SCOPED_TRACE(std::string(family.name) + ", trial " + std::to_string(trial));
+      const Diagram diagram = diagramOf(circles);
+      const double extent = extentOf(circles);
+      const double d = (extent > 0 ? extent : 1) * (trial == 0 ? 0 : random.logUniform(-4, 1));
+      // Cells between circles that touch inside but for rounding are narrower than the rounding of their vertices.
+      const double rounding = family.family == Family::nestedTangent ? 1e-7 : 1e-8;
+      double sum = 0;
+      for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+        const Outline cut = outline(diagram, i, d);
+        ASSERT_LE(cut.size(), 1U);
+        expectSound(diagram, i, cut, d, 1e-7 * (extent + d));
+        EXPECT_GE(area(cut), -rounding * (extent + d) * (extent + d));
+        sum += area(cut);
+      }
+      EXPECT_NEAR(sum, unionArea(circles, d), rounding * (extent + d) * (extent + d)) << d;
+      if (HasFailure()) FAIL() << test::describe(circles);
+    }
+  }
+}
+
+TEST(MaxDistance, InABoxAreasAddUpToThatOfTheUnionThere) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    Random random(seed * 1'000'003);
+    const Circles circles = generate(family.family, 1 + random.below(25), random.next());
+    SCOPED_TRACE(std::string(family.name));
+    const Diagram diagram = diagramOf(circles);
+    const double extent = extentOf(circles) > 0 ? extentOf(circles) : 1;
+    const Circle& about = circles[random.below(circles.size())];
+    const double size = extent * random.logUniform(-2, 0);
+    const Box box = {about.x - size * random.unit(), about.y - size * random.unit(), about.x + size, about.y + size};
+    const double d = size * random.logUniform(-2, 0.5);
+    double sum = 0;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+      const Outline cut = outline(diagram, i, box, d);
+      expectSound(diagram, i, cut, d, 1e-7 * extent);
+      sum += area(cut);
+    }
+    const double tolerance = 1e-4 * size * size;
+    EXPECT_NEAR(sum, unionAreaIn(grownBy(circles, d), box), tolerance) << d;
+    if (HasFailure()) FAIL() << test::describe(circles);
+  }
+}
+
+TEST(MaxDistance, APointIsInTheOutlineOfItsNearestCircleAlone) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const FamilyInfo& family : families()) {
+    Random random(seed * 1'000'003 + 7);
+    const Circles circles = generate(family.family, 1 + random.below(20), random.next());
+    SCOPED_TRACE(std::string(family.name));
+    const Diagram diagram = diagramOf(circles);
+    const double extent = extentOf(circles) > 0 ? extentOf(circles) : 1;
+    const double d = extent * random.logUniform(-2, 0);
+    const Box box = {circles[0].x - extent / 2, circles[0].y - extent / 3, circles[0].x + extent / 2,
+                     circles[0].y + extent};
+    std::vector<Outline> free;
+    std::vector<Outline> boxed;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+      free.push_back(outline(diagram, i, d));
+      boxed.push_back(outline(diagram, i, box, d));
+    }
+    for (int k = 0; k < 60; ++k) {
+      // Half of them about the boundary of a grown circle.
+      const Circle& c = circles[random.below(circles.size())];
+      const double angle = random.uniform(0, 2 * kPi);
+      const double reach = k % 2 == 0 ? (c.r + d) * random.uniform(0.9, 1.1) : extent * random.unit();
+      const Point p = {c.x + reach * std::cos(angle), c.y + reach * std::sin(angle)};
+      const std::int32_t nearest = nearestOf(diagram, p);
+      const double margin = 1e-4 * (extent + c.r + d);
+      if (std::abs(distance(diagram, nearest, p) - d) < margin) continue;
+      bool isOnBorder = false;
+      for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+        isOnBorder =
+            isOnBorder || (i != nearest && distance(diagram, i, p) < distance(diagram, nearest, p) + 2 * margin);
+      }
+      if (isOnBorder) continue;
+      const bool isNear = distance(diagram, nearest, p) < d;
+      const ConvexPolygon region = box;
+      for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        EXPECT_EQ(windings(free[at], p, margin / 10), i == nearest && isNear ? 1 : 0) << i;
+        if (std::min({p.x - box.minX, p.y - box.minY, box.maxX - p.x, box.maxY - p.y}) < margin && region.contains(p)) {
+          continue;
+        }
+        EXPECT_EQ(windings(boxed[at], p, margin / 10), i == nearest && isNear && region.contains(p) ? 1 : 0) << i;
+      }
+    }
+    if (HasFailure()) FAIL() << test::describe(circles) << d;
+  }
+}
+
+// Grids and packings, at distances that end in vertices and where circles touch.
+TEST(MaxDistance, OfTiesAddsUpToTheUnion) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (std::uint64_t trial = 0; trial < 4; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      const Circles circles = kind.make(2 + random.below(40), random);
+      SCOPED_TRACE(std::string(kind.name) + ", trial " + std::to_string(trial));
+      const Diagram diagram = diagramOf(circles);
+      const double extent = extentOf(circles);
+      std::vector<double> distances = {0, 0.5, 1, extent};
+      for (std::size_t v = 0; v < diagram.vertices.size(); v += 3) distances.push_back(diagram.vertices[v].radius);
+      for (const double d : distances) {
+        if (!(std::abs(d) < 1e6)) continue;
+        double sum = 0;
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+          expectSound(diagram, i, outline(diagram, i, d), d, 1e-7 * (extent + std::abs(d)));
+          sum += area(outline(diagram, i, d));
+        }
+        const double size = extent + std::abs(d);
+        EXPECT_NEAR(sum, unionArea(circles, d), 1e-7 * size * size) << d;
+      }
+      if (HasFailure()) FAIL() << test::describe(circles);
+    }
+  }
+}
+
+TEST(MaxDistance, BothSidesOfAnEdgeAreCutInTheSamePoints) {
+  const Circles circles = generate(Family::logUniform, 200, 3);
+  const Diagram diagram = diagramOf(circles);
+  std::size_t cut = 0;
+  for (std::int32_t i = 0; i < 200; ++i) {
+    for (const Loop& loop : outline(diagram, i, 0.3)) {
+      for (const OutlinePiece& piece : loop) {
+        if (piece.side == kNone) continue;
+        const Outline across = outline(diagram, piece.neighbor, 0.3);
+        const auto back = std::ranges::find(across.at(0), piece.side ^ 1, &OutlinePiece::side);
+        ASSERT_NE(back, across.at(0).end());
+        EXPECT_EQ(back->curve.start, piece.curve.end);
+        EXPECT_EQ(back->curve.end, piece.curve.start);
+        cut += piece.curve.from != sideCurve(diagram, piece.side).from ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(cut, 50U);
+}
+
+TEST(MaxDistance, IsTheSameAtEveryScaleAndOfWeights) {
+  const Circles circles = generate(Family::intersecting, 30, 4);
+  const Diagram diagram = diagramOf(circles);
+  for (const int power : {-480, -200, 300, 490}) {
+    const double scale = std::ldexp(1.0, power);
+    Circles scaled = circles;
+    for (Circle& c : scaled) c = {c.x * scale, c.y * scale, c.r * scale};
+    const Diagram other = diagramOf(scaled);
+    for (std::int32_t i = 0; i < 30; ++i) {
+      const Outline expected = outline(diagram, i, 0.25);
+      const Outline actual = outline(other, i, 0.25 * scale);
+      ASSERT_EQ(actual.size(), expected.size());
+      EXPECT_NEAR(perimeter(actual) / scale, perimeter(expected), 1e-12 * perimeter(expected));
+      EXPECT_NEAR(centroid(actual).x / scale, centroid(expected).x, 1e-9);
+    }
+  }
+  Options options;
+  options.weights = true;
+  const Circles weights = grownBy(circles, -8);
+  const Diagram weighted = compute(weights, options).value();
+  for (std::int32_t i = 0; i < 30; ++i) {
+    const double expected = area(outline(diagram, i, 0.25));
+    EXPECT_NEAR(area(outline(weighted, i, 8.25)), expected, 1e-9 * (1 + expected));
+  }
+}
+
+// Of the diagram of the centres a cell is cut at that distance from its centre.
+TEST(MaxDistance, OfTheCentresIsCutAroundThese) {
+  const Circles circles = {{0, 0, 1}, {4, 0, 0.5}};
+  const Diagram diagram = computeComparison(circles, Metric::centres).value();
+  const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);
+  EXPECT_NEAR(area(outline(diagram, 0, 3)), 9 * kPi - segment, 1e-13);
+  EXPECT_NEAR(area(outline(diagram, 1, 3)), 9 * kPi - segment, 1e-13);
+}
+
+/// The rings of polygons in well-known text, a list for each line.
+std::vector<std::vector<std::vector<Point>>> ringsOf(const std::string& text) {
+  std::vector<std::vector<std::vector<Point>>> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    auto& rings = lines.emplace_back();
+    for (std::size_t at = line.find("(("); at != std::string::npos; at = line.find("((", at + 2)) {
+      std::string ring = line.substr(at + 2, line.find(')', at) - at - 2);
+      std::ranges::replace(ring, ',', ' ');
+      std::istringstream numbers(ring);
+      auto& points = rings.emplace_back();
+      for (Point q; numbers >> q.x >> q.y;) points.push_back(q);
+    }
+  }
+  return lines;
+}
+
+double areaOf(const std::vector<Point>& ring) {
+  double twice = 0;
+  for (std::size_t k = 1; k < ring.size(); ++k) twice += ring[k - 1].x * ring[k].y - ring[k - 1].y * ring[k].x;
+  return twice / 2;
+}
+
+// Polygons within the tolerance, one for each cell, and nothing of the diagram beyond the distance.
+TEST(MaxDistance, FilesHaveTheCutCells) {
+  const Circles circles = generate(Family::intersecting, 60, 2);
+  const Diagram diagram = diagramOf(circles);
+  const double d = 0.2;
+  const double tolerance = 1e-3;
+  ExportOptions options;
+  options.maxDistance = d;
+  options.tolerance = tolerance;
+  std::ostringstream wkt;
+  writeWkt(wkt, diagram, options);
+  const auto cells = ringsOf(wkt.str());
+  ASSERT_EQ(cells.size(), circles.size());
+  for (std::int32_t i = 0; i < 60; ++i) {
+    const Outline exact = outline(diagram, i, d);
+    const auto& rings = cells[static_cast<std::size_t>(i)];
+    ASSERT_EQ(rings.size(), exact.size()) << i;
+    if (rings.empty()) continue;
+    EXPECT_NEAR(areaOf(rings[0]), area(exact), tolerance * perimeter(exact));
+    const Circle& c = circles[static_cast<std::size_t>(i)];
+    for (const Point& p : rings[0]) EXPECT_LE(std::hypot(p.x - c.x, p.y - c.y), c.r + d + tolerance);
+  }
+
+  std::ostringstream geojson;
+  writeGeoJson(geojson, diagram, options);
+  for (std::int32_t i = 0; i < 60; ++i) {
+    const std::string key = "\"circle\":" + std::to_string(i) + ",";
+    const std::string text = geojson.str().substr(geojson.str().find(key));
+    const double exact = area(outline(diagram, i, exportBox(circles, d), d));
+    EXPECT_NEAR(std::stod(text.substr(text.find("\"area\":") + 7)), exact, 1e-12);
+  }
+
+  std::ostringstream obj;
+  writeObj(obj, diagram, options);
+  std::istringstream lines(obj.str());
+  std::size_t points = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("v ")) continue;
+    std::istringstream numbers(line.substr(2));
+    Point p;
+    numbers >> p.x >> p.y;
+    EXPECT_LE(distance(diagram, nearestOf(diagram, p), p), d + tolerance);
+    ++points;
+  }
+  EXPECT_GT(points, 100U);
+
+  std::ostringstream svg;
+  writeSvg(svg, diagram, options);
+  const std::string drawing = svg.str();
+  const auto count = [&](const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = drawing.find(what); at != std::string::npos; at = drawing.find(what, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_GT(count(" 0 0 1 "), 60U);
+  const auto isNear = [&](const Vertex& vertex) { return vertex.radius <= d; };
+  EXPECT_EQ(count("data-vertex="), static_cast<std::size_t>(std::ranges::count_if(diagram.vertices, isNear)));
+}
+
+// By default the box has room for what is drawn.
+TEST(MaxDistance, TheBoxGrowsWithIt) {
+  const Circles circles = {{0, 0, 1}, {9, 0, 0}};
+  EXPECT_EQ(exportBox(circles, 1).minX, exportBox(Circles{{0, 0, 2}, {9, 0, 1}}).minX);
+  EXPECT_EQ(exportBox(circles, 1).maxX, exportBox(Circles{{0, 0, 2}, {9, 0, 1}}).maxX);
+  EXPECT_EQ(exportBox(circles, -0.5).maxY, exportBox(circles).maxY);
+}
+
+}  // namespace
+}  // namespace circle_voronoi
