@@ -95,7 +95,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badArgument', 'from takes three functions, for x, y and r of a datum.', () => l.from?.([], 'x', 'y', 'r')],
   [
     'badOption',
-    'There is no option minX of render; its options are context, bounds, tolerance and digits.',
+    'There is no option minX of render; its options are context, bounds, maxDistance, tolerance and digits.',
     () => d.render?.(box),
   ],
   ['badOption', 'What render draws on is an option: { context }.', () => d.render?.({ moveTo() {} })],
@@ -126,17 +126,17 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badOption', 'The corners of a polygon are an array of points, not undefined.', () => untyped(ConvexPolygon.from)()],
   [
     'badOption',
-    'There is no option sample of compute; its options are method, candidates, samples, resample and progress.',
+    'There is no option sample of compute; its options are weights, method, candidates, samples, resample and progress.',
     () => l.compute?.([], { sample: 1 }),
   ],
   [
     'badOption',
-    'There is no option Method of compute; its options are method, candidates, samples, resample and progress.',
+    'There is no option Method of compute; its options are weights, method, candidates, samples, resample and progress.',
     () => l.compute?.([], { Method: 'flip' }),
   ],
   [
     'badOption',
-    'There is no option signal of compute; its options are method, candidates, samples, resample and progress.',
+    'There is no option signal of compute; its options are weights, method, candidates, samples, resample and progress.',
     () => l.compute?.([], { signal: AbortSignal.abort() }),
   ],
   ['badOption', 'The option samples is a whole number from 0, not -1.', () => library.compute([], { samples: -1 })],

@@ -231,7 +231,7 @@ it('no circles have no answers', () => {
 
 it('one circle is its own hull', () => {
   const { arcs, length, area } = hull(library.compute(Float64Array.of(1, 2, 3)))
-  expect(arcs).toEqual([{ circle: 0, start: { x: 4, y: 2 }, end: { x: 4, y: 2 }, angle: 2 * Math.PI }])
+  expect(arcs).toEqual([{ circle: 0, radius: 3, start: { x: 4, y: 2 }, end: { x: 4, y: 2 }, angle: 2 * Math.PI }])
   expect(length).toBeCloseTo(6 * Math.PI, 12)
   expect(area).toBeCloseTo(9 * Math.PI, 12)
 })
@@ -252,7 +252,9 @@ it.each([2 ** -520, 2 ** -900])('the hull is the same at %d times the size', (si
   const scaled = ({ x, y }: Point) => ({ x: size * x, y: size * y })
   const large = hull(library.compute(circles)).arcs
   const small = hull(library.compute(circles.map((value) => size * value))).arcs
-  expect(small).toEqual(large.map((arc) => ({ ...arc, start: scaled(arc.start), end: scaled(arc.end) })))
+  expect(small).toEqual(
+    large.map((arc) => ({ ...arc, radius: size * arc.radius, start: scaled(arc.start), end: scaled(arc.end) })),
+  )
 })
 
 it('the hull of two circles has two arcs and two tangent segments', () => {

@@ -107,8 +107,12 @@ export function parameterAt({ origin, unit, across, apex, a, b }: Bisector, x: n
   const isSteep = a !== 0 && c * Math.abs(sine) > b * lengthOf({ x: sine, y: 1 })
   const rise = (lengthOf(toPoint) - apex) / c
   if (!isSteep || !(rise > 0)) return exponentialOf(sine)
-  const size = Math.sqrt(rise) * Math.sqrt(rise + 2)
-  return exponentialOf(sine < 0 ? -size : size)
+  return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise)
+}
+
+/** The parameter s >= 1 at which a branch is at the distance apex + c rise from the origin, rise = cosh t - 1. */
+export function parameterAtRise(rise: number): number {
+  return exponentialOf(Math.sqrt(rise) * Math.sqrt(rise + 2))
 }
 
 /**

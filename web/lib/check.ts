@@ -69,6 +69,16 @@ export function checkMetric({ metric }: DiagramData, caller: string, ...known: r
   }
 }
 
+/** @throws CircleVoronoiError `badOption`, if there is a distance that is no number or that the metric does not measure */
+export function checkMaxDistance({ metric }: DiagramData, caller: string, distance: unknown): void {
+  if (distance === undefined) return
+  if (typeof distance !== 'number' || !(Math.abs(distance) <= 1e152)) {
+    refuseOption(`The maximum distance is a number up to 1e152, not ${shown(distance)}.`)
+  }
+  if (metric === 'power')
+    refuseOption(`${caller} takes no maximum distance of a power diagram, which has no distances.`)
+}
+
 /** A value as it can stand in a sentence. */
 export function shown(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value)

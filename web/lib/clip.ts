@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { controlPoint } from './bezier.ts'
-import { type Bisector, pointAt } from './bisector.ts'
+import { type Bisector, parameterAtRise, pointAt } from './bisector.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { type BoundedCurve, type EdgeCurve, isBounded, seenFrom } from './curve.ts'
 import { NONE } from './diagram-data.ts'
 import { between, dot, type Point, type Vector } from './point.ts'
+import { CIRCLE_OF_RING } from './ring.ts'
 import { largestOf, measuredIn, turn, unitFor } from './scale.ts'
 
 /**
- * A part of a curve inside a region, and the sides of the region that cut it off, on which its ends lie then; `NONE` where
- * it ends with the curve.
+ * A part of a curve inside a region, and the sides of the region, or `CIRCLE_OF_RING`, that cut it off, on which its ends
+ * lie then; `NONE` where it ends with the curve.
  */
 export interface Part {
   readonly curve: BoundedCurve
@@ -42,6 +43,30 @@ export function partsInside(whole: EdgeCurve, region: ConvexPolygon): Part[] {
     if (isBounded(part)) parts.push({ curve: part, cutFrom, cutTo })
   }
   return parts
+}
+
+/**
+ * The part of a curve whose points are up to a distance from the origin of its bisector, the centre of the smaller circle:
+ * bounded, if there is one. The distance apex + c (cosh t - 1) grows from the apex to both sides: it is from 1 / s to s.
+ */
+export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
+  const curve = seenFrom(whole, reach)
+  const { bisector } = curve
+  const rise = (reach / bisector.unit - bisector.apex) / (bisector.apex + Math.abs(bisector.a))
+  if (!(rise > 0)) return undefined
+  const most = parameterAtRise(rise)
+  const isCutFrom = curve.from < 1 / most
+  const isCutTo = curve.to > most
+  const from = isCutFrom ? 1 / most : curve.from
+  const to = isCutTo ? most : curve.to
+  if (from > to) return undefined
+  const start = isCutFrom ? pointAt(bisector, from) : (curve.start as Point)
+  const end = isCutTo ? pointAt(bisector, to) : (curve.end as Point)
+  return {
+    curve: { bisector, from, to, start, end },
+    cutFrom: isCutFrom ? CIRCLE_OF_RING : NONE,
+    cutTo: isCutTo ? CIRCLE_OF_RING : NONE,
+  }
 }
 
 function spansInside(curve: EdgeCurve, region: ConvexPolygon): Span[] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Limits } from './cell-limits.ts'
 import { Cells } from './cells.ts'
-import { checkIndex, checkNumber, refuseArgument, shown } from './check.ts'
+import { checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from './check.ts'
 import { ConvexPolygon } from './convex-polygon.ts'
 import { at, type Certificate, type DiagramData, type Float64s, type Int32s, NONE, type Stats } from './diagram-data.ts'
 import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
@@ -212,7 +213,7 @@ export class Diagram implements DiagramData {
   edgePath(e: number, options: PolygonOptions & ContextOptions): void
   edgePath(e: number, options: DrawOptions = {}): string | undefined {
     checkIndex(e, this.edges.length / 4, 'edgePath', 'edge')
-    return this.#drawn('edgePath', options, (sink, region, tolerance) => drawEdge(sink, this, e, region, tolerance))
+    return this.#drawn('edgePath', options, (sink, limits, tolerance) => drawEdge(sink, this, e, limits, tolerance))
   }
 
   /**
@@ -223,8 +224,8 @@ export class Diagram implements DiagramData {
   cellPath(i: number, options: PolygonOptions & ContextOptions): void
   cellPath(i: number, options: DrawOptions = {}): string | undefined {
     this.#checkCircle(i, 'cellPath')
-    return this.#drawn('cellPath', options, (sink, region, tolerance) =>
-      drawCell(sink, this.cells, i, region, tolerance),
+    return this.#drawn('cellPath', options, (sink, limits, tolerance) =>
+      drawCell(sink, this.cells, i, limits, tolerance),
     )
   }
 
@@ -232,8 +233,8 @@ export class Diagram implements DiagramData {
   render(options?: PolygonOptions & TextOptions): string
   render(options: PolygonOptions & ContextOptions): void
   render(options: DrawOptions = {}): string | undefined {
-    return this.#drawn('render', options, (sink, region, tolerance) => {
-      for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, region, tolerance)
+    return this.#drawn('render', options, (sink, limits, tolerance) => {
+      for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, limits, tolerance)
     })
   }
 
@@ -241,7 +242,7 @@ export class Diagram implements DiagramData {
   renderBounds(options?: PolygonOptions & TextOptions): string
   renderBounds(options: PolygonOptions & ContextOptions): void
   renderBounds(options: DrawOptions = {}): string | undefined {
-    return this.#drawn('renderBounds', options, drawRegion)
+    return this.#drawn('renderBounds', options, (sink, { region }) => drawRegion(sink, region))
   }
 
   /** All circles, hidden ones too. */
@@ -277,8 +278,8 @@ export class Diagram implements DiagramData {
    */
   cellPolygon(i: number, options: PolygonOptions = {}): Polygon | undefined {
     this.#checkCircle(i, 'cellPolygon')
-    const region = this.#regionOf('cellPolygon', options, ['bounds', 'tolerance'])
-    return ringOf(outlineOf(this.cells, i, region), toleranceOf(options, region))
+    const limits = this.#limitsOf('cellPolygon', options, ['bounds', 'maxDistance', 'tolerance'])
+    return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))
   }
 
   /** The polygons of all cells that have one, each with the `index` of its circle. */
@@ -332,7 +333,7 @@ export class Diagram implements DiagramData {
 
   #outline(i: number, caller: string, options: BoundsOptions): Outline {
     this.#checkCircle(i, caller)
-    return outlineOf(this.cells, i, this.#regionOf(caller, options, ['bounds']))
+    return outlineOf(this.cells, i, this.#limitsOf(caller, options, ['bounds', 'maxDistance']))
   }
 
   #ofEach(
@@ -341,26 +342,33 @@ export class Diagram implements DiagramData {
     size: number,
     measure: (outline: Outline) => readonly number[],
   ): Float64Array {
-    const region = this.#regionOf(caller, options, ['bounds'])
+    const limits = this.#limitsOf(caller, options, ['bounds', 'maxDistance'])
     const count = this.circles.length / 3
     const values = new Float64Array(size * count)
-    for (let i = 0; i < count; i++) values.set(measure(outlineOf(this.cells, i, region)), size * i)
+    for (let i = 0; i < count; i++) values.set(measure(outlineOf(this.cells, i, limits)), size * i)
     return values
   }
 
   #drawn(
     caller: string,
     options: DrawOptions,
-    draw: (sink: PathSink, region: ConvexPolygon, tolerance: number) => void,
+    draw: (sink: PathSink, limits: Limits, tolerance: number) => void,
   ): string | undefined {
-    const region = this.#regionOf(caller, options, DRAW_OPTIONS)
-    const tolerance = toleranceOf(options, region)
-    return drawn(options, tolerance, (sink) => draw(sink, region, tolerance))
+    const limits = this.#limitsOf(caller, options, DRAW_OPTIONS)
+    const tolerance = toleranceOf(options, limits.region)
+    return drawn(options, tolerance, (sink) => draw(sink, limits, tolerance))
   }
 
-  #regionOf(caller: string, options: BoundsOptions, known: readonly string[]): ConvexPolygon {
+  #limitsOf(caller: string, options: BoundsOptions, known: readonly string[]): Limits {
     checkDrawOptions(options, caller, known)
-    return options.bounds === undefined ? this.#defaultBounds() : ConvexPolygon.of(options.bounds)
+    const { bounds, maxDistance } = options
+    checkMaxDistance(this, caller, maxDistance)
+    if (bounds !== undefined) return { region: ConvexPolygon.of(bounds), maxDistance }
+    const isCut = maxDistance !== undefined
+    return {
+      region: isCut ? ConvexPolygon.of(exportBox(this.circles, maxDistance)) : this.#defaultBounds(),
+      maxDistance,
+    }
   }
 
   #defaultBounds(): ConvexPolygon {

@@ -9,6 +9,12 @@ import { SvgPath } from './svg-path.ts'
 export interface BoundsOptions {
   /** In the units of the input. Default: a box with room for a twentieth of the circles' extent around them. */
   readonly bounds?: Bounds | undefined
+  /**
+   * Cells and edges are cut at this distance from their circles: a cell by the circle of radius r + maxDistance around the
+   * same centre, so that together they are the union of the circles grown by it, and none overlap. Below 0 it is what lies
+   * so deep inside the circles. The default bounds have room for it. Default: they are not cut.
+   */
+  readonly maxDistance?: number | undefined
 }
 
 /** How closely curves are drawn, and where. */
@@ -70,7 +76,7 @@ export function drawn(
 }
 
 /** The names of the options of what is drawn within bounds, and of what is not. */
-export const DRAW_OPTIONS = ['context', 'bounds', 'tolerance', 'digits']
+export const DRAW_OPTIONS = ['context', 'bounds', 'maxDistance', 'tolerance', 'digits']
 export const PATH_OPTIONS = ['context', 'digits']
 
 /** @throws CircleVoronoiError `badOption`, if there are others than those named */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { traceArc } from './bezier.ts'
+import { keptParts, type Limits, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
-import { partsInside } from './clip.ts'
+import { isCircleArc, traceCircleArc } from './circle-arc.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 import { edgeCurve, isBounded, reversed } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
@@ -11,33 +12,31 @@ import type { PathSink } from './path-sink.ts'
 import type { Point } from './point.ts'
 import { lengthOf } from './scale.ts'
 
-/** Draws what of edge `e` lies in a region, no farther than `tolerance` from the true curve. */
-export function drawEdge(
-  sink: PathSink,
-  diagram: DiagramData,
-  e: number,
-  region: ConvexPolygon,
-  tolerance: number,
-): void {
-  if (isBeyondEdge(diagram, e, region)) return
-  for (const { curve } of partsInside(edgeCurve(diagram, e), region)) {
+/** Draws what is kept of edge `e`, no farther than `tolerance` from the true curve. */
+export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits: Limits, tolerance: number): void {
+  if (isBeyondEdge(diagram, e, limits.region)) return
+  for (const { curve } of keptParts(diagram, e, limits)) {
     sink.moveTo(curve.start.x, curve.start.y)
     traceArc(sink, curve, tolerance)
   }
 }
 
-/** Draws the outline of what of a cell lies in a region, counter-clockwise: a closed path for each of its parts. */
-export function drawCell(sink: PathSink, cells: Cells, circle: number, region: ConvexPolygon, tolerance: number): void {
+/** Draws the outline of what is kept of a cell, counter-clockwise: a closed path for each of its parts. */
+export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: Limits, tolerance: number): void {
+  const { region, maxDistance } = limits
   const reach = cells.reach(circle)
   if (!(distanceTo(region, cells.diagram, circle) <= reach)) return
-  if (holdsDisc(region, circleAt(cells.diagram.circles, circle), reach)) {
+  const isNear = maxDistance === undefined || reach < reachFrom(cells.diagram, circle, maxDistance)
+  if (isNear && holdsDisc(region, circleAt(cells.diagram.circles, circle), reach)) {
     drawWholeCell(sink, cells, circle, tolerance)
     return
   }
-  for (const loop of outlineOf(cells, circle, region)) {
-    loop.forEach(({ curve }, k) => {
+  for (const loop of outlineOf(cells, circle, limits)) {
+    loop.forEach((piece, k) => {
+      const { curve } = piece
       if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
-      traceArc(sink, curve, tolerance)
+      if (isCircleArc(piece)) traceCircleArc(sink, piece)
+      else traceArc(sink, curve, tolerance)
     })
     sink.closePath()
   }

@@ -7,12 +7,16 @@ const MARGIN = 0.05
 const TOLERANCE = 1e-5
 
 /** The box that drawings are clipped to by default: with room for a twentieth of the circles' extent around them. */
-export function exportBox(circles: Float64Array): Box {
+export function exportBox(circles: Float64Array, maxDistance = 0): Box {
   if (circles.length === 0) return { minX: 0, minY: 0, maxX: 1, maxY: 1 }
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
   for (let i = 0; i < circles.length; i += 3) {
     // A circle of negative radius is drawn as a point.
-    const [x, y, r] = [at(circles, i), at(circles, i + 1), Math.max(at(circles, i + 2), 0)]
+    const [x, y, r] = [
+      at(circles, i),
+      at(circles, i + 1),
+      Math.max(at(circles, i + 2), at(circles, i + 2) + maxDistance, 0),
+    ]
     minX = Math.min(minX, x - r)
     minY = Math.min(minY, y - r)
     maxX = Math.max(maxX, x + r)

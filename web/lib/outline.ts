@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import { keptParts, type Limits, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
-import { checkDiagram, checkIndex } from './check.ts'
-import { type Part, partsInside } from './clip.ts'
+import { checkDiagram, checkIndex, checkMaxDistance } from './check.ts'
+import type { Part } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
-import { type BoundedCurve, edgeCurve, reversed, segment } from './curve.ts'
+import { type BoundedCurve, reversed, segment } from './curve.ts'
 import type { Diagram } from './diagram.ts'
-import { NONE } from './diagram-data.ts'
+import { type Circle, circleAt, NONE } from './diagram-data.ts'
+import { area } from './measure.ts'
 import type { Point } from './point.ts'
-import { Ring } from './ring.ts'
+import { Ring, type RingElement } from './ring.ts'
 
 /** A piece of the outline of a clipped cell, with the cell on its left. */
 export interface OutlinePiece {
+  /** Of an arc of a circle its chord. */
   readonly curve: BoundedCurve
-  /** The side of the cell (see `Cells`); `NONE`: a piece of the boundary of the region. */
+  /** The side of the cell (see `Cells`); `NONE`: a piece of the boundary of the region, or an arc of a circle. */
   readonly side: number
   /** The circle on the other side; `NONE` likewise. */
   readonly neighbor: number
+  /**
+   * Of an arc of the circle around the cell's centre that a maximum distance makes: its radius, else 0. The arc is
+   * counter-clockwise and of a quarter turn at most, so that its ends and radius say where the centre is.
+   */
+  readonly radius: number
 }
 
 /**
@@ -26,25 +35,39 @@ export type Outline = readonly (readonly OutlinePiece[])[]
 
 /**
  * The part of the cell of a circle inside some bounds: empty if they do not meet, several loops if the bounds cut the cell
- * apart.
+ * apart. With a maximum distance it is cut by the circle of radius r + maxDistance around the same centre as well.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
  */
-export function outline(diagram: Diagram, circle: number, bounds: Bounds): Outline {
+export function outline(diagram: Diagram, circle: number, bounds: Bounds, maxDistance?: number): Outline {
   checkDiagram(diagram, 'outline')
   checkIndex(circle, diagram.circles.length / 3, 'outline', 'circle')
-  return outlineOf(diagram.cells, circle, ConvexPolygon.of(bounds))
+  checkMaxDistance(diagram, 'outline', maxDistance)
+  return outlineOf(diagram.cells, circle, { region: ConvexPolygon.of(bounds), maxDistance })
 }
 
 /** The same of checked arguments. */
-export function outlineOf(cells: Cells, circle: number, region: ConvexPolygon): Outline {
+export function outlineOf(cells: Cells, circle: number, limits: Limits): Outline {
   if (!cells.exists(circle)) return []
-  const { chains, isClosed } = chainsOf(cells, circle, region)
-  if (chains.length === 0) {
-    const { x, y } = region.middle()
-    return cells.contains(circle, x, y) ? [boundaryOf(region)] : []
+  const { region, maxDistance } = limits
+  let disc: Circle | undefined
+  if (maxDistance !== undefined) {
+    const { x, y } = circleAt(cells.diagram.circles, circle)
+    disc = { x, y, r: reachFrom(cells.diagram, circle, maxDistance) }
+    if (!(disc.r > 0)) return []
   }
-  return isClosed ? chains.map(({ pieces }) => pieces) : joined(cells, circle, new Ring(region), chains)
+  const { chains, isClosed } = chainsOf(cells, circle, limits)
+  if (isClosed) return chains.map(({ pieces }) => pieces)
+  const ring = new Ring(region, disc)
+  if (ring.elements.length === 0) return []
+  if (chains.length === 0) {
+    const { x, y } = ring.middle()
+    return cells.contains(circle, x, y) ? [ring.elements.map(pieceOf)] : []
+  }
+  const loops = joined(cells, circle, ring, chains)
+  // In a disc it is in one piece: what rounding cut off where several edges end next to the circle goes.
+  if (loops.length < 2 || !ring.isCircle) return loops
+  return [loops.reduce((one, other) => (area([other]) > area([one]) ? other : one))]
 }
 
 /** Sides of a cell inside the region that follow each other without a gap. */
@@ -57,14 +80,14 @@ interface Chain {
 }
 
 /** `isClosed`: the sides close by themselves, for the cell lies inside the region. */
-function chainsOf(cells: Cells, circle: number, region: ConvexPolygon): { chains: Chain[]; isClosed: boolean } {
+function chainsOf(cells: Cells, circle: number, limits: Limits): { chains: Chain[]; isClosed: boolean } {
   const chains: Chain[] = []
   const sides = cells.sides(circle)
   let isLinked = false // whether the last chain goes on with the next side
   let firstIsAtOrigin = false // whether the first chain begins where its side begins
   for (const side of sides) {
     let goesOn = false
-    for (const { curve, cutFrom, cutTo } of piecesOf(cells, side, region)) {
+    for (const { curve, cutFrom, cutTo } of piecesOf(cells, side, limits)) {
       const isAtOrigin = cutFrom === NONE
       if (!isLinked || !isAtOrigin) {
         if (chains.length === 0) firstIsAtOrigin = isAtOrigin && side === sides[0]
@@ -73,7 +96,7 @@ function chainsOf(cells: Cells, circle: number, region: ConvexPolygon): { chains
       isLinked = false
       goesOn = cutTo === NONE
       const chain = chains.at(-1) as Chain
-      chain.pieces.push({ curve, side, neighbor: cells.neighborOf(side) })
+      chain.pieces.push({ curve, side, neighbor: cells.neighborOf(side), radius: 0 })
       chain.cutTo = cutTo
     }
     isLinked = goesOn
@@ -91,8 +114,8 @@ function chainsOf(cells: Cells, circle: number, region: ConvexPolygon): { chains
  * The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the cells on
  * either side meet bit for bit.
  */
-function piecesOf({ diagram }: Cells, side: number, region: ConvexPolygon): Part[] {
-  const pieces = partsInside(edgeCurve(diagram, side >> 1), region)
+function piecesOf({ diagram }: Cells, side: number, limits: Limits): Part[] {
+  const pieces = keptParts(diagram, side >> 1, limits)
   if (side % 2 === 0) return pieces
   return pieces.reverse().map(({ curve, cutFrom, cutTo }) => ({
     curve: reversed(curve),
@@ -109,7 +132,7 @@ interface Passage {
 }
 
 function passageOf({ pieces, cutFrom, cutTo }: Chain, ring: Ring): Passage {
-  const place = (cut: number, p: Point) => (cut === NONE ? ring.placeNear(p) : ring.placeOn(cut, p))
+  const place = (cut: number, p: Point) => ring.placeNear(p, cut === NONE ? undefined : cut)
   const { curve: first } = pieces[0] as OutlinePiece
   const { curve: last } = pieces.at(-1) as OutlinePiece
   return { pieces, entry: place(cutFrom, first.start), exit: place(cutTo, last.end) }
@@ -135,12 +158,9 @@ function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain
     next.set(passage, after)
     const isAround = beginsInside && k + 1 === passages.length
     const to = ahead(after.entry) + (isAround ? ring.total : 0)
-    let last = (passage.pieces.at(-1) as OutlinePiece).curve.end
-    for (const corner of ring.cornersBetween(ahead(passage.exit), to)) {
-      appendSegment(passage.pieces, last, corner)
-      last = corner
-    }
-    appendSegment(passage.pieces, last, (after.pieces[0] as OutlinePiece).curve.start)
+    const start = (passage.pieces.at(-1) as OutlinePiece).curve.end
+    const end = (after.pieces[0] as OutlinePiece).curve.start
+    for (const part of ring.between(ahead(passage.exit), to, start, end)) passage.pieces.push(pieceOf(part))
   })
 
   const loops: OutlinePiece[][] = []
@@ -188,14 +208,6 @@ function leadAt(cells: Cells, circle: number, { x, y }: Point): number {
   return least
 }
 
-function boundaryOf(region: ConvexPolygon): OutlinePiece[] {
-  const loop: OutlinePiece[] = []
-  region.corners.forEach((corner, k) => {
-    appendSegment(loop, corner, region.cornerAfter(k))
-  })
-  return loop
-}
-
-function appendSegment(loop: OutlinePiece[], from: Point, to: Point): void {
-  if (from.x !== to.x || from.y !== to.y) loop.push({ curve: segment(from, to), side: NONE, neighbor: NONE })
+function pieceOf({ start, end, radius }: RingElement): OutlinePiece {
+  return { curve: segment(start, end), side: NONE, neighbor: NONE, radius }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { polyline } from './bezier.ts'
+import { polyline as arcPolyline, isCircleArc } from './circle-arc.ts'
 import { circleAt, type DiagramData } from './diagram-data.ts'
 import { hull } from './hull.ts'
-import type { Outline } from './outline.ts'
+import type { Outline, OutlinePiece } from './outline.ts'
 import { lengthOf } from './scale.ts'
 
 /** A closed ring of points x, y, counter-clockwise: the last is the first again. */
@@ -11,9 +12,9 @@ export type Polygon = [x: number, y: number][]
 /** The loops of an outline as one ring: from the first point it goes to each further loop and back. */
 export function ringOf(outline: Outline, tolerance: number): Polygon | undefined {
   const [ring, ...others] = outline.map((loop) => {
-    const points: Polygon = loop.flatMap(({ curve }) =>
-      polyline(curve, tolerance).map(({ x, y }): [number, number] => [x, y]),
-    )
+    const pointsOf = (piece: OutlinePiece) =>
+      isCircleArc(piece) ? arcPolyline(piece, tolerance) : polyline(piece.curve, tolerance)
+    const points: Polygon = loop.flatMap((piece) => pointsOf(piece).map(({ x, y }): [number, number] => [x, y]))
     return points.filter(([x, y], k) => k === 0 || x !== points[k - 1]?.[0] || y !== points[k - 1]?.[1])
   })
   if (ring === undefined || ring[0] === undefined) return undefined

@@ -47,7 +47,11 @@ class Clipper {
       return {};
     }
     if (isClosed) return {std::move(chains_.front().pieces)};
-    return joinChains();
+    Outline loops = joinChains();
+    if (loops.size() < 2 || !ring_.isCircle()) return loops;
+    // In a disc it is in one piece: what rounding cut off where several edges end next to the circle goes.
+    const auto areaOf = [](const std::vector<OutlinePiece>& loop) { return area({loop}); };
+    return {*std::ranges::max_element(loops, {}, areaOf)};
   }
 
  private:
@@ -248,13 +252,7 @@ Outline outline(const Diagram& diagram, CircleIndex circle, const Limits& limits
     disc = {c.x, c.y, limits.reachFrom(diagram, circle)};
     if (!(disc->r > 0)) return {};
   }
-  Outline outline = Clipper(diagram, circle, limits, disc).run();
-  // Without a region it is in one piece: what rounding cut off where several edges end next to the circle goes.
-  if (limits.region == nullptr && outline.size() > 1) {
-    const auto areaOf = [](const std::vector<OutlinePiece>& loop) { return area({loop}); };
-    outline = {*std::ranges::max_element(outline, {}, areaOf)};
-  }
-  return outline;
+  return Clipper(diagram, circle, limits, disc).run();
 }
 
 Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region) {

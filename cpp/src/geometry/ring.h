@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -31,6 +32,10 @@ class Ring {
 
   bool isEmpty() const { return elements_.empty(); }
   std::span<const Element> elements() const { return elements_; }
+  /// Whether it is a circle as a whole.
+  bool isCircle() const {
+    return std::ranges::all_of(elements_, [](const Element& element) { return element.radius > 0; });
+  }
   /// A point inside.
   Point middle() const;
 

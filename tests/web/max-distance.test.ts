@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells cut at a maximum distance from their circles, against what is known of the union of the grown circles.
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { type Box, type Diagram, NONE, outline } from '../../web/lib/index.ts'
+import { area } from '../../web/lib/measure.ts'
+import { anyCircles, unit } from './arbitrary-circles.ts'
+import { library } from './library.ts'
+import { boxAround, pointIn, scaleOf, signedDistance } from './oracle.ts'
+import { doubleArea, RecordingSink } from './recording-sink.ts'
+
+const ROWS = 4000
+
+/** The area of the part of the union of circles grown by a distance that lies in a box, by the middle rule over rows. */
+function unionArea(circles: Float64Array, more: number, { minX, minY, maxX, maxY }: Box): number {
+  const step = (maxY - minY) / ROWS
+  let sum = 0
+  for (let row = 0; row < ROWS; row++) {
+    const y = minY + (row + 0.5) * step
+    const spans: [number, number][] = []
+    for (let i = 0; i < circles.length; i += 3) {
+      const [cx, cy, r] = [circles[i], circles[i + 1], (circles[i + 2] as number) + more] as [number, number, number]
+      const square = (r - (y - cy)) * (r + (y - cy))
+      if (r > 0 && square > 0) spans.push([cx - Math.sqrt(square), cx + Math.sqrt(square)])
+    }
+    let at = minX
+    for (const [from, to] of spans.sort(([one], [other]) => one - other)) {
+      sum += step * Math.max(0, Math.min(to, maxX) - Math.max(at, from))
+      at = Math.max(at, Math.min(to, maxX))
+    }
+  }
+  return sum
+}
+
+/** How often the loops of a path go around a point. */
+function windings(sink: RecordingSink, { x, y }: { x: number; y: number }): number {
+  let count = 0
+  for (const stroke of sink.strokes) {
+    stroke.forEach((b, k) => {
+      const a = stroke[k - 1]
+      if (a === undefined || a.y <= y === b.y <= y) return
+      const side = (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)
+      if (side > 0 === b.y > a.y) count += b.y > a.y ? 1 : -1
+    })
+  }
+  return count
+}
+
+function cellsOf(diagram: Diagram): number[] {
+  return Array.from({ length: diagram.circles.length / 3 }, (_, i) => i)
+}
+
+describe('a maximum distance', () => {
+  it('makes a disc of one circle', () => {
+    const diagram = library.compute([[3, 4, 2]])
+    expect(diagram.cellArea(0, { maxDistance: 1 })).toBeCloseTo(9 * Math.PI, 12)
+    expect(diagram.cellPerimeter(0, { maxDistance: 1 })).toBeCloseTo(6 * Math.PI, 12)
+    expect(diagram.cellArea(0, { maxDistance: -1 })).toBeCloseTo(Math.PI, 12)
+    expect(diagram.cellArea(0, { maxDistance: -2 })).toBe(0)
+    expect(diagram.cellArea(0, { maxDistance: 1, bounds: [3, 4, 9, 9] })).toBeCloseTo((9 * Math.PI) / 4, 12)
+    expect(diagram.cellArea(0, { maxDistance: 1, bounds: [6.5, 4, 9, 9] })).toBe(0)
+    expect(diagram.cellArea(0, { maxDistance: 1, bounds: [2, 3, 4, 5] })).toBe(4)
+    expect(diagram.cellCentroid(0, { maxDistance: 1 })?.x).toBeCloseTo(3, 12)
+    expect(diagram.cellPath(0, { maxDistance: 1, digits: 2 })).toMatch(/^M6,4A3,3 0 0 1 /)
+  })
+
+  it('cuts two discs along a line', () => {
+    const diagram = library.compute([
+      [0, 0, 1],
+      [4, 0, 1],
+    ])
+    const segment = 9 * Math.acos(2 / 3) - 2 * Math.sqrt(5)
+    for (const i of [0, 1]) {
+      expect(diagram.cellArea(i, { maxDistance: 0.5 })).toBeCloseTo(2.25 * Math.PI, 12)
+      expect(diagram.cellArea(i, { maxDistance: 1 })).toBeCloseTo(4 * Math.PI, 10)
+      expect(diagram.cellArea(i, { maxDistance: 2 })).toBeCloseTo(9 * Math.PI - segment, 10)
+      const [loop = []] = outline(diagram, i, [-9, -9, 13, 9], 2)
+      expect(loop.filter(({ neighbor }) => neighbor === 1 - i)).toHaveLength(1)
+      for (const { side, radius } of loop) expect(radius).toBe(side === NONE ? 3 : 0)
+    }
+    expect(diagram.edgePath(0, { maxDistance: 0.5 })).toBe('')
+    expect(diagram.edgePath(0, { maxDistance: 2, digits: 3 })).toBe('M2,-2.236L2,2.236')
+  })
+
+  it('shares out the union of the grown circles', () => {
+    fc.assert(
+      fc.property(anyCircles, unit, unit, (circles, share, cut) => {
+        const diagram = library.compute(circles)
+        const scale = scaleOf(circles)
+        const box = boxAround(circles, 0.1)
+        const maxDistance = scale * share ** 2
+        // All of it, or what a part of the box has of it.
+        const bounds = cut < 0.3 ? undefined : { ...box, maxX: box.minX + cut * (box.maxX - box.minX) }
+        const whole = bounds ?? grown(box, maxDistance)
+        const areas = diagram.cellAreas({ maxDistance, bounds })
+        const sum = areas.reduce((partial, part) => partial + part, 0)
+        const size = Math.max(whole.maxX - whole.minX, whole.maxY - whole.minY)
+        expect(Math.abs(sum - unionArea(circles, maxDistance, whole))).toBeLessThan(2e-4 * size * size)
+      }),
+      { numRuns: 60 },
+    )
+  })
+
+  it('keeps of each cell the points that are so near', () => {
+    fc.assert(
+      fc.property(anyCircles, unit, unit, unit, (circles, share, u, v) => {
+        const diagram = library.compute(circles)
+        const scale = scaleOf(circles)
+        const maxDistance = 0.5 * scale * share
+        const box = grown(boxAround(circles, 0.1), maxDistance)
+        const p = pointIn(box, u, v)
+        const distances = cellsOf(diagram).map((i) => signedDistance(circles, i, p))
+        const sorted = [...distances].sort((one, other) => one - other) as [number, ...number[]]
+        const margin = 2e-3 * (box.maxX - box.minX)
+        const isClear = Math.abs(sorted[0] - maxDistance) > margin && (sorted[1] ?? Infinity) > sorted[0] + 2 * margin
+        fc.pre(isClear)
+        cellsOf(diagram).forEach((i) => {
+          const sink = new RecordingSink(64)
+          diagram.cellPath(i, { context: sink, maxDistance, bounds: box, tolerance: margin / 10 })
+          const isIn = distances[i] === sorted[0] && sorted[0] < maxDistance
+          expect(windings(sink, p)).toBe(isIn ? 1 : 0)
+        })
+      }),
+      { numRuns: 100 },
+    )
+  })
+
+  it('gives paths, polygons and measures of the same cells', () => {
+    fc.assert(
+      fc.property(anyCircles, unit, (circles, share) => {
+        const diagram = library.compute(circles)
+        const maxDistance = 0.3 * scaleOf(circles) * share
+        const tolerance = 1e-3 * scaleOf(circles)
+        for (const i of cellsOf(diagram)) {
+          const exact = diagram.cellArea(i, { maxDistance })
+          const slack = tolerance * (diagram.cellPerimeter(i, { maxDistance }) + tolerance)
+          const polygon = diagram.cellPolygon(i, { maxDistance, tolerance }) ?? []
+          expect(Math.abs(doubleArea(polygon.map(([x, y]) => ({ x, y }))) / 2 - exact)).toBeLessThan(slack)
+          const sink = new RecordingSink(64)
+          diagram.cellPath(i, { context: sink, maxDistance, tolerance })
+          const drawn = sink.strokes.reduce((sum, stroke) => sum + doubleArea(stroke) / 2, 0)
+          expect(Math.abs(drawn - exact)).toBeLessThan(slack)
+          expect(area(outline(diagram, i, grown(boxAround(circles, 0.1), maxDistance), maxDistance))).toBeCloseTo(
+            exact,
+            6,
+          )
+        }
+      }),
+      { numRuns: 40 },
+    )
+  })
+
+  it('is a number, and none of a power diagram', () => {
+    const diagram = library.compute([[0, 0, 1]])
+    for (const maxDistance of [Number.NaN, Number.POSITIVE_INFINITY, '1' as unknown as number]) {
+      expect(() => diagram.cellArea(0, { maxDistance })).toThrow(expect.objectContaining({ code: 'badOption' }))
+      expect(() => outline(diagram, 0, [0, 0, 1, 1], maxDistance)).toThrow(/maximum distance/)
+    }
+  })
+})
+
+function grown({ minX, minY, maxX, maxY }: Box, more: number): Box {
+  return { minX: minX - more, minY: minY - more, maxX: maxX + more, maxY: maxY + more }
+}
