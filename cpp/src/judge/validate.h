@@ -23,10 +23,10 @@ struct ScaledCircles {
 /// their own, ask this too.
 CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circles, bool weights = false,
                                                   std::size_t first = 0);
+/// A number is no `weights`.
+void validate(std::span<const Circle> circles, std::size_t first) = delete;
 
 /// The centres as circles of radius 0.
 std::vector<Circle> pointsOf(std::span<const Circle> circles);
-/// A number in place of `weights`.
-void validate(std::span<const Circle> circles, std::size_t first) = delete;
 
 }  // namespace circle_voronoi
