@@ -248,7 +248,7 @@ it('goes to a worker and back as plain data', () => {
   const data = structuredClone(diagram)
   expect(data).not.toBeInstanceOf(Diagram)
   expect(Object.keys(data)).toEqual([
-    ...['metric', 'circles', 'vertices', 'vertexCircles', 'edges', 'hidden', 'hull'],
+    ...['metric', 'weights', 'circles', 'vertices', 'vertexCircles', 'edges', 'hidden', 'hull'],
     ...['nextSide', 'vertexSides', 'firstSide', 'certificate', 'stats'],
   ])
   const revived = new Diagram(data)
