@@ -11,23 +11,20 @@ constexpr std::array<SideIndex, 3> kNoSides = {kNone, kNone, kNone};
 
 class Linker {
  public:
-  explicit Linker(const Diagram& diagram)
-      : diagram_(diagram), sideCount_(static_cast<std::int32_t>(2 * diagram.edges.size())) {}
+  explicit Linker(const Diagram& diagram) : diagram_(diagram) {}
 
   std::optional<Adjacency> run() {
     if (!hasValidIndices()) return std::nullopt;
     result_.nextSide.assign(2 * diagram_.edges.size(), kNone);
     result_.vertexSides.assign(diagram_.vertexCircles.size(), kNoSides);
     result_.firstSide.assign(diagram_.circles.size(), kNone);
-    if (!linkAtVertices() || !linkAtInfinity()) return std::nullopt;
-    for (SideIndex side = 0; side < sideCount_; ++side) {
-      SideIndex& first = result_.firstSide[at(diagram_.circleOf(side))];
-      if (first == kNone) first = side;
-    }
+    if (!placeSides() || !linkAtVertices() || !linkAtInfinity()) return std::nullopt;
     return std::move(result_);
   }
 
  private:
+  using Step = std::pair<CircleIndex, CircleIndex>;
+
   static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
   bool hasValidIndices() const {
@@ -42,19 +39,34 @@ class Linker {
            std::all_of(diagram_.edges.begin(), diagram_.edges.end(), isValid);
   }
 
-  /// A side that leaves a vertex has its own circle on its left, and on its right the one before it around the vertex.
-  bool linkAtVertices() {
-    for (SideIndex side = 0; side < sideCount_; ++side) {
-      const VertexIndex origin = diagram_.originOf(side);
-      if (origin == kNone) continue;
-      const auto& triple = diagram_.vertexCircles[at(origin)];
-      const auto slot =
-          static_cast<std::size_t>(std::find(triple.begin(), triple.end(), diagram_.circleOf(side)) - triple.begin());
-      if (slot == triple.size() || triple[before(slot)] != diagram_.neighborOf(side)) return false;
-      SideIndex& place = result_.vertexSides[at(origin)][slot];
-      if (place != kNone) return false;
-      place = side;
+  /// Notes of each side where it begins.
+  bool placeSides() {
+    SideIndex side = 0;
+    for (const auto& [left, right, start, end] : diagram_.edges) {
+      if (!place(side, left, right, start) || !place(Diagram::twin(side), right, left, end)) return false;
+      side = side + 2;
     }
+    return true;
+  }
+
+  /// A side that leaves a vertex has its own circle on its left, and on its right the one before it around the vertex.
+  bool place(SideIndex side, CircleIndex circle, CircleIndex neighbor, VertexIndex origin) {
+    SideIndex& first = result_.firstSide[at(circle)];
+    if (first == kNone) first = side;
+    if (origin == kNone) {
+      fromInfinity_.push_back({{circle, neighbor}, side});
+      return true;
+    }
+    const auto& triple = diagram_.vertexCircles[at(origin)];
+    const std::size_t slot = triple[0] == circle ? 0 : triple[1] == circle ? 1 : 2;
+    if (triple[slot] != circle || triple[before(slot)] != neighbor) return false;
+    SideIndex& place = result_.vertexSides[at(origin)][slot];
+    if (place != kNone) return false;
+    place = side;
+    return true;
+  }
+
+  bool linkAtVertices() {
     for (const auto& sides : result_.vertexSides) {
       if (std::find(sides.begin(), sides.end(), kNone) != sides.end()) return false;
       for (std::size_t slot = 0; slot < sides.size(); ++slot) link(Diagram::twin(sides[slot]), sides[before(slot)]);
@@ -65,22 +77,16 @@ class Linker {
   /// The side of circle i that begins at infinity next to circle j belongs to the hull's step from i to j, its twin
   /// ends there; each step occurs once.
   bool linkAtInfinity() {
-    using Step = std::pair<CircleIndex, CircleIndex>;
-    std::vector<std::pair<Step, SideIndex>> fromInfinity;
-    for (SideIndex side = 0; side < sideCount_; ++side) {
-      if (diagram_.originOf(side) != kNone) continue;
-      fromInfinity.push_back({{diagram_.circleOf(side), diagram_.neighborOf(side)}, side});
-    }
     const auto& hull = diagram_.hull;
     const std::size_t steps = hull.size() > 1 ? hull.size() : 0;
-    if (fromInfinity.size() != steps) return false;
-    std::sort(fromInfinity.begin(), fromInfinity.end());
+    if (fromInfinity_.size() != steps) return false;
+    std::sort(fromInfinity_.begin(), fromInfinity_.end());
     std::vector<SideIndex> sideOfStep;
     sideOfStep.reserve(steps);
     for (std::size_t k = 0; k < steps; ++k) {
       const Step step = {hull[k], hull[(k + 1) % steps]};
-      const auto found = std::lower_bound(fromInfinity.begin(), fromInfinity.end(), std::pair(step, SideIndex(0)));
-      if (found == fromInfinity.end() || found->first != step) return false;
+      const auto found = std::lower_bound(fromInfinity_.begin(), fromInfinity_.end(), std::pair(step, SideIndex(0)));
+      if (found == fromInfinity_.end() || found->first != step) return false;
       sideOfStep.push_back(found->second);
     }
     for (std::size_t k = 0; k < steps; ++k) {
@@ -95,7 +101,7 @@ class Linker {
   void link(SideIndex side, SideIndex next) { result_.nextSide[at(side)] = next; }
 
   const Diagram& diagram_;
-  std::int32_t sideCount_;
+  std::vector<std::pair<Step, SideIndex>> fromInfinity_;
   Adjacency result_;
 };
 
