@@ -197,7 +197,7 @@ class Checker {
 
   void checkPolygons() const {
     if (!isLarge_) return;
-    const ExportFrame frame = timed("ExportFrame", [&] { return ExportFrame(diagram_, {box_, {}}); });
+    const ExportFrame frame(diagram_, {box_, {}, {}});
     const CellPolygons polygons = timed("CellPolygons", [&] { return CellPolygons(frame); });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
       for (const auto& ring : timed("rings", [&] { return polygons.rings(i); })) {
