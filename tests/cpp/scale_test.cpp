@@ -87,7 +87,7 @@ void measureCells(const Diagram& diagram, const Box& box, Measures& all) {
 }
 
 void measureQueries(const Diagram& diagram, const Box& box, Measures& all) {
-  const auto circles = diagram.circles;
+  const auto& circles = diagram.circles;
   const Hull outer = hull(diagram);
   all.add(1, outer.length);
   all.add(2, outer.area);

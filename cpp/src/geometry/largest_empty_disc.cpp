@@ -73,7 +73,7 @@ std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Diagram& diagram, const
 // So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
 // inside the hull.
 std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Diagram& diagram) {
-  const auto circles = diagram.circles;
+  const auto& circles = diagram.circles;
   if (diagram.hull.empty()) return std::nullopt;
   Largest largest;
   const double growth = hullGrowth(diagram);

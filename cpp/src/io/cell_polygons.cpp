@@ -185,7 +185,7 @@ void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
 /// can move it.
 bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
   const Edge& ends = frame_.diagram.edges[index(edge)];
-  const auto circles = frame_.diagram.circles;
+  const auto& circles = frame_.diagram.circles;
   const Point left = {circles[index(ends.left)].x, circles[index(ends.left)].y};
   const Point right = {circles[index(ends.right)].x, circles[index(ends.right)].y};
   Point p = start;

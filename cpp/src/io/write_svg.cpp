@@ -188,7 +188,7 @@ void writeEdges(Writer& out, const Drawing& drawing) {
 }
 
 void writeDual(Writer& out, const ExportFrame& frame) {
-  const auto circles = frame.diagram.circles;
+  const auto& circles = frame.diagram.circles;
   const auto centre = [&](std::int32_t i) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
     return frame.round({c.x, c.y});
@@ -211,7 +211,7 @@ void writeDual(Writer& out, const ExportFrame& frame) {
 
 /// With all digits: where an arc is almost a whole circle, its ends are next to each other and say where its centre is.
 void writeHull(Writer& out, const ExportFrame& frame) {
-  const auto circles = frame.diagram.circles;
+  const auto& circles = frame.diagram.circles;
   const Hull shape = hull(frame.diagram);
   if (shape.arcs.empty()) return;
   if (shape.arcs.size() == 1) {
@@ -233,7 +233,7 @@ void writeHull(Writer& out, const ExportFrame& frame) {
 /// Circles of radius below `visible` are drawn as dots.
 void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
   const Box& box = frame.box;
-  const auto circles = frame.diagram.circles;
+  const auto& circles = frame.diagram.circles;
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     const Circle& circle = circles[static_cast<std::size_t>(i)];
     const auto& [x, y] = frame.round({circle.x, circle.y});
