@@ -22,12 +22,12 @@ const wasm = (name, limit, module) => ({
 
 export default [
   // Of it 7 kB for what of a tile is final and for one triangulation of ties.
-  wasm('WebAssembly and its glue', '159 kB', 'circle-voronoi'),
+  wasm('WebAssembly and its glue', '168 kB', 'circle-voronoi'),
   // Of it 13 kB for the exact vertices of power diagrams, also those that are beyond the doubles on the way.
-  wasm('The same for comparisons, fetched when asked for', '76 kB', 'circle-voronoi-comparison'),
+  wasm('The same for comparisons, fetched when asked for', '80 kB', 'circle-voronoi-comparison'),
   {
     name: 'All of it but comparisons in one file',
-    limit: '187 kB',
+    limit: '194 kB',
     path: `${LIB}/bundle.js`,
     gzip: true,
   },
@@ -35,7 +35,7 @@ export default [
     name: 'TypeScript layer',
     // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 2 kB for
     // sentences that say what is wrong with an argument, half a one for quick decimal texts, and 1 kB for JSON.
-    limit: '21.7 kB',
+    limit: '23.8 kB',
     path: `${LIB}/index.js`,
     ignore: ['./generated/*'],
     gzip: true,

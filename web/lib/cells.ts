@@ -8,6 +8,7 @@ import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
 export class Cells {
   readonly diagram: DiagramData
 
+  /** Of a diagram, which is not copied. */
   constructor(diagram: DiagramData) {
     this.diagram = diagram
   }
