@@ -88,8 +88,10 @@ try {
   mkdirSync(RESULTS, { recursive: true })
   for (const { name, report, program, args, env } of SUITES) {
     console.log(`\n── ${name}`)
+    const start = performance.now()
     const status = await statusOf(program, args, { ...ENV, ...env })
     const counts = countTests(report)
+    console.log(`── ${name}: ${Math.round((performance.now() - start) / 1000)} s`)
     // A suite that fails without a failed test, or runs none, counts as one failure.
     const isSilentFailure = counts.failed === 0 && (status !== 0 || counts.passed === 0)
     results.push({ name, ...counts, failed: isSilentFailure ? 1 : counts.failed })
