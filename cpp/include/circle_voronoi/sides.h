@@ -14,7 +14,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// The sides of a cell from the first, each found from the one before: a range of SideIndex, which the diagram must
 /// outlive.
-class Sides : public std::ranges::view_interface<Sides> {
+class Sides : public std::ranges::view_base {
  public:
   class Iterator {
    public:
@@ -48,6 +48,9 @@ class Sides : public std::ranges::view_interface<Sides> {
 
   Iterator begin() const { return {next_, first_}; }
   Iterator end() const { return {}; }
+  bool empty() const { return first_ == kNone; }
+  /// Of sides that are not empty.
+  SideIndex front() const { return first_; }
 
  private:
   const SideIndex* next_;

@@ -108,7 +108,8 @@ class PathFinder {
 
   void settle() {
     while (!pending_.empty()) {
-      const auto [clearance, node] = pending_.top();
+      const double clearance = pending_.top().first;
+      const auto node = pending_.top().second;
       pending_.pop();
       if (clearance < reach_[node].clearance) continue;
       const auto follow = [&](EdgeIndex e) {
