@@ -1,125 +1,264 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The geometry in TypeScript against that of the native program, on every fixture: areas and neighbours of cells from its
-// GeoJSON, curves of edges and cells, hull and dual from its SVG; and of some at extreme scales.
+// The geometry in TypeScript against that in C++, function by function, bit by bit, on every fixture by every metric, with
+// additive weights, and at extreme scales. The other side is tests/geometry.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
+import { keptParts } from '../../dist/lib/cell-limits.js'
+import { loadComparison } from '../../dist/lib/comparison.js'
 import {
+  arcLength,
   area,
+  bezierPointAt,
+  ConvexPolygon,
+  centroid,
+  clearestPath,
   clip,
+  closestPair,
   cubicBeziers,
+  distance,
   edgeCurve,
   exportBox,
   hull,
+  largestEmptyDiscCentredIn,
+  largestEmptyDiscCentredInHull,
+  largestEmptyDiscInside,
   loadCircleVoronoi,
+  mergeVertices,
   neighborPairs,
   outline,
+  parameterAt,
+  perimeter,
+  pointAt,
   polyline,
+  rationalBezier,
 } from '../../dist/lib/index.js'
+import { linkSides } from '../../dist/lib/link-sides.js'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const NATIVE = `${ROOT}build/native/circle-voronoi`
+const ANSWERS = `${ROOT}build/native/tests/geometry/circle_voronoi_geometry_answers`
 const LARGEST_OUTPUT = 2 ** 28
+/** Places asked about, along each side of the box. */
+const PLACES = 7
+/** What goes through an arctangent, which differs between platforms. */
+const ROUNDED = { name: 'hull measures', tolerance: 1e-14 }
 
 const library = await loadCircleVoronoi()
-const fixtures = readdirSync(`${ROOT}tests/fixtures`)
-  .filter((name) => name.endsWith('.csv'))
-  .map((name) => ({ name, file: `${ROOT}tests/fixtures/${name}` }))
-
+const { computeComparison } = await loadComparison(library)
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 after(() => rmSync(folder, { recursive: true }))
-/** The circles of a fixture, 2^exponent times as large. */
-const scaled = ['waka.csv', 'missed-antipodal-disc-mixed-6.csv'].flatMap((fixture) =>
-  [-900, -400, 400].map((exponent) => {
-    const name = `2^${exponent} times ${fixture}`
-    const file = `${folder}/${exponent}-${fixture}`
-    const rows = JSON.parse(native(`${ROOT}tests/fixtures/${fixture}`, 'json')).circles.map((circle) =>
-      Object.values(circle).map((value) => value * 2 ** exponent),
-    )
-    writeFileSync(file, rows.map((row) => `${row.join(',')}\n`).join(''))
-    return { name, file }
-  }),
+
+/** The circles of a fixture, x, y, r each. */
+function circlesOf(fixture) {
+  const args = ['compute', `${ROOT}tests/fixtures/${fixture}`, '--format', 'json']
+  const { circles } = JSON.parse(execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' }))
+  return Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
+}
+
+const fixtures = readdirSync(`${ROOT}tests/fixtures`)
+  .filter((name) => name.endsWith('.csv'))
+  .map((name) => ({ name, circles: circlesOf(name) }))
+const scaled = ['waka.csv', 'missed-antipodal-disc-mixed-6.csv'].flatMap((name) =>
+  [-900, -400, 400].map((exponent) => ({
+    name: `2^${exponent} times ${name}`,
+    circles: fixtures.find((fixture) => fixture.name === name).circles.map((value) => value * 2 ** exponent),
+  })),
 )
 
-for (const { name, file } of [...fixtures, ...scaled]) {
+for (const { name, circles } of [...fixtures, ...scaled]) {
   describe(name, () => {
-    const circles = JSON.parse(native(file, 'json')).circles
-    const diagram = library.compute(circles)
-    const box = exportBox(diagram.circles)
-    const size = Math.max(box.maxX - box.minX, box.maxY - box.minY)
-    const near = (one, other, tolerance, message) =>
-      assert.ok(Math.abs(one - other) <= tolerance, `${message}: ${one} and ${other}`)
-
-    it('has the cells of the GeoJSON', () => {
-      const { features } = JSON.parse(native(file, 'geojson'))
-      assert.equal(features.length, circles.length)
-      for (const { properties, geometry } of features) {
-        const i = properties.circle
-        const parts = outline(diagram, i, box)
-        assert.deepEqual([...diagram.neighbors(i)], properties.neighbors)
-        near(area(parts), properties.area, 1e-13 * size * size, `area of cell ${i}`)
-        // A cell that rounding leaves no area has no polygon.
-        assert.ok(geometry === null ? area(parts) <= 1e-12 * size * size : parts.length > 0)
-      }
-    })
-
-    it('has the curves of the SVG', () => {
-      const paths = elements(native(file, 'svg'), 'edges', 'path')
-      // Drawings are rounded, which their tolerance allows for.
-      const powers = Array.from({ length: 45 }, (_, k) => Number(`1e${k - 22}`))
-      const step = powers.findLast((power) => power <= 1e-6 * size) ?? 0
-      const tolerance = 1e-5 * size - step
-      const drawn = new Map(paths.map((path) => [Number(path['data-edge']), numbersOf(path.d)]))
-      for (let e = 0; e < diagram.edges.length / 4; e++) {
-        const pieces = clip(edgeCurve(diagram, e), box)
-        const numbers = pieces.flatMap((piece) => {
-          const { start, end, bisector } = piece
-          if (bisector.a === 0 || polyline(piece, tolerance).length === 2) return [start.x, start.y, end.x, end.y]
-          const cubics = cubicBeziers(piece, tolerance)
-          return [start, ...cubics.flatMap(({ control1, control2, end: last }) => [control1, control2, last])].flatMap(
-            ({ x, y }) => [x, y],
-          )
-        })
-        const expected = drawn.get(e) ?? []
-        assert.equal(numbers.length, expected.length, `edge ${e}`)
-        numbers.forEach((number, k) => {
-          near(number, expected[k], step + 1e-12 * size, `number ${k} of edge ${e}`)
-        })
-      }
-    })
-
-    it('has the hull and the dual of the SVG', () => {
-      const svg = native(file, 'svg')
-      assert.equal(elements(svg, 'dual', 'line').length, neighborPairs(diagram).length / 2)
-      const [path] = elements(svg, 'hull', 'path')
-      const { arcs } = hull(diagram)
-      const points = arcs.flatMap(({ start, end }) => [start.x, start.y, end.x, end.y])
-      // Of each arc: where it begins, two radii, three flags, where it ends.
-      const expected = path === undefined ? [] : numbersOf(path.d).filter((_, k) => k % 9 < 2 || k % 9 > 6)
-      assert.equal(arcs.length > 1 ? points.length : 0, expected.length)
-      expected.forEach((number, k) => {
-        near(points[k], number, 1e-12 * size, `number ${k} of the hull`)
+    for (const metric of ['circles', 'centres', 'power']) {
+      it(`has the geometry of C++ by the metric ${metric}`, () => {
+        compare(computeComparison(circles, metric), metric)
       })
+    }
+
+    it('has the geometry of C++ with weights of any sign', () => {
+      const most = circles.reduce((most, value, k) => (k % 3 === 2 ? Math.max(most, value) : most), 0)
+      const weights = circles.map((value, k) => (k % 3 === 2 ? value - most / 2 : value))
+      compare(library.compute(weights, { weights: true }), 'weights')
     })
   })
 }
 
-function native(file, format) {
-  const args = ['compute', file, '--format', format]
-  return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
+function compare(diagram, metric) {
+  const box = exportBox(diagram.circles)
+  // Some cells are cut by it, and some are not.
+  const maxDistance = Math.max(box.maxX - box.minX, box.maxY - box.minY) / 40
+  const ours = answersOf(diagram, box, maxDistance)
+  const theirs = native(diagram.circles, metric, box, maxDistance)
+  assert.equal(ours.length, theirs.length, 'the number of answers')
+  ours.forEach(([question, numbers], k) => {
+    const [theirQuestion, theirNumbers] = theirs[k]
+    assert.equal(question, theirQuestion)
+    const isSame = (number, i) =>
+      Object.is(number, theirNumbers[i]) ||
+      (question === ROUNDED.name &&
+        Math.abs(number - theirNumbers[i]) <= ROUNDED.tolerance * Math.max(Math.abs(number), 1e-300))
+    if (numbers.length !== theirNumbers.length || !numbers.every(isSame)) {
+      assert.deepEqual({ question, numbers }, { question, numbers: theirNumbers })
+    }
+  })
 }
 
-/** The attributes of the elements of one name in a group of the SVG. */
-function elements(svg, group, name) {
-  const [, content] = svg.match(new RegExp(`<g id="${group}"[^>]*>\n([^]*?)</g>`))
-  return [...content.matchAll(new RegExp(`<${name} ([^>]*)/>`, 'g'))].map(([, attributes]) =>
-    Object.fromEntries([...attributes.matchAll(/([\w-]+)="([^"]*)"/g)].map(([, key, value]) => [key, value])),
-  )
+/** What the native program says: questions with their numbers. */
+function native(circles, metric, { minX, minY, maxX, maxY }, maxDistance) {
+  const file = `${folder}/circles.csv`
+  const rows = Array.from({ length: circles.length / 3 }, (_, i) => circles.subarray(3 * i, 3 * i + 3).join())
+  writeFileSync(file, `x,y,r\n${rows.map((row) => `${row}\n`).join('')}`)
+  const args = [file, metric, ...[minX, minY, maxX, maxY, maxDistance].map(String)]
+  const text = execFileSync(ANSWERS, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
+  return text
+    .trimEnd()
+    .split('\n')
+    .map((line) => {
+      const [question, numbers] = line.split(':')
+      return [question, numbers.split(' ').slice(1).map(numberOf)]
+    })
 }
 
-function numbersOf(d) {
-  return [...d.matchAll(/-?[\d.]+(e[+-]?\d+)?/g)].map(([text]) => Number(text))
+function numberOf(text) {
+  if (text.endsWith('inf')) return text.startsWith('-') ? -Infinity : Infinity
+  return Number(text)
+}
+
+/** The same of the TypeScript. */
+function answersOf(diagram, box, maxDistance) {
+  const answers = []
+  const say = (question, ...numbers) => answers.push([question, numbers.map(Number)])
+  const of = (p) => [p.x, p.y]
+  const { minX, minY, maxX, maxY } = box
+  const [x, y] = [minX + (maxX - minX) / 2, minY + (maxY - minY) / 2]
+  const corners = [
+    { x, y: minY },
+    { x: maxX, y },
+    { x, y: maxY },
+    { x: minX, y },
+  ]
+  const regions = [ConvexPolygon.of(box), ConvexPolygon.from(corners)]
+  const tolerance = 1e-4 * Math.max(maxX - minX, maxY - minY)
+  const places = Array.from({ length: PLACES * PLACES }, (_, k) => ({
+    x: minX + ((k % PLACES) / (PLACES - 1)) * (maxX - minX),
+    y: minY + (Math.floor(k / PLACES) / (PLACES - 1)) * (maxY - minY),
+  }))
+  const { circles, cells, edges, metric } = diagram
+  const hasDistances = metric !== 'power'
+  const count = circles.length / 3
+
+  regions.forEach((region, k) => {
+    say(`region ${k}`, region.area(), ...of(region.middle()))
+    say(`region contains ${k}`, ...places.map((p) => region.contains(p)))
+  })
+  say('exportBox', ...Object.values(exportBox(circles)))
+  say('exportBox of a distance', ...Object.values(exportBox(circles, maxDistance)))
+  const { nextSide, vertexSides, firstSide } = diagram
+  assert.deepEqual(linkSides(diagram), { nextSide, vertexSides, firstSide })
+
+  const sayPiece = (name, piece) => {
+    say(`${name} ends`, piece.from, piece.to, ...of(piece.start), ...of(piece.end))
+    say(`${name} arcLength`, arcLength(piece))
+    const rational = rationalBezier(piece)
+    const { start, control, end, weight } = rational
+    say(`${name} rationalBezier`, ...[start, control, end].flatMap(of), weight, ...of(bezierPointAt(rational, 0.3)))
+    const cubics = cubicBeziers(piece, tolerance)
+    say(
+      `${name} cubicBeziers`,
+      ...cubics.flatMap(({ start, control1, control2, end }) => [start, control1, control2, end].flatMap(of)),
+    )
+    say(`${name} polyline`, ...polyline(piece, tolerance).flatMap(of))
+  }
+  for (let e = 0; e < edges.length / 4; e++) {
+    const curve = edgeCurve(diagram, e)
+    const { left, right, unit, a, b, origin, along, across, apex } = curve.bisector
+    say(`bisector ${e}`, ...of(left), ...of(right), unit, a, b, ...of(origin), ...of(along), ...of(across), apex)
+    say(`edgeCurve ${e}`, curve.from, curve.to, ...[curve.start, curve.end].filter(Boolean).flatMap(of))
+    for (const s of [0.3, 1, 5]) {
+      const p = pointAt(curve.bisector, s)
+      say(`pointAt ${e}`, ...of(p), parameterAt(curve.bisector, p.x, p.y))
+    }
+    regions.forEach((region, k) => {
+      for (const piece of clip(curve, region)) sayPiece(`piece ${e} ${k}`, piece)
+      if (!hasDistances) return
+      for (const { curve: piece, cutFrom, cutTo } of keptParts(diagram, e, { region, maxDistance })) {
+        say(`near part ${e} ${k}`, piece.from, piece.to, ...of(piece.start), ...of(piece.end), cutFrom, cutTo)
+      }
+    })
+  }
+
+  const sayOutline = (name, parts) => {
+    for (const loop of parts) {
+      say(
+        `${name} loop`,
+        ...loop.flatMap(({ curve: { from, to, start, end }, side, neighbor, radius }) => {
+          return [from, to, ...of(start), ...of(end), side, neighbor, radius]
+        }),
+      )
+    }
+    say(`${name} area`, area(parts))
+    say(`${name} centroid`, ...of(centroid(parts)))
+    say(`${name} perimeter`, perimeter(parts))
+  }
+  for (let i = 0; i < count; i++) {
+    const sides = cells.sides(i)
+    say(`cell ${i}`, cells.exists(i), ...sides, ...cells.neighbors(i))
+    for (const side of sides) {
+      const { from, to, bisector } = cells.curveOf(side)
+      const around = [cells.circleOf(side), cells.neighborOf(side), cells.originOf(side), cells.targetOf(side)]
+      say(`side ${side}`, ...around, from, to, bisector.a, ...of(bisector.across))
+    }
+    regions.forEach((region, k) => {
+      sayOutline(`outline ${i} ${k}`, outline(diagram, i, region))
+      if (hasDistances) sayOutline(`outline at a distance ${i} ${k}`, outline(diagram, i, region, maxDistance))
+    })
+  }
+
+  if (count > 0) {
+    say('findAll', ...diagram.findAll(places.flatMap(of)))
+    places.forEach((p, k) => {
+      const [x, y] = of(p)
+      const found = diagram.find(x, y)
+      const hint = k % count
+      say(
+        `place ${k}`,
+        ...[found, diagram.find(x, y, hint), distance(diagram, found, x, y), diagram.contains(found, x, y)],
+        ...[diagram.contains(hint, x, y), cells.lead(hint, found, x, y)],
+        ...Array.from(diagram.neighbors(found), (other) => cells.lead(found, other, x, y)),
+      )
+    })
+  }
+
+  const around = hull(diagram)
+  for (const { circle, radius, start, end } of around.arcs) {
+    say(`hull arc ${circle}`, radius, ...of(start), ...of(end))
+  }
+  say(ROUNDED.name, around.length, around.area, ...around.arcs.map(({ angle }) => angle))
+
+  for (const nearZero of [-1, 0, tolerance, 1000 * tolerance]) {
+    const merged = mergeVertices(diagram, nearZero)
+    const { vertices, firstCircle, circles, mergedVertex, edges } = merged
+    say('mergeVertices', ...vertices, ...firstCircle, ...circles, ...mergedVertex, ...edges)
+  }
+
+  if (metric !== 'circles') return answers
+  say('neighborPairs', ...neighborPairs(diagram))
+  const pair = closestPair(diagram)
+  if (pair !== undefined) say('closestPair', pair.first, pair.second, pair.gap)
+  const sayDisc = (name, found) =>
+    say(name, ...(found === undefined ? [] : [found.disc.x, found.disc.y, found.disc.radius, ...found.circles]))
+  sayDisc('largestEmptyDiscCentredInHull', largestEmptyDiscCentredInHull(diagram))
+  for (const region of regions) {
+    sayDisc('largestEmptyDiscCentredIn', largestEmptyDiscCentredIn(diagram, region))
+    sayDisc('largestEmptyDiscInside', largestEmptyDiscInside(diagram, region))
+  }
+  if (count === 0) return answers
+  for (let k = 0; k < places.length; k += 3) {
+    const to = places[places.length - 1 - ((5 * k) % places.length)]
+    const { clearance, entry, exit, edges } = clearestPath(diagram, places[k], to)
+    say(`clearestPath ${k}`, clearance, ...[entry, exit].filter(Boolean).flatMap(of), ...edges)
+  }
+  return answers
 }

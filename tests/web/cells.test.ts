@@ -220,6 +220,18 @@ describe('the outline of a cell', () => {
     expect(area(outline(diagram, 0, box)) + area(outline(diagram, 1, box))).toBeCloseTo(56, 11)
   })
 
+  it('contains a place that is as near to another', () => {
+    const diagram = library.compute(Float64Array.of(0, 0, 1, 4, 0, 1, 0, 4, 1, 4, 4, 1))
+    for (const [x, y, near] of [
+      [2, 0, [0, 1]],
+      [0, 2, [0, 2]],
+      [2, 9, [2, 3]],
+      [2, 2, [0, 1, 2, 3]],
+    ] as const) {
+      expect([0, 1, 2, 3].filter((i) => diagram.contains(i, x, y))).toEqual(near)
+    }
+  })
+
   it('as one polygon has the area of all its loops', () => {
     const diagram = library.compute(Float64Array.of(0, 0, 10, 0, 10.6, 0.1))
     const bounds = { minX: -8, minY: 10.5, maxX: 8, maxY: 14 }

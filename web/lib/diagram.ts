@@ -274,7 +274,8 @@ export class Diagram implements DiagramData {
   /**
    * What of the cell of circle `i` lies in the bounds as a closed polygon, counter-clockwise, its first point again at the
    * end; `undefined` if there is nothing. Of a cell that the bounds cut apart the ring goes to each further part and back
-   * along one segment, so that its area and what is inside are right; `outline` has the parts.
+   * along one segment, so that its area and what is inside are right; `outline` has the parts. Neighbours share their
+   * points bit for bit.
    */
   cellPolygon(i: number, options: PolygonOptions = {}): Polygon | undefined {
     this.#checkCircle(i, 'cellPolygon')

@@ -5,7 +5,7 @@ interface Entry {
   readonly key: number
 }
 
-/** A binary heap of indices, the one with the largest key first. */
+/** A binary heap of indices, the one with the largest key first; of equal keys the largest index. */
 export class Heap {
   readonly #entries: Entry[] = []
 
@@ -14,14 +14,15 @@ export class Heap {
   }
 
   push(item: number, key: number): void {
+    const entry = { item, key }
     let place = this.size
     while (place > 0) {
       const parent = this.#at((place - 1) >> 1)
-      if (parent.key >= key) break
+      if (!isBefore(entry, parent)) break
       this.#entries[place] = parent
       place = (place - 1) >> 1
     }
-    this.#entries[place] = { item, key }
+    this.#entries[place] = entry
   }
 
   /** Precondition: the heap is not empty. */
@@ -31,8 +32,8 @@ export class Heap {
     if (this.size === 0) return top
     let place = 0
     for (let child = 1; child < this.size; child = 2 * place + 1) {
-      if (child + 1 < this.size && this.#at(child + 1).key > this.#at(child).key) child += 1
-      if (this.#at(child).key <= last.key) break
+      if (child + 1 < this.size && isBefore(this.#at(child + 1), this.#at(child))) child += 1
+      if (!isBefore(this.#at(child), last)) break
       this.#entries[place] = this.#at(child)
       place = child
     }
@@ -43,4 +44,8 @@ export class Heap {
   #at(place: number): Entry {
     return this.#entries[place] as Entry
   }
+}
+
+function isBefore(one: Entry, other: Entry): boolean {
+  return one.key > other.key || (one.key === other.key && one.item > other.item)
 }

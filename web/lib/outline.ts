@@ -46,8 +46,13 @@ export function outline(diagram: Diagram, circle: number, bounds: Bounds, maxDis
   return outlineOf(diagram.cells, circle, { region: ConvexPolygon.of(bounds), maxDistance })
 }
 
+/** A piece, and the same in the direction of its edge: what is made of that is the same to the bit in both of its cells. */
+export interface SharedPiece extends OutlinePiece {
+  readonly forward: BoundedCurve
+}
+
 /** The same of checked arguments. */
-export function outlineOf(cells: Cells, circle: number, limits: Limits): Outline {
+export function outlineOf(cells: Cells, circle: number, limits: Limits): readonly (readonly SharedPiece[])[] {
   if (!cells.exists(circle)) return []
   const { region, maxDistance } = limits
   let disc: Circle | undefined
@@ -72,7 +77,7 @@ export function outlineOf(cells: Cells, circle: number, limits: Limits): Outline
 
 /** Sides of a cell inside the region that follow each other without a gap. */
 interface Chain {
-  readonly pieces: OutlinePiece[]
+  readonly pieces: SharedPiece[]
   /** The side of the region that it comes in by; `NONE` where rounding begins it at a vertex next to the boundary. */
   readonly cutFrom: number
   /** That which it leaves by, likewise. */
@@ -87,7 +92,7 @@ function chainsOf(cells: Cells, circle: number, limits: Limits): { chains: Chain
   let firstIsAtOrigin = false // whether the first chain begins where its side begins
   for (const side of sides) {
     let goesOn = false
-    for (const { curve, cutFrom, cutTo } of piecesOf(cells, side, limits)) {
+    for (const { curve, forward, cutFrom, cutTo } of piecesOf(cells, side, limits)) {
       const isAtOrigin = cutFrom === NONE
       if (!isLinked || !isAtOrigin) {
         if (chains.length === 0) firstIsAtOrigin = isAtOrigin && side === sides[0]
@@ -96,7 +101,7 @@ function chainsOf(cells: Cells, circle: number, limits: Limits): { chains: Chain
       isLinked = false
       goesOn = cutTo === NONE
       const chain = chains.at(-1) as Chain
-      chain.pieces.push({ curve, side, neighbor: cells.neighborOf(side), radius: 0 })
+      chain.pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), radius: 0 })
       chain.cutTo = cutTo
     }
     isLinked = goesOn
@@ -114,11 +119,12 @@ function chainsOf(cells: Cells, circle: number, limits: Limits): { chains: Chain
  * The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the cells on
  * either side meet bit for bit.
  */
-function piecesOf({ diagram }: Cells, side: number, limits: Limits): Part[] {
+function piecesOf({ diagram }: Cells, side: number, limits: Limits): (Part & Pick<SharedPiece, 'forward'>)[] {
   const pieces = keptParts(diagram, side >> 1, limits)
-  if (side % 2 === 0) return pieces
+  if (side % 2 === 0) return pieces.map((part) => ({ ...part, forward: part.curve }))
   return pieces.reverse().map(({ curve, cutFrom, cutTo }) => ({
     curve: reversed(curve),
+    forward: curve,
     cutFrom: cutTo,
     cutTo: cutFrom,
   }))
@@ -126,15 +132,15 @@ function piecesOf({ diagram }: Cells, side: number, limits: Limits): Part[] {
 
 /** A chain, and where on the ring it begins and ends. */
 interface Passage {
-  readonly pieces: OutlinePiece[]
+  readonly pieces: SharedPiece[]
   readonly entry: number
   readonly exit: number
 }
 
 function passageOf({ pieces, cutFrom, cutTo }: Chain, ring: Ring): Passage {
   const place = (cut: number, p: Point) => ring.placeNear(p, cut === NONE ? undefined : cut)
-  const { curve: first } = pieces[0] as OutlinePiece
-  const { curve: last } = pieces.at(-1) as OutlinePiece
+  const { curve: first } = pieces[0] as SharedPiece
+  const { curve: last } = pieces.at(-1) as SharedPiece
   return { pieces, entry: place(cutFrom, first.start), exit: place(cutTo, last.end) }
 }
 
@@ -143,7 +149,7 @@ function passageOf({ pieces, cutFrom, cutTo }: Chain, ring: Ring): Passage {
  * is right wherever rounding confuses the order of an exit and an entry next to each other; it takes a place to begin that
  * is neither, and is known to be inside the cell or not.
  */
-function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain[]): Outline {
+function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain[]): SharedPiece[][] {
   const passages = chains.map((chain) => passageOf(chain, ring))
   const begin = clearPlace(cells, circle, ring, passages)
   const beginsInside = leadAt(cells, circle, ring.at(begin)) > 0
@@ -158,15 +164,15 @@ function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain
     next.set(passage, after)
     const isAround = beginsInside && k + 1 === passages.length
     const to = ahead(after.entry) + (isAround ? ring.total : 0)
-    const start = (passage.pieces.at(-1) as OutlinePiece).curve.end
-    const end = (after.pieces[0] as OutlinePiece).curve.start
+    const start = (passage.pieces.at(-1) as SharedPiece).curve.end
+    const end = (after.pieces[0] as SharedPiece).curve.start
     for (const part of ring.between(ahead(passage.exit), to, start, end)) passage.pieces.push(pieceOf(part))
   })
 
-  const loops: OutlinePiece[][] = []
+  const loops: SharedPiece[][] = []
   const isDone = new Set<Passage>()
   for (const start of passages) {
-    const loop: OutlinePiece[] = []
+    const loop: SharedPiece[] = []
     for (let passage = start; !isDone.has(passage); passage = next.get(passage) as Passage) {
       isDone.add(passage)
       for (const piece of passage.pieces) loop.push(piece)
@@ -208,6 +214,7 @@ function leadAt(cells: Cells, circle: number, { x, y }: Point): number {
   return least
 }
 
-function pieceOf({ start, end, radius }: RingElement): OutlinePiece {
-  return { curve: segment(start, end), side: NONE, neighbor: NONE, radius }
+function pieceOf({ start, end, radius }: RingElement): SharedPiece {
+  const curve = segment(start, end)
+  return { curve, forward: curve, side: NONE, neighbor: NONE, radius }
 }

@@ -3,18 +3,22 @@ import { polyline } from './bezier.ts'
 import { polyline as arcPolyline, isCircleArc } from './circle-arc.ts'
 import { circleAt, type DiagramData } from './diagram-data.ts'
 import { hull } from './hull.ts'
-import type { Outline, OutlinePiece } from './outline.ts'
+import type { SharedPiece } from './outline.ts'
+import type { Point } from './point.ts'
 import { lengthOf } from './scale.ts'
 
 /** A closed ring of points x, y, counter-clockwise: the last is the first again. */
 export type Polygon = [x: number, y: number][]
 
-/** The loops of an outline as one ring: from the first point it goes to each further loop and back. */
-export function ringOf(outline: Outline, tolerance: number): Polygon | undefined {
+/**
+ * The loops of an outline as one ring: from the first point it goes to each further loop and back. Neighbours share their
+ * points bit for bit.
+ */
+export function ringOf(outline: readonly (readonly SharedPiece[])[], tolerance: number): Polygon | undefined {
   const [ring, ...others] = outline.map((loop) => {
-    const pointsOf = (piece: OutlinePiece) =>
-      isCircleArc(piece) ? arcPolyline(piece, tolerance) : polyline(piece.curve, tolerance)
-    const points: Polygon = loop.flatMap((piece) => pointsOf(piece).map(({ x, y }): [number, number] => [x, y]))
+    const points: Polygon = loop.flatMap((piece) =>
+      pointsOf(piece, tolerance).map(({ x, y }): [number, number] => [x, y]),
+    )
     return points.filter(([x, y], k) => k === 0 || x !== points[k - 1]?.[0] || y !== points[k - 1]?.[1])
   })
   if (ring === undefined || ring[0] === undefined) return undefined
@@ -24,6 +28,12 @@ export function ringOf(outline: Outline, tolerance: number): Polygon | undefined
     ring.push([x, y])
   }
   return ring
+}
+
+function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
+  if (isCircleArc(piece)) return arcPolyline(piece, tolerance)
+  const points = polyline(piece.forward, tolerance)
+  return piece.forward === piece.curve ? points : points.reverse()
 }
 
 /**

@@ -48,7 +48,7 @@ Hull hull(const Diagram& diagram) {
   const double growth = hullGrowth(diagram);
   const auto circleAt = [&](std::size_t step) {
     const Circle& c = diagram.circles[static_cast<std::size_t>(diagram.hull[step % diagram.hull.size()])];
-    return Circle{c.x, c.y, c.r + growth};
+    return Circle{c.x, c.y, diagram.metric == Metric::circles ? c.r + growth : 0};
   };
   const std::size_t count = diagram.hull.size();
   Hull hull;

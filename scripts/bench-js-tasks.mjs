@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `npm run bench:js` measures, in Node and in a page.
+import { Delaunay } from 'd3-delaunay'
+
+const TURNS = 7
+/** Short tasks are repeated until they take this long, in milliseconds. */
+const ENOUGH = 50
+/** More cells or edges would only take longer. */
+const MOST_PATHS = 100_000
+
+/** A row for each task and size: the package and d3-delaunay take turns; the ratio is the median of those of each turn. */
+export function benchJs(library, sizes) {
+  return sizes.flatMap((size) => tasksOf(library, size).map((task) => measured(task, size)))
+}
+
+/** What is measured, ours and d3-delaunay's. */
+function tasksOf(library, size) {
+  const random = randomNumbers(1)
+  const side = Math.sqrt(size)
+  const circles = Float64Array.from({ length: 3 * size }, (_, k) => (k % 3 === 2 ? 0.3 * random() : side * random()))
+  const points = Float64Array.from({ length: 2 * size }, (_, k) => circles[3 * (k >> 1) + (k & 1)])
+  const diagram = library.compute(circles)
+  const bounds = [0, 0, side, side]
+  const voronoi = new Delaunay(points).voronoi(bounds)
+  const count = Math.ceil(side)
+  const raster = Float64Array.from({ length: 2 * count * count }, (_, k) =>
+    k & 1 ? Math.floor((k >> 1) / count) + 0.5 : ((k >> 1) % count) + 0.5,
+  )
+  const anywhere = Float64Array.from(raster, () => side * random())
+  const findChained = (find) => (where) => {
+    let last = 0
+    let sum = 0
+    for (let k = 0; k < where.length; k += 2) sum += last = find(where[k], where[k + 1], last)
+    return sum
+  }
+  const ours = findChained((x, y, hint) => diagram.find(x, y, hint))
+  const theirs = findChained((x, y, hint) => voronoi.delaunay.find(x, y, hint))
+  const eachCell = (path) => () => {
+    let length = 0
+    for (let i = 0; i < Math.min(size, MOST_PATHS); i++) length += path(i)?.length ?? 0
+    return length
+  }
+  return [
+    { task: 'compute', ours: () => library.compute(circles), theirs: () => new Delaunay(points).voronoi(bounds) },
+    {
+      task: 'cellPath of each',
+      ours: eachCell((i) => diagram.cellPath(i, { bounds })),
+      theirs: eachCell((i) => voronoi.renderCell(i)),
+    },
+    { task: 'render', ours: () => diagram.render({ bounds }), theirs: () => voronoi.render() },
+    { task: 'find in raster order, chained', ours: () => ours(raster), theirs: () => theirs(raster) },
+    { task: 'find anywhere', ours: () => ours(anywhere), theirs: () => theirs(anywhere) },
+  ]
+}
+
+function measured({ task, ours, theirs }, size) {
+  const times = { ours: [], theirs: [] }
+  for (let turn = 0; turn < TURNS; turn++) {
+    times.ours.push(millisecondsOf(ours))
+    times.theirs.push(millisecondsOf(theirs))
+  }
+  const ratio = median(times.ours.map((time, turn) => time / times.theirs[turn]))
+  return {
+    task,
+    n: size,
+    'ours, ms': Number(median(times.ours).toPrecision(3)),
+    'd3-delaunay, ms': Number(median(times.theirs).toPrecision(3)),
+    ratio: Number(ratio.toFixed(2)),
+  }
+}
+
+function millisecondsOf(run) {
+  let count = 0
+  const start = performance.now()
+  do {
+    run()
+    count += 1
+  } while (performance.now() - start < ENOUGH)
+  return (performance.now() - start) / count
+}
+
+function median(values) {
+  return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)]
+}
+
+function randomNumbers(seed) {
+  let state = seed
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0
+    return state / 2 ** 32
+  }
+}

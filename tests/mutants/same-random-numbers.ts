@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a change is noticed must not depend on luck, and the least example of it is of no interest.
+import fc from 'fast-check'
+
+fc.configureGlobal({ seed: 1, endOnFailure: true })

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Both ends of a thread: how it is started, in Node and in a browser, and what it answers.
+import { afterEach, describe, expect, it, vi } from 'vitest'
+import { answerRequests } from '../../web/lib/answer-requests.ts'
+import { compileCircleVoronoi } from '../../web/lib/load-options.ts'
+import { startThread } from '../../web/lib/thread.ts'
+import type { Reply, Request, Start } from '../../web/lib/worker-messages.ts'
+
+const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
+const PAGE = 'https://example.org/worker-thread.js'
+const world = vi.hoisted(() => ({ file: '', newWorker: (): unknown => undefined }))
+
+vi.mock('../../web/lib/thread-file.ts', () => ({
+  THREAD_NAME: 'the name',
+  threadFile: () => new URL(world.file),
+  newWorker: () => world.newWorker(),
+}))
+
+afterEach(() => {
+  vi.unstubAllGlobals()
+  vi.restoreAllMocks()
+})
+
+/** A module that Node runs as a thread. */
+function moduleOf(script: string): string {
+  return `data:text/javascript,${encodeURIComponent(`
+    import { parentPort, workerData } from 'node:worker_threads'
+    ${script}`)}`
+}
+
+const request = (circles = THREE): Request => ({
+  circles: circles.slice() as Request['circles'],
+  options: {},
+  tellsProgress: false,
+})
+
+describe('a thread in Node', () => {
+  it('gets messages with the memory of their arrays, knows its name, and answers', async () => {
+    world.file = moduleOf(`
+      parentPort.on('message', ({ circles }) => parentPort.postMessage({ progress: [workerData, circles.length] }))`)
+    const told: Reply[] = []
+    const thread = startThread({
+      onReply: (reply) => told.push(reply),
+      onFailure: (cause) => expect.unreachable(String(cause)),
+    })
+    const message = request()
+    thread.keepAlive(true)
+    thread.post(message, [message.circles.buffer])
+    expect(message.circles).toHaveLength(0)
+    await vi.waitFor(() => expect(told).toEqual([{ progress: ['the name', 9] }]))
+    thread.post(request())
+    await vi.waitFor(() => expect(told).toHaveLength(2))
+    thread.keepAlive(false)
+    thread.terminate()
+  })
+
+  it('tells of its failure, and answers nothing once it has been ended', async () => {
+    world.file = moduleOf(`throw new Error('broken')`)
+    let failure: unknown
+    const broken = startThread({
+      onReply: () => expect.unreachable(),
+      onFailure: (cause) => {
+        failure = cause
+      },
+    })
+    await vi.waitFor(() => expect(failure).toMatchObject({ message: 'broken' }))
+    broken.terminate()
+  })
+
+  it('needs threads', () => {
+    vi.stubGlobal('process', undefined)
+    expect(() => startThread({ onReply() {}, onFailure() {} })).toThrow('there are none here')
+    vi.stubGlobal('process', {})
+    expect(() => startThread({ onReply() {}, onFailure() {} })).toThrow('there are none here')
+  })
+})
+
+describe('a thread in a browser', () => {
+  class FakeWorker extends EventTarget {
+    static readonly made: FakeWorker[] = []
+    onmessage: ((event: { data: unknown }) => void) | undefined
+    onerror: ((event: { message?: string }) => void) | undefined
+    readonly posted: unknown[] = []
+    isTerminated = false
+    readonly args: readonly unknown[]
+
+    constructor(...args: readonly unknown[]) {
+      super()
+      this.args = args
+      FakeWorker.made.push(this)
+    }
+
+    postMessage(...args: unknown[]): void {
+      this.posted.push(args)
+    }
+
+    terminate(): void {
+      this.isTerminated = true
+    }
+  }
+
+  it('is a worker', () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    const worker = new FakeWorker()
+    world.newWorker = () => worker
+    const told: unknown[] = []
+    const thread = startThread({ onReply: (reply) => told.push(reply), onFailure: (cause) => told.push(cause) })
+    const message = request()
+    thread.post(message, [message.circles.buffer])
+    thread.post(message)
+    expect(worker.posted).toEqual([
+      [message, [message.circles.buffer]],
+      [message, []],
+    ])
+    worker.onmessage?.({ data: { progress: ['hide', 0] } })
+    worker.onerror?.({ message: 'broken' })
+    worker.onerror?.({})
+    expect(told).toEqual([{ progress: ['hide', 0] }, 'broken', 'its file cannot be loaded'])
+    thread.keepAlive(true)
+    expect(worker.isTerminated).toBe(false)
+    thread.terminate()
+    expect(worker.isTerminated).toBe(true)
+  })
+
+  it('from another origin starts from a script that imports it', async () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    world.file = PAGE
+    world.newWorker = () => {
+      throw new DOMException('another origin', 'SecurityError')
+    }
+    let script: Blob | undefined
+    const create = vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => {
+      script = blob as Blob
+      return 'blob:here'
+    })
+    const revoke = vi.spyOn(URL, 'revokeObjectURL').mockImplementation(() => {})
+    startThread({ onReply() {}, onFailure() {} })
+    expect(create).toHaveBeenCalledOnce()
+    expect(await script?.text()).toBe(`import "${PAGE}"`)
+    expect(script?.type).toBe('text/javascript')
+    const worker = FakeWorker.made.at(-1) as FakeWorker
+    expect(worker.args).toEqual(['blob:here', { type: 'module', name: 'the name' }])
+    expect(revoke).not.toHaveBeenCalled()
+    worker.dispatchEvent(new Event('message'))
+    worker.dispatchEvent(new Event('message'))
+    expect(revoke.mock.calls).toEqual([['blob:here']])
+  })
+
+  it('fails as the browser does for any other reason', () => {
+    vi.stubGlobal('Worker', FakeWorker)
+    for (const failure of [new TypeError('no'), new DOMException('no', 'SyntaxError')]) {
+      world.newWorker = () => {
+        throw failure
+      }
+      expect(() => startThread({ onReply() {}, onFailure() {} })).toThrow(failure)
+    }
+  })
+})
+
+describe('what a thread answers', () => {
+  const module = compileCircleVoronoi({})
+
+  /** A thread's port, and what is said on it. */
+  function answering() {
+    const said: [reply: Reply, transfer: ArrayBuffer[] | undefined][] = []
+    const port = {
+      onmessage: (_: { data: Start | Request }): unknown => undefined,
+      postMessage: (reply: Reply, transfer?: ArrayBuffer[]) => said.push([reply, transfer]),
+    }
+    const original = process.getBuiltinModule
+    vi.spyOn(process, 'getBuiltinModule').mockImplementation(((name: string) =>
+      name === 'node:worker_threads' ? { parentPort: port } : original(name)) as typeof original)
+    answerRequests()
+    return { said, port, ask: (data: Start | Request) => port.onmessage({ data }) }
+  }
+
+  it('is the diagram, with the memory of all its arrays', async () => {
+    const { said, ask } = answering()
+    await ask({ module: await module })
+    expect(said).toEqual([])
+    await ask(request())
+    const [[reply, transfer]] = said as [[Reply, ArrayBuffer[]]]
+    if (!('diagram' in reply)) throw new Error('It is no diagram.')
+    const { diagram } = reply
+    expect(diagram.vertices).toHaveLength(3)
+    const { circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = diagram
+    const arrays = [circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide]
+    expect(new Set(transfer)).toEqual(new Set(arrays.map(({ buffer }) => buffer)))
+    expect(transfer).toHaveLength(arrays.length)
+  })
+
+  it('tells progress if it is to', async () => {
+    const { said, ask } = answering()
+    await ask({ module: await module })
+    await ask(request())
+    expect(said).toHaveLength(1)
+    await ask({ ...request(), tellsProgress: true, options: { method: 'touching-disc' } })
+    const stages = said.slice(1, -1).map(([reply]) => ('progress' in reply ? reply.progress[0] : undefined))
+    expect([...new Set(stages)]).toEqual(['hide', 'sample', 'pair', 'touch', 'certify'])
+    expect(said.at(-1)?.[0]).toMatchObject({ diagram: { stats: { method: 'touching-disc' } } })
+  })
+
+  it('is an error, with its code and circle', async () => {
+    const { said, ask } = answering()
+    await ask({ module: await module })
+    await ask(request(Float64Array.of(0, 0, 1, 5, 0, -1)))
+    expect(said).toEqual([[{ error: { code: 'negativeRadius', circle: 1, message: expect.any(String) } }, []]])
+  })
+
+  it('is the reason for which the module does not load, each time', async () => {
+    const { said, ask } = answering()
+    await ask({ module: new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)) })
+    await ask(request())
+    await ask(request())
+    expect(said).toHaveLength(2)
+    for (const [reply] of said) expect(reply).toMatchObject({ error: { code: 'notLoaded', circle: -1 } })
+  })
+
+  it('is what else went wrong, in one sentence', async () => {
+    const { said, ask, port } = answering()
+    await ask({ module: await module })
+    port.postMessage = (reply, transfer) => {
+      if ('progress' in reply) throw new TypeError('No clone.')
+      return said.push([reply, transfer])
+    }
+    await ask({ ...request(), tellsProgress: true })
+    const message = 'The computation failed: No clone.'
+    expect(said).toEqual([[{ error: { code: 'internal', circle: -1, message } }, []]])
+  })
+})

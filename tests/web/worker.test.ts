@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The client of a worker with a thread that does what the test says, message by message. tests/wasm/worker.test.mjs has
+// real ones.
+import { readFileSync } from 'node:fs'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { CircleVoronoiError, Diagram } from '../../web/lib/index.ts'
+import type { ThreadEvents } from '../../web/lib/thread.ts'
+import { type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
+import type { Reply, Request, Start } from '../../web/lib/worker-messages.ts'
+import { library } from './library.ts'
+
+const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
+const WASM = readFileSync(new URL('../../web/lib/generated/circle-voronoi.wasm', import.meta.url))
+
+class FakeThread {
+  readonly posted: (Start | Request)[] = []
+  readonly transferred: ArrayBuffer[] = []
+  isKeptAlive: boolean | undefined
+  isTerminated = false
+  readonly #events: ThreadEvents
+
+  constructor(events: ThreadEvents) {
+    this.#events = events
+  }
+
+  post(message: Start | Request, transfer: ArrayBuffer[] = []): void {
+    this.posted.push(message)
+    this.transferred.push(...transfer)
+  }
+
+  keepAlive(isNeeded: boolean): void {
+    this.isKeptAlive = isNeeded
+  }
+
+  terminate(): void {
+    this.isTerminated = true
+  }
+
+  get requests(): Request[] {
+    return this.posted.filter((message): message is Request => 'circles' in message)
+  }
+
+  say(reply: Reply): void {
+    this.#events.onReply(reply)
+  }
+
+  /** Answers the last request as a real thread does. */
+  answer(): void {
+    const { circles, options } = this.requests.at(-1) as Request
+    this.say({ diagram: library.compute(circles, options) })
+  }
+
+  breakDown(cause: unknown): void {
+    this.#events.onFailure(cause)
+  }
+}
+
+const world = vi.hoisted(() => ({ threads: [] as unknown[], failure: undefined as Error | undefined }))
+const threads = world.threads as FakeThread[]
+
+vi.mock('../../web/lib/thread.ts', () => ({
+  startThread(events: ThreadEvents) {
+    if (world.failure !== undefined) throw world.failure
+    const thread = new FakeThread(events)
+    world.threads.push(thread)
+    return thread
+  },
+}))
+
+let worker: CircleVoronoiWorker
+beforeEach(() => {
+  worker = createWorker({ wasm: WASM })
+})
+afterEach(() => {
+  worker.dispose()
+  threads.length = 0
+  world.failure = undefined
+  vi.unstubAllGlobals()
+})
+
+/** When the client has given the thread so many requests. */
+async function asked(count: number, thread = 0): Promise<FakeThread> {
+  await vi.waitFor(() => expect(threads[thread]?.requests).toHaveLength(count))
+  return threads[thread] as FakeThread
+}
+
+/** What a promise is rejected with, if it is settled by the time that others are. */
+async function reasonOf(promise: Promise<unknown>): Promise<unknown> {
+  return promise.then(
+    () => expect.unreachable('It was fulfilled.'),
+    (reason) => reason,
+  )
+}
+
+describe('a worker', () => {
+  it('starts one thread with the first computation, and keeps Node alive while there is something to do', async () => {
+    expect(threads).toHaveLength(0)
+    const first = worker.computeAsync(THREE, { method: 'flip', progress: () => {} })
+    const thread = await asked(1)
+    expect(thread.posted[0]).toEqual({ module: expect.any(WebAssembly.Module) })
+    expect(thread.requests[0]).toEqual({ circles: THREE, options: { method: 'flip' }, tellsProgress: true })
+    expect(thread.transferred).toEqual([thread.requests[0]?.circles.buffer])
+    expect(thread.isKeptAlive).toBe(true)
+    thread.answer()
+    const diagram = await first
+    expect(diagram).toBeInstanceOf(Diagram)
+    expect(diagram.find(9, 0)).toBe(1)
+    expect(thread.isKeptAlive).toBe(false)
+    const second = worker.computeAsync([])
+    expect((await asked(2)).requests[1]).toMatchObject({ tellsProgress: false })
+    expect(thread.isKeptAlive).toBe(true)
+    thread.answer()
+    expect((await second).circles).toHaveLength(0)
+    expect(threads).toHaveLength(1)
+    expect(thread.posted).toHaveLength(3)
+  })
+
+  it('computes one after the other', async () => {
+    const promises = [THREE, [], [[1, 2, 3]]].map((circles) => worker.computeAsync(circles))
+    const thread = await asked(1)
+    thread.answer()
+    await asked(2)
+    expect(thread.isKeptAlive).toBe(true)
+    thread.answer()
+    ;(await asked(3)).answer()
+    const sizes = (await Promise.all(promises)).map(({ circles }) => circles.length)
+    expect(sizes).toEqual([9, 0, 3])
+  })
+
+  it('tells progress, to who asked for it alone', async () => {
+    const told: unknown[] = []
+    const first = worker.computeAsync(THREE, { progress: (...args) => told.push(args) })
+    const second = worker.computeAsync(THREE)
+    const thread = await asked(1)
+    thread.say({ progress: ['touch', 0.5] })
+    thread.answer()
+    await first
+    await asked(2)
+    thread.say({ progress: ['flip', 0] })
+    thread.answer()
+    await second
+    expect(told).toEqual([['touch', 0.5]])
+  })
+
+  it('rejects with the error of the thread, and goes on', async () => {
+    const first = worker.computeAsync(THREE)
+    const thread = await asked(1)
+    thread.say({ error: { code: 'nonFinite', circle: 2, message: 'No.' } })
+    const error = await reasonOf(first)
+    expect(error).toBeInstanceOf(CircleVoronoiError)
+    expect(error).toMatchObject({ code: 'nonFinite', circle: 2, message: 'No.' })
+    const second = worker.computeAsync(THREE)
+    ;(await asked(2)).answer()
+    await second
+    expect(thread.isTerminated).toBe(false)
+  })
+
+  it('says what makes the thread break down, and has another the next time', async () => {
+    const first = worker.computeAsync(THREE)
+    const second = worker.computeAsync([])
+    ;(await asked(1)).breakDown(new Error('out of memory.'))
+    expect(await reasonOf(first)).toMatchObject({ code: 'internal', message: 'The worker failed: out of memory.' })
+    expect(threads[0]?.isTerminated).toBe(true)
+    const other = await asked(1, 1)
+    expect(other.posted).toHaveLength(2)
+    other.answer()
+    expect((await second).circles).toHaveLength(0)
+    // What the first says now is of no interest.
+    threads[0]?.answer()
+    threads[0]?.breakDown('again')
+    expect(other.isTerminated).toBe(false)
+  })
+
+  it('bears a thread that breaks down while it is idle, or talks without being asked', async () => {
+    const first = worker.computeAsync(THREE)
+    const thread = await asked(1)
+    thread.answer()
+    await first
+    thread.answer()
+    thread.breakDown('idle')
+    expect(thread.isTerminated).toBe(true)
+    const second = worker.computeAsync(THREE)
+    ;(await asked(1, 1)).answer()
+    await second
+  })
+
+  it('that cannot start says so, and tries again', async () => {
+    world.failure = new Error('there are none here')
+    expect(await reasonOf(worker.computeAsync(THREE))).toMatchObject({
+      code: 'internal',
+      message: 'The worker failed: there are none here.',
+      cause: world.failure,
+    })
+    world.failure = undefined
+    const again = worker.computeAsync(THREE)
+    ;(await asked(1)).answer()
+    await again
+  })
+
+  it('tries again to load what it could not', async () => {
+    let isOnline = false
+    vi.stubGlobal('fetch', async () => {
+      if (!isOnline) throw new Error('offline')
+      return new Response(WASM, { headers: { 'Content-Type': 'application/wasm' } })
+    })
+    const other = createWorker({ wasm: 'https://example.org/circle-voronoi.wasm' })
+    const failed = [other.computeAsync(THREE), other.computeAsync(THREE)]
+    for (const promise of failed) {
+      expect(await reasonOf(promise)).toMatchObject({ code: 'notLoaded', message: expect.stringContaining('offline') })
+    }
+    expect(threads).toHaveLength(0)
+    isOnline = true
+    const again = other.computeAsync(THREE)
+    ;(await asked(1)).answer()
+    expect((await again).vertices).toHaveLength(3)
+    other.dispose()
+  })
+})
+
+describe('cancelling', () => {
+  it('what waits does not end what runs, from whose progress it is done', async () => {
+    const controller = new AbortController()
+    const running = worker.computeAsync(THREE, { progress: () => controller.abort('not needed') })
+    const waiting = worker.computeAsync([], { signal: controller.signal })
+    const last = worker.computeAsync([[1, 2, 3]])
+    const thread = await asked(1)
+    thread.say({ progress: ['touch', 0.5] })
+    expect(await reasonOf(waiting)).toBe('not needed')
+    expect(thread.isTerminated).toBe(false)
+    expect(thread.requests).toHaveLength(1)
+    thread.answer()
+    expect((await running).circles).toHaveLength(9)
+    ;(await asked(2)).answer()
+    expect((await last).circles).toHaveLength(3)
+    expect(threads).toHaveLength(1)
+  })
+
+  it('what runs ends its thread, and what waits has another', async () => {
+    const controller = new AbortController()
+    const running = worker.computeAsync(THREE, { signal: controller.signal })
+    const waiting = worker.computeAsync([])
+    const thread = await asked(1)
+    controller.abort('enough')
+    expect(await reasonOf(running)).toBe('enough')
+    expect(thread.isTerminated).toBe(true)
+    ;(await asked(1, 1)).answer()
+    await waiting
+  })
+
+  it('by what progress throws does the same', async () => {
+    const mine = new RangeError('mine')
+    const running = worker.computeAsync(THREE, {
+      progress() {
+        throw mine
+      },
+    })
+    const thread = await asked(1)
+    thread.say({ progress: ['hide', 0] })
+    expect(await reasonOf(running)).toBe(mine)
+    expect(thread.isTerminated).toBe(true)
+  })
+
+  it('before the thread has it spares the thread', async () => {
+    const controller = new AbortController()
+    const promise = worker.computeAsync(THREE, { signal: controller.signal })
+    controller.abort('at once')
+    expect(await reasonOf(promise)).toBe('at once')
+    expect(await reasonOf(worker.computeAsync(THREE, { signal: controller.signal }))).toBe('at once')
+    const other = worker.computeAsync([])
+    ;(await asked(1)).answer()
+    await other
+    expect(threads).toHaveLength(1)
+  })
+
+  it('what is done has no effect', async () => {
+    const controller = new AbortController()
+    const done = worker.computeAsync(THREE, { signal: controller.signal })
+    ;(await asked(1)).answer()
+    await done
+    const running = worker.computeAsync([])
+    const thread = await asked(2)
+    controller.abort()
+    expect(thread.isTerminated).toBe(false)
+    thread.answer()
+    await running
+  })
+
+  it('takes a signal, and nothing else for one', async () => {
+    const signal = {} as AbortSignal
+    expect(await reasonOf(worker.computeAsync(THREE, { signal }))).toMatchObject({ code: 'badOption' })
+  })
+})
+
+describe('disposing of a worker', () => {
+  it('cancels what runs and what waits, begins nothing, and ends the thread', async () => {
+    const promises = [THREE, [], []].map((circles) => worker.computeAsync(circles))
+    const thread = await asked(1)
+    worker.dispose()
+    for (const promise of [...promises, worker.computeAsync(THREE)]) {
+      expect(await reasonOf(promise)).toMatchObject({
+        name: 'AbortError',
+        message: 'The worker has been disposed of.',
+      })
+    }
+    expect(thread.isTerminated).toBe(true)
+    expect(threads).toHaveLength(1)
+    expect(thread.requests).toHaveLength(1)
+  })
+
+  it('is what `using` does', async () => {
+    const promise = worker.computeAsync(THREE)
+    const thread = await asked(1)
+    ;(worker as unknown as Record<symbol, () => void>)[Symbol.dispose]?.()
+    expect(await reasonOf(promise)).toBeInstanceOf(DOMException)
+    expect(thread.isTerminated).toBe(true)
+  })
+
+  it('ends an idle thread, too', async () => {
+    const promise = worker.computeAsync(THREE)
+    const thread = await asked(1)
+    thread.answer()
+    await promise
+    worker.dispose()
+    expect(thread.isTerminated).toBe(true)
+  })
+})
