@@ -13,14 +13,51 @@ export function benchJs(library, sizes) {
   return sizes.flatMap((size) => tasksOf(library, size).map((task) => measured(task, size)))
 }
 
+/**
+ * A row for each function of a diagram that C++ has, too: microseconds in TypeScript, and how many of them a call into
+ * WebAssembly takes that is given the diagram, goes through it once and returns a number for each part (`finalCells`).
+ */
+export function benchTwins(library, geometry, size) {
+  const { circles, diagram, bounds, random } = inputOf(library, size)
+  const side = bounds[2]
+  const [minX, minY, maxX, maxY] = bounds
+  let next = 0
+  const one = () => next++ % size
+  const anywhere = () => ({ x: side * random(), y: side * random() })
+  const places = Float64Array.from(circles, () => side * random())
+  const known = { box: { minX, minY, maxX, maxY }, maxRadius: 1 }
+  const tasks = {
+    'a call with the diagram': () => library.finalCells(diagram, known),
+    'edgeCurve of one': () => geometry.edgeCurve(diagram, one()),
+    'neighbors of one': () => diagram.neighbors(one()),
+    'find one': () => diagram.find(side * random(), side * random()),
+    'contains of one': () => diagram.contains(one(), 1, 1),
+    'cellPath of one': () => diagram.cellPath(one(), { bounds }),
+    'cellArea of one': () => diagram.cellArea(one(), { bounds }),
+    hull: () => geometry.hull(diagram),
+    'findAll, 1.5 places a circle': () => diagram.findAll(places),
+    closestPair: () => geometry.closestPair(diagram),
+    mergeVertices: () => geometry.mergeVertices(diagram),
+    largestEmptyDiscCentredIn: () => geometry.largestEmptyDiscCentredIn(diagram, bounds),
+    largestEmptyDiscCentredInHull: () => geometry.largestEmptyDiscCentredInHull(diagram),
+    largestEmptyDiscInside: () => geometry.largestEmptyDiscInside(diagram, bounds),
+    clearestPath: () => geometry.clearestPath(diagram, anywhere(), anywhere()),
+    cellAreas: () => diagram.cellAreas({ bounds }),
+    render: () => diagram.render({ bounds }),
+  }
+  const turns = Array.from({ length: TURNS }, () => Object.values(tasks).map(millisecondsOf))
+  return Object.keys(tasks).map((task, k) => ({
+    task,
+    microseconds: Number((1000 * median(turns.map((times) => times[k]))).toPrecision(3)),
+    calls: Number(median(turns.map((times) => times[k] / times[0])).toPrecision(2)),
+  }))
+}
+
 /** What is measured, ours and d3-delaunay's. */
 function tasksOf(library, size) {
-  const random = randomNumbers(1)
-  const side = Math.sqrt(size)
-  const circles = Float64Array.from({ length: 3 * size }, (_, k) => (k % 3 === 2 ? 0.3 * random() : side * random()))
+  const { circles, diagram, bounds, random } = inputOf(library, size)
+  const side = bounds[2]
   const points = Float64Array.from({ length: 2 * size }, (_, k) => circles[3 * (k >> 1) + (k & 1)])
-  const diagram = library.compute(circles)
-  const bounds = [0, 0, side, side]
   const voronoi = new Delaunay(points).voronoi(bounds)
   const count = Math.ceil(side)
   const raster = Float64Array.from({ length: 2 * count * count }, (_, k) =>
@@ -51,6 +88,14 @@ function tasksOf(library, size) {
     { task: 'find in raster order, chained', ours: () => ours(raster), theirs: () => theirs(raster) },
     { task: 'find anywhere', ours: () => ours(anywhere), theirs: () => theirs(anywhere) },
   ]
+}
+
+/** Circles spread evenly over a square of about one for each, some of which overlap. */
+function inputOf(library, size) {
+  const random = randomNumbers(1)
+  const side = Math.sqrt(size)
+  const circles = Float64Array.from({ length: 3 * size }, (_, k) => (k % 3 === 2 ? 0.3 * random() : side * random()))
+  return { circles, diagram: library.compute(circles), bounds: [0, 0, side, side], random }
 }
 
 function measured({ task, ours, theirs }, size) {

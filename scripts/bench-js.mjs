@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `npm run bench:js [-- --sizes N,...]`: the package against d3-delaunay on the centres of the same circles, in Node and in
-// Chromium, task by task: two tables, and build/bench/js.json.
+// Chromium, task by task: two tables, and build/bench/js.json. With `-- --twins` instead: what functions take that stand in
+// C++ as well, in Node, and what a call into WebAssembly would.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
-import { benchJs } from './bench-js-tasks.mjs'
+import { benchJs, benchTwins } from './bench-js-tasks.mjs'
 import { buildLib, buildWasm } from './build.mjs'
 import { main, ROOT } from './run.mjs'
 import { chromiumPath, setup } from './setup.mjs'
 
 const SIZES = [1_000, 10_000, 100_000, 1_000_000]
+const TWINS_SIZE = 10_000
 
 await main(async () => {
   await setup({ tests: true })
@@ -16,8 +18,13 @@ await main(async () => {
   const given = process.argv.indexOf('--sizes')
   const sizes = given < 0 ? SIZES : process.argv[given + 1].split(',').map(Number)
   mkdirSync(`${ROOT}build/bench`, { recursive: true })
-  const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
-  const rows = { Node: benchJs(await loadCircleVoronoi(), sizes), Chromium: await inChromium(sizes) }
+  const geometry = await import(`${ROOT}dist/lib/index.js`)
+  const library = await geometry.loadCircleVoronoi()
+  if (process.argv.includes('--twins')) {
+    console.table(benchTwins(library, geometry, TWINS_SIZE))
+    return
+  }
+  const rows = { Node: benchJs(library, sizes), Chromium: await inChromium(sizes) }
   for (const [where, table] of Object.entries(rows)) {
     console.log(where)
     console.table(table)

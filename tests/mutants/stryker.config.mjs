@@ -18,6 +18,7 @@ export default {
   // What runs while modules are loaded, and in no test, is constants: each would need all tests, in a new thread.
   ignoreStatic: true,
   concurrency: 2,
+  dryRunTimeoutMinutes: 60,
   // Of what tests take without a change. A machine that others use as well must not look like a test that hangs.
   timeoutFactor: 4,
   ignorePatterns: ['/*', '!/web', '!/tests', '!/public', '!/*.json', '!/*.ts', '/tests/{cpp,files,fixtures,fuzz,soak}'],

@@ -7,6 +7,8 @@ import { startThread } from '../../web/lib/thread.ts'
 import type { Reply, Request, Start } from '../../web/lib/worker-messages.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
+/** On a busy machine a thread may take long to start. */
+const SOON = { timeout: 30_000 }
 const PAGE = 'https://example.org/worker-thread.js'
 const world = vi.hoisted(() => ({ file: '', newWorker: (): unknown => undefined }))
 
@@ -47,9 +49,9 @@ describe('a thread in Node', () => {
     thread.keepAlive(true)
     thread.post(message, [message.circles.buffer])
     expect(message.circles).toHaveLength(0)
-    await vi.waitFor(() => expect(told).toEqual([{ progress: ['the name', 9] }]))
+    await vi.waitFor(() => expect(told).toEqual([{ progress: ['the name', 9] }]), SOON)
     thread.post(request())
-    await vi.waitFor(() => expect(told).toHaveLength(2))
+    await vi.waitFor(() => expect(told).toHaveLength(2), SOON)
     thread.keepAlive(false)
     thread.terminate()
   })
@@ -63,7 +65,7 @@ describe('a thread in Node', () => {
         failure = cause
       },
     })
-    await vi.waitFor(() => expect(failure).toMatchObject({ message: 'broken' }))
+    await vi.waitFor(() => expect(failure).toMatchObject({ message: 'broken' }), SOON)
     broken.terminate()
   })
 
