@@ -43,6 +43,7 @@ const SUITES = [
       'tests/wasm/native.test.mjs',
       'tests/wasm/equal-radii.test.mjs',
       'tests/wasm/worker.test.mjs',
+      'tests/wasm/editor.test.mjs',
       'tests/wasm/geometry.test.mjs',
       'tests/wasm/final-cells.test.mjs',
       'tests/wasm/diagram-file.test.mjs',

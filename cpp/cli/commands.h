@@ -9,6 +9,7 @@ namespace circle_voronoi::cli {
 
 void addComputeCommand(CLI::App& program);
 void addConvertCommand(CLI::App& program);
+void addEditCommand(CLI::App& program);
 void addGenerateCommand(CLI::App& program);
 void addTileCommand(CLI::App& program);
 void addVerifyCommand(CLI::App& program);

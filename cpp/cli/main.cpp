@@ -53,6 +53,7 @@ int main(int argumentCount, char** arguments) {
     program.require_subcommand(1);
     addComputeCommand(program);
     addConvertCommand(program);
+    addEditCommand(program);
     addGenerateCommand(program);
     addTileCommand(program);
     addVerifyCommand(program);

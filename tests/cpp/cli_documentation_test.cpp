@@ -17,7 +17,7 @@ namespace {
 
 using Words = std::set<std::string>;
 
-const std::vector<std::string> kCommands = {"compute", "convert", "generate", "tile", "verify"};
+const std::vector<std::string> kCommands = {"compute", "convert", "edit", "generate", "tile", "verify"};
 
 Words wordsOf(const std::string& text) {
   std::istringstream in(text);

@@ -7,13 +7,17 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <ranges>
 #include <sstream>
 #include <tuple>
 
 #include "circle_voronoi/compute.h"
 #include "compare.h"
 #include "oracle.h"
+#include "predicates.h"
 #include "random.h"
+#include "topology.h"
+#include "validate.h"
 
 namespace circle_voronoi::test {
 namespace {
@@ -146,23 +150,36 @@ std::string Mirror::apply(const Change& change) {
     if (circles_.erase(id) == 0) return "removes a circle that is not there";
     hidden_.erase(id);
   }
+  if (change.circles.size() != change.inserted.size() + change.replaced.size()) return "another number of circles";
+  auto circle = change.circles.begin();
   for (const CircleId id : change.inserted) {
-    if (!circles_.insert(id).second) return "inserts a circle that is there";
+    if (!circles_.emplace(id, *circle++).second) return "inserts a circle that is there";
   }
   for (const CircleId id : change.replaced) {
     if (!circles_.contains(id)) return "replaces a circle that is not there";
+    circles_[id] = *circle++;
   }
+  const auto byCircle = [](const EditedHider& hider) { return hider.circle; };
   for (const CircleId id : change.hidden) {
-    if (!circles_.contains(id) || !hidden_.insert(id).second) return "hides a circle that is hidden";
+    if (!circles_.contains(id) || hidden_.contains(id)) return "hides a circle that is hidden";
+    if (std::ranges::count(change.hiders, id, byCircle) != 1) return "hides a circle by none, or by two";
   }
   for (const CircleId id : change.shown) {
     if (hidden_.erase(id) == 0) return "shows a circle that is not hidden";
+  }
+  for (const auto& [id, by] : change.hiders) {
+    const auto found = hidden_.find(id);
+    if (found == hidden_.end() && std::ranges::count(change.hidden, id) == 0) return "hides a circle that is visible";
+    if (found != hidden_.end() && found->second == by) return "hides a circle by the same";
+    hidden_[id] = by;
   }
   for (const std::int32_t vertex : change.removedVertices) {
     if (vertices_.erase(vertex) == 0) return "removes a vertex that is not there";
   }
   for (const std::int32_t edge : change.removedEdges) {
     if (edges_.erase(edge) == 0) return "removes an edge that is not there";
+    hullSides_.erase(2 * edge);
+    hullSides_.erase(2 * edge + 1);
   }
   for (std::size_t i = 0; i < change.addedVertices.size(); ++i) {
     if (!vertices_.try_emplace(change.addedVertices[i], Corner{change.vertexCircles[i], change.vertices[i]}).second) {
@@ -176,14 +193,22 @@ std::string Mirror::apply(const Change& change) {
     if (!edges_.try_emplace(change.addedEdges[i], edge).second) return "adds an edge that is there";
     if (!cells.contains(edge.left) || !cells.contains(edge.right)) return "leaves out a cell";
   }
+  for (const auto& [side, next] : change.hullSides) hullSides_[side] = next;
   return {};
 }
 
 std::string Mirror::difference(const Diagram& snapshot, const std::vector<CircleId>& ids) const {
-  if (ids != std::vector<CircleId>(circles_.begin(), circles_.end())) return "other circles";
+  if (!std::ranges::equal(ids, std::views::keys(circles_))) return "other circles";
+  if (!std::ranges::equal(snapshot.circles, std::views::values(circles_))) return "circles in other places";
   const auto rank = [&](CircleId id) {
     return static_cast<std::int32_t>(std::ranges::lower_bound(ids, id) - ids.begin());
   };
+  const std::vector<Circle> scaled = validate(snapshot.circles).value().circles;
+  const auto scaledOf = [&](CircleId id) { return scaled[static_cast<std::size_t>(rank(id))]; };
+  for (const auto& [id, by] : hidden_) {
+    if (!circles_.contains(by) || hidden_.contains(by)) return "hidden by a circle that is not visible";
+    if (!Predicates({}).contains(scaledOf(by), scaledOf(id))) return "hidden by a circle that does not contain it";
+  }
   Content content;
   const auto tripleOf = [&](std::int32_t vertex) {
     const auto found = vertices_.find(vertex);
@@ -197,9 +222,33 @@ std::string Mirror::difference(const Diagram& snapshot, const std::vector<Circle
   for (const auto& [number, edge] : edges_) {
     content.addEdge(rank(edge.left), rank(edge.right), tripleOf(edge.start), tripleOf(edge.end));
   }
-  for (const CircleId id : hidden_) content.hidden.push_back(rank(id));
+  for (const CircleId id : std::views::keys(hidden_)) content.hidden.push_back(rank(id));
   content.sort();
-  return differenceOf(content, contentOf(snapshot));
+  if (auto problem = differenceOf(content, contentOf(snapshot)); !problem.empty()) return problem;
+  return hullDifference(snapshot, ids);
+}
+
+/// The sides to infinity go around the hull once.
+std::string Mirror::hullDifference(const Diagram& snapshot, const std::vector<CircleId>& ids) const {
+  // Who has no edges, or one cell, has a hull without sides.
+  std::vector<CircleIndex> hull;
+  if (!hullSides_.empty()) {
+    std::int32_t side = hullSides_.begin()->first;
+    do {
+      const auto found = hullSides_.find(side);
+      if (found == hullSides_.end() || hull.size() > hullSides_.size()) return "a hull that does not close";
+      const auto edge = edges_.find(side / 2);
+      if (edge == edges_.end()) return "a hull with an edge that is not there";
+      const CircleId circle = side % 2 == 0 ? edge->second.left : edge->second.right;
+      hull.push_back(static_cast<std::int32_t>(std::ranges::lower_bound(ids, circle) - ids.begin()));
+      side = found->second ^ 1;
+    } while (side != hullSides_.begin()->first);
+    if (hull.size() != hullSides_.size()) return "a hull in parts";
+    rotateHull(hull);
+  } else if (snapshot.hull.size() == 1) {
+    return {};
+  }
+  return hull == snapshot.hull ? "" : "another hull";
 }
 
 std::string differenceToTheBit(const Diagram& actual, const Diagram& expected) {

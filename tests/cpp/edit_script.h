@@ -22,14 +22,17 @@ class Mirror {
   std::string difference(const Diagram& snapshot, const std::vector<CircleId>& ids) const;
 
  private:
+  std::string hullDifference(const Diagram& snapshot, const std::vector<CircleId>& ids) const;
+
   struct Corner {
     std::array<CircleId, 3> circles;
     Vertex vertex;
   };
-  std::set<CircleId> circles_;
-  std::set<CircleId> hidden_;
+  std::map<CircleId, Circle> circles_;
+  std::map<CircleId, CircleId> hidden_;  ///< and who hides them
   std::map<std::int32_t, Corner> vertices_;
   std::map<std::int32_t, EditedEdge> edges_;
+  std::map<std::int32_t, std::int32_t> hullSides_;  ///< and which side follows
 };
 
 /// How two diagrams of the same circles differ but for the order of their vertices and edges, to the bit, hidden

@@ -42,7 +42,8 @@ std::string commandOf(Family family, std::size_t count, std::uint64_t seed) {
 
 class Soak {
  public:
-  Soak(std::uint64_t seed, std::uint64_t rounds, Clock::time_point end) : seed_(seed), rounds_(rounds), end_(end) {}
+  Soak(std::uint64_t seed, std::uint64_t rounds, bool editsAlone, Clock::time_point end)
+      : seed_(seed), rounds_(rounds), editsAlone_(editsAlone), end_(end) {}
 
   /// One worker of several.
   void work() {
@@ -60,11 +61,13 @@ class Soak {
   void round(std::uint64_t seed) {
     for (const FamilyInfo& family : families()) {
       edit(family, seed);
+      if (editsAlone_) continue;
       Random random(seed);
       const std::size_t count = 3 + random.below(198);
       attempt(std::string(family.name), commandOf(family.family, count, seed), generate(family.family, count, seed),
               [&](std::span<const Circle> circles) { return tryAutomatic(circles, family.isDegenerate); });
     }
+    if (editsAlone_) return;
     for (const TieKind& kind : tieKinds()) {
       Random random(seed);
       std::vector<Circle> circles = kind.make(3 + random.below(60), random);
@@ -107,6 +110,7 @@ class Soak {
 
   std::uint64_t seed_;
   std::uint64_t rounds_;
+  bool editsAlone_;
   Clock::time_point end_;
   std::atomic<std::uint64_t> round_ = 0;
   std::mutex mutex_;
@@ -128,6 +132,8 @@ int main(int argumentCount, char** arguments) {
   time->check(CLI::PositiveNumber);
   auto* count = program.add_option("--rounds", rounds, "How many inputs of each family at most");
   count->check(CLI::PositiveNumber);
+  bool editsAlone = false;
+  program.add_flag("--edits", editsAlone, "Edits alone: a script of a hundred for each family a round");
   program.add_option("--seed", seed, "The same seed gives the same inputs; random if not given");
   program.add_option("--threads", threads, "How many inputs at a time")
       ->check(CLI::Range(1, 256))
@@ -137,7 +143,7 @@ int main(int argumentCount, char** arguments) {
   std::cout << "--seed " << seed << std::endl;
   const bool isTimed = time->count() > 0 || count->count() == 0;
   const auto limit = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(60 * minutes));
-  Soak soak(seed, rounds, isTimed ? Clock::now() + limit : Clock::time_point::max());
+  Soak soak(seed, rounds, editsAlone, isTimed ? Clock::now() + limit : Clock::time_point::max());
   std::vector<std::jthread> workers;
   for (unsigned i = 0; i < threads; ++i) workers.emplace_back([&] { soak.work(); });
   workers.clear();  // waits for them

@@ -28,6 +28,8 @@ const power = computeComparison(CIRCLES, 'power')
 /** As a program without types sees it. */
 const d = diagram as unknown as Record<string, (...args: unknown[]) => unknown>
 const l = library as unknown as Record<string, (...args: unknown[]) => unknown>
+const editor = library.edit(CIRCLES)
+const e = editor as unknown as Record<string, (...args: unknown[]) => unknown>
 const untyped = (f: unknown) => f as (...args: unknown[]) => unknown
 const box = { minX: 0, minY: 0, maxX: 9, maxY: 9 }
 const texts = { minX: '0', minY: '0', maxX: '9', maxY: '9' }
@@ -92,6 +94,27 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   ['badArgument', 'closestPair takes a diagram of the metric circles, not of power.', () => closestPair(power)],
   ['badArgument', 'update takes a diagram that compute made here.', () => power.update()],
+  ['badArgument', 'apply takes a diagram that is a snapshot of an editor.', () => d.apply?.({ revision: 1 })],
+  ['badArgument', 'indexOf takes a diagram that is a snapshot of an editor.', () => diagram.indexOf(0)],
+  [
+    'badArgument',
+    'The diagram is that of the editor after 0 changes; what is applied has to be the next one.',
+    () => untyped(editor.snapshot().apply.bind(editor.snapshot()))(undefined),
+  ],
+  ['badArgument', 'insert takes a number as hint, not "0".', () => e.insert?.([0, 0, 1], '0')],
+  ['badInput', 'The new circle does not have three numbers x, y and r.', () => e.insert?.(1, 2, 3)],
+  ['badInput', 'Circle 1 does not have three numbers x, y and r.', () => e.replace?.(1, { x: 1, y: 2 })],
+  ['badArgument', 'remove takes a number as the id of a circle, not "1".', () => e.remove?.('1')],
+  ['unknownCircle', 'There is no circle with id 0.5.', () => editor.remove(0.5)],
+  ['badArgument', 'nearest takes a number as x, not an object.', () => e.nearest?.({ x: 1, y: 2 })],
+  ['badArgument', 'apply takes a list of edits, not undefined.', () => e.apply?.()],
+  [
+    'badArgument',
+    'An edit has a kind, insert, remove or replace, not "move".',
+    () => e.apply?.([{ kind: 'move', id: 0 }]),
+  ],
+  ['badArgument', 'edit takes a diagram of the metric circles, not of power.', () => library.edit(power)],
+  ['badInput', 'The circles are neither a typed array nor a list, but an object.', () => l.edit?.({})],
   ['badArgument', 'from takes three functions, for x, y and r of a datum.', () => l.from?.([], 'x', 'y', 'r')],
   [
     'badOption',

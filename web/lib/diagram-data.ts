@@ -165,6 +165,22 @@ export interface DiagramData {
   readonly firstSide: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
+  /** Of a snapshot of an editor: what its circles, vertices and edges are called in changes. */
+  readonly numbers?: SnapshotNumbers
+}
+
+/** What the indices of a snapshot of an editor stand for. */
+export interface SnapshotNumbers {
+  /** How many changes the editor had made. */
+  readonly revision: number
+  /** For each circle its id. */
+  readonly circles: Int32s
+  /** For each vertex its number. */
+  readonly vertices: Int32s
+  /** For each edge its number. */
+  readonly edges: Int32s
+  /** For each hidden circle the id of the one that the editor keeps it with: a visible one that contains it. */
+  readonly hiders: Int32s
 }
 
 /**

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Limits } from './cell-limits.ts'
 import { Cells } from './cells.ts'
+import type { Change } from './change.ts'
 import { checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from './check.ts'
 import { ConvexPolygon } from './convex-polygon.ts'
-import { at, type Certificate, type DiagramData, type Float64s, type Int32s, NONE, type Stats } from './diagram-data.ts'
+import {
+  at,
+  type Certificate,
+  type DiagramData,
+  type Float64s,
+  type Int32s,
+  NONE,
+  type SnapshotNumbers,
+  type Stats,
+} from './diagram-data.ts'
 import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
+import { DiagramPatch } from './diagram-patch.ts'
 import { drawCell, drawCircle, drawDual, drawEdge, drawHull, drawRegion } from './draw.ts'
 import {
   type BoundsOptions,
@@ -72,11 +83,13 @@ export class Diagram implements DiagramData {
   readonly firstSide: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
+  readonly numbers?: SnapshotNumbers
   readonly #recompute: ((circles: Float64s) => DiagramData) | undefined
   #cells: Cells | undefined
   #finder: Finder | undefined
   #bounds: ConvexPolygon | undefined
   #halfedges: Int32Array | undefined
+  #patch: DiagramPatch | undefined
 
   /** Around the arrays of `data`, which are not copied. `recompute`: what `update` calls. */
   constructor(data: DiagramData, recompute?: (circles: Float64s) => DiagramData) {
@@ -93,6 +106,7 @@ export class Diagram implements DiagramData {
     this.firstSide = data.firstSide
     this.certificate = data.certificate
     this.stats = data.stats
+    if (data.numbers !== undefined) this.numbers = data.numbers
     this.#recompute = recompute
   }
 
@@ -126,6 +140,51 @@ export class Diagram implements DiagramData {
     this.#bounds = undefined
     this.#halfedges = undefined
     return this
+  }
+
+  /**
+   * Follows an editor: makes this, a snapshot of it, the diagram after its next change, in the time that the change takes. The
+   * arrays are changed in place; one that has to be longer or shorter is another then. `cells` and what `find` has made stay
+   * good. Indices have no gaps: where a circle, a vertex or an edge goes, the last one may take its index. `indexOf` has a
+   * circle's index, `numbers.circles` the ids. Of a hidden circle `by` is one that contains it, not always the largest.
+   *
+   * @throws CircleVoronoiError `badArgument`, if the diagram is no snapshot of an editor, or a change has been left out
+   *
+   * @example
+   * ```js
+   * const diagram = editor.snapshot()
+   * editor.onchange = (change) => {
+   *   diagram.apply(change)
+   *   for (const id of change.cells) redraw(diagram.cellPath(diagram.indexOf(id)))
+   * }
+   * ```
+   */
+  apply(change: Change): this {
+    const patch = this.#patchable('apply')
+    const changed = patch.apply(change)
+    const { hidden, circles } = Object.assign(this, patch.arrays())
+    const counts = { ...this.stats.counts, circles: circles.length / 3, hidden: hidden.length / 2 }
+    Object.assign(this, { stats: { ...this.stats, counts } })
+    if (this.#finder?.follow(changed) === false) this.#finder = undefined
+    this.#bounds = undefined
+    this.#halfedges = undefined
+    return this
+  }
+
+  /**
+   * Of a snapshot of an editor the index of the circle with this id; `NONE` if there is none.
+   *
+   * @throws CircleVoronoiError `badArgument`, if it is no such snapshot
+   */
+  indexOf(id: number): number {
+    checkNumber(id, 'indexOf', 'the id of a circle')
+    return this.#patchable('indexOf').indexOf(id)
+  }
+
+  #patchable(caller: string): DiagramPatch {
+    if (this.numbers === undefined) refuseArgument(`${caller} takes a diagram that is a snapshot of an editor.`)
+    this.#patch ??= new DiagramPatch(this, this.numbers)
+    return this.#patch
   }
 
   /** The sides of all cells in order. */

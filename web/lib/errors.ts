@@ -22,7 +22,7 @@ export const ERROR_CODES = [
  * - `tooManyCircles`: the input, or the candidates asked for, do not fit in memory;
  * - `badOption`: an option is out of its range;
  * - `notCertified`: no construction led to a certified diagram;
- * - `unknownCircle`: an editor has no circle with this id (in C++ only);
+ * - `unknownCircle`: an editor has no circle with this id;
  * - `badInput`: the input cannot be read as circles;
  * - `badArgument`: a method or a function was given what it cannot take;
  * - `badArithmetic`: the program rounds otherwise than to nearest (in C++ only);
@@ -36,7 +36,7 @@ export class CircleVoronoiError extends Error {
   override readonly name = 'CircleVoronoiError'
   /** What went wrong. */
   readonly code: ErrorCode
-  /** Index of the circle concerned, or -1. */
+  /** Index of the circle concerned, for an editor its id; or -1. */
   readonly circle: number
 
   /** `options`: its cause, if there is one. */

@@ -12,6 +12,9 @@ const ROUNDING = 2 ** -49
 const SMALL = 1e-140
 /** Circles for each bucket of the grid, on average. */
 const PER_BUCKET = 2
+/** So many times as many circles, and a few, need another grid. */
+const MOST_GROWTH = 4
+const FEW_CIRCLES = 16
 
 /**
  * Finds the nearest circle by a walk through the cells.
@@ -37,14 +40,19 @@ export class Finder {
   readonly #height: number = 1
   /** A visible circle for each bucket, row by row. */
   readonly #starts: Int32Array
-  /** The sides of cells with more than `FEW_SIDES`. */
-  readonly #manySides: ReadonlyMap<number, Int32Array>
+  /** The sides of cells with more than `FEW_SIDES`; of those that have changed, and may have fewer, not yet. */
+  readonly #manySides: Map<number, Int32Array | undefined>
+  /** How many circles the grid was made for. */
+  readonly #circleCount: number
+  /** A circle that was found last, where a start is gone. */
+  #last: number = 0
 
   /** In linear time. */
   constructor(cells: Cells) {
     this.#cells = cells
     const { circles } = cells.diagram
     let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
+    this.#circleCount = circles.length / 3
     let visible = 0
     for (let i = 0; i < circles.length / 3; i++) {
       if (!cells.exists(i)) continue
@@ -72,13 +80,18 @@ export class Finder {
   find(x: number, y: number, hint: number = NONE): number {
     if (this.#columns === 0 || !Number.isFinite(x) || !Number.isFinite(y)) return NONE
     let circle = at(this.#starts, this.#bucketOf(x, y))
+    if (!this.#cells.exists(circle)) circle = this.#someCircle()
+    if (circle === NONE) return NONE
     if (this.#cells.exists(hint) && this.#cells.lead(hint, circle, x, y) > 0) circle = hint
     // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
     // that was marked at step 1, 2, 4, 8 and so on.
     let marked = circle
     for (let step = 0, markAt = 1; ; step++) {
       const next = this.#nearerNeighbor(circle, x, y)
-      if (next === NONE || next === marked) return circle
+      if (next === NONE || next === marked) {
+        this.#last = circle
+        return circle
+      }
       circle = next
       if (step !== markAt) continue
       marked = circle
@@ -96,6 +109,46 @@ export class Finder {
       circle = this.find(at(points, 2 * k), at(points, 2 * k + 1), circle)
       return circle
     })
+  }
+
+  /**
+   * Told that some circles of the diagram, and their cells, are others now. Returns whether this is still good for the diagram:
+   * not, if it has grown too much.
+   */
+  follow(changed: Iterable<number>): boolean {
+    const cells = this.#cells
+    const { circles } = cells.diagram
+    if (this.#columns === 0 || circles.length / 3 > MOST_GROWTH * this.#circleCount + FEW_CIRCLES) return false
+    for (const circle of changed) {
+      this.#manySides.set(circle, undefined)
+      if (cells.exists(circle))
+        this.#starts[this.#bucketOf(at(circles, 3 * circle), at(circles, 3 * circle + 1))] = circle
+    }
+    return true
+  }
+
+  /** A circle with a cell, where a start has none any more; `NONE` if there is none. */
+  #someCircle(): number {
+    const { circles } = this.#cells.diagram
+    const count = circles.length / 3
+    for (let k = 0; k < count; k++) {
+      const circle = (this.#last + k) % count
+      if (this.#cells.exists(circle)) return circle
+    }
+    return NONE
+  }
+
+  /** The sides of a cell, if they are many. */
+  #manySidesOf(circle: number): Int32Array | undefined {
+    const known = this.#manySides.get(circle)
+    if (known !== undefined || !this.#manySides.has(circle)) return known
+    const sides = this.#cells.sides(circle)
+    if (sides.length > FEW_SIDES) {
+      this.#manySides.set(circle, sides)
+      return sides
+    }
+    this.#manySides.delete(circle)
+    return undefined
   }
 
   #bucketOf(x: number, y: number): number {
@@ -138,7 +191,7 @@ export class Finder {
     let side = at(firstSide, circle)
     if (side === NONE) return NONE
     let stop = side
-    const many = metric === 'power' ? undefined : this.#manySides.get(circle)
+    const many = metric === 'power' ? undefined : this.#manySidesOf(circle)
     if (many !== undefined) {
       // Rounding may be off by a side of next to no length.
       const after = this.#sidesUpTo(many, circle, x, y)
@@ -199,14 +252,14 @@ export class Finder {
   }
 }
 
-function manySidesOf(cells: Cells): Map<number, Int32Array> {
+function manySidesOf(cells: Cells): Map<number, Int32Array | undefined> {
   const { circles, edges } = cells.diagram
   const count = new Int32Array(circles.length / 3)
   for (let side = 0; side < edges.length / 2; side++) {
     const circle = cells.circleOf(side)
     count[circle] = at(count, circle) + 1
   }
-  const sides = new Map<number, Int32Array>()
+  const sides = new Map<number, Int32Array | undefined>()
   count.forEach((its, circle) => {
     if (its > FEW_SIDES) sides.set(circle, cells.sides(circle))
   })

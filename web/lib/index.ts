@@ -16,6 +16,7 @@ export {
 } from './bezier.ts'
 export { type Bisector, bisector, parameterAt, pointAt } from './bisector.ts'
 export { Cells } from './cells.ts'
+export type { Change, EditWay } from './change.ts'
 export { type ClearestPath, clearestPath } from './clearest-path.ts'
 export { clip } from './clip.ts'
 export { type Bounds, type Box, ConvexPolygon, REGION_LIMIT } from './convex-polygon.ts'
@@ -35,12 +36,15 @@ export {
   type Int32s,
   NONE,
   type Seconds,
+  type SnapshotNumbers,
   type Stats,
   type Vertex,
   vertexAt,
 } from './diagram-data.ts'
 export type { DiagramFile } from './diagram-file.ts'
+export type { Disposal } from './disposal.ts'
 export type { BoundsOptions, ContextOptions, DrawOptions, PolygonOptions, TextOptions } from './draw-options.ts'
+export type { DiagramEditor, Edit, EditorMethods } from './editor.ts'
 export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './errors.ts'
 export { exportBox } from './export-box.ts'
 export { type Hull, type HullArc, hull } from './hull.ts'

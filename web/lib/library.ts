@@ -13,6 +13,7 @@ import {
 } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
 import type { Certificate, DiagramData, Float64s } from './diagram-data.ts'
+import { type DiagramEditor, editedCircles, editorsOf } from './editor.ts'
 import { CircleVoronoiError } from './errors.ts'
 import createModule from './generated/circle-voronoi.js'
 import { checkOptions, type Options, type Progress } from './options.ts'
@@ -77,6 +78,12 @@ export interface CircleVoronoi {
     options?: Options,
   ): Diagram
   /**
+   * An editor of the diagram of `circles`, or of a diagram's: circle i gets id i. Additive weights cannot be edited.
+   *
+   * @throws CircleVoronoiError as `compute`; `badArgument`, if it is a diagram with weights or of another metric
+   */
+  edit(circles: Circles | DiagramData): DiagramEditor
+  /**
    * Judges in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, however it was
    * made; only its typed arrays are looked at. `compute` has done so for its results.
    *
@@ -97,6 +104,7 @@ export interface CircleVoronoi {
 /** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
 export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
   const module = await instantiate(createModule, wasm)
+  const edit = editorsOf(module)
 
   const judged = ({ weights = false, circles, ...arrays }: Verifiable) => {
     const { vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = arrays
@@ -149,6 +157,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       }
       return diagramOf(coordinatesFrom(data, fx, fy, fr), options)
     },
+    edit: (circles) => edit(editedCircles(circles)),
     certify,
     finalCells(diagram, known) {
       const { box, maxRadius }: Partial<Known> = Object(known)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Worker as NodeWorker } from 'node:worker_threads'
 import { newWorker, THREAD_NAME, threadFile } from './thread-file.ts'
-import type { Reply, Request, Start } from './worker-messages.ts'
+import type { EditorCalls, Reply, Request, Start } from './worker-messages.ts'
 
 /** A running thread of `createWorker`, in a browser or in Node. */
 export interface Thread {
   /** Sends a message; the memory of the arrays in `transfer` goes with it. */
-  post(message: Start | Request, transfer?: ArrayBuffer[]): void
+  post(message: Start | Request | EditorCalls, transfer?: ArrayBuffer[]): void
   /** Whether it keeps Node from ending; a browser's never does. */
   keepAlive(isNeeded: boolean): void
   /** Ends it at once, in the middle of whatever it does. */

@@ -23,6 +23,33 @@ interface WasmModule {
   /** `box`: minX, minY, maxX, maxY. */
   finalCells(diagram: JudgedArrays, box: Float64Array, maxRadius: number): WasmError | import('./library.ts').FinalCells
   errorCodeNames(): string[]
+
+  createEditor(circles: Float64Array): WasmError | { readonly editor: number }
+  deleteEditor(editor: number): void
+  // What a change is in bytes, cpp/wasm/editor_bindings.cpp says; they are good until the next call.
+  /** `kind`: 0 insert, 1 remove, 2 replace. */
+  editCircle(
+    editor: number,
+    kind: number,
+    id: number,
+    x: number,
+    y: number,
+    r: number,
+    hint: number,
+  ): WasmError | Uint8Array
+  /** Of each edit its kind, id, x, y and r. */
+  applyEdits(editor: number, edits: Float64Array): WasmError | Uint8Array
+  nearestCircle(editor: number, x: number, y: number, hint: number): number
+  editorSize(editor: number): number
+  /** x, y, r and whether it is hidden. */
+  circleOfEditor(editor: number, id: number): Float64Array | undefined
+  idsOfEditor(editor: number): WasmError | import('./diagram-data.ts').Int32s
+  snapshotOfEditor(editor: number):
+    | WasmError
+    | (Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'numbers'> & {
+        readonly numbers: Omit<import('./diagram-data.ts').SnapshotNumbers, 'revision'>
+      })
+  certificateOfEditor(editor: number): WasmError | import('./diagram-data.ts').Certificate
 }
 
 interface WasmComparisonModule {

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Diagrams computed in a worker, with progress and cancelling.
+ * Diagrams computed and edited in a worker, with progress and cancelling.
  *
  * @module circle-voronoi/worker
  */
 import { refuseOption } from './check.ts'
 import { type Circles, coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
+import type { DiagramData } from './diagram-data.ts'
+import type { Disposal } from './disposal.ts'
+import { editedCircles } from './editor.ts'
 import { CircleVoronoiError, reasonOf } from './errors.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load-options.ts'
 import { checkOptions, type Options } from './options.ts'
 import { startThread, type Thread } from './thread.ts'
 import type { CompiledWasm } from './wasm.ts'
+import { type AsyncDiagramEditor, EditorClient } from './worker-editor.ts'
 import type { Reply, Request } from './worker-messages.ts'
 
-export type { LoadOptions, Options }
+export type { AsyncDiagramEditor, AsyncEditorMethods } from './worker-editor.ts'
+export type { Disposal, LoadOptions, Options }
 
 /** How a diagram is computed in a worker. */
 export interface AsyncOptions extends Options {
@@ -33,14 +38,23 @@ export interface WorkerMethods {
    * AbortError if the worker is disposed of. Each as a rejection.
    */
   computeAsync(circles: Circles, options?: AsyncOptions): Promise<Diagram>
-  /** Ends the worker and cancels what it has to do. */
+  /**
+   * An editor, as `edit` of the library makes, in a thread of its own beside the one that computes.
+   *
+   * @throws CircleVoronoiError as `edit`; a `DOMException` named AbortError if the worker is disposed of. Each as a rejection.
+   *
+   * @example
+   * ```js
+   * const editor = await worker.edit(circles)
+   * const diagram = await editor.snapshot()
+   * editor.onchange = (change) => diagram.apply(change)
+   * canvas.onpointermove = ({ offsetX: x, offsetY: y }) => editor.replace(0, { x, y, r: 5 })
+   * ```
+   */
+  edit(circles: Circles | DiagramData): Promise<AsyncDiagramEditor>
+  /** Ends the worker and its editors, and cancels what they have to do. */
   dispose(): void
 }
-
-/** `dispose` for `using`, to compilers that know it. */
-export type Disposal = SymbolConstructor extends { readonly dispose: infer Key extends symbol }
-  ? Record<Key, () => void>
-  : unknown
 
 /** Computes diagrams in a worker of its own, one after the other; `using` disposes of it. */
 export type CircleVoronoiWorker = WorkerMethods & Disposal
@@ -71,6 +85,7 @@ class Client implements CircleVoronoiWorker {
   #jobs: Job[] = []
   /** The job that the thread has been given. */
   #running: Job | undefined
+  readonly #editors = new Set<EditorClient>()
   #isDisposed = false
 
   constructor(loadOptions: LoadOptions) {
@@ -93,8 +108,24 @@ class Client implements CircleVoronoiWorker {
     })
   }
 
+  async edit(circles: Circles | DiagramData): Promise<AsyncDiagramEditor> {
+    const coordinates = editedCircles(circles)
+    if (this.#isDisposed) throw disposed()
+    this.#module ??= compileCircleVoronoi(this.#loadOptions)
+    const module = await this.#module.catch((error) => {
+      this.#module = undefined
+      throw error
+    })
+    if (this.#isDisposed) throw disposed()
+    const editor = new EditorClient(module, () => this.#editors.delete(editor))
+    this.#editors.add(editor)
+    await editor.begin(coordinates)
+    return editor
+  }
+
   dispose(): void {
     this.#isDisposed = true
+    for (const editor of this.#editors) editor.dispose()
     // From the last to the first, so that none of them begins.
     for (const job of this.#jobs.toReversed()) this.#cancel(job, disposed())
     this.#stopThread()
@@ -142,7 +173,7 @@ class Client implements CircleVoronoiWorker {
 
   #receive(reply: Reply): void {
     const job = this.#running
-    if (job === undefined) return
+    if (job === undefined || 'results' in reply) return
     if ('progress' in reply) {
       try {
         job.options.progress?.(...reply.progress)

@@ -40,21 +40,41 @@ struct EditedEdge {
   friend bool operator==(const EditedEdge&, const EditedEdge&) = default;
 };
 
+/// A hidden circle, and a visible one that contains it: of several the one that it is kept with, where `snapshot` names
+/// the largest.
+struct EditedHider {
+  CircleId circle = kNone;
+  CircleId by = kNone;
+
+  friend bool operator==(const EditedHider&, const EditedHider&) = default;
+};
+
+/// A side that goes to infinity, and the next one around its cell, which comes from there (Diagram::nextSide). Side 2 e
+/// is that of the left circle of the edge with number e, 2 e + 1 that of the right one.
+struct EditedSide {
+  std::int32_t side = kNone;
+  std::int32_t next = kNone;
+
+  friend bool operator==(const EditedSide&, const EditedSide&) = default;
+};
+
 /// What an edit, or a batch, did to a diagram.
 ///
 /// While an editor lives, each vertex and each edge has a number, which stays its own until it goes, and may then be
 /// that of another: an edge with another end is another edge, and so is a vertex whose circle has moved. Numbers stay
 /// below the most vertices and edges that there ever were at a time, and a few for the hull. Who takes away what goes,
-/// then puts what comes into its place, has the diagram as it is now, unbounded edges and with them the hull included.
+/// then puts what comes into its place, has the diagram as it is now, unbounded edges and the hull included.
 struct Change {
   EditWay way = EditWay::local;
 
   std::vector<CircleId> inserted;  ///< in the order of the edits
   std::vector<CircleId> removed;
   std::vector<CircleId> replaced;
-  std::vector<CircleId> hidden;  ///< circles that no longer have a cell, or came without one
-  std::vector<CircleId> shown;   ///< circles that were hidden and have a cell again
-  std::vector<CircleId> cells;   ///< circles whose cells have another outline, new ones included
+  std::vector<Circle> circles;      ///< those inserted, then those replaced, as they are now
+  std::vector<CircleId> hidden;     ///< circles that no longer have a cell, or came without one
+  std::vector<EditedHider> hiders;  ///< of each of those, and of each that another circle hides than before
+  std::vector<CircleId> shown;      ///< circles that were hidden and have a cell again
+  std::vector<CircleId> cells;      ///< circles whose cells have another outline, new ones included
 
   std::vector<std::int32_t> removedVertices;
   std::vector<std::int32_t> addedVertices;
@@ -64,6 +84,16 @@ struct Change {
   std::vector<std::int32_t> removedEdges;
   std::vector<std::int32_t> addedEdges;
   std::vector<EditedEdge> edges;  ///< of those added
+
+  std::vector<EditedSide> hullSides;  ///< of sides to infinity that another follows than before
+};
+
+/// What the indices of a snapshot stand for.
+struct SnapshotNumbers {
+  std::vector<CircleId> circles;       ///< of each circle its id
+  std::vector<std::int32_t> vertices;  ///< of each vertex its number
+  std::vector<std::int32_t> edges;     ///< of each edge its number
+  std::vector<CircleId> hiders;        ///< of each hidden circle the one that it is kept with (EditedHider)
 };
 
 /// One edit of a batch.
@@ -122,6 +152,8 @@ class DiagramEditor {
   Result<Change> all() const;
   /// The diagram of `circles()`, as `compute` makes it but for the order of vertices and edges: linear time.
   Result<Diagram> snapshot() const;
+  /// What the indices of `snapshot()` stand for, so that changes can be applied to its arrays. Linear time.
+  Result<SnapshotNumbers> numbers() const;
   /// All judged once more: linear time. It is certified, as each edit was.
   Result<Certificate> certificate() const;
 

@@ -34,9 +34,35 @@ void addEdge(Change& change, const EditState& state, int h) {
       {state.idOf(state.dual.origin[h]), state.idOf(state.dual.origin[t]), vertexOf(t / 3), vertexOf(h / 3)});
 }
 
-bool isEdge(const EditState& state, int h) {
-  return state.isInUse(h / 3) && h < state.dual.twin[h] && state.dual.origin[h] != kInfinity &&
-         state.dual.target(h) != kInfinity;
+/// What follows the side that goes to infinity in the face of h, an edge between two circles there.
+struct HullStep {
+  int toInfinity;    ///< the half-edge from infinity to the circle
+  int fromInfinity;  ///< the half-edge of the side that follows
+};
+
+HullStep hullStep(const Dual& dual, int h) {
+  const int toInfinity = Dual::previous(h);
+  return {toInfinity, dual.twin[Dual::previous(dual.twin[toInfinity])]};
+}
+
+/// The half-edge between two circles in a face at infinity.
+int hullEdge(const Dual& dual, int face) {
+  int h = 3 * face;
+  while (dual.origin[Dual::previous(h)] != kInfinity) ++h;
+  return h;
+}
+
+void addHullSide(Change& change, const EditState& state, int h) {
+  const auto sideOf = [&](int side) {
+    return 2 * state.edgeNumber[side] + static_cast<int>(side > state.dual.twin[side]);
+  };
+  change.hullSides.push_back({sideOf(h), sideOf(hullStep(state.dual, h).fromInfinity)});
+}
+
+void addCircles(Change& change, const EditState& state) {
+  for (const auto* list : {&change.inserted, &change.replaced}) {
+    for (const CircleId id : *list) change.circles.push_back(state.inputOf(state.ids.slotOf(id)));
+  }
 }
 
 }  // namespace
@@ -50,6 +76,7 @@ Result<Change> ChangeRecorder::record(EditState& state, EditWay way) {
   recordCircles(change, state);
   if (auto error = recordVertices(change, state)) return *std::move(error);
   recordEdges(change, state);
+  recordHull(change, state);
   return change;
 }
 
@@ -75,9 +102,15 @@ void ChangeRecorder::recordCircles(Change& change, const EditState& state) {
       change.replaced.push_back(id);
       markOf(saved.slot).isMoved = true;
     }
-    if (is && !isVisible && (!was || saved.wasVisible())) change.hidden.push_back(id);
     if (was && isVisible && !saved.wasVisible()) change.shown.push_back(id);
+    if (!is || isVisible) continue;
+    const bool isNew = !was || saved.wasVisible();
+    const int hider = state.sites[saved.slot].hider;
+    if (isNew) change.hidden.push_back(id);
+    // What an edit releases is not used again in it, so a slot is the same circle.
+    if (isNew || saved.site.hider != hider) change.hiders.push_back({id, state.sites[hider].id});
   }
+  addCircles(change, state);
 }
 
 std::optional<Error> ChangeRecorder::recordVertices(Change& change, EditState& state) {
@@ -96,12 +129,17 @@ std::optional<Error> ChangeRecorder::recordVertices(Change& change, EditState& s
   return std::nullopt;
 }
 
+/// Whether the edge on a half-edge of a face that was saved, which had a twin then, is another now: a face beside it
+/// has changed, or it has another twin.
+bool isOtherEdge(const EditState& state, const EditState::SavedFace& saved, std::size_t k) {
+  const int t = state.dual.twin[3 * saved.face + static_cast<int>(k)];
+  if (saved.isChanged || t != saved.twin[k]) return true;
+  const EditState::SavedFace* beyond = state.firstSaved(t / 3);
+  return beyond != nullptr && beyond->isChanged;
+}
+
 void ChangeRecorder::recordEdges(Change& change, EditState& state) {
   const Dual& dual = state.dual;
-  const auto isChanged = [&](int face) {
-    const EditState::SavedFace* saved = state.firstSaved(face);
-    return saved != nullptr && saved->isChanged;
-  };
   const auto addCell = [&](int slot) {
     if (slot == kInfinity || !state.isVisible(slot)) return;
     Mark& mark = markOf(slot);
@@ -114,7 +152,7 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
       const int h = 3 * saved.face + static_cast<int>(k);
       const int t = saved.twin[k];
       if (h > t || saved.edgeNumber[k] == kNone) continue;
-      if (!saved.isChanged && dual.twin[h] == t && !isChanged(t / 3)) continue;
+      if (!isOtherEdge(state, saved, k)) continue;
       change.removedEdges.push_back(saved.edgeNumber[k]);
       addCell(saved.origin[k]);
       addCell(saved.origin[(k + 1) % 3]);
@@ -126,8 +164,8 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int h = 3 * saved.face + static_cast<int>(k);
       const int t = dual.twin[h];
-      if (!state.isInUse(saved.face) || (!saved.isChanged && saved.twin[k] == t && !isChanged(t / 3))) continue;
-      if (!isEdge(state, h)) {
+      if (!state.isInUse(saved.face) || !isOtherEdge(state, saved, k)) continue;
+      if (!state.isEdge(h)) {
         // At infinity, or a part of one that the other half adds.
         if (dual.origin[h] == kInfinity || dual.target(h) == kInfinity) state.edgeNumber[h] = kNone;
         continue;
@@ -140,6 +178,26 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
     }
   }
   for (; reused < change.removedEdges.size(); ++reused) state.edgePlaces.release(change.removedEdges[reused]);
+}
+
+/// The steps of the hull that have changed: each depends on its own face at infinity and the one before.
+void ChangeRecorder::recordHull(Change& change, const EditState& state) {
+  const Dual& dual = state.dual;
+  const auto isOther = [&](int h) {
+    const EditState::SavedFace* saved = state.firstSaved(h / 3);
+    return saved != nullptr && isOtherEdge(state, *saved, static_cast<std::size_t>(h % 3));
+  };
+  const auto add = [&](int h) {
+    const auto [toInfinity, fromInfinity] = hullStep(dual, h);
+    if (isOther(h) || isOther(toInfinity) || isOther(fromInfinity)) addHullSide(change, state, h);
+  };
+  for (const EditState::SavedFace& saved : state.faceLog) {
+    if (saved.before != kNone || !state.isInUse(saved.face) || dual.isFinite(saved.face)) continue;
+    const int h = hullEdge(dual, saved.face);
+    add(h);
+    const int before = Dual::next(dual.twin[Dual::next(h)]);
+    if (state.firstSaved(before / 3) == nullptr) add(before);
+  }
 }
 
 Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditState& after) {
@@ -161,6 +219,14 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
     change.inserted.push_back(id);
     if (!after.isVisible(slot)) change.hidden.push_back(id);
   });
+  after.ids.forEach([&](std::int32_t id, int slot) {
+    if (after.isVisible(slot)) return;
+    const int was = before.ids.slotOf(id);
+    const CircleId by = after.sites[after.sites[slot].hider].id;
+    const bool isSame = was != kNone && !before.isVisible(was) && before.sites[before.sites[was].hider].id == by;
+    if (!isSame) change.hiders.push_back({id, by});
+  });
+  addCircles(change, after);
   for (int face = 0; face < before.dual.faceCount(); ++face) {
     if (before.isVertex(face)) change.removedVertices.push_back(face);
   }
@@ -169,10 +235,13 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
     if (auto error = addVertex(change, after, face)) return *std::move(error);
   }
   for (int h = 0; h < before.dual.halfEdgeCount(); ++h) {
-    if (isEdge(before, h)) change.removedEdges.push_back(before.edgeNumber[h]);
+    if (before.isEdge(h)) change.removedEdges.push_back(before.edgeNumber[h]);
   }
   for (int h = 0; h < after.dual.halfEdgeCount(); ++h) {
-    if (isEdge(after, h)) addEdge(change, after, h);
+    if (after.isEdge(h)) addEdge(change, after, h);
+  }
+  for (int face = 0; face < after.dual.faceCount(); ++face) {
+    if (after.isInUse(face) && !after.dual.isFinite(face)) addHullSide(change, after, hullEdge(after.dual, face));
   }
   return change;
 }

@@ -30,6 +30,7 @@ class ChangeRecorder {
   void recordCircles(Change& change, const EditState& state);
   std::optional<Error> recordVertices(Change& change, EditState& state);
   void recordEdges(Change& change, EditState& state);
+  void recordHull(Change& change, const EditState& state);
 
   std::vector<Mark> marks_;  ///< of each slot
   std::vector<int> marked_;  ///< those that have any

@@ -76,6 +76,10 @@ class EditState final : public DualKeeper {
   bool isInUse(int face) const { return dual.twin[3 * face] != kNone; }
   /// Whether a face is a vertex of the diagram.
   bool isVertex(int face) const { return isInUse(face) && dual.isFinite(face); }
+  /// Whether a half-edge is the one of its two that makes them an edge of the diagram: the left circle is its origin.
+  bool isEdge(int h) const {
+    return isInUse(h / 3) && h < dual.twin[h] && dual.origin[h] != kInfinity && dual.target(h) != kInfinity;
+  }
   Circle inputOf(int slot) const {
     const Circle& c = circles[slot];
     return inexact.empty() ? Circle{c.x * unit, c.y * unit, c.r * unit} : inexact[slot];

@@ -270,6 +270,10 @@ Result<Diagram> DiagramEditor::snapshot() const {
   return guarded([&] { return snapshotOf(editor_->state()); });
 }
 
+Result<SnapshotNumbers> DiagramEditor::numbers() const {
+  return guarded([&]() -> Result<SnapshotNumbers> { return numbersOf(editor_->state()); });
+}
+
 Result<Certificate> DiagramEditor::certificate() const {
   return guarded([&]() -> Result<Certificate> {
     const auto diagram = snapshotOf(editor_->state());

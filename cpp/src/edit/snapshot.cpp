@@ -87,4 +87,21 @@ Result<Diagram> snapshotOf(const EditState& state) {
   return diagram;
 }
 
+SnapshotNumbers numbersOf(const EditState& state) {
+  SnapshotNumbers numbers;
+  numbers.circles.reserve(static_cast<std::size_t>(state.circleCount));
+  state.ids.forEach([&](std::int32_t id, int slot) {
+    numbers.circles.push_back(id);
+    if (!state.isVisible(slot)) numbers.hiders.push_back(state.sites[state.sites[slot].hider].id);
+  });
+  // The order of topologyOf, which gaps do not change.
+  for (int face = 0; face < state.dual.faceCount(); ++face) {
+    if (state.isVertex(face)) numbers.vertices.push_back(face);
+  }
+  for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
+    if (state.isEdge(h)) numbers.edges.push_back(state.edgeNumber[h]);
+  }
+  return numbers;
+}
+
 }  // namespace circle_voronoi

@@ -46,12 +46,11 @@ inline Error errorWith(ErrorCode code, const char* message) noexcept {
   return error;
 }
 
-/// The result of `function`; an error if anything is thrown in it but by a callback (lettingThrough), whose exception
-/// goes on as it came.
-template <class Function>
-auto guarded(Function function) -> decltype(function()) {
+/// The error that the exception in flight stands for; one of a callback goes on as it came. One function for all
+/// callers, whose code would be longer than their own.
+[[gnu::noinline]] inline Error errorInFlight() {
   try {
-    return function();
+    throw;
   } catch (const CallbackThrew& callback) {
     std::rethrow_exception(callback.thrown);
   } catch (Refusal& refusal) {
@@ -64,6 +63,17 @@ auto guarded(Function function) -> decltype(function()) {
     return errorWith(ErrorCode::internal, exception.what());
   } catch (...) {
     return errorWith(ErrorCode::internal, "The computation failed.");
+  }
+}
+
+/// The result of `function`; an error if anything is thrown in it but by a callback (lettingThrough), whose exception
+/// goes on as it came.
+template <class Function>
+auto guarded(Function function) -> decltype(function()) {
+  try {
+    return function();
+  } catch (...) {
+    return errorInFlight();
   }
 }
 

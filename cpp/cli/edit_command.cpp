@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "change_lines.h"
+#include "circle_voronoi/editor.h"
+#include "circle_voronoi/io.h"
+#include "commands.h"
+#include "edit_script.h"
+#include "failure.h"
+#include "files.h"
+#include "output.h"
+#include "progress_line.h"
+
+namespace circle_voronoi::cli {
+namespace {
+
+struct EditArguments {
+  std::string input;
+  std::string script;
+  std::string changes;
+  Output output;
+  std::string progress = "auto";
+};
+
+[[noreturn]] void fail(const Error& error, const std::string& where) {
+  throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, where + error.message};
+}
+
+std::vector<Circle> readEditedCircles(const std::string& input) {
+  const std::string name = inputName(input);
+  const std::string text = readText(input);
+  if (!holdsDiagram(text)) {
+    auto circles = readCircles(text, name);
+    if (!circles) fail(circles.error(), "");
+    return std::move(circles).value();
+  }
+  auto diagram = readDiagram(text, name);
+  if (!diagram) fail(diagram.error(), "");
+  if (diagram.value().weights) throw Failure{kBadInput, name + ": weights cannot be edited, only circles."};
+  return std::move(diagram).value().circles;
+}
+
+/// Makes the edits of a script, and tells each change.
+void makeEdits(DiagramEditor& editor, const std::string& script, std::ostream* changes, ProgressLine& progress) {
+  const std::string name = inputName(script);
+  const std::vector<ScriptEdit> edits = readScript(readText(script), name);
+  double done = 0;
+  for (const auto& [edit, line] : edits) {
+    progress.show("edit", done++ / static_cast<double>(edits.size()));
+    const auto change = editor.apply({&edit, 1});
+    if (!change) fail(change.error(), name + ":" + std::to_string(line) + ": ");
+    if (changes != nullptr) writeChange(*changes, change.value());
+  }
+}
+
+void runEdit(EditArguments& arguments) {
+  settle(arguments.output, arguments.input);
+  refuseOneFile(arguments.script, arguments.output.file);
+  if (arguments.input == kStandardStream && arguments.script == kStandardStream) {
+    throw Failure{kBadInput, "The circles and the script cannot both be standard input."};
+  }
+  if (arguments.changes == kStandardStream && arguments.output.file == kStandardStream) {
+    throw Failure{kBadInput, "The changes and the diagram cannot both be standard output."};
+  }
+  ProgressLine progress(arguments.progress);
+  progress.show("read");
+  auto made = DiagramEditor::from(readEditedCircles(arguments.input));
+  if (!made) fail(made.error(), inputName(arguments.input) + ": ");
+  DiagramEditor editor = std::move(made).value();
+  if (arguments.changes.empty()) {
+    makeEdits(editor, arguments.script, nullptr, progress);
+  } else {
+    for (const std::string& file : {arguments.input, arguments.script, arguments.output.file}) {
+      refuseOneFile(file, arguments.changes);
+    }
+    writeText(arguments.changes, [&](std::ostream& out) { makeEdits(editor, arguments.script, &out, progress); });
+  }
+  const auto diagram = editor.snapshot();
+  if (!diagram) fail(diagram.error(), inputName(arguments.input) + ": ");
+  writeDiagram(arguments.output, inputName(arguments.input), diagram.value(), progress);
+}
+
+}  // namespace
+
+void addEditCommand(CLI::App& program) {
+  const auto arguments = std::make_shared<EditArguments>();
+  CLI::App* command = program.add_subcommand("edit", "Insert, remove and replace circles of a diagram");
+  command
+      ->add_option("FILE", arguments->input, "Circles as compute reads them, or a diagram as JSON; - is standard input")
+      ->type_name("")
+      ->required();
+  command
+      ->add_option("--script", arguments->script,
+                   "Edits, one a line: insert,x,y,r or remove,id or replace,id,x,y,r; - is standard input")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--changes", arguments->changes, "Where to write what each edit changes, a line of JSON each")
+      ->type_name("FILE");
+  addOutputOptions(*command, arguments->output);
+  addProgressOption(*command, arguments->progress);
+  command->footer(
+      "Circle i of the file has id i; each circle that is inserted gets the next one. The first edit that cannot be "
+      "made "
+      "ends\n"
+      "the program. Formats are those of compute.");
+  command->callback([arguments] { runEdit(*arguments); });
+}
+
+}  // namespace circle_voronoi::cli

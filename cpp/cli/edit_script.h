@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "circle_voronoi/editor.h"
+
+namespace circle_voronoi::cli {
+
+/// An edit and its line in the script, from 1.
+struct ScriptEdit {
+  Edit edit;
+  int line = 0;
+};
+
+/// The edits of a script, one a line: `insert,x,y,r`, `remove,id` or `replace,id,x,y,r`, with blanks anywhere, blank
+/// lines and lines that begin with #. `name` is what it is called. Throws Failure.
+std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name);
+
+}  // namespace circle_voronoi::cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// circle-voronoi edit: scripts of edits.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "circle_voronoi/io.h"
+#include "cli.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Json = nlohmann::json;
+
+class CliEdit : public test::Cli {
+ protected:
+  const std::string circles_ = write("circles.csv", "0,0,1\n6,0,1\n0,8,1\n");
+
+  std::string textOf(const std::string& arguments, const std::string& input = "") const {
+    const auto [status, out, err] = run(arguments, input);
+    EXPECT_EQ(status, 0) << err;
+    EXPECT_EQ(err, "");
+    return out;
+  }
+
+  /// The circles, hidden circles and vertices that are written.
+  static Json partsOf(const std::string& text) {
+    const Json diagram = Json::parse(text);
+    return {diagram["circles"], diagram["hidden"], diagram["vertices"], diagram["hull"]};
+  }
+};
+
+TEST_F(CliEdit, EndsWithTheDiagramOfTheCirclesThatAreLeft) {
+  const std::string script = write("edits.csv",
+                                   "# comes, moves and grows\n"
+                                   "insert, 3,4,1\n"
+                                   "\n"
+                                   "replace,3,3.5,4,1.5\r\n"
+                                   "insert,-9,0,0.25\n"
+                                   "remove,1\n"
+                                   "replace,0,-9,0,2");
+  const std::string out = textOf("edit " + circles_ + " --script " + script);
+  const std::string left = "-9,0,2\n0,8,1\n3.5,4,1.5\n-9,0,0.25\n";
+  EXPECT_EQ(partsOf(out), partsOf(textOf("compute -", left)));
+  EXPECT_EQ(textOf("verify -", out), "certified: 4 circles, 1 of them hidden; 1 vertices, 3 edges\n");
+  // The same of a diagram, in another format, and from standard input.
+  textOf("compute " + circles_ + " -o " + path("diagram.json"));
+  EXPECT_EQ(textOf("edit " + path("diagram.json") + " --format svg --script - --box=-20,-20,20,20", readFile(script)),
+            textOf("convert - --format svg --box=-20,-20,20,20", out));
+}
+
+TEST_F(CliEdit, TellsWhatEachEditChanges) {
+  textOf("edit " + circles_ + " --script - --changes " + path("changes.jsonl") + " -o " + path("after.json"),
+         "insert,2,2,0.5\nreplace,3,0,0,3\nremove,3\n");
+  std::istringstream lines(readFile(path("changes.jsonl")));
+  std::vector<Json> changes;
+  for (std::string line; std::getline(lines, line);) changes.push_back(Json::parse(line));
+  ASSERT_EQ(changes.size(), 3U);
+  EXPECT_EQ(changes[0]["way"], "local");
+  EXPECT_EQ(changes[0]["inserted"], Json({3}));
+  EXPECT_EQ(changes[0]["circles"], Json({2, 2, 0.5}));
+  EXPECT_EQ(changes[0]["vertices"].size(), 3 * changes[0]["addedVertices"].size());
+  EXPECT_EQ(changes[0]["edges"].size(), 4 * changes[0]["addedEdges"].size());
+  EXPECT_EQ(changes[1]["replaced"], Json({3}));
+  EXPECT_EQ(changes[1]["hidden"], Json({0}));
+  EXPECT_EQ(changes[1]["hiders"], Json({0, 3}));
+  EXPECT_EQ(changes[2]["shown"], Json({0}));
+  EXPECT_EQ(changes[2]["removed"], Json({3}));
+  EXPECT_EQ(changes[2]["hullSides"].size() % 2, 0U);
+  EXPECT_EQ(partsOf(readFile(path("after.json"))), partsOf(textOf("compute " + circles_)));
+}
+
+TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {
+  const auto expectRefusal = [&](const std::string& script, const std::string& message) {
+    const std::string output = path("not.json");
+    const std::string changes = path("not.jsonl");
+    expectFailure(run("edit " + circles_ + " --script - -o " + output + " --changes " + changes, script), 2, message);
+    EXPECT_FALSE(std::filesystem::exists(output));
+    EXPECT_FALSE(std::filesystem::exists(changes));
+  };
+  expectRefusal("remove,1\n\nremove,1\n", "standard input:3: There is no circle with id 1.");
+  expectRefusal("replace,9,0,0,1\n", "standard input:1: There is no circle with id 9.");
+  expectRefusal("# a\ninsert,0,0,-1\n", "standard input:2: The radius is negative.");
+  expectRefusal("insert,0,1e151,0\n", "standard input:1: A coordinate or the radius is beyond 1e150.");
+  expectRefusal("insert,0,nan,1\n", "standard input:1: \"nan\" is not a finite number.");
+  expectRefusal("insert,0,0\n", "standard input:1: insert takes 3 numbers, not 2.");
+  expectRefusal("remove,1,2\n", "standard input:1: remove takes 1 number, not 2.");
+  expectRefusal("replace,x,0,0,1\n", "standard input:1: \"x\" is no id.");
+  expectRefusal("move,0,1,1\n",
+                "standard input:1: \"move\" is no edit; an edit is insert,x,y,r or remove,id or "
+                "replace,id,x,y,r.");
+  expectRefusal(",\n", "standard input:1: \"\" is no edit; an edit is insert,x,y,r or remove,id or replace,id,x,y,r.");
+}
+
+TEST_F(CliEdit, RefusesWhatMakesNoSense) {
+  expectFailure(run("edit - --script -", ""), 2, "The circles and the script cannot both be standard input.");
+  expectFailure(run("edit " + circles_ + " --script - --changes -", ""), 2,
+                "The changes and the diagram cannot both be standard output.");
+  textOf("compute - --weights -o " + path("weights.json"), "0,0,-1\n5,0,1\n");
+  expectFailure(run("edit " + path("weights.json") + " --script -", ""), 2,
+                path("weights.json") + ": weights cannot be edited, only circles.");
+  const std::string script = write("edits.csv", "remove,0\n");
+  expectFailure(run("edit " + circles_ + " --script " + script + " --format csv -o " + script), 2,
+                script + " would be overwritten: it is the output as well.");
+  expectFailure(run("edit " + circles_ + " --script " + script + " --format csv --changes " + circles_), 2,
+                circles_ + " would be overwritten: it is the output as well.");
+  EXPECT_EQ(readFile(script), "remove,0\n");
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { describe, expect, it, vi } from 'vitest'
+import { loadComparison } from '../../web/lib/comparison.ts'
+import {
+  type Change,
+  type Circle,
+  CircleVoronoiError,
+  Diagram,
+  type Edit,
+  NONE,
+  type SnapshotNumbers,
+} from '../../web/lib/index.ts'
+import { contentOf, edited, someCircle, someEdit } from './edit-script.ts'
+import { library, seededRandom } from './library.ts'
+
+const THREE = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
+
+/** That a diagram which follows an editor is what the editor has, is certified, and that its queries say the same. */
+function expectSame(diagram: Diagram, snapshot: Diagram, random: () => number) {
+  expect(contentOf(diagram)).toEqual(contentOf(snapshot))
+  const { message } = library.certify(diagram)
+  expect(message).toBe('')
+  expect(diagram.stats.counts).toMatchObject({
+    circles: diagram.circles.length / 3,
+    hidden: diagram.hidden.length / 2,
+  })
+  for (let k = 0; k < 3; k++) {
+    const [x, y] = [10 * random() - 1, 10 * random() - 1]
+    const distance = (i: number) =>
+      i === NONE ? NONE : Math.hypot(x - circleOf(diagram, i).x, y - circleOf(diagram, i).y) - circleOf(diagram, i).r
+    const least = Math.min(...[...numbersOf(diagram).circles.keys()].map(distance), Infinity)
+    const found = distance(diagram.find(x, y))
+    if (found !== NONE) expect(found).toBeCloseTo(least, 9)
+    else expect(diagram.circles).toHaveLength(0)
+  }
+}
+
+function numbersOf({ numbers }: Diagram): SnapshotNumbers {
+  if (numbers === undefined) throw new Error('This is no snapshot.')
+  return numbers
+}
+
+function circleOf({ circles }: Diagram, i: number): Circle {
+  const [x = NaN, y = NaN, r = NaN] = circles.subarray(3 * i, 3 * i + 3)
+  return { x, y, r }
+}
+
+describe('a diagram that follows an editor', () => {
+  it.each([
+    [0, false],
+    [0, true],
+    [5, true],
+    [12, false],
+    [40, true],
+    [60, false],
+  ])('is its snapshot, from %i circles, on a grid: %s', (count, isOnGrid) => {
+    for (const seed of [1, 2, 3, 4]) {
+      const random = seededRandom(seed + 100 * count)
+      const editor = library.edit(Array.from({ length: count }, () => someCircle(random, isOnGrid)))
+      const diagram = editor.snapshot()
+      diagram.find(0, 0)
+      for (let i = 0; i < 120; i++) {
+        // Some in batches, which may be refused as a whole.
+        const edits = Array.from({ length: i % 10 === 0 ? 12 : 1 }, () => someEdit(random, isOnGrid, editor))
+        try {
+          diagram.apply(edits.length > 1 ? editor.apply(edits) : edited(editor, edits[0] as Edit))
+        } catch (error) {
+          expect(error).toMatchObject({ code: 'unknownCircle' })
+        }
+        if (i % 3 === 0) expectSame(diagram, editor.snapshot(), random)
+      }
+      editor.dispose()
+    }
+  })
+
+  it('follows to nothing and back', () => {
+    const random = seededRandom(1)
+    const editor = library.edit(THREE)
+    const diagram = editor.snapshot()
+    for (const id of editor.ids()) {
+      diagram.apply(editor.remove(id))
+      expectSame(diagram, editor.snapshot(), random)
+    }
+    expect(diagram.find(0, 0)).toBe(NONE)
+    for (let k = 0; k < 40; k++) {
+      diagram.apply(editor.insert(someCircle(random, false)))
+      expectSame(diagram, editor.snapshot(), random)
+    }
+    const change = editor.apply(Array.from(editor.ids(), (id) => ({ kind: 'remove', id })))
+    expect(change.way).toBe('whole')
+    expectSame(diagram.apply(change), editor.snapshot(), random)
+  })
+
+  it('is right where a huge circle hides many, moves and goes', () => {
+    const random = seededRandom(5)
+    const editor = library.edit(Array.from({ length: 3000 }, () => someCircle(random, false)))
+    const diagram = editor.snapshot()
+    const [huge] = editor.insert({ x: 4, y: 4, r: 3 }).inserted as unknown as [number]
+    expect(() => diagram.apply(editor.replace(huge, { x: 4, y: 4.5, r: 3 }))).toThrow(CircleVoronoiError)
+    const again = editor.snapshot()
+    for (const circle of [
+      { x: 4, y: 3.5, r: 3.1 },
+      { x: 100, y: 4, r: 50 },
+      { x: 4, y: 4, r: 1e-3 },
+    ]) {
+      expectSame(again.apply(editor.replace(huge, circle)), editor.snapshot(), random)
+    }
+    expectSame(again.apply(editor.remove(huge)), editor.snapshot(), random)
+    expect(editor.size()).toBe(3000)
+  })
+
+  it('is a snapshot still after a structured clone', () => {
+    const editor = library.edit(THREE)
+    const first = editor.snapshot().apply(editor.insert({ x: 3, y: 4, r: 1 }))
+    const clone = new Diagram(structuredClone(first))
+    expectSame(clone.apply(editor.remove(1)), editor.snapshot(), seededRandom(1))
+    expect(clone.indexOf(1)).toBe(NONE)
+    expect(circleOf(clone, clone.indexOf(3))).toEqual({ x: 3, y: 4, r: 1 })
+  })
+
+  it('is a file as any other', () => {
+    const editor = library.edit(THREE)
+    const diagram = editor
+      .snapshot()
+      .apply(editor.insert({ x: 3, y: 4, r: 1 }))
+      .apply(editor.remove(0))
+    const read = Diagram.fromJSON(JSON.stringify(diagram))
+    expect(library.certify(read).certified).toBe(true)
+    expect(read.circles).toEqual(diagram.circles)
+    expect(diagram.render({ bounds: [-9, -9, 9, 9] })).toBe(read.render({ bounds: [-9, -9, 9, 9] }))
+  })
+})
+
+describe('an editor', () => {
+  it('says what an edit did', () => {
+    using editor = library.edit(THREE)
+    const change = editor.insert([2, 2, 0.5])
+    expect(change).toMatchObject({
+      revision: 1,
+      way: 'local',
+      inserted: Int32Array.of(3),
+      circles: Float64Array.of(2, 2, 0.5),
+      removed: new Int32Array(),
+      hidden: new Int32Array(),
+    })
+    expect([...change.cells].sort()).toEqual([0, 1, 2, 3])
+    expect(change.removedVertices).toHaveLength(1)
+    expect(change.addedVertices).toHaveLength(3)
+    expect(change.vertices).toHaveLength(9)
+    expect(change.vertexCircles).toHaveLength(9)
+    expect(change.edges).toHaveLength(4 * change.addedEdges.length)
+    const hiding = editor.replace(3, { x: 0, y: 0, r: 3 })
+    expect(hiding).toMatchObject({ hidden: Int32Array.of(0), hiders: Int32Array.of(0, 3), replaced: Int32Array.of(3) })
+    expect(editor.isHidden(0)).toBe(true)
+    expect(editor.nearest(0.1, 0.1)).toBe(3)
+    expect(editor.remove(3)).toMatchObject({ shown: Int32Array.of(0), removed: Int32Array.of(3) })
+    expect(editor.isHidden(0)).toBe(false)
+    expect(editor.circle(3)).toBeUndefined()
+    expect(editor.circle(1)).toEqual({ x: 6, y: 0, r: 1 })
+    expect(editor.nearest(5, 1, 0)).toBe(1)
+    expect(editor.nearest(Number.NaN, 1)).toBe(NONE)
+    expect([...editor.ids()]).toEqual([0, 1, 2])
+    expect(editor.size()).toBe(3)
+    expect(editor.certificate().certified).toBe(true)
+  })
+
+  it('tells each change before its method returns', () => {
+    using editor = library.edit([])
+    const told: Change[] = []
+    editor.onchange = (change) => told.push(change)
+    const made = [
+      editor.insert([0, 0, 1]),
+      editor.apply([{ kind: 'replace', id: 0, circle: [1, 1, 1] }]),
+      editor.remove(0),
+    ]
+    expect(told).toEqual(made)
+    expect(told.map(({ revision }) => revision)).toEqual([1, 2, 3])
+    editor.onchange = () => {
+      throw new RangeError('mine')
+    }
+    expect(() => editor.insert([0, 0, 1])).toThrow(RangeError)
+    expect(editor.size()).toBe(1)
+  })
+
+  it('makes a snapshot that is what compute makes, and does not follow', () => {
+    const random = seededRandom(9)
+    const circles = Array.from({ length: 300 }, () => someCircle(random, false))
+    using editor = library.edit(library.compute(circles))
+    for (let i = 0; i < 50; i++) edited(editor, someEdit(random, false, editor))
+    const snapshot = editor.snapshot()
+    const computed = library.compute(snapshot.circles)
+    const numbers = {
+      revision: 0,
+      circles: numbersOf(snapshot).circles,
+      vertices: new Int32Array(),
+      edges: new Int32Array(),
+      hiders: new Int32Array(),
+    }
+    expect(contentOf(snapshot)).toEqual(contentOf({ ...computed, numbers }))
+    expect(snapshot.hidden).toEqual(computed.hidden)
+    expect(snapshot.hull).toEqual(computed.hull)
+    const before = contentOf(snapshot)
+    editor.remove(numbersOf(snapshot).circles[0] as number)
+    expect(contentOf(snapshot)).toEqual(before)
+  })
+
+  it('refuses without a trace', () => {
+    using editor = library.edit(THREE)
+    const before = contentOf(editor.snapshot())
+    const called = vi.fn()
+    editor.onchange = called
+    const refusals: [string, number, () => unknown][] = [
+      ['unknownCircle', 7, () => editor.remove(7)],
+      ['unknownCircle', -1, () => editor.remove(-1)],
+      ['unknownCircle', 3, () => editor.replace(3, [0, 0, 1])],
+      ['unknownCircle', 9, () => editor.isHidden(9)],
+      ['nonFinite', -1, () => editor.insert([0, Number.NaN, 1])],
+      ['nonFinite', 2, () => editor.replace(2, { x: 0, y: Infinity, r: 1 })],
+      ['negativeRadius', 2, () => editor.replace(2, { x: 0, y: 0, r: -1 })],
+      ['coordinateTooLarge', -1, () => editor.insert({ x: 0, y: 1e151, r: 1 })],
+      ['badInput', -1, () => editor.insert({ x: 0, y: 1 } as Circle)],
+      ['badInput', 1, () => editor.replace(1, undefined as unknown as Circle)],
+      ['unknownCircle', 1, () => editor.apply([1, 1].map((id) => ({ kind: 'remove', id })))],
+      [
+        'negativeRadius',
+        2,
+        () =>
+          editor.apply([
+            { kind: 'insert', circle: [1, 1, 1] },
+            { kind: 'replace', id: 2, circle: [0, 0, -1] },
+          ]),
+      ],
+    ]
+    for (const [code, circle, act] of refusals) expect(act).toThrow(expect.objectContaining({ code, circle }))
+    expect(contentOf(editor.snapshot())).toEqual(before)
+    expect(called).not.toHaveBeenCalled()
+    expect(editor.insert([0, 0, 1]).inserted).toEqual(Int32Array.of(3))
+  })
+
+  it('takes circles alone', async () => {
+    const { computeComparison } = await loadComparison(library)
+    expect(() => library.edit(computeComparison(THREE, 'power'))).toThrow(
+      expect.objectContaining({
+        code: 'badArgument',
+        message: 'edit takes a diagram of the metric circles, not of power.',
+      }),
+    )
+    expect(() => library.edit(library.compute(THREE, { weights: true }))).toThrow(
+      expect.objectContaining({ code: 'badArgument', message: 'edit takes a diagram of circles, not of weights.' }),
+    )
+    expect(() => library.edit([[0, 0, -1]])).toThrow(expect.objectContaining({ code: 'negativeRadius', circle: 0 }))
+  })
+
+  it('answers nothing once it is disposed of', () => {
+    const editor = library.edit(THREE)
+    const kept = editor.snapshot()
+    editor.dispose()
+    editor.dispose()
+    for (const act of [
+      () => editor.insert([0, 0, 1]),
+      () => editor.remove(0),
+      () => editor.replace(0, [0, 0, 1]),
+      () => editor.apply([]),
+      () => editor.nearest(0, 0),
+      () => editor.circle(0),
+      () => editor.isHidden(0),
+      () => editor.ids(),
+      () => editor.size(),
+      () => editor.snapshot(),
+      () => editor.certificate(),
+    ]) {
+      expect(act).toThrow(expect.objectContaining({ code: 'badArgument', message: 'The editor has been disposed of.' }))
+    }
+    expect(kept.find(5, 1)).toBe(1)
+  })
+})

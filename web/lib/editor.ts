@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { type Change, changeOf } from './change.ts'
+import { checkMetric, checkNumber, refuseArgument, shown } from './check.ts'
+import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './coordinates.ts'
+import { Diagram } from './diagram.ts'
+import { type Certificate, type Circle, type DiagramData, type Float64s, type Int32s, NONE } from './diagram-data.ts'
+import type { Disposal } from './disposal.ts'
+import { CircleVoronoiError, type ErrorCode } from './errors.ts'
+import { unwrap, type WasmError } from './wasm.ts'
+
+/** One edit of a batch. */
+export type Edit =
+  | { readonly kind: 'insert'; readonly circle: CircleLike }
+  | { readonly kind: 'remove'; readonly id: number }
+  | { readonly kind: 'replace'; readonly id: number; readonly circle: CircleLike }
+
+/** What an editor does. */
+export interface EditorMethods {
+  /** Called with each change, before the method that made it returns. */
+  onchange: ((change: Change) => void) | undefined
+  /**
+   * A new circle; its id is `inserted[0]` of the change. `hint`: a circle nearby, if one is known; what was edited last is one
+   * anyway.
+   *
+   * @throws CircleVoronoiError as `compute`, `badArgument`
+   */
+  insert(circle: CircleLike, hint?: number): Change
+  /** @throws CircleVoronoiError `unknownCircle`, `badArgument` */
+  remove(id: number): Change
+  /**
+   * Moves or resizes a circle, or both.
+   *
+   * @throws CircleVoronoiError `unknownCircle`; as `compute`, `badArgument`
+   */
+  replace(id: number, circle: CircleLike): Change
+  /**
+   * All or none of the edits, one after the other: `{ kind: 'insert', circle }`, `{ kind: 'remove', id }`,
+   * `{ kind: 'replace', id, circle }`. A circle that comes and goes in it is in no list of the change.
+   *
+   * @throws CircleVoronoiError as the methods above
+   */
+  apply(edits: Iterable<Edit>): Change
+  /**
+   * The circle of smallest signed distance, one of them up to rounding where several are. `NONE` if there are no circles, or a
+   * coordinate is not finite.
+   */
+  nearest(x: number, y: number, hint?: number): number
+  /** How many circles there are, hidden ones included. */
+  size(): number
+  /** A circle as it is now; `undefined` if there is none with this id. */
+  circle(id: number): Circle | undefined
+  /**
+   * Whether a circle has no cell.
+   *
+   * @throws CircleVoronoiError `unknownCircle`
+   */
+  isHidden(id: number): boolean
+  /** The ids of all circles, in increasing order. */
+  ids(): Int32s
+  /**
+   * The diagram as it is now, its circles in the order of their ids: linear time. It stays as it is; `Diagram.apply` has it
+   * follow the changes that come after, in the time that they take.
+   */
+  snapshot(): Diagram
+  /** All judged once more: linear time. It is certified, as each edit was. */
+  certificate(): Certificate
+  /** Frees the memory. Whatever is asked afterwards is an error. */
+  dispose(): void
+}
+
+/**
+ * A certified Voronoi diagram whose circles come, go, move and grow.
+ *
+ * An edit changes what is around it and leaves the rest: microseconds, however many circles there are. It is certified by what
+ * it changes before it is believed. One that is refused changes nothing. Circles have ids, from 0: one stays the same circle
+ * through all edits, and is never given to another. A circle inside another is hidden, and has a cell again when that goes. The
+ * diagram does not depend on the edits that led to it: it is that of `compute`.
+ *
+ * Errors have the id of the circle concerned as `circle`, -1 if it is new. `badArgument`, whatever is asked after `dispose`.
+ *
+ * It holds memory in WebAssembly: `dispose` frees it, as does `using`, or the garbage collector at some time.
+ *
+ * @example
+ * ```js
+ * const editor = library.edit([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
+ * const diagram = editor.snapshot()
+ * editor.onchange = (change) => diagram.apply(change)
+ * const [id] = editor.insert({ x: 3, y: 4, r: 1 }).inserted
+ * editor.replace(id, { x: 3, y: 5, r: 2 })
+ * diagram.cellPath(diagram.indexOf(id))
+ * editor.remove(id)
+ * editor.dispose()
+ * ```
+ */
+export type DiagramEditor = EditorMethods & Disposal
+
+/** The functions of the module that an editor needs. */
+type EditorModule = Pick<
+  WasmModule,
+  | 'createEditor'
+  | 'deleteEditor'
+  | 'editCircle'
+  | 'applyEdits'
+  | 'nearestCircle'
+  | 'editorSize'
+  | 'circleOfEditor'
+  | 'idsOfEditor'
+  | 'snapshotOfEditor'
+  | 'certificateOfEditor'
+>
+
+/** A function that makes editors in a module; circle i gets id i. */
+export function editorsOf(module: EditorModule): (circles: Float64s) => DiagramEditor {
+  // Frees what nobody has disposed of.
+  const registry = new FinalizationRegistry((address: number) => module.deleteEditor(address))
+  return (circles) => new Editor(module, registry, unwrap(module.createEditor(circles)).editor)
+}
+
+/**
+ * A copy of the circles that are to be edited.
+ *
+ * @throws CircleVoronoiError `badInput`, `badArgument`
+ */
+export function editedCircles(circles: Circles | DiagramData): Float64s {
+  if (!(typeof circles === 'object' && circles !== null && 'vertexCircles' in circles)) return coordinatesOf(circles)
+  checkMetric(circles, 'edit', 'circles')
+  if (circles.weights) refuseArgument('edit takes a diagram of circles, not of weights.')
+  return coordinatesOf(circles.circles)
+}
+
+/** Of `Edit.kind` the numbers that the core has for them. */
+const KINDS = ['insert', 'remove', 'replace']
+const INSERT = 0
+const REMOVE = 1
+const REPLACE = 2
+
+class Editor implements EditorMethods {
+  onchange: ((change: Change) => void) | undefined
+  readonly #module: EditorModule
+  readonly #registry: FinalizationRegistry<number>
+  /** 0 once it is disposed of. */
+  #address: number
+  #revision = 0
+
+  constructor(module: EditorModule, registry: FinalizationRegistry<number>, address: number) {
+    this.#module = module
+    this.#registry = registry
+    this.#address = address
+    registry.register(this, address, this)
+  }
+
+  insert(circle: CircleLike, hint: number = NONE): Change {
+    const { x, y, r } = checkedCircle(circle, NONE)
+    checkNumber(hint, 'insert', 'hint')
+    return this.#changed(NONE, this.#module.editCircle(this.#live(), INSERT, NONE, x, y, r, hint))
+  }
+
+  remove(id: number): Change {
+    checkId(id, 'remove')
+    return this.#changed(id, this.#module.editCircle(this.#live(), REMOVE, id, 0, 0, 0, NONE))
+  }
+
+  replace(id: number, circle: CircleLike): Change {
+    checkId(id, 'replace')
+    const { x, y, r } = checkedCircle(circle, id)
+    return this.#changed(id, this.#module.editCircle(this.#live(), REPLACE, id, x, y, r, NONE))
+  }
+
+  apply(edits: Iterable<Edit>): Change {
+    const checked = checkedEdits(edits)
+    const numbers = checked.flatMap(({ kind, id = NONE, circle = NOTHING }) => {
+      return [KINDS.indexOf(kind), id, circle.x, circle.y, circle.r]
+    })
+    const result = this.#module.applyEdits(this.#live(), Float64Array.from(numbers))
+    return this.#changed('error' in result ? (checked[result.error.circle]?.id ?? NONE) : NONE, result)
+  }
+
+  nearest(x: number, y: number, hint: number = NONE): number {
+    checkNumber(x, 'nearest', 'x')
+    checkNumber(y, 'nearest', 'y')
+    checkNumber(hint, 'nearest', 'hint')
+    return this.#module.nearestCircle(this.#live(), x, y, hint)
+  }
+
+  size(): number {
+    return this.#module.editorSize(this.#live())
+  }
+
+  circle(id: number): Circle | undefined {
+    checkId(id, 'circle')
+    const numbers = this.#module.circleOfEditor(this.#live(), id)
+    if (numbers === undefined) return undefined
+    const [x = 0, y = 0, r = 0] = numbers
+    return { x, y, r }
+  }
+
+  isHidden(id: number): boolean {
+    checkId(id, 'isHidden')
+    const numbers = this.#module.circleOfEditor(this.#live(), id)
+    if (numbers === undefined) refuse('unknownCircle', id, `There is no circle with id ${id}.`)
+    return numbers[3] === 1
+  }
+
+  ids(): Int32s {
+    return unwrap(this.#module.idsOfEditor(this.#live()))
+  }
+
+  snapshot(): Diagram {
+    const { numbers, ...data } = unwrap(this.#module.snapshotOfEditor(this.#live()))
+    return new Diagram({ metric: 'circles', ...data, numbers: { revision: this.#revision, ...numbers } })
+  }
+
+  certificate(): Certificate {
+    return unwrap(this.#module.certificateOfEditor(this.#live()))
+  }
+
+  dispose(): void {
+    if (this.#address === 0) return
+    this.#registry.unregister(this)
+    this.#module.deleteEditor(this.#address)
+    this.#address = 0
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose()
+  }
+
+  #live(): number {
+    if (this.#address === 0) refuseArgument('The editor has been disposed of.')
+    return this.#address
+  }
+
+  /** `id`: of the circle that an error is about. */
+  #changed(id: number, result: Uint8Array | WasmError): Change {
+    if ('error' in result) refuse(result.error.code as ErrorCode, id, result.error.message)
+    this.#revision += 1
+    const change = changeOf(result, this.#revision)
+    this.onchange?.(change)
+    return change
+  }
+}
+
+const NOTHING: Circle = { x: 0, y: 0, r: 0 }
+
+/** An edit that was checked, as plain data. */
+interface CheckedEdit {
+  readonly kind: string
+  readonly id?: number
+  readonly circle?: Circle
+}
+
+/** @throws CircleVoronoiError as `apply`, but for ids that the editor does not know */
+export function checkedEdits(edits: Iterable<Edit>): CheckedEdit[] {
+  if (typeof (edits as Partial<Iterable<Edit>> | null | undefined)?.[Symbol.iterator] !== 'function') {
+    refuseArgument(`apply takes a list of edits, not ${shown(edits)}.`)
+  }
+  return Array.from(edits, (edit) => {
+    const { kind, id, circle }: { kind?: Edit['kind']; id?: number; circle?: CircleLike } = Object(edit)
+    if (kind === 'insert') return { kind, circle: checkedCircle(circle as CircleLike, NONE) }
+    if (kind !== 'remove' && kind !== 'replace') {
+      refuseArgument(`An edit has a kind, insert, remove or replace, not ${shown(kind)}.`)
+    }
+    checkId(id, 'apply')
+    return kind === 'remove' ? { kind, id } : { kind, id, circle: checkedCircle(circle as CircleLike, id) }
+  })
+}
+
+/** Embind makes other numbers of what is no id. */
+export function checkId(id: unknown, caller: string): asserts id is number {
+  checkNumber(id, caller, 'the id of a circle')
+  if (!Number.isInteger(id) || (id as number) < NONE || (id as number) >= 2 ** 31) {
+    refuse('unknownCircle', -1, `There is no circle with id ${id}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badInput`, and the codes of `compute`; by the id, where the core knows of places in a list */
+export function checkedCircle(circle: CircleLike, id: number): Circle {
+  const [x, y, r]: readonly unknown[] = [circleX(circle), circleY(circle), circleRadius(circle)]
+  const who = id === NONE ? 'The new circle' : `Circle ${id}`
+  if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
+    refuse('badInput', id, `${who} does not have three numbers x, y and r.`)
+  }
+  if (!Number.isFinite(x) || !Number.isFinite(y) || !Number.isFinite(r)) {
+    refuse('nonFinite', id, `${who} has a number that is not finite.`)
+  }
+  if (r < 0) refuse('negativeRadius', id, `${who} has a negative radius.`)
+  if (Math.max(Math.abs(x), Math.abs(y), r) > 1e150) {
+    refuse('coordinateTooLarge', id, `${who} has a coordinate or a radius beyond 1e150.`)
+  }
+  return { x, y, r }
+}
+
+function refuse(code: ErrorCode, circle: number, message: string): never {
+  throw new CircleVoronoiError(code, circle, message)
+}
