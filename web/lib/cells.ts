@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type EdgeCurve, edgeCurve, reversed } from './curve.ts'
-import { at, circleAt, type DiagramData, NONE, vertexAt } from './diagram-data.ts'
+import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
 import { between, dot } from './point.ts'
-import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
+import { hypotenuse, largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
 
 /** The cells of a diagram, which must be certified, or a comparison diagram: what its arrays say of sides. */
 export class Cells {
@@ -22,10 +22,17 @@ export class Cells {
   /** The largest distance from the circle's centre to a point of its cell; infinite for an unbounded one, NaN for none. */
   reach(circle: number): number {
     if (!this.exists(circle)) return Number.NaN
-    const sides = this.sides(circle)
+    const { firstSide, nextSide } = this.diagram
+    const first = at(firstSide, circle)
     // A circle without sides has the whole plane.
-    if (sides.length === 0) return Number.POSITIVE_INFINITY
-    return sides.reduce((reach, side) => Math.max(reach, this.#reachOf(side)), 0)
+    if (first === NONE) return Number.POSITIVE_INFINITY
+    let reach = 0
+    let side = first
+    do {
+      reach = Math.max(reach, this.#reachOf(side))
+      side = at(nextSide, side)
+    } while (side !== first)
+    return reach
   }
 
   /** Whether there is a cell, and it does not go to infinity. */
@@ -116,7 +123,10 @@ export class Cells {
   #reachOf(side: number): number {
     const origin = this.originOf(side)
     if (origin === NONE) return Number.POSITIVE_INFINITY
-    const centre = circleAt(this.diagram.circles, this.circleOf(side))
-    return Math.min(lengthOf(between(centre, vertexAt(this.diagram, origin))), Number.MAX_VALUE)
+    const { circles, vertices } = this.diagram
+    const circle = this.circleOf(side)
+    const dx = at(vertices, 3 * origin) - at(circles, 3 * circle)
+    const dy = at(vertices, 3 * origin + 1) - at(circles, 3 * circle + 1)
+    return Math.min(hypotenuse(dx, dy), Number.MAX_VALUE)
   }
 }

@@ -25,8 +25,8 @@ export function checkOptionNames(options: unknown, caller: string, known: readon
   if (typeof options !== 'object' || options === null || Array.isArray(options)) {
     refuseOption(`The options of ${caller} are not an object.`)
   }
-  for (const [name, value] of Object.entries(options)) {
-    if (value !== undefined && !known.includes(name)) {
+  for (const name of Object.keys(options)) {
+    if (!known.includes(name) && (options as Record<string, unknown>)[name] !== undefined) {
       refuseOption(
         `There is no option ${name} of ${caller}; ${known.length === 1 ? 'its only one is' : 'its options are'} ${listed(known)}.`,
       )

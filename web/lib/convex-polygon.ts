@@ -23,8 +23,11 @@ export class ConvexPolygon {
   readonly corners: readonly Point[]
   /** The smallest box around it. */
   readonly box: Box
+  /** Whether it is known to be that. */
+  readonly isBox: boolean
 
-  private constructor(corners: readonly Point[]) {
+  private constructor(corners: readonly Point[], isBox = false) {
+    this.isBox = isBox
     const least = (numbers: readonly number[]) => numbers.reduce((one, other) => Math.min(one, other))
     this.corners = corners
     this.box = {
@@ -75,12 +78,13 @@ export class ConvexPolygon {
     if (!(minX < maxX && minY < maxY && [minX, minY, maxX, maxY].every(isInRange))) {
       refuseOption('The box is empty, or a coordinate is not finite, or beyond 1e152.')
     }
-    return new ConvexPolygon([
+    const corners = [
       { x: minX, y: minY },
       { x: maxX, y: minY },
       { x: maxX, y: maxY },
       { x: minX, y: maxY },
-    ])
+    ]
+    return new ConvexPolygon(corners, true)
   }
 
   /** Corner `k`, where side `k` begins. */

@@ -8,9 +8,10 @@ const MOST_GROUPS = 2
 /** Below it no quotient that is taken apart here is rounded to a whole number that it is not. */
 const MOST = 2 ** 44
 
-/** The digits of numbers below 10^4, with zeros in front, and the same without those at the end. */
-const GROUPS: string[] = []
+/** The digits of numbers below 10^4, with zeros in front, but not those at the end if they come last; the first after a point. */
+const FIRST_GROUPS: string[] = []
 const LAST_GROUPS: string[] = []
+const ONLY_GROUPS: string[] = []
 
 /** Texts of numbers with at most `digits` of them after the decimal point, without zeros at the end. */
 export class DecimalText {
@@ -23,11 +24,13 @@ export class DecimalText {
     this.#scale = 10 ** digits
     this.#groups = Math.ceil(digits / GROUP)
     this.#padding = 10 ** (this.#groups * GROUP - digits)
-    if (this.#groups > MOST_GROUPS || GROUPS.length > 0) return
+    if (this.#groups > MOST_GROUPS || FIRST_GROUPS.length > 0) return
     for (let i = 0; i < SIZE; i++) {
       const text = String(i).padStart(GROUP, '0')
-      GROUPS.push(text)
-      LAST_GROUPS.push(text.replace(/0+$/, ''))
+      const last = text.replace(/0+$/, '')
+      FIRST_GROUPS.push(`.${text}`)
+      LAST_GROUPS.push(last)
+      ONLY_GROUPS.push(`.${last}`)
     }
   }
 
@@ -38,12 +41,13 @@ export class DecimalText {
     // Beyond 2^53 a double has no digits to round off.
     if (!(size < MOST) || this.#groups > MOST_GROUPS) return `${size < 2 ** 53 ? scaled / this.#scale : value}`
     const whole = Math.trunc(size / this.#scale)
-    const sign = scaled < 0 ? '-' : ''
     const rest = (size - whole * this.#scale) * this.#padding
-    if (rest === 0) return sign + whole
-    if (this.#groups === 1) return `${sign}${whole}.${LAST_GROUPS[rest]}`
+    // As few parts as may be: each makes a string of its own.
+    const integer = scaled >= 0 ? `${whole}` : whole === 0 ? '-0' : `${-whole}`
+    if (rest === 0) return integer
+    if (this.#groups === 1) return integer + ONLY_GROUPS[rest]
     const first = Math.trunc(rest / SIZE)
     const last = rest - first * SIZE
-    return `${sign}${whole}.${last === 0 ? LAST_GROUPS[first] : `${GROUPS[first]}${LAST_GROUPS[last]}`}`
+    return last === 0 ? integer + ONLY_GROUPS[first] : integer + FIRST_GROUPS[first] + LAST_GROUPS[last]
   }
 }

@@ -3,7 +3,7 @@ import type { Limits } from './cell-limits.ts'
 import { Cells } from './cells.ts'
 import type { Change } from './change.ts'
 import { checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from './check.ts'
-import { ConvexPolygon } from './convex-polygon.ts'
+import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import {
   at,
   type Certificate,
@@ -90,6 +90,7 @@ export class Diagram implements DiagramData {
   #bounds: ConvexPolygon | undefined
   #halfedges: Int32Array | undefined
   #patch: DiagramPatch | undefined
+  #lastRegion: ConvexPolygon | undefined
 
   /** Around the arrays of `data`, which are not copied. `recompute`: what `update` calls. */
   constructor(data: DiagramData, recompute?: (circles: Float64s) => DiagramData) {
@@ -423,12 +424,24 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, caller, known)
     const { bounds, maxDistance } = options
     checkMaxDistance(this, caller, maxDistance)
-    if (bounds !== undefined) return { region: ConvexPolygon.of(bounds), maxDistance }
+    if (bounds !== undefined) return { region: this.#regionOf(bounds), maxDistance }
     const isCut = maxDistance !== undefined
     return {
       region: isCut ? ConvexPolygon.of(exportBox(this.circles, maxDistance)) : this.#defaultBounds(),
       maxDistance,
     }
+  }
+
+  /** What is drawn cell by cell has the same box each time. */
+  #regionOf(bounds: Bounds): ConvexPolygon {
+    const last = this.#lastRegion
+    if (last !== undefined && Array.isArray(bounds) && bounds.length === 4) {
+      const { minX, minY, maxX, maxY } = last.box
+      if (bounds[0] === minX && bounds[1] === minY && bounds[2] === maxX && bounds[3] === maxY) return last
+    }
+    const region = ConvexPolygon.of(bounds)
+    if (region.isBox) this.#lastRegion = region
+    return region
   }
 
   #defaultBounds(): ConvexPolygon {

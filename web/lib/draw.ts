@@ -4,17 +4,24 @@ import { keptParts, type Limits, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
 import { isCircleArc, traceCircleArc } from './circle-arc.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
-import { edgeCurve, isBounded, reversed } from './curve.ts'
+import type { BoundedCurve } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
 import { hull } from './hull.ts'
 import { outlineOf } from './outline.ts'
 import type { PathSink } from './path-sink.ts'
 import type { Point } from './point.ts'
-import { lengthOf } from './scale.ts'
+import { hypotenuse, lengthOf } from './scale.ts'
 
 /** Draws what is kept of edge `e`, no farther than `tolerance` from the true curve. */
 export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits: Limits, tolerance: number): void {
   if (isBeyondEdge(diagram, e, limits.region)) return
+  if (isPlainSegment(diagram, e, limits, tolerance)) {
+    const { vertices, edges } = diagram
+    const [start, end] = [at(edges, 4 * e + 2), at(edges, 4 * e + 3)]
+    sink.moveTo(at(vertices, 3 * start), at(vertices, 3 * start + 1))
+    sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
+    return
+  }
   for (const { curve } of keptParts(diagram, e, limits)) {
     sink.moveTo(curve.start.x, curve.start.y)
     traceArc(sink, curve, tolerance)
@@ -44,14 +51,60 @@ export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: L
 
 /** The same of a cell that lies inside the region, without cutting it: most cells of a view do. */
 function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: number): void {
-  cells.sides(circle).forEach((side, k) => {
-    const edge = edgeCurve(cells.diagram, side >> 1)
-    const curve = side % 2 === 0 ? edge : reversed(edge)
-    if (!isBounded(curve)) return
-    if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
-    traceArc(sink, curve, tolerance)
-  })
+  const { vertices, firstSide, nextSide } = cells.diagram
+  const first = at(firstSide, circle)
+  const start = cells.originOf(first)
+  sink.moveTo(at(vertices, 3 * start), at(vertices, 3 * start + 1))
+  let side = first
+  do {
+    if (isNearChord(cells.diagram, side >> 1, tolerance)) {
+      const end = cells.targetOf(side)
+      sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
+    } else {
+      traceArc(sink, cells.curveOf(side) as BoundedCurve, tolerance)
+    }
+    side = at(nextSide, side)
+  } while (side !== first)
   sink.closePath()
+}
+
+/**
+ * Whether an edge with two ends is drawn as its chord, by a bound that spares its curve: of most that are. With d the
+ * distance of the centres, |a| the difference of the radii by two and L the chord, the error is at most |a| (w - 1)
+ * (`traceArc`), and w - 1 at most L^2 / (8 b^2), 4 b^2 = d^2 - (2 a)^2.
+ */
+function isNearChord({ circles, edges, vertices, metric }: DiagramData, e: number, tolerance: number): boolean {
+  const left = 3 * at(edges, 4 * e)
+  const right = 3 * at(edges, 4 * e + 1)
+  const difference = metric === 'circles' ? at(circles, left + 2) - at(circles, right + 2) : 0
+  if (difference === 0) return true
+  const dx = at(circles, left) - at(circles, right)
+  const dy = at(circles, left + 1) - at(circles, right + 1)
+  const square = dx * dx + dy * dy
+  const rest = square - difference * difference
+  const most = 3.9 * tolerance * rest
+  // Not where the difference cancels, or where squares leave the range of numbers.
+  if (!(rest > 1e-6 * square && most > 1e-280 && most < 1e280)) return false
+  const start = 3 * at(edges, 4 * e + 2)
+  const end = 3 * at(edges, 4 * e + 3)
+  const x = at(vertices, start) - at(vertices, end)
+  const y = at(vertices, start + 1) - at(vertices, end + 1)
+  return Math.abs(difference) * (x * x + y * y) <= most
+}
+
+/** Whether all of an edge is kept, and drawn as its chord: it has two ends so far inside the region that it cannot leave. */
+function isPlainSegment(diagram: DiagramData, e: number, { region, maxDistance }: Limits, tolerance: number): boolean {
+  const start = at(diagram.edges, 4 * e + 2)
+  const end = at(diagram.edges, 4 * e + 3)
+  if (maxDistance !== undefined || !region.isBox || start === NONE || end === NONE) return false
+  const { minX, minY, maxX, maxY } = region.box
+  const margin = 4 * tolerance
+  const isInside = (vertex: number) => {
+    const x = at(diagram.vertices, 3 * vertex)
+    const y = at(diagram.vertices, 3 * vertex + 1)
+    return minX + margin < x && x < maxX - margin && minY + margin < y && y < maxY - margin
+  }
+  return isInside(start) && isInside(end) && isNearChord(diagram, e, tolerance)
 }
 
 /** Draws the convex hull: arcs of circles and the tangent segments between them. */
@@ -107,13 +160,17 @@ function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): b
   if (start === NONE || end === NONE) return false
   const x = at(circles, 3 * left)
   const y = at(circles, 3 * left + 1)
-  const toStart = lengthOf({ x: at(vertices, 3 * start) - x, y: at(vertices, 3 * start + 1) - y })
-  const toEnd = lengthOf({ x: at(vertices, 3 * end) - x, y: at(vertices, 3 * end + 1) - y })
+  const toStart = hypotenuse(at(vertices, 3 * start) - x, at(vertices, 3 * start + 1) - y)
+  const toEnd = hypotenuse(at(vertices, 3 * end) - x, at(vertices, 3 * end + 1) - y)
   return Math.max(toStart, toEnd) < distanceTo(region, diagram, left)
 }
 
 /** Whether the square around a disc lies in the region. */
 function holdsDisc(region: ConvexPolygon, { x, y }: Point, radius: number): boolean {
+  if (region.isBox) {
+    const { minX, minY, maxX, maxY } = region.box
+    return minX <= x - radius && x + radius <= maxX && minY <= y - radius && y + radius <= maxY
+  }
   return [-radius, radius].every((dx) => [-radius, radius].every((dy) => region.contains({ x: x + dx, y: y + dy })))
 }
 
@@ -121,7 +178,5 @@ function holdsDisc(region: ConvexPolygon, { x, y }: Point, radius: number): bool
 function distanceTo({ box }: ConvexPolygon, { circles }: DiagramData, circle: number): number {
   const x = at(circles, 3 * circle)
   const y = at(circles, 3 * circle + 1)
-  const dx = Math.max(box.minX - x, 0, x - box.maxX)
-  const dy = Math.max(box.minY - y, 0, y - box.maxY)
-  return lengthOf({ x: dx, y: dy })
+  return hypotenuse(Math.max(box.minX - x, 0, x - box.maxX), Math.max(box.minY - y, 0, y - box.maxY))
 }

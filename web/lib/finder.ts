@@ -82,7 +82,7 @@ export class Finder {
     let circle = at(this.#starts, this.#bucketOf(x, y))
     if (!this.#cells.exists(circle)) circle = this.#someCircle()
     if (circle === NONE) return NONE
-    if (this.#cells.exists(hint) && this.#cells.lead(hint, circle, x, y) > 0) circle = hint
+    if (this.#cells.exists(hint) && this.#lead(hint, circle, x, y) > 0) circle = hint
     // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
     // that was marked at step 1, 2, 4, 8 and so on.
     let marked = circle
@@ -140,6 +140,7 @@ export class Finder {
 
   /** The sides of a cell, if they are many. */
   #manySidesOf(circle: number): Int32Array | undefined {
+    if (this.#manySides.size === 0) return undefined
     const known = this.#manySides.get(circle)
     if (known !== undefined || !this.#manySides.has(circle)) return known
     const sides = this.#cells.sides(circle)
@@ -187,7 +188,7 @@ export class Finder {
   /** A neighbour nearer to the point than the circle itself, or `NONE`. */
   #nearerNeighbor(circle: number, x: number, y: number): number {
     const cells = this.#cells
-    const { circles, metric, nextSide, firstSide } = cells.diagram
+    const { circles, metric, edges, nextSide, firstSide } = cells.diagram
     let side = at(firstSide, circle)
     if (side === NONE) return NONE
     let stop = side
@@ -203,7 +204,8 @@ export class Finder {
     const r = at(circles, 3 * circle + 2)
     const toCentre = plainDistance(circles, circle, x, y)
     do {
-      const neighbor = cells.neighborOf(side)
+      // neighborOf(side), to which calls are too much here.
+      const neighbor = at(edges, 4 * (side >> 1) + 1 - (side & 1))
       side = at(nextSide, side)
       const toOther = plainDistance(circles, neighbor, x, y)
       const otherR = at(circles, 3 * neighbor + 2)
@@ -217,6 +219,19 @@ export class Finder {
       }
     } while (side !== stop)
     return nearest
+  }
+
+  /** The lead of one circle over another at a point, by plain distances unless rounding may decide. */
+  #lead(circle: number, other: number, x: number, y: number): number {
+    const { circles, metric } = this.#cells.diagram
+    if (metric === 'circles') {
+      const [r, otherR] = [at(circles, 3 * circle + 2), at(circles, 3 * other + 2)]
+      const toCentre = plainDistance(circles, circle, x, y)
+      const toOther = plainDistance(circles, other, x, y)
+      const lead = toOther - otherR - (toCentre - r)
+      if (Math.abs(lead) > ROUNDING * (toCentre + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL) return lead
+    }
+    return this.#cells.lead(circle, other, x, y)
   }
 
   /** How many sides of a cell begin before the direction of a point, counted from where the first begins. */

@@ -37,9 +37,15 @@ export function measuredIn(unit: number, v: Vector): Vector {
 }
 
 /** The length of a vector of any size. */
-export function lengthOf(v: Vector): number {
-  const square = dot(v, v)
+export function lengthOf({ x, y }: Vector): number {
+  return hypotenuse(x, y)
+}
+
+/** The same of its coordinates. */
+export function hypotenuse(x: number, y: number): number {
+  const square = x * x + y * y
   if (isSafe(square)) return Math.sqrt(square)
+  const v = { x, y }
   const unit = unitFor(largestOf(v))
   return unit * length(measuredIn(unit, v))
 }
