@@ -83,7 +83,7 @@ export class Diagram implements DiagramData {
   readonly firstSide: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
-  readonly numbers?: SnapshotNumbers
+  declare readonly numbers?: SnapshotNumbers
   readonly #recompute: ((circles: Float64s) => DiagramData) | undefined
   #cells: Cells | undefined
   #finder: Finder | undefined
