@@ -20,7 +20,7 @@ await main(async () => {
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])
   const chosen = process.argv.slice(2)
   const [cities] = realData()
-  const isTable = chosen[0] === '--cliffs' || chosen[0] === '--files'
+  const isTable = ['--cliffs', '--edits', '--files'].includes(chosen[0])
   const families = isTable || chosen.includes('--families') ? [] : ['--families', `${FAMILIES},${cities}`]
   await run(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen])
 

@@ -25,6 +25,7 @@
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
 #include "cliffs.h"
+#include "edits.h"
 #include "files.h"
 #include "median.h"
 #include "reference.h"
@@ -181,11 +182,16 @@ std::vector<std::size_t> sizesOf(const std::string& list) {
 
 using OptionValues = std::map<std::string, std::string>;
 
-/// The options of each table with their defaults; --cliffs and --files come first if they come.
+/// The options of each table with their defaults; --cliffs, --edits and --files come first if they come.
 OptionValues defaultsOf(const std::string& table) {
   if (table == "--cliffs") return {{"--families", ""}, {"--sizes", "120000"}, {"--limit", "120"}};
   if (table == "--files")
     return {{"--families", "uniform,log-uniform"}, {"--sizes", "1000000"}, {"--repetitions", "3"}};
+  if (table == "--edits") {
+    return {{"--families", "uniform,log-uniform,intersecting,hidden,grid"},
+            {"--sizes", "10000,100000,1000000"},
+            {"--limit", "300"}};
+  }
   return {{"--families", "uniform,log-uniform,hidden,hexagonal,grid,rows,intersecting,one-huge,ring"},
           {"--sizes", "1000,10000,100000,1000000"},
           {"--methods", ""},
@@ -194,10 +200,32 @@ OptionValues defaultsOf(const std::string& table) {
           {"-o", "build/bench/native.json"}};
 }
 
+/// The even circles of an input twice as long are edited, the odd ones are those that come.
+int benchEdits(const std::vector<std::string>& families, const std::vector<std::size_t>& sizes, unsigned limit) {
+  std::printf("%-14s %8s  %-37s %10s %10s\n", "family", "n", "", "median us", "99.9 % us");
+  for (const std::string& family : families) {
+    const bool isFile = !familyFromName(family);
+    for (const std::size_t size : isFile ? std::vector<std::size_t>{0} : sizes) {
+      const auto input = inputOf(family, 2 * size);
+      if (!input) {
+        std::cerr << family << " is neither a family nor a file of circles\n";
+        return 2;
+      }
+      bench::EditInput edits = {input->family, {}, {}};
+      for (std::size_t i = 0; i < input->circles.size(); ++i) {
+        (i % 2 == 0 ? edits.circles : edits.supply).push_back(input->circles[i]);
+      }
+      bench::printEdits(edits, limit);
+    }
+  }
+  return 0;
+}
+
 int usage() {
   std::cerr << "usage: circle-voronoi-bench [--families NAME|FILE.csv,...] [--sizes N,...] [--methods NAME,...]\n"
                "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n"
                "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n"
+               "       circle-voronoi-bench --edits [--families NAME|FILE.csv,...] [--sizes N,...] [--limit SECONDS]\n"
                "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n";
   return 2;
 }
@@ -206,7 +234,7 @@ int usage() {
 
 int main(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
-  const bool hasTable = first == "--cliffs" || first == "--files";
+  const bool hasTable = first == "--cliffs" || first == "--edits" || first == "--files";
   OptionValues options = defaultsOf(first);
   for (int i = hasTable ? 2 : 1; i < argc; i += 2) {
     if (!options.contains(argv[i]) || i + 1 == argc) return usage();
@@ -214,6 +242,7 @@ int main(int argc, char** argv) {
   }
   const int repetitions = std::atoi(options["--repetitions"].c_str());
   const auto limit = static_cast<unsigned>(std::atoi(options["--limit"].c_str()));
+  if (first == "--edits") return benchEdits(split(options["--families"]), sizesOf(options["--sizes"]), limit);
   if (hasTable) {
     for (const std::string& family : split(options["--families"])) {
       if (familyFromName(family)) continue;

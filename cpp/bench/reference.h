@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
 
@@ -18,5 +19,10 @@ namespace circle_voronoi::reference {
 
 /// Apollonius_graph_2 with an exact number type throughout.
 [[gnu::visibility("default")]] std::size_t apolloniusExact(std::span<const Circle> circles);
+
+/// Inserts circles into its hierarchy of others, and removes each again before the next: appends the seconds of each.
+/// One that is hidden, or hides others, stays.
+[[gnu::visibility("default")]] void apolloniusEdits(std::span<const Circle> circles, std::span<const Circle> inserted,
+                                                    std::vector<double>& inserts, std::vector<double>& removals);
 
 }  // namespace circle_voronoi::reference

@@ -74,10 +74,10 @@ std::string differenceOf(const Content& actual, const Content& expected) {
 class Script {
  public:
   Script(const FamilyInfo& family, std::size_t count, std::uint64_t seed)
-      : random_(seed), supply_(generate(family.family, 2 * count, seed)) {}
+      : random_(seed), count_(count), supply_(generate(family.family, 2 * count + 1, seed)) {}
 
   std::vector<Circle> start() const {
-    return {supply_.begin(), supply_.begin() + static_cast<std::ptrdiff_t>(supply_.size() / 2)};
+    return {supply_.begin(), supply_.begin() + static_cast<std::ptrdiff_t>(count_)};
   }
 
   Edit next(const DiagramEditor& editor) {
@@ -123,7 +123,8 @@ class Script {
   }
 
   Random random_;
-  std::vector<Circle> supply_;
+  std::size_t count_;
+  std::vector<Circle> supply_;  ///< never empty
 };
 
 std::string wholeProblem(const DiagramEditor& editor, const Mirror& mirror, bool isLast, const FamilyInfo& family) {

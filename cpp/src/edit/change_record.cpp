@@ -73,6 +73,15 @@ Result<Change> ChangeRecorder::record(EditState& state, EditWay way) {
   marks_.resize(state.sites.size());
   Change change;
   change.way = way;
+  const std::size_t faces = state.faceLog.size();
+  change.cells.reserve(faces);
+  change.removedVertices.reserve(faces);
+  change.addedVertices.reserve(faces);
+  change.vertices.reserve(faces);
+  change.vertexCircles.reserve(faces);
+  change.removedEdges.reserve(2 * faces);
+  change.addedEdges.reserve(2 * faces);
+  change.edges.reserve(2 * faces);
   recordCircles(change, state);
   if (auto error = recordVertices(change, state)) return *std::move(error);
   recordEdges(change, state);

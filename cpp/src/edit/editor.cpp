@@ -32,7 +32,7 @@ Error withoutCircle(Error error) {
 
 /// More edits than this share of the circles, and a few, are done by computing all.
 constexpr std::size_t kFewEdits = 32;
-constexpr std::size_t kManyShare = 10;
+constexpr std::size_t kManyShare = 25;
 
 }  // namespace
 

@@ -10,6 +10,9 @@
 namespace circle_voronoi {
 namespace {
 
+/// Of buckets around one that is outdated: farther than these a walk is as quick.
+constexpr int kMostRings = 3;
+
 /// Whether a ray from the centre of the origin of h goes through its sector; not if rounding hides whether there is
 /// next to nothing between the rays to its discs, or next to all.
 bool spans(const EditState& state, int h, Vector ray) {
@@ -54,16 +57,17 @@ int sectorOf(const EditState& state, int h, Point p) {
   return nearest;
 }
 
+bool isThere(const EditState& state, int slot) {
+  return slot >= 0 && slot < static_cast<int>(state.sites.size()) && state.isVisible(slot);
+}
+
 }  // namespace
 
 Place Locator::locate(const EditState& state, Point p, int hint) const {
-  const auto isThere = [&](int slot) {
-    return slot >= 0 && slot < static_cast<int>(state.sites.size()) && state.isVisible(slot);
-  };
   int slot = kNone;
   double least = std::numeric_limits<double>::infinity();
-  for (const int candidate : {hint, last_, buckets_.empty() ? kNone : buckets_[bucketOf(p)]}) {
-    if (!isThere(candidate)) continue;
+  for (const int candidate : {hint, last_, startNear(state, p)}) {
+    if (!isThere(state, candidate)) continue;
     if (const double distance = distanceFrom(p, state.circles[candidate]); slot == kNone || distance < least) {
       slot = candidate;
       least = distance;
@@ -88,11 +92,34 @@ Place Locator::locate(const EditState& state, Point p, int hint) const {
   return {state.dual.origin[h], h};
 }
 
-std::size_t Locator::bucketOf(Point p) const {
-  const auto index = [&](double along, int count) {
-    return static_cast<std::size_t>(std::clamp(along * scale_, 0.0, static_cast<double>(count - 1)));
-  };
-  return index(p.y - corner_.y, rows_) * static_cast<std::size_t>(columns_) + index(p.x - corner_.x, columns_);
+int Locator::columnOf(Point p) const {
+  return static_cast<int>(std::clamp((p.x - corner_.x) * scale_, 0.0, static_cast<double>(columns_ - 1)));
+}
+
+int Locator::rowOf(Point p) const {
+  return static_cast<int>(std::clamp((p.y - corner_.y) * scale_, 0.0, static_cast<double>(rows_ - 1)));
+}
+
+void Locator::put(const Circle& circle, int slot) {
+  const Point p = {circle.x, circle.y};
+  buckets_[bucketAt(columnOf(p), rowOf(p))] = slot;
+}
+
+/// A visible circle from the bucket of a point, or from one of the rings of buckets around it; kNone if there is none.
+int Locator::startNear(const EditState& state, Point p) const {
+  if (buckets_.empty()) return kNone;
+  const int column = columnOf(p);
+  const int row = rowOf(p);
+  for (int ring = 0; ring <= kMostRings; ++ring) {
+    for (int y = std::max(row - ring, 0); y <= std::min(row + ring, rows_ - 1); ++y) {
+      const int step = std::abs(y - row) == ring ? 1 : 2 * ring;
+      for (int x = column - ring; x <= column + ring; x += step) {
+        if (x < 0 || x >= columns_) continue;
+        if (const int slot = buckets_[bucketAt(x, y)]; isThere(state, slot)) return slot;
+      }
+    }
+  }
+  return kNone;
 }
 
 void Locator::note(const EditState& state, int slot) {
@@ -100,7 +127,7 @@ void Locator::note(const EditState& state, int slot) {
   if (state.visibleCount > 2 * filledFor_ + 16) {
     fill(state);
   } else if (!buckets_.empty()) {
-    buckets_[bucketOf({state.circles[slot].x, state.circles[slot].y})] = slot;
+    put(state.circles[slot], slot);
   }
 }
 
@@ -127,7 +154,30 @@ void Locator::fill(const EditState& state) {
   rows_ = static_cast<int>(height * scale_) + 1;
   buckets_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNone);
   for (int i = 0; i < static_cast<int>(state.sites.size()); ++i) {
-    if (state.isVisible(i)) buckets_[bucketOf({state.circles[i].x, state.circles[i].y})] = i;
+    if (state.isVisible(i)) put(state.circles[i], i);
+  }
+  fillEmptyBuckets();
+}
+
+/// Each takes the circle of one beside it, from those that have some outwards.
+void Locator::fillEmptyBuckets() {
+  std::vector<int> filled;
+  filled.reserve(buckets_.size());
+  for (std::size_t i = 0; i < buckets_.size(); ++i) {
+    if (buckets_[i] != kNone) filled.push_back(static_cast<int>(i));
+  }
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    const int column = filled[i] % columns_;
+    const int row = filled[i] / columns_;
+    const auto spreadTo = [&](int x, int y) {
+      if (x < 0 || x >= columns_ || y < 0 || y >= rows_ || buckets_[bucketAt(x, y)] != kNone) return;
+      buckets_[bucketAt(x, y)] = buckets_[static_cast<std::size_t>(filled[i])];
+      filled.push_back(static_cast<int>(bucketAt(x, y)));
+    };
+    spreadTo(column - 1, row);
+    spreadTo(column + 1, row);
+    spreadTo(column, row - 1);
+    spreadTo(column, row + 1);
   }
 }
 

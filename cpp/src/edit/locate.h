@@ -18,7 +18,8 @@ struct Place {
 /// neighbour that is nearer, until there is none. A cell is left across the edge in whose sector the point lies: cells
 /// are star-shaped, and all that lies beyond the edge in this sector is nearer to the neighbour across.
 ///
-/// A grid of buckets remembers a circle near each place; they may be outdated, as they only save steps.
+/// A grid of buckets remembers a circle near each place; they may be outdated, as they only save steps, and then one
+/// beside is asked.
 class Locator {
  public:
   /// Nothing if no circle is visible. The walk starts from what is nearest of `hint`, what was found last, and the
@@ -32,7 +33,14 @@ class Locator {
   void fill(const EditState& state);
 
  private:
-  std::size_t bucketOf(Point p) const;
+  int columnOf(Point p) const;
+  int rowOf(Point p) const;
+  std::size_t bucketAt(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+  void put(const Circle& circle, int slot);
+  void fillEmptyBuckets();
+  int startNear(const EditState& state, Point p) const;
 
   Point corner_;
   double scale_ = 0;  ///< buckets a unit of length

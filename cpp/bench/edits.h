@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+
+namespace circle_voronoi::bench {
+
+struct EditInput {
+  std::string family;
+  std::vector<Circle> circles;
+  std::vector<Circle> supply;  ///< circles to insert, of the same kind
+};
+
+/// Prints what insertions, removals and small moves of a diagram take, one by one, in batches and from nothing, and the
+/// memory that an editor needs; CGAL's Apollonius hierarchy beside. Each line has a process of its own.
+void printEdits(const EditInput& input, unsigned limitSeconds);
+
+}  // namespace circle_voronoi::bench
