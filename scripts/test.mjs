@@ -45,6 +45,7 @@ const SUITES = [
       'tests/wasm/worker.test.mjs',
       'tests/wasm/editor.test.mjs',
       'tests/wasm/geometry.test.mjs',
+      'tests/wasm/examples.test.mjs',
       'tests/wasm/final-cells.test.mjs',
       'tests/wasm/diagram-file.test.mjs',
     ],

@@ -11,7 +11,11 @@ import type { PathSink } from './path-sink.ts'
 import { between, type Point } from './point.ts'
 import { lengthOf } from './scale.ts'
 
-/** A conic section as a rational quadratic Bezier curve, with the weights 1, `weight`, 1 of its points. */
+/**
+ * A conic section as a rational quadratic Bezier curve, with the weights 1, `weight`, 1 of its points.
+ *
+ * @category Curves
+ */
 export interface RationalBezier {
   readonly start: Point
   readonly control: Point
@@ -19,7 +23,11 @@ export interface RationalBezier {
   readonly weight: number
 }
 
-/** A cubic Bezier curve. */
+/**
+ * A cubic Bezier curve.
+ *
+ * @category Curves
+ */
 export interface CubicBezier {
   readonly start: Point
   readonly control1: Point
@@ -27,12 +35,26 @@ export interface CubicBezier {
   readonly end: Point
 }
 
-/** A bounded arc exactly. */
+/**
+ * A bounded arc exactly.
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * rationalBezier(arc).weight > 1 // true
+ */
 export function rationalBezier({ bisector, from, to, start, end }: BoundedCurve): RationalBezier {
   return { start, control: controlPoint(bisector, from, to), end, weight: 1 + excessOf(from, to) }
 }
 
-/** The point at 0 <= u <= 1 of a rational Bezier curve. */
+/**
+ * The point at 0 <= u <= 1 of a rational Bezier curve.
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * bezierPointAt(rationalBezier(arc), 0.5).x.toFixed(6) // '2.000000'
+ */
 export function bezierPointAt({ start, control, end, weight }: RationalBezier, u: number): Point {
   const first = (1 - u) * (1 - u)
   const second = 2 * u * (1 - u) * weight
@@ -48,6 +70,11 @@ export function bezierPointAt({ start, control, end, weight }: RationalBezier, u
  * A bounded arc as cubic Bezier curves that keep within `tolerance` of it: each has the arc's tangents at both ends and
  * meets it in the middle, or is straight, and is as long as the tolerance allows. A tolerance below 1e-12 of the arc's
  * extent counts as that.
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * cubicBeziers(arc, 0.1).length // 1
  */
 export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezier[] {
   const pieces: CubicBezier[] = []
@@ -69,7 +96,17 @@ export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezie
   return pieces
 }
 
-/** Draws a bounded arc, from its start, where the path already is, as the curves of `cubicBeziers`. */
+/**
+ * Draws a bounded arc, from its start, where the path already is, as the curves of `cubicBeziers`.
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(diagram, 0), [-5, -5, 10, 10])
+ * const path = new SvgPath(1)
+ * path.moveTo(arc.start.x, arc.start.y)
+ * traceArc(path, arc, 0.1)
+ * `${path}`.startsWith('M') // true
+ */
 export function traceArc(
   sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>,
   curve: BoundedCurve,
@@ -108,6 +145,8 @@ export function traceArc(
 /**
  * A bounded arc as the points of a polyline that keeps within `tolerance` of it, two at least, with chords as long as the
  * tolerance allows. A tolerance below 1e-9 of the arc's extent counts as that.
+ *
+ * @category Curves
  */
 export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
   const { bisector, to } = curve

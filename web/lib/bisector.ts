@@ -20,6 +20,8 @@ import { largestOf, lengthOf, measuredIn, powerOfTwoIn, unitFor } from './scale.
  *
  * Multiplying s by a number is an affine map of the branch onto itself: an arc is as curved as the ratio of the parameters
  * of its ends says, wherever it lies.
+ *
+ * @category Curves
  */
 export interface Bisector {
   /** The foci: the centre of the left circle, */
@@ -55,7 +57,13 @@ const FINEST = 2 ** -900
 /** The line of equal power may lie beyond all numbers. */
 const FARTHEST_APEX = 1e300
 
-/** The bisector of two circles with cells; `circles`: x, y, r each. */
+/**
+ * The bisector of two circles with cells; `circles`: x, y, r each.
+ *
+ * @category Curves
+ * @example
+ * bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1).apex // 1.5
+ */
 export function bisector(circles: Float64Array, left: number, right: number, metric: Metric = 'circles'): Bisector {
   const leftCentre = { x: at(circles, 3 * left), y: at(circles, 3 * left + 1) }
   const rightCentre = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
@@ -86,7 +94,13 @@ export function bisector(circles: Float64Array, left: number, right: number, met
   }
 }
 
-/** The point of the bisector with parameter 0 < s < infinity. */
+/**
+ * The point of the bisector with parameter 0 < s < infinity.
+ *
+ * @category Curves
+ * @example
+ * pointAt(bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1), 1) // { x: 0.5, y: 0 }
+ */
 export function pointAt(bisector: Bisector, s: number): Point {
   const { apex, a, b } = bisector
   return inPlane(bisector, apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)), (b * (s - 1 / s)) / 2)
@@ -97,7 +111,13 @@ export function inPlane({ origin, unit, along, across }: Bisector, u: number, v:
   return { x: origin.x + unit * (u * along.x + v * across.x), y: origin.y + unit * (u * along.y + v * across.y) }
 }
 
-/** The parameter of the point of the bisector next to (x, y), a point on it but for rounding. */
+/**
+ * The parameter of the point of the bisector next to (x, y), a point on it but for rounding.
+ *
+ * @category Curves
+ * @example
+ * parameterAt(bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1), 0.5, 0) // 1
+ */
 export function parameterAt({ origin, unit, across, apex, a, b }: Bisector, x: number, y: number): number {
   const toPoint = measuredIn(unit, between(origin, { x, y }))
   const sine = dot(toPoint, across) / b

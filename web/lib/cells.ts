@@ -4,7 +4,16 @@ import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
 import { between, dot } from './point.ts'
 import { hypotenuse, largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
 
-/** The cells of a diagram, which must be certified, or a comparison diagram: what its arrays say of sides. */
+/**
+ * The cells of a diagram, which must be certified, or a comparison diagram: what its arrays say of sides.
+ *
+ * @category Cells
+ * @example
+ * const { cells } = diagram
+ * cells.isBounded(0) // false
+ * cells.contains(0, 1, 1) // true
+ * cells.sides(0).map((side) => cells.neighborOf(side)) // Int32Array(2) [ 2, 1 ]
+ */
 export class Cells {
   readonly diagram: DiagramData
 

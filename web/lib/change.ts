@@ -4,6 +4,8 @@ import type { Float64s, Int32s } from './diagram-data.ts'
 /**
  * How an edit was done; each is certified. `local`: by flips around the circles concerned. `patch`: where these led astray, by
  * a diagram of the circles around, spliced in. `whole`: by computing everything.
+ *
+ * @category Editing
  */
 export type EditWay = 'local' | 'patch' | 'whole'
 
@@ -13,6 +15,8 @@ export type EditWay = 'local' | 'patch' | 'whole'
  * Circles go by their ids. Each vertex and each edge has a number, which stays its own until it goes, and may then be that of
  * another: an edge with another end is another edge, and so is a vertex whose circle has moved. Who takes away what goes, then
  * puts what comes into its place, has the diagram as it is now; `Diagram.apply` does so.
+ *
+ * @category Editing
  */
 export interface Change {
   /** How many changes the editor has made, with this one. */

@@ -40,7 +40,14 @@ export function momentsOverChord({ curve, radius }: OutlinePiece, reference: Poi
   }
 }
 
-/** The points of a polyline that keeps within a tolerance of an arc, two at least: those that divide it evenly. */
+/**
+ * The points of a polyline that keeps within a tolerance of an arc, two at least: those that divide it evenly.
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * polyline(arc, 0.1).length > polyline(arc, 1).length // true
+ */
 export function polyline({ curve, radius }: OutlinePiece, tolerance: number): Point[] {
   const least = Math.max(tolerance, FINEST_POLYLINE * radius)
   let points: Point[] = [curve.start, curve.end]

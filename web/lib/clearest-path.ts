@@ -10,7 +10,11 @@ import { distance } from './metric.ts'
 import { between, type Point } from './point.ts'
 import { facing } from './scale.ts'
 
-/** A path among circles that keeps as far from all of them as any path between its ends can. */
+/**
+ * A path among circles that keeps as far from all of them as any path between its ends can.
+ *
+ * @category Questions
+ */
 export interface ClearestPath {
   /** The least distance from a circle along the path; negative if the path cannot but enter circles. */
   readonly clearance: number
@@ -36,6 +40,10 @@ export interface ClearestPath {
  * the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
  *
  * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Questions
+ * @example
+ * clearestPath(diagram, { x: 3, y: 0 }, { x: 0, y: 4 }).clearance // 2
  */
 export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath {
   checkDiagram(diagram, 'clearestPath')

@@ -26,7 +26,13 @@ interface Span {
   readonly cutTo: number
 }
 
-/** The pieces of an arc inside a region, in order: bounded, and several if the arc leaves the region and comes back. */
+/**
+ * The pieces of an arc inside a region, in order: bounded, and several if the arc leaves the region and comes back.
+ *
+ * @category Curves
+ * @example
+ * clip(edgeCurve(diagram, 0), [-5, -5, 10, 10]).length // 1
+ */
 export function clip(curve: EdgeCurve, bounds: Bounds): BoundedCurve[] {
   return partsInside(curve, ConvexPolygon.of(bounds)).map((part) => part.curve)
 }

@@ -16,7 +16,11 @@ import { compileWasm, instantiate, unwrap } from './wasm.ts'
 /** The largest coordinate or radius that is accepted (kCoordinateLimit of circle_voronoi/compute.h). */
 const COORDINATE_LIMIT = 1e150
 
-/** Diagrams of the same circles by other distances, to show how they differ. */
+/**
+ * Diagrams of the same circles by other distances, to show how they differ.
+ *
+ * @category Comparison
+ */
 export interface Comparison {
   /**
    * The diagram of `circles`, as `compute` takes them, by another distance: with `centres` the ordinary Voronoi diagram of
@@ -38,6 +42,11 @@ export interface Comparison {
  *
  * @param options `wasm`: `circle-voronoi-comparison.wasm`. Default: the file beside this module.
  * @throws CircleVoronoiError `notLoaded`
+ *
+ * @category Comparison
+ * @example
+ * const { computeComparison } = await loadComparison(library)
+ * computeComparison([[0, 0, 3], [10, 0, 1]], 'power').find(5.2, 0) // 0
  */
 export async function loadComparison(library: CircleVoronoi, options: LoadOptions = {}): Promise<Comparison> {
   checkLoadOptions(options, 'loadComparison')

@@ -3,7 +3,11 @@ import { refuseOption, shown } from './check.ts'
 import { between, cross, type Point, type Vector } from './point.ts'
 import { facing, largestOf, turn } from './scale.ts'
 
-/** An axis-parallel rectangle, minX < maxX and minY < maxY. */
+/**
+ * An axis-parallel rectangle, minX < maxX and minY < maxY.
+ *
+ * @category Cells
+ */
 export interface Box {
   readonly minX: number
   readonly minY: number
@@ -11,13 +15,31 @@ export interface Box {
   readonly maxY: number
 }
 
-/** The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers. */
+/**
+ * The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers.
+ *
+ * @category Cells
+ * @example
+ * REGION_LIMIT // 1e+152
+ */
 export const REGION_LIMIT = 1e152
 
-/** What curves and cells are clipped to: a box, also as `[minX, minY, maxX, maxY]`, or a convex polygon. */
+/**
+ * What curves and cells are clipped to: a box, also as `[minX, minY, maxX, maxY]`, or a convex polygon.
+ *
+ * @category Cells
+ */
 export type Bounds = Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | ConvexPolygon
 
-/** The closed region that curves and cells are clipped to. */
+/**
+ * The closed region that curves and cells are clipped to.
+ *
+ * @category Cells
+ * @example
+ * const triangle = ConvexPolygon.from([{ x: 0, y: 0 }, { x: 9, y: 0 }, { x: 0, y: 9 }])
+ * triangle.area() // 40.5
+ * diagram.cellArea(0, { bounds: triangle }) // 12
+ */
 export class ConvexPolygon {
   /** Counter-clockwise. */
   readonly corners: readonly Point[]

@@ -3,10 +3,18 @@ import { shown } from './check.ts'
 import type { Circle, Float64s } from './diagram-data.ts'
 import { CircleVoronoiError } from './errors.ts'
 
-/** A circle as an object, or as an array of its x, y and r. */
+/**
+ * A circle as an object, or as an array of its x, y and r.
+ *
+ * @category Loading
+ */
 export type CircleLike = Circle | ArrayLike<number>
 
-/** Circles: x, y, r of each in one typed array, or anything that can be gone through with `for of`. */
+/**
+ * Circles: x, y, r of each in one typed array, or anything that can be gone through with `for of`.
+ *
+ * @category Loading
+ */
 export type Circles = Float64Array | Float32Array | Iterable<CircleLike>
 
 /**
@@ -22,7 +30,11 @@ export function coordinatesOf(circles: Circles): Float64s {
   return coordinatesFrom(circles, circleX, circleY, circleRadius)
 }
 
-/** What of a datum is asked for, as d3-delaunay asks for it. */
+/**
+ * What of a datum is asked for, as d3-delaunay asks for it.
+ *
+ * @category Loading
+ */
 export type Accessor<Datum> = (datum: Datum, index: number, data: Iterable<Datum>) => number
 
 /**

@@ -9,6 +9,8 @@ import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
  * An arc of a bisector, from parameter `from` to parameter `to` >= `from`. An end at infinity has the parameter 0 or
  * infinity and no point; the other ends of an edge are its vertices bit for bit: arcs that meet in a vertex meet exactly.
  * An edge of length zero has equal parameters.
+ *
+ * @category Curves
  */
 export interface EdgeCurve {
   readonly bisector: Bisector
@@ -20,13 +22,24 @@ export interface EdgeCurve {
   readonly end: Point | undefined
 }
 
-/** An arc with two ends. */
+/**
+ * An arc with two ends.
+ *
+ * @category Curves
+ */
 export interface BoundedCurve extends EdgeCurve {
   readonly start: Point
   readonly end: Point
 }
 
-/** Whether an arc has two ends. */
+/**
+ * Whether an arc has two ends.
+ *
+ * @category Curves
+ * @example
+ * isBounded(edgeCurve(diagram, 0)) // false
+ * clip(edgeCurve(diagram, 0), [-5, -5, 10, 10]).every(isBounded) // true
+ */
 export function isBounded(curve: EdgeCurve): curve is BoundedCurve {
   return curve.start !== undefined && curve.end !== undefined
 }
@@ -37,6 +50,12 @@ export function isBounded(curve: EdgeCurve): curve is BoundedCurve {
  * numbers.
  *
  * @throws CircleVoronoiError `badArgument`, if there is no such edge
+ *
+ * @category Curves
+ * @example
+ * const curve = edgeCurve(diagram, 0)
+ * curve.bisector.a // 0
+ * curve.from < curve.to // true
  */
 export function edgeCurve({ circles, metric, vertices, edges }: DiagramData, edge: number): EdgeCurve {
   checkIndex(edge, edges.length / 4, 'edgeCurve', 'edge')

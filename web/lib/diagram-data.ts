@@ -2,15 +2,30 @@
 import { checkIndex } from './check.ts'
 import type { Metric } from './metric.ts'
 
-/** "None": the unbounded end of an edge. */
+/**
+ * "None": the unbounded end of an edge.
+ *
+ * @category Diagrams
+ * @example
+ * diagram.hull.includes(NONE) // false
+ * edgeAt(diagram, 0).start === NONE || edgeAt(diagram, 0).end === NONE // true
+ */
 export const NONE = -1
 
-/** Numbers whose memory can be handed over to a worker: `Float64Array<ArrayBuffer>`, also before TypeScript 5.7. */
+/**
+ * Numbers whose memory can be handed over to a worker: `Float64Array<ArrayBuffer>`, also before TypeScript 5.7.
+ *
+ * @category Diagrams
+ */
 export interface Float64s extends Float64Array {
   readonly buffer: ArrayBuffer
 }
 
-/** Indices, likewise. */
+/**
+ * Indices, likewise.
+ *
+ * @category Diagrams
+ */
 export interface Int32s extends Int32Array {
   readonly buffer: ArrayBuffer
 }
@@ -18,6 +33,8 @@ export interface Int32s extends Int32Array {
 /**
  * A circle with centre (x, y) and radius r >= 0; r = 0 is a point. As an additive weight (the option `weights`) r has any
  * sign. Mathematics is y-up.
+ *
+ * @category Diagrams
  */
 export interface Circle {
   readonly x: number
@@ -28,6 +45,8 @@ export interface Circle {
 /**
  * A Voronoi vertex: the centre of the disc that touches its three circles from outside. `radius` is signed: it is
  * negative where the three circles overlap.
+ *
+ * @category Diagrams
  */
 export interface Vertex {
   readonly x: number
@@ -38,6 +57,8 @@ export interface Vertex {
 /**
  * An arc of the bisector of circles `left` and `right`, as seen when going from vertex `start` to vertex `end`; an end
  * at infinity is `NONE`. Two circles may share several edges.
+ *
+ * @category Diagrams
  */
 export interface Edge {
   readonly left: number
@@ -49,13 +70,19 @@ export interface Edge {
 /**
  * A circle without a cell, and a circle that contains it and is not hidden itself: of several the largest, of equal ones
  * the first.
+ *
+ * @category Diagrams
  */
 export interface HiddenCircle {
   readonly circle: number
   readonly by: number
 }
 
-/** The outcome of judging a diagram: a proof that it is the Voronoi diagram, or the first thing that is wrong. */
+/**
+ * The outcome of judging a diagram: a proof that it is the Voronoi diagram, or the first thing that is wrong.
+ *
+ * @category Diagrams
+ */
 export interface Certificate {
   readonly certified: boolean
   /** The first flaw by the name of the C++ enumeration `Flaw` (circle_voronoi/certificate.h); `none` if certified. */
@@ -70,7 +97,11 @@ export interface Certificate {
   readonly message: string
 }
 
-/** How much each stage had to do. */
+/**
+ * How much each stage had to do.
+ *
+ * @category Diagrams
+ */
 export interface Counts {
   /** Input circles. */
   readonly circles: number
@@ -102,7 +133,11 @@ export interface Counts {
   readonly exact: number
 }
 
-/** Wall-clock seconds of each stage. */
+/**
+ * Wall-clock seconds of each stage.
+ *
+ * @category Diagrams
+ */
 export interface Seconds {
   readonly hide: number
   readonly sample: number
@@ -114,7 +149,11 @@ export interface Seconds {
   readonly total: number
 }
 
-/** How a diagram came about. */
+/**
+ * How a diagram came about.
+ *
+ * @category Diagrams
+ */
 export interface Stats {
   /** The method asked for. */
   readonly method: string
@@ -136,6 +175,8 @@ export interface Stats {
  * An edge seen from one of its two cells is a *side* of that cell: a half-edge. Side 2 e of edge e belongs to the left
  * circle and runs from start to end; side 2 e + 1, its twin, belongs to the right circle and runs back. So every side has
  * its own cell on its left, and the sides of a cell run counter-clockwise around it.
+ *
+ * @category Diagrams
  */
 export interface DiagramData {
   /** The distance that makes the cells. */
@@ -169,7 +210,11 @@ export interface DiagramData {
   readonly numbers?: SnapshotNumbers
 }
 
-/** What the indices of a snapshot of an editor stand for. */
+/**
+ * What the indices of a snapshot of an editor stand for.
+ *
+ * @category Diagrams
+ */
 export interface SnapshotNumbers {
   /** How many changes the editor had made. */
   readonly revision: number
@@ -187,6 +232,10 @@ export interface SnapshotNumbers {
  * Circle `i` of a flat array of x, y, r.
  *
  * @throws CircleVoronoiError `badArgument`, if there is none
+ *
+ * @category Diagrams
+ * @example
+ * circleAt(diagram.circles, 1) // { x: 6, y: 0, r: 1 }
  */
 export function circleAt(circles: Float64Array, i: number): Circle {
   checkIndex(i, circles.length / 3, 'circleAt', 'circle')
@@ -197,6 +246,10 @@ export function circleAt(circles: Float64Array, i: number): Circle {
  * Vertex `v` of a diagram.
  *
  * @throws CircleVoronoiError `badArgument`, if there is none
+ *
+ * @category Diagrams
+ * @example
+ * vertexAt(diagram, 0) // { x: 3, y: 4, radius: 4 }
  */
 export function vertexAt({ vertices }: DiagramData, v: number): Vertex {
   checkIndex(v, vertices.length / 3, 'vertexAt', 'vertex')
@@ -207,6 +260,11 @@ export function vertexAt({ vertices }: DiagramData, v: number): Vertex {
  * Edge `e` of a diagram.
  *
  * @throws CircleVoronoiError `badArgument`, if there is none
+ *
+ * @category Diagrams
+ * @example
+ * const { left, right } = edgeAt(diagram, 0)
+ * diagram.neighbors(left).includes(right) // true
  */
 export function edgeAt({ edges }: DiagramData, e: number): Edge {
   checkIndex(e, edges.length / 4, 'edgeAt', 'edge')

@@ -24,6 +24,8 @@ const COORDINATE_LIMIT = 1e150
 /**
  * A diagram as the command line writes and reads it. `metric` is there where it is not `circles`, `weights` where radii are
  * weights.
+ *
+ * @category Diagrams
  */
 export interface DiagramFile {
   readonly format: 'circle-voronoi'

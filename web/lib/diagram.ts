@@ -41,6 +41,8 @@ import { hullRing, type Polygon, ringOf } from './polygon.ts'
 /**
  * The cell of a circle. Its sides are listed counter-clockwise; where it goes to infinity, the next side after one that ends
  * there begins there. There are none if the cell is the whole plane.
+ *
+ * @category Diagrams
  */
 export interface Cell {
   readonly circle: number
@@ -68,6 +70,13 @@ export interface Cell {
  *
  * The methods presume a certified diagram. What is made to answer them, in linear time, is made once, when first needed.
  * All throw a `CircleVoronoiError`: `badOption`, if options make no sense, `badArgument`, if something else does not.
+ *
+ * @category Diagrams
+ * @example
+ * diagram.find(5, 1) // 1
+ * diagram.cellArea(0, { bounds: [-5, -5, 10, 10] }) // 72
+ * diagram.cellPath(0, { bounds: [-5, -5, 10, 10] }) // 'M3,-5L3,4L-5,4L-5,-5L3,-5Z'
+ * new Diagram(structuredClone(diagram)).find(5, 1) // 1
  */
 export class Diagram implements DiagramData {
   readonly metric: Metric

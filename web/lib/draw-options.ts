@@ -5,7 +5,11 @@ import { exportTolerance } from './export-box.ts'
 import type { PathSink } from './path-sink.ts'
 import { SvgPath } from './svg-path.ts'
 
-/** What curves and cells are clipped to. */
+/**
+ * What curves and cells are clipped to.
+ *
+ * @category Drawing
+ */
 export interface BoundsOptions {
   /** In the units of the input. Default: a box with room for a twentieth of the circles' extent around them. */
   readonly bounds?: Bounds | undefined
@@ -17,13 +21,21 @@ export interface BoundsOptions {
   readonly maxDistance?: number | undefined
 }
 
-/** How closely curves are drawn, and where. */
+/**
+ * How closely curves are drawn, and where.
+ *
+ * @category Drawing
+ */
 export interface PolygonOptions extends BoundsOptions {
   /** The largest distance from the true curves, above 0. Default: a hundred-thousandth of the bounds. */
   readonly tolerance?: number | undefined
 }
 
-/** How something is written as the `d` attribute of an SVG path. */
+/**
+ * How something is written as the `d` attribute of an SVG path.
+ *
+ * @category Drawing
+ */
 export interface TextOptions {
   readonly context?: undefined
   /**
@@ -33,14 +45,22 @@ export interface TextOptions {
   readonly digits?: number | undefined
 }
 
-/** What something is drawn on. */
+/**
+ * What something is drawn on.
+ *
+ * @category Drawing
+ */
 export interface ContextOptions {
   /** A canvas, a `Path2D` or any other `PathSink`. */
   readonly context: PathSink
   readonly digits?: undefined
 }
 
-/** Where, how closely and on what something is drawn. Without a context it is returned as text. */
+/**
+ * Where, how closely and on what something is drawn. Without a context it is returned as text.
+ *
+ * @category Drawing
+ */
 export type DrawOptions = PolygonOptions & (TextOptions | ContextOptions)
 
 /** @throws CircleVoronoiError `badOption`, if the tolerance is not above 0 */

@@ -8,13 +8,21 @@ import type { Disposal } from './disposal.ts'
 import { CircleVoronoiError, type ErrorCode } from './errors.ts'
 import { unwrap, type WasmError } from './wasm.ts'
 
-/** One edit of a batch. */
+/**
+ * One edit of a batch.
+ *
+ * @category Editing
+ */
 export type Edit =
   | { readonly kind: 'insert'; readonly circle: CircleLike }
   | { readonly kind: 'remove'; readonly id: number }
   | { readonly kind: 'replace'; readonly id: number; readonly circle: CircleLike }
 
-/** What an editor does. */
+/**
+ * What an editor does.
+ *
+ * @category Editing
+ */
 export interface EditorMethods {
   /** Called with each change, before the method that made it returns. */
   onchange: ((change: Change) => void) | undefined
@@ -91,6 +99,8 @@ export interface EditorMethods {
  * editor.remove(id)
  * editor.dispose()
  * ```
+ *
+ * @category Editing
  */
 export type DiagramEditor = EditorMethods & Disposal
 

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** The codes of the C++ enumeration `ErrorCode` (circle_voronoi/error.h), in its order. */
+/**
+ * The codes of the C++ enumeration `ErrorCode` (circle_voronoi/error.h), in its order.
+ *
+ * @category Errors
+ * @example
+ * ERROR_CODES.includes('negativeRadius') // true
+ */
 export const ERROR_CODES = [
   'nonFinite',
   'negativeRadius',
@@ -28,10 +34,23 @@ export const ERROR_CODES = [
  * - `badArithmetic`: the program rounds otherwise than to nearest (in C++ only);
  * - `notLoaded`: the WebAssembly cannot be loaded; `cause` says why;
  * - `internal`: the program itself failed; please report it with the input.
+ *
+ * @category Errors
  */
 export type ErrorCode = (typeof ERROR_CODES)[number] | 'badArgument' | 'notLoaded'
 
-/** What every function of this library throws. `message` is one sentence. */
+/**
+ * What every function of this library throws. `message` is one sentence.
+ *
+ * @category Errors
+ * @example
+ * try {
+ *   library.compute([[0, 0, 1], [5, 0, -1]])
+ * } catch (error) {
+ *   error.code // 'negativeRadius'
+ *   error.circle // 1
+ * }
+ */
 export class CircleVoronoiError extends Error {
   override readonly name = 'CircleVoronoiError'
   /** What went wrong. */

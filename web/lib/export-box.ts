@@ -6,7 +6,13 @@ import { at } from './diagram-data.ts'
 const MARGIN = 0.05
 const TOLERANCE = 1e-5
 
-/** The box that drawings are clipped to by default: with room for a twentieth of the circles' extent around them. */
+/**
+ * The box that drawings are clipped to by default: with room for a twentieth of the circles' extent around them.
+ *
+ * @category Cells
+ * @example
+ * exportBox(diagram.circles) // { minX: -1.5, minY: -1.5, maxX: 7.5, maxY: 9.5 }
+ */
 export function exportBox(circles: Float64Array, maxDistance = 0): Box {
   if (circles.length === 0) return { minX: 0, minY: 0, maxX: 1, maxY: 1 }
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]

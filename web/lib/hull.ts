@@ -7,6 +7,8 @@ import { pointOn, tangentNormal } from './tangent.ts'
 /**
  * An arc of a circle on the convex hull, counter-clockwise from `start` to `end`. A point (radius 0) has an arc too: it
  * turns, but has no length.
+ *
+ * @category Questions
  */
 export interface HullArc {
   readonly circle: number
@@ -21,6 +23,8 @@ export interface HullArc {
 /**
  * The convex hull of circles: arcs, each joined to the next by the tangent segment from its end to the next start, the last
  * to the first. The angles add up to 2 pi.
+ *
+ * @category Questions
  */
 export interface Hull {
   readonly arcs: readonly HullArc[]
@@ -35,6 +39,11 @@ const THREE_QUARTER_TURN = 1.5 * Math.PI
  * The hull of a certified diagram, in the order of `diagram.hull`. That of a single circle is the circle: one arc of 2 pi.
  * For the metrics `centres` and `power` it is the hull of the centres. Where weights on the hull are negative, it is that of
  * all circles grown by the amount that makes the least of these a point.
+ *
+ * @category Questions
+ * @example
+ * hull(diagram).arcs.length // 3
+ * hull(diagram).length.toFixed(4) // '30.2832'
  */
 export function hull(diagram: DiagramData): Hull {
   const growth = hullGrowth(diagram)

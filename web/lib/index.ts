@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * The Voronoi diagram of circles: `loadCircleVoronoi`, then `compute`, then the methods of `Diagram`. What is not needed
- * for every diagram is a function of its own.
+ * for every diagram is a function of its own. The examples begin with
+ *
+ * ```js
+ * const library = await loadCircleVoronoi()
+ * const diagram = library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
+ * ```
  *
  * @module circle-voronoi
  */

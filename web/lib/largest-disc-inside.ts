@@ -30,6 +30,10 @@ const ROUNDING_OF_PLACE = 2 ** -31
  * these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
+ *
+ * @category Questions
+ * @example
+ * largestEmptyDiscInside(diagram, [-2, -2, 8, 10]).disc.radius.toFixed(6) // '4.119661'
  */
 export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscInside')

@@ -12,7 +12,11 @@ import { between, dot, type Point } from './point.ts'
 import { largestOf } from './scale.ts'
 import { pointOn, tangentNormal } from './tangent.ts'
 
-/** A disc that meets no circle but for touching. */
+/**
+ * A disc that meets no circle but for touching.
+ *
+ * @category Questions
+ */
 export interface EmptyDisc {
   readonly disc: Vertex
   /** The circles it touches, of up to three of them. */
@@ -28,6 +32,10 @@ export interface EmptyDisc {
  * cell it is convex along every line.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
+ *
+ * @category Questions
+ * @example
+ * largestEmptyDiscCentredIn(diagram, [0, 0, 6, 8]).disc // { x: 6, y: 6.25, radius: 5.25 }
  */
 export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscCentredIn')
@@ -65,6 +73,11 @@ export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): Emp
  *   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
  * So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
  * inside the hull.
+ *
+ * @category Questions
+ * @example
+ * const { x, y } = largestEmptyDiscCentredInHull(diagram).disc
+ * [x.toFixed(9), y.toFixed(9)] // [ '3.800000000', '4.600000000' ]
  */
 export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscCentredInHull')

@@ -19,7 +19,11 @@ import createModule from './generated/circle-voronoi.js'
 import { checkOptions, type Options, type Progress } from './options.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
-/** What of a diagram is judged. */
+/**
+ * What of a diagram is judged.
+ *
+ * @category Loading
+ */
 export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats'> & {
   readonly weights?: boolean | undefined
 }
@@ -27,13 +31,19 @@ export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' 
 /**
  * What is known of the circles that a diagram has not been told of: their centres are outside the box, whose sides may be
  * infinite, and their radii are at most `maxRadius`.
+ *
+ * @category Loading
  */
 export interface Known {
   readonly box: Box
   readonly maxRadius: number
 }
 
-/** Which parts of a diagram are those of the whole diagram, whatever lies outside. */
+/**
+ * Which parts of a diagram are those of the whole diagram, whatever lies outside.
+ *
+ * @category Loading
+ */
 export interface FinalCells {
   /**
    * Of each circle by how much the box has to be widened on all sides, with the diagram computed anew, until its cell, or
@@ -46,7 +56,11 @@ export interface FinalCells {
   readonly edges: Uint8Array
 }
 
-/** The library, loaded. */
+/**
+ * The library, loaded.
+ *
+ * @category Loading
+ */
 export interface CircleVoronoi {
   /**
    * The Voronoi diagram of `circles`: x, y, r of each in one `Float64Array` or `Float32Array`, or a list of objects

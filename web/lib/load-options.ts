@@ -3,7 +3,11 @@ import { checkOptionNames, refuseOption, shown } from './check.ts'
 import { defaultWasm } from './default-wasm.ts'
 import { type CompiledWasm, compileWasm, type WasmSource } from './wasm.ts'
 
-/** How the WebAssembly is found. */
+/**
+ * How the WebAssembly is found.
+ *
+ * @category Loading
+ */
 export interface LoadOptions {
   /** `circle-voronoi.wasm`. Default: the file beside this module; Node reads it from the disk. */
   readonly wasm?: WasmSource | Promise<WasmSource> | undefined

@@ -4,9 +4,15 @@ import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load
 
 /**
  * Loads the library, in a page, in a worker or in Node. Each call gives one with a memory of its own; to compile only
- * once, compile the module yourself and give it as `wasm`.
+ * once, compile the module yourself and give it as `wasm`. That memory stays as large as the largest input has made it, until
+ * nothing refers to the library any more; diagrams have their own.
  *
  * @throws CircleVoronoiError `notLoaded`, `badOption`
+ *
+ * @category Loading
+ * @example
+ * const library = await loadCircleVoronoi()
+ * library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]]).vertices // Float64Array(3) [ 3, 4, 4 ]
  */
 export async function loadCircleVoronoi(options: LoadOptions = {}): Promise<CircleVoronoi> {
   checkLoadOptions(options, 'loadCircleVoronoi')

@@ -10,7 +10,13 @@ import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
 /** An area of less than this share of the square around it is but rounding. */
 const ROUNDING_OF_AREA = 2 ** -44
 
-/** Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone. */
+/**
+ * Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone.
+ *
+ * @category Cells
+ * @example
+ * area(outline(diagram, 0, [-5, -5, 10, 10])) // 72
+ */
 export function area(outline: Outline): number {
   const unit = unitFor(extentOf(outline))
   return momentsOf(outline, unit).area * unit * unit
@@ -19,6 +25,10 @@ export function area(outline: Outline): number {
 /**
  * The centre of mass, likewise. Of an outline without area but for rounding it is that of its end points; (0, 0) if it is
  * empty.
+ *
+ * @category Cells
+ * @example
+ * centroid(outline(diagram, 0, [-5, -5, 10, 10])) // { x: -1, y: -0.5 }
  */
 export function centroid(outline: Outline): Point {
   const reference = referenceOf(outline)
@@ -36,7 +46,13 @@ export function centroid(outline: Outline): Point {
   }
 }
 
-/** The length of all pieces, likewise (`arcLength`). */
+/**
+ * The length of all pieces, likewise (`arcLength`).
+ *
+ * @category Cells
+ * @example
+ * perimeter(outline(diagram, 0, [-5, -5, 10, 10])) // 34
+ */
 export function perimeter(outline: Outline): number {
   return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
 }
@@ -48,6 +64,11 @@ function lengthOfPiece(piece: OutlinePiece): number {
 /**
  * The length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which takes some
  * tens of square roots whatever the arc.
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * arcLength(arc).toFixed(3) // '18.662'
  */
 export function arcLength({ bisector, from, to, start, end }: BoundedCurve): number {
   const { unit, a, b } = bisector

@@ -3,7 +3,11 @@ import { at, type DiagramData, edgeAt, NONE, vertexAt } from './diagram-data.ts'
 import { between } from './point.ts'
 import { lengthOf } from './scale.ts'
 
-/** A diagram with vertices of any degree: vertices joined by edges of length near zero are one (paper, section 8). */
+/**
+ * A diagram with vertices of any degree: vertices joined by edges of length near zero are one (paper, section 8).
+ *
+ * @category Questions
+ */
 export interface MergedDiagram {
   /** Three for each merged vertex: x, y, signed radius; those of its member of smallest index. */
   readonly vertices: Float64Array
@@ -25,6 +29,12 @@ export interface MergedDiagram {
  * negative `nearZero`, the default, stands for a small multiple of the rounding error of each vertex. The circles around
  * each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as long as
  * `nearZero`.
+ *
+ * @category Questions
+ * @example
+ * const square = library.compute([[0, 0, 1], [4, 0, 1], [4, 4, 1], [0, 4, 1]])
+ * square.vertices.length / 3 // 2
+ * mergeVertices(square).circles // Int32Array(4) [ 0, 1, 2, 3 ]
  */
 export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagram {
   const { vertices, vertexSides, edges, nextSide } = diagram

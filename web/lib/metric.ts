@@ -8,13 +8,27 @@ import { lengthOf } from './scale.ts'
  * - `circles`: |p - c| - r, negative inside: the Voronoi diagram of circles;
  * - `centres`: |p - c|: the ordinary Voronoi diagram of the centres;
  * - `power`: |p - c|^2 - r^2: the power (Laguerre) diagram.
+ *
+ * @category Diagrams
  */
 export type Metric = (typeof METRICS)[number]
 
-/** Their names. */
+/**
+ * Their names.
+ *
+ * @category Diagrams
+ * @example
+ * METRICS // [ 'circles', 'centres', 'power' ]
+ */
 export const METRICS = ['circles', 'centres', 'power'] as const
 
-/** The distance from a circle of the diagram to the point (x, y), in the diagram's metric. */
+/**
+ * The distance from a circle of the diagram to the point (x, y), in the diagram's metric.
+ *
+ * @category Diagrams
+ * @example
+ * distance(diagram, 1, 6, 4) // 3
+ */
 export function distance({ circles, metric }: DiagramData, circle: number, x: number, y: number): number {
   const toCentre = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
   const r = at(circles, 3 * circle + 2)

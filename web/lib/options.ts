@@ -9,16 +9,24 @@ import type { Seconds } from './diagram-data.ts'
  * - `flip`: edges of a triangulation are flipped;
  * - `repair`: what is wrong in places is computed anew;
  * - `certify`: the result is judged.
+ *
+ * @category Loading
  */
 export type Stage = Exclude<keyof Seconds, 'total'>
 
 /**
  * Told when a stage begins (`done` is 0) and, in those of the touching disc method (`sample`, `pair`, `touch`), which
  * part of it is done, up to 1. Which stages there are depends on the method and the input.
+ *
+ * @category Loading
  */
 export type Progress = (stage: Stage, done: number) => void
 
-/** How a diagram is computed. */
+/**
+ * How a diagram is computed.
+ *
+ * @category Loading
+ */
 export interface Options {
   /**
    * Whether the radii are additive weights, which may be negative: a point belongs to the circle of least distance less

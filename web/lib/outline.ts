@@ -12,7 +12,11 @@ import { area } from './measure.ts'
 import type { Point } from './point.ts'
 import { Ring, type RingElement } from './ring.ts'
 
-/** A piece of the outline of a clipped cell, with the cell on its left. */
+/**
+ * A piece of the outline of a clipped cell, with the cell on its left.
+ *
+ * @category Cells
+ */
 export interface OutlinePiece {
   /** Of an arc of a circle its chord. */
   readonly curve: BoundedCurve
@@ -30,6 +34,8 @@ export interface OutlinePiece {
 /**
  * Closed loops of pieces, counter-clockwise, one for each component: the end of a piece is the start of the next. Pieces
  * of length zero occur.
+ *
+ * @category Cells
  */
 export type Outline = readonly (readonly OutlinePiece[])[]
 
@@ -38,6 +44,11 @@ export type Outline = readonly (readonly OutlinePiece[])[]
  * apart. With a maximum distance it is cut by the circle of radius r + maxDistance around the same centre as well.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
+ *
+ * @category Cells
+ * @example
+ * const [loop] = outline(diagram, 0, [-5, -5, 10, 10])
+ * loop.map(({ neighbor }) => neighbor).includes(1) // true
  */
 export function outline(diagram: Diagram, circle: number, bounds: Bounds, maxDistance?: number): Outline {
   checkDiagram(diagram, 'outline')

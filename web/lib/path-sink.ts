@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** What curves are drawn on: the part of `CanvasRenderingContext2D` and `Path2D` that is used. */
+/**
+ * What curves are drawn on: the part of `CanvasRenderingContext2D` and `Path2D` that is used.
+ *
+ * @category Drawing
+ */
 export interface PathSink {
   /** Begins a part of the path at (x, y). */
   moveTo(x: number, y: number): void

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** A point of the plane; mathematics is y-up, and counter-clockwise is positive. */
+/**
+ * A point of the plane; mathematics is y-up, and counter-clockwise is positive.
+ *
+ * @category Diagrams
+ */
 export interface Point {
   readonly x: number
   readonly y: number
 }
 
-/** A difference of points, or a direction of any length. */
+/**
+ * A difference of points, or a direction of any length.
+ *
+ * @category Diagrams
+ */
 export interface Vector {
   readonly x: number
   readonly y: number

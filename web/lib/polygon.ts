@@ -7,7 +7,11 @@ import type { SharedPiece } from './outline.ts'
 import type { Point } from './point.ts'
 import { lengthOf } from './scale.ts'
 
-/** A closed ring of points x, y, counter-clockwise: the last is the first again. */
+/**
+ * A closed ring of points x, y, counter-clockwise: the last is the first again.
+ *
+ * @category Cells
+ */
 export type Polygon = [x: number, y: number][]
 
 /**

@@ -9,6 +9,10 @@ import { lengthOf } from './scale.ts'
 /**
  * The pairs of circles whose cells share an edge, the smaller index first, in increasing order, each once: two indices
  * each.
+ *
+ * @category Questions
+ * @example
+ * neighborPairs(diagram) // Int32Array(6) [ 0, 1, 0, 2, 1, 2 ]
  */
 export function neighborPairs({ circles, edges }: DiagramData): Int32Array {
   const count = circles.length / 3
@@ -25,7 +29,11 @@ export function neighborPairs({ circles, edges }: DiagramData): Int32Array {
   })
 }
 
-/** Two circles and the gap between them. */
+/**
+ * Two circles and the gap between them.
+ *
+ * @category Questions
+ */
 export interface ClosestPair {
   /** The smaller index. */
   readonly first: number
@@ -40,6 +48,10 @@ export interface ClosestPair {
  * They share an edge: a circle k nearer than gap / 2 to the middle of their gap would have a smaller gap to each.
  *
  * @throws CircleVoronoiError `badArgument`, if the diagram is of another metric than `circles`
+ *
+ * @category Questions
+ * @example
+ * closestPair(diagram) // { first: 0, second: 1, gap: 4 }
  */
 export function closestPair(diagram: DiagramData): ClosestPair | undefined {
   checkMetric(diagram, 'closestPair', 'circles')

@@ -5,7 +5,16 @@ import type { PathSink } from './path-sink.ts'
 /** Many small strings that live long are much work for a garbage collector. */
 const FEW_COMMANDS = 500
 
-/** Collects what is drawn as the `d` attribute of an SVG path. */
+/**
+ * Collects what is drawn as the `d` attribute of an SVG path.
+ *
+ * @category Drawing
+ * @example
+ * const path = new SvgPath(1)
+ * path.moveTo(0, 0)
+ * path.lineTo(1.25, 2)
+ * `${path}` // 'M0,0L1.3,2'
+ */
 export class SvgPath implements PathSink {
   readonly #decimal: DecimalText
   /** What is drawn, and the last commands that are still to be added to it. */

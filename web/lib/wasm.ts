@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError, type ErrorCode, reasonOf } from './errors.ts'
 
-/** `WebAssembly.Module`, where the types of the DOM are known: Node's leave it out. */
+/**
+ * `WebAssembly.Module`, where the types of the DOM are known: Node's leave it out.
+ *
+ * @category Loading
+ */
 export type CompiledWasm = typeof globalThis extends { WebAssembly: { Module: { prototype: infer Module } } }
   ? Module
   : never
@@ -9,6 +13,8 @@ export type CompiledWasm = typeof globalThis extends { WebAssembly: { Module: { 
 /**
  * Where a WebAssembly module comes from: its address (a page resolves a relative one against itself; Node takes `file:`
  * and, if it is asked to, `https:`), the answer of a `fetch`, the bytes, or the compiled module.
+ *
+ * @category Loading
  */
 export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView | CompiledWasm
 

@@ -21,13 +21,21 @@ import type { Reply, Request } from './worker-messages.ts'
 export type { AsyncDiagramEditor, AsyncEditorMethods } from './worker-editor.ts'
 export type { Disposal, LoadOptions, Options }
 
-/** How a diagram is computed in a worker. */
+/**
+ * How a diagram is computed in a worker.
+ *
+ * @category Workers
+ */
 export interface AsyncOptions extends Options {
   /** Aborting it cancels the computation at once, and rejects the promise with the signal's reason. */
   readonly signal?: AbortSignal | undefined
 }
 
-/** What a worker does. */
+/**
+ * What a worker does.
+ *
+ * @category Workers
+ */
 export interface WorkerMethods {
   /**
    * As `compute` of the library, elsewhere: what waits or goes on here is not held up. Arrays are handed over to the
@@ -56,12 +64,23 @@ export interface WorkerMethods {
   dispose(): void
 }
 
-/** Computes diagrams in a worker of its own, one after the other; `using` disposes of it. */
+/**
+ * Computes diagrams in a worker of its own, one after the other; `using` disposes of it.
+ *
+ * @category Workers
+ */
 export type CircleVoronoiWorker = WorkerMethods & Disposal
 
 /**
  * A worker, in a page, in another worker or in Node. Its thread starts with the first computation; while it is idle it
  * does not keep Node from ending.
+ *
+ * @category Workers
+ * @example
+ * const worker = createWorker()
+ * const later = await worker.computeAsync([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
+ * later.find(5, 1) // 1
+ * worker.dispose()
  */
 export function createWorker(options: LoadOptions = {}): CircleVoronoiWorker {
   checkLoadOptions(options, 'createWorker')

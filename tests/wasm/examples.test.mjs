@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The examples in the doc comments of web/lib, on the built package: each function, class and constant has one, and it gives
+// what stands behind it.
+import assert from 'node:assert/strict'
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { after, describe, it } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { inspect } from 'node:util'
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url))
+const MODULES = ['index', 'worker', 'comparison']
+/** What all of them begin with, as the module's own comment says. */
+const BEGIN = `
+const library = await loadCircleVoronoi()
+const diagram = library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
+`
+
+const sources = readdirSync(`${ROOT}web/lib`)
+  .filter((name) => name.endsWith('.ts'))
+  .map((name) => readFileSync(`${ROOT}web/lib/${name}`, 'utf8'))
+const names = Object.fromEntries(
+  await Promise.all(MODULES.map(async (name) => [name, Object.keys(await import(`${ROOT}dist/lib/${name}.js`))])),
+)
+const imports = MODULES.map((name) => `import { ${names[name]} } from '${ROOT}dist/lib/${name}.js'\n`).join('')
+const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
+after(() => rmSync(folder, { recursive: true }))
+
+/** The code of the example of an exported name, or undefined. */
+function exampleOf(name) {
+  const declaration = new RegExp(
+    `/\\*\\*((?:(?!\\*/)[^])*)\\*/\\nexport (?:async )?(?:function|class|const) ${name}\\b`,
+  )
+  const comments = sources.map((source) => declaration.exec(source)?.[1])
+  return comments
+    .find((comment) => comment?.includes('@example\n'))
+    ?.split('@example\n')[1]
+    ?.replace(/^ \* ?/gm, '')
+    .trimEnd()
+}
+
+for (const module of MODULES) {
+  describe(`the example in circle-voronoi/${module}`, () => {
+    for (const name of names[module]) {
+      it(`of ${name} gives what it says`, async () => {
+        const example = exampleOf(name)
+        assert.ok(example, `${name} has no example`)
+        const expected = []
+        const code = example.replace(/^( *)(\S.*) \/\/ (.*)$/gm, (_, indent, expression, text) => {
+          expected.push(text)
+          return `${indent}said.push(${expression})`
+        })
+        assert.notEqual(expected.length, 0, `the example of ${name} says nothing`)
+        const file = `${folder}/${name}.mjs`
+        const begin = code.includes('const library') ? '' : BEGIN
+        writeFileSync(file, `${imports}export const said = []\n${begin}${code}\n`)
+        const { said } = await import(file)
+        assert.deepEqual(
+          said.map((value) => inspect(value, { breakLength: Infinity })),
+          expected,
+        )
+      })
+    }
+  })
+}
