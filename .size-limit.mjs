@@ -27,16 +27,17 @@ export default [
   wasm('The same for comparisons, fetched when asked for', '80 kB', 'circle-voronoi-comparison'),
   {
     name: 'All of it but comparisons in one file',
-    limit: '217 kB',
+    limit: '218 kB',
     path: `${LIB}/bundle.js`,
     gzip: true,
   },
   {
     name: 'TypeScript layer',
     // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 2 kB for
-    // sentences that say what is wrong with an argument, half a one for quick decimal texts, 1 kB for JSON, and 4.7 kB
-    // for editors, here and in a worker, and diagrams that follow them.
-    limit: '28.7 kB',
+    // sentences that say what is wrong with an argument, half a one for quick decimal texts, another for edges that are
+    // drawn as chords without their curves, 1 kB for JSON, and 4.7 kB for editors, here and in a worker, and diagrams that
+    // follow them.
+    limit: '29.4 kB',
     path: `${LIB}/index.js`,
     ignore: ['./generated/*'],
     gzip: true,
