@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { test as base, expect, type Page } from '@playwright/test'
-import { boundingBox, type Camera, fitted, toScreen } from '../../web/app/camera.ts'
 import { parseCircles } from '../../web/app/csv.ts'
 import { at } from '../../web/lib/diagram-data.ts'
 import type { Point } from '../../web/lib/index.ts'
+import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
 
 /** What the page keeps free for its panels (`padding` in main.ts). */
 const PADDING = { top: 72, right: 32, bottom: 64, left: 32 }
@@ -33,7 +33,7 @@ export class App {
   }
 
   get canvas() {
-    return this.page.locator('#canvas')
+    return this.page.locator('#figure')
   }
 
   get inspector() {
@@ -77,14 +77,17 @@ export class App {
 
   /** The colours of the canvas at these points of the page, red, green, blue each; one device pixel per pixel. */
   colors(points: readonly Point[]): Promise<number[][]> {
-    return this.canvas.evaluate((canvas: HTMLCanvasElement, points) => {
-      const context = canvas.getContext('2d') as CanvasRenderingContext2D
-      const { data, width } = context.getImageData(0, 0, canvas.width, canvas.height)
-      return points.map(({ x, y }) => {
-        const first = 4 * (Math.floor(y) * width + Math.floor(x))
-        return [...data.slice(first, first + 3)]
-      })
-    }, points)
+    return this.canvas
+      .locator('canvas')
+      .first()
+      .evaluate((canvas: HTMLCanvasElement, points) => {
+        const context = canvas.getContext('2d') as CanvasRenderingContext2D
+        const { data, width } = context.getImageData(0, 0, canvas.width, canvas.height)
+        return points.map(({ x, y }) => {
+          const first = 4 * (Math.floor(y) * width + Math.floor(x))
+          return [...data.slice(first, first + 3)]
+        })
+      }, points)
   }
 }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { boundingBox, fitted, panned, toPlane, toScreen, visibleBox, zoomed } from '../../web/app/camera.ts'
 import { parseCircles } from '../../web/app/csv.ts'
-import { hitTest } from '../../web/app/hit-test.ts'
-import { tintClasses } from '../../web/app/tints.ts'
+import type { Box, Edit } from '../../web/lib/index.ts'
+import { boundingBox, fitted, panned, toPlane, toScreen, zoomed } from '../../web/view/camera.ts'
+import { BoxIndex } from '../../web/view/painter/box-index.ts'
+import { meets } from '../../web/view/painter/boxes.ts'
+import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
+import { Picture } from '../../web/view/painter/picture.ts'
+import { library, seededRandom } from './library.ts'
 
 const SIZE = { width: 800, height: 600 }
 const camera = fc.record({
@@ -56,7 +60,6 @@ describe('camera', () => {
     expect(low.x).toBeCloseTo(60)
     expect(high.x).toBeCloseTo(780)
     expect((low.y + high.y) / 2).toBeCloseTo(100 + 450 / 2)
-    expect(visibleBox(camera, SIZE).minX).toBeLessThan(box.minX)
   })
 
   it('finds a box even around nothing or a single point', () => {
@@ -66,40 +69,58 @@ describe('camera', () => {
   })
 })
 
-describe('hitTest', () => {
-  const circles = Float64Array.of(0, 0, 10, 3, 0, 2, 40, 0, 0.1)
+describe('what is hit', () => {
+  const scene = new PaintedScene(library)
+  scene.open(Float64Array.of(0, 0, 10, 3, 0, 2, 40, 0, 0.1))
 
   it.each([
     [
       { x: -5, y: 0 },
-      { circle: 0, part: 'disc' },
+      { id: 0, part: 'disc' },
     ],
     [
       { x: -10.2, y: 0 },
-      { circle: 0, part: 'rim' },
+      { id: 0, part: 'rim' },
     ],
     [
       { x: 3, y: 0.5 },
-      { circle: 1, part: 'disc' },
+      { id: 1, part: 'disc' },
     ],
     [
       { x: 5.1, y: 0 },
-      { circle: 1, part: 'rim' },
+      { id: 1, part: 'rim' },
     ],
     [
       { x: 40.4, y: 0 },
-      { circle: 2, part: 'disc' },
+      { id: 2, part: 'disc' },
     ],
     [
       { x: 38, y: 0 },
-      { circle: 2, part: 'cell' },
+      { id: 2, part: 'cell' },
     ],
   ])('at %j is %j', (point, hit) => {
-    expect(hitTest(circles, point, 0.5)).toEqual(hit)
+    expect(scene.hit(point.x, point.y, 0.5)).toEqual(hit)
   })
 
-  it('hits nothing where there is nothing', () => {
-    expect(hitTest(new Float64Array(0), { x: 0, y: 0 }, 1)).toBeUndefined()
+  it('is the nearest of two rims that overlap', () => {
+    const two = new PaintedScene(library)
+    two.open(Float64Array.of(0, 0, 10, 1, 0, 10))
+    expect(two.hit(10.2, 0, 1)).toEqual({ id: 0, part: 'rim' })
+    expect(two.hit(10.8, 0, 1)).toEqual({ id: 1, part: 'rim' })
+  })
+
+  it('is where circles are after edits', () => {
+    const edited = new PaintedScene(library)
+    edited.open(Float64Array.of(0, 0, 1, 10, 0, 1))
+    edited.edit([{ kind: 'replace', id: 0, circle: { x: 5, y: 5, r: 1 } }])
+    expect(edited.hit(5, 5, 0.1)).toEqual({ id: 0, part: 'disc' })
+    expect(edited.hit(0, 0, 0.1)).toEqual({ id: 0, part: 'cell' })
+    edited.edit([{ kind: 'remove', id: 0 }])
+    expect(edited.hit(5, 5, 0.1)).toEqual({ id: 1, part: 'cell' })
+  })
+
+  it('is nothing where there is nothing', () => {
+    expect(new PaintedScene(library).hit(0, 0, 1)).toBeUndefined()
   })
 })
 
@@ -117,13 +138,83 @@ describe('parseCircles', () => {
   })
 })
 
-describe('tintClasses', () => {
-  it('puts as many circles into each class, smaller ones before larger ones', () => {
-    const circles = Float64Array.from([5, 1, 3, 2, 6, 4].flatMap((r) => [0, 0, r]))
-    expect([...tintClasses(circles, 3)]).toEqual([2, 0, 1, 0, 2, 1])
+describe('the tint of a circle', () => {
+  const tintsOf = (radii: readonly number[]) => {
+    const picture = new Picture(library.edit(radii.map((r, k) => [10 * k, 0, r])))
+    return radii.map((r) => picture.tintOf(r))
+  }
+
+  it('is that of as many others, smaller ones before larger ones', () => {
+    expect(tintsOf([5, 1, 3, 2, 6, 4])).toEqual([4, 0, 2, 1, 5, 3])
   })
 
-  it('gives equal radii one class', () => {
-    expect(new Set(tintClasses(new Float64Array(30).fill(1), 6)).size).toBe(1)
+  it('is the same for equal radii', () => {
+    expect(new Set(tintsOf(new Array(30).fill(1))).size).toBe(1)
+  })
+})
+
+describe('what an edit changes in a picture', () => {
+  const random = seededRandom(5)
+  const circles = () => Float64Array.from({ length: 600 }, (_, k) => (k % 3 === 2 ? 0.3 * random() : 20 * random()))
+
+  it('lies in the boxes that are painted anew', () => {
+    const picture = new Picture(library.edit(circles()))
+    for (let k = 0; k < 200; k++) {
+      const before = outlines(picture)
+      const ids = picture.editor.ids()
+      const id = ids[Math.floor(random() * ids.length)] as number
+      const circle = { x: 20 * random(), y: 20 * random(), r: random() ** 4 * 3 }
+      const [edit] = [
+        [{ kind: 'replace', id, circle } as const],
+        [{ kind: 'insert', circle } as const],
+        [{ kind: 'remove', id } as const],
+      ].slice(k % 3)
+      const boxes = picture.apply(picture.editor.apply(edit as Edit[]))
+      const after = outlines(picture)
+      for (const [x, y, look] of [...before.filter(isNotIn(after)), ...after.filter(isNotIn(before))]) {
+        const isInside = boxes.some(
+          ({ minX, minY, maxX, maxY }) => x >= minX - 1e-6 && x <= maxX + 1e-6 && y >= minY - 1e-6 && y <= maxY + 1e-6,
+        )
+        expect(isInside, `edit ${k}: ${look}`).toBe(true)
+      }
+    }
+  })
+
+  /** The vertices of a picture, in a form that does not depend on their numbers. */
+  function outlines({ diagram }: Picture): [number, number, string][] {
+    return Array.from({ length: diagram.vertices.length / 3 }, (_, v) => {
+      const [x, y] = [diagram.vertices[3 * v] as number, diagram.vertices[3 * v + 1] as number]
+      return [x, y, `${x.toFixed(9)} ${y.toFixed(9)}`]
+    })
+  }
+
+  function isNotIn(list: readonly [number, number, string][]): (entry: [number, number, string]) => boolean {
+    const known = new Set(list.map(([, , look]) => look))
+    return ([, , look]) => !known.has(look)
+  }
+})
+
+describe('the index of boxes', () => {
+  it('finds those that meet a box, after any changes', () => {
+    const random = seededRandom(9)
+    const index = new BoxIndex()
+    const boxes = new Map<number, Box>()
+    for (let k = 0; k < 9000; k++) {
+      const number = Math.floor(4000 * random())
+      if (random() < 0.2) {
+        index.delete(number)
+        boxes.delete(number)
+      } else {
+        const [x, y] = [100 * random(), 100 * random()]
+        const box = { minX: x, minY: y, maxX: x + 3 * random(), maxY: y + 3 * random() }
+        index.set(number, box)
+        boxes.set(number, box)
+      }
+      if (k % 300 !== 0) continue
+      const [x, y] = [90 * random(), 90 * random()]
+      const asked = { minX: x, minY: y, maxX: x + 10, maxY: y + 10 }
+      const expected = [...boxes].flatMap(([number, box]) => (meets(box, asked) ? [number] : []))
+      expect(index.search(asked).sort((a, b) => a - b)).toEqual(expected.sort((a, b) => a - b))
+    }
   })
 })

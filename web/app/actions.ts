@@ -1,69 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram-data.ts'
-import type { Point } from '../lib/index.ts'
-import { boundingBox, type Camera, fitted, type Padding, panned, type Size, zoomed } from './camera.ts'
+import type { Circle, Point } from '../lib/index.ts'
+import { boundingBox, type Camera, fitted, type Padding, panned, zoomed } from '../view/camera.ts'
+import type { Hands } from '../view/pointer.ts'
+import type { View } from '../view/view.ts'
 import { DATA_SETS } from './data-sets.ts'
-import { appendCircle, removeCircle, replaceCircle } from './edits.ts'
-import { circleCount, edited, loaded, NOBODY, redone, type State, selectedCircle, undone } from './state.ts'
+import type { Editing } from './editing.ts'
+import type { State } from './state.ts'
 import type { Store } from './store.ts'
 
 /** How far one may zoom in and out from the whole picture. */
 const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
+/** The radius of a circle that is added with room around, in pixels. */
+const USUAL_RADIUS = 24
 
-/** All that a user can do. Input and panels call these; nothing else changes the state, but for computed diagrams. */
-export class Actions {
+/** All that a user can do. Input and panels call these; nothing else changes the state, but for what was computed. */
+export class Actions implements Hands {
   readonly #store: Store<State>
-  readonly #size: () => Size
+  readonly #editing: Editing
+  readonly #view: View
   readonly #padding: () => Padding
-  #gesture = 0
+  #lastLoad = 0
 
-  constructor(store: Store<State>, size: () => Size, padding: () => Padding) {
+  constructor(store: Store<State>, editing: Editing, view: View, padding: () => Padding) {
     this.#store = store
-    this.#size = size
+    this.#editing = editing
+    this.#view = view
     this.#padding = padding
   }
 
-  /** A number for the edits of one gesture: they become one step of the history. */
-  beginGesture(): number {
-    this.#gesture += 1
-    return this.#gesture
+  get isAdding(): boolean {
+    return this.#store.get().isAdding
   }
 
-  async load(id: string): Promise<void> {
-    const dataSet = DATA_SETS.find((candidate) => candidate.id === id)
+  circle(id: number): Circle | undefined {
+    return this.#editing.circles.get(id)
+  }
+
+  beginGesture(): number {
+    return this.#editing.beginGesture()
+  }
+
+  async load(dataSetId: string): Promise<void> {
+    const dataSet = DATA_SETS.find(({ id }) => id === dataSetId)
     if (dataSet === undefined) return
+    this.#lastLoad += 1
+    const load = this.#lastLoad
     try {
       const circles = await dataSet.load()
-      this.#store.update((state) => loaded(state, id, circles))
-      this.fit()
+      // Another was chosen meanwhile.
+      if (load !== this.#lastLoad) return
+      this.#view.camera = fitted(boundingBox(circles), this.#view.size, this.#padding())
+      const opened = await this.#editing.open(circles)
+      if (opened !== undefined) this.#store.update((state) => ({ ...state, dataSet: dataSetId, isAdding: false }))
+      this.select(undefined)
     } catch (error) {
       this.#store.update((state) => ({ ...state, problem: (error as Error).message }))
     }
   }
 
-  setCircle(index: number, x: number, y: number, r: number, gesture = this.beginGesture()): void {
-    this.#store.update((state) => edited(state, replaceCircle(state.circles, index, x, y, r), gesture))
+  set(id: number, circle: Circle, gesture = this.beginGesture()): void {
+    if (this.circle(id) !== undefined) this.#editing.edit([{ kind: 'replace', id, circle }], gesture)
   }
 
   /** Adds a circle and selects it. */
-  add(center: Point, r: number, gesture = this.beginGesture()): void {
-    this.#store.update((state) => ({
-      ...edited(state, appendCircle(state.circles, center.x, center.y, r), gesture),
-      isAdding: false,
-    }))
+  async add(circle: Circle, gesture = this.beginGesture()): Promise<number | undefined> {
+    const edited = await this.#editing.edit([{ kind: 'insert', circle }], gesture)
+    const id = edited?.inserted[0]
+    this.#store.update((state) => ({ ...state, isAdding: false }))
+    if (id !== undefined) this.select(id)
+    return id
   }
 
-  /** Adds a circle that leaves some room to the nearest other one. */
-  addFitting(center: Point): void {
-    const { circles, camera } = this.#store.get()
-    const usual = 24 / camera.scale
-    let room = usual * 2
-    for (let i = 0; i < circles.length; i += 3) {
-      const distance = Math.hypot(center.x - at(circles, i), center.y - at(circles, i + 1)) - at(circles, i + 2)
-      if (distance > 0) room = Math.min(room, distance)
-    }
-    this.add(center, Math.min(usual, room / 2))
+  async addFitting({ x, y }: Point): Promise<void> {
+    const usual = USUAL_RADIUS / this.#view.camera.scale
+    const nearest = await this.#view.hit(x, y, 0)
+    const other = nearest === undefined ? undefined : this.circle(nearest.id)
+    const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
+    await this.add({ x, y, r: room > 0 ? Math.min(usual, room / 2) : usual })
+  }
+
+  cancel(gesture: number): void {
+    this.#editing.cancel(gesture)
   }
 
   toggleAdding(): void {
@@ -72,96 +90,93 @@ export class Actions {
 
   removeSelected(): void {
     const { selected } = this.#store.get()
-    if (selected === NOBODY) return
-    const gesture = this.beginGesture()
-    this.#store.update((state) => edited(state, removeCircle(state.circles, selected), gesture))
+    if (selected === undefined) return
+    this.select(undefined)
+    this.#editing.edit([{ kind: 'remove', id: selected }])
   }
 
   moveSelected(dx: number, dy: number, gesture: number): void {
-    const { selected } = this.#store.get()
-    const circle = selectedCircle(this.#store.get())
-    if (circle !== undefined) this.setCircle(selected, circle.x + dx, circle.y + dy, circle.r, gesture)
+    this.#changeSelected(({ x, y, r }) => ({ x: x + dx, y: y + dy, r }), gesture)
   }
 
   /** The radius does not go below zero. */
   growSelected(dr: number, gesture: number): void {
-    const { selected } = this.#store.get()
-    const circle = selectedCircle(this.#store.get())
-    if (circle !== undefined) this.setCircle(selected, circle.x, circle.y, Math.max(circle.r + dr, 0), gesture)
+    this.#changeSelected(({ x, y, r }) => ({ x, y, r: Math.max(r + dr, 0) }), gesture)
   }
 
-  select(circle: number): void {
-    this.#store.update((state) => (state.selected === circle ? state : { ...state, selected: circle, problem: '' }))
+  select(id: number | undefined): void {
+    this.#store.update((state) =>
+      state.selected === id
+        ? state
+        : {
+            ...state,
+            selected: id,
+            circle: id === undefined ? undefined : this.circle(id),
+            described: undefined,
+            problem: '',
+          },
+    )
   }
 
-  /** Selects the circle whose centre is nearest to the middle of the canvas. */
-  selectNearMiddle(): void {
-    const { circles, camera } = this.#store.get()
-    let nearest = NOBODY
-    let least = Number.POSITIVE_INFINITY
-    for (let i = 0; i < circles.length / 3; i++) {
-      const distance = Math.hypot(camera.x - at(circles, 3 * i), camera.y - at(circles, 3 * i + 1))
-      if (distance < least) {
-        nearest = i
-        least = distance
-      }
-    }
-    this.select(nearest)
+  /** Selects the circle nearest to the middle of the view. */
+  async selectNearMiddle(): Promise<void> {
+    const { x, y } = this.#view.camera
+    this.select((await this.#view.hit(x, y, 0))?.id)
   }
 
-  /** Selects the next circle in input order, or the one before; reports whether there is one. */
+  /** Selects the next circle by number, or the one before; reports whether there is one. */
   selectNext(step: 1 | -1): boolean {
-    const state = this.#store.get()
-    const next = state.selected + step
-    if (next < 0 || next >= circleCount(state)) return false
-    this.select(next)
-    return true
+    const { selected } = this.#store.get()
+    const next = selected === undefined ? undefined : this.#editing.circles.next(selected + step, step)
+    if (next !== undefined) this.select(next)
+    return next !== undefined
   }
 
-  hover(circle: number): void {
-    this.#store.update((state) => (state.hovered === circle ? state : { ...state, hovered: circle }))
+  hover(id: number | undefined): void {
+    this.#store.update((state) => (state.hovered === id ? state : { ...state, hovered: id }))
   }
 
   /** Gives up what is going on: adding, or else the selection. */
   release(): void {
-    this.#store.update((state) => (state.isAdding ? { ...state, isAdding: false } : { ...state, selected: NOBODY }))
+    if (this.isAdding) this.toggleAdding()
+    else this.select(undefined)
   }
 
   undo(): void {
-    this.#store.update(undone)
+    this.#editing.undo()
   }
 
   redo(): void {
-    this.#store.update(redone)
+    this.#editing.redo()
   }
 
   pan(dx: number, dy: number): void {
-    this.#setCamera(({ camera }) => panned(camera, dx, dy))
+    this.#view.camera = panned(this.#view.camera, dx, dy)
   }
 
-  /** `anchor`: the pixel whose point stays where it is. */
   zoom(factor: number, anchor: Point): void {
-    this.#setCamera((state) => {
-      const whole = this.#fittedCamera(state).scale
-      const scale = Math.min(Math.max(state.camera.scale * factor, whole * SMALLEST_ZOOM), whole * LARGEST_ZOOM)
-      return zoomed(state.camera, this.#size(), anchor, scale / state.camera.scale)
-    })
+    const { camera, size } = this.#view
+    const whole = this.#whole().scale
+    const scale = Math.min(Math.max(camera.scale * factor, whole * SMALLEST_ZOOM), whole * LARGEST_ZOOM)
+    this.#view.camera = zoomed(camera, size, anchor, scale / camera.scale)
   }
 
   zoomAtMiddle(factor: number): void {
-    const { width, height } = this.#size()
+    const { width, height } = this.#view.size
     this.zoom(factor, { x: width / 2, y: height / 2 })
   }
 
   fit(): void {
-    this.#setCamera((state) => this.#fittedCamera(state))
+    this.#view.camera = this.#whole()
   }
 
-  #fittedCamera({ circles }: State): Camera {
-    return fitted(boundingBox(circles), this.#size(), this.#padding())
+  #whole(): Camera {
+    return fitted(boundingBox(this.#editing.circles.circles()), this.#view.size, this.#padding())
   }
 
-  #setCamera(camera: (state: State) => Camera): void {
-    this.#store.update((state) => ({ ...state, camera: camera(state) }))
+  #changeSelected(change: (circle: Circle) => Circle, gesture: number): void {
+    const { selected } = this.#store.get()
+    const circle = selected === undefined ? undefined : this.#editing.latest(selected)
+    if (selected !== undefined && circle !== undefined) this.set(selected, change(circle), gesture)
   }
 }

@@ -1,48 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { type Edit, reverse } from './edits.ts'
+import type { Step } from './circle-table.ts'
 
-/** A step back and forth: an edit, and the gesture that it belongs to. */
-interface Step {
-  readonly edit: Edit
+/** What goes back to before one gesture. */
+interface Entry {
+  readonly steps: readonly Step[]
   readonly gesture: number
 }
 
 /** What was done, and what was undone; the newest last. */
 export interface History {
-  readonly done: readonly Step[]
-  readonly undone: readonly Step[]
+  readonly done: readonly Entry[]
+  readonly undone: readonly Entry[]
 }
 
 export const EMPTY_HISTORY: History = { done: [], undone: [] }
 
-const LONGEST_HISTORY = 500
-
-/** Adds an edit. Successive edits of one gesture, a drag for instance, become one step. */
-export function record({ done }: History, edit: Edit, gesture: number): History {
+/** Adds what goes back to before an edit. Edits of one gesture, a drag for instance, become one entry. */
+export function record({ done }: History, steps: readonly Step[], gesture: number): History {
   const last = done.at(-1)
-  if (last !== undefined && last.gesture === gesture) {
-    const merged = mergeEdits(last.edit, edit)
-    if (merged !== undefined) return { done: [...done.slice(0, -1), { edit: merged, gesture }], undone: [] }
-  }
-  return { done: [...done, { edit, gesture }].slice(-LONGEST_HISTORY), undone: [] }
+  if (last?.gesture !== gesture) return { done: [...done, { steps, gesture }], undone: [] }
+  // What the gesture has replaced or brought goes back to where it was at first.
+  const known = new Set(last.steps.flatMap((step) => (step.kind === 'insert' ? [] : [step.id])))
+  const more = steps.filter((step) => step.kind !== 'replace' || !known.has(step.id))
+  return { done: [...done.slice(0, -1), { steps: [...more, ...last.steps], gesture }], undone: [] }
 }
 
-/** The history after one step back, and the edit that goes back; nothing if there is no step. */
-export function stepBack({ done, undone }: History): { history: History; edit: Edit } | undefined {
-  const step = done.at(-1)
-  if (step === undefined) return undefined
-  return { history: { done: done.slice(0, -1), undone: [...undone, step] }, edit: reverse(step.edit) }
-}
-
-/** The history after one undone step is done again, and its edit; nothing if there is none. */
-export function stepForth({ done, undone }: History): { history: History; edit: Edit } | undefined {
-  const step = undone.at(-1)
-  if (step === undefined) return undefined
-  return { history: { done: [...done, step], undone: undone.slice(0, -1) }, edit: step.edit }
-}
-
-/** One edit that does both, where the second replaces just what the first put in. */
-function mergeEdits(first: Edit, second: Edit): Edit | undefined {
-  if (first.at !== second.at || first.inserted.length !== second.removed.length) return undefined
-  return { at: first.at, removed: first.removed, inserted: second.inserted }
+/** The history where circles that came back have other ids than they had. */
+export function renamed({ done, undone }: History, ids: ReadonlyMap<number, number>): History {
+  if (ids.size === 0) return { done, undone }
+  const idOf = (id: number) => ids.get(id) ?? id
+  const rename = (entry: Entry): Entry => ({
+    ...entry,
+    steps: entry.steps.map((step) => {
+      if (step.kind !== 'insert') return { ...step, id: idOf(step.id) }
+      return step.formerId === undefined ? step : { ...step, formerId: idOf(step.formerId) }
+    }),
+  })
+  return { done: done.map(rename), undone: undone.map(rename) }
 }

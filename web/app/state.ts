@@ -1,78 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram-data.ts'
-import type { Diagram } from '../lib/index.ts'
-import type { Camera } from './camera.ts'
-import { applyEdit, type Edit } from './edits.ts'
-import { EMPTY_HISTORY, type History, record, stepBack, stepForth } from './history.ts'
+import type { Circle } from '../lib/index.ts'
+import type { Edited } from '../view/painter.ts'
+import type { Described } from '../view/protocol.ts'
+import { EMPTY_HISTORY, type History } from './history.ts'
 
-/** No circle. */
-export const NOBODY = -1
-
-/** Everything that the page shows follows from this value. It is never changed, only replaced. */
+/** What the panels show. It is never changed, only replaced; the circles themselves are in a `CircleTable`. */
 export interface State {
   readonly dataSet: string
-  /** x, y, r of each circle, as edited. */
-  readonly circles: Float64Array
+  /** Of the circles as they are; `undefined`: none yet. */
+  readonly edited: Edited | undefined
   readonly history: History
-  /** The last diagram that was computed. It has its own circles, which lag behind `circles` for a moment. */
-  readonly diagram: Diagram | undefined
   /** One sentence about what was refused, or empty. */
   readonly problem: string
-  readonly selected: number
-  readonly hovered: number
+  readonly selected: number | undefined
+  /** The selected circle as it is. */
+  readonly circle: Circle | undefined
+  /** What is known of it, a moment later. */
+  readonly described: Described | undefined
+  readonly hovered: number | undefined
   readonly isAdding: boolean
-  readonly camera: Camera
 }
 
 export const INITIAL_STATE: State = {
   dataSet: '',
-  circles: new Float64Array(0),
+  edited: undefined,
   history: EMPTY_HISTORY,
-  diagram: undefined,
   problem: '',
-  selected: NOBODY,
-  hovered: NOBODY,
+  selected: undefined,
+  circle: undefined,
+  described: undefined,
+  hovered: undefined,
   isAdding: false,
-  camera: { x: 0, y: 0, scale: 1 },
-}
-
-export function circleCount({ circles }: State): number {
-  return circles.length / 3
-}
-
-export function edited(state: State, edit: Edit, gesture: number): State {
-  return { ...changed(state, edit), history: record(state.history, edit, gesture) }
-}
-
-export function undone(state: State): State {
-  const step = stepBack(state.history)
-  return step === undefined ? state : { ...changed(state, step.edit), history: step.history }
-}
-
-export function redone(state: State): State {
-  const step = stepForth(state.history)
-  return step === undefined ? state : { ...changed(state, step.edit), history: step.history }
-}
-
-/** The last edit taken back because the core refused its circles; it cannot be done again. */
-export function refused(state: State, problem: string): State {
-  const before = undone(state)
-  return { ...before, history: { done: before.history.done, undone: [] }, problem }
-}
-
-/** Other circles from the start, without a history. */
-export function loaded(state: State, dataSet: string, circles: Float64Array): State {
-  return { ...INITIAL_STATE, camera: state.camera, diagram: state.diagram, dataSet, circles }
-}
-
-/** An edit of one circle leaves that circle selected; any other selects none. */
-function changed(state: State, edit: Edit): State {
-  const selected = edit.inserted.length === 3 ? edit.at : NOBODY
-  return { ...state, circles: applyEdit(state.circles, edit), selected, hovered: NOBODY, problem: '' }
-}
-
-/** x, y, r of the selected circle. */
-export function selectedCircle({ circles, selected }: State): { x: number; y: number; r: number } | undefined {
-  if (selected === NOBODY) return undefined
-  return { x: at(circles, 3 * selected), y: at(circles, 3 * selected + 1), r: at(circles, 3 * selected + 2) }
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import type { Listening } from '../../view/pointer.ts'
+import type { View } from '../../view/view.ts'
 import type { Actions } from '../actions.ts'
-import { NOBODY, type State } from '../state.ts'
+import type { State } from '../state.ts'
 import type { Store } from '../store.ts'
 
 /** The step of one arrow key, in pixels; Shift makes it bigger, Alt finer. */
@@ -17,9 +20,11 @@ const ARROWS: { readonly [key: string]: readonly [number, number] } = {
   ArrowDown: [0, -1],
 }
 
-/** Keys on the canvas, and undo and redo anywhere but in a field. `editNumbers` moves the focus to the fields. */
+/** Keys on the figure, and undo and redo anywhere but in a field. `editNumbers` moves the focus to the fields. */
 export function listenToKeyboard(
-  canvas: HTMLCanvasElement,
+  figure: HTMLElement,
+  view: View,
+  pointer: Listening,
   store: Store<State>,
   actions: Actions,
   editNumbers: () => void,
@@ -27,10 +32,10 @@ export function listenToKeyboard(
   // A key that is held down is one gesture.
   let gesture = 0
 
-  const onCanvasKey = (event: KeyboardEvent): boolean => {
-    const { selected, isAdding, camera } = store.get()
-    const hasSelection = selected !== NOBODY
-    const step = (STEP * (event.shiftKey ? BIGGER : 1) * (event.altKey ? FINER : 1)) / camera.scale
+  const onFigureKey = (event: KeyboardEvent): boolean => {
+    const { selected, isAdding } = store.get()
+    const hasSelection = selected !== undefined
+    const step = (STEP * (event.shiftKey ? BIGGER : 1) * (event.altKey ? FINER : 1)) / view.camera.scale
     const arrow = ARROWS[event.key]
     if (!event.repeat) gesture = actions.beginGesture()
 
@@ -71,9 +76,17 @@ export function listenToKeyboard(
     }
   }
 
-  canvas.addEventListener('keydown', (event) => {
+  figure.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey) return
-    if (onCanvasKey(event)) event.preventDefault()
+    let isKnown = false
+    // What is clicked may not be selected yet.
+    pointer.afterwards(() => {
+      const isUsed = onFigureKey(event)
+      if (isUsed && !isKnown) event.preventDefault()
+      isKnown = true
+    })
+    if (!isKnown) event.preventDefault()
+    isKnown = true
   })
 
   document.addEventListener('keydown', (event) => {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../lib/diagram-data.ts'
-import type { Diagram } from '../../lib/index.ts'
+import type { Described } from '../../view/protocol.ts'
 import type { Actions } from '../actions.ts'
-import { NOBODY, type State, selectedCircle } from '../state.ts'
+import type { State } from '../state.ts'
 import type { Store } from '../store.ts'
 import { byId } from './by-id.ts'
 
@@ -16,7 +15,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
   const cell = byId('inspector-cell', HTMLParagraphElement)
   const neighbors = byId('inspector-neighbors', HTMLUListElement)
   const fields = FIELDS.map((name) => byId(`field-${name}`, HTMLInputElement))
-  const canvas = byId('canvas', HTMLCanvasElement)
+  const figure = byId('figure', HTMLElement)
 
   // What is being typed, or was refused, stays in its field for the user to mend.
   let typing: HTMLInputElement | undefined
@@ -25,23 +24,20 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
       typing = field
     })
     field.addEventListener('change', () => {
-      const { selected } = store.get()
-      const circle = selectedCircle(store.get())
-      if (circle === undefined) return
-      const numbers = [circle.x, circle.y, circle.r] as [number, number, number]
-      numbers[i] = field.valueAsNumber
-      actions.setCircle(selected, ...numbers)
+      const { selected, circle } = store.get()
+      if (selected === undefined || circle === undefined) return
+      actions.set(selected, { ...circle, [FIELDS[i] as Field]: field.valueAsNumber })
     })
     field.addEventListener('blur', () => {
       typing = undefined
     })
     field.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape') canvas.focus()
+      if (event.key === 'Escape') figure.focus()
     })
   })
   byId('deselect', HTMLButtonElement).addEventListener('click', () => {
-    actions.select(NOBODY)
-    canvas.focus()
+    actions.select(undefined)
+    figure.focus()
   })
 
   let shownNeighbors: string | undefined
@@ -52,7 +48,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
   }
 
   store.subscribe((state) => {
-    const circle = selectedCircle(state)
+    const { circle } = state
     panel.hidden = circle === undefined
     if (circle === undefined) return
 
@@ -64,7 +60,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
       field.setAttribute('aria-invalid', String(field === typing && state.problem !== ''))
       if (field !== typing && field.value !== text) field.value = text
     })
-    const [description, indices] = describeCell(state.diagram, state.selected)
+    const [description, indices] = describeCell(state.described)
     cell.textContent = description
     showNeighbors(indices)
   })
@@ -72,21 +68,13 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
   return () => (fields[0] as HTMLInputElement).focus()
 }
 
-function describeCell(diagram: Diagram | undefined, circle: number): [string, readonly number[]] {
-  if (diagram === undefined || circle >= diagram.circles.length / 3) return ['', []]
-  const cell = diagram.cell(circle)
-  if (cell === undefined) {
-    const by = hiderOf(diagram, circle)
-    return [`Hidden inside circle ${by}: it has no cell.`, [by]]
-  }
-  const neighbors = [...new Set(cell.neighbors)]
-  const kind = cell.isBounded ? 'Bounded cell' : 'Unbounded cell'
+function describeCell(described: Described | undefined): [string, readonly number[]] {
+  if (described === undefined) return ['', []]
+  const { hiddenBy, isBounded } = described
+  if (hiddenBy !== undefined) return [`Hidden inside circle ${hiddenBy}: it has no cell.`, [hiddenBy]]
+  const neighbors = [...described.neighbors]
+  const kind = isBounded ? 'Bounded cell' : 'Unbounded cell'
   return [`${kind}, ${neighbors.length} ${neighbors.length === 1 ? 'neighbour' : 'neighbours'}`, neighbors]
-}
-
-function hiderOf({ hidden }: Diagram, circle: number): number {
-  for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h) === circle) return at(hidden, h + 1)
-  return NOBODY
 }
 
 function chip(index: number, actions: Actions): HTMLLIElement {
@@ -96,7 +84,7 @@ function chip(index: number, actions: Actions): HTMLLIElement {
   button.setAttribute('aria-label', `Circle ${index}`)
   button.addEventListener('click', () => actions.select(index))
   button.addEventListener('pointerenter', () => actions.hover(index))
-  button.addEventListener('pointerleave', () => actions.hover(NOBODY))
+  button.addEventListener('pointerleave', () => actions.hover(undefined))
   const item = document.createElement('li')
   item.append(button)
   return item

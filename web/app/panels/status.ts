@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { circleCount, type State } from '../state.ts'
+import type { State } from '../state.ts'
 import type { Store } from '../store.ts'
 import { byId } from './by-id.ts'
 
@@ -16,14 +16,14 @@ export function mountStatus(store: Store<State>): void {
 }
 
 function statusParts(state: State): (string | Node)[] {
-  if (state.diagram === undefined) return ['Loading …']
-  const { vertices, edges, hidden, stats } = state.diagram
+  if (state.edited === undefined) return ['Loading …']
+  const { counts, seconds } = state.edited
   const parts = [
-    count(circleCount(state), 'circle'),
-    count(vertices.length / 3, 'vertex', 'vertices'),
-    count(edges.length / 4, 'edge'),
-    ...(hidden.length > 0 ? [[bold(hidden.length / 2), ' hidden']] : []),
-    duration(stats.seconds.total),
+    count(counts.circles, 'circle'),
+    count(counts.vertices, 'vertex', 'vertices'),
+    count(counts.edges, 'edge'),
+    ...(counts.hidden > 0 ? [[bold(counts.hidden), ' hidden']] : []),
+    duration(seconds),
   ]
   return parts.flatMap((part, i) => (i === 0 ? part : [' · ', ...part]))
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Actions } from '../actions.ts'
 import { DATA_SETS } from '../data-sets.ts'
-import { NOBODY, type State } from '../state.ts'
+import type { State } from '../state.ts'
 import type { Store } from '../store.ts'
 import { byId } from './by-id.ts'
 
@@ -26,7 +26,7 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
     if (state.dataSet !== '') dataSet.value = state.dataSet
     again.hidden = !DATA_SETS.find(({ id }) => id === state.dataSet)?.isRandom
     add.setAttribute('aria-pressed', String(state.isAdding))
-    remove.disabled = state.selected === NOBODY
+    remove.disabled = state.selected === undefined
     undo.disabled = state.history.done.length === 0
     redo.disabled = state.history.undone.length === 0
   })

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** The colours of the drawing. They are custom properties of style.css, so that light and dark are told apart there. */
-export interface Theme {
+/** The colours of the drawing: CSS colours. */
+export interface Style {
+  readonly paper: string
   readonly edge: string
   readonly rim: string
   readonly hidden: string
@@ -17,10 +18,12 @@ export interface Theme {
 
 const TINTS = 6
 
-export function readTheme(): Theme {
-  const style = getComputedStyle(document.documentElement)
+/** The style that the custom properties of an element say. */
+export function readStyle(element: Element): Style {
+  const style = getComputedStyle(element)
   const value = (name: string) => style.getPropertyValue(`--${name}`).trim()
   return {
+    paper: value('paper'),
     edge: value('edge'),
     rim: value('rim'),
     hidden: value('hidden'),
@@ -31,9 +34,4 @@ export function readTheme(): Theme {
     tints: Array.from({ length: TINTS }, (_, i) => value(`tint-${i}`)),
     cellOpacity: Number(value('cell-opacity')),
   }
-}
-
-/** Tells when the system changes between light and dark. */
-export function onThemeChange(listener: () => void): void {
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', listener)
 }

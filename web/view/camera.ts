@@ -23,20 +23,13 @@ export interface Padding {
   readonly left: number
 }
 
-// Mathematics is y-up and the screen is y-down: these two functions, and the sink in screen-sink.ts, are where that flips.
+// Mathematics is y-up and the screen is y-down: these two functions, and the sink in painter/frame-sink.ts, are where that flips.
 export function toScreen({ x, y, scale }: Camera, { width, height }: Size, point: Point): Point {
   return { x: width / 2 + (point.x - x) * scale, y: height / 2 - (point.y - y) * scale }
 }
 
 export function toPlane({ x, y, scale }: Camera, { width, height }: Size, point: Point): Point {
   return { x: x + (point.x - width / 2) / scale, y: y - (point.y - height / 2) / scale }
-}
-
-/** The window of the plane that the canvas shows, and `margin` pixels more on each side. */
-export function visibleBox({ x, y, scale }: Camera, { width, height }: Size, margin = 0): Box {
-  const halfWidth = (width / 2 + margin) / scale
-  const halfHeight = (height / 2 + margin) / scale
-  return { minX: x - halfWidth, minY: y - halfHeight, maxX: x + halfWidth, maxY: y + halfHeight }
 }
 
 export function panned(camera: Camera, dx: number, dy: number): Camera {

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { type Computer, Editing } from '../../web/app/editing.ts'
+import type { Circle, DiagramEditor, Edit } from '../../web/lib/index.ts'
+import { library } from './library.ts'
+
+const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
+
+/** Editing with an editor of the library as what computes: each answer comes a turn later. */
+async function started(circles = TWO) {
+  let editor: DiagramEditor = library.edit([])
+  const asked: (readonly Edit[])[] = []
+  const problems: string[] = []
+  const outcomes: number[] = []
+  const computer: Computer = {
+    async open(circles) {
+      editor = library.edit(circles)
+      return resultOf(editor, new Int32Array())
+    },
+    async edit(edits) {
+      asked.push(edits)
+      await new Promise((resolve) => setTimeout(resolve))
+      return resultOf(editor, editor.apply(edits).inserted)
+    },
+  }
+  const editing = new Editing(
+    computer,
+    () => outcomes.push(asked.length),
+    (problem) => problems.push(problem),
+  )
+  await editing.open(circles)
+  return { editing, asked, problems, outcomes, circles: () => [...editing.circles.circles()], editor: () => editor }
+}
+
+function resultOf(editor: DiagramEditor, inserted: Int32Array) {
+  return { counts: { circles: editor.size(), hidden: 0, vertices: 0, edges: 0 }, inserted, seconds: 0 }
+}
+
+function moved(id: number, x: number): Edit[] {
+  return [{ kind: 'replace', id, circle: { x, y: 0, r: 1 } }]
+}
+
+describe('Editing', () => {
+  it('makes one step of undo of the edits of one gesture', async () => {
+    const { editing, circles } = await started()
+    for (const x of [1, 2, 3]) await editing.edit(moved(0, x), 7)
+    expect(circles()).toEqual([3, 0, 1, 5, 5, 2])
+    await editing.undo()
+    expect(circles()).toEqual([...TWO])
+    await editing.redo()
+    expect(circles()).toEqual([3, 0, 1, 5, 5, 2])
+  })
+
+  it('keeps the steps of two gestures apart', async () => {
+    const { editing, circles } = await started()
+    await editing.edit(moved(0, 1))
+    await editing.edit(moved(0, 2))
+    await editing.undo()
+    expect(circles()).toEqual([1, 0, 1, 5, 5, 2])
+  })
+
+  it('undoes twice and does both again', async () => {
+    const { editing, circles } = await started()
+    await editing.edit(moved(0, 1))
+    await editing.edit([{ kind: 'remove', id: 1 }])
+    const both = circles()
+    await editing.undo()
+    await editing.undo()
+    expect(circles()).toEqual([...TWO])
+    await editing.redo()
+    await editing.redo()
+    expect(circles()).toEqual(both)
+  })
+
+  it('makes one step of adding a circle and dragging its rim', async () => {
+    const { editing, circles } = await started()
+    const edited = await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 0 } }], 3)
+    const id = edited?.inserted[0] as number
+    await editing.edit([{ kind: 'replace', id, circle: { x: 9, y: 9, r: 3 } }], 3)
+    expect(circles()).toEqual([...TWO, 9, 9, 3])
+    await editing.undo()
+    expect(circles()).toEqual([...TWO])
+  })
+
+  it('finds a circle that came back, though it has another id', async () => {
+    const { editing, circles } = await started()
+    await editing.edit(moved(0, 4))
+    await editing.edit([{ kind: 'remove', id: 0 }])
+    await editing.undo()
+    await editing.undo()
+    expect(circles().slice().sort()).toEqual([...TWO].sort())
+    await editing.redo()
+    await editing.redo()
+    expect(circles()).toEqual([5, 5, 2])
+  })
+
+  it('forgets what was undone at the next edit', async () => {
+    const { editing, circles } = await started()
+    await editing.edit(moved(0, 1))
+    await editing.undo()
+    await editing.edit(moved(1, 2))
+    await editing.redo()
+    expect(circles()).toEqual([0, 0, 1, 2, 0, 1])
+  })
+
+  it('does nothing where there is nothing to undo or to do again', async () => {
+    const { editing, asked, circles } = await started()
+    await editing.undo()
+    await editing.redo()
+    expect(asked).toEqual([])
+    expect(circles()).toEqual([...TWO])
+  })
+
+  it('leaves out what of a drag has not begun when more comes', async () => {
+    const { editing, asked, circles } = await started()
+    const all = Array.from({ length: 50 }, (_, x) => editing.edit(moved(0, x), 5))
+    expect(editing.latest(0)?.x).toBe(49)
+    await Promise.all(all)
+    expect(asked).toEqual([moved(0, 0), moved(0, 49)])
+    expect(circles()[0]).toBe(49)
+  })
+
+  it('has what is refused never have been, and keeps what comes after', async () => {
+    const { editing, problems, circles } = await started()
+    const refused = editing.edit([{ kind: 'replace', id: 0, circle: { x: 0, y: 0, r: -1 } }])
+    const good = editing.edit(moved(1, 3))
+    expect(await refused).toBeUndefined()
+    expect(await good).toBeDefined()
+    expect(problems).toEqual([expect.stringMatching(/Circle 0 .*radius/)])
+    expect(circles()).toEqual([0, 0, 1, 3, 0, 1])
+    await editing.undo()
+    expect(circles()).toEqual([...TWO])
+  })
+
+  it('goes back to what was before a gesture that is cancelled, and there is nothing to do again', async () => {
+    const { editing, circles } = await started()
+    await editing.edit(moved(1, 8))
+    editing.edit(moved(0, 1), 9)
+    editing.edit(moved(0, 2), 9)
+    await editing.cancel(9)
+    expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
+    await editing.redo()
+    expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
+  })
+
+  it('cancels nothing of what came before a gesture that has done nothing', async () => {
+    const { editing, circles } = await started()
+    await editing.edit(moved(1, 8))
+    await editing.cancel(editing.beginGesture())
+    expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
+  })
+
+  it('has the circles of the editor after any edits, undone and done again', async () => {
+    const number = fc.double({ min: -10, max: 10, noNaN: true })
+    const circle = fc.record({ x: number, y: number, r: fc.double({ min: 0, max: 3, noNaN: true }) })
+    const step = fc.oneof(
+      circle.map((circle) => ({ circle })),
+      fc.record({ k: fc.nat(20), circle }),
+      fc.nat(20).map((k) => ({ k })),
+      fc.constantFrom('undo' as const, 'redo' as const),
+    )
+    await fc.assert(
+      fc.asyncProperty(fc.array(step, { maxLength: 30 }), async (steps) => {
+        const { editing, editor, circles } = await started()
+        for (const step of steps) {
+          const ids = editor().ids()
+          const id = typeof step === 'object' && 'k' in step ? ids[step.k % Math.max(ids.length, 1)] : undefined
+          if (step === 'undo') await editing.undo()
+          else if (step === 'redo') await editing.redo()
+          else if (id !== undefined && 'circle' in step)
+            await editing.edit([{ kind: 'replace', id, circle: step.circle }])
+          else if (id !== undefined) await editing.edit([{ kind: 'remove', id }])
+          else if ('circle' in step) await editing.edit([{ kind: 'insert', circle: step.circle as Circle }])
+          expect(circles()).toEqual([...editor().snapshot().circles])
+        }
+        const end = circles()
+        for (const _ of steps) await editing.undo()
+        expect(toSet(circles())).toEqual(toSet([...TWO]))
+        for (const _ of steps) await editing.redo()
+        if (!steps.includes('undo')) expect(toSet(circles())).toEqual(toSet(end))
+      }),
+      { numRuns: 60 },
+    )
+  })
+})
+
+/** Circles in an order that does not depend on their ids. */
+function toSet(circles: readonly number[]): string[] {
+  return Array.from({ length: circles.length / 3 }, (_, i) => circles.slice(3 * i, 3 * i + 3).join()).sort()
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../lib/diagram-data.ts'
+import type { Circle, Edit } from '../lib/index.ts'
+
+/** An edit that brings back a circle which had another id. */
+export type Step = Edit & { readonly formerId?: number }
+
+/** Circles by their ids, as a `DiagramEditor` gives them: each new one the next id. */
+export class CircleTable {
+  #numbers: Float64Array
+  #isThere: Uint8Array
+  #size: number
+  #count: number
+
+  /** Circle i, x, y and r of `circles`, has id i. They are not copied. */
+  constructor(circles: Float64Array) {
+    this.#numbers = circles
+    this.#size = circles.length / 3
+    this.#count = this.#size
+    this.#isThere = new Uint8Array(this.#size).fill(1)
+  }
+
+  /** How many circles there are. */
+  get count(): number {
+    return this.#count
+  }
+
+  get(id: number): Circle | undefined {
+    if (this.#isThere[id] !== 1) return undefined
+    return { x: at(this.#numbers, 3 * id), y: at(this.#numbers, 3 * id + 1), r: at(this.#numbers, 3 * id + 2) }
+  }
+
+  /** The first circle with an id from `id` on, in steps of 1 or -1; `undefined` if there is none. */
+  next(id: number, step: 1 | -1): number | undefined {
+    for (let k = id; k >= 0 && k < this.#size; k += step) if (this.#isThere[k] === 1) return k
+    return undefined
+  }
+
+  /** Makes edits its own; `inserted`: the ids of those that come. Returns the edits that go back, in their order. */
+  apply(edits: readonly Edit[], inserted: Int32Array): Step[] {
+    const back: Step[] = []
+    let next = 0
+    for (const edit of edits) {
+      if (edit.kind === 'insert') {
+        const id = at(inserted, next++)
+        this.#put(id, edit.circle as Circle)
+        back.push({ kind: 'remove', id })
+        continue
+      }
+      const circle = this.get(edit.id) as Circle
+      if (edit.kind === 'replace') {
+        this.#put(edit.id, edit.circle as Circle)
+        back.push({ kind: 'replace', id: edit.id, circle })
+      } else {
+        this.#isThere[edit.id] = 0
+        this.#count -= 1
+        back.push({ kind: 'insert', circle, formerId: edit.id })
+      }
+    }
+    return back.reverse()
+  }
+
+  /** x, y and r of all circles, in the order of their ids. */
+  circles(): Float64Array {
+    const circles = new Float64Array(3 * this.#count)
+    let k = 0
+    for (let id = 0; id < this.#size; id++) {
+      if (this.#isThere[id] === 1) circles.set(this.#numbers.subarray(3 * id, 3 * id + 3), 3 * k++)
+    }
+    return circles
+  }
+
+  #put(id: number, { x, y, r }: Circle): void {
+    if (id >= this.#isThere.length) {
+      const room = Math.max(2 * this.#isThere.length, id + 1)
+      const [numbers, isThere] = [this.#numbers, this.#isThere]
+      this.#numbers = new Float64Array(3 * room)
+      this.#numbers.set(numbers)
+      this.#isThere = new Uint8Array(room)
+      this.#isThere.set(isThere)
+    }
+    if (this.#isThere[id] !== 1) this.#count += 1
+    this.#isThere[id] = 1
+    this.#size = Math.max(this.#size, id + 1)
+    this.#numbers.set([x, y, r], 3 * id)
+  }
+}

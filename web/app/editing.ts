@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { type Circle, CircleVoronoiError, type Edit } from '../lib/index.ts'
+import type { Edited } from '../view/painter.ts'
+import { CircleTable, type Step } from './circle-table.ts'
+import { EMPTY_HISTORY, type History, record, renamed } from './history.ts'
+
+/** Who computes: a view. */
+export interface Computer {
+  open(circles: Float64Array): Promise<Edited>
+  edit(edits: readonly Edit[]): Promise<Edited>
+}
+
+/** What became of what was asked. */
+export interface Outcome {
+  readonly edited: Edited
+  readonly history: History
+}
+
+interface Job {
+  /** -1: of no gesture that goes on. */
+  readonly gesture: number
+  readonly edits: readonly Edit[]
+  run(): Promise<Edited>
+  readonly waiting: { resolve(edited: Edited | undefined): void }[]
+}
+
+/**
+ * The circles and their history, as the computer has confirmed them: what it refuses has never been. One thing at a time is
+ * asked of it; what of a drag has not begun gives way to what comes after, so that a fast one never queues up.
+ */
+export class Editing {
+  readonly #computer: Computer
+  readonly #onOutcome: (outcome: Outcome) => void
+  readonly #onProblem: (problem: string) => void
+  #table = new CircleTable(new Float64Array())
+  #history = EMPTY_HISTORY
+  #jobs: Job[] = []
+  #lastGesture = 0
+
+  constructor(computer: Computer, onOutcome: (outcome: Outcome) => void, onProblem: (problem: string) => void) {
+    this.#computer = computer
+    this.#onOutcome = onOutcome
+    this.#onProblem = onProblem
+  }
+
+  get circles(): CircleTable {
+    return this.#table
+  }
+
+  /** A number for the edits of one gesture: they become one entry of the history. */
+  beginGesture(): number {
+    this.#lastGesture += 1
+    return this.#lastGesture
+  }
+
+  /** Other circles, with a history of their own. */
+  open(circles: Float64Array): Promise<Edited | undefined> {
+    return this.#ask(-1, [], async () => {
+      const edited = await this.#computer.open(circles)
+      this.#table = new CircleTable(circles.slice())
+      this.#history = EMPTY_HISTORY
+      return edited
+    })
+  }
+
+  /** All or none of the edits. `undefined`: refused. */
+  edit(edits: readonly Edit[], gesture = this.beginGesture()): Promise<Edited | undefined> {
+    return this.#ask(gesture, edits, async () => {
+      const edited = await this.#computer.edit(edits)
+      this.#history = record(this.#history, this.#table.apply(edits, edited.inserted), gesture)
+      return edited
+    })
+  }
+
+  undo(): Promise<Edited | undefined> {
+    return this.#step('done', 'undone')
+  }
+
+  redo(): Promise<Edited | undefined> {
+    return this.#step('undone', 'done')
+  }
+
+  /** Takes back what a gesture has done, for good. */
+  async cancel(gesture: number): Promise<void> {
+    await this.#ask(-1, [], async () => {
+      if (this.#history.done.at(-1)?.gesture !== gesture) return undefined as never
+      const edited = await this.#goBack('done', 'undone')
+      this.#history = { done: this.#history.done, undone: [] }
+      return edited
+    })
+  }
+
+  #step(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
+    return this.#ask(-1, [], () => this.#goBack(from, to))
+  }
+
+  async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited> {
+    const entry = this.#history[from].at(-1)
+    if (entry === undefined) return undefined as never
+    const edited = await this.#computer.edit(entry.steps.map(plain))
+    const steps = this.#table.apply(entry.steps, edited.inserted)
+    const former = entry.steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
+    const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
+    const back = { steps, gesture: entry.gesture }
+    const history = {
+      ...this.#history,
+      [from]: this.#history[from].slice(0, -1),
+      [to]: [...this.#history[to], back],
+    } as History
+    this.#history = renamed(history, ids)
+    return edited
+  }
+
+  /** A circle as it will be once all that was asked is done, if nothing is refused. */
+  latest(id: number): Circle | undefined {
+    for (const { edits } of this.#jobs.toReversed()) {
+      for (const edit of edits.toReversed()) {
+        if (edit.kind === 'replace' && edit.id === id) return edit.circle as Circle
+      }
+    }
+    return this.#table.get(id)
+  }
+
+  #ask(gesture: number, edits: readonly Edit[], run: () => Promise<Edited>): Promise<Edited | undefined> {
+    return new Promise((resolve) => {
+      const last = this.#jobs.at(-1)
+      const standsForLast = this.#jobs.length > 1 && last?.gesture === gesture && isReplacedBy(last.edits, edits)
+      const waiting = standsForLast ? [...(last as Job).waiting, { resolve }] : [{ resolve }]
+      if (standsForLast) this.#jobs.pop()
+      this.#jobs.push({ gesture, edits, run, waiting })
+      if (this.#jobs.length === 1) this.#work()
+    })
+  }
+
+  async #work(): Promise<void> {
+    for (let job = this.#jobs[0]; job !== undefined; job = this.#jobs[0]) {
+      let edited: Edited | undefined
+      try {
+        edited = await job.run()
+        if (edited !== undefined) this.#onOutcome({ edited, history: this.#history })
+      } catch (error) {
+        if (!(error instanceof Error)) throw error
+        this.#onProblem(error instanceof CircleVoronoiError ? error.message : `${error.message} Reload the page.`)
+      }
+      this.#jobs.shift()
+      for (const { resolve } of job.waiting) resolve(edited)
+    }
+  }
+}
+
+function plain(step: Step): Edit {
+  return step.kind === 'insert' ? { kind: 'insert', circle: step.circle } : step
+}
+
+/** Whether edits put the same circles somewhere else. */
+function isReplacedBy(before: readonly Edit[], after: readonly Edit[]): boolean {
+  return (
+    after.length > 0 &&
+    before.length === after.length &&
+    after.every((edit, k) => {
+      const old = before[k] as Edit
+      return edit.kind === 'replace' && old.kind === 'replace' && edit.id === old.id
+    })
+  )
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { ConvexPolygon } from '../../lib/index.ts'
+
+/** A rectangle of the plane and the pixels it is drawn on. */
+export interface Frame {
+  /** The plane's point in its middle. */
+  readonly x: number
+  readonly y: number
+  /** Device pixels per unit. */
+  readonly scale: number
+  /** In device pixels. */
+  readonly width: number
+  readonly height: number
+}
+
+/** What lies so far outside, in device pixels, is not drawn; the outlines of cells run along that border. */
+const MARGIN = 4
+
+/** The part of the plane that a frame shows, with a margin in which the ends of strokes are. */
+export function regionOf({ x, y, scale, width, height }: Frame): ConvexPolygon {
+  const halfWidth = (width / 2 + MARGIN) / scale
+  const halfHeight = (height / 2 + MARGIN) / scale
+  return ConvexPolygon.of({ minX: x - halfWidth, minY: y - halfHeight, maxX: x + halfWidth, maxY: y + halfHeight })
+}

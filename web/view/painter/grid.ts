@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Box } from '../../lib/index.ts'
+import type { Grid, PixelBox } from '../protocol.ts'
+import type { Frame } from './frame.ts'
+
+/** Pixels are painted in squares of this size: small enough for an edit not to wait long between two. */
+const TILE = 256
+
+/** The plane seen in a part of a grid. */
+export function frameOf({ x, y, scale }: Grid, { left, top, width, height }: PixelBox): Frame {
+  return { x: x + (left + width / 2) / scale, y: y - (top + height / 2) / scale, scale, width, height }
+}
+
+/** The pixels of a box in the plane, and `margin` more on each side. */
+export function pixelsOf({ x, y, scale }: Grid, { minX, minY, maxX, maxY }: Box, margin: number): PixelBox {
+  const left = Math.floor((minX - x) * scale - margin)
+  const top = Math.floor((y - maxY) * scale - margin)
+  return {
+    left,
+    top,
+    width: Math.ceil((maxX - x) * scale + margin) - left,
+    height: Math.ceil((y - minY) * scale + margin) - top,
+  }
+}
+
+/** What two boxes have in common, if anything. */
+export function intersection(a: PixelBox, b: PixelBox): PixelBox | undefined {
+  const left = Math.max(a.left, b.left)
+  const top = Math.max(a.top, b.top)
+  const width = Math.min(a.left + a.width, b.left + b.width) - left
+  const height = Math.min(a.top + a.height, b.top + b.height) - top
+  return width > 0 && height > 0 ? { left, top, width, height } : undefined
+}
+
+/** The squares of the grid that a box meets. */
+export function tilesOf({ left, top, width, height }: PixelBox): PixelBox[] {
+  const tiles: PixelBox[] = []
+  for (let y = Math.floor(top / TILE); y * TILE < top + height; y++) {
+    for (let x = Math.floor(left / TILE); x * TILE < left + width; x++) {
+      tiles.push({ left: x * TILE, top: y * TILE, width: TILE, height: TILE })
+    }
+  }
+  return tiles
+}

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../../lib/diagram-data.ts'
+import type { Box, CircleVoronoi, Edit } from '../../lib/index.ts'
+import type { Counts, Described, Grid, Hit, Marks, Patch, PixelBox } from '../protocol.ts'
+import type { Style } from '../style.ts'
+import { commandsOf } from './commands.ts'
+import { regionOf } from './frame.ts'
+import { frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
+import { paint } from './paint.ts'
+import { Picture } from './picture.ts'
+
+/** What is looked at. */
+interface Look {
+  readonly grid: Grid
+  readonly wanted: PixelBox
+  readonly style: Style
+}
+
+/** Around what an edit changed, strokes reach so far, in CSS pixels. */
+const STROKE = 4
+
+/** The circles of one view, and what of their picture the view has been given. */
+export class PaintedScene {
+  readonly #library: CircleVoronoi
+  #picture: Picture
+  #look: Look | undefined
+  /** Those of the grid that the view has, and those still to be painted, the next one last. */
+  readonly #painted = new Set<string>()
+  #waiting: PixelBox[] = []
+  #hint = -1
+  #selected: number | undefined
+  #hovered: number | undefined
+
+  /** Without circles. */
+  constructor(library: CircleVoronoi) {
+    this.#library = library
+    this.#picture = new Picture(library.edit([]))
+  }
+
+  /**
+   * Other circles from the start.
+   *
+   * @throws CircleVoronoiError as `edit` of the library; then all stays as it was
+   */
+  open(circles: Float64Array): void {
+    const picture = new Picture(this.#library.edit(circles))
+    this.dispose()
+    this.#picture = picture
+    this.#hint = -1
+    this.#restart()
+  }
+
+  dispose(): void {
+    this.#picture.editor.dispose()
+  }
+
+  counts(): Counts {
+    const { circles, hidden, vertices, edges } = this.#picture.diagram
+    return {
+      circles: circles.length / 3,
+      hidden: hidden.length / 2,
+      vertices: vertices.length / 3,
+      edges: edges.length / 4,
+    }
+  }
+
+  /**
+   * Edits, and paints anew what of the picture the view has looks different now.
+   *
+   * @throws CircleVoronoiError as `DiagramEditor.apply`; then all stays as it was
+   */
+  edit(edits: readonly Edit[]): { patches: Patch[]; boxes: Box[]; inserted: Int32Array } {
+    const change = this.#picture.editor.apply(edits)
+    const boxes = this.#picture.apply(change)
+    return { patches: this.#repaint(boxes), boxes, inserted: change.inserted }
+  }
+
+  /** Whether there is anything to paint now. */
+  look(grid: Grid, seen: PixelBox, wanted: PixelBox, style: Style): void {
+    const before = this.#look
+    this.#look = { grid, wanted, style }
+    if (before?.grid.id !== grid.id) this.#painted.clear()
+    this.#queue(seen, wanted)
+  }
+
+  get isWaiting(): boolean {
+    return this.#waiting.length > 0
+  }
+
+  get grid(): number {
+    return this.#look?.grid.id ?? -1
+  }
+
+  /** Paints what is to be seen next, if there is anything. */
+  paintNext(): Patch | undefined {
+    const tile = this.#waiting.pop()
+    if (tile === undefined || this.#look === undefined) return undefined
+    this.#painted.add(keyOf(tile))
+    return this.#paint(tile, this.#look)
+  }
+
+  /** The circle at a point of the plane. A rim wins over a disc, and of several the nearest rim, the smallest disc. */
+  hit(x: number, y: number, slack: number): Hit | undefined {
+    const { index, diagram, editor } = this.#picture
+    const { circles } = diagram
+    let rim: number | undefined
+    let rimDistance = slack
+    let disc: number | undefined
+    let discSize = Number.POSITIVE_INFINITY
+    for (const id of index.search({ minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack })) {
+      const i = diagram.indexOf(id)
+      const r = at(circles, 3 * i + 2)
+      const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y) - r
+      // A small circle is all disc: it can be resized once it is seen larger.
+      const hasRim = r > 3 * slack
+      if (hasRim && Math.abs(distance) < rimDistance) {
+        rim = id
+        rimDistance = Math.abs(distance)
+      }
+      if (distance <= (hasRim ? 0 : slack) && r < discSize) {
+        disc = id
+        discSize = r
+      }
+    }
+    if (rim !== undefined) return { id: rim, part: 'rim' }
+    if (disc !== undefined) return { id: disc, part: 'disc' }
+    this.#hint = editor.nearest(x, y, this.#hint)
+    return this.#hint < 0 ? undefined : { id: this.#hint, part: 'cell' }
+  }
+
+  /** Which circles stand out from now on. */
+  mark(selected: number | undefined, hovered: number | undefined): Marks {
+    this.#selected = selected
+    this.#hovered = hovered
+    return this.marks()
+  }
+
+  /** What is known of the circles that stand out. */
+  marks(): Marks {
+    return { selected: this.#describe(this.#selected), hovered: this.#describe(this.#hovered) }
+  }
+
+  #describe(id: number | undefined): Described | undefined {
+    const { diagram } = this.#picture
+    const { circles, cells, hidden, numbers } = diagram
+    const i = id === undefined ? -1 : diagram.indexOf(id)
+    if (id === undefined || i < 0) return undefined
+    const idOf = (k: number) => numbers?.circles[k] ?? k
+    let hiddenBy: number | undefined
+    for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h) === i) hiddenBy = idOf(at(hidden, h + 1))
+    const neighbors = [...new Set(diagram.neighbors(i))]
+    return {
+      id,
+      circle: { x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) },
+      hiddenBy,
+      isBounded: cells.isBounded(i),
+      neighbors: Int32Array.from(leastFirst(neighbors.map(idOf))),
+      outline: this.#outlineOf([i]),
+      neighborhood: this.#outlineOf(neighbors),
+    }
+  }
+
+  #outlineOf(circles: readonly number[]): Float64Array {
+    if (this.#look === undefined) return new Float64Array()
+    const { grid, wanted } = this.#look
+    const options = { bounds: regionOf(frameOf(grid, wanted)), tolerance: 0.05 / grid.scale }
+    return commandsOf((context) => {
+      for (const i of circles) this.#picture.diagram.cellPath(i, { context, ...options })
+    })
+  }
+
+  #repaint(boxes: readonly Box[]): Patch[] {
+    const look = this.#look
+    if (look === undefined) return []
+    const margin = STROKE * look.grid.pixelRatio
+    const tiles = tilesOf(look.wanted).filter((tile) => this.#painted.has(keyOf(tile)))
+    return tiles.flatMap((tile) =>
+      boxes.flatMap((box) => {
+        const part = intersection(tile, pixelsOf(look.grid, box, margin))
+        return part === undefined ? [] : [this.#paint(part, look)]
+      }),
+    )
+  }
+
+  #restart(): void {
+    this.#painted.clear()
+    if (this.#look !== undefined) this.#queue(this.#look.wanted, this.#look.wanted)
+  }
+
+  #queue(seen: PixelBox, wanted: PixelBox): void {
+    const middleX = seen.left + seen.width / 2
+    const middleY = seen.top + seen.height / 2
+    const distanceOf = ({ left, top, width, height }: PixelBox) =>
+      Math.max(Math.abs(left + width / 2 - middleX), Math.abs(top + height / 2 - middleY))
+    this.#waiting = tilesOf(wanted)
+      .filter((tile) => !this.#painted.has(keyOf(tile)))
+      .sort((a, b) => distanceOf(b) - distanceOf(a))
+    const kept = new Set(tilesOf(wanted).map(keyOf))
+    for (const key of this.#painted) if (!kept.has(key)) this.#painted.delete(key)
+  }
+
+  #paint(box: PixelBox, { grid, style }: Look): Patch {
+    const canvas = new OffscreenCanvas(box.width, box.height)
+    const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
+    paint(context, frameOf(grid, box), grid.pixelRatio, this.#picture, style)
+    return { box, image: canvas.transferToImageBitmap() }
+  }
+}
+
+/** A ring from its least number on: it does not depend on where it begins. */
+function leastFirst(ring: readonly number[]): number[] {
+  const start = ring.indexOf(Math.min(...ring))
+  return [...ring.slice(start), ...ring.slice(0, start)]
+}
+
+function keyOf({ left, top }: PixelBox): string {
+  return `${left},${top}`
+}

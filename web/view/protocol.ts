@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What goes between a view and the painter's thread. A scene is one view's circles; a thread has many.
+import type { Box, Circle, Edit, ErrorCode } from '../lib/index.ts'
+import type { CompiledWasm } from '../lib/wasm.ts'
+import type { Style } from './style.ts'
+
+/**
+ * A fixed grid of device pixels on the plane: pixel (column, row) has its corner at the anchor + (column, -row) / scale. While
+ * a view pans, its grid stays; with another scale or style it has another.
+ */
+export interface Grid {
+  readonly id: number
+  /** The plane's point of the corner that is (0, 0). */
+  readonly x: number
+  readonly y: number
+  /** Device pixels per unit. */
+  readonly scale: number
+  /** Device pixels per CSS pixel. */
+  readonly pixelRatio: number
+}
+
+/** Pixels of a grid: from (left, top) on, rows downwards. */
+export interface PixelBox {
+  readonly left: number
+  readonly top: number
+  readonly width: number
+  readonly height: number
+}
+
+export type ToPainter =
+  | { readonly kind: 'start'; readonly module: CompiledWasm }
+  /** Other circles; circle i gets id i. */
+  | { readonly kind: 'open'; readonly scene: number; readonly revision: number; readonly circles: Float64Array }
+  /** All or none. */
+  | { readonly kind: 'edit'; readonly scene: number; readonly revision: number; readonly edits: readonly Edit[] }
+  /** What is to be seen from now on: the pixels of `seen`, and around them, once there is time, `wanted`. */
+  | {
+      readonly kind: 'look'
+      readonly scene: number
+      readonly grid: Grid
+      readonly seen: PixelBox
+      readonly wanted: PixelBox
+      readonly style: Style
+    }
+  /** The circle at a point of the plane; `slack`: how near counts as on it, in units. */
+  | {
+      readonly kind: 'hit'
+      readonly scene: number
+      readonly request: number
+      readonly x: number
+      readonly y: number
+      readonly slack: number
+    }
+  /** Which circles stand out; what is known of them comes now and with each edit. */
+  | {
+      readonly kind: 'mark'
+      readonly scene: number
+      readonly selected: number | undefined
+      readonly hovered: number | undefined
+    }
+  | { readonly kind: 'close'; readonly scene: number }
+
+/** What is drawn is that of a revision: one that is all of it. */
+export interface Patch {
+  readonly box: PixelBox
+  readonly image: ImageBitmap
+}
+
+export type FromPainter =
+  | {
+      readonly kind: 'opened'
+      readonly scene: number
+      readonly revision: number
+      readonly counts: Counts
+      readonly seconds: number
+    }
+  | {
+      readonly kind: 'edited'
+      readonly scene: number
+      readonly revision: number
+      readonly counts: Counts
+      readonly grid: number
+      readonly patches: readonly Patch[] /** Around all that looks different. */
+      readonly boxes: readonly Box[]
+      readonly inserted: Int32Array
+      readonly marks: Marks
+      readonly seconds: number
+    }
+  | {
+      readonly kind: 'refused'
+      readonly scene: number
+      readonly revision: number
+      readonly code: ErrorCode
+      readonly circle: number
+      readonly message: string
+    }
+  | {
+      readonly kind: 'painted'
+      readonly scene: number
+      readonly revision: number
+      readonly grid: number
+      readonly patches: readonly Patch[]
+      readonly isWhole: boolean
+    }
+  | { readonly kind: 'hit'; readonly request: number; readonly hit: Hit | undefined }
+  | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
+  /** The thread cannot go on. */
+  | { readonly kind: 'failed'; readonly message: string }
+
+export interface Counts {
+  readonly circles: number
+  readonly hidden: number
+  readonly vertices: number
+  readonly edges: number
+}
+
+/** The circle under the pointer, and which part of it: its rim, its disc, or only its cell. */
+export interface Hit {
+  readonly id: number
+  readonly part: 'rim' | 'disc' | 'cell'
+}
+
+export interface Described {
+  readonly id: number
+  readonly circle: Circle
+  readonly hiddenBy: number | undefined
+  readonly isBounded: boolean
+  readonly neighbors: Int32Array
+  /** The outline of the cell within the box that is looked at (`replay`). */
+  readonly outline: Float64Array
+  /** Those of the neighbours. */
+  readonly neighborhood: Float64Array
+}
+
+export interface Marks {
+  readonly selected: Described | undefined
+  readonly hovered: Described | undefined
+}
