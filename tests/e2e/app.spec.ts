@@ -111,6 +111,50 @@ test('deletes the selected circle', async ({ app }) => {
   await expect(app.status).toContainText('678 circles')
 })
 
+test('deletes a circle in the middle of its drag, and no other one changes', async ({ app }) => {
+  await app.choose('Introduction')
+  const from = app.center(INTRODUCTION, 4)
+  await app.drag(from, { x: from.x + 30, y: from.y + 20 })
+  await app.page.keyboard.press('Delete')
+  await app.page.mouse.move(from.x + 60, from.y + 60, { steps: 4 })
+  await app.page.mouse.up()
+  await expect(app.status).toContainText('13 circles')
+  await expect(app.page.getByRole('alert')).toBeHidden()
+  // What was dragged and deleted comes back in two steps, and nothing else was done.
+  const undo = app.page.getByRole('button', { name: 'Undo' })
+  await undo.click()
+  await expect(app.status).toContainText('14 circles')
+  await undo.click()
+  await expect(undo).toBeDisabled()
+})
+
+test('takes a drag back at Escape', async ({ app }) => {
+  await app.choose('Introduction')
+  const from = app.center(INTRODUCTION, 4)
+  await app.drag(from, { x: from.x + 30, y: from.y + 20 })
+  await expect(app.inspector).toContainText('Circle 4')
+  await expect.poll(() => app.field('x').inputValue()).not.toBe(String(INTRODUCTION[12]))
+  await app.page.keyboard.press('Escape')
+  await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
+  await app.page.mouse.move(from.x + 60, from.y + 60)
+  await app.page.mouse.up()
+  await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
+  await expect(app.page.getByRole('button', { name: 'Undo' })).toBeDisabled()
+})
+
+test('shows the data set that was chosen last', async ({ app }) => {
+  await app.page.route('**/data/spruces.csv', async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 600))
+    await route.continue()
+  })
+  const menu = app.page.getByLabel('Data set')
+  await menu.selectOption({ label: 'Spruces' })
+  await menu.selectOption({ label: 'Waka trees' })
+  await expect(app.status).toContainText('504 circles')
+  await app.page.waitForTimeout(900)
+  await expect(app.status).toContainText('504 circles')
+})
+
 test('switches the data set by the menu', async ({ app }) => {
   await app.choose('Spruces')
   await expect(app.status).toContainText('134 circles')

@@ -60,7 +60,8 @@ export class Actions implements Hands {
   }
 
   set(id: number, circle: Circle, gesture = this.beginGesture()): void {
-    if (this.circle(id) !== undefined) this.#editing.edit([{ kind: 'replace', id, circle }], gesture)
+    // A drag may go on where the circle was removed by a key.
+    if (this.#editing.latest(id) !== undefined) this.#editing.edit([{ kind: 'replace', id, circle }], gesture)
   }
 
   /** Adds a circle and selects it. */

@@ -115,7 +115,8 @@ export class Editing {
   latest(id: number): Circle | undefined {
     for (const { edits } of this.#jobs.toReversed()) {
       for (const edit of edits.toReversed()) {
-        if (edit.kind === 'replace' && edit.id === id) return edit.circle as Circle
+        if (edit.kind === 'insert' || edit.id !== id) continue
+        return edit.kind === 'replace' ? (edit.circle as Circle) : undefined
       }
     }
     return this.#table.get(id)
