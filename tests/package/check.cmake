@@ -15,7 +15,9 @@ if(EXAMPLE STREQUAL find_package)
   endforeach()
   set(options -D CMAKE_PREFIX_PATH=${FOLDER}/prefix)
 else()
-  set(options -D FETCHCONTENT_SOURCE_DIR_CIRCLE_VORONOI=${root} -D BUILD_SHARED_LIBS=ON -D CIRCLE_VORONOI_INSTALL=ON)
+  # It builds the whole library once more: without what a debugger reads, in less time.
+  set(options -D FETCHCONTENT_SOURCE_DIR_CIRCLE_VORONOI=${root} -D BUILD_SHARED_LIBS=ON -D CIRCLE_VORONOI_INSTALL=ON
+    -D CMAKE_CXX_FLAGS_DEBUG=)
 endif()
 
 run(${CMAKE_COMMAND} -S ${root}/examples/${EXAMPLE} -B ${FOLDER}/build -G Ninja -D CMAKE_BUILD_TYPE=Debug ${options})
