@@ -12,8 +12,8 @@ const SIZES = [1_000, 10_000, 100_000, 1_000_000]
 const TWINS_SIZE = 10_000
 
 await main(async () => {
-  await setup({ tests: true })
-  await buildWasm()
+  await setup('tests')
+  await buildWasm('package')
   await buildLib()
   const given = process.argv.indexOf('--sizes')
   const sizes = given < 0 ? SIZES : process.argv[given + 1].split(',').map(Number)

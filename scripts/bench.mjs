@@ -14,7 +14,7 @@ const WASM_SIZES = [10_000, 100_000, 1_000_000]
 const REPETITIONS = 5
 
 await main(async () => {
-  await setup({ tests: true })
+  await setup('tests')
   await buildNative()
   await run('cmake', ['--preset', 'native', '-DCIRCLE_VORONOI_BUILD_BENCH=ON'])
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])
@@ -25,7 +25,7 @@ await main(async () => {
   await run(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen])
 
   if (chosen.length > 0) return
-  await buildWasm()
+  await buildWasm('package')
   await buildLib()
   const rows = await benchWasm(FAMILIES.split(','), WASM_SIZES, REPETITIONS)
   console.table(rows)

@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The four builds: native (library, command line, tests), wasm, lib (the TypeScript library) and app (the page).
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs'
+// The four builds: native (library, command line, tests), wasm, lib (the npm package) and app (the page).
+import {
+  chmodSync,
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs'
 import { delimiter } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import { isMain, main, ROOT, run } from './run.mjs'
@@ -14,15 +24,21 @@ export async function buildNative() {
   await cmakeBuild('build/native', 'cmake', ['--preset', 'native'])
 }
 
-/** web/lib/generated: the WebAssembly modules. */
-export async function buildWasm() {
-  await cmakeBuild('build/wasm', 'emcmake', [
+/**
+ * web/lib/generated, the WebAssembly modules: those of the page, or those of the npm package and in web/cli/generated its
+ * program, for which setup has to install more.
+ */
+export async function buildWasm(purpose) {
+  const isPackage = purpose === 'package'
+  const configure = [
     ...['cmake', '-S', '.', '-B', 'build/wasm', '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release'],
     '-DCIRCLE_VORONOI_BUILD_TESTS=OFF',
-    '-DCIRCLE_VORONOI_BUILD_CLI=OFF',
+    `-DCIRCLE_VORONOI_BUILD_CLI=${isPackage ? 'ON' : 'OFF'}`,
     // CGAL and Boost are headers of the machine, where a cross build does not look.
     '-DCMAKE_INCLUDE_PATH=/usr/include;/usr/local/include',
-  ])
+  ]
+  const targets = isPackage ? ['all'] : ['circle_voronoi_wasm', 'circle_voronoi_comparison_wasm']
+  await cmakeBuild('build/wasm', 'emcmake', configure, targets)
 }
 
 /** dist/lib: web/lib as JavaScript with declarations, the WebAssembly modules, and bundle.js, which is all in one. */
@@ -41,6 +57,21 @@ export async function buildLib() {
     copyFileSync(`${ROOT}web/lib/generated/${name}`, `${ROOT}dist/lib/generated/${name}`)
   }
   await bundle()
+}
+
+/** dist/cli: the program in WebAssembly, for Node. */
+export async function buildCli() {
+  const outputs = ['circle-voronoi.js', 'generated/program.cjs', 'generated/program.wasm'].map(
+    (name) => `dist/cli/${name}`,
+  )
+  if (isUpToDate(outputs, ['web/cli', 'tsconfig.json', 'tsconfig.cli.json', 'package-lock.json'])) return
+  rmSync(`${ROOT}dist/cli`, { recursive: true, force: true })
+  await run(`${NPM_BIN}/tsc`, ['-p', 'tsconfig.cli.json'])
+  chmodSync(`${ROOT}dist/cli/circle-voronoi.js`, 0o755)
+  mkdirSync(`${ROOT}dist/cli/generated`)
+  // Emscripten writes CommonJS, which has to be told from the modules around it.
+  copyFileSync(`${ROOT}web/cli/generated/program.js`, `${ROOT}dist/cli/generated/program.cjs`)
+  copyFileSync(`${ROOT}web/cli/generated/program.wasm`, `${ROOT}dist/cli/generated/program.wasm`)
 }
 
 /** dist/lib/bundle.js, with the files of web/lib/bundled in place of those of their name in web/lib. */
@@ -88,12 +119,17 @@ export async function buildApp() {
   await run(`${NPM_BIN}/vite`, ['build'])
 }
 
-async function cmakeBuild(folder, program, configure) {
+async function cmakeBuild(folder, program, configure, targets = ['all']) {
   // Emscripten's optimiser looks for its acorn module there on Debian.
   const env = { NODE_PATH: ['/usr/share/nodejs', process.env.NODE_PATH].filter(Boolean).join(delimiter) }
-  // Ninja itself configures again when a CMake file has changed.
-  if (!existsSync(`${ROOT}${folder}/build.ninja`)) await run(program, configure, env)
-  await run('cmake', ['--build', folder], env)
+  // Ninja itself configures again when a CMake file has changed, but not for other options.
+  const stamp = `${ROOT}${folder}/.configured`
+  const options = configure.join('\n')
+  if (!existsSync(stamp) || readFileSync(stamp, 'utf8') !== options) {
+    await run(program, configure, env)
+    writeFileSync(stamp, options)
+  }
+  await run('cmake', ['--build', folder, '--target', ...targets], env)
 }
 
 /** Whether every output is at least as new as each file of the inputs (files or folders). */
@@ -110,16 +146,19 @@ function newestChange(path) {
 }
 
 if (isMain(import.meta.url)) {
+  const forPage = () => buildWasm('page')
+  const forPackage = () => buildWasm('package')
   const builds = {
-    native: [buildNative],
-    wasm: [buildWasm],
-    lib: [buildWasm, buildLib],
-    app: [buildWasm, buildApp],
+    native: { purpose: 'tests', steps: [buildNative] },
+    wasm: { purpose: 'package', steps: [forPackage] },
+    lib: { purpose: 'package', steps: [forPackage, buildLib, buildCli] },
+    app: { purpose: 'page', steps: [forPage, buildApp] },
   }
   const name = process.argv[2]
   await main(async () => {
     if (!(name in builds)) throw new Error(`Say which build: ${Object.keys(builds).join(', ')}.`)
-    await setup({ tests: name === 'native' })
-    for (const build of builds[name]) await build()
+    const { purpose, steps } = builds[name]
+    await setup(purpose)
+    for (const step of steps) await step()
   })
 }

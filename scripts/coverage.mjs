@@ -12,7 +12,7 @@ const REPORT = `${BUILD}/report.txt`
 const SOURCES = /^cpp\/(include|src|cli)\//
 
 await main(async () => {
-  await setup({ tests: true })
+  await setup('tests')
   if (!existsSync(`${BUILD}/build.ninja`)) await run('cmake', ['--preset', 'coverage'])
   await run('cmake', ['--build', '--preset', 'coverage'])
   for (const path of filesEndingIn('.gcda')) rmSync(path)

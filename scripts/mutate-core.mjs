@@ -33,7 +33,7 @@ await main(async () => {
   for (const mutant of chosen) check(mutant)
   if (chosen.length === 0) throw new Error('No change has such a name.')
 
-  await setup({ tests: true })
+  await setup('tests')
   copySources()
   for (const program of PROGRAMS) {
     build(program)

@@ -8,7 +8,7 @@ import { setup } from './setup.mjs'
 
 await main(async () => {
   await setup({ tests: false })
-  await buildWasm()
+  await buildWasm('package')
   const options = process.argv.slice(2)
   await run(`${ROOT}node_modules/.bin/stryker`, ['run', 'tests/mutants/stryker.config.mjs', ...options])
 })

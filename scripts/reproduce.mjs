@@ -66,11 +66,11 @@ await main(async () => {
 })
 
 async function build() {
-  await setup({ tests: true })
+  await setup('tests')
   await run('cmake', ['--preset', 'native', '-DCIRCLE_VORONOI_BUILD_BENCH=ON'])
   const targets = ['circle_voronoi_results', 'circle_voronoi_bench', 'circle_voronoi_cli']
   await run('cmake', ['--build', 'build/native', '--target', ...targets])
-  await buildWasm()
+  await buildWasm('package')
   await buildLib()
 }
 

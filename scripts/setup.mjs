@@ -6,25 +6,44 @@ import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, writeFileSync } from 'node:fs'
 import { isMain, main, ROOT, run } from './run.mjs'
 
-const BUILD_PACKAGES = ['emscripten', 'cmake', 'ninja-build', 'g++', 'libcgal-dev', 'libboost-dev']
-const TEST_PACKAGES = [
-  'libgtest-dev',
-  'libbenchmark-dev',
-  'libgmp-dev',
-  'libmpfr-dev',
-  'nlohmann-json3-dev',
-  'libcli11-dev',
-  'python3-distributed',
-]
+/** What there is to make, each with all before it: the Debian packages that it needs and the C++ libraries in them. */
+const PURPOSES = {
+  page: {
+    packages: ['emscripten', 'cmake', 'ninja-build', 'g++', 'libcgal-dev', 'libboost-dev'],
+    libraries: ['CGAL 5.5', 'Boost'],
+  },
+  package: {
+    packages: ['libcli11-dev', 'libdragonbox-dev', 'libfast-float-dev', 'librange-v3-dev'],
+    libraries: ['CLI11', 'Dragonbox', 'fast_float', 'range-v3'],
+  },
+  tests: {
+    packages: [
+      'libgtest-dev',
+      'libbenchmark-dev',
+      'libgmp-dev',
+      'libmpfr-dev',
+      'nlohmann-json3-dev',
+      'python3-distributed',
+    ],
+    libraries: ['GMP', 'MPFR', 'GoogleTest', 'Google Benchmark', 'nlohmann/json'],
+  },
+}
 
-/** `tests`: whether what only the native build and the tests need is wanted too. */
-export async function setup({ tests = false } = {}) {
-  const packages = tests ? [...BUILD_PACKAGES, ...TEST_PACKAGES] : BUILD_PACKAGES
+/** `purpose`: `page`, `package` (the one for npm) or `tests` (the native build and all that is tested). */
+export async function setup(purpose) {
+  const names = Object.keys(PURPOSES)
+  const wanted = names.slice(0, names.indexOf(purpose) + 1).map((name) => PURPOSES[name])
+  const tests = purpose === 'tests'
   const browser = tests && !existsSync(chromiumPath()) ? ['chromium'] : []
   if (isDebian12OrLater()) {
+    const packages = wanted.flatMap((part) => part.packages)
     await installDebianPackages([...packages.filter((name) => !isInstalled(name)), ...browser])
   } else {
-    checkOtherSystem(tests, browser.length > 0)
+    checkOtherSystem(
+      wanted.flatMap((part) => part.libraries),
+      tests,
+      browser.length > 0,
+    )
   }
   await installNpmPackages('')
   // An old compiler for the tests of the package, whose program has the name of another's.
@@ -64,7 +83,7 @@ async function installDebianPackages(missing) {
 }
 
 /** On a system whose package manager this script does not know it changes nothing and says what is missing. */
-function checkOtherSystem(tests, browserMissing) {
+function checkOtherSystem(libraries, tests, browserMissing) {
   const missing = Object.entries({
     emcmake: 'Emscripten 3.1.6 or later',
     cmake: 'CMake 3.25 or later',
@@ -75,12 +94,9 @@ function checkOtherSystem(tests, browserMissing) {
     .map(([program, what]) => `  ${what} (${program})`)
   if (browserMissing) missing.push('  Chromium (set CHROMIUM_PATH to its program)')
   if (missing.length > 0) {
-    const headers = tests
-      ? 'CGAL 5.5, Boost, GMP, MPFR, GoogleTest, Google Benchmark, nlohmann/json and CLI11'
-      : 'CGAL 5.5 and Boost'
     throw new Error(
       `This script installs packages on Debian 12 only. Install on this system:\n${missing.join('\n')}\n` +
-        `and the C++ libraries ${headers}, then run the same command again.`,
+        `and the C++ libraries ${libraries.join(', ')}, then run the same command again.`,
     )
   }
 }
@@ -97,4 +113,4 @@ async function installNpmPackages(folder) {
   writeFileSync(stamp, lock)
 }
 
-if (isMain(import.meta.url)) await main(() => setup({ tests: true }))
+if (isMain(import.meta.url)) await main(() => setup('tests'))

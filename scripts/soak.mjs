@@ -6,7 +6,7 @@ import { main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
 await main(async () => {
-  await setup({ tests: true })
+  await setup('tests')
   await buildNative()
   await run(`${ROOT}build/native/circle-voronoi-soak`, process.argv.slice(2))
 })

@@ -7,8 +7,8 @@ import { setup } from './setup.mjs'
 const DEFAULT_PORT = 8080
 
 await main(async () => {
-  await setup()
-  await buildWasm()
+  await setup('page')
+  await buildWasm('page')
   await buildApp()
 
   const { preview } = await import('vite')

@@ -2,7 +2,7 @@
 // `npm test`: installs what is missing, builds everything, runs every check and test, and counts the tests.
 // The last line is `N passed, M failed`; the exit status is 0 only if something ran and nothing failed.
 import { mkdirSync, rmSync } from 'node:fs'
-import { buildApp, buildLib, buildNative, buildWasm } from './build.mjs'
+import { buildApp, buildCli, buildLib, buildNative, buildWasm } from './build.mjs'
 import { countTests, NO_TESTS, summary } from './count-tests.mjs'
 import { ROOT, run, statusOf } from './run.mjs'
 import { chromiumPath, setup } from './setup.mjs'
@@ -48,6 +48,7 @@ const SUITES = [
       'tests/wasm/examples.test.mjs',
       'tests/wasm/final-cells.test.mjs',
       'tests/wasm/diagram-file.test.mjs',
+      'tests/wasm/program.test.mjs',
     ],
   },
   {
@@ -79,10 +80,11 @@ const SUITES = [
 
 const results = []
 try {
-  await setup({ tests: true })
-  await buildWasm()
+  await setup('tests')
+  await buildWasm('package')
   await buildNative()
   await buildLib()
+  await buildCli()
   await buildApp()
   await run('npm', ['run', '--silent', 'check'], ENV)
 

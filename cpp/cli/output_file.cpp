@@ -46,11 +46,11 @@ struct Target {
 };
 
 Target followed(fs::path path) {
-  const std::string descriptors = "/proc/" + std::to_string(getpid()) + "/fd";
   std::error_code error;
+  const fs::path descriptors = fs::canonical("/proc/self/fd", error);
   for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
     const fs::path folder = fs::canonical(path.has_parent_path() ? path.parent_path() : ".", error);
-    if (folder == descriptors) return {path, std::stoi(path.filename())};
+    if (!folder.empty() && folder == descriptors) return {path, std::stoi(path.filename())};
     path = folder / fs::read_symlink(path, error);
   }
   return {path, std::nullopt};

@@ -2,12 +2,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <thread>
 
 namespace circle_voronoi::cli {
 
@@ -22,7 +19,7 @@ class ProgressLine {
   explicit ProgressLine(const std::string& when);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
-  ~ProgressLine() { end(); }
+  ~ProgressLine();
 
   /// What is being done, and the part of it that is: 0 to 1, 0 also where that is not known.
   void show(std::string_view stage, double done = 0);
@@ -31,22 +28,8 @@ class ProgressLine {
   void end();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  void refresh();
-  /// Both with the mutex held.
-  void write();
-  void replaceLine(const std::string& line);
-
-  const Clock::time_point begin_ = Clock::now();
-  Clock::duration delay_{};  ///< until it is first shown
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool isEnding_ = false;
-  std::string stage_;
-  double done_ = 0;
-  std::size_t width_ = 0;  ///< of the line that is shown
-  std::thread refresher_;
+  class Shown;
+  std::unique_ptr<Shown> shown_;  ///< none if it is not shown, or no longer
 };
 
 }  // namespace circle_voronoi::cli

@@ -11,7 +11,17 @@
 
 namespace circle_voronoi::test {
 
-const std::string Cli::program_ = CIRCLE_VORONOI_PROGRAM;
+namespace {
+
+/// The program as built, or the one in WebAssembly (tests/wasm/program.test.mjs).
+std::string chosenProgram() {
+  const char* const other = std::getenv("CIRCLE_VORONOI_PROGRAM");
+  return other != nullptr ? other : CIRCLE_VORONOI_PROGRAM;
+}
+
+}  // namespace
+
+const std::string Cli::program_ = chosenProgram();
 
 Cli::Cli() : folder_(std::filesystem::temp_directory_path() / ("circle-voronoi-test-" + std::to_string(getpid()))) {
   std::filesystem::create_directories(folder_);

@@ -21,7 +21,7 @@ class Cli : public testing::Test {
   Cli();
   ~Cli() override;
 
-  /// The program as built.
+  /// The program as built, or that of the environment variable CIRCLE_VORONOI_PROGRAM.
   static const std::string program_;
 
   /// A file in the folder.

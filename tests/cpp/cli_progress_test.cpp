@@ -13,9 +13,9 @@ class CliProgress : public test::Cli {
  protected:
   const std::string fixture_ = CIRCLE_VORONOI_FIXTURES "/spruces.csv";
 
-  /// A computation that waits for its input for more than a second.
+  /// A computation that waits for its input for well over a second, also if it takes long to start.
   std::string slow(const std::string& options) const {
-    return "(sleep 1.3; cat " + fixture_ + ") | " + program_ + " compute - -o " + path("out.json") + options;
+    return "(sleep 2; cat " + fixture_ + ") | " + program_ + " compute - -o " + path("out.json") + options;
   }
 
   /// What a terminal gets from a command.

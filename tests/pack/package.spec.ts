@@ -42,7 +42,12 @@ test('holds the built library and nothing else', () => {
     .flatMap((name) => ['.js', '.js.map', '.d.ts'].map((ending) => `dist/lib/${name.replace(/\.ts$/, ending)}`))
     .filter((name) => name !== 'dist/lib/bundle.js.map')
   const generated = readdirSync(join(ROOT, 'web/lib/generated')).map((name) => `dist/lib/generated/${name}`)
-  expect(files.sort()).toEqual(['LICENSE', 'README.md', 'package.json', ...built, ...generated].sort())
+  const program = readdirSync(join(ROOT, 'web/cli'))
+    .filter((name) => name.endsWith('.ts'))
+    .map((name) => `dist/cli/${name.replace(/\.ts$/, '.js')}`)
+  const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
+  const others = ['LICENSE', 'README.md', 'package.json']
+  expect(files.sort()).toEqual([...others, ...built, ...generated, ...program, ...compiled].sort())
 
   // The sources are not there, so the maps have them.
   for (const name of files.filter((file) => file.endsWith('.map'))) {
@@ -152,6 +157,14 @@ test.describe('in Node', () => {
     expect(lines[4]).toMatch(/^notLoaded: The WebAssembly cannot be loaded from this module: .+\.$/)
     expect(lines[5]).toBe('notLoaded: The WebAssembly cannot be loaded from what was given: none.')
     expect(lines).toHaveLength(6)
+  })
+
+  test('its program, by npx', () => {
+    project.write('circles.csv', '0,0,1\n6,0,1\n0,8,1\n')
+    const npx = (...args: string[]) => project.run('npx', '--offline', '--no', 'circle-voronoi', ...args)
+    npx('compute', 'circles.csv', '-o', 'diagram.json')
+    expect(npx('verify', 'diagram.json')).toBe('certified: 3 circles, 0 of them hidden; 1 vertices, 3 edges\n')
+    expect(() => npx('compute', 'none.csv')).toThrow('Cannot read none.csv: No such file or directory.')
   })
 
   test('from the bundle, its worker too', () => {

@@ -55,13 +55,9 @@ CsvField CsvTable::readField() {
 }
 
 CsvField CsvTable::readQuoted() {
-  std::size_t close = at_ + 1;
-  for (;; ++close) {
-    close = text_.find('"', close);
-    if (close == std::string_view::npos) throw ReadFailure{at_, "a quotation mark is not closed."};
-    if (text_.substr(close + 1, 1) != "\"") break;
-    ++close;
-  }
+  std::size_t close = text_.find('"', at_ + 1);
+  while (close != std::string_view::npos && text_.substr(close + 1, 1) == "\"") close = text_.find('"', close + 2);
+  if (close == std::string_view::npos) throw ReadFailure{at_, "a quotation mark is not closed."};
   std::string_view inside = text_.substr(at_ + 1, close - at_ - 1);
   inside.remove_prefix(std::min(inside.find_first_not_of(" \t"), inside.size()));
   inside = inside.substr(0, inside.find_last_not_of(" \t") + 1);

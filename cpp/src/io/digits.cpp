@@ -82,7 +82,8 @@ char* writeDigits(char* to, double value) {
   from[mark - from > 1 ? 1 : 0] = first;
   const char* all = mark - from > 1 ? from + 1 : from;
   if (exponent < 0) {
-    copy("0.0000", "0.0000" + 1 - exponent);
+    constexpr const char* kZeros = "0.0000";
+    copy(kZeros, kZeros + (1 - exponent));
     copy(all, all + count);
   } else if (count <= exponent + 1) {
     copy(all, all + count);

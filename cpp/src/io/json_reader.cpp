@@ -121,8 +121,9 @@ std::string_view JsonReader::numeral() {
     if (at != end && (*at == '+' || *at == '-')) ++at;
     skipDigits();
   }
-  at_ += static_cast<std::size_t>(at - begin);
-  return {begin, at};
+  const auto size = static_cast<std::size_t>(at - begin);
+  at_ += size;
+  return {begin, size};
 }
 
 double JsonReader::valueOf(std::string_view numeral) const {

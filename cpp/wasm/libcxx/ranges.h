@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The algorithms on ranges that are used, those of range-v3: <algorithm> has them from version 15 of libc++ on. In
+// front of every source: libc++ includes <algorithm> itself before it has what range-v3 needs.
+#pragma once
+#include <algorithm>
+
+#if _LIBCPP_VERSION < 15000
+#include <range/v3/algorithm/adjacent_find.hpp>
+#include <range/v3/algorithm/all_of.hpp>
+#include <range/v3/algorithm/any_of.hpp>
+#include <range/v3/algorithm/copy.hpp>
+#include <range/v3/algorithm/count.hpp>
+#include <range/v3/algorithm/equal.hpp>
+#include <range/v3/algorithm/find.hpp>
+#include <range/v3/algorithm/find_if.hpp>
+#include <range/v3/algorithm/for_each.hpp>
+#include <range/v3/algorithm/lower_bound.hpp>
+#include <range/v3/algorithm/max.hpp>
+#include <range/v3/algorithm/max_element.hpp>
+#include <range/v3/algorithm/min_element.hpp>
+#include <range/v3/algorithm/move.hpp>
+#include <range/v3/algorithm/none_of.hpp>
+#include <range/v3/algorithm/partial_sort.hpp>
+#include <range/v3/algorithm/partition_point.hpp>
+#include <range/v3/algorithm/reverse.hpp>
+#include <range/v3/algorithm/sort.hpp>
+#include <range/v3/algorithm/stable_sort.hpp>
+#include <range/v3/algorithm/transform.hpp>
+#include <span>
+
+namespace std::ranges {
+using ::ranges::adjacent_find;
+using ::ranges::all_of;
+using ::ranges::any_of;
+using ::ranges::copy;
+using ::ranges::count;
+using ::ranges::equal;
+using ::ranges::find;
+using ::ranges::find_if;
+using ::ranges::for_each;
+using ::ranges::lower_bound;
+using ::ranges::max;
+using ::ranges::max_element;
+using ::ranges::min_element;
+using ::ranges::move;
+using ::ranges::none_of;
+using ::ranges::partial_sort;
+using ::ranges::partition_point;
+using ::ranges::reverse;
+using ::ranges::sort;
+using ::ranges::stable_sort;
+using ::ranges::transform;
+}  // namespace std::ranges
+#endif

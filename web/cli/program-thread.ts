@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The thread that runs the program.
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { isatty } from 'node:tty'
+import { parentPort, workerData } from 'node:worker_threads'
+import type { Start, Told } from './thread-messages.ts'
+
+/** What Emscripten makes of the program; what it calls of this is named in cpp/wasm/node_files.js. */
+interface Program {
+  callMain(args: readonly string[]): void
+}
+type CreateProgram = (options: {
+  readonly thisProgram: string
+  readonly wasmBinary: Uint8Array
+  quit(status: number): void
+  madeFile(path: string | undefined): void
+  showLine(when: string): boolean
+  showStage(stage: string, done: number): void
+  endLine(): void
+}) => Promise<Program>
+
+/** Milliseconds until the line is shown that was not asked for, and between two tellings of one stage. */
+const DELAY = 1000
+const PERIOD = 100
+const STANDARD_ERROR = 2
+
+const { args, ended } = workerData as Start
+const tell = (told: Told) => parentPort?.postMessage(told)
+const last = { stage: '', time: 0 }
+
+const createProgram: CreateProgram = createRequire(import.meta.url)('./generated/program.cjs')
+const program = await createProgram({
+  thisProgram: 'circle-voronoi',
+  wasmBinary: readFileSync(new URL('./generated/program.wasm', import.meta.url)),
+  quit: (status) => process.exit(status),
+  madeFile: (made) => tell({ made }),
+  showLine(when) {
+    const isShown = when === 'always' || (when === 'auto' && isatty(STANDARD_ERROR))
+    if (isShown) tell({ line: when === 'auto' ? DELAY : 0 })
+    return isShown
+  },
+  showStage(stage, done) {
+    const time = performance.now()
+    if (stage === last.stage && time - last.time < PERIOD) return
+    Object.assign(last, { stage, time })
+    tell({ stage, done })
+  },
+  endLine() {
+    tell({ ends: true })
+    Atomics.wait(ended, 0, 0)
+  },
+})
+program.callMain(args)
