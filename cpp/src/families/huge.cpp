@@ -12,7 +12,8 @@ namespace {
 
 constexpr Circle kUnitCircle = {0, 0, 1};
 
-/// The centre at a distance from a circle's centre.
+/// The centre at a distance from a circle's centre. What is drawn for it is drawn before: compilers differ in the order
+/// in which they find arguments.
 Point at(const Circle& circle, double distance, Vector direction) {
   return {circle.x + distance * direction.x, circle.y + distance * direction.y};
 }
@@ -45,7 +46,8 @@ std::vector<Circle> generateOneHuge(std::size_t count, Random& random) {
   for (const double r : radii) {
     Point p;
     do {
-      p = at(kUnitCircle, 1 + r + random.logUniform(-2, 1) / n, random.direction());
+      const Vector direction = random.direction();
+      p = at(kUnitCircle, 1 + r + random.logUniform(-2, 1) / n, direction);
     } while (!circles.insert({p.x, p.y, r}));
   }
   return std::move(circles).take();
@@ -104,7 +106,8 @@ std::vector<Circle> generateExtreme(std::size_t count, Random& random) {
   while (huge.size() < std::min(count, hugeCount)) {
     const Circle& neighbor = huge[random.below(huge.size())];
     const double r = random.uniform(0.5, 1);
-    const Point p = at(neighbor, neighbor.r + r + random.logUniform(-4, -1), random.direction());
+    const Vector direction = random.direction();
+    const Point p = at(neighbor, neighbor.r + r + random.logUniform(-4, -1), direction);
     const auto isFree = [&](const Circle& c) { return length({c.x - p.x, c.y - p.y}) > c.r + r; };
     if (std::ranges::all_of(huge, isFree)) huge.push_back({p.x, p.y, r});
   }
@@ -120,7 +123,8 @@ std::vector<Circle> generateExtreme(std::size_t count, Random& random) {
     Point p;
     do {
       const Circle& near = huge[random.below(huge.size())];
-      p = at(near, near.r + r + random.logUniform(-5, 0), random.direction());
+      const Vector direction = random.direction();
+      p = at(near, near.r + r + random.logUniform(-5, 0), direction);
     } while (!circles.insert({p.x, p.y, r}));
   }
   std::vector<Circle> result = std::move(circles).take();
