@@ -17,7 +17,9 @@ import { isMain, main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
 const NPM_BIN = `${ROOT}node_modules/.bin`
-const WASM_OUTPUT = ['circle-voronoi', 'circle-voronoi-comparison'].flatMap((name) => [`${name}.js`, `${name}.wasm`])
+const WASM_OUTPUT = ['', '-comparison', '-files'].flatMap((name) =>
+  ['js', 'wasm'].map((type) => `circle-voronoi${name}.${type}`),
+)
 
 /** build/native: the library, the program build/native/circle-voronoi and the tests. */
 export async function buildNative() {

@@ -7,7 +7,7 @@ import { main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
 await main(async () => {
-  await setup({ tests: false })
+  await setup('package')
   await buildWasm('package')
   const options = process.argv.slice(2)
   await run(`${ROOT}node_modules/.bin/stryker`, ['run', 'tests/mutants/stryker.config.mjs', ...options])

@@ -48,6 +48,7 @@ const SUITES = [
       'tests/wasm/examples.test.mjs',
       'tests/wasm/final-cells.test.mjs',
       'tests/wasm/diagram-file.test.mjs',
+      'tests/wasm/files.test.mjs',
       'tests/wasm/program.test.mjs',
     ],
   },

@@ -80,22 +80,7 @@ val computeValue(const val& coordinates, const val& options) {
   });
 }
 
-// In what follows `value` is a diagram with its circles, as `compute` in web/lib returns it.
-
-Diagram diagramFrom(const val& value) {
-  Diagram diagram;
-  diagram.weights = value["weights"].as<bool>();
-  diagram.circles = itemsFrom<double, Circle>(value["circles"]);
-  diagram.vertices = itemsFrom<double, Vertex>(value["vertices"]);
-  diagram.vertexCircles = itemsFrom<std::int32_t, std::array<CircleIndex, 3>>(value["vertexCircles"]);
-  diagram.edges = itemsFrom<std::int32_t, Edge>(value["edges"]);
-  diagram.hidden = itemsFrom<std::int32_t, HiddenCircle>(value["hidden"]);
-  diagram.hull = itemsFrom<std::int32_t, CircleIndex>(value["hull"]);
-  diagram.nextSide = itemsFrom<std::int32_t, SideIndex>(value["nextSide"]);
-  diagram.vertexSides = itemsFrom<std::int32_t, std::array<SideIndex, 3>>(value["vertexSides"]);
-  diagram.firstSide = itemsFrom<std::int32_t, SideIndex>(value["firstSide"]);
-  return diagram;
-}
+// In what follows `value` is a diagram as `compute` in web/lib returns it.
 
 val certifyValue(const val& value) {
   return valueOf([&] {

@@ -119,6 +119,22 @@ inline val diagramValue(const Diagram& diagram) {
   return result;
 }
 
+/// The arrays of a diagram of circles, as `compute` in web/lib returns it.
+inline Diagram diagramFrom(const val& value) {
+  Diagram diagram;
+  diagram.weights = value["weights"].as<bool>();
+  diagram.circles = itemsFrom<double, Circle>(value["circles"]);
+  diagram.vertices = itemsFrom<double, Vertex>(value["vertices"]);
+  diagram.vertexCircles = itemsFrom<std::int32_t, std::array<CircleIndex, 3>>(value["vertexCircles"]);
+  diagram.edges = itemsFrom<std::int32_t, Edge>(value["edges"]);
+  diagram.hidden = itemsFrom<std::int32_t, HiddenCircle>(value["hidden"]);
+  diagram.hull = itemsFrom<std::int32_t, CircleIndex>(value["hull"]);
+  diagram.nextSide = itemsFrom<std::int32_t, SideIndex>(value["nextSide"]);
+  diagram.vertexSides = itemsFrom<std::int32_t, std::array<SideIndex, 3>>(value["vertexSides"]);
+  diagram.firstSide = itemsFrom<std::int32_t, SideIndex>(value["firstSide"]);
+  return diagram;
+}
+
 /// The value that `body` makes of a result, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception
 /// would reach JavaScript as a bare number.
 template <class Body>

@@ -76,16 +76,16 @@ test.describe('is well made', () => {
   })
 
   test('to are-the-types-wrong', () => {
-    const wasm = ['circle-voronoi.wasm', 'circle-voronoi-comparison.wasm']
+    const wasm = ['', '-comparison', '-files'].map((name) => `circle-voronoi${name}.wasm`)
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...wasm, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/bundle'])
+    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/files', '/bundle'])
       expect(judged).toContain(`"circle-voronoi${name}"`)
   })
 
   test('to size-limit', () => {
     const sizes = JSON.parse(run(ROOT, join(BIN, 'size-limit'), '--json'))
-    expect(sizes).toHaveLength(4)
+    expect(sizes).toHaveLength(5)
     for (const { name, passed, size } of sizes) expect(passed, `${name}: ${size} bytes`).toBe(true)
   })
 })

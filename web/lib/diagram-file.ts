@@ -205,7 +205,7 @@ function indicesOf(value: unknown, size: number | undefined, first: number, coun
 }
 
 /** As far as they are there: what is missing or of another type is empty, as on the command line. */
-function statsOf(value: unknown): Stats {
+export function statsOf(value: unknown): Stats {
   const part = (item: unknown, name: string): unknown => Object(item)[name]
   const text = (name: string) => {
     const given = part(value, name)

@@ -14,19 +14,10 @@ import {
 import { Diagram } from './diagram.ts'
 import type { Certificate, DiagramData, Float64s } from './diagram-data.ts'
 import { type DiagramEditor, editedCircles, editorsOf } from './editor.ts'
-import { CircleVoronoiError } from './errors.ts'
 import createModule from './generated/circle-voronoi.js'
+import { judgedArrays, type Verifiable } from './judged-arrays.ts'
 import { checkOptions, type Options, type Progress } from './options.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
-
-/**
- * What of a diagram is judged.
- *
- * @category Loading
- */
-export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats'> & {
-  readonly weights?: boolean | undefined
-}
 
 /**
  * What is known of the circles that a diagram has not been told of: their centres are outside the box, whose sides may be
@@ -120,20 +111,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
   const module = await instantiate(createModule, wasm)
   const edit = editorsOf(module)
 
-  const judged = ({ weights = false, circles, ...arrays }: Verifiable) => {
-    const { vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = arrays
-    checkArray('circles', circles, Float64Array, 3)
-    checkArray('vertices', vertices, Float64Array, 3)
-    checkArray('vertexCircles', vertexCircles, Int32Array, 3)
-    checkArray('edges', edges, Int32Array, 4)
-    checkArray('hidden', hidden, Int32Array, 2)
-    checkArray('hull', hull, Int32Array, 1)
-    checkArray('nextSide', nextSide, Int32Array, 2)
-    checkArray('vertexSides', vertexSides, Int32Array, 3)
-    checkArray('firstSide', firstSide, Int32Array, 1)
-    return { weights, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide }
-  }
-  const certify = (diagram: Verifiable) => unwrap(module.certify(judged(diagram)))
+  const certify = (diagram: Verifiable) => unwrap(module.certify(judgedArrays(diagram)))
 
   const dataOf = (coordinates: Float64s, options: Options): DiagramData => {
     const { weights, method, candidates, samples, resample } = options
@@ -180,7 +158,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       if (![...sides, maxRadius].every((value) => typeof value === 'number')) {
         refuseArgument('finalCells takes what is known as { box: { minX, minY, maxX, maxY }, maxRadius }, all numbers.')
       }
-      return unwrap(module.finalCells(judged(diagram), Float64Array.from(sides), maxRadius as number))
+      return unwrap(module.finalCells(judgedArrays(diagram), Float64Array.from(sides), maxRadius as number))
     },
   }
 }
@@ -205,14 +183,4 @@ class Reporter {
   rethrow(): void {
     if (this.#thrown !== undefined) throw this.#thrown.error
   }
-}
-
-function checkArray(
-  name: string,
-  array: unknown,
-  type: Float64ArrayConstructor | Int32ArrayConstructor,
-  size: number,
-): void {
-  if (array instanceof type && array.length % size === 0) return
-  throw new CircleVoronoiError('badInput', -1, `${name} is no ${type.name} of ${size} numbers each.`)
 }

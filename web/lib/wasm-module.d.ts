@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The types of what cpp/wasm/bindings.cpp and comparison_bindings.cpp export.
+// The types of what cpp/wasm/bindings.cpp, comparison_bindings.cpp and files_bindings.cpp export.
 
 type WasmError = import('./wasm.ts').WasmError
 
@@ -54,6 +54,33 @@ interface WasmModule {
 
 interface WasmComparisonModule {
   powerDiagram(circles: Float64Array): WasmError | WasmDiagram
+}
+
+/** What is drawn, as far as it is said. `box`: minX, minY, maxX, maxY. */
+interface WasmDrawnOptions {
+  readonly box: Float64Array | undefined
+  readonly maxDistance: number | undefined
+  readonly tolerance: number | undefined
+}
+
+interface WasmFilesModule {
+  readCircles(
+    text: string | Uint8Array,
+    name: string,
+    weights: boolean,
+  ): WasmError | { readonly circles: import('./diagram-data.ts').Float64s }
+  readDiagram(text: string | Uint8Array, name: string): WasmError | import('./diagram-data.ts').DiagramData
+  holdsDiagram(text: string | Uint8Array): boolean
+  writeCircles(circles: Float64Array, format: string): WasmError | { readonly text: Uint8Array }
+  writeDiagram(
+    diagram: Omit<import('./diagram-data.ts').DiagramData, 'certificate'>,
+    format: string,
+    options: WasmDrawnOptions,
+  ): WasmError | { readonly text: Uint8Array }
+}
+
+declare module '*/generated/circle-voronoi-files.js' {
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmFilesModule>
 }
 
 declare module '*/generated/circle-voronoi.js' {

@@ -11,6 +11,7 @@ import {
   type Stage,
 } from 'circle-voronoi'
 import { loadComparison } from 'circle-voronoi/comparison'
+import { loadFiles } from 'circle-voronoi/files'
 import { type CircleVoronoiWorker, createWorker } from 'circle-voronoi/worker'
 
 const library = await loadCircleVoronoi({ wasm: new URL('https://example.org/circle-voronoi.wasm') })
@@ -61,6 +62,12 @@ export const reads: Diagram[] = [
   Diagram.fromJSON(JSON.stringify(diagram)),
   Diagram.fromJSON(file),
   new Diagram(diagram),
+]
+const files = await loadFiles()
+export const circlesRead: Float64Array = files.readCircles(new Uint8Array(), { name: 'circles.csv' })
+export const written: string[] = [
+  files.writeCircles(circlesRead, { format: 'geojson' }),
+  files.writeDiagram(files.readDiagram('{}'), { format: 'svg', bounds: [0, 0, 1, 1], tolerance: 0.1 }),
 ]
 // The memory of a diagram can be handed over.
 export const buffers: ArrayBuffer[] = [diagram.vertices.buffer, diagram.edges.buffer]

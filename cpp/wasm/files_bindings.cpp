@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The readers and writers of files as a JavaScript module of its own. Its only caller is web/lib/files.ts.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/export.h"
+#include "circle_voronoi/io.h"
+#include "stats.h"
+#include "values.h"
+
+namespace {
+
+using namespace circle_voronoi;
+
+void writeAllLines(std::ostream& out, const Diagram& diagram, const ExportOptions& options) {
+  writeGeoJsonLines(out, diagram, options);
+}
+
+template <class Write>
+using Formats = std::pair<std::string_view, Write>;
+
+/// The formats that need a certified diagram.
+constexpr std::array<Formats<void (*)(std::ostream&, const Diagram&, const ExportOptions&)>, 5> kExports = {
+    {{"svg", writeSvg}, {"geojson", writeGeoJson}, {"geojsonl", writeAllLines}, {"wkt", writeWkt}, {"obj", writeObj}}};
+constexpr std::array<Formats<void (*)(std::ostream&, const Diagram&)>, 3> kOthers = {
+    {{"json", writeJson}, {"csv", writeDiagramCsv}, {"stats", writeStatsJson}}};
+constexpr std::array<Formats<void (*)(std::ostream&, std::span<const Circle>)>, 3> kCircleFormats = {
+    {{"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}}};
+
+template <class List>
+auto named(const List& list, std::string_view name) {
+  return std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == name; });
+}
+
+/// `{text}`, in UTF-8.
+val textValue(const std::ostringstream& out) {
+  const std::string text = out.str();
+  val result = val::object();
+  result.set("text",
+             val::global("Uint8Array")
+                 .new_(emscripten::typed_memory_view(text.size(), reinterpret_cast<const std::uint8_t*>(text.data()))));
+  return result;
+}
+
+Error unknownFormat(const std::string& format) {
+  return {ErrorCode::badOption, kNone, "There is no format \"" + format + "\" for this."};
+}
+
+Stats statsFrom(const val& value) {
+  Stats stats;
+  stats.method = value["method"].as<std::string>();
+  stats.way = value["way"].as<std::string>();
+  stats.candidates = value["candidates"].as<std::string>();
+  for (const auto& [name, field] : kCounts) {
+    stats.counts.*field = static_cast<std::int64_t>(value["counts"][std::string(name)].as<double>());
+  }
+  for (const auto& [name, field] : kSeconds) stats.seconds.*field = value["seconds"][std::string(name)].as<double>();
+  return stats;
+}
+
+Metric metricFrom(const std::string& name) {
+  for (const Metric metric : {Metric::centres, Metric::power}) {
+    if (name == metricName(metric)) return metric;
+  }
+  return Metric::circles;
+}
+
+/// Nothing where it is undefined.
+std::optional<double> numberFrom(const val& value) {
+  return value.isUndefined() ? std::nullopt : std::optional(value.as<double>());
+}
+
+ExportOptions exportOptionsFrom(const val& value) {
+  ExportOptions options;
+  if (const val box = value["box"]; !box.isUndefined()) options.box = itemsFrom<double, Box>(box).at(0);
+  options.maxDistance = numberFrom(value["maxDistance"]);
+  options.tolerance = numberFrom(value["tolerance"]);
+  return options;
+}
+
+/// Gives a diagram its certificate, or says why it cannot be judged.
+std::optional<Error> judge(Diagram& diagram) {
+  auto certificate = certify(diagram);
+  if (!certificate) return certificate.error();
+  diagram.certificate = std::move(certificate.value());
+  return std::nullopt;
+}
+
+/// Those of a power diagram have no certificate, but are diagrams to be kept.
+bool isJudged(const Diagram& diagram) { return diagram.metric != Metric::power; }
+
+val readCirclesValue(const std::string& text, const std::string& name, bool weights) {
+  return valueOf([&] {
+    const auto circles = readCircles(text, name, {weights});
+    if (!circles) return errorValue(circles.error());
+    val result = val::object();
+    result.set("circles", float64Array(circles.value()));
+    return result;
+  });
+}
+
+/// A diagram with its circles, judged.
+val readDiagramValue(const std::string& text, const std::string& name) {
+  return valueOf([&] {
+    auto read = readDiagram(text, name);
+    if (!read) return errorValue(read.error());
+    Diagram& diagram = read.value();
+    const auto error = isJudged(diagram) ? judge(diagram) : std::nullopt;
+    if (error) return errorValue(*error);
+    val result = diagramValue(diagram);
+    result.set("metric", std::string(metricName(diagram.metric)));
+    result.set("circles", float64Array(diagram.circles));
+    return result;
+  });
+}
+
+val writeCirclesValue(const val& coordinates, const std::string& format) {
+  return valueOf([&] {
+    const auto found = named(kCircleFormats, format);
+    if (found == kCircleFormats.end()) return errorValue(unknownFormat(format));
+    std::ostringstream out;
+    found->second(out, itemsFrom<double, Circle>(coordinates));
+    return textValue(out);
+  });
+}
+
+/// `options`: `box`, `maxDistance` and `tolerance`, each possibly undefined.
+val writeDiagramValue(const val& value, const std::string& format, const val& options) {
+  return valueOf([&] {
+    Diagram diagram = diagramFrom(value);
+    diagram.metric = metricFrom(value["metric"].as<std::string>());
+    const auto found = named(kExports, format);
+    const bool isDrawn = found != kExports.end();
+    // Arrays can be changed, and what is drawn is drawn from a diagram that is right.
+    const auto error = isDrawn || isJudged(diagram) ? judge(diagram) : std::nullopt;
+    if (error) return errorValue(*error);
+    diagram.stats = statsFrom(value["stats"]);
+    std::ostringstream out;
+    if (!isDrawn) {
+      const auto other = named(kOthers, format);
+      if (other == kOthers.end()) return errorValue(unknownFormat(format));
+      other->second(out, diagram);
+      return textValue(out);
+    }
+    if (!diagram.certificate.certified()) {
+      return errorValue({ErrorCode::notCertified, diagram.certificate.circle,
+                         "The diagram is not certified: " + diagram.certificate.message});
+    }
+    found->second(out, diagram, exportOptionsFrom(options));
+    return textValue(out);
+  });
+}
+
+bool holdsDiagramValue(const std::string& text) { return holdsDiagram(text); }
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(circle_voronoi_files) {
+  emscripten::function("readCircles", &readCirclesValue);
+  emscripten::function("readDiagram", &readDiagramValue);
+  emscripten::function("holdsDiagram", &holdsDiagramValue);
+  emscripten::function("writeCircles", &writeCirclesValue);
+  emscripten::function("writeDiagram", &writeDiagramValue);
+}

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Files as the command line reads and writes them, to the byte.
+ *
+ * @module circle-voronoi/files
+ */
+import { checkMaxDistance, checkOptionNames, refuseArgument, refuseOption, shown } from './check.ts'
+import { type Box, ConvexPolygon } from './convex-polygon.ts'
+import { type Circles, coordinatesOf } from './coordinates.ts'
+import { Diagram } from './diagram.ts'
+import type { DiagramData, Float64s } from './diagram-data.ts'
+import { statsOf } from './diagram-file.ts'
+import createModule from './generated/circle-voronoi-files.js'
+import { judgedArrays } from './judged-arrays.ts'
+import { checkLoadOptions, type LoadOptions } from './load-options.ts'
+import { compileWasm, instantiate, unwrap } from './wasm.ts'
+
+/**
+ * The formats of circles.
+ *
+ * @category Files
+ * @example
+ * CIRCLE_FORMATS.includes('geojson') // true
+ */
+export const CIRCLE_FORMATS = ['csv', 'json', 'geojson'] as const
+/**
+ * The formats of diagrams. Those from `svg` to `obj` are drawn within bounds.
+ *
+ * @category Files
+ * @example
+ * DIAGRAM_FORMATS.includes('wkt') // true
+ */
+export const DIAGRAM_FORMATS = ['json', 'csv', 'stats', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj'] as const
+const DRAWN: readonly string[] = ['svg', 'geojson', 'geojsonl', 'wkt', 'obj']
+const DRAWN_OPTIONS = ['bounds', 'maxDistance', 'tolerance'] as const
+
+/**
+ * How circles are written.
+ *
+ * @category Files
+ */
+export interface CircleFileOptions {
+  /** `csv` with a header, `json` objects, or `geojson` points with a radius. Default: `csv`. */
+  readonly format?: (typeof CIRCLE_FORMATS)[number] | undefined
+}
+
+/**
+ * How a diagram is written.
+ *
+ * @category Files
+ */
+export interface DiagramFileOptions {
+  /**
+   * `json`, which is read again; `csv`: vertices and edges; `stats`; `svg`: a drawing with true curves, a group for each
+   * layer; `geojson`: cells as polygons, with circle, radius, area and neighbors; `geojsonl`: one a line; `wkt`: a line for
+   * each circle; `obj`: edges and cells. Default: `json`.
+   */
+  readonly format?: (typeof DIAGRAM_FORMATS)[number] | undefined
+  /** What is drawn is clipped to this box. Default: one with room for a twentieth of the circles' extent around them. */
+  readonly bounds?: Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | undefined
+  /** Cells and edges that are drawn are cut at this distance from their circles. Default: they are not. */
+  readonly maxDistance?: number | undefined
+  /** The largest distance from the true curves, above 0. Default: a hundred-thousandth of the box. */
+  readonly tolerance?: number | undefined
+}
+
+/**
+ * How a file is read.
+ *
+ * @category Files
+ */
+export interface ReadOptions {
+  /** What it is called in errors. Default: `the text`. */
+  readonly name?: string | undefined
+}
+
+/**
+ * How a file of circles is read.
+ *
+ * @category Files
+ */
+export interface ReadCirclesOptions extends ReadOptions {
+  /** Whether radii are additive weights, and may be negative. Default: false. */
+  readonly weights?: boolean | undefined
+}
+
+/**
+ * The readers and writers, loaded. Texts to be read may be bytes in UTF-8. All throw a `CircleVoronoiError`.
+ *
+ * @category Files
+ */
+export interface Files {
+  /**
+   * Circles from CSV (x, y, r, or columns found by name), JSON (`[[x, y, r], ...]` or objects) or GeoJSON points with a
+   * property radius: x, y, r of each.
+   *
+   * @throws CircleVoronoiError whose message begins with the file's name and the line: `badInput`, and what `compute`
+   *   would refuse
+   */
+  readCircles(text: string | Uint8Array, options?: ReadCirclesOptions): Float64s
+  /**
+   * A diagram from JSON, judged: its certificate says whether it is right. Of a power diagram there is no proof.
+   *
+   * @throws CircleVoronoiError as `readCircles`
+   */
+  readDiagram(text: string | Uint8Array, options?: ReadOptions): Diagram
+  /** Whether a text is meant for `readDiagram` and not for `readCircles`. */
+  holdsDiagram(text: string | Uint8Array): boolean
+  /** Circles as `readCircles` reads them, to the bit. */
+  writeCircles(circles: Circles, options?: CircleFileOptions): string
+  /**
+   * A diagram, which is judged anew.
+   *
+   * @throws CircleVoronoiError `notCertified`, if something is to be drawn of a diagram that is not right; `badOption`, also
+   *   if it is to be drawn of a power diagram, of which there is no proof; `badInput`, if arrays are not those of a diagram
+   */
+  writeDiagram(diagram: DiagramData, options?: DiagramFileOptions): string
+}
+
+/**
+ * Loads the readers and writers, a WebAssembly module of its own.
+ *
+ * @param options `wasm`: `circle-voronoi-files.wasm`. Default: the file beside this module.
+ * @throws CircleVoronoiError `notLoaded`, `badOption`
+ *
+ * @category Files
+ * @example
+ * const files = await loadFiles()
+ * files.readCircles('x;y;r\n0;0;1\n6;0;1') // Float64Array(6) [ 0, 0, 1, 6, 0, 1 ]
+ * files.writeDiagram(diagram, { format: 'csv' }).split('\n')[1] // 'vertex,0,3,4,4,0,1,2,,'
+ * files.readDiagram(files.writeDiagram(diagram)).find(5, 1) // 1
+ */
+export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
+  checkLoadOptions(options, 'loadFiles')
+  const beside = () => new URL('./generated/circle-voronoi-files.wasm', import.meta.url)
+  const module = await instantiate(createModule, await compileWasm(options.wasm, beside))
+  const decoder = new TextDecoder('utf-8', { ignoreBOM: true })
+
+  return {
+    readCircles(text, options = {}) {
+      const name = nameOf(options, 'readCircles', ['name', 'weights'])
+      const { weights = false }: { weights?: unknown } = options
+      if (typeof weights !== 'boolean') refuseOption('The option weights is true or false.')
+      return unwrap(module.readCircles(textOf(text, 'readCircles'), name, weights)).circles
+    },
+    readDiagram(text, options = {}) {
+      const name = nameOf(options, 'readDiagram', ['name'])
+      return new Diagram(unwrap(module.readDiagram(textOf(text, 'readDiagram'), name)))
+    },
+    holdsDiagram(text) {
+      return module.holdsDiagram(textOf(text, 'holdsDiagram'))
+    },
+    writeCircles(circles, options = {}) {
+      checkOptionNames(options, 'writeCircles', ['format'])
+      const format = formatOf(options.format ?? 'csv', CIRCLE_FORMATS)
+      return decoder.decode(unwrap(module.writeCircles(coordinatesOf(circles), format)).text)
+    },
+    writeDiagram(diagram, options = {}) {
+      checkOptionNames(options, 'writeDiagram', ['format', ...DRAWN_OPTIONS])
+      const format = formatOf(options.format ?? 'json', DIAGRAM_FORMATS)
+      const unused = DRAWN.includes(format) ? undefined : DRAWN_OPTIONS.find((name) => options[name] !== undefined)
+      if (unused !== undefined) refuseOption(`The format ${format} takes no ${unused}.`)
+      const { bounds, maxDistance, tolerance } = options
+      checkMaxDistance(diagram, 'writeDiagram', maxDistance)
+      if (tolerance !== undefined && !(Number.isFinite(tolerance) && tolerance > 0)) {
+        refuseOption(`The tolerance is a number above 0, not ${shown(tolerance)}.`)
+      }
+      const box = bounds === undefined ? undefined : sidesOf(bounds)
+      const { metric, stats } = diagram
+      const data = { metric, ...judgedArrays(diagram), stats: statsOf(stats) }
+      return decoder.decode(unwrap(module.writeDiagram(data, format, { box, maxDistance, tolerance })).text)
+    },
+  }
+}
+
+function textOf(text: unknown, caller: string): string | Uint8Array {
+  if (typeof text !== 'string' && !(text instanceof Uint8Array)) {
+    refuseArgument(`${caller} takes a text or its bytes, not ${shown(text)}.`)
+  }
+  return text
+}
+
+function nameOf(options: ReadOptions, caller: string, known: readonly string[]): string {
+  checkOptionNames(options, caller, known)
+  const { name = 'the text' }: { name?: unknown } = options
+  if (typeof name !== 'string') refuseOption(`The name of a file is a string, not ${shown(name)}.`)
+  return name
+}
+
+function formatOf(format: unknown, known: readonly string[]): string {
+  if (!known.includes(format as string)) {
+    refuseOption(`There is no format ${shown(format)} for this: the choice is ${known.join(', ')}.`)
+  }
+  return format as string
+}
+
+function sidesOf(bounds: NonNullable<DiagramFileOptions['bounds']>): Float64Array {
+  if ((bounds as unknown) instanceof ConvexPolygon) refuseOption('The bounds of a file are a box.')
+  const { minX, minY, maxX, maxY } = ConvexPolygon.of(bounds).box
+  return Float64Array.of(minX, minY, maxX, maxY)
+}
