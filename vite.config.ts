@@ -31,6 +31,10 @@ export default defineConfig({
   server: { headers },
   preview: { headers },
   // The limit is for what hangs: on a busy machine a test of many random inputs may take long.
-  test: { root: '.', include: ['tests/{web,scripts}/**/*.test.{ts,mjs}'], testTimeout: 60_000 },
+  test: {
+    root: '.',
+    include: ['tests/{web,scripts}/**/*.test.{ts,mjs}', 'tests/files/*.test.ts'],
+    testTimeout: 60_000,
+  },
   plugins: [{ name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] }],
 })

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <ostream>
 #include <vector>
@@ -79,6 +80,13 @@ void addOutputOptions(CLI::App& command, Output& output) {
         const auto distance = readNumber(text);
         return distance && std::abs(*distance) <= kRegionLimit ? "" : "expected a number up to 1e152.";
       });
+  command
+      .add_option(
+          "--digits", output.digits,
+          "of a diagram: how many digits coordinates and areas have after the decimal point at most; by default "
+          "as many as the tolerance asks for, in json and csv all")
+      ->type_name("COUNT")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""));
 }
 
 std::string endingOf(const std::string& file) {
@@ -97,6 +105,7 @@ void settle(Output& output, const std::string& input) {
     }
     output.format = ending.empty() ? kDefaultFormat : ending;
   }
+  if (output.format == "stats" && output.digits) throw Failure{kBadInput, "--digits is not for --format stats."};
   if (kExports.contains(output.format)) return;
   const char* unused = !output.box.empty()    ? "--box"
                        : output.tolerance > 0 ? "--tolerance"
@@ -111,6 +120,7 @@ ExportOptions exportOptions(const Output& output) {
   if (!output.box.empty()) (void)readBox(output.box, options.box.emplace());
   if (output.tolerance > 0) options.tolerance = output.tolerance;
   options.maxDistance = output.maxDistance;
+  options.digits = output.digits;
   return options;
 }
 
@@ -122,12 +132,13 @@ void writeDiagram(const Output& output, const std::string& name, const Diagram& 
   write(output, progress, [&](std::ostream& out) {
     if (found != kExports.end()) return found->second(out, diagram, exportOptions(output));
     if (output.format == "stats") return writeStatsJson(out, diagram);
-    if (output.format == "csv") return writeDiagramCsv(out, diagram);
-    writeJson(out, diagram);
+    if (output.format == "csv") return writeDiagramCsv(out, diagram, output.digits);
+    writeJson(out, diagram, output.digits);
   });
 }
 
 void writeCircles(const Output& output, std::span<const Circle> circles, ProgressLine& progress) {
+  if (output.digits) throw Failure{kBadInput, "--digits is for diagrams; circles keep the digits that they have."};
   const auto found = kCircleFormats.find(output.format);
   if (found == kCircleFormats.end()) {
     throw Failure{kBadInput,

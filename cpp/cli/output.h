@@ -21,6 +21,7 @@ struct Output {
   std::string box;       ///< MINX,MINY,MAXX,MAXY; empty: the default
   double tolerance = 0;  ///< 0: the default
   std::optional<double> maxDistance = {};
+  std::optional<int> digits = {};
 };
 
 void addOutputFile(CLI::App& command, Output& output);
@@ -34,7 +35,7 @@ std::string endingOf(const std::string& file);
 /// format, if an option is given that the format does not use, or if the output is the input.
 void settle(Output& output, const std::string& input);
 
-/// The box, the tolerance and the maximum distance that the user gave.
+/// The box, the tolerance, the maximum distance and the digits that the user gave.
 ExportOptions exportOptions(const Output& output);
 
 /// Writes a diagram. `name` is what the input is called. Throws Failure if the format needs a certified

@@ -25,14 +25,16 @@ void writeAllLines(std::ostream& out, const Diagram& diagram, const ExportOption
   writeGeoJsonLines(out, diagram, options);
 }
 
+void writeStats(std::ostream& out, const Diagram& diagram, std::optional<int>) { writeStatsJson(out, diagram); }
+
 template <class Write>
 using Formats = std::pair<std::string_view, Write>;
 
 /// The formats that need a certified diagram.
 constexpr std::array<Formats<void (*)(std::ostream&, const Diagram&, const ExportOptions&)>, 5> kExports = {
     {{"svg", writeSvg}, {"geojson", writeGeoJson}, {"geojsonl", writeAllLines}, {"wkt", writeWkt}, {"obj", writeObj}}};
-constexpr std::array<Formats<void (*)(std::ostream&, const Diagram&)>, 3> kOthers = {
-    {{"json", writeJson}, {"csv", writeDiagramCsv}, {"stats", writeStatsJson}}};
+constexpr std::array<Formats<void (*)(std::ostream&, const Diagram&, std::optional<int>)>, 3> kOthers = {
+    {{"json", writeJson}, {"csv", writeDiagramCsv}, {"stats", writeStats}}};
 constexpr std::array<Formats<void (*)(std::ostream&, std::span<const Circle>)>, 3> kCircleFormats = {
     {{"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}}};
 
@@ -79,11 +81,18 @@ std::optional<double> numberFrom(const val& value) {
   return value.isUndefined() ? std::nullopt : std::optional(value.as<double>());
 }
 
+std::optional<int> digitsFrom(const val& options) {
+  const auto digits = numberFrom(options["digits"]);
+  // No number has more.
+  return digits ? std::optional(static_cast<int>(std::min(*digits, 1000.0))) : std::nullopt;
+}
+
 ExportOptions exportOptionsFrom(const val& value) {
   ExportOptions options;
   if (const val box = value["box"]; !box.isUndefined()) options.box = itemsFrom<double, Box>(box).at(0);
   options.maxDistance = numberFrom(value["maxDistance"]);
   options.tolerance = numberFrom(value["tolerance"]);
+  options.digits = digitsFrom(value);
   return options;
 }
 
@@ -133,7 +142,7 @@ val writeCirclesValue(const val& coordinates, const std::string& format) {
   });
 }
 
-/// `options`: `box`, `maxDistance` and `tolerance`, each possibly undefined.
+/// `options`: `box`, `maxDistance`, `tolerance` and `digits`, each possibly undefined.
 val writeDiagramValue(const val& value, const std::string& format, const val& options) {
   return valueOf([&] {
     Diagram diagram = diagramFrom(value);
@@ -148,7 +157,7 @@ val writeDiagramValue(const val& value, const std::string& format, const val& op
     if (!isDrawn) {
       const auto other = named(kOthers, format);
       if (other == kOthers.end()) return errorValue(unknownFormat(format));
-      other->second(out, diagram);
+      other->second(out, diagram, digitsFrom(options));
       return textValue(out);
     }
     if (!diagram.certificate.certified()) {

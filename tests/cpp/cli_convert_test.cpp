@@ -32,6 +32,26 @@ class CliConvert : public test::Cli {
   }
 };
 
+TEST_F(CliConvert, ADiagramHasTheDigitsThatAreAskedFor) {
+  const std::string file = write("circles.csv", "0.123456,0,1\n6,0.5,1\n0,8,1.25\n3,3,0.1\n");
+  ASSERT_EQ(run("compute " + file + " -o " + path("diagram.json")).status, 0);
+  for (const std::string format : {"json", "csv", "wkt", "geojson", "geojsonl", "svg", "obj"}) {
+    const std::string options = " --digits 2 --format " + format;
+    const auto [status, out, err] = run("convert " + path("diagram.json") + options);
+    ASSERT_EQ(status, 0) << err;
+    EXPECT_LT(out.size(), run("convert " + path("diagram.json") + " --format " + format).out.size());
+    // But for its times and counts.
+    if (format != "json") {
+      EXPECT_EQ(run("compute " + file + options).out, out);
+    }
+  }
+  const std::string rounded = run("convert " + path("diagram.json") + " --digits 2").out;
+  EXPECT_NE(rounded.find("{\"x\": 0.123456, \"y\": 0, \"r\": 1}"), std::string::npos) << "circles keep theirs";
+  EXPECT_EQ(run("verify -", rounded).status, 1);
+  EXPECT_EQ(run("verify -", run("convert " + path("diagram.json") + " --digits 14").out).status, 0);
+  EXPECT_EQ(run("convert " + path("diagram.json") + " --digits 400").out, readFile(path("diagram.json")));
+}
+
 TEST_F(CliConvert, CirclesGoThroughEveryFormatToTheBit) {
   auto circles = generate(Family::logUniform, 50, 1);
   circles[7].x = -0.0;

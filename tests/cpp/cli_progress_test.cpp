@@ -15,7 +15,7 @@ class CliProgress : public test::Cli {
 
   /// A computation that waits for its input for well over a second, also if it takes long to start.
   std::string slow(const std::string& options) const {
-    return "(sleep 2; cat " + fixture_ + ") | " + program_ + " compute - -o " + path("out.json") + options;
+    return "(sleep 3; cat " + fixture_ + ") | " + program_ + " compute - -o " + path("out.json") + options;
   }
 
   /// What a terminal gets from a command.

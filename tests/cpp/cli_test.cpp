@@ -165,6 +165,11 @@ TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
       expectFailure(run(command + " --tolerance 1 --format " + format), 2, "--tolerance needs --format svg, geojson");
     }
   }
+  expectFailure(run(compute + " --digits 2 --format stats"), 2, "--digits is not for --format stats.");
+  expectFailure(run("convert " + kFixture + " --digits 2"), 2, "--digits is for diagrams; circles keep the digits");
+  for (const std::string digits : {"-1", "2.5", "two", "1e1", "''"}) {
+    expectFailure(run(compute + " --digits " + digits), 2, "--digits");
+  }
 }
 
 TEST_F(Cli, AnEmptyFileIsSaidToBeEmpty) {
@@ -195,7 +200,8 @@ TEST_F(Cli, ListsTheFamilies) {
 }
 
 TEST_F(Cli, BadUsage) {
-  expectFailure(run(""), 2, "A command is missing; the commands are compute, convert, generate, tile and verify.");
+  expectFailure(run(""), 2,
+                "A command is missing; the commands are compute, convert, edit, generate, tile and verify.");
   expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are compute, ");
   expectFailure(run("--draw"), 2, "There is no option --draw; the commands are compute, ");
   expectFailure(run("compute - --draw"), 2, "--draw");

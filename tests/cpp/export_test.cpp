@@ -187,6 +187,85 @@ TEST(Export, CoordinatesHaveTheDigitsOfTheTolerance) {
   }
 }
 
+TEST(Export, CoordinatesHaveNoMoreThanTheDigitsThatAreAskedFor) {
+  const auto circles = generate(Family::uniform, 400, 2);
+  for (const auto& [digits, least] : {std::pair(1, 0.7), std::pair(2, 0.95), std::pair(5, 1.0)}) {
+    ExportOptions options;
+    options.digits = digits;
+    options.maxDistance = digits == 5 ? std::optional(0.4) : std::nullopt;
+    for (const std::string& text : {textOf(writeWkt, circles, options), textOf(writeObj, circles, options)}) {
+      std::size_t rounded = 0;
+      std::size_t all = 0;
+      for (const std::string& number : numbersOf(text)) {
+        ++all;
+        rounded += placesOf(number) <= static_cast<std::size_t>(digits) ? 1 : 0;
+      }
+      EXPECT_GE(static_cast<double>(rounded), least * static_cast<double>(all)) << "but for short edges";
+    }
+    const Json file = Json::parse(textOf(writeGeoJson, circles, options));
+    for (const Json& feature : file["features"]) {
+      EXPECT_LE(placesOf(feature["properties"]["area"].dump()), static_cast<std::size_t>(digits));
+    }
+  }
+  std::ostringstream out;
+  writeDiagramCsv(out, compute(circles).value(), 3);
+  for (const std::string& number : numbersOf(out.str())) EXPECT_LE(placesOf(number), 3U) << number;
+}
+
+TEST(Export, PolygonsFillTheBoxAndAreSimpleHoweverFewTheDigits) {
+  for (const FamilyInfo& family : families()) {
+    const auto circles = generate(family.family, 60, 5);
+    if (family.family == Family::twoClusters || family.family == Family::nestedTangent) continue;
+    const Box all = exportBox(circles);
+    const Box inner = {all.minX + (all.maxX - all.minX) / 3, all.minY, all.maxX, all.maxY - (all.maxY - all.minY) / 5};
+    for (const int digits : {0, 1, 3, 6}) {
+      for (const Box& box : {all, inner}) {
+        SCOPED_TRACE(std::string(family.name) + " " + std::to_string(digits));
+        ExportOptions options;
+        options.box = box;
+        options.digits = digits;
+        double sum = 0;
+        const Json file = Json::parse(textOf(writeGeoJson, circles, options));
+        for (const Json& feature : file["features"]) {
+          for (const Ring& ring : ringsOf(feature["geometry"])) {
+            EXPECT_GT(areaOf(ring), 0);
+            EXPECT_TRUE(isSimple(ring)) << feature;
+            for (const auto& [x, y] : ring) {
+              EXPECT_TRUE(box.minX <= x && x <= box.maxX && box.minY <= y && y <= box.maxY) << x << ' ' << y;
+            }
+            sum += areaOf(ring);
+          }
+        }
+        EXPECT_NEAR(sum / ((box.maxX - box.minX) * (box.maxY - box.minY)), 1, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Export, CellsCutAtAMaximumDistanceAreSimpleHoweverFewTheDigits) {
+  for (const Family family : {Family::uniform, Family::logUniform, Family::twoHuge, Family::hidden, Family::chaos}) {
+    const auto circles = generate(family, 60, 5);
+    const double size = exportBox(circles).maxX - exportBox(circles).minX;
+    for (const double share : {0.3, 0.05, 1e-3, 1e-6}) {
+      for (const int digits : {0, 1, 3, 6}) {
+        SCOPED_TRACE(std::string(familyName(family)) + " " + std::to_string(share) + " " + std::to_string(digits));
+        ExportOptions options;
+        options.maxDistance = share * size;
+        options.digits = digits;
+        const Json file = Json::parse(textOf(writeGeoJson, circles, options));
+        for (const Json& feature : file["features"]) {
+          const auto rings = ringsOf(feature["geometry"]);
+          EXPECT_EQ(rings.empty(), feature["properties"].contains("hiddenBy")) << feature;
+          for (const Ring& ring : rings) {
+            EXPECT_GT(areaOf(ring), 0);
+            EXPECT_TRUE(isSimple(ring)) << feature;
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Export, LargeAndTinyDrawingsAreRoundedLikewise) {
   for (const double scale : {1e-100, 1e-30, 1e-9, 1e9, 1e30, 1e100}) {
     auto circles = generate(Family::mixed, 60, 5);

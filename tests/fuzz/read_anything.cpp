@@ -17,6 +17,7 @@ namespace circle_voronoi::fuzz {
 namespace {
 
 constexpr std::string_view kName = "text";
+constexpr std::optional<int> kAllDigits;
 
 template <class Write, class... Values>
 std::string written(Write write, const Values&... values) {
@@ -78,11 +79,11 @@ std::optional<std::string> tryDiagram(std::string_view text) {
   }
   const Diagram& diagram = read.value();
   if (!certify(diagram)) return "certify rejects circles that readDiagram takes";
-  (void)written(writeDiagramCsv, diagram);
-  const std::string json = written(writeJson, diagram);
+  (void)written(writeDiagramCsv, diagram, kAllDigits);
+  const std::string json = written(writeJson, diagram, kAllDigits);
   const auto again = readDiagram(json, kName);
   if (!again) return "a diagram does not come back: " + again.error().message;
-  if (written(writeJson, again.value()) != json) return "a diagram comes back another";
+  if (written(writeJson, again.value(), kAllDigits) != json) return "a diagram comes back another";
   return std::nullopt;
 }
 

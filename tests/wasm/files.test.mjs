@@ -7,7 +7,7 @@ import { describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { loadComparison } from '../../dist/lib/comparison.js'
 import { loadFiles } from '../../dist/lib/files.js'
-import { CircleVoronoiError, Diagram, loadCircleVoronoi } from '../../dist/lib/index.js'
+import { CircleVoronoiError, loadCircleVoronoi } from '../../dist/lib/index.js'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const FIXTURES = readdirSync(`${ROOT}tests/fixtures`).filter((name) => name.endsWith('.csv'))
@@ -99,6 +99,33 @@ it('circles go through every format to the bit', () => {
   }
 })
 
+it('numbers are read as by the program', () => {
+  const odd = [
+    '1e400',
+    '-1e400',
+    '1e-400',
+    '2e-324',
+    '3e-324',
+    '0e-400',
+    'inf',
+    'nan',
+    'nan(1)',
+    '+1',
+    '1e',
+    '.5',
+    '5.',
+  ]
+  const long = ['0.1000000000000000055511151231257827021181583404541015625', '9007199254740993', '1e22']
+  for (const x of [...odd, ...long, '123456789012345678901', '0x10', '-', '1e99999999999', '1e150', '1e151']) {
+    for (const text of [`${x},2,3\n`, `[[${x}, 2, 3]]`]) {
+      const { status, text: written, problem } = run(['convert', '-', '--format', 'csv'], text)
+      const read = () => files.writeCircles(files.readCircles(text, { name: 'standard input' }))
+      if (status === 0) assert.equal(read(), written, x)
+      else assert.equal(`circle-voronoi: ${errorOf(read).message}`, problem)
+    }
+  }
+})
+
 describe('what cannot be read is said as by the program', () => {
   for (const name of readdirSync(CORPUS)) {
     it(name, () => {
@@ -110,71 +137,6 @@ describe('what cannot be read is said as by the program', () => {
       else assert.equal(`circle-voronoi: ${errorOf(action).message}`, problem)
     })
   }
-})
-
-describe('misuse is one clear error', () => {
-  const diagram = library.compute([
-    [0, 0, 1],
-    [6, 0, 1],
-    [0, 8, 1],
-  ])
-  const wrong = [
-    ['badArgument', () => files.readCircles(5), 'readCircles takes a text or its bytes, not 5.'],
-    ['badInput', () => files.readCircles('1,2'), 'the text:1: expected three numbers x,y,r separated by commas.'],
-    ['badOption', () => files.readCircles('', { name: 3 }), 'The name of a file is a string, not 3.'],
-    [
-      'badOption',
-      () => files.writeDiagram(diagram, { format: 'xml' }),
-      'There is no format "xml" for this: the choice is json, csv, stats, svg, geojson, geojsonl, wkt, obj.',
-    ],
-    [
-      'badOption',
-      () => files.writeCircles([], { format: 'svg' }),
-      'There is no format "svg" for this: the choice is csv, json, geojson.',
-    ],
-    [
-      'badOption',
-      () => files.writeDiagram(diagram, { format: 'csv', tolerance: 1 }),
-      'The format csv takes no tolerance.',
-    ],
-    [
-      'badOption',
-      () => files.writeDiagram(diagram, { format: 'svg', tolerance: 0 }),
-      'The tolerance is a number above 0, not 0.',
-    ],
-    [
-      'badOption',
-      () => files.writeDiagram(diagram, { format: 'svg', bounds: [0, 0, 0, 1] }),
-      'The box is empty, or a coordinate is not finite, or beyond 1e152.',
-    ],
-    [
-      'badOption',
-      () => files.writeDiagram(diagram, { box: [0, 0, 1, 1] }),
-      'There is no option box of writeDiagram; its options are format, bounds, maxDistance and tolerance.',
-    ],
-    [
-      'badOption',
-      () => files.writeDiagram(diagram, { format: 'svg', maxDistance: '1' }),
-      'The maximum distance is a number up to 1e152, not "1".',
-    ],
-    ['badOption', () => files.readCircles('0,0,-1', { weights: 1 }), 'The option weights is true or false.'],
-    ['negativeRadius', () => files.readCircles('0,0,-1'), 'the text:1: Circle 0 has a negative radius.'],
-    ['badInput', () => files.writeDiagram({}), 'circles is no Float64Array of 3 numbers each.'],
-  ]
-  for (const [code, action, message] of wrong) {
-    it(message, () => {
-      const error = errorOf(action)
-      assert.equal(error.message, message)
-      assert.equal(error.code, code)
-    })
-  }
-
-  it('a diagram that is not right is not drawn', () => {
-    const moved = new Diagram({ ...diagram, vertices: diagram.vertices.map((value) => value + 0.001) })
-    assert.equal(errorOf(() => files.writeDiagram(moved, { format: 'svg' })).code, 'notCertified')
-    assert.equal(JSON.parse(files.writeDiagram(moved, { format: 'stats' })).certificate.certified, false)
-    assert.equal(files.readDiagram(files.writeDiagram(moved)).certificate.certified, false)
-  })
 })
 
 function readCirclesOf(fixture) {

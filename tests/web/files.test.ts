@@ -1,139 +1,153 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Round trips of every format, in JavaScript and through the native program, which gets and gives the same bytes.
-import { execFileSync } from 'node:child_process'
-import fc from 'fast-check'
+// Readers and writers of files, and what they refuse. That they are those of the program, tests/wasm/files.test.mjs and
+// tests/files/round-trips.test.ts show.
 import { describe, expect, it } from 'vitest'
-import { loadFiles } from '../../web/lib/files.ts'
-import { Diagram } from '../../web/lib/index.ts'
-import { anyCircles } from './arbitrary-circles.ts'
+import { CIRCLE_FORMATS, DIAGRAM_FORMATS, loadFiles } from '../../web/lib/files.ts'
+import { CircleVoronoiError, ConvexPolygon, Diagram } from '../../web/lib/index.ts'
 import { library } from './library.ts'
 
-const PROGRAM = new URL('../../build/native/circle-voronoi', import.meta.url).pathname
-
+const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
+const CSV = 'x,y,r\n0,0,1\n6,0,1\n0,8,1\n'
+const diagram = library.compute(CIRCLES)
 const files = await loadFiles()
 
-function native(args: readonly string[], input: string): string {
-  return execFileSync(PROGRAM, args, { input, encoding: 'utf8', maxBuffer: 2 ** 26 })
-}
+it('circles are read and written, from text or bytes', () => {
+  expect(files.writeCircles(CIRCLES)).toBe(CSV)
+  for (const format of CIRCLE_FORMATS) {
+    const text = files.writeCircles([[0, 0, 1], { x: 6, y: 0, r: 1 }, [0, 8, 1]], { format })
+    expect(files.readCircles(text)).toEqual(CIRCLES)
+    expect(files.readCircles(new TextEncoder().encode(text), { name: 'a.csv' })).toEqual(CIRCLES)
+    expect(files.holdsDiagram(text)).toBe(false)
+  }
+  expect(files.readCircles('0,0,-1\n', { weights: true })).toEqual(Float64Array.of(0, 0, -1))
+})
 
-/** Every finite number that a circle may have. */
-const anyNumber = fc.double({ min: -1e150, max: 1e150, noNaN: true })
-const anyRadius = fc.double({ min: 0, max: 1e150, noNaN: true })
-const anyNumbers = fc
-  .array(fc.tuple(anyNumber, anyNumber, anyRadius), { minLength: 1, maxLength: 20 })
-  .map((list) => Float64Array.from(list.flat()))
+it('a diagram is read as it was written', () => {
+  const text = files.writeDiagram(diagram)
+  expect(files.holdsDiagram(text)).toBe(true)
+  expect({ ...files.readDiagram(text) }).toEqual({ ...diagram })
+  expect(files.writeDiagram({ ...diagram })).toBe(text)
+  expect(new Set(DIAGRAM_FORMATS.map((format) => files.writeDiagram(diagram, { format }))).size).toBe(8)
+})
 
-type Ring = readonly string[]
+it('a diagram is drawn where, how far and how closely it is asked for', () => {
+  const wkt = (options: object) => files.writeDiagram(diagram, { format: 'wkt', ...options }).split('\n')[0]
+  const square = 'POLYGON ((3 -5, 3 4, -5 4, -5 -5, 3 -5))'
+  expect(wkt({ bounds: [-5, -5, 10, 10] })).toBe(square)
+  expect(wkt({ bounds: { minX: -5, minY: -5, maxX: 10, maxY: 10 } })).toBe(square)
+  const sides = (options: object) => wkt(options)?.split(',').length ?? 0
+  expect(sides({ maxDistance: 0.5, tolerance: 0.1 })).toBeLessThan(sides({ maxDistance: 0.5, tolerance: 0.001 }))
+  expect(wkt({ maxDistance: 0.5, digits: 1 })).toMatch(/^POLYGON \(\((-?\d(\.\d)? -?\d(\.\d)?(, )?)+\)\)$/)
+})
 
-/** The rings of each circle's cell, their points as they are written, `x y`; the first one again at the end. */
-const readers: Record<'geojson' | 'geojsonl' | 'wkt' | 'obj', (text: string) => Ring[][]> = {
-  geojson: (text) => ringsOfFeatures(text.slice(text.indexOf('\n') + 1, text.lastIndexOf('\n]}')).split(',\n')),
-  geojsonl: (text) => ringsOfFeatures(text.trimEnd().split('\n')),
-  wkt: (text) =>
-    text
-      .trimEnd()
-      .split('\n')
-      .map((line) => [...line.matchAll(/\(([^()]+)\)/g)].map(([, points]) => (points as string).split(', '))),
-  obj: (text) => {
-    const points = ['']
-    const cells: Ring[][] = []
-    for (const line of text.split('\n')) {
-      if (line.startsWith('v ')) points.push(line.slice(2, line.lastIndexOf(' ')))
-      if (line.startsWith('g ')) cells.push([])
-      if (line.startsWith('f ')) {
-        const ring = line
-          .slice(2)
-          .split(' ')
-          .map((k) => points[Number(k)] as string)
-        cells.at(-1)?.push([...ring, ring[0] as string])
-      }
-    }
-    return cells
-  },
-}
+it('what is not right is said, and not drawn', () => {
+  const moved = new Diagram({ ...diagram, vertices: diagram.vertices.map((value) => value + 0.001) })
+  expect(() => files.writeDiagram(moved, { format: 'svg' })).toThrow(expect.objectContaining({ code: 'notCertified' }))
+  expect(JSON.parse(files.writeDiagram(moved, { format: 'stats' })).certificate.certified).toBe(false)
+  expect(files.readDiagram(files.writeDiagram(moved)).certificate.certified).toBe(false)
+  expect(files.readDiagram(files.writeDiagram(diagram)).certificate.certified).toBe(true)
+})
 
-/** As text, so that no number is rounded. */
-function ringsOfFeatures(features: readonly string[]): Ring[][] {
-  return features.map((feature) => {
-    const geometry = feature.slice(feature.indexOf('"geometry":'))
-    const rings = geometry.match(/(?<=\[)(\[[^[\]]+\],?)+(?=\])/g) ?? []
-    return rings.map((ring) => [...ring.matchAll(/\[([^,]+),([^\]]+)\]/g)].map(([, x, y]) => `${x} ${y}`))
-  })
-}
+/** As a program without types sees it. */
+const f = files as unknown as Record<keyof typeof files, (...args: unknown[]) => unknown>
+const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown])[] = [
+  ['badArgument', 'readCircles takes a text or its bytes, not 5.', () => f.readCircles(5)],
+  ['badArgument', 'readDiagram takes a text or its bytes, not an object.', () => f.readDiagram({})],
+  ['badArgument', 'holdsDiagram takes a text or its bytes, not undefined.', () => f.holdsDiagram()],
+  ['badInput', 'the text:1: expected three numbers x,y,r separated by commas.', () => f.readCircles('1,2')],
+  ['badInput', 'a.csv:1: the text is empty.', () => f.readCircles('', { name: 'a.csv' })],
+  ['negativeRadius', 'the text:1: Circle 0 has a negative radius.', () => f.readCircles('0,0,-1')],
+  ['badOption', 'The name of a file is a string, not 3.', () => f.readCircles('', { name: 3 })],
+  ['badOption', 'The option weights is true or false.', () => f.readCircles('0,0,-1', { weights: 1 })],
+  [
+    'badOption',
+    'There is no option weights of readDiagram; its only one is name.',
+    () => f.readDiagram('', { weights: true }),
+  ],
+  ['badInput', 'The circles are neither a typed array nor a list, but "0,0,1".', () => f.writeCircles('0,0,1')],
+  [
+    'badOption',
+    'There is no format "svg" for this: the choice is csv, json, geojson.',
+    () => f.writeCircles([], { format: 'svg' }),
+  ],
+  [
+    'badOption',
+    'There is no option digits of writeCircles; its only one is format.',
+    () => f.writeCircles([], { digits: 3 }),
+  ],
+  ['badInput', 'circles is no Float64Array of 3 numbers each.', () => f.writeDiagram({})],
+  [
+    'badOption',
+    'There is no format "xml" for this: the choice is json, csv, stats, svg, geojson, geojsonl, wkt, obj.',
+    () => f.writeDiagram(diagram, { format: 'xml' }),
+  ],
+  ...(['json', 'csv', 'stats'] as const).flatMap((format) =>
+    (['bounds', 'maxDistance', 'tolerance'] as const).map(
+      (name) =>
+        [
+          'badOption',
+          `The format ${format} takes no ${name}.`,
+          () => f.writeDiagram(diagram, { format, [name]: 1 }),
+        ] as const,
+    ),
+  ),
+  ['badOption', 'The format stats takes no digits.', () => f.writeDiagram(diagram, { format: 'stats', digits: 2 })],
+  ...[-1, 2.5, '2', Number.NaN].map(
+    (digits) =>
+      [
+        'badOption',
+        `The number of digits is a whole number from 0, not ${JSON.stringify(digits).replace('null', 'NaN')}.`,
+        () => f.writeDiagram(diagram, { digits }),
+      ] as const,
+  ),
+  ...[0, -1, Number.POSITIVE_INFINITY, Number.NaN].map(
+    (tolerance) =>
+      [
+        'badOption',
+        `The tolerance is a number above 0, not ${tolerance}.`,
+        () => f.writeDiagram(diagram, { format: 'svg', tolerance }),
+      ] as const,
+  ),
+  [
+    'badOption',
+    'The box is empty, or a coordinate is not finite, or beyond 1e152.',
+    () => f.writeDiagram(diagram, { format: 'svg', bounds: [0, 0, 0, 1] }),
+  ],
+  [
+    'badOption',
+    'The bounds of a file are a box.',
+    () =>
+      f.writeDiagram(diagram, {
+        format: 'svg',
+        bounds: ConvexPolygon.from([
+          { x: 0, y: 0 },
+          { x: 1, y: 0 },
+          { x: 0, y: 1 },
+        ]),
+      }),
+  ],
+  [
+    'badOption',
+    'The maximum distance is a number up to 1e152, not "1".',
+    () => f.writeDiagram(diagram, { format: 'svg', maxDistance: '1' }),
+  ],
+  [
+    'badOption',
+    'There is no option box of writeDiagram; its options are format, bounds, maxDistance, tolerance and digits.',
+    () => f.writeDiagram(diagram, { box: [0, 0, 1, 1] }),
+  ],
+]
 
-describe('circles are read as they were written', () => {
-  for (const format of ['csv', 'json', 'geojson'] as const) {
-    it(`as ${format}, to the bit`, () => {
-      fc.assert(
-        fc.property(anyNumbers, (circles) => {
-          const text = files.writeCircles(circles, { format })
-          expect(files.readCircles(text)).toEqual(circles)
-          // The other way, and back, through the native program.
-          const there = native(['convert', '-', '--format', format], files.writeCircles(circles, { format: 'json' }))
-          expect(there).toBe(text)
-        }),
-      )
+describe('misuse is one clear error', () => {
+  for (const [code, says, act] of MISUSE) {
+    it(`${code}: ${says}`, () => {
+      expect(act).toThrow(CircleVoronoiError)
+      expect(act).toThrow(expect.objectContaining({ code, message: says }))
     })
   }
-})
 
-describe('a diagram is read as it was written', () => {
-  it('as json, to the bit', () => {
-    fc.assert(
-      fc.property(anyCircles, (circles) => {
-        const diagram = library.compute(circles)
-        const text = files.writeDiagram(diagram)
-        expect({ ...files.readDiagram(text) }).toEqual({ ...diagram })
-        expect({ ...Diagram.fromJSON(text), certificate: diagram.certificate }).toEqual({ ...diagram })
-        expect(native(['convert', '-', '--format', 'json'], text)).toBe(text)
-      }),
-      { numRuns: 50 },
-    )
+  it('where the module cannot be loaded', async () => {
+    await expect(loadFiles({ wasm: new Uint8Array(8) })).rejects.toThrow(expect.objectContaining({ code: 'notLoaded' }))
+    await expect(loadFiles({ url: 'x' } as object)).rejects.toThrow('There is no option url of loadFiles')
   })
-
-  it('as csv, its vertices and edges, to the bit', () => {
-    fc.assert(
-      fc.property(anyCircles, (circles) => {
-        const diagram = library.compute(circles)
-        const rows = files
-          .writeDiagram(diagram, { format: 'csv' })
-          .trimEnd()
-          .split('\n')
-          .slice(1)
-          .map((line) => line.split(','))
-        const numbersOf = (type: string, columns: readonly number[]) =>
-          rows.filter(([first]) => first === type).flatMap((row) => columns.map((k) => Number(row[k])))
-        expect(numbersOf('vertex', [2, 3, 4])).toEqual([...diagram.vertices])
-        expect(numbersOf('vertex', [5, 6, 7])).toEqual([...diagram.vertexCircles])
-        expect(numbersOf('edge', [5, 6, 8, 9])).toEqual([...diagram.edges])
-      }),
-    )
-  })
-})
-
-it('what is drawn has the same points in each format, and the same bytes from the native program', () => {
-  const maxDistance = fc.option(fc.double({ min: 0.01, max: 30, noNaN: true }), { nil: undefined })
-  const tolerance = fc.option(fc.double({ min: 1e-3, max: 1, noNaN: true }), { nil: undefined })
-  fc.assert(
-    fc.property(anyCircles, maxDistance, tolerance, (circles, maxDistance, tolerance) => {
-      const diagram = library.compute(circles)
-      const options = { maxDistance, tolerance }
-      const args = [
-        ...(maxDistance === undefined ? [] : ['--max-distance', `${maxDistance}`]),
-        ...(tolerance === undefined ? [] : ['--tolerance', `${tolerance}`]),
-      ]
-      const json = files.writeDiagram(diagram)
-      const rings = Object.entries(readers).map(([format, read]) => {
-        const text = files.writeDiagram(diagram, { ...options, format: format as keyof typeof readers })
-        expect(native(['convert', '-', '--format', format, ...args], json)).toBe(text)
-        return read(text)
-      })
-      for (const other of rings) expect(other).toEqual(rings[0])
-      expect(rings[0]).toHaveLength(circles.length / 3)
-      expect(rings[0]?.flat(2).length).toBeGreaterThan(3)
-      const drawing = files.writeDiagram(diagram, { ...options, format: 'svg' })
-      expect(native(['convert', '-', '--format', 'svg', ...args], json)).toBe(drawing)
-    }),
-    { numRuns: 40 },
-  )
 })

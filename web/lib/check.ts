@@ -79,6 +79,13 @@ export function checkMaxDistance({ metric }: DiagramData, caller: string, distan
     refuseOption(`${caller} takes no maximum distance of a power diagram, which has no distances.`)
 }
 
+/** @throws CircleVoronoiError `badOption`, if there are digits that are no number of them */
+export function checkDigits(digits: unknown): void {
+  if (digits !== undefined && !(Number.isInteger(digits) && (digits as number) >= 0)) {
+    refuseOption(`The number of digits is a whole number from 0, not ${shown(digits)}.`)
+  }
+}
+
 /** A value as it can stand in a sentence. */
 export function shown(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkOptionNames, refuseOption, shown } from './check.ts'
+import { checkDigits, checkOptionNames, refuseOption, shown } from './check.ts'
 import type { Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { exportTolerance } from './export-box.ts'
 import type { PathSink } from './path-sink.ts'
@@ -87,9 +87,7 @@ export function drawn(
     draw(context)
     return undefined
   }
-  if (digits !== undefined && !(Number.isInteger(digits) && digits >= 0)) {
-    refuseOption(`The number of digits is a whole number from 0, not ${shown(digits)}.`)
-  }
+  checkDigits(digits)
   const path = new SvgPath(digits ?? (tolerance === undefined ? undefined : digitsFor(tolerance)))
   draw(path)
   return path.toString()

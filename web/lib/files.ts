@@ -4,7 +4,7 @@
  *
  * @module circle-voronoi/files
  */
-import { checkMaxDistance, checkOptionNames, refuseArgument, refuseOption, shown } from './check.ts'
+import { checkDigits, checkMaxDistance, checkOptionNames, refuseArgument, refuseOption, shown } from './check.ts'
 import { type Box, ConvexPolygon } from './convex-polygon.ts'
 import { type Circles, coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
@@ -62,6 +62,12 @@ export interface DiagramFileOptions {
   readonly maxDistance?: number | undefined
   /** The largest distance from the true curves, above 0. Default: a hundred-thousandth of the box. */
   readonly tolerance?: number | undefined
+  /**
+   * How many digits coordinates and areas have after the decimal point at most, from 0. Circles keep those that they
+   * have, and polygons that would cross themselves keep all. Rounded far, a diagram in `json` is not one that is
+   * certified. Default: enough for a tenth of the tolerance; all of them in `json` and `csv`.
+   */
+  readonly digits?: number | undefined
 }
 
 /**
@@ -156,11 +162,13 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       return decoder.decode(unwrap(module.writeCircles(coordinatesOf(circles), format)).text)
     },
     writeDiagram(diagram, options = {}) {
-      checkOptionNames(options, 'writeDiagram', ['format', ...DRAWN_OPTIONS])
+      checkOptionNames(options, 'writeDiagram', ['format', ...DRAWN_OPTIONS, 'digits'])
       const format = formatOf(options.format ?? 'json', DIAGRAM_FORMATS)
       const unused = DRAWN.includes(format) ? undefined : DRAWN_OPTIONS.find((name) => options[name] !== undefined)
       if (unused !== undefined) refuseOption(`The format ${format} takes no ${unused}.`)
-      const { bounds, maxDistance, tolerance } = options
+      const { bounds, maxDistance, tolerance, digits } = options
+      if (format === 'stats' && digits !== undefined) refuseOption('The format stats takes no digits.')
+      checkDigits(digits)
       checkMaxDistance(diagram, 'writeDiagram', maxDistance)
       if (tolerance !== undefined && !(Number.isFinite(tolerance) && tolerance > 0)) {
         refuseOption(`The tolerance is a number above 0, not ${shown(tolerance)}.`)
@@ -168,7 +176,7 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       const box = bounds === undefined ? undefined : sidesOf(bounds)
       const { metric, stats } = diagram
       const data = { metric, ...judgedArrays(diagram), stats: statsOf(stats) }
-      return decoder.decode(unwrap(module.writeDiagram(data, format, { box, maxDistance, tolerance })).text)
+      return decoder.decode(unwrap(module.writeDiagram(data, format, { box, maxDistance, tolerance, digits })).text)
     },
   }
 }

@@ -56,11 +56,12 @@ interface WasmComparisonModule {
   powerDiagram(circles: Float64Array): WasmError | WasmDiagram
 }
 
-/** What is drawn, as far as it is said. `box`: minX, minY, maxX, maxY. */
-interface WasmDrawnOptions {
+/** What is written, as far as it is said. `box`: minX, minY, maxX, maxY. */
+interface WasmWriteOptions {
   readonly box: Float64Array | undefined
   readonly maxDistance: number | undefined
   readonly tolerance: number | undefined
+  readonly digits: number | undefined
 }
 
 interface WasmFilesModule {
@@ -75,7 +76,7 @@ interface WasmFilesModule {
   writeDiagram(
     diagram: Omit<import('./diagram-data.ts').DiagramData, 'certificate'>,
     format: string,
-    options: WasmDrawnOptions,
+    options: WasmWriteOptions,
   ): WasmError | { readonly text: Uint8Array }
 }
 

@@ -27,6 +27,10 @@ struct ExportOptions {
   std::optional<double> maxDistance = {};
   /// The largest distance of what is written from the true curves, above 0; by default a hundred-thousandth of the box.
   std::optional<double> tolerance;
+  /// How many digits coordinates and areas have after the decimal point at most, from 0; by default those that the
+  /// tolerance asks for. Then rounding may move points by more than the tolerance, and the default box is widened to
+  /// such coordinates.
+  std::optional<int> digits = {};
 };
 
 /// Which circles' parts are written, and by which names; all, and by their indices, where a span is empty.
@@ -42,7 +46,7 @@ struct Selection {
   }
 };
 
-/// The box that is used by default.
+/// The box that is used by default where no digits are asked for.
 Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
 
 // Each writes a certified diagram of `circles`. Polygons of cells are counter-clockwise, and those of neighbours share
@@ -52,7 +56,7 @@ Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance
 // Coordinates have decimals enough for the tolerance, of which rounding takes at most a tenth: their last place is the
 // largest power of ten that does. Points that meet the box, arcs of the hull, and polygons that would collapse or cross
 // themselves if they were rounded keep all digits; so do radii and areas of GeoJSON and all numbers of CSV, which read
-// back to the same bits.
+// back to the same bits. With ExportOptions::digits points that meet the box are rounded along it, and areas are.
 
 /// A drawing, y upwards, that fits the box and has nothing of what is outside: groups of class cells, dual, circles,
 /// edges, vertices and hull, styled by a style sheet. Curves are cubic Bezier curves, and arcs of circles are arcs.
@@ -100,6 +104,7 @@ void writeObj(std::ostream& out, const Diagram& diagram, const ExportOptions& op
 
 /// One table of vertices and edges, with the columns type, index, x, y, radius, circle1, circle2, circle3, start, end:
 /// of a vertex its disc and three circles, of an edge its left and right circle and its vertices, -1 for infinity.
-void writeDiagramCsv(std::ostream& out, const Diagram& diagram);
+/// `digits`: how many the discs have after the decimal point at most, from 0; by default all.
+void writeDiagramCsv(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
 
 }  // namespace circle_voronoi

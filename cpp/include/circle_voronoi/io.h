@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,8 +42,9 @@ void writeCirclesJson(std::ostream& out, std::span<const Circle> circles);
 void writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles);
 
 /// Writes a diagram in the project's JSON format, version 1 (README), which says of radii that are weights that they
-/// are. Reading a number back gives the same bits.
-void writeJson(std::ostream& out, const Diagram& diagram);
+/// are. Reading a number back gives the same bits, unless `digits` says how many vertices and their radii have after
+/// the decimal point at most, from 0: circles keep theirs. `certify` takes vertices that are rounded far for wrong.
+void writeJson(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
 
 /// Reads what `writeJson` wrote, or anybody else in that format: numbers to the bit. Other keys than those of the
 /// format are skipped, `stats` is read as far as it is there, and its certificate is not believed: that is for

@@ -2,6 +2,7 @@
 #include "cell_polygons.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "arc_measure.h"
@@ -131,8 +132,8 @@ void CellPolygons::followEdges() {
   arcs_.push_back({inner_.size()});
 }
 
-/// Rounds what only edges inside the box have, and takes it back for edges that it turns around: then each step still
-/// turns around both foci, and polygons of such steps do not cross themselves.
+/// Rounds what only edges inside the box have, with digits also what others have, and takes it back for edges that it
+/// turns around: then each step still turns around both foci, and polygons of such steps do not cross themselves.
 void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
   const auto& edges = frame_.diagram.edges;
   const std::vector<Point> exactPlaces = places_;
@@ -147,14 +148,28 @@ void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
     places_[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
     isRestored[firstOf(vertex)] = true;
   };
+  isExact_.assign(edges.size(), !frame_.hasDigits);
+  const auto restoreEnds = [&](std::size_t edge) {
+    isExact_[edge] = true;
+    restorePlace(edges[edge].start);
+    restorePlace(edges[edge].end);
+  };
+  const auto sharePlaces = [&] {
+    for (std::size_t v = 0; v < places_.size(); ++v) places_[v] = places_[index(firstHere[v])];
+  };
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (isInside_[e]) continue;
-    restorePlace(edges[e].start);
-    restorePlace(edges[e].end);
+    if (!isInside_[e] && isExact_[e]) restoreEnds(e);
   }
   bool isDone = false;
   for (int round = 0; !isDone && round < kMostRounds; ++round) {
     isDone = true;
+    if (frame_.hasDigits) {
+      sharePlaces();
+      for (const EdgeIndex e : wronglyRounded()) {
+        restoreEnds(index(e));
+        isDone = false;
+      }
+    }
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (!isInside_[e]) continue;
       const std::size_t start = firstOf(edges[e].start);
@@ -177,29 +192,70 @@ void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
   if (!isDone) {
     places_ = exactPlaces;
     inner_ = exactInner;
+    isExact_.assign(edges.size(), true);
   }
-  for (std::size_t v = 0; v < places_.size(); ++v) places_[v] = places_[index(firstHere[v])];
+  sharePlaces();
 }
 
-/// Whether each step of an edge, as its points are now, turns around both foci and is farther from them than rounding
-/// can move it.
-bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
+/// Of the edges that are not inside the box those that rounding turns around, or moves beyond one another along an arc.
+std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
+  std::vector<EdgeIndex> wrong;
+  const auto count = static_cast<std::int32_t>(frame_.diagram.edges.size());
+  for (EdgeIndex e = 0; e < count; ++e) {
+    if (!isInside(e) && !isExact_[index(e)] && !partsTurnRight(e)) wrong.push_back(e);
+  }
+  if (!frame_.limits.maxDistance) return wrong;
+  for (CircleIndex i = 0; i < circleCount(); ++i) {
+    if (isWhole(i)) continue;
+    for (const auto& loop : outline(frame_.diagram, i, frame_.limits)) {
+      const std::size_t size = loop.size();
+      for (std::size_t k = 0; k < size; ++k) {
+        const OutlinePiece& before = loop[(k + size - 1) % size];
+        const OutlinePiece& after = loop[(k + 1) % size];
+        if (!loop[k].isOnCircle() || before.side == kNone || after.side == kNone) continue;
+        if (isLeftTurn(centreOf(i), pointsOf(before).back(), pointsOf(after).front())) continue;
+        for (const EdgeIndex edge : {Diagram::edgeOf(before.side), Diagram::edgeOf(after.side)}) {
+          if (!isExact_[index(edge)]) wrong.push_back(edge);
+        }
+      }
+    }
+  }
+  return wrong;
+}
+
+/// Whether each step turns around both foci of an edge and is farther from them than rounding can move it.
+bool CellPolygons::turnsRight(EdgeIndex edge, std::span<const Point> points) const {
   const Edge& ends = frame_.diagram.edges[index(edge)];
   const auto& circles = frame_.diagram.circles;
   const Point left = {circles[index(ends.left)].x, circles[index(ends.left)].y};
   const Point right = {circles[index(ends.right)].x, circles[index(ends.right)].y};
-  Point p = start;
   const auto isFar = [&](Point q) {
     const double least = 2 * frame_.grid.error();
     const auto isBeyond = [&](Vector v) { return std::max(std::abs(v.x), std::abs(v.y)) > least; };
     return isBeyond(vectorTo(left, q)) && isBeyond(vectorTo(right, q));
   };
-  const auto stepsTo = [&](Point q) {
-    const bool isRight = isFar(p) && isFar(q) && turnsAround(left, right, p, q);
-    p = q;
-    return isRight;
+  const auto isWrong = [&](Point p, Point q) { return !turnsAround(left, right, p, q); };
+  return std::ranges::all_of(points, isFar) && std::ranges::adjacent_find(points, isWrong) == points.end();
+}
+
+/// The same of an edge inside the box, as its points are now.
+bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
+  const auto inner = innerPoints(edge);
+  if (inner.empty()) return turnsRight(edge, std::array{start, end});
+  std::vector<Point> points = {start};
+  points.insert(points.end(), inner.begin(), inner.end());
+  points.push_back(end);
+  return turnsRight(edge, points);
+}
+
+/// The same of the parts of another edge, which have to stay in the box.
+bool CellPolygons::partsTurnRight(EdgeIndex edge) const {
+  const auto isRight = [&](const Part& part) {
+    const Ring points = pointsOfPart(edge, part.curve);
+    const auto isIn = [&](Point p) { return frame_.region.contains(p); };
+    return std::ranges::all_of(points, isIn) && turnsRight(edge, points);
   };
-  return std::ranges::all_of(innerPoints(edge), stepsTo) && stepsTo(end);
+  return std::ranges::all_of(keptParts(frame_.diagram, edge, frame_.limits), isRight);
 }
 
 /// What prefetchPoints, isWhole, area and rings ask for first.
@@ -245,13 +301,24 @@ CellPolygons::Ring CellPolygons::wholeRing(CircleIndex circle) const {
   return ring;
 }
 
-/// Where an end of a part of an edge is drawn: in its vertex, if it is there but for rounding.
-Point CellPolygons::drawn(VertexIndex vertex, Point end) const {
-  if (vertex == kNone) return end;
+/// Whether an end of a part of an edge is drawn in a vertex: if it is there but for rounding.
+bool CellPolygons::isDrawnIn(VertexIndex vertex, Point end) const {
+  if (vertex == kNone) return false;
   const Vertex& place = frame_.diagram.vertices[index(vertex)];
   const double distance = std::abs(end.x - place.x) + std::abs(end.y - place.y);
-  const bool isThere = distance <= kRoundingError * std::max(std::abs(place.x), std::abs(place.y));
-  return isThere ? placeOf(vertex) : end;
+  return distance <= kRoundingError * std::max(std::abs(place.x), std::abs(place.y));
+}
+
+/// The points of a part of an edge that is not inside the box.
+CellPolygons::Ring CellPolygons::pointsOfPart(EdgeIndex edge, const EdgeCurve& curve) const {
+  const Edge& ends = frame_.diagram.edges[index(edge)];
+  const auto rounded = [&](Point p) { return isExact_[index(edge)] ? p : frame_.roundInBox(p); };
+  const auto drawn = [&](VertexIndex vertex, Point end) {
+    return isDrawnIn(vertex, end) ? placeOf(vertex) : rounded(end);
+  };
+  Ring points = pointsBetween(curve, drawn(ends.start, curve.start), drawn(ends.end, curve.end), frame_.tolerance);
+  for (std::size_t k = 1; k + 1 < points.size(); ++k) points[k] = rounded(points[k]);
+  return points;
 }
 
 /// The points of a piece of an edge in the direction of the outline, the same bits from either side.
@@ -262,38 +329,88 @@ CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
     points.push_back(placeOf(frame_.diagram.targetOf(piece.side)));
     return points;
   }
-  const EdgeCurve curve = edgeDirection(frame_.diagram, piece);
-  const Edge& edge = frame_.diagram.edges[index(Diagram::edgeOf(piece.side))];
-  Ring points = pointsBetween(curve, drawn(edge.start, curve.start), drawn(edge.end, curve.end), frame_.tolerance);
+  Ring points = pointsOfPart(Diagram::edgeOf(piece.side), edgeDirection(frame_.diagram, piece));
   if (piece.side % 2 == 1) std::ranges::reverse(points);
   return points;
+}
+
+/// The points of arcs in a row around a circle, between two that are their ends but for rounding: rounded themselves
+/// unless that turns a step around.
+CellPolygons::Ring CellPolygons::pointsOfArcs(CircleIndex circle, std::span<const OutlinePiece> arcs, Point from,
+                                              Point to, bool rounds) const {
+  const auto isAhead = [&](Point p, Point q) { return isLeftTurn(centreOf(circle), p, q); };
+  const auto isWrong = [&](Point p, Point q) { return p != q && !isAhead(p, q); };
+  Ring exact = {from};
+  std::size_t last = 0;  // where the last arc begins, of a quarter turn at most
+  for (const OutlinePiece& arc : arcs) {
+    const Ring points = polyline(circleArc(arc), frame_.tolerance);
+    last = exact.size();
+    exact.insert(exact.end(), points.begin() + (&arc == &arcs.front() ? 1 : 0), points.end() - 1);
+  }
+  exact.push_back(to);
+  Ring points = exact;
+  for (std::size_t k = 1; k + 1 < points.size(); ++k) points[k] = frame_.round(points[k]);
+  if (!rounds || std::ranges::adjacent_find(points, isWrong) != points.end()) points = exact;
+  Ring inner;
+  for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+    const Point before = inner.empty() ? from : inner.back();
+    if (isAhead(before, points[k]) && (k < last || isAhead(points[k], to))) inner.push_back(points[k]);
+  }
+  return inner;
+}
+
+/// A loop of the outline of a cell. Where no edge says where it goes, its points are rounded if they are to be.
+CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlinePiece> loop, bool rounds) const {
+  const auto isOnCircle = [](const OutlinePiece& piece) { return piece.isOnCircle(); };
+  // So that arcs in a row are one row, unless they are all there is.
+  std::rotate(loop.begin(), std::find_if_not(loop.begin(), loop.end(), isOnCircle), loop.end());
+  // A disc that is hardly larger than what rounding moves.
+  if (loop.front().isOnCircle() && loop.front().radius < 4 * frame_.grid.error()) rounds = false;
+  const std::size_t count = loop.size();
+  const auto before = [&](std::size_t k) { return (k + count - 1) % count; };
+  const auto arcsFrom = [&](std::size_t first) {
+    std::size_t last = first;
+    while (last + 1 < count && loop[last + 1].isOnCircle()) ++last;
+    return std::span<const OutlinePiece>(loop).subspan(first, last + 1 - first);
+  };
+  std::vector<Ring> pieces(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool goesOn = loop[k].isOnCircle() && loop[before(k)].isOnCircle() && k > 0;
+    if (loop[k].side != kNone) {
+      pieces[k] = pointsOf(loop[k]);
+    } else if (loop[before(k)].side == kNone && !goesOn) {
+      // A corner of the box, or a point of the circle. Where an edge meets these, the edge says where.
+      const Point start = loop[k].curve.start;
+      pieces[k] = {rounds ? frame_.roundInBox(start) : start};
+    }
+  }
+  Ring ring;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (const Point& p : pieces[k]) addPoint(ring, p);
+    if (!loop[k].isOnCircle()) continue;
+    const std::span arcs = arcsFrom(k);
+    const Point from = pieces[k].empty() ? pieces[before(k)].back() : pieces[k].front();
+    const Point to = pieces[(k + arcs.size()) % count].front();
+    for (const Point& p : pointsOfArcs(circle, arcs, from, to, rounds)) addPoint(ring, p);
+    k += arcs.size() - 1;
+  }
+  closeRing(ring);
+  return ring;
 }
 
 std::vector<CellPolygons::Ring> CellPolygons::rings(CircleIndex circle) const {
   std::vector<Ring> rings;
   const auto keep = [&](Ring ring) {
-    if (hasArea(ring)) rings.push_back(std::move(ring));
+    const bool isKept = hasArea(ring);
+    if (isKept) rings.push_back(std::move(ring));
+    return isKept;
   };
   if (isWhole(circle)) {
     keep(wholeRing(circle));
     return rings;
   }
   for (const auto& loop : outline(frame_.diagram, circle, frame_.limits)) {
-    Ring ring;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const OutlinePiece& piece = loop[k];
-      if (piece.side != kNone) {
-        for (const Point& p : pointsOf(piece)) addPoint(ring, p);
-        continue;
-      }
-      // A corner of the box, or a point of the circle. Where an edge meets these, the edge says where.
-      if (loop[k == 0 ? loop.size() - 1 : k - 1].side == kNone) addPoint(ring, piece.curve.start);
-      if (!piece.isOnCircle()) continue;
-      const auto points = polyline(circleArc(piece), frame_.tolerance);
-      for (std::size_t i = 1; i + 1 < points.size(); ++i) addPoint(ring, frame_.round(points[i]));
-    }
-    closeRing(ring);
-    keep(std::move(ring));
+    if (!keep(ringOf(circle, loop, true))) keep(ringOf(circle, loop, false));
   }
   return rings;
 }

@@ -13,8 +13,8 @@ namespace circle_voronoi {
 /// The cells as polygons, and the edges as polylines that these share. Each edge inside the box is followed once, and
 /// its points serve both cells and the edge itself.
 ///
-/// Points are rounded by the frame's grid, but for those that meet the box, and those of edges that rounding would turn
-/// around: these keep all digits.
+/// Points are rounded by the frame's grid, but for those that meet the box, unless digits are asked for, and those of
+/// edges that rounding would turn around: these keep all digits.
 class CellPolygons {
  public:
   using Ring = std::vector<Point>;
@@ -30,8 +30,8 @@ class CellPolygons {
   template <class VisitCell>
   void visit(VisitCell visitCell) const {
     visitAhead(
-        static_cast<std::int32_t>(frame_.diagram.circles.size()), [&](std::int32_t i) { prefetchEdges(i); },
-        [&](std::int32_t i) { prefetchPoints(i); }, visitCell);
+        circleCount(), [&](std::int32_t i) { prefetchEdges(i); }, [&](std::int32_t i) { prefetchPoints(i); },
+        visitCell);
   }
 
   /// The parts of an edge inside the box, from its start to its end.
@@ -47,25 +47,38 @@ class CellPolygons {
   }
   bool isInside(EdgeIndex edge) const { return isInside_[static_cast<std::size_t>(edge)]; }
   bool isWhole(CircleIndex circle) const;
+  std::int32_t circleCount() const { return static_cast<std::int32_t>(frame_.diagram.circles.size()); }
+  Point centreOf(CircleIndex circle) const {
+    const Circle& c = frame_.diagram.circles[static_cast<std::size_t>(circle)];
+    return {c.x, c.y};
+  }
   Point placeOf(VertexIndex vertex) const { return places_[static_cast<std::size_t>(vertex)]; }
 
   void followEdges();
   void roundPoints(const std::vector<std::int32_t>& firstHere);
   void prefetchEdges(CircleIndex circle) const;
   void prefetchPoints(CircleIndex circle) const;
+  bool turnsRight(EdgeIndex edge, std::span<const Point> points) const;
   bool turnsRight(EdgeIndex edge, Point start, Point end) const;
+  bool partsTurnRight(EdgeIndex edge) const;
+  std::vector<EdgeIndex> wronglyRounded() const;
 
   template <class Add>
   void addSide(SideIndex side, Add add) const;
   Ring pointsOf(const OutlinePiece& piece) const;
+  Ring pointsOfArcs(CircleIndex circle, std::span<const OutlinePiece> arcs, Point from, Point to, bool rounds) const;
+  Ring ringOf(CircleIndex circle, std::vector<OutlinePiece> loop, bool rounds) const;
+  Ring pointsOfPart(EdgeIndex edge, const EdgeCurve& curve) const;
   Ring wholeRing(CircleIndex circle) const;
-  Point drawn(VertexIndex vertex, Point end) const;
+  bool isDrawnIn(VertexIndex vertex, Point end) const;
 
   const ExportFrame& frame_;
   /// Of each vertex; those joined by edges of length near zero have one, so that rounding cannot turn such an edge
   /// around.
   std::vector<Point> places_;
   std::vector<bool> isInside_;
+  /// Of each edge that is not inside the box whether its points keep all digits, those of its vertices apart.
+  std::vector<bool> isExact_;
   /// Of an edge inside the box.
   struct Arc {
     std::size_t firstInner;  ///< of its points between its ends, in inner_; they end where those of the next edge begin

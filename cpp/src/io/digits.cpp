@@ -13,6 +13,11 @@ namespace {
 
 /// The largest power of ten that a double holds exactly.
 constexpr int kMostPlaces = 22;
+constexpr std::array<double, kMostPlaces + 1> kPowers = [] {
+  std::array<double, kMostPlaces + 1> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
+  return powers;
+}();
 /// Whole numbers up to here are doubles, and their decimals differ from those of their neighbours.
 constexpr double kMostSteps = 1e15;
 
@@ -97,8 +102,7 @@ char* writeDigits(char* to, double value) {
 }
 
 DecimalGrid::DecimalGrid(double step) {
-  std::array<double, kMostPlaces + 1> powers{1};
-  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
+  const auto& powers = kPowers;
   if (!(step >= 1 / powers.back())) return;
   isOff_ = false;
   if (step >= 1) {
@@ -108,6 +112,9 @@ DecimalGrid::DecimalGrid(double step) {
   }
   error_ = divisor_ / multiplier_;
 }
+
+DecimalGrid::DecimalGrid(std::optional<int> digits)
+    : DecimalGrid(digits && *digits <= kMostPlaces ? 1 / kPowers[static_cast<std::size_t>(*digits)] : 0) {}
 
 double DecimalGrid::round(double value) const {
   const double steps = std::round(value * multiplier_ / divisor_);

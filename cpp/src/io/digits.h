@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 namespace circle_voronoi {
 
@@ -17,6 +18,9 @@ class DecimalGrid {
  public:
   /// Steps of at most `step`, as large as possible; without any, if `step` is below 1e-22.
   explicit DecimalGrid(double step);
+  /// Steps with so many digits after the decimal point, from 0; without any, if there is no number, or it is one that
+  /// leaves doubles as they are.
+  explicit DecimalGrid(std::optional<int> digits);
 
   /// The largest change by `round`, or more.
   double error() const { return error_; }

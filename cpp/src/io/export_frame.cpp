@@ -17,6 +17,24 @@ double toleranceOf(const Box& box, const ExportOptions& options) {
   return options.tolerance ? *options.tolerance : kTolerance * sizeOf(box);
 }
 
+Box boxOf(const Diagram& diagram, const ExportOptions& options) {
+  return options.box ? *options.box : exportBox(diagram.circles, options.maxDistance);
+}
+
+DecimalGrid gridOf(const Diagram& diagram, const ExportOptions& options) {
+  if (options.digits) return DecimalGrid(options.digits);
+  return DecimalGrid(kRoundingShare * toleranceOf(boxOf(diagram, options), options));
+}
+
+/// With digits the default box is widened to where the grid has points.
+Box boxOf(const Diagram& diagram, const ExportOptions& options, const DecimalGrid& grid) {
+  const Box box = boxOf(diagram, options);
+  if (options.box || !options.digits) return box;
+  const double half = grid.error() / 2;
+  return {grid.round(box.minX - half), grid.round(box.minY - half), grid.round(box.maxX + half),
+          grid.round(box.maxY + half)};
+}
+
 }  // namespace
 
 Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance) {
@@ -35,11 +53,20 @@ Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance
 
 ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options)
     : diagram(its),
-      box(options.box ? *options.box : exportBox(diagram.circles, options.maxDistance)),
+      hasDigits(options.digits.has_value()),
+      grid(gridOf(its, options)),
+      box(boxOf(its, options, grid)),
       region(box),
       limits{&region, options.maxDistance},
-      grid(kRoundingShare * toleranceOf(box, options)),
-      tolerance(toleranceOf(box, options) - grid.error()) {}
+      tolerance(std::max(toleranceOf(box, options) - grid.error(), toleranceOf(box, options) / 2)) {}
+
+Point ExportFrame::roundInBox(Point p) const {
+  if (!hasDigits) return p;
+  const auto rounded = [&](double value, double min, double max) {
+    return value == min || value == max ? value : std::clamp(grid.round(value), min, max);
+  };
+  return {rounded(p.x, box.minX, box.maxX), rounded(p.y, box.minY, box.maxY)};
+}
 
 EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece) {
   const bool isAgainst = piece.side % 2 == 1;

@@ -15,6 +15,9 @@ struct ExportFrame {
   ExportFrame& operator=(const ExportFrame&) = delete;
 
   Point round(Point p) const { return {grid.round(p.x), grid.round(p.y)}; }
+  /// A point that is kept in the box: rounded along it, if digits are asked for.
+  Point roundInBox(Point p) const;
+  double area(double value) const { return hasDigits ? grid.round(value) : value; }
 
   /// Whether a vertex is not beyond the maximum distance.
   bool isNear(VertexIndex vertex) const {
@@ -22,11 +25,12 @@ struct ExportFrame {
   }
 
   const Diagram& diagram;
+  bool hasDigits;  ///< whether digits are asked for
+  DecimalGrid grid;
   Box box;
   ConvexPolygon region;  ///< the box
   Limits limits;         ///< of cells and edges
-  DecimalGrid grid;
-  double tolerance;  ///< of curves: what rounding leaves of it
+  double tolerance;      ///< of curves: what rounding leaves of it
 };
 
 /// The curve of a piece of an outline, which is not of the region's boundary, in the direction of its edge: the same

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "circle_voronoi/export.h"
+#include "digits.h"
 #include "writer.h"
 
 namespace circle_voronoi {
 
-void writeDiagramCsv(std::ostream& stream, const Diagram& diagram) {
+void writeDiagramCsv(std::ostream& stream, const Diagram& diagram, std::optional<int> digits) {
   Writer out(stream);
+  const DecimalGrid grid(digits);
   out << "type,index,x,y,radius,circle1,circle2,circle3,start,end\n";
   for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
     const auto& [x, y, radius] = diagram.vertices[v];
     const auto& [i, j, k] = diagram.vertexCircles[v];
-    out << "vertex," << static_cast<std::int64_t>(v) << "," << x << "," << y << "," << radius << "," << i << "," << j
-        << "," << k << ",,\n";
+    out << "vertex," << static_cast<std::int64_t>(v) << "," << grid.round(x) << "," << grid.round(y) << ","
+        << grid.round(radius) << "," << i << "," << j << "," << k << ",,\n";
   }
   for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
     const auto& [left, right, start, end] = diagram.edges[e];

@@ -44,7 +44,8 @@ bool writeFeatures(Writer& out, const Diagram& diagram, const ExportOptions& opt
   polygons.visit([&](std::int32_t i) {
     if (!selection.contains(i)) return;
     out << between << R"({"type":"Feature","properties":{"circle":)" << selection.id(i) << R"(,"radius":)"
-        << diagram.circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << polygons.area(i) << R"(,"neighbors":[)";
+        << diagram.circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << frame.area(polygons.area(i))
+        << R"(,"neighbors":[)";
     std::string_view comma;
     for (const SideIndex side : frame.diagram.sides(i)) {
       out << comma << selection.id(frame.diagram.neighborOf(side));

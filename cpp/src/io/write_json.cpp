@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "circle_voronoi/io.h"
+#include "digits.h"
 #include "stats.h"
 #include "writer.h"
 
@@ -44,8 +45,9 @@ void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
 
 }  // namespace
 
-void writeJson(std::ostream& stream, const Diagram& diagram) {
+void writeJson(std::ostream& stream, const Diagram& diagram, std::optional<int> digits) {
   Writer out(stream);
+  const DecimalGrid grid(digits);
   out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n ";
   if (diagram.metric != Metric::circles) out << "\"metric\": \"" << metricName(diagram.metric) << "\",\n ";
   if (diagram.weights) out << "\"weights\": true,\n ";
@@ -62,8 +64,8 @@ void writeJson(std::ostream& stream, const Diagram& diagram) {
   writeLines(out, diagram.vertices.size(), [&](std::size_t i) {
     const Vertex& vertex = diagram.vertices[i];
     const auto& [a, b, c] = diagram.vertexCircles[i];
-    out << "{\"x\": " << vertex.x << ", \"y\": " << vertex.y << ", \"radius\": " << vertex.radius << ", \"circles\": ["
-        << a << ", " << b << ", " << c << "]}";
+    out << "{\"x\": " << grid.round(vertex.x) << ", \"y\": " << grid.round(vertex.y)
+        << ", \"radius\": " << grid.round(vertex.radius) << ", \"circles\": [" << a << ", " << b << ", " << c << "]}";
   });
   out << ",\n \"edges\": ";
   writeLines(out, diagram.edges.size(), [&](std::size_t i) {
