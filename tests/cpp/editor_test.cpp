@@ -215,11 +215,42 @@ TEST(Editor, ABatchIsOneChange) {
   expectRight(editor);
 }
 
+TEST(Editor, SaysWhatTheIndicesOfASnapshotStandFor) {
+  const std::vector<Circle> circles = generate(Family::hidden, 120, 2);
+  DiagramEditor editor = editorOf(circles);
+  for (CircleId id = 0; id < 40; ++id) {
+    changeOf(editor.replace(id, circles[static_cast<std::size_t>(id) + 60]));
+    changeOf(editor.remove(id + 40));
+    changeOf(editor.insert(circles[static_cast<std::size_t>(id) + 20]));
+  }
+  const Diagram snapshot = editor.snapshot().value();
+  const SnapshotNumbers numbers = editor.numbers().value();
+  EXPECT_EQ(numbers.circles, editor.ids());
+  const Change all = editor.all().value();
+  EXPECT_EQ(numbers.vertices, all.addedVertices);
+  EXPECT_EQ(snapshot.vertices, all.vertices);
+  const auto idOf = [&](CircleIndex i) { return numbers.circles[static_cast<std::size_t>(i)]; };
+  const auto numberOf = [&](VertexIndex v) {
+    return v == kNone ? kNone : numbers.vertices[static_cast<std::size_t>(v)];
+  };
+  ASSERT_EQ(numbers.edges, all.addedEdges);
+  for (std::size_t e = 0; e < snapshot.edges.size(); ++e) {
+    const auto& [left, right, start, end] = snapshot.edges[e];
+    EXPECT_EQ(all.edges[e], (EditedEdge{idOf(left), idOf(right), numberOf(start), numberOf(end)}));
+  }
+  ASSERT_EQ(numbers.hiders.size(), all.hiders.size());
+  EXPECT_FALSE(numbers.hiders.empty());
+  for (std::size_t i = 0; i < numbers.hiders.size(); ++i) {
+    EXPECT_EQ(all.hiders[i], (EditedHider{idOf(snapshot.hidden[i].circle), numbers.hiders[i]}));
+  }
+}
+
 TEST(Editor, AnEditOfNothingChangesNothing) {
   DiagramEditor editor = editorOf(generate(Family::grid, 49, 1));
   const Change change = changeOf(editor.replace(20, *editor.circle(20)));
   EXPECT_TRUE(change.replaced.empty() && change.cells.empty() && change.removedVertices.empty() &&
-              change.addedVertices.empty() && change.removedEdges.empty() && change.addedEdges.empty());
+              change.addedVertices.empty() && change.removedEdges.empty() && change.addedEdges.empty() &&
+              change.circles.empty() && change.hiders.empty() && change.hullSides.empty());
   EXPECT_TRUE(changeOf(editor.apply({})).cells.empty());
 }
 
