@@ -90,9 +90,13 @@ TEST(Editor, NeverGivesAnIdAgain) {
   DiagramEditor editor = editorOf(generate(Family::uniform, 20, 1));
   CircleId last = 19;
   for (int i = 0; i < 3000; ++i) {
-    const CircleId id = changeOf(editor.insert({i * 0.001, 0.5, 0.0001})).inserted.at(0);
+    const Change change = changeOf(editor.insert({i * 0.001, 0.5, 0.0001}));
+    const CircleId id = change.inserted.at(0);
     EXPECT_GT(id, last);
     last = id;
+    // Numbers are given again: there are never more than 21 circles.
+    for (const auto vertex : change.addedVertices) EXPECT_LT(vertex, 60);
+    for (const auto edge : change.addedEdges) EXPECT_LT(edge, 90);
     changeOf(editor.remove(id));
     EXPECT_FALSE(editor.circle(id));
   }
@@ -115,9 +119,11 @@ TEST(Editor, BringsBackWhatAHugeCircleHid) {
   const Change moving = changeOf(editor.replace(12'000, {0.6 * reach, 0.5 * reach, 0.5 * reach}));
   EXPECT_FALSE(moving.hidden.empty());
   EXPECT_FALSE(moving.shown.empty());
+  EXPECT_EQ(moving.way, EditWay::local);
   EXPECT_EQ(mirror.apply(moving), "");
   expectRight(editor);
   const Change showing = changeOf(editor.remove(12'000));
+  EXPECT_EQ(showing.way, EditWay::local);
   EXPECT_EQ(mirror.apply(showing), "");
   EXPECT_TRUE(hiddenOf(editor).empty());
   EXPECT_EQ(editor.circles(), circles);
@@ -143,6 +149,14 @@ TEST(Editor, OfIdenticalCirclesShowsTheFirst) {
   EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{4, copy}));
   changeOf(editor.replace(6, {5, 5, 1}));
   EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{copy, 6}));
+  expectRight(editor);
+}
+
+TEST(Editor, PutsWhatWasHiddenBackTheLargestFirst) {
+  DiagramEditor editor = editorOf({{0, 0, 9}, {40, 0, 1}, {0, 40, 1}, {1, 0, 1}, {1, 0, 3}, {1, 0, 2}, {-4, 0, 1}});
+  const Change change = changeOf(editor.remove(0));
+  EXPECT_EQ(change.way, EditWay::local);
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 5}));
   expectRight(editor);
 }
 

@@ -31,6 +31,9 @@ if(EXAMPLE STREQUAL find_package)
   expect_failure(2 "Not a number: 1x" ${FOLDER}/build/clearest_path ${root}/tests/fixtures/spruces.csv 28 1x 30 21)
   file(WRITE ${FOLDER}/none.csv "x,y,r\n")
   expect_failure(2 "There are no trees\\." ${FOLDER}/build/clearest_path ${FOLDER}/none.csv 28 19 30 21)
+  expect("1000 discs, 30 frames, [0-9]+ changes of cells; certified\nthe edits of a frame take [0-9.]+ ms, [0-9.]+ ms "
+    ${FOLDER}/build/bouncing_discs 30)
+  expect_failure(2 "Usage: bouncing_discs \\[FRAMES\\]" ${FOLDER}/build/bouncing_discs 0)
 else()
   expect("circle,area,density\n0,[0-9.]+,0\\.[0-9]+\n.*\n677,"
     ${FOLDER}/build/packing_density ${root}/tests/fixtures/bronzefilter.csv)

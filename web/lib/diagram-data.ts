@@ -224,8 +224,11 @@ export interface SnapshotNumbers {
   readonly vertices: Int32s
   /** For each edge its number. */
   readonly edges: Int32s
-  /** For each hidden circle the id of the one that the editor keeps it with: a visible one that contains it. */
-  readonly hiders: Int32s
+  /**
+   * For each hidden circle the id of the one that the editor keeps it with: a visible one that contains it. Only until a change is
+   * applied: then `hidden` says it.
+   */
+  readonly hiders?: Int32s
 }
 
 /**

@@ -46,7 +46,11 @@ export class DiagramPatch {
     this.#circleOfId = new Map(Array.from(numbers.circles, (id, i) => [id, i]))
     this.#vertexOf = new Places(numbers.vertices)
     this.#edgeOf = new Places(numbers.edges)
-    this.#hidden = data.hidden.map((circle, k) => (k & 1 ? this.indexOf(at(numbers.hiders, k >> 1)) : circle))
+    const { hiders } = numbers
+    this.#hidden =
+      hiders === undefined
+        ? data.hidden
+        : data.hidden.map((circle, k) => (k & 1 ? this.indexOf(at(hiders, k >> 1)) : circle))
     this.#hull = data.hull
     this.#revision = numbers.revision
   }
@@ -104,7 +108,6 @@ export class DiagramPatch {
         circles: this.#ids.view,
         vertices: this.#vertexNumbers.view,
         edges: this.#edgeNumbers.view,
-        hiders: this.#hidden.filter((_, k) => k & 1).map((by) => at(this.#ids.list, by)),
       },
     }
   }

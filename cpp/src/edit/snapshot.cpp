@@ -10,6 +10,7 @@
 #include "certificate_message.h"
 #include "diagram_of.h"
 #include "hiders.h"
+#include "order.h"
 #include "validate.h"
 
 namespace circle_voronoi {
@@ -39,36 +40,36 @@ Dual compacted(const EditState& state, const std::vector<int>& siteOf) {
 
 Result<Diagram> snapshotOf(const EditState& state) {
   std::vector<Circle> circles;
-  std::vector<int> rankOf(state.sites.size(), kNone);  // of each slot
+  std::vector<int> slotOf;  // of each circle
   circles.reserve(static_cast<std::size_t>(state.circleCount));
   state.ids.forEach([&](std::int32_t, int slot) {
-    rankOf[slot] = static_cast<int>(circles.size());
+    slotOf.push_back(slot);
     circles.push_back(state.inputOf(slot));
   });
   const auto scaled = validate(circles);
   if (!scaled) return scaled.error();
 
-  // In the order of slots, neighbours are near one another.
+  // Hiders are searched for in spatial order, of which the slots know nothing any more after many edits.
+  const OrderedCircles ordered = order(scaled.value().circles);
   Sites sites;
-  std::vector<Circle> hiddenCircles;
-  std::vector<int> hiddenIndices;
+  OrderedCircles hidden;
   std::vector<int> siteOf(state.sites.size(), kNone);
-  for (int slot = 0; slot < static_cast<int>(state.sites.size()); ++slot) {
-    if (state.sites[slot].id == kNone) continue;
-    const Circle& circle = scaled.value().circles[rankOf[slot]];
+  for (std::size_t i = 0; i < ordered.circles.size(); ++i) {
+    const int rank = ordered.indices[i];
+    const int slot = slotOf[static_cast<std::size_t>(rank)];
     if (state.isVisible(slot)) {
       siteOf[slot] = static_cast<int>(sites.circles.size());
-      sites.circles.push_back(circle);
-      sites.indices.push_back(rankOf[slot]);
+      sites.circles.push_back(ordered.circles[i]);
+      sites.indices.push_back(rank);
     } else {
-      hiddenCircles.push_back(circle);
-      hiddenIndices.push_back(rankOf[slot]);
+      hidden.circles.push_back(ordered.circles[i]);
+      hidden.indices.push_back(rank);
     }
   }
-  const Hiders hiders = findHiders({sites.circles, sites.indices}, {hiddenCircles, hiddenIndices},
+  const Hiders hiders = findHiders({sites.circles, sites.indices}, {hidden.circles, hidden.indices},
                                    std::numeric_limits<std::int64_t>::max());
-  for (std::size_t i = 0; i < hiddenIndices.size(); ++i) {
-    sites.hidden.push_back({hiddenIndices[i], sites.indices[hiders.hider[i]]});
+  for (std::size_t i = 0; i < hidden.indices.size(); ++i) {
+    sites.hidden.push_back({hidden.indices[i], sites.indices[hiders.hider[i]]});
   }
   std::sort(sites.hidden.begin(), sites.hidden.end(),
             [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
