@@ -152,7 +152,7 @@ TEST(Editor, OfIdenticalCirclesShowsTheFirst) {
   expectRight(editor);
 }
 
-TEST(Editor, PutsWhatWasHiddenBackTheLargestFirst) {
+TEST(Editor, ShowsOfWhatWasHiddenWhatNothingElseHides) {
   DiagramEditor editor = editorOf({{0, 0, 9}, {40, 0, 1}, {0, 40, 1}, {1, 0, 1}, {1, 0, 3}, {1, 0, 2}, {-4, 0, 1}});
   const Change change = changeOf(editor.remove(0));
   EXPECT_EQ(change.way, EditWay::local);
