@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "commands.h"
 #include "failure.h"
 #include "files.h"
+#include "option_flag.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tile_part.h"
@@ -18,17 +18,15 @@
 namespace circle_voronoi::cli {
 namespace {
 
-const std::map<std::string, Method> kMethods = {
-    {"auto", Method::automatic}, {"touching-disc", Method::touchingDisc}, {"flip", Method::flip}};
-const std::map<std::string, Candidates> kCandidates = {
-    {"dynamic", Candidates::dynamic}, {"uniform", Candidates::uniform}, {"all-pairs", Candidates::allPairs}};
+const auto kMethodChoices = choicesOf(kMethods);
+const auto kCandidatesChoices = choicesOf(kCandidates);
 
 struct ComputeArguments {
   std::string input;
   Output output;
   bool weights = Options{}.weights;
-  std::string method = "auto";
-  std::string candidates = "dynamic";
+  std::string method{nameOf(Options{}.method)};
+  std::string candidates{nameOf(Options{}.candidates)};
   int samples = Options{}.samples;
   bool resample = Options{}.resample;
   TilePart tile;
@@ -37,16 +35,21 @@ struct ComputeArguments {
 
 /// Throws Failure if an option is given that would not be used.
 void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
-  const auto refuse = [&](const char* option, bool isUsed, const std::string& need) {
-    if (command.count(option) > 0 && !isUsed) throw Failure{kBadInput, std::string(option) + " needs " + need + "."};
+  const auto refuse = [&](const std::string& option, bool isUsed, const std::string& need) {
+    if (command.count(option) > 0 && !isUsed) throw Failure{kBadInput, option + " needs " + need + "."};
   };
-  const bool isTouchingDisc = arguments.method == "touching-disc";
-  for (const char* option : {"--candidates", "--samples", "--resample"}) {
-    refuse(option, isTouchingDisc, "--method touching-disc");
+  const std::string samples = flagOf(&Options::samples);
+  const std::string resample = flagOf(&Options::resample);
+  const Method method = kMethodChoices.at(arguments.method);
+  const Candidates candidates = kCandidatesChoices.at(arguments.candidates);
+  const auto needed = [](auto field, auto value) { return flagOf(field) + " " + std::string(nameOf(value)); };
+  for (const std::string& option : {flagOf(&Options::candidates), samples, resample}) {
+    refuse(option, method == Method::touchingDisc, needed(&Options::method, Method::touchingDisc));
   }
-  refuse("--samples", arguments.candidates != "all-pairs", "--candidates dynamic or uniform");
-  refuse("--resample", arguments.candidates == "dynamic", "--candidates dynamic");
-  refuse("--known", arguments.method == "auto", "--method auto");
+  refuse(samples, candidates != Candidates::allPairs,
+         needed(&Options::candidates, Candidates::dynamic) + " or " + std::string(nameOf(Candidates::uniform)));
+  refuse(resample, candidates == Candidates::dynamic, needed(&Options::candidates, Candidates::dynamic));
+  refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
 }
 
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {
@@ -64,8 +67,8 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
 
   Options options;
   options.weights = arguments.weights;
-  options.method = kMethods.at(arguments.method);
-  options.candidates = kCandidates.at(arguments.candidates);
+  options.method = kMethodChoices.at(arguments.method);
+  options.candidates = kCandidatesChoices.at(arguments.candidates);
   options.samples = arguments.samples;
   options.resample = arguments.resample;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
@@ -90,22 +93,23 @@ void addComputeCommand(CLI::App& program) {
       ->required();
   addWeightsOption(*command, arguments->weights);
   addOutputOptions(*command, arguments->output);
-  command->add_option("--method", arguments->method, "How to build the diagram")
+  command->add_option(flagOf(&Options::method), arguments->method, "How to build the diagram")
       ->type_name("METHOD")
-      ->check(CLI::IsMember(&kMethods))
+      ->check(CLI::IsMember(&kMethodChoices))
       ->capture_default_str();
   command
-      ->add_option("--candidates", arguments->candidates, "touching-disc: which pairs of circles get an antipodal disc")
+      ->add_option(flagOf(&Options::candidates), arguments->candidates,
+                   "touching-disc: which pairs of circles get an antipodal disc")
       ->type_name("CANDIDATES")
-      ->check(CLI::IsMember(&kCandidates))
+      ->check(CLI::IsMember(&kCandidatesChoices))
       ->capture_default_str();
   command
-      ->add_option("--samples", arguments->samples,
+      ->add_option(flagOf(&Options::samples), arguments->samples,
                    "dynamic: samples inside each angle of a Delaunay face (" + std::to_string(kDefaultDynamicSamples) +
                        "); uniform: samples on each circle (" + std::to_string(kDefaultUniformSamples) + ")")
       ->type_name("COUNT")
       ->check(CLI::Range(0, kMaxSamples).description("0 to " + std::to_string(kMaxSamples)));
-  command->add_flag("--resample", arguments->resample,
+  command->add_flag(flagOf(&Options::resample), arguments->resample,
                     "dynamic: take more samples where the certificate failed and try again");
   addTileOptions(*command, arguments->tile);
   addProgressOption(*command, arguments->progress);

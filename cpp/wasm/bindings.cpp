@@ -6,11 +6,14 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/final_cells.h"
+#include "circle_voronoi/option_names.h"
 #include "values.h"
 
 namespace {
@@ -21,46 +24,47 @@ using emscripten::val;
 /// Thrown by a callback: the computation is to end.
 struct Stopped {};
 
-Error badOption(std::string message) { return {ErrorCode::badOption, -1, std::move(message)}; }
+// What an option is given as, into its field; what is wrong with it, or nothing.
 
-/// `options`: `weights`, `method`, `candidates`, `samples`, `resample` and `progress`, each possibly undefined. `progress`, called
-/// with the name of a stage and the part of it that is done, says whether to go on. The caller sees to it that it does
-/// not throw.
+std::string take(const val& given, std::string_view, bool& field) {
+  field = given.as<bool>();
+  return "";
+}
+
+std::string take(const val& given, std::string_view name, int& field) {
+  if (!given.isNumber()) return "The number of " + std::string(name) + " is not a number.";
+  field = given.as<int>();
+  return "";
+}
+
+template <class Value>
+std::string take(const val& given, std::string_view name, Value& field) {
+  const auto& values = valuesLike(field);
+  const std::string text = given.isString() ? given.as<std::string>() : "";
+  std::string names;
+  for (const auto& value : values) {
+    if (text == value.name) {
+      field = value.value;
+      return "";
+    }
+    names += names.empty() ? "" : &value == &values.back() ? " or " : ", ";
+    names += value.name;
+  }
+  return "Unknown " + std::string(name) + ": the choice is " + names + ".";
+}
+
+/// `options`: those of the table of option names, and `progress`, each possibly undefined. `progress`, called with the
+/// name of a stage and the part of it that is done, says whether to go on. The caller sees to it that it does not
+/// throw.
 Result<Options> optionsFrom(const val& options) {
   Options result;
-  const val weights = options["weights"];
-  if (!weights.isUndefined()) result.weights = weights.as<bool>();
-  const val method = options["method"];
-  if (!method.isUndefined()) {
-    if (method.strictlyEquals(val("auto"))) {
-      result.method = Method::automatic;
-    } else if (method.strictlyEquals(val("touching-disc"))) {
-      result.method = Method::touchingDisc;
-    } else if (method.strictlyEquals(val("flip"))) {
-      result.method = Method::flip;
-    } else {
-      return badOption("Unknown method: the choice is auto, touching-disc or flip.");
-    }
-  }
-  const val candidates = options["candidates"];
-  if (!candidates.isUndefined()) {
-    if (candidates.strictlyEquals(val("dynamic"))) {
-      result.candidates = Candidates::dynamic;
-    } else if (candidates.strictlyEquals(val("uniform"))) {
-      result.candidates = Candidates::uniform;
-    } else if (candidates.strictlyEquals(val("all-pairs"))) {
-      result.candidates = Candidates::allPairs;
-    } else {
-      return badOption("Unknown candidates: the choice is dynamic, uniform or all-pairs.");
-    }
-  }
-  const val samples = options["samples"];
-  if (!samples.isUndefined()) {
-    if (!samples.isNumber()) return badOption("The number of samples is not a number.");
-    result.samples = samples.as<int>();
-  }
-  const val resample = options["resample"];
-  if (!resample.isUndefined()) result.resample = resample.as<bool>();
+  std::string problem;
+  const auto read = [&](const auto& option) {
+    const val given = options[std::string(option.name)];
+    if (problem.empty() && !given.isUndefined()) problem = take(given, option.name, result.*option.value);
+  };
+  std::apply([&](const auto&... option) { (read(option), ...); }, kOptions);
+  if (!problem.empty()) return Error{ErrorCode::badOption, kNone, problem};
   const val progress = options["progress"];
   if (!progress.isUndefined()) {
     result.progress = [progress](Stage stage, double done) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "circle_voronoi/option_names.h"
 #include "construct.h"
 #include "diagram_of.h"
 #include "guarded.h"
@@ -23,30 +24,6 @@ int sampleCount(const Options& options) {
   return options.candidates == Candidates::uniform ? kDefaultUniformSamples : kDefaultDynamicSamples;
 }
 
-const char* nameOf(Candidates candidates) {
-  switch (candidates) {
-    case Candidates::dynamic:
-      return "dynamic";
-    case Candidates::uniform:
-      return "uniform";
-    case Candidates::allPairs:
-      return "all-pairs";
-  }
-  return "";
-}
-
-const char* nameOf(Method method) {
-  switch (method) {
-    case Method::automatic:
-      return "auto";
-    case Method::touchingDisc:
-      return "touching-disc";
-    case Method::flip:
-      return "flip";
-  }
-  return "";
-}
-
 /// An error if an option is out of its range for this many circles.
 std::optional<Error> checkOptions(const Options& options, std::size_t circleCount) {
   if (options.method != Method::touchingDisc) return std::nullopt;
@@ -60,8 +37,9 @@ std::optional<Error> checkOptions(const Options& options, std::size_t circleCoun
   const int samples = sampleCount(options);
   if (samples >= fewest && samples <= kMaxSamples) return std::nullopt;
   return Error{ErrorCode::badOption, -1,
-               "The number of samples is " + std::to_string(samples) + "; with " + nameOf(options.candidates) +
-                   " candidates it is from " + std::to_string(fewest) + " to " + std::to_string(kMaxSamples) + "."};
+               "The number of samples is " + std::to_string(samples) + "; with " +
+                   std::string(nameOf(options.candidates)) + " candidates it is from " + std::to_string(fewest) +
+                   " to " + std::to_string(kMaxSamples) + "."};
 }
 
 /// Translates the events of visible, scaled circles to those of the input.

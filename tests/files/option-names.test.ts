@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options and their values have one name in TypeScript, for the core, and on the command line, which has those of
+// circle_voronoi/option_names.h; tests/cpp/cli_documentation_test.cpp holds the manual against the command line.
+import { execFileSync } from 'node:child_process'
+import { expect, it } from 'vitest'
+import { CIRCLE_FORMATS, DIAGRAM_FORMATS, type DiagramFileOptions, loadFiles } from '../../web/lib/files.ts'
+import type { Options } from '../../web/lib/index.ts'
+import { library } from '../web/library.ts'
+
+const HELP = execFileSync(
+  new URL('../../build/native/circle-voronoi', import.meta.url).pathname,
+  ['compute', '--help'],
+  {
+    encoding: 'utf8',
+  },
+)
+const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
+
+// Tables that lack a name of the types, or have another, do not compile.
+const OPTIONS: Record<keyof Options, unknown> = {
+  weights: true,
+  method: 'touching-disc',
+  candidates: 'dynamic',
+  samples: 1,
+  resample: true,
+  progress: () => {},
+}
+const METHODS: Record<NonNullable<Options['method']>, true> = { auto: true, 'touching-disc': true, flip: true }
+const CANDIDATES: Record<NonNullable<Options['candidates']>, true> = { dynamic: true, uniform: true, 'all-pairs': true }
+const FILE_OPTIONS: Record<keyof DiagramFileOptions, string> = {
+  format: '--format',
+  // Where a polygon would do as well, in what draws, the name is that of the region and not of the box.
+  bounds: '--box',
+  maxDistance: '--max-distance',
+  tolerance: '--tolerance',
+  digits: '--digits',
+}
+
+/** The words that an option takes. */
+function choicesOf(option: string): string[] {
+  return new RegExp(`^  ${option} [A-Z]+:\\{([^}]*)\\}`, 'm').exec(HELP)?.[1]?.split(',').sort() ?? []
+}
+
+function messageOf(act: () => unknown): string {
+  try {
+    act()
+  } catch (error) {
+    return (error as Error).message
+  }
+  return ''
+}
+
+/** The names that an error lists after some words. */
+function listedAfter(words: string, message: string): string[] {
+  expect(message).toContain(words)
+  return message.slice(message.indexOf(words) + words.length, -1).split(/, | and | or /)
+}
+
+it('those of compute', () => {
+  const unknown = messageOf(() => library.compute(CIRCLES, { sample: 1 } as object))
+  expect(listedAfter('its options are ', unknown)).toEqual(Object.keys(OPTIONS))
+  // Told on the command line, a stage is a line.
+  for (const name of Object.keys(OPTIONS)) expect(HELP).toMatch(new RegExp(`^  --${name}[ \\n]`, 'm'))
+  for (const [name, values] of Object.entries({ method: METHODS, candidates: CANDIDATES })) {
+    expect(choicesOf(`--${name}`)).toEqual(Object.keys(values).sort())
+    const refused = messageOf(() => library.compute(CIRCLES, { [name]: 'none' }))
+    expect(listedAfter(`Unknown ${name}: the choice is `, refused)).toEqual(Object.keys(values))
+    for (const value of Object.keys(values)) {
+      const options = { method: 'touching-disc', [name]: value } as Options
+      expect(library.compute(CIRCLES, options).stats).toMatchObject({ [name]: value })
+    }
+  }
+  // The core takes them all.
+  expect(library.compute(CIRCLES, OPTIONS as Options)).toMatchObject({
+    weights: true,
+    stats: { candidates: 'dynamic' },
+  })
+})
+
+it('those of files', async () => {
+  const files = await loadFiles()
+  const unknown = messageOf(() => files.writeDiagram(library.compute(CIRCLES), { form: 'svg' } as object))
+  expect(listedAfter('its options are ', unknown)).toEqual(Object.keys(FILE_OPTIONS))
+  for (const flag of Object.values(FILE_OPTIONS)) expect(HELP).toMatch(new RegExp(`^  ${flag} `, 'm'))
+  expect(choicesOf('--format')).toEqual([...DIAGRAM_FORMATS].sort())
+  expect(DIAGRAM_FORMATS).toEqual(expect.arrayContaining([...CIRCLE_FORMATS]))
+})
