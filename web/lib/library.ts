@@ -13,9 +13,10 @@ import {
 } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
 import type { Certificate, DiagramData, Float64s } from './diagram-data.ts'
-import { type DiagramEditor, editedCircles, editorsOf } from './editor.ts'
+import { type DiagramEditor, editedCircles } from './editor.ts'
 import createModule from './generated/circle-voronoi.js'
 import { judgedArrays, type Verifiable } from './judged-arrays.ts'
+import { editorsOf } from './module-editor.ts'
 import { checkOptions, type Options, type Progress } from './options.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
