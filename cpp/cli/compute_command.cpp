@@ -73,10 +73,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   options.resample = arguments.resample;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto diagram = compute(circles.value(), options);
-  if (!diagram) {
-    const Error& error = diagram.error();
-    throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, name + ": " + error.message};
-  }
+  if (!diagram) fail(diagram.error(), name + ": ");
   writeDiagram(arguments.output, name, diagram.value(), progress);
 }
 

@@ -26,10 +26,6 @@ struct EditArguments {
   std::string progress = "auto";
 };
 
-[[noreturn]] void fail(const Error& error, const std::string& where) {
-  throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, where + error.message};
-}
-
 std::vector<Circle> readEditedCircles(const std::string& input) {
   const std::string name = inputName(input);
   const std::string text = readText(input);
@@ -104,9 +100,7 @@ void addEditCommand(CLI::App& program) {
   addProgressOption(*command, arguments->progress);
   command->footer(
       "Circle i of the file has id i; each circle that is inserted gets the next one. The first edit that cannot be "
-      "made "
-      "ends\n"
-      "the program. Formats are those of compute.");
+      "made\nends the program. Formats are those of compute.");
   command->callback([arguments] { runEdit(*arguments); });
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "circle_voronoi/error.h"
+
 namespace circle_voronoi::cli {
 
 enum ExitStatus : int {
@@ -31,5 +33,10 @@ struct Failure {
   ExitStatus status;
   std::string message;
 };
+
+/// Ends a command with what the library refuses, `where` before it.
+[[noreturn]] inline void fail(const Error& error, const std::string& where) {
+  throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, where + error.message};
+}
 
 }  // namespace circle_voronoi::cli

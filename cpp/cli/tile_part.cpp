@@ -170,10 +170,7 @@ void computeTilePart(const TilePart& part, const Output& output, const std::stri
   options.weights = weights;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto diagram = compute(circles, options);
-  if (!diagram) {
-    const Error& error = diagram.error();
-    throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, name + ": " + error.message};
-  }
+  if (!diagram) fail(diagram.error(), name + ": ");
   const auto cells = finalCells(diagram.value(), {boxOf(part.known), *part.maxRadius});
   if (!cells) throw Failure{kBadInput, name + ": " + cells.error().message};
   const FinalPart found(tile.value(), diagram.value(), cells.value(), boxOf(part.core));

@@ -18,6 +18,7 @@
 #include "delaunay.h"
 #include "random.h"
 #include "report.h"
+#include "tie_inputs.h"
 
 namespace circle_voronoi {
 namespace {
@@ -25,17 +26,6 @@ namespace {
 using Circles = std::vector<Circle>;
 
 constexpr int kTrials = 8;
-
-/// Moves circles into a square of side 2^10 around the origin and rounds them to multiples of 2^-10.
-Circles onDyadicGrid(Circles circles) {
-  double low = INFINITY;
-  double extent = 0;
-  for (const Circle& c : circles) low = std::min({low, c.x, c.y});
-  for (const Circle& c : circles) extent = std::max({extent, c.x - low, c.y - low, c.r});
-  const auto rounded = [&](double value) { return std::round(value / extent * 0x1p20) * 0x1p-10; };
-  for (Circle& c : circles) c = {rounded(c.x - low), rounded(c.y - low), rounded(c.r)};
-  return circles;
-}
 
 /// Rounding makes ties of any family possible, so all of them are compared after merging.
 void expectSame(const Diagram& actual, const Diagram& expected, const Circles& circles) {
@@ -61,7 +51,7 @@ void onEveryFamily(Check check) {
   for (const FamilyInfo& family : families()) {
     for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
       Random random(seed * 1'000'003 + trial);
-      const Circles circles = onDyadicGrid(generate(family.family, 2 + random.below(100), random.next()));
+      const Circles circles = test::onDyadicGrid(generate(family.family, 2 + random.below(100), random.next()));
       SCOPED_TRACE(std::string(family.name) + ", trial " + std::to_string(trial));
       check(circles, family, random);
       if (testing::Test::HasFailure()) FAIL() << test::describe(circles);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tie_inputs.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -168,6 +169,16 @@ void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& rand
       break;
     }
   }
+}
+
+std::vector<Circle> onDyadicGrid(std::vector<Circle> circles) {
+  double low = INFINITY;
+  double extent = 0;
+  for (const Circle& c : circles) low = std::min({low, c.x, c.y});
+  for (const Circle& c : circles) extent = std::max({extent, c.x - low, c.y - low, c.r});
+  const auto rounded = [&](double value) { return std::round(value / extent * 0x1p20) * 0x1p-10; };
+  for (Circle& c : circles) c = {rounded(c.x - low), rounded(c.y - low), rounded(c.r)};
+  return circles;
 }
 
 void forEachTie(std::uint64_t seed, std::uint64_t trials,

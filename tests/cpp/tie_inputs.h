@@ -36,6 +36,10 @@ inline constexpr int kDisturbances = 7;
 
 void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& random);
 
+/// Moves circles into a square of side 2^10 around the origin and rounds coordinates and radii to multiples of 2^-10:
+/// sums of them are exact.
+std::vector<Circle> onDyadicGrid(std::vector<Circle> circles);
+
 /// Hands on so many inputs of each kind, of 2 to 41 circles, disturbed in each way in turn, with the kind's name.
 void forEachTie(std::uint64_t seed, std::uint64_t trials,
                 const std::function<void(const std::vector<Circle>&, std::string_view kind)>& use);

@@ -45,17 +45,6 @@ const Circles kNegative = {{0, 0, -3}, {6, 0, -1}, {6.5, 0, -2}};
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// Circles whose coordinates and radii are multiples of 2^-10 below 2^10, so that sums are exact.
-Circles onDyadicGrid(Circles circles) {
-  double low = INFINITY;
-  double extent = 0;
-  for (const Circle& c : circles) low = std::min({low, c.x, c.y});
-  for (const Circle& c : circles) extent = std::max({extent, c.x - low, c.y - low, c.r});
-  const auto rounded = [&](double value) { return std::round(value / extent * 0x1p20) * 0x1p-10; };
-  for (Circle& c : circles) c = {rounded(c.x - low), rounded(c.y - low), rounded(c.r)};
-  return circles;
-}
-
 Circles withMore(Circles circles, double more) {
   for (Circle& c : circles) c.r += more;
   return circles;
@@ -121,7 +110,7 @@ TEST(Weights, AddingOneNumberToAllChangesNoBitOfAnyFamily) {
   for (const FamilyInfo& family : families()) {
     for (std::uint64_t trial = 0; trial < 6; ++trial) {
       Random random(seed * 1'000'003 + trial);
-      const Circles circles = onDyadicGrid(generate(family.family, 2 + random.below(100), random.next()));
+      const Circles circles = test::onDyadicGrid(generate(family.family, 2 + random.below(100), random.next()));
       SCOPED_TRACE(std::string(family.name) + ", trial " + std::to_string(trial));
       // More than all radii, some of them, and upwards.
       for (const double most : {-0x1p30, -0x1p18, 0x1p20}) {
@@ -167,7 +156,7 @@ TEST(Weights, OfAnySignHaveTheDiagramOfTheOracle) {
 }
 
 TEST(Weights, AllMethodsTakeThem) {
-  const Circles circles = onDyadicGrid(generate(Family::logUniform, 200, 5));
+  const Circles circles = test::onDyadicGrid(generate(Family::logUniform, 200, 5));
   const Diagram expected = compute(circles).value();
   for (const Method method : {Method::touchingDisc, Method::flip}) {
     for (const Candidates candidates : {Candidates::dynamic, Candidates::uniform, Candidates::allPairs}) {
@@ -215,7 +204,7 @@ TEST(Weights, LargeOnesRoundNothingElse) {
 }
 
 TEST(Weights, CellsAndNearestCirclesStay) {
-  const Circles circles = onDyadicGrid(generate(Family::intersecting, 80, 3));
+  const Circles circles = test::onDyadicGrid(generate(Family::intersecting, 80, 3));
   const Circles weights = withMore(circles, -700);
   const Diagram expected = compute(circles).value();
   const Diagram diagram = compute(weights, kWeights).value();
@@ -241,7 +230,7 @@ TEST(Weights, CellsAndNearestCirclesStay) {
 
 // The hull is that of the circles grown until the least on the hull is a point.
 TEST(Weights, TheHullIsOfGrownCircles) {
-  Circles circles = onDyadicGrid(generate(Family::logUniform, 100, 7));
+  Circles circles = test::onDyadicGrid(generate(Family::logUniform, 100, 7));
   const Diagram known = compute(circles).value();
   double least = INFINITY;
   for (const CircleIndex i : known.hull) least = std::min(least, circles[at(i)].r);
