@@ -7,7 +7,7 @@ import type { Point } from '../../web/lib/index.ts'
 import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
 
 /** What the page keeps free for its panels (`padding` in main.ts). */
-const PADDING = { top: 72, right: 32, bottom: 64, left: 32 }
+export const PADDING = { top: 72, right: 32, bottom: 64, left: 32 }
 
 /** The opened page, and where its circles are. */
 export class App {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle, Point } from '../lib/index.ts'
-import { boundingBox, type Camera, fitted, type Padding, panned, zoomed } from '../view/camera.ts'
+import type { Box, Circle, Point } from '../lib/index.ts'
+import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
+import type { Edited } from '../view/painter.ts'
 import type { Hands } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
 import { DATA_SETS } from './data-sets.ts'
@@ -8,7 +9,7 @@ import type { Editing } from './editing.ts'
 import type { State } from './state.ts'
 import type { Store } from './store.ts'
 
-/** How far one may zoom in and out from the whole picture. */
+/** How far one may zoom in from the picture without outliers, and out from the whole one. */
 const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
 /** The radius of a circle that is added with room around, in pixels. */
@@ -119,6 +120,12 @@ export class Actions implements Hands {
     )
   }
 
+  /** Selects a circle and has the view show it. */
+  goTo(id: number): void {
+    this.select(id)
+    this.#reveal(id)
+  }
+
   /** Selects the circle nearest to the middle of the view. */
   async selectNearMiddle(): Promise<void> {
     const { x, y } = this.#view.camera
@@ -129,7 +136,7 @@ export class Actions implements Hands {
   selectNext(step: 1 | -1): boolean {
     const { selected } = this.#store.get()
     const next = selected === undefined ? undefined : this.#editing.circles.next(selected + step, step)
-    if (next !== undefined) this.select(next)
+    if (next !== undefined) this.goTo(next)
     return next !== undefined
   }
 
@@ -143,12 +150,17 @@ export class Actions implements Hands {
     else this.select(undefined)
   }
 
-  undo(): void {
-    this.#editing.undo()
+  async undo(): Promise<void> {
+    this.#selectWhatCame(await this.#editing.undo())
   }
 
-  redo(): void {
-    this.#editing.redo()
+  async redo(): Promise<void> {
+    this.#selectWhatCame(await this.#editing.redo())
+  }
+
+  #selectWhatCame(edited: Edited | undefined): void {
+    const id = edited?.inserted[0]
+    if (id !== undefined) this.goTo(id)
   }
 
   pan(dx: number, dy: number): void {
@@ -157,8 +169,10 @@ export class Actions implements Hands {
 
   zoom(factor: number, anchor: Point): void {
     const { camera, size } = this.#view
-    const whole = this.#whole().scale
-    const scale = Math.min(Math.max(camera.scale * factor, whole * SMALLEST_ZOOM), whole * LARGEST_ZOOM)
+    const whole = this.#fitted(this.#editing.circles.box()).scale
+    const core = this.#fitted(this.#editing.circles.core()).scale
+    const largest = Math.max(whole, core) * LARGEST_ZOOM
+    const scale = Math.min(Math.max(camera.scale * factor, whole * SMALLEST_ZOOM), largest)
     this.#view.camera = zoomed(camera, size, anchor, scale / camera.scale)
   }
 
@@ -167,12 +181,27 @@ export class Actions implements Hands {
     this.zoom(factor, { x: width / 2, y: height / 2 })
   }
 
+  /** Shows everything, or where everything is shown already, all but what lies far outside. */
   fit(): void {
-    this.#view.camera = this.#whole()
+    const { circles } = this.#editing
+    const [whole, core] = [this.#fitted(circles.box()), this.#fitted(circles.core())]
+    const { x, y, scale } = this.#view.camera
+    this.#view.camera = x === whole.x && y === whole.y && scale === whole.scale ? core : whole
   }
 
-  #whole(): Camera {
-    return fitted(boundingBox(this.#editing.circles.circles()), this.#view.size, this.#padding())
+  #fitted(box: Box): Camera {
+    return fitted(box, this.#view.size, this.#padding())
+  }
+
+  /** Has the view show the centre of a circle, where it does not. */
+  #reveal(id: number): void {
+    const circle = this.circle(id)
+    if (circle === undefined) return
+    const { camera, size } = this.#view
+    const { top, right, bottom, left } = this.#padding()
+    const { x, y } = toScreen(camera, size, circle)
+    const isShown = x >= left && x <= size.width - right && y >= top && y <= size.height - bottom
+    if (!isShown) this.#view.camera = { ...camera, x: circle.x, y: circle.y }
   }
 
   #changeSelected(change: (circle: Circle) => Circle, gesture: number): void {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/diagram-data.ts'
-import type { Circle, Edit } from '../lib/index.ts'
+import type { Box, Circle, Edit } from '../lib/index.ts'
+import { boundingBox } from '../view/camera.ts'
 
 /** An edit that brings back a circle which had another id. */
 export type Step = Edit & { readonly formerId?: number }
+
+/** Of so many circles the core is computed. */
+const CORE_SAMPLE = 1000
 
 /** Circles by their ids, as a `DiagramEditor` gives them: each new one the next id. */
 export class CircleTable {
@@ -11,6 +15,8 @@ export class CircleTable {
   #isThere: Uint8Array
   #size: number
   #count: number
+  #box: Box | undefined
+  #core: Box | undefined
 
   /** Circle i, x, y and r of `circles`, has id i. They are not copied. */
   constructor(circles: Float64Array) {
@@ -18,11 +24,6 @@ export class CircleTable {
     this.#size = circles.length / 3
     this.#count = this.#size
     this.#isThere = new Uint8Array(this.#size).fill(1)
-  }
-
-  /** How many circles there are. */
-  get count(): number {
-    return this.#count
   }
 
   get(id: number): Circle | undefined {
@@ -38,6 +39,8 @@ export class CircleTable {
 
   /** Makes edits its own; `inserted`: the ids of those that come. Returns the edits that go back, in their order. */
   apply(edits: readonly Edit[], inserted: Int32Array): Step[] {
+    this.#box = undefined
+    this.#core = undefined
     const back: Step[] = []
     let next = 0
     for (const edit of edits) {
@@ -62,12 +65,26 @@ export class CircleTable {
 
   /** x, y and r of all circles, in the order of their ids. */
   circles(): Float64Array {
+    if (this.#count === this.#size) return this.#numbers.slice(0, 3 * this.#size)
     const circles = new Float64Array(3 * this.#count)
     let k = 0
     for (let id = 0; id < this.#size; id++) {
-      if (this.#isThere[id] === 1) circles.set(this.#numbers.subarray(3 * id, 3 * id + 3), 3 * k++)
+      if (this.#isThere[id] !== 1) continue
+      for (let place = 3 * id; place < 3 * id + 3; place++) circles[k++] = at(this.#numbers, place)
     }
     return circles
+  }
+
+  /** The smallest box around all circles, known until the next edit. */
+  box(): Box {
+    this.#box ??= boundingBox(this.circles())
+    return this.#box
+  }
+
+  /** A box that a few outliers do not widen: around the middle nine tenths of the centres, by x and by y. */
+  core(): Box {
+    this.#core ??= coreOf(this.circles())
+    return this.#core
   }
 
   #put(id: number, { x, y, r }: Circle): void {
@@ -84,4 +101,20 @@ export class CircleTable {
     this.#size = Math.max(this.#size, id + 1)
     this.#numbers.set([x, y, r], 3 * id)
   }
+}
+
+function coreOf(circles: Float64Array): Box {
+  const n = circles.length / 3
+  const step = Math.max(Math.floor(n / CORE_SAMPLE), 1)
+  const middleOf = (offset: number): [number, number] => {
+    const values = Float64Array.from({ length: Math.ceil(n / step) }, (_, k) =>
+      at(circles, 3 * k * step + offset),
+    ).sort()
+    const last = values.length - 1
+    return [at(values, Math.ceil(0.05 * last)), at(values, Math.floor(0.95 * last))]
+  }
+  if (n === 0) return boundingBox(circles)
+  const [minX, maxX] = middleOf(0)
+  const [minY, maxY] = middleOf(1)
+  return minX < maxX || minY < maxY ? { minX, minY, maxX, maxY } : boundingBox(circles)
 }

@@ -20,7 +20,8 @@ interface Job {
   /** -1: of no gesture that goes on. */
   readonly gesture: number
   readonly edits: readonly Edit[]
-  run(): Promise<Edited>
+  /** `undefined`: there was nothing to do. */
+  run(): Promise<Edited | undefined>
   readonly waiting: { resolve(edited: Edited | undefined): void }[]
 }
 
@@ -83,7 +84,7 @@ export class Editing {
   /** Takes back what a gesture has done, for good. */
   async cancel(gesture: number): Promise<void> {
     await this.#ask(-1, [], async () => {
-      if (this.#history.done.at(-1)?.gesture !== gesture) return undefined as never
+      if (this.#history.done.at(-1)?.gesture !== gesture) return undefined
       const edited = await this.#goBack('done', 'undone')
       this.#history = { done: this.#history.done, undone: [] }
       return edited
@@ -94,9 +95,9 @@ export class Editing {
     return this.#ask(-1, [], () => this.#goBack(from, to))
   }
 
-  async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited> {
+  async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
     const entry = this.#history[from].at(-1)
-    if (entry === undefined) return undefined as never
+    if (entry === undefined) return undefined
     const edited = await this.#computer.edit(entry.steps.map(plain))
     const steps = this.#table.apply(entry.steps, edited.inserted)
     const former = entry.steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
@@ -122,7 +123,7 @@ export class Editing {
     return this.#table.get(id)
   }
 
-  #ask(gesture: number, edits: readonly Edit[], run: () => Promise<Edited>): Promise<Edited | undefined> {
+  #ask(gesture: number, edits: readonly Edit[], run: () => Promise<Edited | undefined>): Promise<Edited | undefined> {
     return new Promise((resolve) => {
       const last = this.#jobs.at(-1)
       const standsForLast = this.#jobs.length > 1 && last?.gesture === gesture && isReplacedBy(last.edits, edits)

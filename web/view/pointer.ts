@@ -41,8 +41,8 @@ interface Gesture {
 
 /** What listens to a pointer. */
 export interface Listening {
-  /** Calls what is to come after all that the pointer has done: at once, if what it pressed is known. */
-  afterwards(act: () => void): void
+  /** Ends once all that the pointer has done is done; `undefined` if it is, as what it pressed is known. */
+  readonly pending: Promise<unknown> | undefined
   stop(): void
 }
 
@@ -275,9 +275,8 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     { passive: false },
   )
   return {
-    afterwards(act) {
-      if (pending === undefined) act()
-      else pending.finally(act)
+    get pending() {
+      return pending
     },
     stop: () => listeners.abort(),
   }

@@ -20,7 +20,7 @@ const ARROWS: { readonly [key: string]: readonly [number, number] } = {
   ArrowDown: [0, -1],
 }
 
-/** Keys on the figure, and undo and redo anywhere but in a field. `editNumbers` moves the focus to the fields. */
+/** Keys on the figure; undo, redo, Delete and Escape anywhere but in a field. `editNumbers` moves the focus to the fields. */
 export function listenToKeyboard(
   figure: HTMLElement,
   view: View,
@@ -76,25 +76,36 @@ export function listenToKeyboard(
     }
   }
 
+  /** What is clicked may not be selected yet: then it is not known whether the key is used, and the browser does not get it. */
+  const afterPointer = (event: KeyboardEvent, act: () => boolean) => {
+    const { pending } = pointer
+    if (pending !== undefined) pending.finally(act)
+    if (pending !== undefined || act()) event.preventDefault()
+  }
+
   figure.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey) return
-    let isKnown = false
-    // What is clicked may not be selected yet.
-    pointer.afterwards(() => {
-      const isUsed = onFigureKey(event)
-      if (isUsed && !isKnown) event.preventDefault()
-      isKnown = true
-    })
-    if (!isKnown) event.preventDefault()
-    isKnown = true
+    if (!(event.ctrlKey || event.metaKey)) afterPointer(event, () => onFigureKey(event))
   })
 
   document.addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement) return
-    const key = event.key.toLowerCase()
-    if (key === 'z' && !event.shiftKey) actions.undo()
-    else if (key === 'y' || key === 'z') actions.redo()
-    else return
-    event.preventDefault()
+    if (event.target instanceof Element && event.target.closest('input, textarea, select, dialog') !== null) return
+    const act = actionOf(event)
+    if (act === undefined) return
+    afterPointer(event, () => {
+      act()
+      return true
+    })
   })
+
+  const actionOf = (event: KeyboardEvent): (() => void) | undefined => {
+    const key = event.key.toLowerCase()
+    if (event.ctrlKey || event.metaKey) {
+      if (key === 'z' && !event.shiftKey) return () => actions.undo()
+      return key === 'y' || key === 'z' ? () => actions.redo() : undefined
+    }
+    // The focus may be on a button of the toolbar.
+    if (event.target === figure) return undefined
+    if (key === 'escape') return () => actions.release()
+    return key === 'delete' || key === 'backspace' ? () => actions.removeSelected() : undefined
+  }
 }

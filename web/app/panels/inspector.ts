@@ -44,11 +44,14 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
   const showNeighbors = (indices: readonly number[]) => {
     if (indices.join() === shownNeighbors) return
     shownNeighbors = indices.join()
+    const hadFocus = neighbors.contains(document.activeElement)
     neighbors.replaceChildren(...indices.map((index) => chip(index, actions)))
+    if (hadFocus) (neighbors.querySelector('button') ?? figure).focus()
   }
 
   store.subscribe((state) => {
     const { circle } = state
+    if (circle === undefined && panel.contains(document.activeElement)) figure.focus()
     panel.hidden = circle === undefined
     if (circle === undefined) return
 
@@ -60,6 +63,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
       field.setAttribute('aria-invalid', String(field === typing && state.problem !== ''))
       if (field !== typing && field.value !== text) field.value = text
     })
+    if (state.described === undefined) return
     const [description, indices] = describeCell(state.described)
     cell.textContent = description
     showNeighbors(indices)
@@ -68,8 +72,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
   return () => (fields[0] as HTMLInputElement).focus()
 }
 
-function describeCell(described: Described | undefined): [string, readonly number[]] {
-  if (described === undefined) return ['', []]
+function describeCell(described: Described): [string, readonly number[]] {
   const { hiddenBy, isBounded } = described
   if (hiddenBy !== undefined) return [`Hidden inside circle ${hiddenBy}: it has no cell.`, [hiddenBy]]
   const neighbors = [...described.neighbors]
@@ -82,7 +85,7 @@ function chip(index: number, actions: Actions): HTMLLIElement {
   button.type = 'button'
   button.textContent = String(index)
   button.setAttribute('aria-label', `Circle ${index}`)
-  button.addEventListener('click', () => actions.select(index))
+  button.addEventListener('click', () => actions.goTo(index))
   button.addEventListener('pointerenter', () => actions.hover(index))
   button.addEventListener('pointerleave', () => actions.hover(undefined))
   const item = document.createElement('li')

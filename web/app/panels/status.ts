@@ -25,7 +25,15 @@ function statusParts(state: State): (string | Node)[] {
     ...(counts.hidden > 0 ? [[bold(counts.hidden), ' hidden']] : []),
     duration(seconds),
   ]
-  return parts.flatMap((part, i) => (i === 0 ? part : [' · ', ...part]))
+  // Each part keeps its direction where that of the page is another.
+  return parts.flatMap((part, i) => (i === 0 ? [isolated(part)] : [' · ', isolated(part)]))
+}
+
+function isolated(part: (string | Node)[]): Node {
+  const element = document.createElement('bdi')
+  element.dir = 'ltr'
+  element.append(...part)
+  return element
 }
 
 function count(value: number, one: string, many = `${one}s`): (string | Node)[] {

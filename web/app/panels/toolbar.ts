@@ -7,6 +7,7 @@ import { byId } from './by-id.ts'
 
 /** The choice of circles, adding and deleting, undo and redo. */
 export function mountToolbar(store: Store<State>, actions: Actions): void {
+  const figure = byId('figure', HTMLElement)
   const dataSet = byId('data-set', HTMLSelectElement)
   const again = byId('again', HTMLButtonElement)
   const add = byId('add', HTMLButtonElement)
@@ -22,12 +23,18 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
   undo.addEventListener('click', () => actions.undo())
   redo.addEventListener('click', () => actions.redo())
 
+  /** The focus of a button that is disabled would fall to the body. */
+  const disable = (button: HTMLButtonElement, isDisabled: boolean) => {
+    if (isDisabled && button === document.activeElement) figure.focus()
+    button.disabled = isDisabled
+  }
+
   store.subscribe((state) => {
     if (state.dataSet !== '') dataSet.value = state.dataSet
     again.hidden = !DATA_SETS.find(({ id }) => id === state.dataSet)?.isRandom
     add.setAttribute('aria-pressed', String(state.isAdding))
-    remove.disabled = state.selected === undefined
-    undo.disabled = state.history.done.length === 0
-    redo.disabled = state.history.undone.length === 0
+    disable(remove, state.selected === undefined)
+    disable(undo, state.history.done.length === 0)
+    disable(redo, state.history.undone.length === 0)
   })
 }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the focus and the selection go, and which keys work where.
+import { CircleTable } from '../../web/app/circle-table.ts'
+import { fitted, toScreen } from '../../web/view/camera.ts'
+import { dataSet, expect, PADDING, test } from './page.ts'
+
+const BRONZE = dataSet('bronzefilter')
+const INTRODUCTION = dataSet('introduction')
+
+test('a button that has nothing left to do gives the focus to the picture', async ({ app }) => {
+  const at = app.center(BRONZE, 650)
+  await app.page.mouse.click(at.x, at.y)
+  await expect(app.inspector).toContainText('Circle 650')
+  await app.page.getByRole('button', { name: 'Delete the selected circle' }).click()
+  await expect(app.status).toContainText('677 circles')
+  await expect(app.canvas).toBeFocused()
+  await app.page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('678 circles')
+  await expect(app.canvas).toBeFocused()
+})
+
+test('a circle that comes back is selected', async ({ app }) => {
+  const at = app.center(BRONZE, 650)
+  await app.page.mouse.click(at.x, at.y)
+  // As fast as one can: each waits for what is before it.
+  await app.page.keyboard.press('Delete')
+  await app.page.keyboard.press('Control+z')
+  await expect(app.inspector).toContainText('Circle 678')
+  await expect(app.field('x')).toHaveValue(String(BRONZE[1950]))
+  await app.page.keyboard.press('Delete')
+  await expect(app.status).toContainText('677 circles')
+})
+
+test('a neighbour is selected by its number, and the focus stays among the neighbours', async ({ app }) => {
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 4)
+  await app.page.mouse.click(at.x, at.y)
+  const list = app.inspector.getByRole('list', { name: 'Neighbours' }).getByRole('button')
+  const first = (await list.first().textContent()) as string
+  await list.first().focus()
+  await app.page.keyboard.press('Enter')
+  await expect(app.inspector).toContainText(`Circle ${first}`)
+  await expect(list.first()).not.toHaveText(first)
+  await expect(list.first()).toBeFocused()
+})
+
+test('Delete and Escape work after a click on the toolbar', async ({ app }) => {
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 4)
+  await app.page.mouse.click(at.x, at.y)
+  await expect(app.inspector).toBeVisible()
+  const add = app.page.getByRole('button', { name: 'Add a circle' })
+  await add.click()
+  await app.page.keyboard.press('Escape')
+  await expect(add).toHaveAttribute('aria-pressed', 'false')
+  await expect(app.inspector).toBeVisible()
+  await app.page.keyboard.press('Delete')
+  await expect(app.status).toContainText('13 circles')
+  // In a field they are those of the field.
+  await app.page.getByLabel('Data set').focus()
+  await app.page.keyboard.press('Control+z')
+  await expect(app.status).toContainText('13 circles')
+})
+
+test('a circle that Tab selects is shown', async ({ app }) => {
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 4)
+  await app.page.mouse.click(at.x, at.y)
+  await app.drag({ x: 60, y: 400 }, { x: 1240, y: 400 })
+  await app.page.mouse.up()
+  await app.page.keyboard.press('Tab')
+  await expect(app.inspector).toContainText('Circle 5')
+  // In the middle, then.
+  await app.page.keyboard.press('Escape')
+  await app.page.mouse.click(640, 400)
+  await expect(app.inspector).toContainText('Circle 5')
+})
+
+test('an outlier does not keep one from zooming to the rest', async ({ app }) => {
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 4)
+  await app.page.mouse.click(at.x, at.y)
+  await app.field('x').fill('1e12')
+  await app.field('x').press('Enter')
+  await expect(app.field('x')).toHaveAttribute('title', '1000000000000')
+  await app.field('x').press('Escape')
+  const fit = app.page.getByRole('button', { name: 'Fit' })
+  await fit.click()
+  await fit.click()
+  const circles = INTRODUCTION.slice()
+  circles[12] = 1e12
+  const size = { width: 1280, height: 800 }
+  const center = toScreen(fitted(new CircleTable(circles).core(), size, PADDING), size, { x: 0, y: 0 })
+  await app.page.mouse.move(center.x, center.y)
+  for (let k = 0; k < 5; k++) await app.page.mouse.wheel(0, -100)
+  await app.page.mouse.click(center.x + 40, center.y)
+  await expect(app.inspector).toContainText('Circle 0')
+})

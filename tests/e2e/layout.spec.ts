@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Panels in windows of all sizes, forced colours, and pages that run from right to left.
+import type { Locator } from '@playwright/test'
+import { type App, dataSet, expect, test } from './page.ts'
+
+const BRONZE = dataSet('bronzefilter')
+
+async function boxOf(locator: Locator) {
+  return (await locator.boundingBox()) as { x: number; y: number; width: number; height: number }
+}
+
+async function expectApart(app: App): Promise<void> {
+  const { width, height } = app.page.viewportSize() as { width: number; height: number }
+  const boxes = await Promise.all((await app.page.locator('.panel:visible').all()).map(boxOf))
+  expect(boxes.length).toBeGreaterThan(3)
+  for (const [k, { x, y, width: w, height: h }] of boxes.entries()) {
+    expect(Math.min(x, y)).toBeGreaterThanOrEqual(0)
+    expect(x + w).toBeLessThanOrEqual(width)
+    expect(y + h).toBeLessThanOrEqual(height)
+    for (const other of boxes.slice(k + 1)) {
+      const isApart = x + w <= other.x || other.x + other.width <= x || y + h <= other.y || other.y + other.height <= y
+      expect(isApart, JSON.stringify([boxes[k], other])).toBe(true)
+    }
+  }
+}
+
+// 320 x 200 is 1280 x 800 at 400 %.
+for (const [width, height] of [
+  [1280, 800],
+  [800, 600],
+  [568, 320],
+  [390, 844],
+  [320, 200],
+] as const) {
+  test(`no panel covers another at ${width} x ${height}`, async ({ app }) => {
+    await app.page.setViewportSize({ width, height })
+    await app.page.getByRole('button', { name: 'Fit' }).click()
+    const at = app.center(BRONZE, 600)
+    await app.page.mouse.click(at.x, at.y)
+    await expect(app.inspector).toBeVisible()
+    await expectApart(app)
+    await app.field('r').fill('-1')
+    await app.field('r').press('Enter')
+    await expect(app.page.getByRole('alert')).toBeVisible()
+    await expectApart(app)
+  })
+}
+
+test('fields and buttons have borders in forced colours', async ({ app }) => {
+  await app.page.emulateMedia({ forcedColors: 'active' })
+  const at = app.center(BRONZE, 600)
+  await app.page.mouse.click(at.x, at.y)
+  await expect(app.inspector).toBeVisible()
+  for (const control of await app.page.locator('input:visible, select:visible, button:visible').all()) {
+    await expect(control).toHaveCSS('border-top-style', 'solid')
+    await expect(control).toHaveCSS('border-top-width', '1px')
+  }
+})
+
+test('a page that runs from right to left leaves each part of the status as it is', async ({ app }) => {
+  await app.page.evaluate(() => {
+    document.documentElement.dir = 'rtl'
+  })
+  const part = app.status.locator('bdi').first()
+  await expect(part).toHaveText('678 circles')
+  // The number stands at the left of its part.
+  expect((await boxOf(part.locator('b'))).x).toBe((await boxOf(part)).x)
+  expect((await boxOf(part)).x).toBeGreaterThan((await boxOf(app.status.locator('bdi').nth(1))).x)
+})
