@@ -5,7 +5,7 @@ import { parseCircles } from '../../web/app/csv.ts'
 import type { Box, Edit } from '../../web/lib/index.ts'
 import { boundingBox, fitted, panned, toPlane, toScreen, zoomed } from '../../web/view/camera.ts'
 import { BoxIndex } from '../../web/view/painter/box-index.ts'
-import { meets } from '../../web/view/painter/boxes.ts'
+import { addAround } from '../../web/view/painter/boxes.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { library, seededRandom } from './library.ts'
@@ -194,7 +194,69 @@ describe('what an edit changes in a picture', () => {
   }
 })
 
+describe('the box of a circle and its cell', () => {
+  const reachOf = (circles: Float64Array) => {
+    const { minX, minY, maxX, maxY } = boundingBox(circles)
+    return Math.max(maxX - minX, maxY - minY)
+  }
+  const inputs = fc.array(
+    fc.tuple(
+      fc.integer({ min: -20, max: 20 }),
+      fc.integer({ min: -20, max: 20 }),
+      fc.oneof(fc.constant(0), fc.double({ min: 0.001, max: 9, noNaN: true }), fc.constant(3)),
+    ),
+    { minLength: 1, maxLength: 12 },
+  )
+
+  it('holds every point of the cell, near and far', () => {
+    const random = seededRandom(3)
+    fc.assert(
+      fc.property(inputs, (list) => {
+        const picture = new Picture(library.edit(list))
+        const { diagram, index } = picture
+        const extent = reachOf(diagram.circles)
+        for (let k = 0; k < 60; k++) {
+          const spread = extent * (k % 2 === 0 ? 1 : 200)
+          const box = boundingBox(diagram.circles)
+          const x = (box.minX + box.maxX) / 2 + spread * (random() - 0.5)
+          const y = (box.minY + box.maxY) / 2 + spread * (random() - 0.5)
+          const { minX, minY, maxX, maxY } = index.get(diagram.find(x, y))
+          const slack = 1e-9 * spread
+          expect(x).toBeGreaterThanOrEqual(minX - slack)
+          expect(y).toBeGreaterThanOrEqual(minY - slack)
+          expect(x).toBeLessThanOrEqual(maxX + slack)
+          expect(y).toBeLessThanOrEqual(maxY + slack)
+        }
+      }),
+      { numRuns: 300, seed: 11 },
+    )
+  })
+
+  it('is the same at the start and after an edit', () => {
+    fc.assert(
+      fc.property(inputs, ([first, ...others]) => {
+        const whole = new Picture(library.edit(others.length === 0 ? [first as never] : [...others, first as never]))
+        const grown = new Picture(library.edit(others))
+        // So that both take edges to infinity as far.
+        if (reachOf(whole.diagram.circles) !== reachOf(grown.diagram.circles)) return
+        const [x, y, r] = first as [number, number, number]
+        grown.apply(grown.editor.apply([{ kind: 'insert', circle: { x, y, r } }]))
+        for (const id of whole.editor.ids()) {
+          const [one, other] = [whole.index.get(id), grown.index.get(id)]
+          const size = reachOf(whole.diagram.circles)
+          for (const side of ['minX', 'minY', 'maxX', 'maxY'] as const) {
+            expect(Math.abs(one[side] - other[side])).toBeLessThan(1e-6 * size)
+          }
+        }
+      }),
+      { numRuns: 300, seed: 12 },
+    )
+  })
+})
+
 describe('the index of boxes', () => {
+  const meets = (a: Box, b: Box) => a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY
+
   it('finds those that meet a box, after any changes', () => {
     const random = seededRandom(9)
     const index = new BoxIndex()
@@ -207,7 +269,10 @@ describe('the index of boxes', () => {
       } else {
         const [x, y] = [100 * random(), 100 * random()]
         const box = { minX: x, minY: y, maxX: x + 3 * random(), maxY: y + 3 * random() }
-        index.set(number, box)
+        index.set(number, (list, k) => {
+          addAround(list, k, box.minX, box.minY, 0)
+          addAround(list, k, box.maxX, box.maxY, 0)
+        })
         boxes.set(number, box)
       }
       if (k % 300 !== 0) continue

@@ -23,8 +23,8 @@ export class DiagramPatch {
   readonly #edges: Growing<Int32s>
   readonly #nextSide: Growing<Int32s>
   readonly #edgeNumbers: Growing<Int32s>
-  readonly #circleOfId: Map<number, number>
-  /** Of each number its place in the arrays. */
+  /** Of each id or number its place in the arrays. */
+  readonly #circleOfId: Places
   readonly #vertexOf: Places
   readonly #edgeOf: Places
   #hidden: Int32s
@@ -43,7 +43,7 @@ export class DiagramPatch {
     this.#edges = new Growing(data.edges)
     this.#nextSide = new Growing(data.nextSide)
     this.#edgeNumbers = new Growing(numbers.edges)
-    this.#circleOfId = new Map(Array.from(numbers.circles, (id, i) => [id, i]))
+    this.#circleOfId = new Places(numbers.circles)
     this.#vertexOf = new Places(numbers.vertices)
     this.#edgeOf = new Places(numbers.edges)
     const { hiders } = numbers
@@ -57,7 +57,7 @@ export class DiagramPatch {
 
   /** The index of a circle, or `NONE`. */
   indexOf(id: number): number {
-    return this.#circleOfId.get(id) ?? NONE
+    return this.#circleOfId.of(id)
   }
 
   /**
@@ -116,7 +116,7 @@ export class DiagramPatch {
     const first = this.#ids.length
     this.#resize(first + inserted.length, this.#vertexNumbers.length, this.#edgeNumbers.length)
     inserted.forEach((id, k) => {
-      this.#circleOfId.set(id, first + k)
+      this.#circleOfId.put(id, first + k)
       this.#ids.list[first + k] = id
       this.#firstSide.list[first + k] = NONE
       copyThree(circles, k, this.#circles.list, first + k)
@@ -294,7 +294,7 @@ export class DiagramPatch {
   #removeCircles({ removed }: Change): Map<number, number> {
     const moved = new Map<number, number>()
     const free = Array.from(removed, (id) => this.indexOf(id))
-    for (const id of removed) this.#circleOfId.delete(id)
+    for (const id of removed) this.#circleOfId.take(id)
     closeGaps(free, this.#ids.length, (from, to) => {
       moved.set(from, to)
       this.#moveCircle(from, to)
@@ -308,7 +308,7 @@ export class DiagramPatch {
     this.#firstSide.list[to] = first
     const id = at(this.#ids.list, from)
     this.#ids.list[to] = id
-    this.#circleOfId.set(id, to)
+    this.#circleOfId.put(id, to)
     if (first === NONE) return
     let side = first
     do {
@@ -395,7 +395,7 @@ class Places {
   }
 
   of(number: number): number {
-    return at(this.#places, number)
+    return this.#places[number] ?? NONE
   }
 
   take(number: number): number {

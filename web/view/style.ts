@@ -16,7 +16,8 @@ export interface Style {
   readonly cellOpacity: number
 }
 
-const TINTS = 6
+/** How many tints circles and cells have by size. */
+export const TINTS = 6
 
 /** The style that the custom properties of an element say. */
 export function readStyle(element: Element): Style {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import Flatbush from 'flatbush'
+import { at } from '../../lib/diagram-data.ts'
 import type { Box } from '../../lib/index.ts'
-import { meets } from './boxes.ts'
+import { boxAt, clearBox, emptyBoxes } from './boxes.ts'
 
 /** So many boxes may have changed before the index of all is made anew. */
 const FEWEST_CHANGES = 2000
@@ -9,48 +10,76 @@ const CHANGED_SHARE = 0.02
 
 /** Boxes by number, and which of them meet a box. They may change: those that did since the last packing are kept apart. */
 export class BoxIndex {
-  readonly #boxes = new Map<number, Box>()
+  /** Room for more of them than there are; a box that is not there is empty. */
+  #boxes: Float64Array
   #packed: Flatbush | undefined
-  #numbers: number[] = []
+  #isPacked = false
+  #numbers = new Uint32Array()
   readonly #changed = new Set<number>()
 
-  set(number: number, box: Box): void {
-    this.#boxes.set(number, box)
+  /** Takes a list of boxes over (boxes.ts). */
+  constructor(boxes = emptyBoxes(0)) {
+    this.#boxes = boxes
+  }
+
+  /** Changes a box: `make` gets the list that has it, as an empty one, and its place there. */
+  set(number: number, make: (boxes: Float64Array, k: number) => void): void {
+    if (4 * number >= this.#boxes.length) {
+      const larger = emptyBoxes(2 * number + 16)
+      larger.set(this.#boxes)
+      this.#boxes = larger
+    }
+    clearBox(this.#boxes, number)
+    make(this.#boxes, number)
     this.#changed.add(number)
   }
 
   delete(number: number): void {
-    this.#boxes.delete(number)
+    if (4 * number >= this.#boxes.length) return
+    clearBox(this.#boxes, number)
     this.#changed.add(number)
   }
 
-  get(number: number): Box | undefined {
-    return this.#boxes.get(number)
+  /** An empty one, if there is none. */
+  get(number: number): Box {
+    return 4 * number < this.#boxes.length ? boxAt(this.#boxes, number) : boxAt(emptyBoxes(1), 0)
   }
 
   search(box: Box): number[] {
-    if (this.#changed.size > Math.max(FEWEST_CHANGES, CHANGED_SHARE * this.#boxes.size)) this.#pack()
+    const most = Math.max(FEWEST_CHANGES, CHANGED_SHARE * this.#numbers.length)
+    if (!this.#isPacked || this.#changed.size > most) this.#pack()
     const found: number[] = []
     this.#packed?.search(box.minX, box.minY, box.maxX, box.maxY, (k) => {
       const number = this.#numbers[k] as number
       if (!this.#changed.has(number)) found.push(number)
       return false
     })
-    for (const number of this.#changed) {
-      const own = this.#boxes.get(number)
-      if (own !== undefined && meets(own, box)) found.push(number)
-    }
+    for (const number of this.#changed) if (this.#meets(number, box)) found.push(number)
     return found
   }
 
+  #meets(number: number, { minX, minY, maxX, maxY }: Box): boolean {
+    const boxes = this.#boxes
+    return (
+      at(boxes, 4 * number) <= maxX &&
+      minX <= at(boxes, 4 * number + 2) &&
+      at(boxes, 4 * number + 1) <= maxY &&
+      minY <= at(boxes, 4 * number + 3)
+    )
+  }
+
   #pack(): void {
+    const boxes = this.#boxes
     this.#changed.clear()
-    this.#packed = undefined
-    this.#numbers = [...this.#boxes.keys()]
-    if (this.#numbers.length === 0) return
-    const packed = new Flatbush(this.#numbers.length)
-    for (const { minX, minY, maxX, maxY } of this.#boxes.values()) packed.add(minX, minY, maxX, maxY)
-    packed.finish()
-    this.#packed = packed
+    this.#isPacked = true
+    const places = new Uint32Array(boxes.length / 4).map((_, number) => number)
+    this.#numbers = places.filter((number) => at(boxes, 4 * number) <= at(boxes, 4 * number + 2))
+    this.#packed = this.#numbers.length === 0 ? undefined : new Flatbush(this.#numbers.length)
+    if (this.#packed === undefined) return
+    for (const number of this.#numbers) {
+      const { minX, minY, maxX, maxY } = boxAt(boxes, number)
+      this.#packed.add(minX, minY, maxX, maxY)
+    }
+    this.#packed.finish()
   }
 }

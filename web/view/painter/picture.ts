@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/diagram-data.ts'
 import type { Box, Change, Diagram, DiagramEditor } from '../../lib/index.ts'
+import { boundingBox } from '../camera.ts'
+import { TINTS } from '../style.ts'
 import { BoxIndex } from './box-index.ts'
-import { cellBox, circleBox, EMPTY_BOX, union } from './boxes.ts'
+import { addAround, addBox, addEdge, addFarPart, clearBox, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 
-const TINTS = 6
 /** How far, in extents of all circles, edges are taken to go that go to infinity. */
 const HORIZON = 1000
+/** So many radii say which are the small ones. */
+const MOST_RADII = 20_000
 
 /** What is drawn: the diagram of an editor, what of it lies where, and what is drawn in which way. */
 export class Picture {
@@ -14,7 +17,7 @@ export class Picture {
   /** Follows the editor. */
   readonly diagram: Diagram
   /** Boxes around circles and their cells, by the circles' ids. */
-  readonly index = new BoxIndex()
+  readonly index: BoxIndex
   /** About how far apart the circles are. */
   readonly cellWidth: number
   readonly #reach: number
@@ -25,7 +28,7 @@ export class Picture {
     this.editor = editor
     this.diagram = editor.snapshot()
     const { circles } = this.diagram
-    const box = boxOf(circles)
+    const box = boundingBox(circles)
     const extent = Math.max(box.maxX - box.minX, box.maxY - box.minY)
     this.#reach = HORIZON * extent
     this.#tintBounds = tintBounds(circles)
@@ -33,7 +36,7 @@ export class Picture {
     const area = (box.maxX - box.minX) * (box.maxY - box.minY)
     // Circles in a row have hardly any area between them.
     this.cellWidth = count === 0 ? 1 : Math.max(Math.sqrt(area / count), extent / count)
-    for (const id of editor.ids()) this.#place(id)
+    this.index = new BoxIndex(cellBoxes(this.diagram, this.#reach))
   }
 
   /** Which of the tints circles of this radius have: each tint about as many as others, equal radii one. */
@@ -59,24 +62,48 @@ export class Picture {
   }
 
   #around(ids: readonly number[]): Box {
-    return ids.reduce((box, id) => union(box, this.index.get(id) ?? EMPTY_BOX), EMPTY_BOX)
+    return ids.reduce((box, id) => union(box, this.index.get(id)), EMPTY_BOX)
   }
 
+  /** A box around a circle and its cell. */
   #place(id: number): void {
-    this.index.set(id, cellBox(this.diagram, this.diagram.indexOf(id), this.#reach))
+    const { circles, cells } = this.diagram
+    const i = this.diagram.indexOf(id)
+    this.index.set(id, (boxes, k) => {
+      addAround(boxes, k, at(circles, 3 * i), at(circles, 3 * i + 1), at(circles, 3 * i + 2))
+      for (const side of cells.sides(i)) addEdge(boxes, k, this.diagram, side >> 1, this.#reach)
+      addFarPart(boxes, k, this.diagram, i, this.#reach)
+    })
   }
 }
 
-function boxOf(circles: Float64Array): Box {
-  let box = EMPTY_BOX
-  for (let i = 0; i < circles.length; i += 3) {
-    box = union(box, circleBox(at(circles, i), at(circles, i + 1), at(circles, i + 2)))
+/** Boxes around all circles and their cells, by the circles' ids: that of each edge is made once, for both of its cells. */
+function cellBoxes(diagram: Diagram, reach: number): Float64Array {
+  const { circles, edges, numbers } = diagram
+  const idOf = (i: number) => numbers?.circles[i] ?? i
+  const count = circles.length / 3
+  // Of a snapshot the last circle has the largest id.
+  const boxes = emptyBoxes(count === 0 ? 0 : idOf(count - 1) + 1)
+  for (let i = 0; i < count; i++) {
+    addAround(boxes, idOf(i), at(circles, 3 * i), at(circles, 3 * i + 1), at(circles, 3 * i + 2))
   }
-  return box
+  const own = emptyBoxes(1)
+  for (let e = 0; e < edges.length / 4; e++) {
+    clearBox(own, 0)
+    addEdge(own, 0, diagram, e, reach)
+    addBox(boxes, idOf(at(edges, 4 * e)), own, 0)
+    addBox(boxes, idOf(at(edges, 4 * e + 1)), own, 0)
+  }
+  for (const i of new Set(diagram.hull)) addFarPart(boxes, idOf(i), diagram, i, reach)
+  return boxes
 }
 
+/** From some of the radii, if there are many. */
 function tintBounds(circles: Float64Array): number[] {
   const count = circles.length / 3
-  const radii = new Float64Array(count).map((_, i) => at(circles, 3 * i + 2)).sort()
-  return Array.from({ length: TINTS - 1 }, (_, k) => radii[Math.floor(((k + 1) * count) / TINTS)] ?? 0)
+  const step = Math.ceil(count / MOST_RADII)
+  const radii = new Float64Array(Math.floor(count / Math.max(step, 1)))
+    .map((_, k) => at(circles, 3 * step * k + 2))
+    .sort()
+  return Array.from({ length: TINTS - 1 }, (_, k) => radii[Math.floor(((k + 1) * radii.length) / TINTS)] ?? 0)
 }
