@@ -142,7 +142,9 @@ export class Editing {
         if (edited !== undefined) this.#onOutcome({ edited, history: this.#history })
       } catch (error) {
         if (!(error instanceof Error)) throw error
-        this.#onProblem(error instanceof CircleVoronoiError ? error.message : `${error.message} Reload the page.`)
+        this.#onProblem(
+          error instanceof CircleVoronoiError ? error.message : `${error.message} Nothing has changed. Try again.`,
+        )
       }
       this.#jobs.shift()
       for (const { resolve } of job.waiting) resolve(edited)

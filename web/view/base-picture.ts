@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type Camera, type Size, toPlane } from './camera.ts'
 import type { Painted } from './painter.ts'
-import type { Grid, PixelBox } from './protocol.ts'
+import { type Grid, type PixelBox, TILE, type Wish } from './protocol.ts'
 
 /** Around what is seen, so many device pixels are painted, too: room to pan before there is more. */
-const ROOM = 256
+const ROOM = TILE
 
 /** A part of a grid, as far as it is painted. */
 interface Sheet {
@@ -12,14 +12,9 @@ interface Sheet {
   readonly context: OffscreenCanvasRenderingContext2D
   readonly grid: Grid
   readonly box: PixelBox
+  /** The wish for it. */
+  readonly wish: number
   isWhole: boolean
-}
-
-/** What is to be asked of the painter. */
-export interface Wish {
-  readonly grid: Grid
-  readonly seen: PixelBox
-  readonly wanted: PixelBox
 }
 
 /** The picture without what is hovered or selected: painted elsewhere, shown moved and scaled until the next one is there. */
@@ -28,6 +23,7 @@ export class BasePicture {
   /** Shown where the sheet has nothing yet. */
   #before: Sheet | undefined
   #lastGrid = 0
+  #lastWish = 0
 
   /** Whether there is nothing left to be painted. */
   get isWhole(): boolean {
@@ -62,7 +58,7 @@ export class BasePicture {
       }
     }
     for (const { image } of patches) image.close()
-    if (rest.kind === 'painted' && rest.isWhole && sheet?.grid.id === grid) {
+    if (rest.kind === 'painted' && rest.isWhole && sheet?.wish === rest.wish) {
       sheet.isWhole = true
       this.#before = undefined
     }
@@ -115,8 +111,9 @@ export class BasePicture {
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
     const old = this.#sheet
     if (old?.grid.id === grid.id) context.drawImage(old.canvas, old.box.left - left, old.box.top - top)
-    this.#sheet = { canvas, context, grid, box: wanted, isWhole: false }
-    return { grid, seen, wanted }
+    this.#lastWish += 1
+    this.#sheet = { canvas, context, grid, box: wanted, wish: this.#lastWish, isWhole: false }
+    return { wish: this.#lastWish, grid, seen, wanted }
   }
 }
 

@@ -2,7 +2,8 @@
 import { CircleVoronoiError } from '../lib/errors.ts'
 import type { Edit } from '../lib/index.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/load-options.ts'
-import type { Counts, FromPainter, Grid, Hit, Marks, PixelBox, ToPainter } from './protocol.ts'
+import { CircleLog } from './circle-log.ts'
+import type { Counts, FromPainter, Hit, Marks, ToPainter, Wish } from './protocol.ts'
 import type { Style } from './style.ts'
 
 /** What came of circles that were opened, or of edits. */
@@ -22,68 +23,114 @@ export interface PictureEvents {
 
 export type Painted = Extract<FromPainter, { kind: 'painted' | 'edited' }>
 
+/** What was asked to change circles, until it is answered. */
+interface Waiting {
+  readonly message: Extract<ToPainter, { kind: 'open' | 'edit' }>
+  resolve(edited: Edited): void
+  reject(error: unknown): void
+}
+
 interface Scene {
   readonly events: PictureEvents
-  readonly waiting: Map<number, { resolve(edited: Edited): void; reject(error: unknown): void }>
+  readonly waiting: Map<number, Waiting>
+  /** What another thread has to know to go on where this one fails. */
+  log: CircleLog
+  look: ToPainter | undefined
+  mark: ToPainter | undefined
 }
 
 /**
  * The thread that has the diagrams of all views of a page, and paints them. What fails because of it, and not because of what
- * was asked, is an `Error` that is no `CircleVoronoiError`.
+ * was asked, is an `Error` that is no `CircleVoronoiError`: nothing has changed then, and another thread takes its place. If
+ * this one never worked, that is when something is opened or edited again.
  */
 export class Painter {
-  readonly #worker = new Worker(new URL('./painter/painter-thread.ts', import.meta.url), { type: 'module' })
+  readonly #options: LoadOptions
   readonly #scenes = new Map<number, Scene>()
-  readonly #asked = new Map<number, (answer: never) => void>()
+  readonly #asked = new Map<number, (answer: undefined) => void>()
+  #worker: Worker | undefined
+  /** Whether the thread has done something that was asked. */
+  #hasWorked = false
+  #isDisposed = false
   #lastScene = 0
   #lastRequest = 0
-  #failure: Error | undefined
 
   constructor(options: LoadOptions = {}) {
-    this.#worker.onmessage = ({ data }: MessageEvent<FromPainter>) => this.#receive(data)
-    this.#worker.onerror = (event) => this.#fail(event.message ?? 'its file cannot be loaded')
-    compileCircleVoronoi(options).then(
-      (module) => this.#post({ kind: 'start', module }),
-      (error: Error) => this.#fail(error.message),
-    )
+    this.#options = options
+    this.#start()
   }
 
   /** A scene for another view. */
   add(events: PictureEvents): PainterScene {
     this.#lastScene += 1
-    const scene = this.#lastScene
-    this.#scenes.set(scene, { events, waiting: new Map() })
-    return new PainterScene(scene, {
-      post: (message) => this.#post(message),
-      edited: (revision) =>
+    const number = this.#lastScene
+    const scene: Scene = {
+      events,
+      waiting: new Map(),
+      log: new CircleLog(new Float64Array()),
+      look: undefined,
+      mark: undefined,
+    }
+    this.#scenes.set(number, scene)
+    return new PainterScene(number, {
+      post: (message) => {
+        if (message.kind === 'look') scene.look = message
+        if (message.kind === 'mark') scene.mark = message
+        if (message.kind === 'close') this.#scenes.delete(number)
+        this.#worker?.postMessage(message)
+      },
+      edited: (message) =>
         new Promise((resolve, reject) => {
-          if (this.#failure !== undefined) reject(this.#failure)
-          else this.#scenes.get(scene)?.waiting.set(revision, { resolve, reject })
+          if (this.#worker === undefined && !this.#isDisposed) this.#start()
+          scene.waiting.set(message.revision, { message, resolve, reject })
+          if (this.#worker === undefined) this.#rejectAll('it was disposed of')
+          else this.#worker.postMessage(message)
         }),
       ask: (message) =>
         new Promise((resolve) => {
+          if (this.#worker === undefined) {
+            resolve(undefined)
+            return
+          }
           this.#lastRequest += 1
-          this.#asked.set(this.#lastRequest, resolve)
-          this.#post({ ...message, request: this.#lastRequest } as ToPainter)
+          this.#asked.set(this.#lastRequest, resolve as (answer: undefined) => void)
+          this.#worker.postMessage({ ...message, request: this.#lastRequest })
         }),
     })
   }
 
   /** Ends the thread, and with it all views. */
   dispose(): void {
-    this.#fail('it was disposed of')
-    this.#worker.terminate()
+    this.#isDisposed = true
+    this.#stop('it was disposed of')
   }
 
-  #post(message: ToPainter): void {
-    this.#worker.postMessage(message)
-  }
-
-  #receive(message: FromPainter): void {
-    if (message.kind === 'failed') {
-      this.#fail(message.message)
-      return
+  #start(): void {
+    const worker = new Worker(new URL('./painter/painter-thread.ts', import.meta.url), { type: 'module' })
+    this.#worker = worker
+    this.#hasWorked = false
+    const fail = (reason: string) => {
+      if (this.#worker === worker) this.#fail(reason)
     }
+    worker.onmessage = ({ data }: MessageEvent<FromPainter>) => {
+      if (data.kind === 'failed') fail(data.message)
+      else if (this.#worker === worker) this.#receive(data)
+    }
+    worker.onerror = (event) => fail(event.message ?? 'its file cannot be loaded')
+    compileCircleVoronoi(this.#options).then(
+      (module) => worker.postMessage({ kind: 'start', module } satisfies ToPainter),
+      (error: Error) => fail(error.message),
+    )
+    for (const [scene, { log, look, mark }] of this.#scenes) {
+      const known = { scene, revision: RESTORED }
+      worker.postMessage({ kind: 'open', circles: log.opened, ...known } satisfies ToPainter)
+      worker.postMessage({ kind: 'edit', edits: log.edits(), ...known } satisfies ToPainter)
+      if (look !== undefined) worker.postMessage(look)
+      if (mark !== undefined) worker.postMessage(mark)
+    }
+  }
+
+  #receive(message: Exclude<FromPainter, { kind: 'failed' }>): void {
     if (message.kind === 'hit') {
       this.#asked.get(message.request)?.(message as never)
       this.#asked.delete(message.request)
@@ -95,32 +142,52 @@ export class Painter {
     if (message.kind === 'painted' || message.kind === 'edited') scene.events.painted(message)
     if (message.kind === 'painted' || message.kind === 'marked') return
     const waiting = scene.waiting.get(message.revision)
+    if (waiting === undefined) return
+    this.#hasWorked = true
     scene.waiting.delete(message.revision)
     if (message.kind === 'refused') {
-      waiting?.reject(new CircleVoronoiError(message.code, message.circle, message.message))
-    } else {
-      waiting?.resolve({
-        counts: message.counts,
-        seconds: message.seconds,
-        inserted: message.kind === 'edited' ? message.inserted : new Int32Array(),
-      })
+      waiting.reject(new CircleVoronoiError(message.code, message.circle, message.message))
+      return
     }
+    const inserted = message.kind === 'edited' ? message.inserted : new Int32Array()
+    if (waiting.message.kind === 'open') scene.log = new CircleLog(waiting.message.circles)
+    else scene.log.add(waiting.message.edits, inserted)
+    waiting.resolve({ counts: message.counts, seconds: message.seconds, inserted })
   }
 
   #fail(reason: string): void {
-    this.#failure = new Error(`The diagram could not be computed: ${reason}.`)
+    const isReplaced = this.#hasWorked
+    this.#stop(reason)
+    if (isReplaced) this.#start()
+  }
+
+  #stop(reason: string): void {
+    this.#worker?.terminate()
+    this.#worker = undefined
+    for (const resolve of this.#asked.values()) resolve(undefined)
+    this.#asked.clear()
+    this.#rejectAll(reason)
+  }
+
+  #rejectAll(reason: string): void {
+    const failure = new Error(`The diagram could not be computed: ${reason}.`)
     for (const { waiting } of this.#scenes.values()) {
-      for (const { reject } of waiting.values()) reject(this.#failure)
+      for (const { reject } of waiting.values()) reject(failure)
       waiting.clear()
     }
   }
 }
 
+/** The revision of what a new thread is told of old circles. */
+const RESTORED = 0
+
 /** How a scene talks to the thread. */
 interface Line {
   post(message: ToPainter): void
-  edited(revision: number): Promise<Edited>
-  ask<Answer>(message: object): Promise<Answer>
+  /** Posts it, too. */
+  edited(message: Waiting['message']): Promise<Edited>
+  /** `undefined`: there will be no answer. */
+  ask<Answer>(message: object): Promise<Answer | undefined>
 }
 
 /** The circles of one view, in the painter's thread. */
@@ -141,25 +208,23 @@ export class PainterScene {
    */
   open(circles: Float64Array): Promise<Edited> {
     this.#revision += 1
-    this.#line.post({ kind: 'open', scene: this.#scene, revision: this.#revision, circles })
-    return this.#line.edited(this.#revision)
+    return this.#line.edited({ kind: 'open', scene: this.#scene, revision: this.#revision, circles })
   }
 
   /** @throws CircleVoronoiError as `DiagramEditor.apply`; then all stays as it was */
   edit(edits: readonly Edit[]): Promise<Edited> {
     this.#revision += 1
-    this.#line.post({ kind: 'edit', scene: this.#scene, revision: this.#revision, edits })
-    return this.#line.edited(this.#revision)
+    return this.#line.edited({ kind: 'edit', scene: this.#scene, revision: this.#revision, edits })
   }
 
-  look(grid: Grid, seen: PixelBox, wanted: PixelBox, style: Style): void {
-    this.#line.post({ kind: 'look', scene: this.#scene, grid, seen, wanted, style })
+  look(wish: Wish, style: Style): void {
+    this.#line.post({ kind: 'look', scene: this.#scene, ...wish, style })
   }
 
   /** The circle at a point of the plane; `slack`: how near counts as on it. */
   async hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
-    const { hit } = await this.#line.ask<{ hit: Hit | undefined }>({ kind: 'hit', scene: this.#scene, x, y, slack })
-    return hit
+    const answer = await this.#line.ask<{ hit: Hit | undefined }>({ kind: 'hit', scene: this.#scene, x, y, slack })
+    return answer?.hit
   }
 
   /** Which circles stand out. */

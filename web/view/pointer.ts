@@ -61,14 +61,14 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     return view.hit(x, y, (pointerType === 'touch' ? TOUCH_SLACK : MOUSE_SLACK) / view.camera.scale)
   }
 
-  const pan = (from: Point, click?: () => void): Gesture => {
+  const pan = (from: Point, click: () => void): Gesture => {
     let last = from
     return {
       move(to) {
         view.camera = panned(view.camera, to.x - last.x, to.y - last.y)
         last = to
       },
-      ...(click && { click }),
+      click,
     }
   }
 

@@ -27,21 +27,25 @@ export interface PixelBox {
   readonly height: number
 }
 
+/** Pixels are painted in squares of this size: small enough for an edit not to wait long between two. */
+export const TILE = 256
+
+/** What is to be seen from now on: the pixels of `seen`, and around them, once there is time, `wanted`. */
+export interface Wish {
+  /** Which wish it is. */
+  readonly wish: number
+  readonly grid: Grid
+  readonly seen: PixelBox
+  readonly wanted: PixelBox
+}
+
 export type ToPainter =
   | { readonly kind: 'start'; readonly module: CompiledWasm }
   /** Other circles; circle i gets id i. */
   | { readonly kind: 'open'; readonly scene: number; readonly revision: number; readonly circles: Float64Array }
   /** All or none. */
   | { readonly kind: 'edit'; readonly scene: number; readonly revision: number; readonly edits: readonly Edit[] }
-  /** What is to be seen from now on: the pixels of `seen`, and around them, once there is time, `wanted`. */
-  | {
-      readonly kind: 'look'
-      readonly scene: number
-      readonly grid: Grid
-      readonly seen: PixelBox
-      readonly wanted: PixelBox
-      readonly style: Style
-    }
+  | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & Wish)
   /** The circle at a point of the plane; `slack`: how near counts as on it, in units. */
   | {
       readonly kind: 'hit'
@@ -100,6 +104,9 @@ export type FromPainter =
       readonly revision: number
       readonly grid: number
       readonly patches: readonly Patch[]
+      /** The wish that is painted. */
+      readonly wish: number
+      /** Whether all of that is painted now. */
       readonly isWhole: boolean
     }
   | { readonly kind: 'hit'; readonly request: number; readonly hit: Hit | undefined }

@@ -16,6 +16,9 @@ export interface Style {
   readonly cellOpacity: number
 }
 
+export const DISC_OPACITY = 0.85
+/** Smaller circles are drawn as dots of this radius, in pixels. */
+export const DOT_RADIUS = 1.5
 /** How many tints circles and cells have by size. */
 export const TINTS = 6
 

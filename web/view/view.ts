@@ -7,14 +7,11 @@ import { addDisc } from './painter/disc-path.ts'
 import { FrameSink } from './painter/frame-sink.ts'
 import type { Edited, Painter, PainterScene } from './painter.ts'
 import type { Hit, Marks } from './protocol.ts'
-import { readStyle, type Style } from './style.ts'
+import { DISC_OPACITY, DOT_RADIUS, readStyle, type Style } from './style.ts'
 
 /** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
 const REST = 80
 const HOVER_OPACITY = 0.55
-const DISC_OPACITY = 0.85
-/** A smaller circle is shown with this radius, in pixels. */
-const DOT_RADIUS = 1.5
 
 /** Circles and their diagram in an element of a page, moved and zoomed by a camera. */
 export class View {
@@ -138,7 +135,7 @@ export class View {
   #see(): void {
     if (this.#size.width === 0 || this.#size.height === 0) return
     const wish = this.#picture.see(this.#camera, this.#size, devicePixelRatio)
-    if (wish !== undefined) this.#scene.look(wish.grid, wish.seen, wish.wanted, this.#style)
+    if (wish !== undefined) this.#scene.look(wish, this.#style)
   }
 
   #schedule(): void {

@@ -16,6 +16,14 @@ export interface Frame {
 /** What lies so far outside, in device pixels, is not drawn; the outlines of cells run along that border. */
 const MARGIN = 4
 
+/** How far a drawn curve may be from the true one, in device pixels. */
+const TOLERANCE = 0.05
+
+/** The same in the units of the plane. */
+export function toleranceOf({ scale }: Pick<Frame, 'scale'>): number {
+  return TOLERANCE / scale
+}
+
 /** The part of the plane that a frame shows, with a margin in which the ends of strokes are. */
 export function regionOf({ x, y, scale, width, height }: Frame): ConvexPolygon {
   const halfWidth = (width / 2 + MARGIN) / scale

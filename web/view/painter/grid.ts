@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box } from '../../lib/index.ts'
-import type { Grid, PixelBox } from '../protocol.ts'
+import { type Grid, type PixelBox, TILE } from '../protocol.ts'
 import type { Frame } from './frame.ts'
-
-/** Pixels are painted in squares of this size: small enough for an edit not to wait long between two. */
-const TILE = 256
 
 /** The plane seen in a part of a grid. */
 export function frameOf({ x, y, scale }: Grid, { left, top, width, height }: PixelBox): Frame {

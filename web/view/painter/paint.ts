@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/diagram-data.ts'
 import { drawCell, drawEdge } from '../../lib/draw.ts'
-import type { Style } from '../style.ts'
+import { DISC_OPACITY, DOT_RADIUS, type Style } from '../style.ts'
 import { addDisc } from './disc-path.ts'
-import { type Frame, regionOf } from './frame.ts'
+import { type Frame, regionOf, toleranceOf } from './frame.ts'
 import { FrameSink } from './frame-sink.ts'
 import type { Picture } from './picture.ts'
 
-/** How far a drawn curve may be from the true one, in device pixels. */
-const TOLERANCE = 0.05
 /** Browsers fill and stroke long paths in more than linear time. */
 const CELLS_PER_PATH = 64
 const EDGES_PER_PATH = 1000
-const DISC_OPACITY = 0.85
-/** Smaller circles are drawn as dots of this radius, in pixels. */
-const DOT_RADIUS = 1.5
 const VERTEX_RADIUS = 2
 
 // What depends on the average width of the cells, in pixels. What is drawn of large cells alone fades in: [from, to].
@@ -39,7 +34,7 @@ export function paint(
 ): void {
   const region = regionOf(frame)
   const limits = { region, maxDistance: undefined }
-  const tolerance = TOLERANCE / frame.scale
+  const tolerance = toleranceOf(frame)
   const width = (cellWidth * frame.scale) / pixelRatio
   const lineWidth = pixelRatio * Math.min(Math.max(width / CELL_WIDTH_PER_LINE_WIDTH, THINNEST_LINE), THICKEST_LINE)
   const circles = index.search(region.box).map((id) => diagram.indexOf(id))

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/diagram-data.ts'
 import type { Box, CircleVoronoi, Edit } from '../../lib/index.ts'
-import type { Counts, Described, Grid, Hit, Marks, Patch, PixelBox } from '../protocol.ts'
+import type { Counts, Described, Hit, Marks, Patch, PixelBox, Wish } from '../protocol.ts'
 import type { Style } from '../style.ts'
 import { commandsOf } from './commands.ts'
-import { regionOf } from './frame.ts'
+import { regionOf, toleranceOf } from './frame.ts'
 import { frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
 import { paint } from './paint.ts'
 import { Picture } from './picture.ts'
 
 /** What is looked at. */
-interface Look {
-  readonly grid: Grid
-  readonly wanted: PixelBox
+interface Look extends Wish {
   readonly style: Style
 }
 
 /** Around what an edit changed, strokes reach so far, in CSS pixels. */
 const STROKE = 4
+
+/** Of a circle with more neighbours, its own cell stands out alone. */
+const MOST_NEIGHBORS = 500
 
 /** The circles of one view, and what of their picture the view has been given. */
 export class PaintedScene {
@@ -76,9 +77,9 @@ export class PaintedScene {
   }
 
   /** Whether there is anything to paint now. */
-  look(grid: Grid, seen: PixelBox, wanted: PixelBox, style: Style): void {
+  look({ wish, grid, seen, wanted }: Wish, style: Style): void {
     const before = this.#look
-    this.#look = { grid, wanted, style }
+    this.#look = { wish, grid, seen, wanted, style }
     if (before?.grid.id !== grid.id) this.#painted.clear()
     this.#queue(seen, wanted)
   }
@@ -89,6 +90,10 @@ export class PaintedScene {
 
   get grid(): number {
     return this.#look?.grid.id ?? -1
+  }
+
+  get wish(): number {
+    return this.#look?.wish ?? -1
   }
 
   /** Paints what is to be seen next, if there is anything. */
@@ -156,14 +161,14 @@ export class PaintedScene {
       isBounded: cells.isBounded(i),
       neighbors: Int32Array.from(leastFirst(neighbors.map(idOf))),
       outline: this.#outlineOf([i]),
-      neighborhood: this.#outlineOf(neighbors),
+      neighborhood: this.#outlineOf(neighbors.length > MOST_NEIGHBORS ? [] : neighbors),
     }
   }
 
   #outlineOf(circles: readonly number[]): Float64Array {
     if (this.#look === undefined) return new Float64Array()
     const { grid, wanted } = this.#look
-    const options = { bounds: regionOf(frameOf(grid, wanted)), tolerance: 0.05 / grid.scale }
+    const options = { bounds: regionOf(frameOf(grid, wanted)), tolerance: toleranceOf(grid) }
     return commandsOf((context) => {
       for (const i of circles) this.#picture.diagram.cellPath(i, { context, ...options })
     })
@@ -184,7 +189,7 @@ export class PaintedScene {
 
   #restart(): void {
     this.#painted.clear()
-    if (this.#look !== undefined) this.#queue(this.#look.wanted, this.#look.wanted)
+    if (this.#look !== undefined) this.#queue(this.#look.seen, this.#look.wanted)
   }
 
   #queue(seen: PixelBox, wanted: PixelBox): void {

@@ -80,7 +80,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       }
       return
     case 'look':
-      scene.look(message.grid, message.seen, message.wanted, message.style)
+      scene.look(message, message.style)
       schedule()
       return
     case 'hit':
@@ -121,7 +121,15 @@ function paintSlice(): void {
     }
     if (patches.length === 0) continue
     post(
-      { kind: 'painted', scene: number, revision, grid: scene.grid, patches, isWhole: !scene.isWaiting },
+      {
+        kind: 'painted',
+        scene: number,
+        revision,
+        grid: scene.grid,
+        patches,
+        wish: scene.wish,
+        isWhole: !scene.isWaiting,
+      },
       patches.map(({ image }) => image),
     )
     if (scene.isWaiting) schedule()

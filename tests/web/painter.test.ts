@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { type Circle, CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
+import { BasePicture } from '../../web/view/base-picture.ts'
+import { CircleLog } from '../../web/view/circle-log.ts'
+import { Painter, type PainterScene } from '../../web/view/painter.ts'
+import type { FromPainter, Marks, ToPainter, Wish } from '../../web/view/protocol.ts'
+import { library, seededRandom } from './library.ts'
+
+const COUNTS = { circles: 0, hidden: 0, vertices: 0, edges: 0 }
+const NO_MARKS: Marks = { selected: undefined, hovered: undefined }
+/** The smallest module there is: what is tested never runs it. */
+const WASM = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0)
+
+/** A thread that answers when it is told to. */
+class FakeWorker {
+  static all: FakeWorker[] = []
+  readonly got: ToPainter[] = []
+  isTerminated = false
+  onmessage: ((event: { data: FromPainter }) => void) | undefined
+  onerror: ((event: { message: string }) => void) | undefined
+
+  constructor() {
+    FakeWorker.all.push(this)
+  }
+
+  postMessage(message: ToPainter): void {
+    this.got.push(message)
+  }
+
+  terminate(): void {
+    this.isTerminated = true
+  }
+
+  answer(data: FromPainter): void {
+    this.onmessage?.({ data })
+  }
+
+  of<Kind extends ToPainter['kind']>(kind: Kind): Extract<ToPainter, { kind: Kind }>[] {
+    return this.got.filter((message) => message.kind === kind) as Extract<ToPainter, { kind: Kind }>[]
+  }
+}
+
+function opened(revision: number): FromPainter {
+  return { kind: 'opened', scene: 1, revision, counts: COUNTS, seconds: 0 }
+}
+
+function edited(revision: number, inserted: readonly number[] = []): FromPainter {
+  return {
+    kind: 'edited',
+    scene: 1,
+    revision,
+    counts: COUNTS,
+    grid: -1,
+    patches: [],
+    boxes: [],
+    inserted: Int32Array.from(inserted),
+    marks: NO_MARKS,
+    seconds: 0,
+  }
+}
+
+describe('the painter', () => {
+  let painter: Painter
+  let scene: PainterScene
+  const worker = (k = -1) => FakeWorker.all.at(k) as FakeWorker
+  const wish: Wish = {
+    wish: 1,
+    grid: { id: 1, x: 0, y: 0, scale: 1, pixelRatio: 1 },
+    seen: { left: 0, top: 0, width: 10, height: 10 },
+    wanted: { left: 0, top: 0, width: 256, height: 256 },
+  }
+
+  beforeEach(() => {
+    FakeWorker.all = []
+    vi.stubGlobal('Worker', FakeWorker)
+    painter = new Painter({ wasm: WASM })
+    scene = painter.add({ painted() {}, marked() {} })
+  })
+  afterEach(() => vi.unstubAllGlobals())
+
+  it('rejects what was asked of a thread that fails, and answers what was hit with nothing', async () => {
+    const open = scene.open(Float64Array.of(0, 0, 1))
+    const hit = scene.hit(0, 0, 1)
+    worker().answer({ kind: 'failed', message: 'out of memory' })
+    await expect(open).rejects.toThrow(/out of memory/)
+    await expect(open).rejects.not.toBeInstanceOf(CircleVoronoiError)
+    expect(await hit).toBeUndefined()
+    expect(await scene.hit(0, 0, 1)).toBeUndefined()
+    expect(worker().isTerminated).toBe(true)
+  })
+
+  it('has another thread go on where one that worked has failed', async () => {
+    const circles = Float64Array.of(0, 0, 1, 5, 0, 1)
+    const open = scene.open(circles)
+    worker().answer(opened(1))
+    await open
+    const edit = scene.edit([{ kind: 'replace', id: 1, circle: { x: 6, y: 0, r: 1 } }])
+    worker().answer(edited(2))
+    await edit
+    scene.look(wish, {} as never)
+    scene.mark(1, undefined)
+    const lost = scene.edit([{ kind: 'remove', id: 0 }])
+    worker().onerror?.({ message: 'it broke' })
+    await expect(lost).rejects.toThrow(/it broke/)
+
+    expect(FakeWorker.all.length).toBe(2)
+    expect(
+      worker()
+        .of('open')
+        .map((message) => message.circles),
+    ).toEqual([circles])
+    const [restored] = worker().of('edit')
+    expect(restored?.edits).toEqual([{ kind: 'replace', id: 1, circle: { x: 6, y: 0, r: 1 } }])
+    expect(
+      worker()
+        .of('look')
+        .map((message) => message.wish),
+    ).toEqual([1])
+    expect(
+      worker()
+        .of('mark')
+        .map(({ selected }) => selected),
+    ).toEqual([1])
+    // What the first thread says now is late.
+    worker(0).answer({ kind: 'failed', message: 'again' })
+    const hit = scene.hit(0, 0, 1)
+    const [asked] = worker().of('hit')
+    worker().answer({ kind: 'hit', request: asked?.request as number, hit: { id: 1, part: 'disc' } })
+    expect(await hit).toEqual({ id: 1, part: 'disc' })
+  })
+
+  it('replaces a thread that never worked when something is asked again, and not before', async () => {
+    const open = scene.open(new Float64Array())
+    worker().onerror?.({ message: 'not found' })
+    await expect(open).rejects.toThrow(/not found/)
+    expect(FakeWorker.all.length).toBe(1)
+    const again = scene.open(Float64Array.of(1, 2, 3))
+    expect(FakeWorker.all.length).toBe(2)
+    worker().answer(opened(2))
+    expect((await again).counts).toEqual(COUNTS)
+  })
+
+  it('is refused an edit without any harm', async () => {
+    const open = scene.open(new Float64Array())
+    worker().answer(opened(1))
+    await open
+    const edit = scene.edit([{ kind: 'remove', id: 7 }])
+    worker().answer({
+      kind: 'refused',
+      scene: 1,
+      revision: 2,
+      code: 'unknownCircle',
+      circle: 7,
+      message: 'No circle 7.',
+    })
+    await expect(edit).rejects.toBeInstanceOf(CircleVoronoiError)
+    expect(FakeWorker.all.length).toBe(1)
+  })
+
+  it('starts nothing once it is disposed of', async () => {
+    painter.dispose()
+    await expect(scene.open(new Float64Array())).rejects.toThrow(/disposed/)
+    expect(FakeWorker.all.length).toBe(1)
+  })
+})
+
+describe('what another thread has to know', () => {
+  it('makes the same circles by the same ids', () => {
+    const random = seededRandom(17)
+    const circleOf = (): Circle => ({ x: 20 * random(), y: 20 * random(), r: 3 * random() ** 4 })
+    for (let round = 0; round < 20; round++) {
+      const circles = Float64Array.from({ length: 3 * Math.floor(8 * random()) }, random)
+      const editor = library.edit(circles)
+      const log = new CircleLog(circles)
+      for (let k = 0; k < 40; k++) {
+        const ids = editor.ids()
+        const id = ids[Math.floor(random() * ids.length)]
+        const choice = random()
+        const edits: Edit[] = []
+        if (choice < 0.5 || id === undefined) edits.push({ kind: 'insert', circle: circleOf() })
+        else if (choice < 0.7) edits.push({ kind: 'remove', id })
+        else edits.push({ kind: 'replace', id, circle: circleOf() }, { kind: 'insert', circle: circleOf() })
+        // One that is refused takes no number.
+        expect(() => editor.apply([...edits, { kind: 'remove', id: 1e6 }])).toThrow()
+        log.add(edits, editor.apply(edits).inserted)
+      }
+      const other = library.edit(log.opened)
+      other.apply(log.edits())
+      expect([...other.ids()]).toEqual([...editor.ids()])
+      for (const id of editor.ids()) expect(other.circle(id)).toEqual(editor.circle(id))
+      const next = circleOf()
+      expect([...other.insert(next).inserted]).toEqual([...editor.insert(next).inserted])
+    }
+  })
+})
+
+describe('the base picture', () => {
+  beforeEach(() => {
+    vi.stubGlobal(
+      'OffscreenCanvas',
+      class {
+        getContext() {
+          return { drawImage() {}, clearRect() {} }
+        }
+      },
+    )
+  })
+  afterEach(() => vi.unstubAllGlobals())
+
+  it('is whole once the last wish is painted, not an earlier one', () => {
+    const picture = new BasePicture()
+    const size = { width: 300, height: 300 }
+    const first = picture.see({ x: 0, y: 0, scale: 1 }, size, 1) as Wish
+    const second = picture.see({ x: 900, y: 0, scale: 1 }, size, 1) as Wish
+    expect(second.grid).toBe(first.grid)
+    const painted = ({ wish, grid }: Wish) =>
+      picture.put({ kind: 'painted', scene: 1, revision: 0, grid: grid.id, patches: [], wish, isWhole: true })
+    painted(first)
+    expect(picture.isWhole).toBe(false)
+    painted(second)
+    expect(picture.isWhole).toBe(true)
+  })
+})
