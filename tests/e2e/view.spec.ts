@@ -6,7 +6,7 @@ const INTRODUCTION = dataSet('introduction')
 test('a drag ends, taken back, where something else takes the pointer away', async ({ app }) => {
   await app.choose('Introduction')
   const from = app.center(INTRODUCTION, 4)
-  await app.canvas.evaluate((figure) => {
+  await app.canvas.evaluate((figure: HTMLElement) => {
     figure.addEventListener('pointerdown', ({ pointerId }) => {
       Object.assign(globalThis, { lose: () => figure.releasePointerCapture(pointerId) })
     })
