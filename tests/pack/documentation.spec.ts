@@ -16,6 +16,7 @@ test('every exported name has a doc comment, and no link in one is broken', () =
       'circle-voronoi_worker',
       'circle-voronoi_comparison',
       'circle-voronoi_files',
+      'circle-voronoi_link',
       'circle-voronoi_bundle',
     ]) {
       expect(existsSync(join(out, `modules/${module}.html`)), module).toBe(true)

@@ -79,7 +79,7 @@ test.describe('is well made', () => {
     const wasm = ['', '-comparison', '-files'].map((name) => `circle-voronoi${name}.wasm`)
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...wasm, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/files', '/bundle'])
+    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/files', '/link', '/bundle'])
       expect(judged).toContain(`"circle-voronoi${name}"`)
   })
 

@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url'
 import { inspect } from 'node:util'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
-const MODULES = ['index', 'worker', 'comparison', 'files']
+const MODULES = ['index', 'worker', 'comparison', 'files', 'link']
 /** What all of them begin with, as the module's own comment says. */
 const BEGIN = `
 const library = await loadCircleVoronoi()

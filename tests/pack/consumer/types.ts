@@ -12,6 +12,7 @@ import {
 } from 'circle-voronoi'
 import { loadComparison } from 'circle-voronoi/comparison'
 import { loadFiles } from 'circle-voronoi/files'
+import { decodeLink, encodeLink, type LinkState } from 'circle-voronoi/link'
 import { type CircleVoronoiWorker, createWorker } from 'circle-voronoi/worker'
 
 const library = await loadCircleVoronoi({ wasm: new URL('https://example.org/circle-voronoi.wasm') })
@@ -69,6 +70,9 @@ export const written: string[] = [
   files.writeCircles(circlesRead, { format: 'geojson' }),
   files.writeDiagram(files.readDiagram('{}'), { format: 'svg', bounds: [0, 0, 1, 1], tolerance: 0.1 }),
 ]
+export const link: LinkState = await decodeLink(
+  await encodeLink({ circles: [[0, 0, 1]], edits: [{ kind: 'remove', id: 0 }], view: { x: 0, y: 0, span: 1 } }),
+)
 // The memory of a diagram can be handed over.
 export const buffers: ArrayBuffer[] = [diagram.vertices.buffer, diagram.edges.buffer]
 

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it, vi } from 'vitest'
+import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
+import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput, type LinkState } from '../../web/lib/link.ts'
+import { packed } from '../../web/lib/link-text.ts'
+
+const TOO_MUCH = expect.objectContaining({ code: 'tooManyCircles', message: 'This is too much for a link.' })
+
+const finite = fc.double({ noNaN: true, noDefaultInfinity: true }).map((value) => value + 0)
+const circle = fc.record({ x: finite, y: finite, r: finite }, { noNullPrototype: true })
+const id = fc.nat(2 ** 31 - 1)
+const edit: fc.Arbitrary<Edit> = fc.oneof(
+  fc.record({ kind: fc.constant('insert' as const), circle }, { noNullPrototype: true }),
+  fc.record({ kind: fc.constant('remove' as const), id }, { noNullPrototype: true }),
+  fc.record({ kind: fc.constant('replace' as const), id, circle }, { noNullPrototype: true }),
+)
+const value = fc.oneof(fc.boolean(), finite, fc.string(), fc.constant(null))
+const name = fc.string().filter((name) => name !== '__proto__')
+const options = { requiredKeys: [] as never[], noNullPrototype: true }
+const rest = {
+  edits: fc.array(edit, { maxLength: 20 }),
+  view: fc.record(
+    { x: finite, y: finite, span: fc.double({ min: 5e-324, noNaN: true, noDefaultInfinity: true }) },
+    { noNullPrototype: true },
+  ),
+  layers: fc.dictionary(name, fc.oneof(value, fc.array(value), fc.dictionary(name, value, { noNullPrototype: true })), {
+    noNullPrototype: true,
+  }),
+}
+const state: fc.Arbitrary<LinkState> = fc.oneof(
+  fc.record({ ...rest, dataSet: fc.string({ maxLength: 200 }) }, options),
+  fc.record(
+    {
+      ...rest,
+      circles: fc
+        .array(fc.tuple(finite, finite, finite), { maxLength: 30 })
+        .map((list) => Float64Array.from(list.flat())),
+    },
+    options,
+  ),
+)
+
+// Links that people keep: they are read for ever.
+const OLD_LINKS: [string, LinkState][] = [
+  [
+    'v1.XY47CsMwEETvMm1GQiuTD4KcRKgQ9haGxYVsJwTjuwelzEzxYODBHBjnNpquSDkwUHhj8EKhE3V3Phj88JdC6DRvXcm4gMLIoTDDgbHzCYZfo7-WQrxmfSNloYuUvhFWP9pWpAOjmq1IqE0riGmvhrS1XYlFa-u_vHDZzcp5fgE',
+    {
+      circles: Float64Array.of(0, 0, 1, 6, 0.1, 1, -1e-7, 8, 1 / 3),
+      edits: [
+        { kind: 'insert', circle: { x: 1, y: 2, r: 3 } },
+        { kind: 'remove', id: 2 },
+        { kind: 'replace', id: 0, circle: { x: 0, y: 0, r: 2.5 } },
+      ],
+      view: { x: 1, y: -2, span: 12.5 },
+      layers: { cells: 'area', dual: true, near: [0.1, null] },
+    },
+  ],
+  [
+    'v1.q1ZKSSxJDE4tUbJSSirKz6tKTcvMKUktUtJRSk3JLClWsoqOVtJV0jEzNYiNrQUA',
+    { dataSet: 'bronzefilter', edits: [{ kind: 'remove', id: 650 }] },
+  ],
+]
+
+describe('a link', () => {
+  it('says what it was made of, with a # or without', async () => {
+    await fc.assert(
+      fc.asyncProperty(state, async (state) => {
+        const link = await encodeLink(state)
+        expect(link).toMatch(/^v1\.[\w-]+$/)
+        expect(await decodeLink(link)).toEqual(state)
+        expect(await decodeLink(`#${link}`)).toEqual(state)
+      }),
+      { numRuns: 100 },
+    )
+  })
+
+  it('takes circles in any form', async () => {
+    const link = await encodeLink({ circles: [[0, 0, 1], { x: 6, y: -0, r: 0.1 }] })
+    expect(await decodeLink(link)).toEqual({ circles: Float64Array.of(0, 0, 1, 6, 0, 0.1) })
+    const edits = [{ kind: 'insert', circle: [1, 2, 3] }] as const
+    expect(await decodeLink(await encodeLink({ edits }))).toEqual({
+      edits: [{ kind: 'insert', circle: { x: 1, y: 2, r: 3 } }],
+    })
+  })
+
+  it('is short', async () => {
+    const circles = Float64Array.from({ length: 3 * 1000 }, (_, k) => ((k * 7919) % 1000) / 100)
+    expect((await encodeLink({ circles })).length).toBeLessThan(9000)
+  })
+
+  it.each(OLD_LINKS)('of version 1 is read: %s', async (link, state) => {
+    expect(await decodeLink(link)).toEqual(state)
+  })
+
+  it('may have as many circles as it says', async () => {
+    const circles = Float64Array.from({ length: 3 * LINK_LIMITS.circles }, (_, k) => Math.sin(k))
+    const link = await encodeLink({ circles })
+    expect(link.length).toBeLessThanOrEqual(LINK_LIMITS.letters)
+    // Element by element, this would take long.
+    const read = (await decodeLink(link)).circles as Float64Array<ArrayBuffer>
+    expect(Buffer.from(read.buffer).equals(Buffer.from(circles.buffer))).toBe(true)
+    const more = new Float64Array(3 * (LINK_LIMITS.circles + 1))
+    await expect(encodeLink({ circles: more })).rejects.toThrow(TOO_MUCH)
+  })
+})
+
+const said = async (value: unknown) => `v1.${await packed(typeof value === 'string' ? value : JSON.stringify(value))}`
+const nested = (depth: number): unknown => (depth === 0 ? 1 : [nested(depth - 1)])
+
+describe('what is no link', () => {
+  it.each<[unknown, string]>([
+    ['', 'it is none of this page'],
+    ['#', 'it is none of this page'],
+    ['figure', 'it is none of this page'],
+    ['v1.a+b', 'it is none of this page'],
+    ['v2.', 'it is of version 2, and this is version 1'],
+    ['v01.', 'it is of version 01, and this is version 1'],
+    ['v1.', 'a part of it is missing or wrong'],
+    ['v1.A', 'a part of it is missing or wrong'],
+    ['v1.AAAA', 'a part of it is missing or wrong'],
+  ])('is refused: %j', async (text, reason) => {
+    await expect(decodeLink(text as string)).rejects.toThrow(
+      expect.objectContaining({ code: 'badInput', circle: -1, message: `The link cannot be read: ${reason}.` }),
+    )
+  })
+
+  it.each<[unknown, string]>([
+    ['{', 'a part of it is missing or wrong'],
+    [null, 'it says nothing'],
+    [[], 'it says nothing'],
+    [{ circles: [1, 2] }, 'its circles are not three finite numbers each'],
+    [{ circles: [1, 2, '3'] }, 'its circles are not three finite numbers each'],
+    ['{"circles":[1,2,1e999]}', 'its circles are not three finite numbers each'],
+    [{ circles: { length: 3 } }, 'its circles are not three finite numbers each'],
+    [{ dataSet: 7 }, 'its data set has no name'],
+    [{ dataSet: 'a'.repeat(201) }, 'its data set has no name'],
+    [{ dataSet: 'a', circles: [] }, 'it has circles and a data set'],
+    [{ edits: {} }, 'its edits are none'],
+    [{ edits: [[]] }, 'its edits are none'],
+    [{ edits: [['*', 1]] }, 'its edits are none'],
+    [{ edits: [['toString', 1]] }, 'its edits are none'],
+    [{ edits: [['+', 1, 2]] }, 'its edits are none'],
+    [{ edits: [['-', 0.5]] }, 'its edits are none'],
+    [{ edits: [['-', -1]] }, 'its edits are none'],
+    [{ edits: [['-', 2 ** 31]] }, 'its edits are none'],
+    [{ edits: [['=', 1, 2, 3]] }, 'its edits are none'],
+    [{ view: [1, 2] }, 'its view is none'],
+    [{ view: [1, 2, 0] }, 'its view is none'],
+    [{ layers: [1] }, 'its layers are none'],
+    ['{"layers":{"__proto__":{"polluted":true}}}', 'its layers are none'],
+    ['{"layers":{"a":{"__proto__":1}}}', 'its layers are none'],
+    ['{"layers":{"a":1e999}}', 'its layers are none'],
+  ])('is refused once it is unpacked: %j', async (value, reason) => {
+    await expect(decodeLink(await said(value))).rejects.toThrow(
+      expect.objectContaining({ code: 'badInput', message: `The link cannot be read: ${reason}.` }),
+    )
+  })
+
+  it.each<[string, () => unknown]>([
+    ['circles', () => ({ circles: new Array(3 * (LINK_LIMITS.circles + 1)).fill(1) })],
+    ['edits', () => ({ edits: new Array(LINK_LIMITS.edits + 1).fill(['-', 1]) })],
+    ['layers', () => ({ layers: { a: new Array(LINK_LIMITS.layerValues).fill(1) } })],
+    ['layers in one another', () => ({ layers: { a: nested(8) } })],
+  ])('is refused with too many %s', async (_, value) => {
+    await expect(decodeLink(await said(value()))).rejects.toThrow(TOO_MUCH)
+  })
+
+  it('is refused where a small text unpacks to a large one, or the text is long', async () => {
+    const bomb = await said(`"${' '.repeat(LINK_LIMITS.bytes)}"`)
+    expect(bomb.length).toBeLessThan(30_000)
+    await expect(decodeLink(bomb)).rejects.toThrow(TOO_MUCH)
+    await expect(decodeLink('a'.repeat(LINK_LIMITS.letters + 1))).rejects.toThrow(TOO_MUCH)
+  })
+
+  it('is refused, whatever it is: random text, and links with letters changed, gone or added', async () => {
+    const link = await encodeLink({
+      circles: [
+        [0, 0, 1],
+        [6, 0, 1],
+      ],
+      layers: { dual: true },
+    })
+    const letter = fc.constantFrom(...'ABCdefgh0189-_.+#v')
+    const spoilt = fc
+      .record({ at: fc.nat(link.length), gone: fc.nat(4), put: fc.string({ unit: letter, maxLength: 4 }) })
+      .map(({ at, gone, put }) => link.slice(0, at) + put + link.slice(at + gone))
+    const wrapped = fc.oneof(fc.string(), fc.json()).map((json) => ({ json }))
+    await fc.assert(
+      fc.asyncProperty(fc.oneof(fc.string(), spoilt, wrapped), async (text) => {
+        const link = typeof text === 'string' ? text : await said(text.json)
+        try {
+          await encodeLink(await decodeLink(link))
+        } catch (error) {
+          expect(error).toBeInstanceOf(CircleVoronoiError)
+          expect((error as CircleVoronoiError).message).toMatch(/^[A-Z].*\.$/)
+        }
+      }),
+      { numRuns: 300 },
+    )
+  })
+
+  it.each<[unknown, string]>([
+    [null, 'encodeLink takes a state, not null.'],
+    [{ edits: 5 }, 'encodeLink takes edits, not 5.'],
+    [{ edits: [null] }, 'encodeLink takes edits, not null.'],
+    [{ edits: [{ kind: 'insert' }] }, 'This is no state for a link: its edits are none.'],
+    [{ circles: [[Number.NaN, 0, 0]] }, 'This is no state for a link: its circles are not three finite numbers each.'],
+    [{ view: {} }, 'This is no state for a link: its view is none.'],
+    [{ layers: { a: () => 1 } }, 'This is no state for a link: its layers are none.'],
+  ])('is made of no such state: %j', async (state, message) => {
+    await expect(encodeLink(state as LinkInput)).rejects.toThrow(
+      expect.objectContaining({ code: 'badArgument', message }),
+    )
+  })
+
+  it('is said where the streams are missing', async () => {
+    vi.stubGlobal('CompressionStream', undefined)
+    const { DecompressionStream } = globalThis
+    vi.stubGlobal('DecompressionStream', undefined)
+    try {
+      await expect(encodeLink({})).rejects.toThrow(expect.objectContaining({ code: 'notLoaded' }))
+      await expect(decodeLink('v1.AAAA')).rejects.toThrow(expect.objectContaining({ code: 'notLoaded' }))
+    } finally {
+      vi.unstubAllGlobals()
+    }
+    expect(globalThis.DecompressionStream).toBe(DecompressionStream)
+    await expect(decodeLink(7 as unknown as string)).rejects.toThrow('decodeLink takes a text, not 7.')
+  })
+})

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bytes as the letters, digits, `-` and `_` of an address, compressed by the streams of browsers and Node.
+import { CircleVoronoiError } from './errors.ts'
+
+/** `String.fromCharCode` takes so many arguments. */
+const PART = 0x8000
+
+/** A text, compressed. */
+export async function packed(text: string): Promise<string> {
+  const bytes = await through(new TextEncoder().encode(text), streamOf('CompressionStream'), Number.POSITIVE_INFINITY)
+  let binary = ''
+  for (let i = 0; i < bytes.length; i += PART) binary += String.fromCharCode(...bytes.subarray(i, i + PART))
+  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')
+}
+
+/**
+ * What `packed` has packed.
+ *
+ * @param most so many bytes it may have
+ * @throws whatever is wrong with it; `undefined`: there is more of it
+ */
+export async function unpacked(letters: string, most: number): Promise<string | undefined> {
+  const binary = atob(letters.replaceAll('-', '+').replaceAll('_', '/'))
+  const bytes = new Uint8Array(binary.length)
+  for (let i = 0; i < bytes.length; i++) bytes[i] = binary.charCodeAt(i)
+  const text = await through(bytes, streamOf('DecompressionStream'), most)
+  return text.length > most ? undefined : new TextDecoder('utf-8', { fatal: true }).decode(text)
+}
+
+type Transformation = ReadableWritablePair<Uint8Array<ArrayBuffer>, BufferSource>
+
+function streamOf(name: 'CompressionStream' | 'DecompressionStream'): Transformation {
+  const Stream = globalThis[name]
+  if (Stream === undefined) throw new CircleVoronoiError('notLoaded', -1, `Links need ${name}, which is missing here.`)
+  return new Stream('deflate-raw') as Transformation
+}
+
+/** What comes out of a stream, or its beginning, longer than `most`: a small text may unpack to one that fills the memory. */
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  stream: Transformation,
+  most: number,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader()
+  const parts: Uint8Array<ArrayBuffer>[] = []
+  let length = 0
+  for (let next = await reader.read(); !next.done; next = await reader.read()) {
+    parts.push(next.value)
+    length += next.value.length
+    if (length <= most) continue
+    await reader.cancel()
+    break
+  }
+  const all = new Uint8Array(length)
+  let place = 0
+  for (const part of parts) {
+    all.set(part, place)
+    place += part.length
+  }
+  return all
+}

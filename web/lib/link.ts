@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * What stands after the `#` of a link to the page: circles or a data set, edits, what is looked at. It is compressed, and
+ * whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
+ *
+ * @module circle-voronoi/link
+ */
+import { refuseArgument, shown } from './check.ts'
+import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './coordinates.ts'
+import type { Float64s } from './diagram-data.ts'
+import type { Edit } from './editor.ts'
+import { CircleVoronoiError } from './errors.ts'
+import { packed, unpacked } from './link-text.ts'
+
+/**
+ * What a link may have: letters, bytes of JSON once it is unpacked, circles, edits, and values of layers.
+ *
+ * @category Links
+ * @example
+ * LINK_LIMITS.circles // 100000
+ */
+export const LINK_LIMITS = {
+  letters: 4_194_304,
+  bytes: 16_777_216,
+  circles: 100_000,
+  edits: 100_000,
+  layerValues: 1000,
+} as const
+
+/**
+ * A layer's setting, or settings.
+ *
+ * @category Links
+ */
+export type LayerValue =
+  | boolean
+  | number
+  | string
+  | null
+  | readonly LayerValue[]
+  | { readonly [name: string]: LayerValue }
+
+/**
+ * The part of the plane that is looked at.
+ *
+ * @category Links
+ */
+export interface LinkView {
+  /** Its middle. */
+  readonly x: number
+  readonly y: number
+  /** So many units are seen at least, in both directions. Above 0. */
+  readonly span: number
+}
+
+/**
+ * What a link says. What it does not say is left to whoever opens it.
+ *
+ * @category Links
+ */
+export interface LinkState {
+  /** Circles of its own: x, y and r of each. */
+  readonly circles?: Float64s | undefined
+  /** Or the name of a data set. */
+  readonly dataSet?: string | undefined
+  /** What was done with them, in order; their ids are those of `DiagramEditor`. */
+  readonly edits?: readonly Edit[] | undefined
+  readonly view?: LinkView | undefined
+  /** The settings of layers by their names, whichever there are. */
+  readonly layers?: Readonly<Record<string, LayerValue>> | undefined
+}
+
+/**
+ * What a link is made of: circles may be given in any form.
+ *
+ * @category Links
+ */
+export interface LinkInput extends Omit<LinkState, 'circles'> {
+  readonly circles?: Circles | undefined
+}
+
+const VERSION = 'v1'
+const LONGEST_NAME = 200
+const DEEPEST_LAYER = 8
+const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers'] as const
+
+/**
+ * The text that says a state. All numbers are exact; only -0 is 0.
+ *
+ * @throws CircleVoronoiError `badArgument`; `tooManyCircles`, if a state is beyond `LINK_LIMITS`; `notLoaded`, where there is no
+ *   `CompressionStream`
+ *
+ * @category Links
+ * @example
+ * const link = await encodeLink({ circles: [[0, 0, 1], [6, 0, 1]], view: { x: 3, y: 4, span: 12 } })
+ * link.slice(0, 3) // 'v1.'
+ * const { circles, view } = await decodeLink(`#${link}`)
+ * circles // Float64Array(6) [ 0, 0, 1, 6, 0, 1 ]
+ * view // { x: 3, y: 4, span: 12 }
+ */
+export async function encodeLink(state: LinkInput): Promise<string> {
+  if (typeof state !== 'object' || state === null) refuseArgument(`encodeLink takes a state, not ${shown(state)}.`)
+  const { circles, dataSet, edits, view, layers } = state
+  if (edits !== undefined && !Array.isArray(edits)) refuseArgument(`encodeLink takes edits, not ${shown(edits)}.`)
+  const said: Record<(typeof FIELDS)[number], unknown> = {
+    circles: circles && [...coordinatesOf(circles)],
+    dataSet,
+    edits: edits && Array.from(edits, listOf),
+    view: view && [view.x, view.y, view.span],
+    layers,
+  }
+  const problem = problemOf(said)
+  if (problem !== undefined) refuseArgument(`This is no state for a link: ${problem}.`)
+  const json = JSON.stringify(said)
+  if (json.length > LINK_LIMITS.bytes) tooMuch()
+  const letters = await packed(json)
+  if (letters.length > LINK_LIMITS.letters - VERSION.length - 1) tooMuch()
+  return `${VERSION}.${letters}`
+}
+
+/**
+ * What a link says. Whether its circles make a diagram, `compute` knows, and whether its edits are those of its circles, an
+ * editor.
+ *
+ * @param text what stands after the `#` of an address, with it or without
+ * @throws CircleVoronoiError `badInput`; `tooManyCircles`, if it is beyond `LINK_LIMITS`; `notLoaded`, where there is no
+ *   `DecompressionStream`
+ *
+ * @category Links
+ * @example
+ * const { dataSet, edits } = await decodeLink(await encodeLink({ dataSet: 'spruces', edits: [{ kind: 'remove', id: 3 }] }))
+ * dataSet // 'spruces'
+ * edits // [ { kind: 'remove', id: 3 } ]
+ */
+export async function decodeLink(text: string): Promise<LinkState> {
+  if (typeof text !== 'string') refuseArgument(`decodeLink takes a text, not ${shown(text)}.`)
+  if (text.length > LINK_LIMITS.letters) tooMuch()
+  const [, version, letters] = /^#?v(\d{1,9})\.([\w-]*)$/.exec(text) ?? refuse('it is none of this page')
+  if (`v${version}` !== VERSION) refuse(`it is of version ${version}, and this is version ${VERSION.slice(1)}`)
+  let said: unknown
+  try {
+    const json = await unpacked(letters as string, LINK_LIMITS.bytes)
+    if (json === undefined) tooMuch()
+    said = JSON.parse(json)
+  } catch (error) {
+    if (error instanceof CircleVoronoiError) throw error
+    refuse('a part of it is missing or wrong')
+  }
+  const problem = problemOf(said)
+  if (problem !== undefined) refuse(problem)
+  return stateOf(said as Said)
+}
+
+/** What is written: lists of numbers. */
+interface Said {
+  readonly circles?: readonly number[] | undefined
+  readonly dataSet?: string | undefined
+  readonly edits?: readonly (readonly [kind: '+' | '-' | '=', ...numbers: number[]])[] | undefined
+  readonly view?: readonly [number, number, number] | undefined
+  readonly layers?: Readonly<Record<string, LayerValue>> | undefined
+}
+
+function stateOf({ circles, dataSet, edits, view, layers }: Said): LinkState {
+  return {
+    ...(circles && { circles: Float64Array.from(circles) }),
+    ...(dataSet !== undefined && { dataSet }),
+    ...(edits && { edits: edits.map(editOf) }),
+    ...(view && { view: { x: view[0], y: view[1], span: view[2] } }),
+    ...(layers && { layers }),
+  }
+}
+
+function listOf(edit: Edit): Exclude<Said['edits'], undefined>[number] {
+  const circle = (circle: CircleLike) => [circleX(circle), circleY(circle), circleRadius(circle)]
+  switch (edit?.kind) {
+    case 'insert':
+      return ['+', ...circle(edit.circle)]
+    case 'remove':
+      return ['-', edit.id]
+    case 'replace':
+      return ['=', edit.id, ...circle(edit.circle)]
+    default:
+      refuseArgument(`encodeLink takes edits, not ${shown(edit)}.`)
+  }
+}
+
+function editOf([kind, ...numbers]: Exclude<Said['edits'], undefined>[number]): Edit {
+  const [x, y, r] = numbers.slice(-3) as [number, number, number]
+  if (kind === '+') return { kind: 'insert', circle: { x, y, r } }
+  const id = numbers[0] as number
+  return kind === '-' ? { kind: 'remove', id } : { kind: 'replace', id, circle: { x, y, r } }
+}
+
+/** How many numbers an edit has, and whether the first one is an id. */
+const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> = {
+  '+': [3, false],
+  '-': [1, true],
+  '=': [4, true],
+}
+
+/** Why this is not `Said`. */
+function problemOf(said: unknown): string | undefined {
+  if (!isRecord(said)) return 'it says nothing'
+  const { circles, dataSet, edits, view, layers } = said
+  if (circles !== undefined) {
+    if (!isListOfNumbers(circles) || circles.length % 3 !== 0) return 'its circles are not three finite numbers each'
+    if (circles.length > 3 * LINK_LIMITS.circles) tooMuch()
+  }
+  if (dataSet !== undefined) {
+    if (typeof dataSet !== 'string' || dataSet.length > LONGEST_NAME) return 'its data set has no name'
+    if (circles !== undefined) return 'it has circles and a data set'
+  }
+  if (edits !== undefined) {
+    if (!Array.isArray(edits) || !edits.every(isEdit)) return 'its edits are none'
+    if (edits.length > LINK_LIMITS.edits) tooMuch()
+  }
+  if (view !== undefined) {
+    if (!isListOfNumbers(view) || view.length !== 3 || !((view[2] as number) > 0)) return 'its view is none'
+  }
+  const isRight =
+    layers === undefined || (isRecord(layers) && isLayer(layers, DEEPEST_LAYER, { left: LINK_LIMITS.layerValues }))
+  return isRight ? undefined : 'its layers are none'
+}
+
+function isEdit(edit: unknown): boolean {
+  if (!Array.isArray(edit) || typeof edit[0] !== 'string' || !Object.hasOwn(EDITS, edit[0])) return false
+  const [count, hasId] = EDITS[edit[0]] as readonly [number, boolean]
+  const numbers = edit.slice(1)
+  if (numbers.length !== count || !isListOfNumbers(numbers)) return false
+  return !hasId || (Number.isInteger(numbers[0]) && (numbers[0] as number) >= 0 && (numbers[0] as number) < 2 ** 31)
+}
+
+function isLayer(value: unknown, depth: number, count: { left: number }): value is LayerValue {
+  count.left -= 1
+  if (depth === 0 || count.left < 0) tooMuch()
+  if (Array.isArray(value)) return value.every((item) => isLayer(item, depth - 1, count))
+  // With a name like that, whoever copies it to another object would change what that one is.
+  if (isRecord(value)) {
+    return Object.entries(value).every(([name, item]) => name !== '__proto__' && isLayer(item, depth - 1, count))
+  }
+  return value === null || ['boolean', 'string'].includes(typeof value) || Number.isFinite(value)
+}
+
+function isRecord(value: unknown): value is Record<string, unknown> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value)
+}
+
+function isListOfNumbers(value: unknown): value is number[] {
+  return Array.isArray(value) && value.every(Number.isFinite)
+}
+
+function refuse(reason: string): never {
+  throw new CircleVoronoiError('badInput', -1, `The link cannot be read: ${reason}.`)
+}
+
+function tooMuch(): never {
+  throw new CircleVoronoiError('tooManyCircles', -1, 'This is too much for a link.')
+}
