@@ -29,12 +29,16 @@ async function started(circles = TWO) {
     () => outcomes.push(asked.length),
     (problem) => problems.push(problem),
   )
-  await editing.open(circles)
+  await editing.open(sceneOf(circles))
   return { editing, asked, problems, outcomes, circles: () => [...editing.circles.circles()], editor: () => editor }
 }
 
 function resultOf(editor: DiagramEditor, inserted: Int32Array) {
   return { counts: { circles: editor.size(), hidden: 0, vertices: 0, edges: 0 }, inserted, seconds: 0 }
+}
+
+function sceneOf(circles: Float64Array<ArrayBuffer>, dataSet = 'two') {
+  return { circles, dataSet, isEdited: false }
 }
 
 function moved(id: number, x: number): Edit[] {
@@ -153,6 +157,41 @@ describe('Editing', () => {
     expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
   })
 
+  it('goes back to other circles, and what was done to them, and forth again', async () => {
+    const { editing, circles } = await started()
+    await editing.edit(moved(1, 3))
+    await editing.edit([{ kind: 'remove', id: 0 }])
+    await editing.open(sceneOf(Float64Array.of(7, 7, 7, 8, 8, 1), 'seven'))
+    await editing.edit(moved(0, 9))
+    expect([circles(), editing.scene?.dataSet]).toEqual([[9, 0, 1, 8, 8, 1], 'seven'])
+    await editing.undo()
+    await editing.undo()
+    expect([circles(), editing.scene?.dataSet]).toEqual([[3, 0, 1], 'two'])
+    expect(editing.scene?.isEdited).toBe(true)
+    await editing.undo()
+    await editing.undo()
+    expect(toSet(circles())).toEqual(toSet([...TWO]))
+    for (let k = 0; k < 3; k++) await editing.redo()
+    expect([circles(), editing.scene]).toEqual([
+      [7, 7, 7, 8, 8, 1],
+      { circles: Float64Array.of(7, 7, 7, 8, 8, 1), dataSet: 'seven', isEdited: false },
+    ])
+    await editing.redo()
+    expect(circles()).toEqual([9, 0, 1, 8, 8, 1])
+    await editing.redo()
+    expect(circles()).toEqual([9, 0, 1, 8, 8, 1])
+  })
+
+  it('keeps everything as it is where other circles are refused', async () => {
+    const { editing, circles, problems } = await started()
+    await editing.edit(moved(1, 3))
+    expect(await editing.open(sceneOf(Float64Array.of(0, 0, -1)))).toBeUndefined()
+    expect(problems).toEqual([expect.stringMatching(/Circle 0 .*radius/)])
+    expect([circles(), editing.scene?.dataSet]).toEqual([[0, 0, 1, 3, 0, 1], 'two'])
+    await editing.undo()
+    expect(circles()).toEqual([...TWO])
+  })
+
   it('cancels nothing of what came before a gesture that has done nothing', async () => {
     const { editing, circles } = await started()
     await editing.edit(moved(1, 8))
@@ -167,7 +206,7 @@ describe('Editing', () => {
       circle.map((circle) => ({ circle })),
       fc.record({ k: fc.nat(20), circle }),
       fc.nat(20).map((k) => ({ k })),
-      fc.constantFrom('undo' as const, 'redo' as const),
+      fc.constantFrom('undo' as const, 'redo' as const, 'open' as const),
     )
     await fc.assert(
       fc.asyncProperty(fc.array(step, { maxLength: 30 }), async (steps) => {
@@ -177,6 +216,7 @@ describe('Editing', () => {
           const id = typeof step === 'object' && 'k' in step ? ids[step.k % Math.max(ids.length, 1)] : undefined
           if (step === 'undo') await editing.undo()
           else if (step === 'redo') await editing.redo()
+          else if (step === 'open') await editing.open(sceneOf(Float64Array.of(1, 1, 1, 2, 2, 2, 3, 3, 3)))
           else if (id !== undefined && 'circle' in step)
             await editing.edit([{ kind: 'replace', id, circle: step.circle }])
           else if (id !== undefined) await editing.edit([{ kind: 'remove', id }])

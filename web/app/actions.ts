@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Box, Circle, Point } from '../lib/index.ts'
+import type { Box, Circle, Edit, Point } from '../lib/index.ts'
+import { decodeLink, type LinkInput, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
 import type { Edited } from '../view/painter.ts'
 import type { Hands } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
-import { DATA_SETS } from './data-sets.ts'
+import { DATA_SETS, type DataSet, dataSetOf, loadDataSet, nameOf } from './data-sets.ts'
 import type { Editing } from './editing.ts'
+import type { Scene } from './history.ts'
+import { cameraOf, circlesOfLink, viewOfLink } from './scene-link.ts'
 import type { State } from './state.ts'
 import type { Store } from './store.ts'
 
@@ -14,6 +17,12 @@ const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
 /** The radius of a circle that is added with room around, in pixels. */
 const USUAL_RADIUS = 24
+
+/** What a link may say beside its circles. */
+interface Opened {
+  readonly edits?: readonly Edit[] | undefined
+  readonly view?: LinkView | undefined
+}
 
 /** All that a user can do. Input and panels call these; nothing else changes the state, but for what was computed. */
 export class Actions implements Hands {
@@ -42,21 +51,57 @@ export class Actions implements Hands {
     return this.#editing.beginGesture()
   }
 
-  async load(dataSetId: string): Promise<void> {
-    const dataSet = DATA_SETS.find(({ id }) => id === dataSetId)
-    if (dataSet === undefined) return
+  /** Circles of the menu. */
+  async load(id: string): Promise<void> {
+    const dataSet = DATA_SETS.find((dataSet) => dataSet.id === id)
+    if (dataSet !== undefined) await this.#opening(() => this.#loadNamed(nameOf(dataSet)))
+  }
+
+  /** What a link says; reports whether that could be shown. */
+  openLink(text: string): Promise<boolean> {
+    return this.#opening(async () => {
+      const { circles, dataSet, edits, view } = await decodeLink(text)
+      const scene =
+        circles === undefined
+          ? await this.#loadNamed(dataSet ?? nameOf(DATA_SETS[0] as DataSet))
+          : { circles, dataSet: '', isEdited: false }
+      return { ...scene, edits, view }
+    })
+  }
+
+  /** What is shown, to be kept or sent; `undefined`: nothing yet. */
+  linkState(): LinkInput | undefined {
+    const { scene, circles } = this.#editing
+    if (scene === undefined) return undefined
+    const { camera, size } = this.#view
+    const isWhole = isSame(camera, this.#fitted(circles.box()))
+    return { ...circlesOfLink(scene, circles), ...(!isWhole && { view: viewOfLink(camera, size) }) }
+  }
+
+  async #loadNamed(name: string): Promise<Scene> {
+    return { circles: await loadDataSet(name), dataSet: dataSetOf(name) === undefined ? '' : name, isEdited: false }
+  }
+
+  /** Opens what is loaded, unless something else is asked for meanwhile. What cannot be opened changes nothing. */
+  async #opening(load: () => Promise<Scene & Opened>): Promise<boolean> {
     this.#lastLoad += 1
-    const load = this.#lastLoad
+    const turn = this.#lastLoad
     try {
-      const circles = await dataSet.load()
-      // Another was chosen meanwhile.
-      if (load !== this.#lastLoad) return
-      this.#view.camera = fitted(boundingBox(circles), this.#view.size, this.#padding())
-      const opened = await this.#editing.open(circles)
-      if (opened !== undefined) this.#store.update((state) => ({ ...state, dataSet: dataSetId, isAdding: false }))
+      const { edits, view, ...scene } = await load()
+      if (turn !== this.#lastLoad) return false
+      const before = this.#view.camera
+      this.#view.camera = this.#looking(view, boundingBox(scene.circles))
+      if ((await this.#editing.open(scene)) === undefined) {
+        this.#view.camera = before
+        return false
+      }
+      if (edits !== undefined && edits.length > 0) await this.#editing.edit(edits)
+      this.#store.update((state) => ({ ...state, isAdding: false }))
       this.select(undefined)
+      return true
     } catch (error) {
       this.#store.update((state) => ({ ...state, problem: (error as Error).message }))
+      return false
     }
   }
 
@@ -150,17 +195,20 @@ export class Actions implements Hands {
     else this.select(undefined)
   }
 
-  async undo(): Promise<void> {
-    this.#selectWhatCame(await this.#editing.undo())
+  undo(): Promise<void> {
+    return this.#goThroughHistory(() => this.#editing.undo())
   }
 
-  async redo(): Promise<void> {
-    this.#selectWhatCame(await this.#editing.redo())
+  redo(): Promise<void> {
+    return this.#goThroughHistory(() => this.#editing.redo())
   }
 
-  #selectWhatCame(edited: Edited | undefined): void {
+  async #goThroughHistory(go: () => Promise<Edited | undefined>): Promise<void> {
+    const { scene } = this.#editing
+    const edited = await go()
     const id = edited?.inserted[0]
     if (id !== undefined) this.goTo(id)
+    if (this.#editing.scene !== scene) this.#view.camera = this.#fitted(this.#editing.circles.box())
   }
 
   pan(dx: number, dy: number): void {
@@ -169,10 +217,9 @@ export class Actions implements Hands {
 
   zoom(factor: number, anchor: Point): void {
     const { camera, size } = this.#view
-    const whole = this.#fitted(this.#editing.circles.box()).scale
-    const core = this.#fitted(this.#editing.circles.core()).scale
-    const largest = Math.max(whole, core) * LARGEST_ZOOM
-    const scale = Math.min(Math.max(camera.scale * factor, whole * SMALLEST_ZOOM), largest)
+    const { circles } = this.#editing
+    const [least, most] = this.#zoomLimits(circles.box(), circles.core())
+    const scale = Math.min(Math.max(camera.scale * factor, least), most)
     this.#view.camera = zoomed(camera, size, anchor, scale / camera.scale)
   }
 
@@ -185,8 +232,23 @@ export class Actions implements Hands {
   fit(): void {
     const { circles } = this.#editing
     const [whole, core] = [this.#fitted(circles.box()), this.#fitted(circles.core())]
-    const { x, y, scale } = this.#view.camera
-    this.#view.camera = x === whole.x && y === whole.y && scale === whole.scale ? core : whole
+    this.#view.camera = isSame(this.#view.camera, whole) ? core : whole
+  }
+
+  #zoomLimits(box: Box, core: Box): [least: number, most: number] {
+    const whole = this.#fitted(box).scale
+    return [whole * SMALLEST_ZOOM, Math.max(whole, this.#fitted(core).scale) * LARGEST_ZOOM]
+  }
+
+  /** The camera of a view that somebody else has made up, if it is one of these circles; else all of them. */
+  #looking(view: LinkView | undefined, box: Box): Camera {
+    const whole = this.#fitted(box)
+    if (view === undefined) return whole
+    const camera = cameraOf(view, this.#view.size)
+    const [least, most] = this.#zoomLimits(box, box)
+    const isNear = (value: number, from: number, to: number) => value >= from - (to - from) && value <= to + (to - from)
+    const isRight = isNear(view.x, box.minX, box.maxX) && isNear(view.y, box.minY, box.maxY)
+    return isRight && camera.scale >= least && camera.scale <= most ? camera : whole
   }
 
   #fitted(box: Box): Camera {
@@ -209,4 +271,8 @@ export class Actions implements Hands {
     const circle = selected === undefined ? undefined : this.#editing.latest(selected)
     if (selected !== undefined && circle !== undefined) this.set(selected, change(circle), gesture)
   }
+}
+
+function isSame(camera: Camera, other: Camera): boolean {
+  return camera.x === other.x && camera.y === other.y && camera.scale === other.scale
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/diagram-data.ts'
-import type { Box, Circle, Edit } from '../lib/index.ts'
+import type { Box, Circle, Edit, Float64s } from '../lib/index.ts'
 import { boundingBox } from '../view/camera.ts'
 
 /** An edit that brings back a circle which had another id. */
@@ -11,7 +11,7 @@ const CORE_SAMPLE = 1000
 
 /** Circles by their ids, as a `DiagramEditor` gives them: each new one the next id. */
 export class CircleTable {
-  #numbers: Float64Array
+  #numbers: Float64s
   #isThere: Uint8Array
   #size: number
   #count: number
@@ -19,7 +19,7 @@ export class CircleTable {
   #core: Box | undefined
 
   /** Circle i, x, y and r of `circles`, has id i. They are not copied. */
-  constructor(circles: Float64Array) {
+  constructor(circles: Float64s) {
     this.#numbers = circles
     this.#size = circles.length / 3
     this.#count = this.#size
@@ -64,7 +64,7 @@ export class CircleTable {
   }
 
   /** x, y and r of all circles, in the order of their ids. */
-  circles(): Float64Array {
+  circles(): Float64s {
     if (this.#count === this.#size) return this.#numbers.slice(0, 3 * this.#size)
     const circles = new Float64Array(3 * this.#count)
     let k = 0
@@ -73,6 +73,14 @@ export class CircleTable {
       for (let place = 3 * id; place < 3 * id + 3; place++) circles[k++] = at(this.#numbers, place)
     }
     return circles
+  }
+
+  /** The ids, ascending. */
+  ids(): Int32Array {
+    const ids = new Int32Array(this.#count)
+    let k = 0
+    for (let id = 0; id < this.#size; id++) if (this.#isThere[id] === 1) ids[k++] = id
+    return ids
   }
 
   /** The smallest box around all circles, known until the next edit. */

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Float64s } from '../lib/index.ts'
 
 /**
  * Reads lines `x,y,r` as x, y, r each. A header line and blank lines are allowed.
  *
  * @throws Error that names the first line which is not three numbers.
  */
-export function parseCircles(text: string): Float64Array {
+export function parseCircles(text: string): Float64s {
   const numbers: number[] = []
   for (const [index, line] of text.split(/\r?\n/).entries()) {
     const fields = line.split(',').map((field) => field.trim())

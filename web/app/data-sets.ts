@@ -1,28 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Float64s } from '../lib/index.ts'
 import { parseCircles } from './csv.ts'
-import { randomCircles } from './random-circles.ts'
+import { randomCircles, randomNumbers } from './random-circles.ts'
 
+/** What the menu offers. */
 export interface DataSet {
   readonly id: string
   readonly label: string
-  /** A new sample each time it is loaded. */
-  readonly isRandom?: boolean
-  load(): Promise<Float64Array>
+  /** So many random circles, other ones each time. */
+  readonly count?: number
 }
 
 /** The first one is shown at the start. */
 export const DATA_SETS: readonly DataSet[] = [
-  { id: 'bronzefilter', label: 'Bronze filter', load: () => fetchCircles('bronzefilter') },
-  { id: 'spruces', label: 'Spruces', load: () => fetchCircles('spruces') },
-  { id: 'waka', label: 'Waka trees', load: () => fetchCircles('waka') },
-  { id: 'introduction', label: 'Introduction', load: () => fetchCircles('introduction') },
-  { id: 'random', label: 'Random', isRandom: true, load: async () => randomCircles(300) },
-  { id: 'random-large', label: 'Random, 10,000', isRandom: true, load: async () => randomCircles(10_000) },
+  { id: 'bronzefilter', label: 'Bronze filter' },
+  { id: 'spruces', label: 'Spruces' },
+  { id: 'waka', label: 'Waka trees' },
+  { id: 'introduction', label: 'Introduction' },
+  { id: 'random', label: 'Random', count: 300 },
+  { id: 'random-large', label: 'Random, 10,000', count: 10_000 },
 ]
 
-async function fetchCircles(name: string): Promise<Float64Array> {
+/** That of the menu with the circles of this name; `undefined`: there is none. */
+export function dataSetOf(name: string): DataSet | undefined {
+  const [id, seed] = name.split(':') as [string, string | undefined]
+  const dataSet = DATA_SETS.find((dataSet) => dataSet.id === id)
+  const isRight = dataSet?.count === undefined ? seed === undefined : /^\d{1,9}$/.test(seed ?? '')
+  return isRight ? dataSet : undefined
+}
+
+/** A name of a data set's circles, which are always the same; of random ones another name each time. */
+export function nameOf({ id, count }: DataSet): string {
+  return count === undefined ? id : `${id}:${Math.floor(1e9 * Math.random())}`
+}
+
+/** @throws Error, if there are no circles of this name or they cannot be fetched */
+export async function loadDataSet(name: string): Promise<Float64s> {
+  const dataSet = dataSetOf(name)
+  if (dataSet === undefined) throw new Error('There is no data set of this name.')
+  if (dataSet.count !== undefined) return randomCircles(dataSet.count, randomNumbers(Number(name.split(':')[1])))
   const url = new URL(`data/${name}.csv`, document.baseURI)
   const response = await fetch(url)
-  if (!response.ok) throw new Error(`The data set ${name} could not be loaded (${response.status}).`)
+  if (!response.ok) throw new Error(`The data set ${dataSet.label} could not be loaded (${response.status}).`)
   return parseCircles(await response.text())
 }

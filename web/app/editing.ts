@@ -2,7 +2,7 @@
 import { type Circle, CircleVoronoiError, type Edit } from '../lib/index.ts'
 import type { Edited } from '../view/painter.ts'
 import { CircleTable, type Step } from './circle-table.ts'
-import { EMPTY_HISTORY, type History, record, renamed } from './history.ts'
+import { EMPTY_HISTORY, type History, idsOnceOpened, type Opening, record, renamed, type Scene } from './history.ts'
 
 /** Who computes: a view. */
 export interface Computer {
@@ -14,6 +14,8 @@ export interface Computer {
 export interface Outcome {
   readonly edited: Edited
   readonly history: History
+  /** Whether the circles are other ones than before, with ids of their own. */
+  readonly isOpened: boolean
 }
 
 interface Job {
@@ -34,6 +36,8 @@ export class Editing {
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (problem: string) => void
   #table = new CircleTable(new Float64Array())
+  #scene: Scene | undefined
+  #lastAbsent = 0
   #history = EMPTY_HISTORY
   #jobs: Job[] = []
   #lastGesture = 0
@@ -48,18 +52,23 @@ export class Editing {
     return this.#table
   }
 
+  /** What was opened: the circles as they were then. */
+  get scene(): Scene | undefined {
+    return this.#scene
+  }
+
   /** A number for the edits of one gesture: they become one entry of the history. */
   beginGesture(): number {
     this.#lastGesture += 1
     return this.#lastGesture
   }
 
-  /** Other circles, with a history of their own. */
-  open(circles: Float64Array): Promise<Edited | undefined> {
+  /** Other circles. Undo goes back to those that were there. */
+  open(scene: Scene): Promise<Edited | undefined> {
     return this.#ask(-1, [], async () => {
-      const edited = await this.#computer.open(circles)
-      this.#table = new CircleTable(circles.slice())
-      this.#history = EMPTY_HISTORY
+      const before = this.#before()
+      const edited = await this.#become(scene)
+      this.#history = { done: [...this.#history.done, ...before], undone: [] }
       return edited
     })
   }
@@ -84,7 +93,8 @@ export class Editing {
   /** Takes back what a gesture has done, for good. */
   async cancel(gesture: number): Promise<void> {
     await this.#ask(-1, [], async () => {
-      if (this.#history.done.at(-1)?.gesture !== gesture) return undefined
+      const last = this.#history.done.at(-1)
+      if (last?.kind !== 'edits' || last.gesture !== gesture) return undefined
       const edited = await this.#goBack('done', 'undone')
       this.#history = { done: this.#history.done, undone: [] }
       return edited
@@ -98,18 +108,47 @@ export class Editing {
   async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
     const entry = this.#history[from].at(-1)
     if (entry === undefined) return undefined
+    if (entry.kind === 'opening') return this.#openAgain(entry, from, to)
     const edited = await this.#computer.edit(entry.steps.map(plain))
     const steps = this.#table.apply(entry.steps, edited.inserted)
     const former = entry.steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
-    const back = { steps, gesture: entry.gesture }
+    const back = { ...entry, steps }
     const history = {
       ...this.#history,
       [from]: this.#history[from].slice(0, -1),
       [to]: [...this.#history[to], back],
     } as History
-    this.#history = renamed(history, ids)
+    this.#history = ids.size === 0 ? history : renamed(history, (id) => ids.get(id) ?? id)
     return edited
+  }
+
+  async #openAgain({ scene, ids }: Opening, from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited> {
+    const before = this.#before()
+    const edited = await this.#become(scene)
+    const left = this.#history[from].slice(0, -1)
+    const others = this.#history[to]
+    const idOf = idsOnceOpened(ids, () => --this.#lastAbsent)
+    // What is on the other side is about the circles that go.
+    const kept = renamed({ ...EMPTY_HISTORY, [from]: left }, idOf)[from]
+    this.#history = { ...EMPTY_HISTORY, [from]: kept, [to]: [...others, ...before] }
+    return edited
+  }
+
+  async #become(scene: Scene): Promise<Edited> {
+    const edited = await this.#computer.open(scene.circles)
+    this.#table = new CircleTable(scene.circles.slice())
+    this.#scene = scene
+    return edited
+  }
+
+  /** What goes back to the circles as they are; nothing before the first ones. */
+  #before(): Opening[] {
+    if (this.#scene === undefined) return []
+    const { dataSet, isEdited } = this.#scene
+    const circles = this.#table.circles()
+    const scene = { circles, dataSet, isEdited: isEdited || !isSame(circles, this.#scene.circles) }
+    return [{ kind: 'opening', scene, ids: this.#table.ids() }]
   }
 
   /** A circle as it will be once all that was asked is done, if nothing is refused. */
@@ -138,8 +177,11 @@ export class Editing {
     for (let job = this.#jobs[0]; job !== undefined; job = this.#jobs[0]) {
       let edited: Edited | undefined
       try {
+        const before = this.#table
         edited = await job.run()
-        if (edited !== undefined) this.#onOutcome({ edited, history: this.#history })
+        if (edited !== undefined) {
+          this.#onOutcome({ edited, history: this.#history, isOpened: this.#table !== before })
+        }
       } catch (error) {
         if (!(error instanceof Error)) throw error
         this.#onProblem(
@@ -154,6 +196,10 @@ export class Editing {
 
 function plain(step: Step): Edit {
   return step.kind === 'insert' ? { kind: 'insert', circle: step.circle } : step
+}
+
+function isSame(circles: Float64Array, others: Float64Array): boolean {
+  return circles.length === others.length && circles.every((value, k) => value === others[k])
 }
 
 /** Whether edits put the same circles somewhere else. */

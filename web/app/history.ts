@@ -1,16 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Float64s } from '../lib/index.ts'
 import type { Step } from './circle-table.ts'
 
+/** Circles that are opened at once. */
+export interface Scene {
+  readonly circles: Float64s
+  /** The name of a data set, or empty. */
+  readonly dataSet: string
+  /** Whether the circles are no longer those of the data set. */
+  readonly isEdited: boolean
+}
+
 /** What goes back to before one gesture. */
-interface Entry {
+interface Edits {
+  readonly kind: 'edits'
   readonly steps: readonly Step[]
   readonly gesture: number
 }
 
+/** What goes back to other circles. */
+export interface Opening {
+  readonly kind: 'opening'
+  readonly scene: Scene
+  /** The ids that the circles had, in ascending order. */
+  readonly ids: Int32Array
+}
+
 /** What was done, and what was undone; the newest last. */
 export interface History {
-  readonly done: readonly Entry[]
-  readonly undone: readonly Entry[]
+  readonly done: readonly (Edits | Opening)[]
+  readonly undone: readonly (Edits | Opening)[]
 }
 
 export const EMPTY_HISTORY: History = { done: [], undone: [] }
@@ -18,23 +37,52 @@ export const EMPTY_HISTORY: History = { done: [], undone: [] }
 /** Adds what goes back to before an edit. Edits of one gesture, a drag for instance, become one entry. */
 export function record({ done }: History, steps: readonly Step[], gesture: number): History {
   const last = done.at(-1)
-  if (last?.gesture !== gesture) return { done: [...done, { steps, gesture }], undone: [] }
+  if (last?.kind !== 'edits' || last.gesture !== gesture)
+    return { done: [...done, { kind: 'edits', steps, gesture }], undone: [] }
   // What the gesture has replaced or brought goes back to where it was at first.
   const known = new Set(last.steps.flatMap((step) => (step.kind === 'insert' ? [] : [step.id])))
   const more = steps.filter((step) => step.kind !== 'replace' || !known.has(step.id))
-  return { done: [...done.slice(0, -1), { steps: [...more, ...last.steps], gesture }], undone: [] }
+  return { done: [...done.slice(0, -1), { kind: 'edits', steps: [...more, ...last.steps], gesture }], undone: [] }
 }
 
-/** The history where circles that came back have other ids than they had. */
-export function renamed({ done, undone }: History, ids: ReadonlyMap<number, number>): History {
-  if (ids.size === 0) return { done, undone }
-  const idOf = (id: number) => ids.get(id) ?? id
-  const rename = (entry: Entry): Entry => ({
+/** The history where circles have other ids than they had. What lies behind an opening is about other circles. */
+export function renamed({ done, undone }: History, idOf: (id: number) => number): History {
+  const rename = (entries: History['done']): History['done'] => {
+    const from = entries.findLastIndex(({ kind }) => kind === 'opening') + 1
+    return [...entries.slice(0, from), ...(entries.slice(from) as Edits[]).map(renameEdits)]
+  }
+  const renameEdits = (entry: Edits): Edits => ({
     ...entry,
     steps: entry.steps.map((step) => {
       if (step.kind !== 'insert') return { ...step, id: idOf(step.id) }
       return step.formerId === undefined ? step : { ...step, formerId: idOf(step.formerId) }
     }),
   })
-  return { done: done.map(rename), undone: undone.map(rename) }
+  return { done: rename(done), undone: rename(undone) }
+}
+
+/**
+ * The ids of circles once they are opened: the k-th one gets k. Those of circles that are not there any more, but may come
+ * back, get ids that no circle has: below zero, each another one.
+ */
+export function idsOnceOpened(ids: Int32Array, nextAbsent: () => number): (id: number) => number {
+  const absent = new Map<number, number>()
+  return (id) => {
+    const k = placeOf(ids, id)
+    if (k !== undefined) return k
+    const other = absent.get(id) ?? nextAbsent()
+    absent.set(id, other)
+    return other
+  }
+}
+
+/** Where a number is among ascending ones. */
+function placeOf(ids: Int32Array, id: number): number | undefined {
+  let [from, to] = [0, ids.length]
+  while (from < to) {
+    const middle = (from + to) >> 1
+    if ((ids[middle] as number) < id) from = middle + 1
+    else to = middle
+  }
+  return ids[from] === id ? from : undefined
 }

@@ -4,9 +4,10 @@ import { Painter } from '../view/painter.ts'
 import { listenToPointer } from '../view/pointer.ts'
 import { View } from '../view/view.ts'
 import { Actions } from './actions.ts'
-import { DATA_SETS } from './data-sets.ts'
+import { DATA_SETS, type DataSet } from './data-sets.ts'
 import { Editing } from './editing.ts'
 import { listenToKeyboard } from './input/keyboard.ts'
+import { Keeping } from './keeping.ts'
 import { byId } from './panels/by-id.ts'
 import { mountInspector } from './panels/inspector.ts'
 import { mountStatus } from './panels/status.ts'
@@ -28,19 +29,25 @@ const store = createStore<State>(INITIAL_STATE)
 
 const editing = new Editing(
   view,
-  ({ edited, history }) =>
+  ({ edited, history }) => {
+    // What is shown at first is there without being kept.
+    if (store.get().edited !== undefined) keeping.changed()
     store.update((state) => {
       // What was selected may be gone.
       const selected = state.selected !== undefined && editing.circles.get(state.selected) ? state.selected : undefined
       const circle = selected === undefined ? undefined : editing.circles.get(selected)
-      return { ...state, edited, history, selected, circle, problem: '' }
-    }),
+      const dataSet = editing.scene?.dataSet ?? ''
+      return { ...state, dataSet, edited, history, selected, circle, problem: '' }
+    })
+  },
   (problem) => store.update((state) => ({ ...state, problem })),
 )
 
 /** What the panels at the top and at the bottom cover, and a margin. */
 const padding = (): Padding => ({ top: 72, right: 32, bottom: 64, left: 32 })
 const actions = new Actions(store, editing, view, padding)
+
+const keeping = new Keeping(() => actions.linkState())
 
 let marked: readonly [number | undefined, number | undefined] = [undefined, undefined]
 store.subscribe(({ selected, hovered }) => {
@@ -57,4 +64,7 @@ const editNumbers = mountInspector(store, actions)
 const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, editNumbers)
 
-await actions.load((DATA_SETS[0] as (typeof DATA_SETS)[number]).id)
+const kept = await keeping.begin()
+if (kept === undefined || !(await actions.openLink(kept))) await actions.load((DATA_SETS[0] as DataSet).id)
+view.oncamera = () => keeping.changed()
+window.addEventListener('hashchange', () => location.hash !== '' && actions.openLink(location.hash))

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Float64s } from '../lib/index.ts'
 
 const LARGEST = 0.9
 const SPREAD = 8
 const TRIES = 40
 
-/** Disjoint circles of very different sizes, spread over a rectangle in which each has about one unit of area. */
-export function randomCircles(count: number, random: () => number = Math.random): Float64Array {
+/**
+ * Disjoint circles of very different sizes, spread over a rectangle in which each has about one unit of area; the same ones in
+ * every browser. `random`: gives numbers from 0 to 1.
+ */
+export function randomCircles(count: number, random: () => number): Float64s {
   const width = Math.sqrt(count * 1.5)
   const height = count / width
   // The largest first, since small ones still find room later.
-  const radii = Array.from({ length: count }, () => LARGEST / SPREAD ** random()).sort((r, other) => other - r)
+  const radii = Array.from({ length: count }, () => radiusOf(random())).sort((r, other) => other - r)
   const grid = new Map<string, number[]>()
   const circles = new Float64Array(3 * count)
   const key = (column: number, row: number) => `${column},${row}`
@@ -21,7 +25,7 @@ export function randomCircles(count: number, random: () => number = Math.random)
       for (let w = row - 1; w <= row + 1; w++) {
         for (const i of grid.get(key(c, w)) ?? []) {
           const [otherX, otherY, otherR] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
-          if (Math.hypot(x - otherX, y - otherY) < r + otherR) return true
+          if ((x - otherX) * (x - otherX) + (y - otherY) * (y - otherY) < (r + otherR) * (r + otherR)) return true
         }
       }
     }
@@ -43,4 +47,20 @@ export function randomCircles(count: number, random: () => number = Math.random)
     grid.set(home, [...(grid.get(home) ?? []), i])
   })
   return circles
+}
+
+/** With the functions that are the same everywhere. */
+function radiusOf(share: number): number {
+  return LARGEST / (1 + (SPREAD - 1) * share * share)
+}
+
+/** Numbers from 0 to 1, as good as random, of a whole number (mulberry32, by Tommy Ettinger). */
+export function randomNumbers(seed: number): () => number {
+  let state = seed | 0
+  return () => {
+    state = (state + 0x6d2b79f5) | 0
+    let bits = Math.imul(state ^ (state >>> 15), 1 | state)
+    bits = (bits + Math.imul(bits ^ (bits >>> 7), 61 | bits)) ^ bits
+    return ((bits ^ (bits >>> 14)) >>> 0) / 2 ** 32
+  }
 }

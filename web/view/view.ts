@@ -33,6 +33,9 @@ export class View {
   /** Called when what is known of the circles that stand out has changed. */
   onmarked: ((marks: Marks) => void) | undefined
 
+  /** Called when what is looked at has changed. */
+  oncamera: (() => void) | undefined
+
   constructor(container: HTMLElement, painter: Painter) {
     this.#container = container
     this.#base = container.appendChild(document.createElement('canvas'))
@@ -82,6 +85,7 @@ export class View {
 
   set camera(camera: Camera) {
     this.#camera = camera
+    this.oncamera?.()
     this.#baseChanged = true
     this.#overlayChanged = true
     this.#schedule()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Actions } from '../actions.ts'
-import { DATA_SETS } from '../data-sets.ts'
+import { DATA_SETS, dataSetOf } from '../data-sets.ts'
 import type { State } from '../state.ts'
 import type { Store } from '../store.ts'
 import { byId } from './by-id.ts'
@@ -15,7 +15,9 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
   const undo = byId('undo', HTMLButtonElement)
   const redo = byId('redo', HTMLButtonElement)
 
-  dataSet.append(...DATA_SETS.map(({ id, label }) => new Option(label, id)))
+  const own = new Option('Your circles', '')
+  own.hidden = true
+  dataSet.append(own, ...DATA_SETS.map(({ id, label }) => new Option(label, id)))
   dataSet.addEventListener('change', () => actions.load(dataSet.value))
   again.addEventListener('click', () => actions.load(dataSet.value))
   add.addEventListener('click', () => actions.toggleAdding())
@@ -30,8 +32,9 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
   }
 
   store.subscribe((state) => {
-    if (state.dataSet !== '') dataSet.value = state.dataSet
-    again.hidden = !DATA_SETS.find(({ id }) => id === state.dataSet)?.isRandom
+    const chosen = dataSetOf(state.dataSet)
+    dataSet.value = chosen?.id ?? ''
+    again.hidden = chosen?.count === undefined
     add.setAttribute('aria-pressed', String(state.isAdding))
     disable(remove, state.selected === undefined)
     disable(undo, state.history.done.length === 0)

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Links, what is there again after a reload or in the next tab, and other circles that throw nothing away.
+import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { App, dataSet, expect, test } from './page.ts'
+
+const INTRODUCTION = dataSet('introduction')
+const hashOf = (app: App) => new URL(app.page.url()).hash
+
+test('the address is that of what is shown, and another page shows the same', async ({ app, browser }) => {
+  expect(hashOf(app)).toBe('')
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 4)
+  await app.page.mouse.click(at.x, at.y)
+  await app.field('x').fill('-3.25')
+  await app.field('x').press('Enter')
+  await expect
+    .poll(() => decodeLink(hashOf(app)).catch(() => undefined))
+    .toMatchObject({
+      dataSet: 'introduction',
+      edits: [{ kind: 'replace', id: 4, circle: { x: -3.25, y: INTRODUCTION[13], r: INTRODUCTION[14] } }],
+    })
+
+  const context = await browser.newContext()
+  const other = new App(await context.newPage())
+  await other.page.goto(app.page.url())
+  await expect(other.status).toContainText('14 circles')
+  await expect(other.page.getByLabel('Data set')).toHaveValue('introduction')
+  await expect(other.page.getByRole('button', { name: 'Undo' })).toBeEnabled()
+  await other.page.mouse.click(at.x, at.y)
+  await expect(other.field('x')).toHaveValue('-3.25')
+  // It is an edit like any other.
+  await other.page.keyboard.press('Control+z')
+  await expect(other.field('x')).toHaveValue(String(INTRODUCTION[12]))
+  await context.close()
+})
+
+test('the view is in the address unless everything is shown', async ({ app }) => {
+  await app.page.mouse.move(640, 400)
+  await app.page.mouse.wheel(0, -300)
+  await expect.poll(async () => (await decodeLink(hashOf(app)).catch(() => undefined))?.view?.span).toBeLessThan(10)
+  const span = (await decodeLink(hashOf(app))).view?.span as number
+  await app.page.reload()
+  await expect(app.status).toContainText('678 circles')
+  await app.page.mouse.wheel(0, 1)
+  await expect.poll(async () => (await decodeLink(hashOf(app))).view?.span).not.toBe(span)
+  expect((await decodeLink(hashOf(app))).view?.span).toBeCloseTo(span, 1)
+})
+
+test('a link that is pasted into the address is shown, and undo goes back', async ({ app }) => {
+  const link = await encodeLink({
+    circles: [
+      [0, 0, 1],
+      [6, 0, 1],
+      [0, 8, 1],
+    ],
+  })
+  await app.page.evaluate((link) => {
+    location.hash = link
+  }, link)
+  await expect(app.status).toContainText('3 circles')
+  await expect(app.page.getByLabel('Data set')).toHaveValue('')
+  await app.page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('678 circles')
+  await expect(app.page.getByLabel('Data set')).toHaveValue('bronzefilter')
+  await app.page.getByRole('button', { name: 'Redo' }).click()
+  await expect(app.status).toContainText('3 circles')
+})
+
+test('choosing another data set throws no edits away', async ({ app }) => {
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 4)
+  await app.page.mouse.click(at.x, at.y)
+  await app.page.keyboard.press('Delete')
+  await expect(app.status).toContainText('13 circles')
+  await app.choose('Spruces')
+  await expect(app.status).toContainText('134 circles')
+  const undo = app.page.getByRole('button', { name: 'Undo' })
+  await undo.click()
+  await expect(app.status).toContainText('13 circles')
+  await expect(app.page.getByLabel('Data set')).toHaveValue('introduction')
+  await undo.click()
+  await expect(app.status).toContainText('14 circles')
+})
+
+for (const [what, link, says] of [
+  ['damaged', 'v1.AAAA', /cannot be read/],
+  ['from a later version', 'v9.AAAA', /version 9/],
+  ['to what no page has', undefined, /no data set/],
+  ['with a circle that is none', undefined, /radius/],
+] as const) {
+  test(`a link that is ${what} shows an error, and the page works`, async ({ app }) => {
+    const made =
+      what === 'to what no page has'
+        ? await encodeLink({ dataSet: '../../etc/passwd' })
+        : await encodeLink({ circles: [[0, 0, -1]], view: { x: 1e300, y: 0, span: 1e-300 } })
+    await app.page.goto(`/#${link ?? made}`)
+    await app.page.reload()
+    await expect(app.page.getByRole('alert')).toContainText(says)
+    await expect(app.status).toContainText('678 circles')
+    await app.choose('Introduction')
+    await expect(app.status).toContainText('14 circles')
+    await expect(app.page.getByRole('alert')).toBeHidden()
+  })
+}
+
+test('a tab that was closed loses nothing, and two tabs do not destroy each other’s', async ({ app }) => {
+  const context = app.page.context()
+  await app.choose('Introduction')
+  await expect.poll(() => hashOf(app)).not.toBe('')
+  const second = new App(await context.newPage())
+  await second.open()
+  await expect(second.status).toContainText('678 circles')
+  await second.choose('Spruces')
+  await expect.poll(() => hashOf(second)).not.toBe('')
+  await app.page.goto('/')
+  await expect(app.status).toContainText('14 circles')
+  await second.page.close()
+  const third = new App(await context.newPage())
+  await third.open()
+  await expect(third.status).toContainText('134 circles')
+  await expect(app.status).toContainText('14 circles')
+})

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { CircleTable } from '../../web/app/circle-table.ts'
+import { dataSetOf, loadDataSet, nameOf } from '../../web/app/data-sets.ts'
+import { cameraOf, circlesOfLink, viewOfLink } from '../../web/app/scene-link.ts'
+import { SceneStorage } from '../../web/app/scene-storage.ts'
+import { library } from './library.ts'
+
+const THREE = Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 1)
+const scene = { circles: THREE, dataSet: 'three', isEdited: false }
+
+describe('what a link says of circles', () => {
+  it('is their data set, and what was done with them', () => {
+    const table = new CircleTable(THREE.slice())
+    expect(circlesOfLink(scene, table)).toEqual({ dataSet: 'three' })
+    table.apply([{ kind: 'remove', id: 1 }], new Int32Array())
+    const edits = [{ kind: 'remove', id: 1 }]
+    expect(circlesOfLink(scene, table)).toEqual({ dataSet: 'three', edits })
+  })
+
+  it('is the circles where there is no data set, or much was done', () => {
+    const table = new CircleTable(THREE.slice())
+    expect(circlesOfLink({ ...scene, dataSet: '' }, table)).toEqual({ circles: THREE })
+    expect(circlesOfLink({ ...scene, isEdited: true }, table)).toEqual({ circles: THREE })
+    for (const id of [0, 1, 2]) table.apply([{ kind: 'replace', id, circle: { x: id, y: 0, r: 0 } }], new Int32Array())
+    expect(circlesOfLink(scene, table)).toEqual({ circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0) })
+  })
+
+  it('makes the same circles of the data set again', () => {
+    const circle = fc.record({ x: fc.integer({ min: 0, max: 9 }), y: fc.constant(5), r: fc.constantFrom(0, 1) })
+    const step = fc.oneof(
+      circle.map((circle) => ({ circle })),
+      fc.record({ k: fc.nat() }),
+      fc.record({ k: fc.nat(), circle }),
+    )
+    const many = Float64Array.from({ length: 3 * 40 }, (_, k) => (k % 3 === 2 ? 0 : k))
+    fc.assert(
+      fc.property(fc.array(step, { maxLength: 12 }), (steps) => {
+        const editor = library.edit(many)
+        const table = new CircleTable(many.slice())
+        for (const step of steps) {
+          const id = 'k' in step ? (editor.ids()[step.k % editor.size()] as number) : -1
+          const edit = !('k' in step)
+            ? { kind: 'insert' as const, ...step }
+            : 'circle' in step
+              ? { kind: 'replace' as const, id, circle: step.circle }
+              : { kind: 'remove' as const, id }
+          table.apply([edit], editor.apply([edit]).inserted)
+        }
+        const { edits = [], dataSet } = circlesOfLink({ ...scene, circles: many }, table)
+        expect(dataSet).toBe('three')
+        const again = library.edit(many)
+        again.apply(edits)
+        expect(again.snapshot().circles).toEqual(table.circles())
+        editor.dispose()
+        again.dispose()
+      }),
+      { numRuns: 50 },
+    )
+  })
+})
+
+it('a view is the same in windows of all sizes', () => {
+  const size = { width: 800, height: 600 }
+  const camera = { x: 3, y: -4, scale: 7 }
+  expect(cameraOf(viewOfLink(camera, size), size)).toEqual({ x: 3, y: -4, scale: expect.closeTo(7, 12) })
+  expect(cameraOf(viewOfLink(camera, size), { width: 300, height: 500 })).toEqual({
+    x: 3,
+    y: -4,
+    scale: expect.closeTo(3.5, 12),
+  })
+})
+
+it('a data set is found by the name of its circles, which are always the same', async () => {
+  const random = dataSetOf('random:17')
+  expect(random?.label).toBe('Random')
+  expect(await loadDataSet('random:17')).toEqual(await loadDataSet('random:17'))
+  expect(await loadDataSet('random:18')).not.toEqual(await loadDataSet('random:17'))
+  expect((await loadDataSet('random:17')).slice(0, 3)).toEqual(
+    Float64Array.of(16.93067694602141, 9.222793535997404, 0.899472125773846),
+  )
+  for (const name of ['', 'random', 'random:', 'random:x', 'random:1e3', 'spruces:1', '../spruces', '__proto__']) {
+    expect(dataSetOf(name), name).toBeUndefined()
+    await expect(loadDataSet(name)).rejects.toThrow('There is no data set of this name.')
+  }
+  expect(dataSetOf(nameOf({ id: 'random', label: '', count: 300 }))?.id).toBe('random')
+})
+
+/** A storage with room for so many letters. */
+class Room implements Storage {
+  readonly #items = new Map<string, string>()
+  readonly #letters: number
+  constructor(letters = Number.POSITIVE_INFINITY) {
+    this.#letters = letters
+  }
+  get length() {
+    return this.#items.size
+  }
+  key(k: number) {
+    return [...this.#items.keys()][k] ?? null
+  }
+  getItem(key: string) {
+    return this.#items.get(key) ?? null
+  }
+  removeItem(key: string) {
+    this.#items.delete(key)
+  }
+  setItem(key: string, value: string) {
+    const others = [...this.#items].filter(([name]) => name !== key)
+    if (others.join('').length + key.length + value.length > this.#letters)
+      throw new DOMException('', 'QuotaExceededError')
+    this.#items.set(key, value)
+  }
+  clear() {
+    this.#items.clear()
+  }
+}
+
+/** The tabs of a browser. */
+class Browser {
+  readonly all: Room
+  readonly #held = new Map<string, object>()
+
+  constructor(letters?: number) {
+    this.all = new Room(letters)
+  }
+
+  async open(goesOn = true, ofTab = new Room(), isReload = false) {
+    const tab = {}
+    const locks = {
+      request: async (name: string, _: object, hold: (lock: object | null) => unknown) => {
+        const isFree = !this.#held.has(name)
+        if (isFree) this.#held.set(name, tab)
+        await hold(isFree ? {} : null)
+      },
+      query: async () => ({ held: [...this.#held.keys()].map((name) => ({ name })) }),
+    } as unknown as LockManager
+    const storage = await SceneStorage.claim({ all: this.all, ofTab, locks, isReload }, goesOn)
+    const close = () => {
+      for (const [name, holder] of this.#held) if (holder === tab) this.#held.delete(name)
+    }
+    return { storage, ofTab, close }
+  }
+}
+
+describe('the storage of scenes', () => {
+  it('goes on in a new tab where one that was closed ended', async () => {
+    const browser = new Browser()
+    const first = await browser.open()
+    expect(first.storage.read()).toBeUndefined()
+    await first.storage.write('v1.a')
+    first.close()
+    expect((await browser.open()).storage.read()).toBe('v1.a')
+  })
+
+  it('has a place for each tab', async () => {
+    const browser = new Browser()
+    const [first, second] = [await browser.open(), await browser.open()]
+    await first.storage.write('v1.a')
+    await second.storage.write('v1.b')
+    expect([first.storage.read(), second.storage.read()]).toEqual(['v1.a', 'v1.b'])
+    // One that is loaded again.
+    first.close()
+    expect((await browser.open(true, first.ofTab, true)).storage.read()).toBe('v1.a')
+    // One that is duplicated.
+    const copy = new Room()
+    copy.setItem('circle-voronoi/', second.ofTab.getItem('circle-voronoi/') as string)
+    const third = await browser.open(true, copy)
+    expect(third.storage.read()).toBeUndefined()
+    await third.storage.write('v1.c')
+    expect(second.storage.read()).toBe('v1.b')
+  })
+
+  it('leaves what a closed tab kept where a tab is opened by a link', async () => {
+    const browser = new Browser()
+    const first = await browser.open()
+    await first.storage.write('v1.a')
+    first.close()
+    await (await browser.open(false)).storage.write('v1.b')
+    expect((await browser.open()).storage.read()).toBe('v1.a')
+  })
+
+  it('makes room by what closed tabs have left, the oldest first, and never by that of open ones', async () => {
+    const browser = new Browser(400)
+    const open = await browser.open()
+    await open.storage.write('v1.open')
+    for (const link of ['v1.older', 'v1.newer']) {
+      const tab = await browser.open(false)
+      await tab.storage.write(link)
+      tab.close()
+      await new Promise((resolve) => setTimeout(resolve, 2))
+    }
+    const large = await browser.open(false)
+    await large.storage.write('x'.repeat(150))
+    expect(large.storage.read()).toBe('x'.repeat(150))
+    expect(open.storage.read()).toBe('v1.open')
+    expect((await browser.open()).storage.read()).toBe('v1.newer')
+    // What has no room at all is not kept, and nothing else happens.
+    await large.storage.write('y'.repeat(500))
+    expect(large.storage.read()).toBe('x'.repeat(150))
+    expect(open.storage.read()).toBe('v1.open')
+  })
+
+  it('keeps ten of closed tabs', async () => {
+    const browser = new Browser()
+    for (let k = 0; k < 14; k++) {
+      const tab = await browser.open(false)
+      await tab.storage.write(`v1.${k}`)
+      tab.close()
+    }
+    await (await browser.open(false)).storage.write('v1.last')
+    expect(browser.all.length).toBe(11)
+  })
+
+  it('keeps the one of a tab where there are no locks', async () => {
+    const [all, ofTab] = [new Room(), new Room()]
+    const surroundings = { all, ofTab, locks: undefined, isReload: false }
+    await (await SceneStorage.claim(surroundings, true)).write('v1.a')
+    expect((await SceneStorage.claim(surroundings, true)).read()).toBe('v1.a')
+    expect((await SceneStorage.claim({ ...surroundings, ofTab: new Room() }, true)).read()).toBeUndefined()
+  })
+})

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../lib/diagram-data.ts'
+import type { Circle, Edit } from '../lib/index.ts'
+import type { LinkState, LinkView } from '../lib/link.ts'
+import type { Camera, Size } from '../view/camera.ts'
+import type { CircleTable } from './circle-table.ts'
+import type { Scene } from './history.ts'
+
+/** What a link says of circles that were opened as `scene` and are now those of a table: whichever is shorter. */
+export function circlesOfLink(scene: Scene, table: CircleTable): Pick<LinkState, 'circles' | 'dataSet' | 'edits'> {
+  const { dataSet, isEdited, circles } = scene
+  if (dataSet === '' || isEdited) return { circles: table.circles() }
+  const edits = editsFrom(circles, table)
+  if (edits.length === 0) return { dataSet }
+  return edits.length < circles.length / 3 ? { dataSet, edits } : { circles: table.circles() }
+}
+
+/** Edits that make the circles of a table of these, which had the ids from 0 on. */
+export function editsFrom(circles: Float64Array, table: CircleTable): Edit[] {
+  const edits: Edit[] = []
+  const count = circles.length / 3
+  for (let id = 0; id < count; id++) {
+    const circle = table.get(id)
+    if (circle === undefined) edits.push({ kind: 'remove', id })
+    else if (!isCircle(circles, id, circle)) edits.push({ kind: 'replace', id, circle })
+  }
+  for (let id = table.next(count, 1); id !== undefined; id = table.next(id + 1, 1)) {
+    edits.push({ kind: 'insert', circle: table.get(id) as Circle })
+  }
+  return edits
+}
+
+/** What is looked at, whatever the size of the window. */
+export function viewOfLink({ x, y, scale }: Camera, { width, height }: Size): LinkView {
+  return { x, y, span: Math.min(width, height) / scale }
+}
+
+export function cameraOf({ x, y, span }: LinkView, { width, height }: Size): Camera {
+  return { x, y, scale: Math.min(width, height) / span }
+}
+
+function isCircle(circles: Float64Array, i: number, { x, y, r }: Circle): boolean {
+  return at(circles, 3 * i) === x && at(circles, 3 * i + 1) === y && at(circles, 3 * i + 2) === r
+}
