@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `npm run bench [-- --sizes N,... --families NAME|FILE,... ...]`: builds the benchmark and runs it, natively (the table and
 // build/bench/native.json; circle-voronoi-bench explains its options), then the WebAssembly build against the native one
-// on circles of the same kind (build/bench/wasm.json).
+// on circles of the same kind (build/bench/wasm.json). With `-- --edits` the table of edits, natively and in WebAssembly.
 import { mkdirSync, writeFileSync } from 'node:fs'
+import { benchEdits } from './bench-edits.mjs'
 import { benchWasm } from './bench-wasm.mjs'
 import { buildLib, buildNative, buildWasm } from './build.mjs'
 import { realData } from './data.mjs'
-import { main, ROOT, run } from './run.mjs'
+import { main, outcomeOf, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
 const FAMILIES = 'uniform,log-uniform,hidden,hexagonal,grid,rows,intersecting,one-huge,ring'
@@ -22,11 +23,19 @@ await main(async () => {
   const [cities] = realData()
   const isTable = ['--cliffs', '--edits', '--files'].includes(chosen[0])
   const families = isTable || chosen.includes('--families') ? [] : ['--families', `${FAMILIES},${cities}`]
-  await run(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen])
+  const { status, output } = await outcomeOf(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen], {
+    isShown: true,
+  })
+  if (status !== 0) throw new Error('The benchmark failed.')
 
-  if (chosen.length > 0) return
+  const isOfEdits = chosen[0] === '--edits'
+  if (chosen.length > 0 && !isOfEdits) return
   await buildWasm('package')
   await buildLib()
+  if (isOfEdits) {
+    console.table(await benchEdits(output))
+    return
+  }
   const rows = await benchWasm(FAMILIES.split(','), WASM_SIZES, REPETITIONS)
   console.table(rows)
   mkdirSync(`${ROOT}build/bench`, { recursive: true })

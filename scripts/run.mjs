@@ -10,14 +10,31 @@ export const ROOT = fileURLToPath(new URL('..', import.meta.url))
  * Resolves with its exit status.
  */
 export function statusOf(program, args, env = {}) {
-  return new Promise((resolve, reject) => {
-    const child = spawn(program, args, {
-      cwd: ROOT,
-      stdio: ['ignore', 'inherit', 'inherit'],
-      env: { ...process.env, ...env },
+  return ended(start(program, args, env, 'inherit'))
+}
+
+/** The same, with what it prints, in the order in which it did; `isShown`: shown as well. */
+export async function outcomeOf(program, args, { env = {}, isShown = false } = {}) {
+  const child = start(program, args, env, 'pipe')
+  let output = ''
+  for (const stream of [child.stdout, child.stderr]) {
+    stream.setEncoding('utf8').on('data', (text) => {
+      output += text
+      if (isShown) process.stdout.write(text)
     })
+  }
+  return { status: await ended(child), output }
+}
+
+function start(program, args, env, output) {
+  return spawn(program, args, { cwd: ROOT, stdio: ['ignore', output, output], env: { ...process.env, ...env } })
+}
+
+/** After its last output. */
+function ended(child) {
+  return new Promise((resolve, reject) => {
     child.once('error', reject)
-    child.once('exit', (code) => resolve(code ?? 1))
+    child.once('close', (code) => resolve(code ?? 1))
   })
 }
 

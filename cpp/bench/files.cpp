@@ -58,7 +58,7 @@ void benchCircles(const std::string& name, const std::vector<Circle>& circles, c
       {"compute", [&] { (void)compute(circles); }},
       {"csv read", [&] { (void)readCircles(readAll(path("circles.csv")), "csv"); }},
       {"json written", [&] { writeTo(path("json"), [&](std::ostream& out) { writeJson(out, diagram); }); }},
-      {"verify",
+      {"certify",
        [&] {
          const auto read = readDiagram(readAll(path("json")), "json");
          if (!certify(read.value()).value().certified()) std::abort();

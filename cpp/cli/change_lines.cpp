@@ -38,7 +38,7 @@ class LineWriter {
 
   void put(std::int32_t value) { number(value); }
   void put(const Circle& c) { numbers(c.x, c.y, c.r); }
-  void put(const Vertex& v) { numbers(v.x, v.y, v.radius); }
+  void put(const Vertex& v) { numbers(v.x, v.y, v.r); }
   void put(const std::array<CircleId, 3>& ids) { numbers(ids[0], ids[1], ids[2]); }
   void put(const EditedHider& hider) { numbers(hider.circle, hider.by); }
   void put(const EditedEdge& edge) { numbers(edge.left, edge.right, edge.start, edge.end); }

@@ -7,11 +7,11 @@ namespace circle_voronoi::cli {
 
 // Each adds one command to the program. A command runs while the command line is parsed, and may throw Failure.
 
+void addCertifyCommand(CLI::App& program);
 void addComputeCommand(CLI::App& program);
 void addConvertCommand(CLI::App& program);
 void addEditCommand(CLI::App& program);
 void addGenerateCommand(CLI::App& program);
 void addTileCommand(CLI::App& program);
-void addVerifyCommand(CLI::App& program);
 
 }  // namespace circle_voronoi::cli

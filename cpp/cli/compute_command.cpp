@@ -85,7 +85,7 @@ void addComputeCommand(CLI::App& program) {
   command
       ->add_option(
           "FILE", arguments->input,
-          "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property radius; - is standard input")
+          "Circles: CSV x,y,r or with a header, JSON, or GeoJSON points with a property r; - is standard input")
       ->type_name("")
       ->required();
   addWeightsOption(*command, arguments->weights);
@@ -115,7 +115,7 @@ void addComputeCommand(CLI::App& program) {
       "  json      the diagram: circles, hidden circles, vertices, edges, hull and stats\n"
       "  csv       its vertices and edges\n"
       "  svg       a drawing with true curves, a group for each layer\n"
-      "  geojson   the cells as polygons, with circle, radius, area and neighbors\n"
+      "  geojson   the cells as polygons, with circle, r, area and neighbors\n"
       "  geojsonl  the same features, one a line\n"
       "  wkt       the cells as well-known text, a line for each circle\n"
       "  obj       the edges and cells as Wavefront OBJ\n"

@@ -70,7 +70,8 @@ void addConvertCommand(CLI::App& program) {
   command->add_flag("--circles", arguments->circlesAlone, "Of a diagram, write the circles alone");
   addProgressOption(*command, arguments->progress);
   command->footer(
-      "Circles become csv, json or geojson (points with a radius). A diagram becomes any format of compute, without "
+      "Circles become csv, json or geojson (points with a property r). A diagram becomes any format of compute, "
+      "without "
       "being\n"
       "computed again.");
   command->callback([arguments] { runConvert(*arguments); });

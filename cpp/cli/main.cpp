@@ -51,12 +51,12 @@ int main(int argumentCount, char** arguments) {
     CLI::App program("Voronoi diagram of circles", "circle-voronoi");
     program.set_version_flag("--version", "circle-voronoi " CIRCLE_VORONOI_VERSION);
     program.require_subcommand(1);
+    addCertifyCommand(program);
     addComputeCommand(program);
     addConvertCommand(program);
     addEditCommand(program);
     addGenerateCommand(program);
     addTileCommand(program);
-    addVerifyCommand(program);
     program.footer(exitStatuses());
     checkCommand(program, argumentCount, arguments);
     try {

@@ -56,7 +56,7 @@ void addOutputOptions(CLI::App& command, Output& output) {
       ->type_name("FORMAT")
       ->check(CLI::IsMember(kFormats));
   command
-      .add_option("--box", output.box,
+      .add_option("--bounds", output.bounds,
                   "svg, geojson, geojsonl, wkt, obj: the box to clip to; by default some room around the circles")
       ->type_name("MINX,MINY,MAXX,MAXY")
       ->check([](const std::string& text) {
@@ -107,7 +107,7 @@ void settle(Output& output, const std::string& input) {
   }
   if (output.format == "stats" && output.digits) throw Failure{kBadInput, "--digits is not for --format stats."};
   if (kExports.contains(output.format)) return;
-  const char* unused = !output.box.empty()    ? "--box"
+  const char* unused = !output.bounds.empty() ? "--bounds"
                        : output.tolerance > 0 ? "--tolerance"
                        : output.maxDistance   ? "--max-distance"
                                               : nullptr;
@@ -117,7 +117,7 @@ void settle(Output& output, const std::string& input) {
 
 ExportOptions exportOptions(const Output& output) {
   ExportOptions options;
-  if (!output.box.empty()) (void)readBox(output.box, options.box.emplace());
+  if (!output.bounds.empty()) (void)readBox(output.bounds, options.bounds.emplace());
   if (output.tolerance > 0) options.tolerance = output.tolerance;
   options.maxDistance = output.maxDistance;
   options.digits = output.digits;

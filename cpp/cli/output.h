@@ -18,7 +18,7 @@ namespace circle_voronoi::cli {
 struct Output {
   std::string file = kStandardStream;
   std::string format;    ///< empty until settled: that of the file's name, or else json
-  std::string box;       ///< MINX,MINY,MAXX,MAXY; empty: the default
+  std::string bounds;    ///< MINX,MINY,MAXX,MAXY; empty: the default
   double tolerance = 0;  ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};

@@ -67,7 +67,7 @@ mode_t permissionsOfNewFiles() {
 std::streamsize DescriptorBuffer::xsputn(const char* text, std::streamsize size) {
   std::streamsize done = 0;
   while (done < size && error_ == 0) {
-    const ssize_t written = write(descriptor_, text + done, static_cast<std::size_t>(size - done));
+    const ssize_t written = ::write(descriptor_, text + done, static_cast<std::size_t>(size - done));
     if (written >= 0) {
       done += written;
     } else if (errno != EINTR) {

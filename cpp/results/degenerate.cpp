@@ -40,7 +40,7 @@ std::map<std::string, int> degreesOf(const MergedDiagram& merged) {
 double spreadOf(const Diagram& diagram, double reference) {
   double most = 0;
   for (const Vertex& v : diagram.vertices) {
-    if (std::abs(v.radius - reference) < 1e-6 * reference) most = std::max(most, std::hypot(v.x, v.y));
+    if (std::abs(v.r - reference) < 1e-6 * reference) most = std::max(most, std::hypot(v.x, v.y));
   }
   return 2 * most;
 }
@@ -82,7 +82,7 @@ void drawMiddle(const std::filesystem::path& folder, std::span<const Circle> cir
   SvgFigure figure;
   figure.pixels = 420;
   const double reach = scale * spread / 12;
-  figure.frame.box = Box{-reach, -reach, reach, reach};
+  figure.frame.bounds = Box{-reach, -reach, reach, reach};
   figure.groups = {"edges", "vertices"};
   draw(folder, "figure-15c", large, diagramOf(large), figure);
 }

@@ -94,7 +94,7 @@ SvgLayer leftoverLayer(std::span<const Circle> circles) {
     // Of several between the same circles it is the last whose disc of R_min is no larger: each has the part of the
     // bisector from there to the next.
     const auto gone = std::ranges::find_if(alive.rbegin(), alive.rend(), [&](const Placed& placed) {
-      return placed.a == a && placed.b == b && placed.disc.radius <= event.disc.radius;
+      return placed.a == a && placed.b == b && placed.disc.r <= event.disc.r;
     });
     if (gone != alive.rend()) alive.erase(std::next(gone).base());
   };
@@ -109,8 +109,8 @@ SvgLayer antipodalLayer(std::span<const Circle> circles) {
   SvgLayer layer{.name = "antipodal"};
   Options options = touchingDisc(Candidates::allPairs);
   options.observer = [&](const TraceEvent& event) {
-    if (event.kind != TraceKind::antipodalDiscAccepted || event.disc.radius <= 0) return;
-    layer.discs.push_back({event.disc.x, event.disc.y, event.disc.radius});
+    if (event.kind != TraceKind::antipodalDiscAccepted || event.disc.r <= 0) return;
+    layer.discs.push_back({event.disc.x, event.disc.y, event.disc.r});
   };
   diagramOf(circles, options);
   return layer;
@@ -150,7 +150,7 @@ void draw(const std::filesystem::path& folder, const std::string& name, std::spa
   const auto path = folder / (name + ".svg");
   std::ofstream file(path);
   figure.style = figureStyle();
-  const Box box = figure.frame.box.value_or(exportBox(circles));
+  const Box box = figure.frame.bounds.value_or(exportBox(circles));
   if (!figure.frame.tolerance) {
     // A tenth of a pixel.
     figure.frame.tolerance = 0.1 * std::max(box.maxX - box.minX, box.maxY - box.minY) / figure.pixels;

@@ -48,7 +48,7 @@ Json figure5And13(const Path& folder) {
   const Diagram diagram = diagramOf(circles, touchingDisc(Candidates::dynamic, 1));
   SvgFigure figure;
   figure.pixels = 480;
-  figure.frame.box = Box{-3.4, -2.6, 1.3, 2.6};
+  figure.frame.bounds = Box{-3.4, -2.6, 1.3, 2.6};
   figure.groups = {"circles"};
   figure.layers = {centresLayer(circles)};
   draw(folder, "figure-5d", circles, diagram, figure);
@@ -102,14 +102,14 @@ Json figure12(const Path& folder) {
   const PrintedResult printed = runPrinted(circles, pairAll(static_cast<int>(circles.size())));
   SvgFigure figure;
   figure.pixels = 480;
-  figure.frame.box = Box{-4, -4.2, 7.4, 5};
+  figure.frame.bounds = Box{-4, -4.2, 7.4, 5};
   figure.groups = {"circles"};
-  figure.layers = {segmentsLayer(circles, printed, *figure.frame.box), leftoverLayer(circles, printed)};
+  figure.layers = {segmentsLayer(circles, printed, *figure.frame.bounds), leftoverLayer(circles, printed)};
   draw(folder, "figure-12-printed", circles, diagram, figure);
   figure.groups = {"circles", "edges"};
   figure.layers = {antipodalLayer(circles), leftoverLayer(circles)};
   draw(folder, "figure-12", circles, diagram, figure);
-  const auto negative = std::ranges::count_if(diagram.vertices, [](const Vertex& v) { return v.radius < 0; });
+  const auto negative = std::ranges::count_if(diagram.vertices, [](const Vertex& v) { return v.r < 0; });
   return {{"leftoverPrinted", printed.leftover.size()},
           {"leftover", diagram.hull.size()},
           {"verticesInside", negative},
@@ -161,7 +161,7 @@ Json figure14(const Path& folder, std::size_t n) {
   figure.frame.tolerance = 12 * (whole.maxX - whole.minX) / figure.pixels;  // dots in steps of about a pixel
   draw(folder, "figure-14-whole", circles, diagram, figure);
 
-  figure.frame.box = part;
+  figure.frame.bounds = part;
   figure.frame.tolerance = std::nullopt;
   figure.pixels = 700;
   figure.groups = {"circles", "edges"};

@@ -35,7 +35,7 @@ struct Listed {
   std::int64_t order = 0;
 
   friend bool operator<(const Listed& u, const Listed& v) {  // the queue serves the largest first
-    return u.disc.radius != v.disc.radius ? u.disc.radius > v.disc.radius : u.order > v.order;
+    return u.disc.r != v.disc.r ? u.disc.r > v.disc.r : u.order > v.order;
   }
 };
 
@@ -118,13 +118,13 @@ class Printed {
   }
 
   bool isEmpty(const Listed& antipodal, Vector v) {
-    if (antipodal.disc.radius < 0) return true;
+    if (antipodal.disc.r < 0) return true;
     for (const auto& [i, direction] : {std::pair{antipodal.circles[0], v}, std::pair{antipodal.circles[1], minus(v)}}) {
       for (const int index : closeTo(i, direction, kNothing)) {
         const int near = edge(index).a == i ? edge(index).b : edge(index).a;
         if (near == antipodal.circles[0] || near == antipodal.circles[1]) continue;
         const double distance = length({antipodal.disc.x - circle(near).x, antipodal.disc.y - circle(near).y});
-        if (distance - circle(near).r < antipodal.disc.radius * (1 - kNear)) return false;
+        if (distance - circle(near).r < antipodal.disc.r * (1 - kNear)) return false;
       }
     }
     return true;
@@ -181,7 +181,7 @@ class Printed {
     const auto [a, b, c] = std::array{edge(first).a, edge(first).b, edge(second).b};
     if (c == a) return;
     const auto disc = threeTouchDisc(circle(a), circle(c), circle(b));
-    if (!disc || disc->disc.radius < 0) return;
+    if (!disc || disc->disc.r < 0) return;
     if (isRight(edge(first), disc->disc) && isRight(edge(second), disc->disc)) {
       list({disc->disc, {a, b, c}, {first, second, kNothing}});
     }
@@ -286,7 +286,7 @@ std::vector<Triple> outerVertices(std::span<const Circle> circles, const Diagram
   std::vector<Triple> triples;
   for (Triple triple : diagram.vertexCircles) {
     const auto disc = threeTouchDisc(circle(triple[0]), circle(triple[1]), circle(triple[2]));
-    if (disc && disc->disc.radius < 0) continue;
+    if (disc && disc->disc.r < 0) continue;
     std::ranges::rotate(triple, std::ranges::min_element(triple));
     triples.push_back(triple);
   }

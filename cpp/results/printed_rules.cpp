@@ -46,11 +46,11 @@ void drawCounterexample(const std::filesystem::path& folder, const Counterexampl
   const Diagram diagram = diagramOf(circles);
   SvgFigure figure;
   figure.pixels = 420;
-  figure.frame.box = frameOf(circles);
+  figure.frame.bounds = frameOf(circles);
   figure.groups = {"circles", "edges", "vertices"};
   draw(folder, "counterexample-right", circles, diagram, figure);
   figure.groups = {"circles"};
-  figure.layers = {segmentsLayer(circles, printed, *figure.frame.box), leftoverLayer(circles, printed)};
+  figure.layers = {segmentsLayer(circles, printed, *figure.frame.bounds), leftoverLayer(circles, printed)};
   draw(folder, "counterexample-printed", circles, diagram, figure);
 }
 

@@ -70,7 +70,7 @@ Stats statsFrom(const val& value) {
 }
 
 Metric metricFrom(const std::string& name) {
-  for (const Metric metric : {Metric::centres, Metric::power}) {
+  for (const Metric metric : {Metric::centers, Metric::power}) {
     if (name == metricName(metric)) return metric;
   }
   return Metric::circles;
@@ -89,7 +89,7 @@ std::optional<int> digitsFrom(const val& options) {
 
 ExportOptions exportOptionsFrom(const val& value) {
   ExportOptions options;
-  if (const val box = value["box"]; !box.isUndefined()) options.box = itemsFrom<double, Box>(box).at(0);
+  if (const val bounds = value["bounds"]; !bounds.isUndefined()) options.bounds = itemsFrom<double, Box>(bounds).at(0);
   options.maxDistance = numberFrom(value["maxDistance"]);
   options.tolerance = numberFrom(value["tolerance"]);
   options.digits = digitsFrom(value);

@@ -101,14 +101,14 @@ def main():
     parser.add_argument("--size", type=float, required=True, help="the side of a tile: a million circles or so in each")
     parser.add_argument("--halo", type=float, required=True, help="some ten times the distance of neighbours")
     parser.add_argument("--most", type=int, default=5_000_000, help="circles that one process may have at last")
-    parser.add_argument("--box", help="write cells clipped to it, as lines of GeoJSON, not vertices and edges as CSV")
+    parser.add_argument("--bounds", help="write cells clipped to it, as lines of GeoJSON, not vertices and edges as CSV")
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes on this machine")
     parser.add_argument("--scheduler", help="the address of a cluster of Dask, in place of these")
     parser.add_argument("--program", default="circle-voronoi")
     arguments = parser.parse_args()
     program, folder = arguments.program, arguments.folder.resolve()
-    ending = "geojsonl" if arguments.box else "csv"
-    options = ["--format", ending, *([f"--box={arguments.box}"] if arguments.box else [])]
+    ending = "geojsonl" if arguments.bounds else "csv"
+    options = ["--format", ending, *([f"--bounds={arguments.bounds}"] if arguments.bounds else [])]
 
     def task(circles, part, left, core, known):
         compute(program, circles, part, left, core, known, options)

@@ -199,7 +199,7 @@ TEST(Allocation, MayFailInEdits) {
 
 TEST(Allocation, MayFailInComparisons) {
   const auto circles = someCircles();
-  for (const Metric metric : {Metric::circles, Metric::centres, Metric::power}) {
+  for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
     const Diagram expected = computeComparison(circles, metric).value();
     failEachAllocation(
         [&] { return computeComparison(circles, metric); },

@@ -12,7 +12,7 @@ bool isEmpty(const Vertex& disc, std::span<const Circle> circles, const std::arr
   for (std::size_t i = 0; i < circles.size(); ++i) {
     if (std::ranges::find(touched, static_cast<std::int32_t>(i)) != touched.end()) continue;
     const Vector v = {circles[i].x - disc.x, circles[i].y - disc.y};
-    if (length(v) - circles[i].r < disc.radius) return false;
+    if (length(v) - circles[i].r < disc.r) return false;
   }
   return true;
 }

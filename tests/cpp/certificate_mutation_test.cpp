@@ -225,7 +225,7 @@ bool moveVertex(Diagram& diagram, Circles circles, Random& random) {
 bool changeRadius(Diagram& diagram, Circles, Random& random) {
   if (diagram.vertices.empty()) return false;
   Vertex& v = pick(diagram.vertices, random);
-  v.radius = v.radius == 0 ? 1 : -v.radius;
+  v.r = v.r == 0 ? 1 : -v.r;
   return true;
 }
 

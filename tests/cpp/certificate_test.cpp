@@ -86,7 +86,7 @@ TEST(Certificate, AcceptsVerticesRoundedOtherwise) {
   for (Vertex& v : diagram.vertices) {
     v.x = std::nextafter(v.x, 100);
     v.y = std::nextafter(v.y, -100);
-    v.radius = std::nextafter(v.radius, 100);
+    v.r = std::nextafter(v.r, 100);
   }
   EXPECT_EQ(judged(kSquare, diagram).flaw, Flaw::none);
 }
@@ -94,7 +94,7 @@ TEST(Certificate, AcceptsVerticesRoundedOtherwise) {
 TEST(Certificate, RefusesAVertexAtInfinity) {
   for (const double value : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
                              std::numeric_limits<double>::quiet_NaN()}) {
-    for (double Vertex::*const number : {&Vertex::x, &Vertex::y, &Vertex::radius}) {
+    for (double Vertex::*const number : {&Vertex::x, &Vertex::y, &Vertex::r}) {
       Diagram diagram = diagramOf(kSquare);
       diagram.vertices[0].*number = value;
       EXPECT_EQ(judged(kSquare, diagram).flaw, Flaw::vertexMisplaced);
@@ -141,7 +141,7 @@ TEST(Certificate, OneOfIdenticalCirclesIsHiddenByTheOther) {
 
 TEST(Certificate, OfCentresLooksAtNoRadiiAndOfPowerDiagramsThereIsNone) {
   const std::vector<Circle> circles = {{0, 0, 5}, {4, 0, 1}, {0, 9, 7}, {3, 3, 0}};
-  const Diagram centres = computeComparison(circles, Metric::centres).value();
+  const Diagram centres = computeComparison(circles, Metric::centers).value();
   EXPECT_EQ(centres.circles, circles);
   EXPECT_TRUE(certify(centres).value().certified());
   Diagram other = centres;

@@ -47,8 +47,8 @@ TEST_F(CliConvert, ADiagramHasTheDigitsThatAreAskedFor) {
   }
   const std::string rounded = run("convert " + path("diagram.json") + " --digits 2").out;
   EXPECT_NE(rounded.find("{\"x\": 0.123456, \"y\": 0, \"r\": 1}"), std::string::npos) << "circles keep theirs";
-  EXPECT_EQ(run("verify -", rounded).status, 1);
-  EXPECT_EQ(run("verify -", run("convert " + path("diagram.json") + " --digits 14").out).status, 0);
+  EXPECT_EQ(run("certify -", rounded).status, 1);
+  EXPECT_EQ(run("certify -", run("convert " + path("diagram.json") + " --digits 14").out).status, 0);
   EXPECT_EQ(run("convert " + path("diagram.json") + " --digits 400").out, readFile(path("diagram.json")));
 }
 
@@ -71,8 +71,8 @@ TEST_F(CliConvert, CirclesAreWhatTheFormatsPromise) {
             Json::parse(R"([{"x": 1, "y": 2, "r": 3}, {"x": -4.5, "y": 0.005, "r": 0}])"));
   EXPECT_EQ(Json::parse(textOf("convert - --format geojson", csv)),
             Json::parse(R"({"type": "FeatureCollection", "features": [
-    {"type": "Feature", "properties": {"circle": 0, "radius": 3}, "geometry": {"type": "Point", "coordinates": [1, 2]}},
-    {"type": "Feature", "properties": {"circle": 1, "radius": 0},
+    {"type": "Feature", "properties": {"circle": 0, "r": 3}, "geometry": {"type": "Point", "coordinates": [1, 2]}},
+    {"type": "Feature", "properties": {"circle": 1, "r": 0},
      "geometry": {"type": "Point", "coordinates": [-4.5, 0.005]}}]})"));
   for (const char* format : {"csv", "json", "geojson"}) {
     const std::string none = textOf("convert - --format " + std::string(format), "x,y,r\n");
@@ -89,11 +89,11 @@ TEST_F(CliConvert, WeightsAreOfAnySign) {
     expectFailure(run(command, csv), 2, problem);
   }
   textOf("compute - --weights -o " + path("weights.json"), csv);
-  EXPECT_EQ(textOf("verify " + path("weights.json")), "certified: 4 circles, 1 of them hidden; 1 vertices, 3 edges\n");
+  EXPECT_EQ(textOf("certify " + path("weights.json")), "certified: 4 circles, 1 of them hidden; 1 vertices, 3 edges\n");
   EXPECT_EQ(textOf("convert --circles --format csv " + path("weights.json")), csv);
   EXPECT_EQ(textOf("convert --weights --format csv -", csv), csv);
   for (const char* format : {"wkt", "obj"}) {
-    const std::string box = " --box=-9,-9,20,20 --format " + std::string(format);
+    const std::string box = " --bounds=-9,-9,20,20 --format " + std::string(format);
     EXPECT_EQ(textOf("convert " + path("weights.json") + box), textOf("compute -" + box, plain));
     EXPECT_EQ(textOf("compute --weights -" + box, csv), textOf("compute -" + box, plain));
   }
@@ -109,7 +109,7 @@ TEST_F(CliConvert, WeightsAreOfAnySign) {
 
 TEST_F(CliConvert, CellsAreCutAtAMaximumDistance) {
   const std::string circles = "0,0,1\n4,0,1\n";
-  const std::string cut = textOf("compute - --format wkt --max-distance 1 --tolerance 1 --box=-9,-9,1,9", circles);
+  const std::string cut = textOf("compute - --format wkt --max-distance 1 --tolerance 1 --bounds=-9,-9,1,9", circles);
   EXPECT_EQ(cut,
             "POLYGON ((1 -1.7320508075688767, 1 1.732050807568875, 0 2, -2 0, 0 -2, 1 -1.7320508075688767))\n"
             "POLYGON EMPTY\n");
@@ -144,7 +144,7 @@ TEST_F(CliConvert, ADiagramBecomesWhatComputeWrites) {
     const std::string options = " --format " + std::string(format);
     EXPECT_EQ(textOf("convert " + diagram + options), textOf("compute " + fixture_ + options)) << format;
   }
-  const std::string box = " --format wkt --box 0,0,5,5 --tolerance 0.1";
+  const std::string box = " --format wkt --bounds 0,0,5,5 --tolerance 0.1";
   EXPECT_EQ(textOf("convert " + diagram + box), textOf("compute " + fixture_ + box));
   EXPECT_EQ(textOf("convert - --format svg", readFile(diagram)), textOf("convert " + diagram + " --format svg"));
 }

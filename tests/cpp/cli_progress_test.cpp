@@ -96,7 +96,7 @@ TEST_F(CliProgress, EndsBeforeStandardOutputBegins) {
 
 TEST_F(CliProgress, IsThereForConvertAndVerify) {
   ASSERT_EQ(shell(quick("")).status, 0);
-  EXPECT_TRUE(has(run("verify --progress always " + path("out.json")).err, "certify, "));
+  EXPECT_TRUE(has(run("certify --progress always " + path("out.json")).err, "certify, "));
   EXPECT_TRUE(has(run("convert --progress always " + path("out.json") + " -o " + path("out.svg")).err, "certify, "));
 }
 

@@ -36,7 +36,7 @@ TEST_F(Cli, ReadsStandardInput) {
   ASSERT_EQ(result.status, 0) << result.err;
   const auto vertex = nlohmann::json::parse(result.out).at("vertices").at(0);
   EXPECT_EQ(vertex.at("x"), 3.0);
-  EXPECT_EQ(vertex.at("radius"), 4.0);
+  EXPECT_EQ(vertex.at("r"), 4.0);
   EXPECT_EQ(nlohmann::json::parse(run("compute -", "[[0,0,1],[6,0,1]]").out).at("circles").size(), 2U);
 }
 
@@ -64,9 +64,9 @@ TEST_F(Cli, WritesEveryFormat) {
   EXPECT_EQ(nlohmann::json::parse(textOf("--format geojson")).at("features").size(), 134U);
   EXPECT_TRUE(textOf("--format svg").starts_with("<svg "));
   EXPECT_TRUE(textOf("--format wkt --tolerance 0.01").starts_with("POLYGON "));
-  EXPECT_NE(textOf("--format obj --box -1,-2,3,4").find("\no cells\n"), std::string::npos);
+  EXPECT_NE(textOf("--format obj --bounds -1,-2,3,4").find("\no cells\n"), std::string::npos);
   EXPECT_TRUE(textOf("--format csv").starts_with("type,index,"));
-  expectFailure(run("compute " + kFixture + " --format svg --box 0,0,-1,1"), 2, "--box");
+  expectFailure(run("compute " + kFixture + " --format svg --bounds 0,0,-1,1"), 2, "--bounds");
   const std::vector<std::pair<std::string, std::string>> boxes = {
       {"0,0,1", "expected MINX,MINY,MAXX,MAXY, not 3 numbers."},
       {"0,0,1,1,1", "expected MINX,MINY,MAXX,MAXY, not 5 numbers."},
@@ -77,7 +77,7 @@ TEST_F(Cli, WritesEveryFormat) {
       {"0,2,1,1", "MAXY has to be above MINY."},
       {"-1e308,0,1e308,1", "MAXX - MINX is beyond the range of a double."}};
   for (const auto& [box, problem] : boxes) {
-    expectFailure(run("compute " + kFixture + " --format svg --box=" + box), 2, "--box: " + problem);
+    expectFailure(run("compute " + kFixture + " --format svg --bounds=" + box), 2, "--bounds: " + problem);
   }
   for (const char* tolerance : {"0", "-1", "inf", "small"}) {
     expectFailure(run("compute " + kFixture + " --format svg --tolerance " + tolerance), 2, "--tolerance: expected");
@@ -161,7 +161,7 @@ TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
   expectFailure(run(disc + "uniform --resample"), 2, "--resample needs --candidates dynamic.");
   for (const std::string format : {"json", "csv", "stats"}) {
     for (const std::string& command : {compute, "convert " + kFixture}) {
-      expectFailure(run(command + " --box 0,0,1,1 --format " + format), 2, "--box needs --format svg, geojson");
+      expectFailure(run(command + " --bounds 0,0,1,1 --format " + format), 2, "--bounds needs --format svg, geojson");
       expectFailure(run(command + " --tolerance 1 --format " + format), 2, "--tolerance needs --format svg, geojson");
     }
   }
@@ -173,7 +173,7 @@ TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
 }
 
 TEST_F(Cli, AnEmptyFileIsSaidToBeEmpty) {
-  for (const std::string command : {"compute ", "convert ", "verify "}) {
+  for (const std::string command : {"compute ", "convert ", "certify "}) {
     expectFailure(run(command + write("empty.csv", "")), 2, "empty.csv:1: the text is empty.");
     expectFailure(run(command + "-", "\n"), 2, "standard input:1: the text is empty.");
   }
@@ -201,7 +201,7 @@ TEST_F(Cli, ListsTheFamilies) {
 
 TEST_F(Cli, BadUsage) {
   expectFailure(run(""), 2,
-                "A command is missing; the commands are compute, convert, edit, generate, tile and verify.");
+                "A command is missing; the commands are certify, compute, convert, edit, generate and tile.");
   expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are compute, ");
   expectFailure(run("--draw"), 2, "There is no option --draw; the commands are compute, ");
   expectFailure(run("compute - --draw"), 2, "--draw");
@@ -239,34 +239,34 @@ TEST_F(Cli, GeneratesWhatTheLibraryGenerates) {
   EXPECT_EQ(readFile(path("circles.csv")), result.out);
 }
 
-TEST_F(Cli, VerifiesWhatItComputes) {
+TEST_F(Cli, CertifiesWhatItComputes) {
   const std::string file = path("diagram.json");
   ASSERT_EQ(run("compute " + kFixture + " -o " + file).status, 0);
-  const Outcome verified = run("verify " + file);
+  const Outcome verified = run("certify " + file);
   EXPECT_EQ(verified.status, 0) << verified.err;
   EXPECT_EQ(verified.out, "certified: 134 circles, 0 of them hidden; 249 vertices, 382 edges\n");
-  const Outcome piped = run("verify -", readFile(file));
+  const Outcome piped = run("certify -", readFile(file));
   EXPECT_EQ(piped.status, 0) << piped.err;
   EXPECT_EQ(piped.out, verified.out);
 }
 
-TEST_F(Cli, VerifyNamesTheFlawOfAWrongDiagram) {
+TEST_F(Cli, CertifyNamesTheFlawOfAWrongDiagram) {
   auto json = nlohmann::json::parse(run("compute " + kFixture).out);
   auto moved = json;
   moved["vertices"][7]["x"] = moved["vertices"][7]["x"].get<double>() + 0.001;
-  expectFailure(run("verify " + write("moved.json", moved.dump())), 1, "Vertex 7 (circles ");
+  expectFailure(run("certify " + write("moved.json", moved.dump())), 1, "Vertex 7 (circles ");
   auto crossed = json;
   std::swap(crossed["edges"][3]["vertices"], crossed["edges"][4]["vertices"]);
-  expectFailure(run("verify " + write("crossed.json", crossed.dump())), 1, "Edge 3 (circles ");
+  expectFailure(run("certify " + write("crossed.json", crossed.dump())), 1, "Edge 3 (circles ");
 }
 
-TEST_F(Cli, VerifyRefusesWhatIsNoDiagram) {
-  expectFailure(run("verify " + kFixture), 2, "spruces.csv:1: bad JSON");
-  expectFailure(run("verify " + write("circles.json", "[[0, 0, 1]]")), 2, "circles.json:1: expected an object");
-  expectFailure(run("verify -", "{\"format\": \"svg\"}"), 2, "standard input:1: the format is \"svg\"");
-  expectFailure(run("verify -", "{\"format\": \"circle-voronoi\",\n \"version\": 2}"), 2,
+TEST_F(Cli, CertifyRefusesWhatIsNoDiagram) {
+  expectFailure(run("certify " + kFixture), 2, "spruces.csv:1: bad JSON");
+  expectFailure(run("certify " + write("circles.json", "[[0, 0, 1]]")), 2, "circles.json:1: expected an object");
+  expectFailure(run("certify -", "{\"format\": \"svg\"}"), 2, "standard input:1: the format is \"svg\"");
+  expectFailure(run("certify -", "{\"format\": \"circle-voronoi\",\n \"version\": 2}"), 2,
                 "standard input:2: the version is not 1");
-  expectFailure(run("verify " + path("absent.json")), 1, "Cannot read");
+  expectFailure(run("certify " + path("absent.json")), 1, "Cannot read");
 }
 
 TEST_F(Cli, HelpAndVersion) {

@@ -45,7 +45,7 @@ TEST_F(CliTile, WritesWhatIsFinalByTheIdsOfTheInput) {
   EXPECT_EQ(result.err, "");
   const auto lines = linesOf(result.out);
   ASSERT_GT(lines.size(), 1U);
-  EXPECT_EQ(lines[0], "type,x,y,radius,circle1,circle2,circle3,circle4");
+  EXPECT_EQ(lines[0], "type,x,y,r,circle1,circle2,circle3,circle4");
   // The circle at (3, 3) is row 24. Of its four edges those to lower ids, at greater rows, belong to other circles.
   std::set<std::string> edges;
   for (const std::string& line : lines) {
@@ -101,12 +101,12 @@ TEST_F(CliTile, ThePartsOfTwoTilesAndOfWhatTheyLeaveAreTheWhole) {
 
 TEST_F(CliTile, WritesCellsAsLinesOfGeoJson) {
   const std::string tile = write("tile.csv", grid());
-  const Outcome all = run("compute " + tile + " --format geojsonl --box=-1,-1,7,7");
+  const Outcome all = run("compute " + tile + " --format geojsonl --bounds=-1,-1,7,7");
   ASSERT_EQ(all.status, 0) << all.err;
   EXPECT_EQ(linesOf(all.out).size(), 49U);
   const Outcome part = run("compute " + tile +
                            " --known=-0.5,-0.5,6.5,6.5 --max-radius 0 --core 2.5,2.5,3.5,4.5 --format geojsonl "
-                           "--box=-1,-1,7,7");
+                           "--bounds=-1,-1,7,7");
   ASSERT_EQ(part.status, 0) << part.err;
   const auto lines = linesOf(part.out);
   ASSERT_EQ(lines.size(), 2U);
@@ -168,7 +168,7 @@ TEST_F(CliTile, RefusesWhatCannotBeMeant) {
   fails(known + " --max-radius 0", "--known needs --format csv or geojsonl.");
   fails(known + " --max-radius 0 -o a.svg", "--known needs --format csv or geojsonl.");
   fails(known + " --max-radius -1 --format csv", "expected a number from 0");
-  fails(known + " --max-radius 0 --format geojsonl", "--known needs --box for geojsonl.");
+  fails(known + " --max-radius 0 --format geojsonl", "--known needs --bounds for geojsonl.");
   fails(known + " --max-radius 0 --format csv --method flip", "--known needs --method auto.");
   fails("compute " + tile + " --known 0,0,nan,1 --max-radius 0 --format csv", "MAXX is not a number");
   fails("compute " + tile + " --core 0,0,1,1 --format csv", "--core needs --known.");

@@ -122,7 +122,7 @@ Merged merge(const Diagram& diagram, std::span<const Circle> circles) {
   for (int v = 0; v < infinity; ++v) {
     const auto& [i, j, k] = diagram.vertexCircles[v];
     const auto disc = threeTouchDisc(circles[i], circles[j], circles[k]);
-    if (disc && disc->disc.radius < far) {
+    if (disc && disc->disc.r < far) {
       discs[v] = disc->disc;
     } else {
       partition.join(v, infinity);

@@ -103,11 +103,11 @@ TEST_P(Comparison, RejectsWhatComputeRejects) {
 }
 
 std::string testName(const testing::TestParamInfo<Metric>& metric) {
-  constexpr const char* kNames[] = {"circles", "centres", "power"};
+  constexpr const char* kNames[] = {"circles", "centers", "power"};
   return kNames[static_cast<int>(metric.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Metrics, Comparison, testing::Values(Metric::circles, Metric::centres, Metric::power),
+INSTANTIATE_TEST_SUITE_P(Metrics, Comparison, testing::Values(Metric::circles, Metric::centers, Metric::power),
                          testName);
 
 TEST(ComparisonOfPower, TheRadiusOfAVertexIsThatOfTheCircleAtRightAngles) {
@@ -116,7 +116,7 @@ TEST(ComparisonOfPower, TheRadiusOfAVertexIsThatOfTheCircleAtRightAngles) {
   ASSERT_EQ(diagram.vertices.size(), 1U);
   EXPECT_EQ(diagram.vertices[0].x, 4);
   EXPECT_EQ(diagram.vertices[0].y, 4);
-  EXPECT_DOUBLE_EQ(diagram.vertices[0].radius, std::sqrt(31));
+  EXPECT_DOUBLE_EQ(diagram.vertices[0].r, std::sqrt(31));
 }
 
 TEST(ComparisonOfPower, ACircleMayHaveNoCellThoughNoneContainsIt) {
@@ -213,7 +213,7 @@ TEST(PowerDiagram, EveryVertexInRangeIsRight) {
       const Real error = 1e-6 * sqrt(square) + std::numeric_limits<double>::min();
       EXPECT_LE(abs(Real(vertex.x) - x), error);
       EXPECT_LE(abs(Real(vertex.y) - y), error);
-      const Real power = Real(vertex.radius) * std::abs(vertex.radius);
+      const Real power = Real(vertex.r) * std::abs(vertex.r);
       EXPECT_LE(abs(power - (square - r * r)), 1e-6 * (square + r * r) + Real("1e-600"));
     }
     if (testing::Test::HasFailure()) FAIL();

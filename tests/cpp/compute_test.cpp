@@ -71,7 +71,7 @@ TEST_P(Compute, ThreeCirclesShareOneVertex) {
   ASSERT_EQ(diagram.vertices.size(), 1U);
   EXPECT_DOUBLE_EQ(diagram.vertices[0].x, 3);
   EXPECT_DOUBLE_EQ(diagram.vertices[0].y, 4);
-  EXPECT_DOUBLE_EQ(diagram.vertices[0].radius, 4);
+  EXPECT_DOUBLE_EQ(diagram.vertices[0].r, 4);
   EXPECT_EQ(diagram.vertexCircles[0], (std::array<CircleIndex, 3>{0, 1, 2}));
   EXPECT_EQ(diagram.edges.size(), 3U);
 }
@@ -110,7 +110,7 @@ TEST_P(Compute, APointOnACircleIsHidden) {
 TEST_P(Compute, MutuallyIntersectingCirclesHaveAVertexInside) {
   const Diagram diagram = diagramOf({{-1, 0, 2}, {1, 0, 2}, {0, 1.5, 2}});
   ASSERT_EQ(diagram.vertices.size(), 1U);
-  EXPECT_LT(diagram.vertices[0].radius, 0);
+  EXPECT_LT(diagram.vertices[0].r, 0);
 }
 
 TEST_P(Compute, NegativeZeroIsZero) {

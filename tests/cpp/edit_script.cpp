@@ -76,9 +76,7 @@ class Script {
   Script(const FamilyInfo& family, std::size_t count, std::uint64_t seed)
       : random_(seed), count_(count), supply_(generate(family.family, 2 * count + 1, seed)) {}
 
-  std::vector<Circle> start() const {
-    return {supply_.begin(), supply_.begin() + static_cast<std::ptrdiff_t>(count_)};
-  }
+  std::vector<Circle> start() const { return {supply_.begin(), supply_.begin() + static_cast<std::ptrdiff_t>(count_)}; }
 
   Edit next(const DiagramEditor& editor) {
     const std::vector<CircleId> ids = editor.ids();
@@ -218,7 +216,7 @@ std::string Mirror::difference(const Diagram& snapshot, const std::vector<Circle
     return Triple{rank(i), rank(j), rank(k)};
   };
   for (const auto& [number, corner] : vertices_) {
-    content.vertices.emplace_back(tripleOf(number), corner.vertex.x, corner.vertex.y, corner.vertex.radius);
+    content.vertices.emplace_back(tripleOf(number), corner.vertex.x, corner.vertex.y, corner.vertex.r);
   }
   for (const auto& [number, edge] : edges_) {
     content.addEdge(rank(edge.left), rank(edge.right), tripleOf(edge.start), tripleOf(edge.end));

@@ -156,7 +156,7 @@ void compareDisc(const exact::Face& face, const Point2& centre) {
   };
   compare(disc->x, centre.x, v.x);
   compare(disc->y, centre.y, v.y);
-  compare(disc->radius, radius, radius + o.r);
+  compare(disc->r, radius, radius + o.r);
 }
 
 bool shareAnEdge(const exact::Face& a, const exact::Face& b) {

@@ -79,7 +79,7 @@ TEST(Export, GeoJsonPolygonsHaveTheAreasAndShareTheirPoints) {
     for (std::size_t i = 0; i < circles.size(); ++i) {
       const Json& feature = file["features"][i];
       EXPECT_EQ(feature["properties"]["circle"], i);
-      EXPECT_EQ(feature["properties"]["radius"], circles[i].r);
+      EXPECT_EQ(feature["properties"]["r"], circles[i].r);
       EXPECT_EQ(feature["properties"].contains("hiddenBy"), feature["properties"]["neighbors"].empty());
       double polygons = 0;
       for (const Ring& ring : ringsOf(feature["geometry"])) {
@@ -146,7 +146,7 @@ TEST(Export, EveryVisibleCircleHasASimplePolygonHoweverLargeTheTolerance) {
 TEST(Export, PolygonsAreSimpleWhereTheBoxMeetsVertices) {
   const auto circles = generate(Family::hexagonal, 300, 1);
   ExportOptions options;
-  options.box = Box{3, 3, 9, 8};
+  options.bounds = Box{3, 3, 9, 8};
   const Json collection = Json::parse(textOf(writeGeoJson, circles, options));
   EXPECT_EQ(collection["features"].size(), circles.size());
   for (const Json& feature : collection["features"]) {
@@ -222,7 +222,7 @@ TEST(Export, PolygonsFillTheBoxAndAreSimpleHoweverFewTheDigits) {
       for (const Box& box : {all, inner}) {
         SCOPED_TRACE(std::string(family.name) + " " + std::to_string(digits));
         ExportOptions options;
-        options.box = box;
+        options.bounds = box;
         options.digits = digits;
         double sum = 0;
         const Json file = Json::parse(textOf(writeGeoJson, circles, options));
@@ -339,7 +339,7 @@ TEST(Export, SvgTakesTheLargeArcWhereTheHullTurnsByMoreThanHalf) {
 
 TEST(Export, GeoJsonOfACellInTwoPartsIsAMultiPolygon) {
   ExportOptions options;
-  options.box = Box{6.5, -20, 7, 20};
+  options.bounds = Box{6.5, -20, 7, 20};
   const Json file = Json::parse(textOf(writeGeoJson, kLargeArc, options));
   const Json& geometry = file["features"][0]["geometry"];
   EXPECT_EQ(geometry["type"], "MultiPolygon");
@@ -358,7 +358,7 @@ TEST(Export, GeoJsonOfACellInTwoPartsIsAMultiPolygon) {
 TEST(Export, WktHasALineForEachCircle) {
   const std::vector<Circle> circles = {{0, 0, 10}, {0, 10.6, 0.1}, {1, 1, 1}};
   ExportOptions options;
-  options.box = Box{-8, 10.5, 8, 14};
+  options.bounds = Box{-8, 10.5, 8, 14};
   const auto lines = linesOf(textOf(writeWkt, circles, options));
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_TRUE(lines[0].starts_with("MULTIPOLYGON (((")) << lines[0];
@@ -419,7 +419,7 @@ TEST(Export, SvgTellsHiddenCirclesAndPoints) {
 TEST(Export, SvgLeavesOutWhatIsOutsideTheBox) {
   const std::vector<Circle> circles = {{0, 0, 1}, {9, 0, 1}, {0, 9, 1}, {30, 30, 1}, {39, 30, 1}};
   ExportOptions options;
-  options.box = Box{-2, -2, 7, 7};
+  options.bounds = Box{-2, -2, 7, 7};
   const std::string svg = textOf(writeSvg, circles, options);
   EXPECT_EQ(countOf(svg, "<circle data-circle="), 1U);
   EXPECT_EQ(countOf(svg, "<line"), 3U) << "the triangle of the first three circles";
@@ -436,7 +436,7 @@ TEST(Export, SvgFiguresHaveTheirGroupsAndLayers) {
   EXPECT_EQ(figureOf({}), textOf(writeSvg, circles));
 
   SvgFigure figure;
-  figure.frame.box = Box{-10, -10, 10, 10};
+  figure.frame.bounds = Box{-10, -10, 10, 10};
   figure.pixels = 200;
   figure.groups = {"edges"};
   figure.style = ".samples { stroke: red; }\n";

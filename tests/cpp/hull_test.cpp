@@ -15,7 +15,7 @@
 namespace circle_voronoi {
 namespace {
 
-Hull hullOf(const std::vector<Circle>& circles) { return hull(compute(circles).value()); }
+Hull hullOf(const std::vector<Circle>& circles) { return convexHull(compute(circles).value()); }
 
 struct Measures {
   double length;

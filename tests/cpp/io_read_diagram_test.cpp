@@ -52,7 +52,7 @@ TEST(ReadDiagram, ReadsBackWhatWasWrittenToTheBit) {
 
 TEST(ReadDiagram, ReadsTheMetric) {
   const auto circles = generate(Family::intersecting, 30, 2);
-  for (const Metric metric : {Metric::circles, Metric::centres, Metric::power}) {
+  for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
     const Diagram diagram = computeComparison(circles, metric).value();
     const auto read = readDiagram(written(diagram), "file");
     ASSERT_TRUE(read.ok()) << read.error().message;
@@ -97,7 +97,7 @@ std::string errorAfter(const std::string& part, const std::string& other) {
   {"x": 1, "y": 0, "r": 1}],
  "hidden": [{"circle": 1, "by": 0}],
  "vertices": [
-  {"x": 0, "y": 0, "radius": 1, "circles": [0, 1, 2]}],
+  {"x": 0, "y": 0, "r": 1, "circles": [0, 1, 2]}],
  "edges": [
   {"circles": [0, 1], "vertices": [-1, 0]}],
  "hull": [0]})";

@@ -158,9 +158,9 @@ TEST(ReadGeoJson, PointsWithARadius) {
 TEST(ReadGeoJson, NamesTheBadLine) {
   const std::string point = R"({"type": "Point", "coordinates": [1, 2]})";
   EXPECT_EQ(errorOf(collection(std::string(1, '\n') + feature(point, "{}"))),
-            "test:2: a feature has no number as its property radius.");
+            "test:2: a feature has no number as its property r or radius.");
   EXPECT_EQ(errorOf(collection(std::string(2, '\n') + feature(point, "null"))),
-            "test:3: a feature has no number as its property radius.");
+            "test:3: a feature has no number as its property r or radius.");
   EXPECT_EQ(errorOf(collection(feature("null", "{}"))), "test:1: the geometry of a feature is not a Point.");
   EXPECT_EQ(errorOf(collection(feature(R"({"type": "Point", "coordinates": [1]})", R"({"r": 1})"))),
             "test:1: a Point has no two numbers as its coordinates.");
@@ -249,7 +249,7 @@ TEST(WriteJson, HoldsTheDiagramToTheBit) {
     const auto& vertex = json["vertices"][i];
     EXPECT_EQ(vertex["x"].get<double>(), diagram.vertices[i].x);
     EXPECT_EQ(vertex["y"].get<double>(), diagram.vertices[i].y);
-    EXPECT_EQ(vertex["radius"].get<double>(), diagram.vertices[i].radius);
+    EXPECT_EQ(vertex["r"].get<double>(), diagram.vertices[i].r);
     EXPECT_EQ(vertex["circles"], numbersOf(diagram.vertexCircles[i]));
   }
   ASSERT_EQ(json.at("edges").size(), diagram.edges.size());

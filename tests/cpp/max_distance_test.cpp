@@ -142,15 +142,15 @@ std::vector<Point> pointsOf(const OutlinePiece& piece, double tolerance) {
   const Point p = piece.curve.start;
   const Point q = piece.curve.end;
   const double half = std::hypot(q.x - p.x, q.y - p.y) / 2;
-  const double toCentre = std::sqrt(std::max(piece.radius * piece.radius - half * half, 0.0));
+  const double toCentre = std::sqrt(std::max(piece.r * piece.r - half * half, 0.0));
   const Point centre = {(p.x + q.x) / 2 - toCentre * (q.y - p.y) / (2 * half),
                         (p.y + q.y) / 2 + toCentre * (q.x - p.x) / (2 * half)};
   const double from = std::atan2(p.y - centre.y, p.x - centre.x);
-  const double turn = 2 * std::asin(std::min(half / piece.radius, 1.0));
+  const double turn = 2 * std::asin(std::min(half / piece.r, 1.0));
   std::vector<Point> points = {p};
   for (int k = 1; k < 200; ++k) {
     const double angle = from + turn * k / 200;
-    points.push_back({centre.x + piece.radius * std::cos(angle), centre.y + piece.radius * std::sin(angle)});
+    points.push_back({centre.x + piece.r * std::cos(angle), centre.y + piece.r * std::sin(angle)});
   }
   points.push_back(q);
   return points;
@@ -183,7 +183,7 @@ void expectSound(const Diagram& diagram, std::int32_t circle, const Outline& out
       const OutlinePiece& piece = loop[k];
       ASSERT_EQ(piece.curve.end, loop[(k + 1) % loop.size()].curve.start) << "cell " << circle << " piece " << k;
       if (piece.isOnCircle()) {
-        ASSERT_EQ(piece.radius, c.r + maxDistance);
+        ASSERT_EQ(piece.r, c.r + maxDistance);
         ASSERT_EQ(piece.side, kNone);
         ASSERT_EQ(piece.neighbor, kNone);
       }
@@ -364,7 +364,7 @@ TEST(MaxDistance, OfTiesAddsUpToTheUnion) {
       const Diagram diagram = diagramOf(circles);
       const double extent = extentOf(circles);
       std::vector<double> distances = {0, 0.5, 1, extent};
-      for (std::size_t v = 0; v < diagram.vertices.size(); v += 3) distances.push_back(diagram.vertices[v].radius);
+      for (std::size_t v = 0; v < diagram.vertices.size(); v += 3) distances.push_back(diagram.vertices[v].r);
       for (const double d : distances) {
         if (!(std::abs(d) < 1e6)) continue;
         double sum = 0;
@@ -429,7 +429,7 @@ TEST(MaxDistance, IsTheSameAtEveryScaleAndOfWeights) {
 // Of the diagram of the centres a cell is cut at that distance from its centre.
 TEST(MaxDistance, OfTheCentresIsCutAroundThese) {
   const Circles circles = {{0, 0, 1}, {4, 0, 0.5}};
-  const Diagram diagram = computeComparison(circles, Metric::centres).value();
+  const Diagram diagram = computeComparison(circles, Metric::centers).value();
   const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);
   EXPECT_NEAR(area(outline(diagram, 0, 3)), 9 * kPi - segment, 1e-13);
   EXPECT_NEAR(area(outline(diagram, 1, 3)), 9 * kPi - segment, 1e-13);
@@ -513,7 +513,7 @@ TEST(MaxDistance, FilesHaveTheCutCells) {
     return found;
   };
   EXPECT_GT(count(" 0 0 1 "), 60U);
-  const auto isNear = [&](const Vertex& vertex) { return vertex.radius <= d; };
+  const auto isNear = [&](const Vertex& vertex) { return vertex.r <= d; };
   EXPECT_EQ(count("data-vertex="), static_cast<std::size_t>(std::ranges::count_if(diagram.vertices, isNear)));
 }
 

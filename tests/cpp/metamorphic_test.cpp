@@ -123,7 +123,7 @@ TEST(Metamorphic, ScalingByPowersOfTwoScalesTheBits) {
     for (Circle& c : scaled) c = {c.x * factor, c.y * factor, c.r * factor};
     const Diagram actual = diagramOf(scaled);
     Diagram expected = diagramOf(circles);
-    for (Vertex& v : expected.vertices) v = {v.x * factor, v.y * factor, v.radius * factor};
+    for (Vertex& v : expected.vertices) v = {v.x * factor, v.y * factor, v.r * factor};
     EXPECT_EQ(actual.vertices, expected.vertices);
     EXPECT_EQ(actual.vertexCircles, expected.vertexCircles);
     EXPECT_EQ(actual.edges, expected.edges);

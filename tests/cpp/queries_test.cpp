@@ -88,29 +88,29 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
       const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
       const double width = size * random.logUniform(-2, 0.3);
       const Box box = {p.x - width, p.y - width / 2, p.x + width, p.y + width / 2};
-      const auto largest = largestEmptyDiscCentredIn(diagram, box);
+      const auto largest = largestEmptyDiscCenteredIn(diagram, box);
       ASSERT_TRUE(largest);
       const Vertex& disc = largest->disc;
       EXPECT_TRUE(disc.x >= box.minX && disc.x <= box.maxX && disc.y >= box.minY && disc.y <= box.maxY);
-      EXPECT_NEAR(clearance(circles, {disc.x, disc.y}), disc.radius, rounding);
+      EXPECT_NEAR(clearance(circles, {disc.x, disc.y}), disc.r, rounding);
       double best = -std::numeric_limits<double>::infinity();
       for (int k = 0; k < 2000; ++k) {
         best = std::max(best,
                         clearance(circles, {random.uniform(box.minX, box.maxX), random.uniform(box.minY, box.maxY)}));
       }
-      EXPECT_LE(best, disc.radius + rounding);
-      EXPECT_GE(best, disc.radius - width / 5);
+      EXPECT_LE(best, disc.r + rounding);
+      EXPECT_GE(best, disc.r - width / 5);
     }
 
-    const auto inHull = largestEmptyDiscCentredInHull(diagram);
+    const auto inHull = largestEmptyDiscCenteredInHull(diagram);
     ASSERT_TRUE(inHull);
     const Vertex& disc = inHull->disc;
-    EXPECT_GE(disc.radius, 0);
-    EXPECT_NEAR(clearance(circles, {disc.x, disc.y}), disc.radius, rounding);
+    EXPECT_GE(disc.r, 0);
+    EXPECT_NEAR(clearance(circles, {disc.x, disc.y}), disc.r, rounding);
     EXPECT_GE(depthInHull(circles, {disc.x, disc.y}), -rounding);
     for (int k = 0; k < 1000; ++k) {
       const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
-      if (clearance(circles, p) <= disc.radius + rounding) continue;
+      if (clearance(circles, p) <= disc.r + rounding) continue;
       // The directions sampled may miss that p is outside by a little.
       EXPECT_LE(depthInHull(circles, p), 1e-3 * size) << p.x << ' ' << p.y;
     }
@@ -155,7 +155,7 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
       const auto largest = largestEmptyDiscInside(diagram, region);
       ASSERT_TRUE(largest);
       const Point centre = {largest->disc.x, largest->disc.y};
-      const double radius = largest->disc.radius;
+      const double radius = largest->disc.r;
       const auto room = [&](Point q) { return std::min(depthIn(region, q), clearance(circles, q)); };
       // Not above what is there, which rounding cannot make it.
       EXPECT_NEAR(room(centre), radius, rounding);
@@ -199,8 +199,8 @@ INSTANTIATE_TEST_SUITE_P(Families, Queries, testing::ValuesIn(allFamilies()), te
 TEST(Query, NoCirclesHaveNoAnswers) {
   const Diagram diagram = compute({}).value();
   EXPECT_FALSE(closestPair(diagram));
-  EXPECT_FALSE(largestEmptyDiscCentredIn(diagram, Box{0, 0, 1, 1}));
-  EXPECT_FALSE(largestEmptyDiscCentredInHull(diagram));
+  EXPECT_FALSE(largestEmptyDiscCenteredIn(diagram, Box{0, 0, 1, 1}));
+  EXPECT_FALSE(largestEmptyDiscCenteredInHull(diagram));
   EXPECT_FALSE(largestEmptyDiscInside(diagram, Box{0, 0, 1, 1}));
 }
 
@@ -220,18 +220,18 @@ TEST(Query, NeighborPairsAreThoseOfTheEdges) {
 TEST(Query, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {
   const std::vector<Circle> circles = {{0, 0, 1}, {10, 0, 1}};
   const Diagram diagram = compute(circles).value();
-  const auto largest = largestEmptyDiscCentredInHull(diagram);
+  const auto largest = largestEmptyDiscCenteredInHull(diagram);
   ASSERT_TRUE(largest);
   EXPECT_NEAR(largest->disc.x, 5, 1e-14);
   EXPECT_NEAR(std::abs(largest->disc.y), 1, 1e-14);
-  EXPECT_NEAR(largest->disc.radius, std::sqrt(26) - 1, 1e-14);
+  EXPECT_NEAR(largest->disc.r, std::sqrt(26) - 1, 1e-14);
 }
 
 TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
   struct Case {
     std::vector<Circle> circles;
     Box box;
-    double radius;
+    double r;
     std::ptrdiff_t touched;
   };
   const double y = 5 * std::sqrt(3);
@@ -245,7 +245,7 @@ TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
     const Diagram diagram = compute(circles).value();
     const auto largest = largestEmptyDiscInside(diagram, box);
     ASSERT_TRUE(largest);
-    EXPECT_NEAR(largest->disc.radius, radius, 1e-14);
+    EXPECT_NEAR(largest->disc.r, radius, 1e-14);
     EXPECT_EQ(3 - std::ranges::count(largest->circles, kNone), touched);
   }
 }
@@ -254,8 +254,8 @@ TEST(Query, WhereCirclesCoverTheRegionNoDiscIsInside) {
   const std::vector<Circle> circles = {{0, 0, 10}, {12, 0, 5}};
   const Diagram diagram = compute(circles).value();
   const Box covered = {-1, -2, 3, 2};
-  EXPECT_LT(largestEmptyDiscInside(diagram, covered)->disc.radius, 0);
-  EXPECT_EQ(largestEmptyDiscInside(diagram, covered)->disc, largestEmptyDiscCentredIn(diagram, covered)->disc);
+  EXPECT_LT(largestEmptyDiscInside(diagram, covered)->disc.r, 0);
+  EXPECT_EQ(largestEmptyDiscInside(diagram, covered)->disc, largestEmptyDiscCenteredIn(diagram, covered)->disc);
 }
 
 }  // namespace

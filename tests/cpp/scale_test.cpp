@@ -46,7 +46,7 @@ struct Measures {
   }
   void add(const EmptyDisc& disc) {
     add(Point{disc.disc.x, disc.disc.y});
-    add(1, disc.disc.radius);
+    add(1, disc.disc.r);
     for (const std::int32_t circle : disc.circles) add(0, circle);
   }
 };
@@ -88,7 +88,7 @@ void measureCells(const Diagram& diagram, const Box& box, Measures& all) {
 
 void measureQueries(const Diagram& diagram, const Box& box, Measures& all) {
   const auto& circles = diagram.circles;
-  const Hull outer = hull(diagram);
+  const Hull outer = convexHull(diagram);
   all.add(1, outer.length);
   all.add(2, outer.area);
   for (const HullArc& arc : outer.arcs) {
@@ -96,8 +96,8 @@ void measureQueries(const Diagram& diagram, const Box& box, Measures& all) {
     all.add(0, arc.angle);
   }
   if (const auto pair = closestPair(diagram)) all.add(1, pair->gap);
-  all.add(*largestEmptyDiscCentredIn(diagram, box));
-  all.add(*largestEmptyDiscCentredInHull(diagram));
+  all.add(*largestEmptyDiscCenteredIn(diagram, box));
+  all.add(*largestEmptyDiscCenteredInHull(diagram));
   all.add(*largestEmptyDiscInside(diagram, box));
   const ClearestPath path = clearestPath(diagram, {box.minX, box.minY}, {box.maxX, box.maxY / 2});
   all.add(1, path.clearance);
@@ -138,7 +138,7 @@ TEST_P(Scale, GeometryIsTheSameAtEverySize) {
       r *= scale;
     }
     const Box scaledBox = {box.minX * scale, box.minY * scale, box.maxX * scale, box.maxY * scale};
-    for (const Metric metric : {Metric::circles, Metric::centres, Metric::power}) {
+    for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
       SCOPED_TRACE(static_cast<int>(metric));
       const Measures expected = measure(circles, metric, box, 1);
       const Measures found = measure(scaled, metric, scaledBox, scale);
@@ -180,7 +180,7 @@ TEST(Scale, SmallestNumbersAreRoundedOnly) {
   const EmptyDisc disc = *largestEmptyDiscInside(diagram, box);
   const EmptyDisc scaledDisc = *largestEmptyDiscInside(scaledDiagram, scaledBox);
   EXPECT_EQ(scaledDisc.circles, disc.circles);
-  EXPECT_NEAR(scaledDisc.disc.radius / scale, disc.disc.radius, 0.01);
+  EXPECT_NEAR(scaledDisc.disc.r / scale, disc.disc.r, 0.01);
 }
 
 /// Areas fill a box of ordinary size around circles that cannot be told apart, and the other way round.

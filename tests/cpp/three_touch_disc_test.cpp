@@ -11,14 +11,14 @@ namespace circle_voronoi {
 namespace {
 
 /// How far a disc is from touching a circle from outside.
-double gap(const Vertex& disc, const Circle& c) { return length({disc.x - c.x, disc.y - c.y}) - c.r - disc.radius; }
+double gap(const Vertex& disc, const Circle& c) { return length({disc.x - c.x, disc.y - c.y}) - c.r - disc.r; }
 
 TEST(ThreeTouchDisc, OfEqualCirclesIsCentredInTheCircumcentre) {
   const auto disc = threeTouchDisc({0, 0, 1}, {6, 0, 1}, {0, 8, 1});
   ASSERT_TRUE(disc);
   EXPECT_DOUBLE_EQ(disc->disc.x, 3);
   EXPECT_DOUBLE_EQ(disc->disc.y, 4);
-  EXPECT_DOUBLE_EQ(disc->disc.radius, 4);
+  EXPECT_DOUBLE_EQ(disc->disc.r, 4);
 }
 
 TEST(ThreeTouchDisc, IsThatOfTheOrientationGiven) {
@@ -37,7 +37,7 @@ TEST(ThreeTouchDisc, IsThatOfTheOrientationGiven) {
 TEST(ThreeTouchDisc, HasANegativeRadiusInsideIntersectingCircles) {
   const auto disc = threeTouchDisc({-1, 0, 2}, {1, 0, 2}, {0, 1.5, 2});
   ASSERT_TRUE(disc);
-  EXPECT_LT(disc->disc.radius, 0);
+  EXPECT_LT(disc->disc.r, 0);
   EXPECT_NEAR(gap(disc->disc, {-1, 0, 2}), 0, 1e-14);
 }
 
@@ -68,7 +68,7 @@ TEST(ThreeTouchDisc, TouchesRandomCircles) {
       const auto disc = threeTouchDisc(circles[0], circles[1], circles[2]);
       if (!disc) continue;
       ++found;
-      const double scale = 10 + disc->disc.radius;
+      const double scale = 10 + disc->disc.r;
       for (const Circle& c : circles) EXPECT_NEAR(gap(disc->disc, c), 0, 1e-11 * scale * scale);
     }
     EXPECT_GT(found, 90) << familyName(family);

@@ -34,7 +34,7 @@ void compareAll(const std::vector<Circle>& circles) {
         const double error = 0x1p-34 * reach + 0x1p-50 * size;
         EXPECT_LE(std::abs(vertex.x - right.x), error);
         EXPECT_LE(std::abs(vertex.y - right.y), error);
-        EXPECT_LE(std::abs(vertex.radius - right.radius), error);
+        EXPECT_LE(std::abs(vertex.r - right.r), error);
       }
     }
   }
@@ -61,7 +61,7 @@ TEST(Vertex, OfCirclesThatRoundingTookOffALine) {
   const std::vector<Circle> circles = {{0.1, 0.3, 0.05}, {0.2, 0.6, 0.05}, {0.7, 2.1, 0.05}};
   const Diagram diagram = compute(circles).value();
   ASSERT_EQ(diagram.vertices.size(), 1U);
-  EXPECT_GT(diagram.vertices[0].radius, 1e14);
+  EXPECT_GT(diagram.vertices[0].r, 1e14);
   EXPECT_TRUE(certify(diagram).value().certified());
 }
 
@@ -78,7 +78,7 @@ TEST(Vertex, FarAwayIsRightAndCertified) {
       ASSERT_EQ(diagram.vertices.size(), 1U) << size << ", " << bend;
       Vertex& v = diagram.vertices[0];
       EXPECT_NEAR(v.y / y, 1, 1e-14) << size << ", " << bend;
-      EXPECT_NEAR(v.radius / y, 1, 1e-14) << size << ", " << bend;
+      EXPECT_NEAR(v.r / y, 1, 1e-14) << size << ", " << bend;
       EXPECT_NEAR(v.x / (y + size), size / 2 / (y + size), 1e-14) << size << ", " << bend;
       EXPECT_TRUE(certify(diagram).value().certified()) << size << ", " << bend;
       // Rounded by another program, and wrong.
@@ -86,7 +86,7 @@ TEST(Vertex, FarAwayIsRightAndCertified) {
       EXPECT_TRUE(certify(diagram).value().certified()) << size << ", " << bend;
       v.y /= 2;
       EXPECT_EQ(certify(diagram).value().flaw, Flaw::vertexMisplaced) << size << ", " << bend;
-      v.radius /= 2;
+      v.r /= 2;
       EXPECT_EQ(certify(diagram).value().flaw, Flaw::vertexMisplaced) << size << ", " << bend;
     }
   }

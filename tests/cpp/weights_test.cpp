@@ -90,7 +90,7 @@ void expectOnlyRadiiDiffer(const Diagram& actual, const Diagram& expected, doubl
     const Vertex& other = same.vertices.at(circles);
     EXPECT_EQ(vertex.x, other.x);
     EXPECT_EQ(vertex.y, other.y);
-    EXPECT_NEAR(vertex.radius, other.radius - more, 0x1p-51 * (std::abs(vertex.radius) + std::abs(other.radius)));
+    EXPECT_NEAR(vertex.r, other.r - more, 0x1p-51 * (std::abs(vertex.r) + std::abs(other.r)));
   }
 }
 
@@ -220,11 +220,11 @@ TEST(Weights, CellsAndNearestCirclesStay) {
     EXPECT_EQ(finder.find(p), sameFinder.find(p));
   }
   const auto disc = largestEmptyDiscInside(diagram, region);
-  const auto sameDisc = largestEmptyDiscCentredIn(expected, region);
+  const auto sameDisc = largestEmptyDiscCenteredIn(expected, region);
   ASSERT_TRUE(disc && sameDisc);
   // 700 more than the circles leave: sides are nearer than circles.
-  EXPECT_NEAR(disc->disc.radius, 600, 1e-9);
-  EXPECT_NEAR(largestEmptyDiscCentredIn(diagram, region)->disc.radius, sameDisc->disc.radius + 700, 1e-9);
+  EXPECT_NEAR(disc->disc.r, 600, 1e-9);
+  EXPECT_NEAR(largestEmptyDiscCenteredIn(diagram, region)->disc.r, sameDisc->disc.r + 700, 1e-9);
   EXPECT_NEAR(closestPair(diagram)->gap, closestPair(expected)->gap + 1400, 1e-9);
 }
 
@@ -240,22 +240,22 @@ TEST(Weights, TheHullIsOfGrownCircles) {
   const Diagram same = compute(circles, kWeights).value();
   EXPECT_EQ(hullGrowth(same), 0);
   EXPECT_EQ(hullGrowth(diagram), 512);
-  const Hull actual = hull(diagram);
-  const Hull expected = hull(same);
+  const Hull actual = convexHull(diagram);
+  const Hull expected = convexHull(same);
   EXPECT_EQ(actual.length, expected.length);
   EXPECT_EQ(actual.area, expected.area);
   for (std::size_t k = 0; k < actual.arcs.size(); ++k) {
     EXPECT_EQ(actual.arcs[k].start, expected.arcs[k].start);
-    EXPECT_EQ(actual.arcs[k].radius, expected.arcs[k].radius);
+    EXPECT_EQ(actual.arcs[k].r, expected.arcs[k].r);
   }
-  const auto disc = largestEmptyDiscCentredInHull(diagram);
-  const auto sameDisc = largestEmptyDiscCentredInHull(same);
+  const auto disc = largestEmptyDiscCenteredInHull(diagram);
+  const auto sameDisc = largestEmptyDiscCenteredInHull(same);
   EXPECT_NEAR(disc->disc.x, sameDisc->disc.x, 1e-9);
-  EXPECT_NEAR(disc->disc.radius, sameDisc->disc.radius + 512, 1e-9);
+  EXPECT_NEAR(disc->disc.r, sameDisc->disc.r + 512, 1e-9);
 
   const Diagram alone = compute(Circles{{1, 2, -4}}, kWeights).value();
-  EXPECT_EQ(hull(alone).arcs.at(0).radius, 0);
-  EXPECT_EQ(largestEmptyDiscCentredInHull(alone)->disc.radius, 4);
+  EXPECT_EQ(convexHull(alone).arcs.at(0).r, 0);
+  EXPECT_EQ(largestEmptyDiscCenteredInHull(alone)->disc.r, 4);
 }
 
 TEST(Weights, FilesSayThatTheyAre) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import AxeBuilder from '@axe-core/playwright'
 import { pointAt } from '../../web/lib/bisector.ts'
-import { edgeCurve, isBounded } from '../../web/lib/curve.ts'
+import { edgeCurve, isBoundedCurve } from '../../web/lib/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { loadCircleVoronoi } from '../../web/lib/loader.ts'
 import { dataSet, expect, test } from './page.ts'
@@ -34,7 +34,7 @@ test('draws the edges as arcs, not as chords', async ({ app }) => {
   const middles: Point[] = []
   for (let e = 0; e < diagram.edges.length / 4; e++) {
     const curve = edgeCurve(diagram, e)
-    if (!isBounded(curve)) continue
+    if (!isBoundedCurve(curve)) continue
     const chord = { x: (curve.start.x + curve.end.x) / 2, y: (curve.start.y + curve.end.y) / 2 }
     const arc = pointAt(curve.bisector, Math.sqrt(curve.from * curve.to))
     const isShown = [arc, chord].every((point) => app.isShown(app.locate(INTRODUCTION, point)))

@@ -41,7 +41,7 @@ for (const input of realData().filter((file) => basename(file).startsWith('citie
       assert.equal(features.length, 135233)
       for (const [i, { properties, geometry }] of features.entries()) {
         assert.equal(properties.circle, i)
-        assert.equal(properties.radius, circles[i].r)
+        assert.equal(properties.r, circles[i].r)
         assert.equal(properties.hiddenBy, hiders.get(i))
         assert.equal(geometry?.type, hiders.has(i) ? undefined : 'Polygon', `circle ${i}`)
       }

@@ -30,7 +30,7 @@ const CANDIDATES: Record<NonNullable<Options['candidates']>, true> = { dynamic: 
 const FILE_OPTIONS: Record<keyof DiagramFileOptions, string> = {
   format: '--format',
   // Where a polygon would do as well, in what draws, the name is that of the region and not of the box.
-  bounds: '--box',
+  bounds: '--bounds',
   maxDistance: '--max-distance',
   tolerance: '--tolerance',
   digits: '--digits',

@@ -160,7 +160,7 @@ class Checker {
   }
 
   void checkQueries() const {
-    const Hull outer = timed("hull", [&] { return hull(diagram_); });
+    const Hull outer = timed("hull", [&] { return convexHull(diagram_); });
     double angle = 0;
     for (const HullArc& arc : outer.arcs) {
       require(isFinite(arc.start) && isFinite(arc.end) && arc.angle >= 0, "an arc of the hull is not finite");
@@ -171,9 +171,11 @@ class Checker {
     const auto pair = timed("closestPair", [&] { return closestPair(diagram_); });
     require(!pair || std::isfinite(pair->gap), "a gap is not finite");
     (void)timed("mergeVertices", [&] { return mergeVertices(diagram_); });
-    checkDisc(timed("largestEmptyDiscCentredIn", [&] { return largestEmptyDiscCentredIn(diagram_, region_); }), false);
+    checkDisc(timed("largestEmptyDiscCenteredIn", [&] { return largestEmptyDiscCenteredIn(diagram_, region_); }),
+              false);
     checkDisc(timed("largestEmptyDiscInside", [&] { return largestEmptyDiscInside(diagram_, region_); }), true);
-    const auto inHull = timed("largestEmptyDiscCentredInHull", [&] { return largestEmptyDiscCentredInHull(diagram_); });
+    const auto inHull =
+        timed("largestEmptyDiscCenteredInHull", [&] { return largestEmptyDiscCenteredInHull(diagram_); });
     require(inHull.has_value() == !circles_.empty(), "there is no disc in the hull");
     if (circles_.empty()) return;
     const ClearestPath path = timed("clearestPath", [&] {

@@ -201,9 +201,9 @@ class Questions {
   }
 
   void askHull() const {
-    const Hull around = hull(diagram_);
+    const Hull around = convexHull(diagram_);
     for (const HullArc& arc : around.arcs) {
-      Answer(question("hull arc", arc.circle)) << arc.radius << arc.start << arc.end;
+      Answer(question("hull arc", arc.circle)) << arc.r << arc.start << arc.end;
     }
     Answer measures("hull measures");
     measures << around.length << around.area;
@@ -226,9 +226,9 @@ class Questions {
       for (const auto& pair : neighborPairs(diagram_)) answer.list(pair);
     }
     if (const auto pair = closestPair(diagram_)) Answer("closestPair") << pair->first << pair->second << pair->gap;
-    askDisc("largestEmptyDiscCentredInHull", largestEmptyDiscCentredInHull(diagram_));
+    askDisc("largestEmptyDiscCenteredInHull", largestEmptyDiscCenteredInHull(diagram_));
     for (const ConvexPolygon& region : regions_) {
-      askDisc("largestEmptyDiscCentredIn", largestEmptyDiscCentredIn(diagram_, region));
+      askDisc("largestEmptyDiscCenteredIn", largestEmptyDiscCenteredIn(diagram_, region));
       askDisc("largestEmptyDiscInside", largestEmptyDiscInside(diagram_, region));
     }
     if (diagram_.circles.empty()) return;
@@ -246,7 +246,7 @@ class Questions {
   static void askDisc(const char* name, const std::optional<EmptyDisc>& found) {
     Answer answer(name);
     if (!found) return;
-    answer << found->disc.x << found->disc.y << found->disc.radius;
+    answer << found->disc.x << found->disc.y << found->disc.r;
     for (const CircleIndex circle : found->circles) {
       if (circle != kNone) answer << circle;
     }
@@ -266,7 +266,7 @@ Result<Diagram> diagramOf(const std::vector<Circle>& circles, std::string_view m
     options.weights = true;
     return compute(circles, options);
   }
-  for (const Metric known : {Metric::circles, Metric::centres, Metric::power}) {
+  for (const Metric known : {Metric::circles, Metric::centers, Metric::power}) {
     if (metric == metricName(known)) return computeComparison(circles, known);
   }
   return Error{ErrorCode::badOption, -1, "There is no such metric."};

@@ -163,7 +163,7 @@ test.describe('in Node', () => {
     project.write('circles.csv', '0,0,1\n6,0,1\n0,8,1\n')
     const npx = (...args: string[]) => project.run('npx', '--offline', '--no', 'circle-voronoi', ...args)
     npx('compute', 'circles.csv', '-o', 'diagram.json')
-    expect(npx('verify', 'diagram.json')).toBe('certified: 3 circles, 0 of them hidden; 1 vertices, 3 edges\n')
+    expect(npx('certify', 'diagram.json')).toBe('certified: 3 circles, 0 of them hidden; 1 vertices, 3 edges\n')
     expect(() => npx('compute', 'none.csv')).toThrow('Cannot read none.csv: No such file or directory.')
   })
 

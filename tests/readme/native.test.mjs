@@ -46,7 +46,7 @@ describe('From the shell', () => {
       const output = / -o (\S+)/.exec(command)?.[1]
       const text = output === undefined ? printed : readFileSync(join(folder, output), 'utf8')
       if (command.includes('stats')) assert.equal(JSON.parse(text).certificate.certified, true)
-      else if (command.includes('verify')) assert.match(text, /^certified: 1000 circles/)
+      else if (command.includes('certify')) assert.match(text, /^certified: 1000 circles/)
       else if (output.endsWith('.geojson')) assert.equal(JSON.parse(text).features.length, 1000)
       else if (output.endsWith('.json')) assert.equal(JSON.parse(text).circles.length, 1000)
       else if (output.endsWith('.csv')) assert.equal(text.trim().split('\n').length, 1001)

@@ -207,7 +207,7 @@ describe('tiles of ten thousand circles', () => {
   })
 
   it('say what fails', async () => {
-    const { status, said } = await end(dask(join(folder, 'failed'), '--program', NATIVE, '--box', '1,1,0,0'))
+    const { status, said } = await end(dask(join(folder, 'failed'), '--program', NATIVE, '--bounds', '1,1,0,0'))
     assert.notEqual(status, 0)
     assert.match(said, /MAXX has to be above MINX/)
   })

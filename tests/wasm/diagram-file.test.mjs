@@ -20,7 +20,7 @@ for (const fixture of readdirSync(`${ROOT}tests/fixtures`).filter((name) => name
     const text = JSON.stringify(diagram)
     const { hidden, vertices, edges } = diagram
     assert.equal(
-      run(['verify', '-'], text),
+      run(['certify', '-'], text),
       `certified: ${diagram.circles.length / 3} circles, ${hidden.length / 2} of them hidden; ${vertices.length / 3} vertices, ${edges.length / 4} edges\n`,
     )
     // Judged by the program, as nothing else is believed.

@@ -151,7 +151,7 @@ describe('the same changes and bits as the native program', () => {
       const snapshot = editor.snapshot()
       assert.deepStrictEqual(
         [...snapshot.vertices],
-        native.vertices.flatMap(({ x, y, radius }) => [x, y, radius]),
+        native.vertices.flatMap(({ x, y, r: radius }) => [x, y, radius]),
       )
       assert.deepStrictEqual(
         [...snapshot.edges],

@@ -49,7 +49,7 @@ describe('a diagram is written as by the program', () => {
         assert.equal(withoutTimes(text), run(['compute', path, '--format', format]).text, format)
       }
       const box = { format: 'wkt', bounds: [-3, 0.001, 7.25, 10], tolerance: 3e-7, maxDistance: 0.7 }
-      const same = ['--format', 'wkt', '--box=-3,0.001,7.25,10', '--tolerance', '3e-7', '--max-distance', '0.7']
+      const same = ['--format', 'wkt', '--bounds=-3,0.001,7.25,10', '--tolerance', '3e-7', '--max-distance', '0.7']
       assert.equal(files.writeDiagram(diagram, box), run(['compute', path, ...same]).text)
     })
   }
@@ -74,7 +74,7 @@ it('a diagram of weights says that it is one', () => {
 describe('the diagrams to compare with', () => {
   const circles = readCirclesOf('waka.csv')
   it('of centres', () => {
-    const diagram = comparison.computeComparison(circles, 'centres')
+    const diagram = comparison.computeComparison(circles, 'centers')
     const read = files.readDiagram(files.writeDiagram(diagram))
     assert.deepEqual({ ...read }, { ...diagram })
     assert.match(files.writeDiagram(diagram, { format: 'wkt' }), /^POLYGON /)

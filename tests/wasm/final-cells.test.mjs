@@ -30,7 +30,15 @@ describe('finalCells', () => {
     it(`calls final what the native program writes, radius ${maxRadius}`, () => {
       const { neededHalo } = library.finalCells(diagram, { box, maxRadius })
       const known = `--known=${Object.values(box).join()}`
-      const args = ['compute', FIXTURE, known, `--max-radius=${maxRadius}`, '--format', 'geojsonl', '--box=0,0,1e6,1e6']
+      const args = [
+        'compute',
+        FIXTURE,
+        known,
+        `--max-radius=${maxRadius}`,
+        '--format',
+        'geojsonl',
+        '--bounds=0,0,1e6,1e6',
+      ]
       const written = new Set()
       for (const line of finalLines(args)) written.add(JSON.parse(line).properties.circle)
       assert.ok(written.size > 20)
@@ -44,7 +52,7 @@ describe('finalCells', () => {
 
   it('calls a vertex final if its disc lies in the box, an edge if its ends are, and a cell', () => {
     const { neededHalo, vertices, edges } = library.finalCells(diagram, { box, maxRadius: 0 })
-    const inside = ({ x, y, radius }) => Math.min(x - box.minX, box.maxX - x, y - box.minY, box.maxY - y) - radius
+    const inside = ({ x, y, r: radius }) => Math.min(x - box.minX, box.maxX - x, y - box.minY, box.maxY - y) - radius
     const halo = new Float64Array(circles.length)
     for (let v = 0; v < vertices.length; v++) {
       const depth = inside(vertexAt(diagram, v))

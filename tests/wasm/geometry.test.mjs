@@ -18,13 +18,13 @@ import {
   clearestPath,
   clip,
   closestPair,
+  convexHull,
   cubicBeziers,
   distance,
   edgeCurve,
   exportBox,
-  hull,
-  largestEmptyDiscCentredIn,
-  largestEmptyDiscCentredInHull,
+  largestEmptyDiscCenteredIn,
+  largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
   loadCircleVoronoi,
   mergeVertices,
@@ -71,7 +71,7 @@ const scaled = ['waka.csv', 'missed-antipodal-disc-mixed-6.csv'].flatMap((name) 
 
 for (const { name, circles } of [...fixtures, ...scaled]) {
   describe(name, () => {
-    for (const metric of ['circles', 'centres', 'power']) {
+    for (const metric of ['circles', 'centers', 'power']) {
       it(`has the geometry of C++ by the metric ${metric}`, () => {
         compare(computeComparison(circles, metric), metric)
       })
@@ -193,8 +193,8 @@ function answersOf(diagram, box, maxDistance) {
     for (const loop of parts) {
       say(
         `${name} loop`,
-        ...loop.flatMap(({ curve: { from, to, start, end }, side, neighbor, radius }) => {
-          return [from, to, ...of(start), ...of(end), side, neighbor, radius]
+        ...loop.flatMap(({ curve: { from, to, start, end }, side, neighbor, r }) => {
+          return [from, to, ...of(start), ...of(end), side, neighbor, r]
         }),
       )
     }
@@ -231,9 +231,9 @@ function answersOf(diagram, box, maxDistance) {
     })
   }
 
-  const around = hull(diagram)
-  for (const { circle, radius, start, end } of around.arcs) {
-    say(`hull arc ${circle}`, radius, ...of(start), ...of(end))
+  const around = convexHull(diagram)
+  for (const { circle, r, start, end } of around.arcs) {
+    say(`hull arc ${circle}`, r, ...of(start), ...of(end))
   }
   say(ROUNDED.name, around.length, around.area, ...around.arcs.map(({ angle }) => angle))
 
@@ -248,10 +248,10 @@ function answersOf(diagram, box, maxDistance) {
   const pair = closestPair(diagram)
   if (pair !== undefined) say('closestPair', pair.first, pair.second, pair.gap)
   const sayDisc = (name, found) =>
-    say(name, ...(found === undefined ? [] : [found.disc.x, found.disc.y, found.disc.radius, ...found.circles]))
-  sayDisc('largestEmptyDiscCentredInHull', largestEmptyDiscCentredInHull(diagram))
+    say(name, ...(found === undefined ? [] : [found.disc.x, found.disc.y, found.disc.r, ...found.circles]))
+  sayDisc('largestEmptyDiscCenteredInHull', largestEmptyDiscCenteredInHull(diagram))
   for (const region of regions) {
-    sayDisc('largestEmptyDiscCentredIn', largestEmptyDiscCentredIn(diagram, region))
+    sayDisc('largestEmptyDiscCenteredIn', largestEmptyDiscCenteredIn(diagram, region))
     sayDisc('largestEmptyDiscInside', largestEmptyDiscInside(diagram, region))
   }
   if (count === 0) return answers

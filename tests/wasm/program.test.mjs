@@ -73,18 +73,18 @@ describe('prints the same as the native program', AT_ONCE, () => {
   }
 
   it('what is cut at a box and drawn as closely as it is told', async () => {
-    const options = ['--box=-3,1e-3,7.25,1e1', '--tolerance', '3e-7', '--max-distance', '0.75']
+    const options = ['--bounds=-3,1e-3,7.25,1e1', '--tolerance', '3e-7', '--max-distance', '0.75']
     const circles = readFileSync(`${ROOT}tests/fixtures/waka.csv`)
     for (const format of ['svg', 'geojson', 'wkt'])
       await both(['compute', '-', '--format', format, ...options], circles)
   })
 
-  for (const command of ['compute', 'convert', 'generate', 'tile', 'verify']) {
+  for (const command of ['compute', 'convert', 'generate', 'tile', 'certify']) {
     it(`the help of ${command}`, async () => assert.equal((await both([command, '--help'])).status, 0))
   }
 
   it('what is wrong', async () => {
-    await both(['verify', `${ROOT}tests/fixtures`])
+    await both(['certify', `${ROOT}tests/fixtures`])
     await both(['compute', `${ROOT}none`])
     await both(['compute', '-', '--tolerance', 'nan'], '0,0,1\n')
     await both(['tile', '-', '--size', '1', '--halo', '0', '-o', 'none'], '0,0,1\n')

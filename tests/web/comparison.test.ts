@@ -5,8 +5,8 @@ import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   area,
   ConvexPolygon,
+  convexHull,
   type Diagram,
-  hull,
   loadCircleVoronoi,
   type Metric,
   NONE,
@@ -36,7 +36,7 @@ function areas(diagram: Diagram, region: ConvexPolygon): number[] {
   return Array.from({ length: diagram.circles.length / 3 }, (_, i) => area(outline(diagram, i, region)))
 }
 
-describe.each(['circles', 'centres', 'power'] as const)('by %s', (metric) => {
+describe.each(['circles', 'centers', 'power'] as const)('by %s', (metric) => {
   it('cells are of what is nearest, and fill a box', () => {
     fc.assert(
       fc.property(anyCircles, unit, unit, (circles, across, up) => {
@@ -65,7 +65,7 @@ describe.each(['circles', 'centres', 'power'] as const)('by %s', (metric) => {
       fc.property(KINDS.disjoint, (circles) => {
         const diagram = computeComparison(circles, metric)
         for (let v = 0; v < diagram.vertices.length / 3; v++) {
-          const { x, y, radius } = vertexAt(diagram, v)
+          const { x, y, r: radius } = vertexAt(diagram, v)
           const least = leastDistance(circles, { x, y }, metric)
           const size = scaleOf(circles) + Math.hypot(x, y)
           const expected = metric === 'power' ? Math.sign(radius) * radius * radius : radius
@@ -85,7 +85,7 @@ it('is the same by all three for equal radii', () => {
   fc.assert(
     fc.property(KINDS.equalRadii, (circles) => {
       const region = ConvexPolygon.of(boxAround(circles, 0.1))
-      const [expected, ...others] = (['circles', 'centres', 'power'] as const).map((metric) =>
+      const [expected, ...others] = (['circles', 'centers', 'power'] as const).map((metric) =>
         areas(computeComparison(circles, metric), region),
       ) as [number[], number[], number[]]
       for (const other of others) {
@@ -99,12 +99,12 @@ it('is the same by all three for equal radii', () => {
 
 it('keeps the circles and the metric, and so do clones', () => {
   const circles = Float64Array.of(0, 0, 3, 10, 0, 1, 4, 7, 0)
-  for (const metric of ['circles', 'centres', 'power'] as const) {
+  for (const metric of ['circles', 'centers', 'power'] as const) {
     const diagram = computeComparison(circles, metric)
     expect(structuredClone(diagram)).toMatchObject({ metric, circles })
-    expect(hull(diagram).arcs).toHaveLength(3)
+    expect(convexHull(diagram).arcs).toHaveLength(3)
   }
-  expect(hull(computeComparison(circles, 'power')).area).toBeCloseTo(35, 12)
+  expect(convexHull(computeComparison(circles, 'power')).area).toBeCloseTo(35, 12)
 })
 
 it('has its radical axis where the powers are equal', () => {
@@ -129,7 +129,7 @@ it('a circle that others cover may have no cell of the power diagram, and a cent
 })
 
 it('refuses what compute refuses, whatever the metric', () => {
-  for (const metric of ['circles', 'centres', 'power'] as const) {
+  for (const metric of ['circles', 'centers', 'power'] as const) {
     for (const [code, numbers] of [
       ['nonFinite', [0, 0, 1, 0, 0, Number.NaN]],
       ['negativeRadius', [0, 0, 1, 0, 0, -1]],

@@ -10,7 +10,7 @@ import {
   type CubicBezier,
   cubicBeziers,
   edgeCurve,
-  isBounded,
+  isBoundedCurve,
   type Point,
   parameterAt,
   pointAt,
@@ -103,7 +103,7 @@ describe('bisector', () => {
   it('is the radical axis for the metric power, and the perpendicular bisector for centres', () => {
     const circles = Float64Array.of(0, 0, 3, 10, 0, 1)
     expect(pointAt(bisector(circles, 0, 1, 'power'), 5).x).toBeCloseTo(5.4, 12)
-    expect(pointAt(bisector(circles, 0, 1, 'centres'), 5).x).toBeCloseTo(5, 12)
+    expect(pointAt(bisector(circles, 0, 1, 'centers'), 5).x).toBeCloseTo(5, 12)
   })
 })
 
@@ -139,7 +139,7 @@ describe('edgeCurve', () => {
       }),
     )
     const unbounded = edgeCurve(library.compute(Float64Array.of(0, 0, 1, 5, 0, 2)), 0)
-    expect(isBounded(unbounded)).toBe(false)
+    expect(isBoundedCurve(unbounded)).toBe(false)
     expect(reversed(unbounded)).toMatchObject({ from: 0, to: Number.POSITIVE_INFINITY })
   })
 

@@ -51,14 +51,14 @@ describe('a diagram as JSON', () => {
   it('has the keys of the format', () => {
     const file = JSON.parse(JSON.stringify(library.compute(THREE)))
     expect(Object.keys(file)).toEqual(['format', 'version', 'circles', 'hidden', 'vertices', 'edges', 'hull', 'stats'])
-    expect(file.vertices).toEqual([{ x: 3, y: 4, radius: 4, circles: expect.arrayContaining([0, 1, 2]) }])
+    expect(file.vertices).toEqual([{ x: 3, y: 4, r: 4, circles: expect.arrayContaining([0, 1, 2]) }])
     expect(file.edges).toHaveLength(3)
     expect(file.stats.certificate).toEqual(library.compute(THREE).certificate)
   })
 
   it('keeps another distance', async () => {
     const { computeComparison } = await loadComparison(library)
-    for (const metric of ['centres', 'power'] as const) {
+    for (const metric of ['centers', 'power'] as const) {
       const diagram = computeComparison([...THREE, [0, 0, 0.5]], metric)
       expect(arraysOf(Diagram.fromJSON(JSON.stringify(diagram)))).toEqual(arraysOf(diagram))
     }
@@ -92,7 +92,7 @@ describe('a diagram as JSON', () => {
       [{ ...file, edges: 'none' }, 'edges is no list, but "none".'],
       [{ ...file, circles: [0] }, 'circles[0] is no object, but 0.'],
       [{ ...file, circles: [{ x: 0, y: null, r: 1 }] }, 'y of circles[0] is no finite number, but null.'],
-      [{ ...file, vertices: [{ ...vertex, radius: '4' }] }, 'radius of vertices[0] is no finite number, but "4".'],
+      [{ ...file, vertices: [{ ...vertex, r: '4' }] }, 'r of vertices[0] is no finite number, but "4".'],
       [{ ...file, vertices: [{ ...vertex, circles: [0, 1] }] }, 'circles of vertices[0] are 2 numbers, not 3.'],
       [
         { ...file, vertices: [{ ...vertex, circles: [0, 1, 4] }] },

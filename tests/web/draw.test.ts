@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { randomCircles } from '../../web/app/random-circles.ts'
-import { ConvexPolygon, Diagram, hull, type Point } from '../../web/lib/index.ts'
+import { ConvexPolygon, convexHull, Diagram, type Point } from '../../web/lib/index.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, signedDistance } from './oracle.ts'
 import { doubleArea, RecordingSink } from './recording-sink.ts'
@@ -231,7 +231,7 @@ describe('the polygon of a hull', () => {
     expect(ring?.at(-1)).toEqual(ring?.[0])
     return doubleArea((ring ?? []).map(([x, y]) => ({ x: x / scale, y: y / scale })).slice(1)) / 2
   }
-  const { area } = hull(library.compute(Float64Array.of(0, 0, 3, 8, 1, 1, 2, 7, 0)))
+  const { area } = convexHull(library.compute(Float64Array.of(0, 0, 3, 8, 1, 1, 2, 7, 0)))
 
   it.each([1, 2 ** 480, 2 ** -600])('has the area of the hull, %d times as large', (scale) => {
     expect(Math.abs(areaOf(scale) - area)).toBeLessThan(1e-2)

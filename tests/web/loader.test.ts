@@ -32,7 +32,7 @@ describe('compute', () => {
     expect(diagram.vertices).toHaveLength(3)
     expect(diagram.edges).toHaveLength(12)
     expect([...diagram.vertexCircles].sort()).toEqual([0, 1, 2])
-    const { x, y, radius } = vertexAt(diagram, 0)
+    const { x, y, r: radius } = vertexAt(diagram, 0)
     expect(Math.hypot(x, y) - 1).toBeCloseTo(radius)
     expect(Math.hypot(x - 10, y) - 2).toBeCloseTo(radius)
     expect(Math.hypot(x - 4, y - 9) - 3).toBeCloseTo(radius)

@@ -76,7 +76,7 @@ describe('a maximum distance', () => {
       expect(diagram.cellArea(i, { maxDistance: 2 })).toBeCloseTo(9 * Math.PI - segment, 10)
       const [loop = []] = outline(diagram, i, [-9, -9, 13, 9], 2)
       expect(loop.filter(({ neighbor }) => neighbor === 1 - i)).toHaveLength(1)
-      for (const { side, radius } of loop) expect(radius).toBe(side === NONE ? 3 : 0)
+      for (const { side, r } of loop) expect(r).toBe(side === NONE ? 3 : 0)
     }
     expect(diagram.edgePath(0, { maxDistance: 0.5 })).toBe('')
     expect(diagram.edgePath(0, { maxDistance: 2, digits: 3 })).toBe('M2,-2.236L2,2.236')

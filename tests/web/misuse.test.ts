@@ -11,8 +11,8 @@ import {
   type Diagram,
   edgeAt,
   edgeCurve,
-  largestEmptyDiscCentredIn,
-  largestEmptyDiscCentredInHull,
+  largestEmptyDiscCenteredIn,
+  largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
   loadCircleVoronoi,
   outline,
@@ -196,7 +196,7 @@ describe('is refused with a sentence', () => {
     expect(error).toMatchObject({ code, message: says })
   })
 
-  it.each([largestEmptyDiscCentredIn, largestEmptyDiscCentredInHull, largestEmptyDiscInside])(
+  it.each([largestEmptyDiscCenteredIn, largestEmptyDiscCenteredInHull, largestEmptyDiscInside])(
     '%o of a power diagram',
     (query) => {
       const ask = query as (diagram: Diagram, bounds: unknown) => unknown

@@ -2,7 +2,7 @@
 // Cells and hulls as polygons.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { type Diagram, hull, outline, type Point, type Polygon } from '../../web/lib/index.ts'
+import { convexHull, type Diagram, outline, type Point, type Polygon } from '../../web/lib/index.ts'
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, signedDistance } from './oracle.ts'
@@ -141,7 +141,7 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
     fc.assert(
       fc.property(arbitrary, fc.constantFrom(0.3, 1e-2, 1e-4), (circles, share) => {
         const diagram = library.compute(circles)
-        const { area, length } = hull(diagram)
+        const { area, length } = convexHull(diagram)
         const tolerance = share * Math.max(length, 1e-3)
         const ring = diagram.hullPolygon({ tolerance })
         if (ring === undefined) throw new Error('There is no hull.')

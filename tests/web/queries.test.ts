@@ -6,9 +6,9 @@ import {
   ConvexPolygon,
   circleAt,
   closestPair,
-  hull,
-  largestEmptyDiscCentredIn,
-  largestEmptyDiscCentredInHull,
+  convexHull,
+  largestEmptyDiscCenteredIn,
+  largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
   neighborPairs,
   type Point,
@@ -34,7 +34,7 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
   it('have a hull as long and as large as that of how far they reach', () => {
     fc.assert(
       fc.property(arbitrary, (circles) => {
-        const { arcs, length, area } = hull(library.compute(circles))
+        const { arcs, length, area } = convexHull(library.compute(circles))
         const origin = circleAt(circles, 0)
         const reach = reaches(circles, origin)
         const step = (2 * Math.PI) / reach.length
@@ -90,9 +90,9 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
         const random = seededRandom(seed)
         const diagram = library.compute(circles)
         const box = boxAround(circles, share)
-        const largest = largestEmptyDiscCentredIn(diagram, box)
+        const largest = largestEmptyDiscCenteredIn(diagram, box)
         if (largest === undefined) throw new Error('There is no disc.')
-        const { x, y, radius } = largest.disc
+        const { x, y, r: radius } = largest.disc
         const rounding = 1e-12 * (scaleOf(circles) + Math.abs(radius))
         expect(ConvexPolygon.of(box).contains({ x, y })).toBe(true)
         expect(Math.abs(leastDistance(circles, { x, y }) - radius)).toBeLessThanOrEqual(rounding)
@@ -131,14 +131,14 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
         if (largest === undefined) throw new Error('There is no disc.')
         const { disc, circles: touched } = largest
         const rounding = 1e-12 * (scaleOf(circles) + width + height)
-        if (disc.radius <= 0) {
-          const centred = largestEmptyDiscCentredIn(diagram, region)
-          expect(Math.abs(disc.radius - (centred?.disc.radius as number))).toBeLessThanOrEqual(rounding)
+        if (disc.r <= 0) {
+          const centred = largestEmptyDiscCenteredIn(diagram, region)
+          expect(Math.abs(disc.r - (centred?.disc.r as number))).toBeLessThanOrEqual(rounding)
         } else {
-          expect(depthOf(disc)).toBeGreaterThanOrEqual(disc.radius - rounding)
-          expect(leastDistance(circles, disc)).toBeGreaterThanOrEqual(disc.radius - rounding)
+          expect(depthOf(disc)).toBeGreaterThanOrEqual(disc.r - rounding)
+          expect(leastDistance(circles, disc)).toBeGreaterThanOrEqual(disc.r - rounding)
           for (const i of touched) {
-            expect(Math.abs(signedDistance(circles, i, disc) - disc.radius)).toBeLessThanOrEqual(
+            expect(Math.abs(signedDistance(circles, i, disc) - disc.r)).toBeLessThanOrEqual(
               1e-9 * (width + height) + rounding,
             )
           }
@@ -148,7 +148,7 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
           const p = pointIn(box, random(), random())
           if (depthOf(p) >= 0) most = Math.max(most, Math.min(depthOf(p), leastDistance(circles, p)))
         }
-        expect(most).toBeLessThanOrEqual(disc.radius + rounding)
+        expect(most).toBeLessThanOrEqual(disc.r + rounding)
       }),
       { numRuns: 50 },
     )
@@ -157,9 +157,9 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
   it('have no larger empty disc in their hull than that which is found', () => {
     fc.assert(
       fc.property(arbitrary, fc.array(fc.tuple(unit, unit), { minLength: 60, maxLength: 60 }), (circles, places) => {
-        const largest = largestEmptyDiscCentredInHull(library.compute(circles))
+        const largest = largestEmptyDiscCenteredInHull(library.compute(circles))
         if (largest === undefined) throw new Error('There is no disc.')
-        const { x, y, radius } = largest.disc
+        const { x, y, r: radius } = largest.disc
         const box = boxAround(circles, 0)
         const rounding = 1e-11 * scaleOf(circles)
         expect(radius).toBeGreaterThanOrEqual(0)
@@ -198,10 +198,10 @@ it('neighbour pairs are those of the edges, in order, each once', () => {
 })
 
 it('the largest empty disc may touch two circles from the edge of the hull', () => {
-  const largest = largestEmptyDiscCentredInHull(library.compute(Float64Array.of(0, 0, 1, 10, 0, 1)))
+  const largest = largestEmptyDiscCenteredInHull(library.compute(Float64Array.of(0, 0, 1, 10, 0, 1)))
   expect(largest?.disc.x).toBeCloseTo(5, 14)
   expect(Math.abs(largest?.disc.y as number)).toBeCloseTo(1, 14)
-  expect(largest?.disc.radius).toBeCloseTo(Math.sqrt(26) - 1, 13)
+  expect(largest?.disc.r).toBeCloseTo(Math.sqrt(26) - 1, 13)
   expect([...(largest?.circles ?? [])].sort()).toEqual([0, 1])
 })
 
@@ -215,23 +215,23 @@ it.each([
 ] as const)('the largest empty disc inside a box touches %s', (_, circles, [minX, minY, maxX, maxY], radius, count) => {
   const diagram = library.compute(Float64Array.from(circles))
   const largest = largestEmptyDiscInside(diagram, { minX, minY, maxX, maxY })
-  expect(largest?.disc.radius).toBeCloseTo(radius, 12)
+  expect(largest?.disc.r).toBeCloseTo(radius, 12)
   expect(largest?.circles).toHaveLength(count)
 })
 
 it('no circles have no answers', () => {
   const diagram = library.compute([])
   expect(closestPair(diagram)).toBeUndefined()
-  expect(largestEmptyDiscCentredIn(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
-  expect(largestEmptyDiscCentredInHull(diagram)).toBeUndefined()
+  expect(largestEmptyDiscCenteredIn(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
+  expect(largestEmptyDiscCenteredInHull(diagram)).toBeUndefined()
   expect(largestEmptyDiscInside(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
   expect(neighborPairs(diagram)).toHaveLength(0)
-  expect(hull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
+  expect(convexHull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
 })
 
 it('one circle is its own hull', () => {
-  const { arcs, length, area } = hull(library.compute(Float64Array.of(1, 2, 3)))
-  expect(arcs).toEqual([{ circle: 0, radius: 3, start: { x: 4, y: 2 }, end: { x: 4, y: 2 }, angle: 2 * Math.PI }])
+  const { arcs, length, area } = convexHull(library.compute(Float64Array.of(1, 2, 3)))
+  expect(arcs).toEqual([{ circle: 0, r: 3, start: { x: 4, y: 2 }, end: { x: 4, y: 2 }, angle: 2 * Math.PI }])
   expect(length).toBeCloseTo(6 * Math.PI, 12)
   expect(area).toBeCloseTo(9 * Math.PI, 12)
 })
@@ -240,7 +240,7 @@ it('the hull turns around the larger of two circles that nearly touch inside', (
   // Their common tangents are the same but for rounding.
   const small = [0.2823275086840536, 0.05996925804686018, 0.71137371209393407]
   const large = [0.0015071996752053401, 0.0003201446669926927, 0.99845917441975318]
-  const { arcs, length, area } = hull(library.compute(Float64Array.from([...small, ...large])))
+  const { arcs, length, area } = convexHull(library.compute(Float64Array.from([...small, ...large])))
   const r = large[2] as number
   expect(arcs.find(({ circle }) => circle === 1)?.angle).toBeCloseTo(2 * Math.PI, 6)
   expect(length).toBeCloseTo(2 * Math.PI * r, 6)
@@ -250,15 +250,15 @@ it('the hull turns around the larger of two circles that nearly touch inside', (
 it.each([2 ** -520, 2 ** -900])('the hull is the same at %d times the size', (size) => {
   const circles = Float64Array.of(0, 0, 0.1, 1, 0, 0.2, 0, 1, 0.3, 0.9, 0.9, 0.05)
   const scaled = ({ x, y }: Point) => ({ x: size * x, y: size * y })
-  const large = hull(library.compute(circles)).arcs
-  const small = hull(library.compute(circles.map((value) => size * value))).arcs
+  const large = convexHull(library.compute(circles)).arcs
+  const small = convexHull(library.compute(circles.map((value) => size * value))).arcs
   expect(small).toEqual(
-    large.map((arc) => ({ ...arc, radius: size * arc.radius, start: scaled(arc.start), end: scaled(arc.end) })),
+    large.map((arc) => ({ ...arc, r: size * arc.r, start: scaled(arc.start), end: scaled(arc.end) })),
   )
 })
 
 it('the hull of two circles has two arcs and two tangent segments', () => {
-  const { arcs, length, area } = hull(library.compute(Float64Array.of(0, 0, 1, 4, 0, 1)))
+  const { arcs, length, area } = convexHull(library.compute(Float64Array.of(0, 0, 1, 4, 0, 1)))
   expect(arcs.map(({ angle }) => angle)).toEqual([Math.PI, Math.PI])
   expect(length).toBeCloseTo(2 * Math.PI + 8, 12)
   expect(area).toBeCloseTo(Math.PI + 8, 12)

@@ -11,13 +11,13 @@ import {
   clearestPath,
   clip,
   closestPair,
+  convexHull,
   cubicBeziers,
   type Diagram,
   edgeCurve,
   exportBox,
-  hull,
-  largestEmptyDiscCentredIn,
-  largestEmptyDiscCentredInHull,
+  largestEmptyDiscCenteredIn,
+  largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
   type Metric,
   mergeVertices,
@@ -81,7 +81,7 @@ function addCells(all: Measures, diagram: Diagram, box: Box): void {
 }
 
 function addQueries(all: Measures, diagram: Diagram, box: Box): void {
-  const { arcs, length, area } = hull(diagram)
+  const { arcs, length, area } = convexHull(diagram)
   all.add(1, length)
   all.add(2, area)
   for (const { start, angle } of arcs) {
@@ -90,14 +90,14 @@ function addQueries(all: Measures, diagram: Diagram, box: Box): void {
   }
   all.add(1, closestPair(diagram)?.gap ?? 0)
   const discs = [
-    largestEmptyDiscCentredIn(diagram, box),
-    largestEmptyDiscCentredInHull(diagram),
+    largestEmptyDiscCenteredIn(diagram, box),
+    largestEmptyDiscCenteredInHull(diagram),
     largestEmptyDiscInside(diagram, box),
   ]
   for (const found of discs) {
     if (found === undefined) throw new Error('There is no disc.')
     all.addPoint(found.disc)
-    all.add(1, found.disc.radius)
+    all.add(1, found.disc.r)
     all.add(0, ...found.circles)
   }
   const path = clearestPath(diagram, { x: box.minX, y: box.minY }, { x: box.maxX, y: box.maxY / 2 })
@@ -130,7 +130,7 @@ describe.each([-900, -700, -400, -255, 255, 300, 498])('2^%d times as large', (e
   const times = (value: number, dimension: number) =>
     Array.from({ length: dimension }).reduce<number>((product) => product * 2 ** exponent, value)
 
-  it.each(['circles', 'centres', 'power'] as const)('all is as large, by the metric %s', (metric) => {
+  it.each(['circles', 'centers', 'power'] as const)('all is as large, by the metric %s', (metric) => {
     for (const radius of [0.1, 0.4]) {
       const circles = coarseCircles(radius)
       const expected = measure(circles, metric, 1)

@@ -116,7 +116,7 @@ export class Cells {
     const d = circleAt(circles, other)
     const fromCircle = between(c, { x, y })
     const fromOther = between(d, { x, y })
-    const difference = metric === 'centres' ? 0 : d.r - c.r
+    const difference = metric === 'centers' ? 0 : d.r - c.r
     let size = lengthOf(fromCircle) + lengthOf(fromOther)
     if (metric === 'power') size += c.r + d.r
     if (size === 0) return -difference

@@ -41,7 +41,7 @@ export interface Change {
   readonly cells: Int32s
   readonly removedVertices: Int32s
   readonly addedVertices: Int32s
-  /** Three for each vertex added: x, y, radius. */
+  /** Three for each vertex added: x, y, r. */
   readonly vertices: Float64s
   /** Three for each vertex added: its circles, counter-clockwise, the least first. */
   readonly vertexCircles: Int32s

@@ -2,7 +2,7 @@
 import { controlPoint } from './bezier.ts'
 import { type Bisector, parameterAtRise, pointAt } from './bisector.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
-import { type BoundedCurve, type EdgeCurve, isBounded, seenFrom } from './curve.ts'
+import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from './curve.ts'
 import { NONE } from './diagram-data.ts'
 import { between, dot, type Point, type Vector } from './point.ts'
 import { CIRCLE_OF_RING } from './ring.ts'
@@ -46,7 +46,7 @@ export function partsInside(whole: EdgeCurve, region: ConvexPolygon): Part[] {
     const start = cutFrom === NONE ? curve.start : onSide(region, cutFrom, pointAt(bisector, from))
     const end = cutTo === NONE ? curve.end : onSide(region, cutTo, pointAt(bisector, to))
     const part = { bisector, from, to, start, end }
-    if (isBounded(part)) parts.push({ curve: part, cutFrom, cutTo })
+    if (isBoundedCurve(part)) parts.push({ curve: part, cutFrom, cutTo })
   }
   return parts
 }
@@ -77,7 +77,7 @@ export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
 
 function spansInside(curve: EdgeCurve, region: ConvexPolygon): Span[] {
   let spans: Span[] = [{ from: curve.from, to: curve.to, cutFrom: NONE, cutTo: NONE }]
-  if (isBounded(curve)) {
+  if (isBoundedCurve(curve)) {
     const place = placeOf(curve, region)
     if (place !== 'cut') return place === 'inside' ? spans : []
   }

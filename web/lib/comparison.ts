@@ -23,11 +23,11 @@ const COORDINATE_LIMIT = 1e150
  */
 export interface Comparison {
   /**
-   * The diagram of `circles`, as `compute` takes them, by another distance: with `centres` the ordinary Voronoi diagram of
+   * The diagram of `circles`, as `compute` takes them, by another distance: with `centers` the ordinary Voronoi diagram of
    * the centres, with `power` the power diagram, with `circles` that of `compute`. The methods of the result and the
    * functions of cells and curves take that distance too.
    *
-   * Of `centres`: a vertex has the distance from its three centres as its radius, and of circles with one centre the first
+   * Of `centers`: a vertex has the distance from its three centres as its radius, and of circles with one centre the first
    * has a cell. Of `power`: the radius of a vertex is that of the circle at right angles to its three, or, negative, the
    * root of minus their power where they overlap; a circle without a cell is listed as hidden by `NONE`, though no circle
    * need contain it; a circle's centre may lie outside its cell; and no certificate is made.
@@ -62,8 +62,8 @@ export async function loadComparison(library: CircleVoronoi, options: LoadOption
       // Without radii nobody would see what is wrong with them.
       const isRefused = coordinates.some((value, k) => k % 3 === 2 && !(value >= 0 && value <= COORDINATE_LIMIT))
       if (metric === 'circles' || isRefused) return library.compute(coordinates)
-      if (metric !== 'centres') {
-        throw new CircleVoronoiError('badOption', -1, 'Unknown metric: the choice is circles, centres or power.')
+      if (metric !== 'centers') {
+        throw new CircleVoronoiError('badOption', -1, 'Unknown metric: the choice is circles, centers or power.')
       }
       const centres = library.compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
       return new Diagram({ ...centres, metric, circles: coordinates })

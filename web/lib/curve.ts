@@ -37,10 +37,10 @@ export interface BoundedCurve extends EdgeCurve {
  *
  * @category Curves
  * @example
- * isBounded(edgeCurve(diagram, 0)) // false
- * clip(edgeCurve(diagram, 0), [-5, -5, 10, 10]).every(isBounded) // true
+ * isBoundedCurve(edgeCurve(diagram, 0)) // false
+ * clip(edgeCurve(diagram, 0), [-5, -5, 10, 10]).every(isBoundedCurve) // true
  */
-export function isBounded(curve: EdgeCurve): curve is BoundedCurve {
+export function isBoundedCurve(curve: EdgeCurve): curve is BoundedCurve {
   return curve.start !== undefined && curve.end !== undefined
 }
 

@@ -51,7 +51,7 @@ export interface Circle {
 export interface Vertex {
   readonly x: number
   readonly y: number
-  readonly radius: number
+  readonly r: number
 }
 
 /**
@@ -185,7 +185,7 @@ export interface DiagramData {
   readonly weights: boolean
   /** Three per circle: x, y, r, in input order. */
   readonly circles: Float64s
-  /** Three per vertex: x, y, radius. */
+  /** Three per vertex: x, y, r. */
   readonly vertices: Float64s
   /** Three per vertex: its circles, counter-clockwise. */
   readonly vertexCircles: Int32s
@@ -252,11 +252,11 @@ export function circleAt(circles: Float64Array, i: number): Circle {
  *
  * @category Diagrams
  * @example
- * vertexAt(diagram, 0) // { x: 3, y: 4, radius: 4 }
+ * vertexAt(diagram, 0) // { x: 3, y: 4, r: 4 }
  */
 export function vertexAt({ vertices }: DiagramData, v: number): Vertex {
   checkIndex(v, vertices.length / 3, 'vertexAt', 'vertex')
-  return { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1), radius: at(vertices, 3 * v + 2) }
+  return { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1), r: at(vertices, 3 * v + 2) }
 }
 
 /**

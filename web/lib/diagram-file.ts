@@ -37,7 +37,7 @@ export interface DiagramFile {
   readonly vertices: readonly {
     readonly x: number
     readonly y: number
-    readonly radius: number
+    readonly r: number
     readonly circles: readonly number[]
   }[]
   readonly edges: readonly { readonly circles: readonly number[]; readonly vertices: readonly number[] }[]
@@ -60,7 +60,7 @@ export function fileOf(diagram: DiagramData): DiagramFile {
     vertices: list(vertices, 3, (k) => ({
       x: at(vertices, k),
       y: at(vertices, k + 1),
-      radius: at(vertices, k + 2),
+      r: at(vertices, k + 2),
       circles: [...vertexCircles.subarray(k, k + 3)],
     })),
     edges: list(edges, 4, (k) => ({
@@ -105,12 +105,8 @@ export function dataFrom(json: unknown): DiagramData {
     circles: Float64Array.from(listOf(circles, 'circles').flatMap((item, i) => circleOf(item, i, weights))),
     vertices: Float64Array.from(
       listOf(vertices, 'vertices').flatMap((item, v) => {
-        const { x, y, radius } = itemOf(item, `vertices[${v}]`)
-        return [
-          numberOf(x, 'x', 'vertices', v),
-          numberOf(y, 'y', 'vertices', v),
-          numberOf(radius, 'radius', 'vertices', v),
-        ]
+        const { x, y, r } = itemOf(item, `vertices[${v}]`)
+        return [numberOf(x, 'x', 'vertices', v), numberOf(y, 'y', 'vertices', v), numberOf(r, 'r', 'vertices', v)]
       }),
     ),
     vertexCircles: Int32Array.from(

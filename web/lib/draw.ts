@@ -6,7 +6,7 @@ import { isCircleArc, traceCircleArc } from './circle-arc.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 import type { BoundedCurve } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
-import { hull } from './hull.ts'
+import { convexHull } from './hull.ts'
 import { outlineOf } from './outline.ts'
 import type { PathSink } from './path-sink.ts'
 import type { Point } from './point.ts'
@@ -109,7 +109,7 @@ function isPlainSegment(diagram: DiagramData, e: number, { region, maxDistance }
 
 /** Draws the convex hull: arcs of circles and the tangent segments between them. */
 export function drawHull(sink: PathSink, diagram: DiagramData): void {
-  const { arcs } = hull(diagram)
+  const { arcs } = convexHull(diagram)
   arcs.forEach(({ circle, start, angle }, k) => {
     const { x, y } = circleAt(diagram.circles, circle)
     const radius = lengthOf({ x: start.x - x, y: start.y - y })

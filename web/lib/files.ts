@@ -40,7 +40,7 @@ const DRAWN_OPTIONS = ['bounds', 'maxDistance', 'tolerance'] as const
  * @category Files
  */
 export interface CircleFileOptions {
-  /** `csv` with a header, `json` objects, or `geojson` points with a radius. Default: `csv`. */
+  /** `csv` with a header, `json` objects, or `geojson` points with a property r. Default: `csv`. */
   readonly format?: (typeof CIRCLE_FORMATS)[number] | undefined
 }
 
@@ -52,7 +52,7 @@ export interface CircleFileOptions {
 export interface DiagramFileOptions {
   /**
    * `json`, which is read again; `csv`: vertices and edges; `stats`; `svg`: a drawing with true curves, a group for each
-   * layer; `geojson`: cells as polygons, with circle, radius, area and neighbors; `geojsonl`: one a line; `wkt`: a line for
+   * layer; `geojson`: cells as polygons, with circle, r, area and neighbors; `geojsonl`: one a line; `wkt`: a line for
    * each circle; `obj`: edges and cells. Default: `json`.
    */
   readonly format?: (typeof DIAGRAM_FORMATS)[number] | undefined
@@ -98,7 +98,7 @@ export interface ReadCirclesOptions extends ReadOptions {
 export interface Files {
   /**
    * Circles from CSV (x, y, r, or columns found by name), JSON (`[[x, y, r], ...]` or objects) or GeoJSON points with a
-   * property radius: x, y, r of each.
+   * property r: x, y, r of each.
    *
    * @throws CircleVoronoiError whose message begins with the file's name and the line: `badInput`, and what `compute`
    *   would refuse
@@ -173,10 +173,12 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       if (tolerance !== undefined && !(Number.isFinite(tolerance) && tolerance > 0)) {
         refuseOption(`The tolerance is a number above 0, not ${shown(tolerance)}.`)
       }
-      const box = bounds === undefined ? undefined : sidesOf(bounds)
+      const sides = bounds === undefined ? undefined : sidesOf(bounds)
       const { metric, stats } = diagram
       const data = { metric, ...judgedArrays(diagram), stats: statsOf(stats) }
-      return decoder.decode(unwrap(module.writeDiagram(data, format, { box, maxDistance, tolerance, digits })).text)
+      return decoder.decode(
+        unwrap(module.writeDiagram(data, format, { bounds: sides, maxDistance, tolerance, digits })).text,
+      )
     },
   }
 }

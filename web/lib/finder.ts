@@ -209,7 +209,7 @@ export class Finder {
       side = at(nextSide, side)
       const toOther = plainDistance(circles, neighbor, x, y)
       const otherR = at(circles, 3 * neighbor + 2)
-      let lead = metric === 'centres' ? toCentre - toOther : toCentre - r - (toOther - otherR)
+      let lead = metric === 'centers' ? toCentre - toOther : toCentre - r - (toOther - otherR)
       // What rounding may decide, here or beyond the range of squares, is asked with care.
       const isClear = Math.abs(lead) > ROUNDING * (toCentre + toOther + r + otherR) + SMALL
       if (!isClear || metric === 'power') lead = cells.lead(neighbor, circle, x, y)

@@ -12,8 +12,8 @@ import { pointOn, tangentNormal } from './tangent.ts'
  */
 export interface HullArc {
   readonly circle: number
-  /** Of its circle, grown as `hull` says. */
-  readonly radius: number
+  /** Of its circle, grown as `convexHull` says. */
+  readonly r: number
   readonly start: Point
   readonly end: Point
   /** From 0 to 2 pi. */
@@ -37,15 +37,15 @@ const THREE_QUARTER_TURN = 1.5 * Math.PI
 
 /**
  * The hull of a certified diagram, in the order of `diagram.hull`. That of a single circle is the circle: one arc of 2 pi.
- * For the metrics `centres` and `power` it is the hull of the centres. Where weights on the hull are negative, it is that of
+ * For the metrics `centers` and `power` it is the hull of the centres. Where weights on the hull are negative, it is that of
  * all circles grown by the amount that makes the least of these a point.
  *
  * @category Questions
  * @example
- * hull(diagram).arcs.length // 3
- * hull(diagram).length.toFixed(4) // '30.2832'
+ * convexHull(diagram).arcs.length // 3
+ * convexHull(diagram).length.toFixed(4) // '30.2832'
  */
-export function hull(diagram: DiagramData): Hull {
+export function convexHull(diagram: DiagramData): Hull {
   const growth = hullGrowth(diagram)
   const circles = Array.from(diagram.hull, (circle) => hullCircleAt(diagram, circle, growth))
   const count = circles.length
@@ -66,7 +66,7 @@ export function hull(diagram: DiagramData): Hull {
   }
   const arcs = circles.map((circle, step) => ({
     circle: at(diagram.hull, step),
-    radius: circle.r,
+    r: circle.r,
     start: pointOn(circle, normals[step] as Point),
     end: pointOn(circle, normals[(step + 1) % count] as Point),
     angle: angles[step] as number,

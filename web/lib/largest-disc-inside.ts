@@ -6,7 +6,7 @@ import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { edgeCurve } from './curve.ts'
 import type { Diagram } from './diagram.ts'
 import { at, circleAt, edgeAt, NONE, vertexAt } from './diagram-data.ts'
-import { type EmptyDisc, largestEmptyDiscCentredIn } from './largest-empty-disc.ts'
+import { type EmptyDisc, largestEmptyDiscCenteredIn } from './largest-empty-disc.ts'
 import { distance } from './metric.ts'
 import { between, dot, length, type Point, type Vector } from './point.ts'
 import { largestOf, lengthOf, measuredIn, turn, unitFor } from './scale.ts'
@@ -20,7 +20,7 @@ const ROUNDING_OF_PLACE = 2 ** -31
 /**
  * The largest disc that meets no circle but for touching, of those that lie inside a region as a whole; it may touch sides
  * of the region in place of circles. Where circles cover the region there is none: then it is that of
- * `largestEmptyDiscCentredIn`, whose radius is not above 0. `undefined` if there are no circles. The diagram is of the
+ * `largestEmptyDiscCenteredIn`, whose radius is not above 0. `undefined` if there are no circles. The diagram is of the
  * metric `circles`. Each circle is tried with each of the segments, some two for each side, of the region's medial axis.
  *
  * The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
@@ -33,18 +33,18 @@ const ROUNDING_OF_PLACE = 2 ** -31
  *
  * @category Questions
  * @example
- * largestEmptyDiscInside(diagram, [-2, -2, 8, 10]).disc.radius.toFixed(6) // '4.119661'
+ * largestEmptyDiscInside(diagram, [-2, -2, 8, 10]).disc.r.toFixed(6) // '4.119661'
  */
 export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscInside')
   checkMetric(diagram, 'largestEmptyDiscInside', 'circles')
   const region = ConvexPolygon.of(bounds)
-  const centred = largestEmptyDiscCentredIn(diagram, region)
-  if (centred === undefined || centred.disc.radius <= 0) return centred
+  const centred = largestEmptyDiscCenteredIn(diagram, region)
+  if (centred === undefined || centred.disc.r <= 0) return centred
   const sides = sidesOf(region)
   const ridges = ridgesOf(region, sides)
   let best: EmptyDisc | undefined
-  const radius = () => best?.disc.radius ?? Number.NEGATIVE_INFINITY
+  const radius = () => best?.disc.r ?? Number.NEGATIVE_INFINITY
   const depthOf = (p: Point) => sides.reduce((least, side) => Math.min(least, depth(side, p)), Infinity)
   /** The largest disc around a point, if it touches the circles named but for rounding. */
   const offer = (p: Point, ...circles: readonly number[]) => {
@@ -55,21 +55,21 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
     const least = Math.min(inside, empty)
     if (least <= radius()) return
     if (circles[0] === undefined) {
-      best = { disc: { x: p.x, y: p.y, radius: least }, circles: empty > inside ? [] : [nearest] }
+      best = { disc: { x: p.x, y: p.y, r: least }, circles: empty > inside ? [] : [nearest] }
       return
     }
     const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleAt(diagram.circles, circles[0]).r)
     if (!circles.includes(nearest) && distance(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
     // It may touch but sides.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
-    best = { disc: { x: p.x, y: p.y, radius: least }, circles: touched }
+    best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }
   }
 
   // First what touches most circles: of equal discs the first is kept.
   for (let v = 0; v < diagram.vertices.length / 3; v++) {
-    const { x, y, radius: empty } = vertexAt(diagram, v)
+    const { x, y, r: empty } = vertexAt(diagram, v)
     if (empty <= radius() || depthOf({ x, y }) < empty) continue
-    best = { disc: { x, y, radius: empty }, circles: [...diagram.vertexCircles.subarray(3 * v, 3 * v + 3)] }
+    best = { disc: { x, y, r: empty }, circles: [...diagram.vertexCircles.subarray(3 * v, 3 * v + 3)] }
   }
   for (let e = 0; e < diagram.edges.length / 4; e++) {
     const { left, right, start, end } = edgeAt(diagram, e)

@@ -35,11 +35,11 @@ export interface EmptyDisc {
  *
  * @category Questions
  * @example
- * largestEmptyDiscCentredIn(diagram, [0, 0, 6, 8]).disc // { x: 6, y: 6.25, radius: 5.25 }
+ * largestEmptyDiscCenteredIn(diagram, [0, 0, 6, 8]).disc // { x: 6, y: 6.25, r: 5.25 }
  */
-export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
-  checkDiagram(diagram, 'largestEmptyDiscCentredIn')
-  checkMetric(diagram, 'largestEmptyDiscCentredIn', 'circles')
+export function largestEmptyDiscCenteredIn(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+  checkDiagram(diagram, 'largestEmptyDiscCenteredIn')
+  checkMetric(diagram, 'largestEmptyDiscCenteredIn', 'circles')
   const region = ConvexPolygon.of(bounds)
   const largest = new Largest(diagram)
   for (const corner of region.corners) {
@@ -76,12 +76,12 @@ export function largestEmptyDiscCentredIn(diagram: Diagram, bounds: Bounds): Emp
  *
  * @category Questions
  * @example
- * const { x, y } = largestEmptyDiscCentredInHull(diagram).disc
+ * const { x, y } = largestEmptyDiscCenteredInHull(diagram).disc
  * [x.toFixed(9), y.toFixed(9)] // [ '3.800000000', '4.600000000' ]
  */
-export function largestEmptyDiscCentredInHull(diagram: Diagram): EmptyDisc | undefined {
-  checkDiagram(diagram, 'largestEmptyDiscCentredInHull')
-  checkMetric(diagram, 'largestEmptyDiscCentredInHull', 'circles')
+export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | undefined {
+  checkDiagram(diagram, 'largestEmptyDiscCenteredInHull')
+  checkMetric(diagram, 'largestEmptyDiscCenteredInHull', 'circles')
   const { cells, hull, vertices, edges, vertexSides } = diagram
   const largest = new Largest(diagram)
   if (hull.length === 0) return undefined
@@ -138,7 +138,7 @@ class Largest {
   }
 
   get radius(): number {
-    return this.best?.disc.radius ?? Number.NEGATIVE_INFINITY
+    return this.best?.disc.r ?? Number.NEGATIVE_INFINITY
   }
 
   offerVertex(v: number): void {
@@ -147,15 +147,15 @@ class Largest {
 
   /** The disc around a point that touches these circles. */
   offerAround({ x, y }: Point, ...circles: readonly number[]): void {
-    this.#offer({ x, y, radius: distance(this.#diagram, circles[0] as number, x, y) }, circles)
+    this.#offer({ x, y, r: distance(this.#diagram, circles[0] as number, x, y) }, circles)
   }
 
   /** A point of a circle that has grown. */
   offerTouch({ x, y }: Point, growth: number, circle: number): void {
-    this.#offer({ x, y, radius: growth }, [circle])
+    this.#offer({ x, y, r: growth }, [circle])
   }
 
   #offer(disc: Vertex, circles: Iterable<number>): void {
-    if (disc.radius > this.radius) this.best = { disc, circles: [...circles] }
+    if (disc.r > this.radius) this.best = { disc, circles: [...circles] }
   }
 }

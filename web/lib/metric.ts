@@ -6,7 +6,7 @@ import { lengthOf } from './scale.ts'
  * The distance from circle (c, r) to a point p that makes a diagram: a point belongs to the cell of the circle of smallest
  * distance.
  * - `circles`: |p - c| - r, negative inside: the Voronoi diagram of circles;
- * - `centres`: |p - c|: the ordinary Voronoi diagram of the centres;
+ * - `centers`: |p - c|: the ordinary Voronoi diagram of the centres;
  * - `power`: |p - c|^2 - r^2: the power (Laguerre) diagram.
  *
  * @category Diagrams
@@ -18,9 +18,9 @@ export type Metric = (typeof METRICS)[number]
  *
  * @category Diagrams
  * @example
- * METRICS // [ 'circles', 'centres', 'power' ]
+ * METRICS // [ 'circles', 'centers', 'power' ]
  */
-export const METRICS = ['circles', 'centres', 'power'] as const
+export const METRICS = ['circles', 'centers', 'power'] as const
 
 /**
  * The distance from a circle of the diagram to the point (x, y), in the diagram's metric.
@@ -33,5 +33,5 @@ export function distance({ circles, metric }: DiagramData, circle: number, x: nu
   const toCentre = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
   const r = at(circles, 3 * circle + 2)
   if (metric === 'circles') return toCentre - r
-  return metric === 'centres' ? toCentre : (toCentre - r) * (toCentre + r)
+  return metric === 'centers' ? toCentre : (toCentre - r) * (toCentre + r)
 }

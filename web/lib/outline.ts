@@ -28,7 +28,7 @@ export interface OutlinePiece {
    * Of an arc of the circle around the cell's centre that a maximum distance makes: its radius, else 0. The arc is
    * counter-clockwise and of a quarter turn at most, so that its ends and radius say where the centre is.
    */
-  readonly radius: number
+  readonly r: number
 }
 
 /**
@@ -112,7 +112,7 @@ function chainsOf(cells: Cells, circle: number, limits: Limits): { chains: Chain
       isLinked = false
       goesOn = cutTo === NONE
       const chain = chains.at(-1) as Chain
-      chain.pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), radius: 0 })
+      chain.pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), r: 0 })
       chain.cutTo = cutTo
     }
     isLinked = goesOn
@@ -225,7 +225,7 @@ function leadAt(cells: Cells, circle: number, { x, y }: Point): number {
   return least
 }
 
-function pieceOf({ start, end, radius }: RingElement): SharedPiece {
+function pieceOf({ start, end, r }: RingElement): SharedPiece {
   const curve = segment(start, end)
-  return { curve, forward: curve, side: NONE, neighbor: NONE, radius }
+  return { curve, forward: curve, side: NONE, neighbor: NONE, r }
 }

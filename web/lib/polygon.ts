@@ -2,7 +2,7 @@
 import { polyline } from './bezier.ts'
 import { polyline as arcPolyline, isCircleArc } from './circle-arc.ts'
 import { circleAt, type DiagramData } from './diagram-data.ts'
-import { hull } from './hull.ts'
+import { convexHull } from './hull.ts'
 import type { SharedPiece } from './outline.ts'
 import type { Point } from './point.ts'
 import { lengthOf } from './scale.ts'
@@ -46,7 +46,7 @@ function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
  */
 export function hullRing(diagram: DiagramData, tolerance: number): Polygon | undefined {
   const ring: Polygon = []
-  for (const { circle, start, end, angle } of hull(diagram).arcs) {
+  for (const { circle, start, end, angle } of convexHull(diagram).arcs) {
     const { x, y } = circleAt(diagram.circles, circle)
     const [dx, dy] = [start.x - x, start.y - y]
     const r = lengthOf({ x: dx, y: dy })

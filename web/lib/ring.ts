@@ -24,7 +24,7 @@ export interface RingElement {
   readonly start: Point
   readonly end: Point
   /** Of an arc; 0: a segment. */
-  readonly radius: number
+  readonly r: number
   /** Of the region, or `CIRCLE_OF_RING`. */
   readonly side: number
 }
@@ -56,7 +56,7 @@ export class Ring {
 
   /** Whether it is a circle as a whole. */
   get isCircle(): boolean {
-    return this.elements.every(({ radius }) => radius > 0)
+    return this.elements.every(({ r }) => r > 0)
   }
 
   /** A point inside. */
@@ -121,21 +121,21 @@ export class Ring {
   }
 
   /** Of an arc: where the ray from the centre through the point of the chord meets it. */
-  #pointOn({ start, end, radius }: RingElement, share: number): Point {
+  #pointOn({ start, end, r }: RingElement, share: number): Point {
     const chord = between(start, end)
     const p = { x: start.x + share * chord.x, y: start.y + share * chord.y }
-    if (radius === 0) return p
+    if (r === 0) return p
     const v = between(this.#centre, p)
-    const factor = radius / lengthOf(v)
+    const factor = r / lengthOf(v)
     return { x: this.#centre.x + factor * v.x, y: this.#centre.y + factor * v.y }
   }
 
-  #shareOn({ start, end, radius }: RingElement, p: Point): number {
-    if (radius === 0) {
+  #shareOn({ start, end, r }: RingElement, p: Point): number {
+    if (r === 0) {
       const size = lengthOf(between(start, end))
       return clamped(dot(measuredIn(size, between(start, end)), between(start, p)) / size)
     }
-    const unit = unitFor(radius)
+    const unit = unitFor(r)
     const seen = (q: Point) => measuredIn(unit, between(this.#centre, q))
     const before = cross(seen(start), seen(p))
     const whole = before + cross(seen(p), seen(end))
@@ -152,7 +152,7 @@ function isSame(p: Point, q: Point): boolean {
 }
 
 function sidesOf(region: ConvexPolygon): RingElement[] {
-  return region.corners.map((start, side) => ({ start, end: region.cornerAfter(side), radius: 0, side }))
+  return region.corners.map((start, side) => ({ start, end: region.cornerAfter(side), r: 0, side }))
 }
 
 function onAxis({ x, y, r }: Circle, k: number): Point {
@@ -164,7 +164,7 @@ function circleOf(disc: Circle): RingElement[] {
   return AXES.map((_, k) => ({
     start: onAxis(disc, k),
     end: onAxis(disc, k + 1),
-    radius: disc.r,
+    r: disc.r,
     side: CIRCLE_OF_RING,
   }))
 }
@@ -178,7 +178,7 @@ function commonOf(region: ConvexPolygon, disc: Circle): RingElement[] {
     const along = between(from, to)
     const pointAt = (share: number) =>
       share === 0 ? from : share === 1 ? to : { x: from.x + share * along.x, y: from.y + share * along.y }
-    return [{ start: pointAt(chord[0]), end: pointAt(chord[1]), radius: 0, side }]
+    return [{ start: pointAt(chord[0]), end: pointAt(chord[1]), r: 0, side }]
   })
   const elements = parts.flatMap((part, i) => {
     const next = (parts[(i + 1) % parts.length] as RingElement).start
@@ -225,7 +225,7 @@ function arcsBetween(disc: Circle, from: Point, to: Point): RingElement[] {
   }
   return [...ends, to].flatMap((end, k) => {
     const start = ends[k - 1] ?? from
-    return isSame(start, end) ? [] : [{ start, end, radius: disc.r, side: CIRCLE_OF_RING }]
+    return isSame(start, end) ? [] : [{ start, end, r: disc.r, side: CIRCLE_OF_RING }]
   })
 }
 

@@ -58,7 +58,7 @@ interface WasmComparisonModule {
 
 /** What is written, as far as it is said. `box`: minX, minY, maxX, maxY. */
 interface WasmWriteOptions {
-  readonly box: Float64Array | undefined
+  readonly bounds: Float64Array | undefined
   readonly maxDistance: number | undefined
   readonly tolerance: number | undefined
   readonly digits: number | undefined

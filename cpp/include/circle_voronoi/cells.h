@@ -33,9 +33,9 @@ struct OutlinePiece {
   CircleIndex neighbor = {};  ///< the circle on the other side; kNone likewise
   /// Of an arc of the circle around the cell's centre that a maximum distance makes: its radius, else 0. The arc is
   /// counter-clockwise and of a quarter turn at most, so that its ends and radius say where the centre is.
-  double radius = 0;
+  double r = 0;
 
-  bool isOnCircle() const { return radius > 0; }
+  bool isOnCircle() const { return r > 0; }
 };
 
 /// Closed loops of pieces, counter-clockwise, one for each component: the end of a piece is the start of the next.

@@ -52,7 +52,7 @@ struct Certificate {
 /// two vertices that are apart may be given the same coordinates.
 ///
 /// All but `stats` and the diagram's own `certificate` is looked at; sides must be linked as `linkSides` does. Of
-/// Metric::centres radii play no part; for Metric::power there is no certificate.
+/// Metric::centers radii play no part; for Metric::power there is no certificate.
 /// Errors: those of `validate` (nonFinite, negativeRadius unless the diagram is one of weights, coordinateTooLarge,
 /// tooManyCircles), badOption for Metric::power, and internal.
 Result<Certificate> certify(const Diagram& diagram);

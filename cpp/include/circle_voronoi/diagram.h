@@ -16,12 +16,12 @@
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// A Voronoi vertex (branch point): the centre of the disc that touches its three circles from outside.
-/// `radius` is signed: it is negative where the three circles overlap, and the centre is at distance
-/// r_i + radius from the centre of each circle i.
+/// Its radius is signed: it is negative where the three circles overlap, and the centre is at distance r_i + r from the
+/// centre of each circle i.
 struct Vertex {
   double x = 0;
   double y = 0;
-  double radius = 0;
+  double r = 0;
 
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };

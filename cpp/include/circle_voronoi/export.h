@@ -22,7 +22,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 struct ExportOptions {
   /// Cells and unbounded edges are clipped to it; by default it has room for a twentieth of the circles' extent around
   /// them, grown by the maximum distance if there is one.
-  std::optional<Box> box;
+  std::optional<Box> bounds;
   /// Cells and edges are cut at this distance from the nearest circle (cells.h), finite and at most kRegionLimit.
   std::optional<double> maxDistance = {};
   /// The largest distance of what is written from the true curves, above 0; by default a hundred-thousandth of the box.
@@ -87,7 +87,7 @@ struct SvgFigure {
 void writeSvgFigure(std::ostream& out, const Diagram& diagram, const SvgFigure& figure);
 
 /// RFC 7946: a feature for each circle, its cell as a Polygon, a MultiPolygon if the box cuts it apart, or null if it
-/// is hidden or outside the box; with the properties circle, radius, area, neighbors (circles), and hiddenBy of a
+/// is hidden or outside the box; with the properties circle, r, area, neighbors (circles), and hiddenBy of a
 /// hidden circle.
 void writeGeoJson(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 

@@ -16,7 +16,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// it turns, but has no length.
 struct HullArc {
   CircleIndex circle = {};
-  double radius = 0;  ///< of its circle, grown as below
+  double r = 0;  ///< of its circle, grown as below
   Point start;
   Point end;
   double angle = 0;  ///< from 0 to 2 pi
@@ -35,8 +35,8 @@ struct Hull {
 double hullGrowth(const Diagram& diagram);
 
 /// The hull of the circles of a certified diagram, grown by hullGrowth, in the order of `diagram.hull`. That of a
-/// single circle is the circle: one arc of 2 pi. For Metric::centres and Metric::power it is the hull of the centres.
+/// single circle is the circle: one arc of 2 pi. For Metric::centers and Metric::power it is the hull of the centres.
 /// Angles, lengths and areas use std::atan2 and std::sin, whose last bit may differ between platforms; points do not.
-Hull hull(const Diagram& diagram);
+Hull convexHull(const Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -12,7 +12,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 /// The distance from a circle that makes a diagram: a point belongs to the cell of the circle of smallest distance.
 enum class Metric {
   circles,  ///< |p - c| - r, signed: the Voronoi diagram of circles
-  centres,  ///< |p - c|: the ordinary Voronoi diagram of the centres
+  centers,  ///< |p - c|: the ordinary Voronoi diagram of the centres
   power,    ///< |p - c|^2 - r^2: the power (Laguerre) diagram
 };
 

@@ -42,15 +42,15 @@ struct EmptyDisc {
 ///
 /// The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in
 /// a cell it is convex along every line.
-std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Diagram& diagram, const ConvexPolygon& region);
+std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, const ConvexPolygon& region);
 
 /// The same inside the convex hull of the circles (hull.h). Its radius is not negative.
-std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Diagram& diagram);
+std::optional<EmptyDisc> largestEmptyDiscCenteredInHull(const Diagram& diagram);
 
 /// The largest disc that meets no circle but for touching, of those that lie inside a region as a whole; it may touch
 /// sides of the region in place of circles. Where circles cover the region there is none: then it is that of
-/// largestEmptyDiscCentredIn, whose radius is not above 0. None if there are no circles. Each circle is tried with each
-/// of the segments, some two for each side, of the region's medial axis.
+/// largestEmptyDiscCenteredIn, whose radius is not above 0. None if there are no circles. Each circle is tried with
+/// each of the segments, some two for each side, of the region's medial axis.
 std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region);
 
 }  // namespace circle_voronoi

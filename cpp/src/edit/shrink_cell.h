@@ -27,13 +27,11 @@ class CellShrinker {
   };
   /// When an edge vanishes: at which radius of the circle.
   struct Event {
-    double radius;
+    double r;
     int spoke;
     int turn;
 
-    bool operator<(const Event& other) const {
-      return radius != other.radius ? radius < other.radius : spoke > other.spoke;
-    }
+    bool operator<(const Event& other) const { return r != other.r ? r < other.r : spoke > other.spoke; }
   };
 
   /// Finds the event at a spoke anew.

@@ -28,7 +28,7 @@ double lead(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point
   const Circle& d = circleAt(diagram, other);
   const Vector fromCircle = {p.x - c.x, p.y - c.y};
   const Vector fromOther = {p.x - d.x, p.y - d.y};
-  const double difference = diagram.metric == Metric::centres ? 0 : d.r - c.r;
+  const double difference = diagram.metric == Metric::centers ? 0 : d.r - c.r;
   double size = lengthOf(fromCircle) + lengthOf(fromOther);
   if (diagram.metric == Metric::power) size += c.r + d.r;
   if (size == 0) return -difference;

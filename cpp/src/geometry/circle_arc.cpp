@@ -24,7 +24,7 @@ struct HalfAngle {
   Carlson carlson;
 
   explicit HalfAngle(const CircleArc& arc)
-      : sine(std::min(lengthOf({arc.end.x - arc.start.x, arc.end.y - arc.start.y}) / arc.radius / 2, 1.0)),
+      : sine(std::min(lengthOf({arc.end.x - arc.start.x, arc.end.y - arc.start.y}) / arc.r / 2, 1.0)),
         cosine(std::sqrt((1 - sine) * (1 + sine))),
         carlson(circle_voronoi::carlson(cosine, 1, 1)) {}
 };
@@ -41,7 +41,7 @@ Point middleOf(const CircleArc& arc) {
 
 double arcLength(const CircleArc& arc) {
   const HalfAngle half(arc);
-  return 2 * arc.radius * half.sine * half.carlson.first;
+  return 2 * arc.r * half.sine * half.carlson.first;
 }
 
 // The centre of mass is 2 / 3 sin^3 h / (h - sin h cos h) radii from the circle's centre, and the chord cos h.
@@ -51,24 +51,24 @@ Moments momentsOverChord(const CircleArc& arc, Point reference, double unit) {
   if (size == 0) return {};
   const HalfAngle half(arc);
   const double area = half.sine * (size / 2) * (size / 2) * (2.0 / 3) * half.carlson.second;
-  const double beyond = arc.radius / unit * (1 / half.carlson.second - half.cosine);
+  const double beyond = arc.r / unit * (1 / half.carlson.second - half.cosine);
   const Vector toStart = measuredIn(unit, {arc.start.x - reference.x, arc.start.y - reference.y});
   return {area, area * (toStart.x + chord.x / 2 + beyond * chord.y / size),
           area * (toStart.y + chord.y / 2 - beyond * chord.x / size)};
 }
 
 std::vector<Point> polyline(const CircleArc& arc, double tolerance) {
-  const double least = std::max(tolerance, kFinestPolyline * arc.radius);
+  const double least = std::max(tolerance, kFinestPolyline * arc.r);
   std::vector<Point> points = {arc.start, arc.end};
   // The sagitta is that of each part, and halves of a part have about a quarter of it.
   const auto isCoarse = [&](Point p, Point q) {
-    const HalfAngle half({p, q, arc.radius});
-    return arc.radius * half.sine * (half.sine / (1 + half.cosine)) > least;
+    const HalfAngle half({p, q, arc.r});
+    return arc.r * half.sine * (half.sine / (1 + half.cosine)) > least;
   };
   while (isCoarse(points[0], points[1])) {
     std::vector<Point> finer = {points.front()};
     for (std::size_t k = 1; k < points.size(); ++k) {
-      finer.push_back(middleOf({points[k - 1], points[k], arc.radius}));
+      finer.push_back(middleOf({points[k - 1], points[k], arc.r}));
       finer.push_back(points[k]);
     }
     points = std::move(finer);

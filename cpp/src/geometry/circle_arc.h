@@ -14,11 +14,11 @@ namespace circle_voronoi {
 struct CircleArc {
   Point start;
   Point end;
-  double radius = 0;
+  double r = 0;
 };
 
 /// The arc that a piece of an outline is, if it is one.
-inline CircleArc circleArc(const OutlinePiece& piece) { return {piece.curve.start, piece.curve.end, piece.radius}; }
+inline CircleArc circleArc(const OutlinePiece& piece) { return {piece.curve.start, piece.curve.end, piece.r}; }
 
 double arcLength(const CircleArc& arc);
 

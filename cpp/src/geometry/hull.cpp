@@ -19,9 +19,9 @@ constexpr double kThreeQuarterTurn = 1.5 * std::numbers::pi;
 /// once, and only its largest circle may turn by more than half of that: what reaches farthest in two opposite
 /// directions is as wide as any other.
 void turnOnce(std::vector<HullArc>& arcs) {
-  const double largest = std::ranges::max_element(arcs, {}, &HullArc::radius)->radius;
+  const double largest = std::ranges::max_element(arcs, {}, &HullArc::r)->r;
   for (HullArc& arc : arcs) {
-    if (arc.radius < largest && arc.angle > kThreeQuarterTurn) arc.angle = 0;
+    if (arc.r < largest && arc.angle > kThreeQuarterTurn) arc.angle = 0;
   }
   const auto sum = [&] {
     return std::accumulate(arcs.begin(), arcs.end(), 0.0,
@@ -29,7 +29,7 @@ void turnOnce(std::vector<HullArc>& arcs) {
   };
   const auto widest = [&]() -> HullArc& { return *std::ranges::max_element(arcs, {}, &HullArc::angle); };
   for (auto excess = std::lround(sum() / kFullTurn) - 1; excess != 0; excess -= excess > 0 ? 1 : -1) {
-    HullArc& arc = excess > 0 ? widest() : *std::ranges::max_element(arcs, {}, &HullArc::radius);
+    HullArc& arc = excess > 0 ? widest() : *std::ranges::max_element(arcs, {}, &HullArc::r);
     arc.angle = excess > 0 ? 0 : kFullTurn;
   }
   // What the arcs now lack is what rounding made of others that hardly turn.
@@ -44,7 +44,7 @@ double hullGrowth(const Diagram& diagram) {
   return growth;
 }
 
-Hull hull(const Diagram& diagram) {
+Hull convexHull(const Diagram& diagram) {
   const double growth = hullGrowth(diagram);
   const auto circleAt = [&](std::size_t step) {
     const Circle& c = diagram.circles[static_cast<std::size_t>(diagram.hull[step % diagram.hull.size()])];
@@ -75,7 +75,7 @@ Hull hull(const Diagram& diagram) {
     const auto triangle = [&](Point p, Point q) {
       return cross({p.x - origin.x, p.y - origin.y}, {q.x - origin.x, q.y - origin.y}) / 2;
     };
-    const double r = arc.radius;
+    const double r = arc.r;
     hull.length += r * arc.angle + lengthOf({next.x - arc.end.x, next.y - arc.end.y});
     hull.area += triangle(arc.start, arc.end) + triangle(arc.end, next) + r * r * (arc.angle - std::sin(arc.angle)) / 2;
   }

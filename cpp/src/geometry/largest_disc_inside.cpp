@@ -127,7 +127,7 @@ class Search {
     for (const Side& side : sides_) depth = std::min(depth, side.depth(p));
     return depth;
   }
-  double radius() const { return best_ ? best_->disc.radius : -std::numeric_limits<double>::infinity(); }
+  double radius() const { return best_ ? best_->disc.r : -std::numeric_limits<double>::infinity(); }
 
   void keep(Point p, double radius, const std::array<CircleIndex, 3>& circles) {
     if (radius > this->radius()) best_ = {{p.x, p.y, radius}, circles};
@@ -167,8 +167,7 @@ class Search {
     for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram_.edges.size()); ++e) {
       const auto& [left, right, start, end] = diagram_.edges[static_cast<std::size_t>(e)];
       const auto radiusAt = [&](VertexIndex v) {
-        return v == kNone ? std::numeric_limits<double>::infinity()
-                          : diagram_.vertices[static_cast<std::size_t>(v)].radius;
+        return v == kNone ? std::numeric_limits<double>::infinity() : diagram_.vertices[static_cast<std::size_t>(v)].r;
       };
       // Along an edge the distance is largest at one of its ends.
       if (std::max(radiusAt(start), radiusAt(end)) <= radius()) continue;
@@ -239,8 +238,8 @@ class Search {
 // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All of
 // these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
 std::optional<EmptyDisc> largestEmptyDiscInside(const Diagram& diagram, const ConvexPolygon& region) {
-  const auto centred = largestEmptyDiscCentredIn(diagram, region);
-  if (!centred || centred->disc.radius <= 0) return centred;
+  const auto centred = largestEmptyDiscCenteredIn(diagram, region);
+  if (!centred || centred->disc.r <= 0) return centred;
   return Search(diagram, region).run();
 }
 

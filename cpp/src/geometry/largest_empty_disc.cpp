@@ -18,14 +18,14 @@ namespace {
 class Largest {
  public:
   void offer(const Vertex& disc, const std::array<CircleIndex, 3>& circles) {
-    if (!best_ || disc.radius > best_->disc.radius) best_ = {disc, circles};
+    if (!best_ || disc.r > best_->disc.r) best_ = {disc, circles};
   }
   /// A disc that touches one circle, or two, around p.
   void offer(const Diagram& diagram, Point p, CircleIndex circle, CircleIndex other = kNone) {
     offer({p.x, p.y, distance(diagram, circle, p)}, {circle, other, kNone});
   }
 
-  double radius() const { return best_ ? best_->disc.radius : -std::numeric_limits<double>::infinity(); }
+  double radius() const { return best_ ? best_->disc.r : -std::numeric_limits<double>::infinity(); }
   const std::optional<EmptyDisc>& best() const { return best_; }
 
  private:
@@ -36,7 +36,7 @@ Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
 
 }  // namespace
 
-std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Diagram& diagram, const ConvexPolygon& region) {
+std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, const ConvexPolygon& region) {
   Largest largest;
   const Finder finder(diagram);
   CircleIndex nearest;
@@ -51,8 +51,7 @@ std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Diagram& diagram, const
   for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
     const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(e)];
     const auto radiusAt = [&](VertexIndex v) {
-      return v == kNone ? std::numeric_limits<double>::infinity()
-                        : diagram.vertices[static_cast<std::size_t>(v)].radius;
+      return v == kNone ? std::numeric_limits<double>::infinity() : diagram.vertices[static_cast<std::size_t>(v)].r;
     };
     // Along an edge the distance is largest at one of its ends.
     if (std::max(radiusAt(start), radiusAt(end)) <= largest.radius()) continue;
@@ -72,7 +71,7 @@ std::optional<EmptyDisc> largestEmptyDiscCentredIn(const Diagram& diagram, const
 //   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
 // So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
 // inside the hull.
-std::optional<EmptyDisc> largestEmptyDiscCentredInHull(const Diagram& diagram) {
+std::optional<EmptyDisc> largestEmptyDiscCenteredInHull(const Diagram& diagram) {
   const auto& circles = diagram.circles;
   if (diagram.hull.empty()) return std::nullopt;
   Largest largest;

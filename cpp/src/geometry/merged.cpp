@@ -43,7 +43,7 @@ class Sets {
 /// three-touch discs of circles that are drawn, and far below what can be seen.
 double roundingError(const Diagram& diagram, VertexIndex v) {
   const Vertex& vertex = diagram.vertices[v];
-  double size = std::abs(vertex.x) + std::abs(vertex.y) + std::abs(vertex.radius);
+  double size = std::abs(vertex.x) + std::abs(vertex.y) + std::abs(vertex.r);
   for (const CircleIndex i : diagram.vertexCircles[v]) {
     const Circle& c = diagram.circles[i];
     size = std::max(size, std::abs(c.x) + std::abs(c.y) + std::abs(c.r));

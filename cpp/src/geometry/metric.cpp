@@ -9,8 +9,8 @@ std::string_view metricName(Metric metric) {
   switch (metric) {
     case Metric::circles:
       return "circles";
-    case Metric::centres:
-      return "centres";
+    case Metric::centers:
+      return "centers";
     case Metric::power:
       return "power";
   }
@@ -20,7 +20,7 @@ std::string_view metricName(Metric metric) {
 double distance(Metric metric, const Circle& circle, Point p) {
   const double toCentre = lengthOf({p.x - circle.x, p.y - circle.y});
   switch (metric) {
-    case Metric::centres:
+    case Metric::centers:
       return toCentre;
     case Metric::power:
       return (toCentre - circle.r) * (toCentre + circle.r);

@@ -24,7 +24,7 @@ struct Chain {
 };
 
 void append(std::vector<OutlinePiece>& loop, const Ring::Element& element) {
-  loop.push_back({segment(element.start, element.end), kNone, kNone, element.radius});
+  loop.push_back({segment(element.start, element.end), kNone, kNone, element.r});
 }
 
 std::vector<OutlinePiece> wholeLoop(const Ring& ring) {

@@ -161,19 +161,19 @@ std::size_t Ring::elementAt(double place) const {
 Point Ring::pointOn(const Element& element, double share) const {
   const Vector chord = vectorTo(element.start, element.end);
   const Point p = {element.start.x + share * chord.x, element.start.y + share * chord.y};
-  if (element.radius == 0) return p;
+  if (element.r == 0) return p;
   const Vector v = vectorTo(centreOf(disc_), p);
-  const double factor = element.radius / lengthOf(v);
+  const double factor = element.r / lengthOf(v);
   return {disc_.x + factor * v.x, disc_.y + factor * v.y};
 }
 
 double Ring::shareOn(const Element& element, Point p) const {
   const Vector chord = vectorTo(element.start, element.end);
-  if (element.radius == 0) {
+  if (element.r == 0) {
     const double size = lengthOf(chord);
     return std::clamp(dot(measuredIn(size, chord), vectorTo(element.start, p)) / size, 0.0, 1.0);
   }
-  const double unit = unitFor(element.radius);
+  const double unit = unitFor(element.r);
   const auto seen = [&](Point q) { return measuredIn(unit, vectorTo(centreOf(disc_), q)); };
   const double before = cross(seen(element.start), seen(p));
   const double whole = before + cross(seen(p), seen(element.end));
@@ -207,7 +207,7 @@ std::vector<Ring::Element> Ring::between(double from, double to, Point start, Po
   std::vector<Element> parts;
   std::size_t k = elementAt(from < total() ? from : from - total());
   const auto add = [&](Point p) {
-    if (start != p) parts.push_back({start, p, elements_[k].radius, elements_[k].side});
+    if (start != p) parts.push_back({start, p, elements_[k].r, elements_[k].side});
     start = p;
   };
   for (int round = 0; round < 3; ++round) {

@@ -23,7 +23,7 @@ class Ring {
   struct Element {
     Point start;
     Point end;
-    double radius = 0;      ///< of an arc; 0: a segment
+    double r = 0;           ///< of an arc; 0: a segment
     std::int32_t side = 0;  ///< of the polygon, or kCircleOfRing
   };
 
@@ -34,7 +34,7 @@ class Ring {
   std::span<const Element> elements() const { return elements_; }
   /// Whether it is a circle as a whole.
   bool isCircle() const {
-    return std::ranges::all_of(elements_, [](const Element& element) { return element.radius > 0; });
+    return std::ranges::all_of(elements_, [](const Element& element) { return element.r > 0; });
   }
   /// A point inside.
   Point middle() const;

@@ -365,7 +365,7 @@ CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlineP
   // So that arcs in a row are one row, unless they are all there is.
   std::rotate(loop.begin(), std::find_if_not(loop.begin(), loop.end(), isOnCircle), loop.end());
   // A disc that is hardly larger than what rounding moves.
-  if (loop.front().isOnCircle() && loop.front().radius < 4 * frame_.grid.error()) rounds = false;
+  if (loop.front().isOnCircle() && loop.front().r < 4 * frame_.grid.error()) rounds = false;
   const std::size_t count = loop.size();
   const auto before = [&](std::size_t k) { return (k + count - 1) % count; };
   const auto arcsFrom = [&](std::size_t first) {

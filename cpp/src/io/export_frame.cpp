@@ -18,7 +18,7 @@ double toleranceOf(const Box& box, const ExportOptions& options) {
 }
 
 Box boxOf(const Diagram& diagram, const ExportOptions& options) {
-  return options.box ? *options.box : exportBox(diagram.circles, options.maxDistance);
+  return options.bounds ? *options.bounds : exportBox(diagram.circles, options.maxDistance);
 }
 
 DecimalGrid gridOf(const Diagram& diagram, const ExportOptions& options) {
@@ -29,7 +29,7 @@ DecimalGrid gridOf(const Diagram& diagram, const ExportOptions& options) {
 /// With digits the default box is widened to where the grid has points.
 Box boxOf(const Diagram& diagram, const ExportOptions& options, const DecimalGrid& grid) {
   const Box box = boxOf(diagram, options);
-  if (options.box || !options.digits) return box;
+  if (options.bounds || !options.digits) return box;
   const double half = grid.error() / 2;
   return {grid.round(box.minX - half), grid.round(box.minY - half), grid.round(box.maxX + half),
           grid.round(box.maxY + half)};

@@ -21,7 +21,7 @@ struct ExportFrame {
 
   /// Whether a vertex is not beyond the maximum distance.
   bool isNear(VertexIndex vertex) const {
-    return !limits.maxDistance || diagram.vertices[static_cast<std::size_t>(vertex)].radius <= *limits.maxDistance;
+    return !limits.maxDistance || diagram.vertices[static_cast<std::size_t>(vertex)].r <= *limits.maxDistance;
   }
 
   const Diagram& diagram;

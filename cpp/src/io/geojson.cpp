@@ -105,9 +105,9 @@ Circle readFeature(JsonReader& reader) {
   if (type != "Feature") reader.fail("an item of the list of features is no Feature.");
   if (!geometry || geometry->type != "Point") reader.fail("the geometry of a feature is not a Point.");
   if (!geometry->position) reader.fail("a Point has no two numbers as its coordinates.");
-  const auto radius = properties && properties->radius ? properties->radius : properties ? properties->r : std::nullopt;
-  if (!radius) reader.fail("a feature has no number as its property radius.");
-  return {geometry->position->x, geometry->position->y, *radius};
+  const auto r = properties && properties->r ? properties->r : properties ? properties->radius : std::nullopt;
+  if (!r) reader.fail("a feature has no number as its property r or radius.");
+  return {geometry->position->x, geometry->position->y, *r};
 }
 
 PlacedCircles readFeatures(JsonReader& reader) {

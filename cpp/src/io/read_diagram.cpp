@@ -57,10 +57,7 @@ const std::array<Section, 5> kSections = {{
        diagram.hidden.push_back({index(v[0]), index(v[1])});
      }},
     {"vertices",
-     {{"x", 0, 1, !kArray, kReal},
-      {"y", 1, 1, !kArray, kReal},
-      {"radius", 2, 1, !kArray, kReal},
-      {"circles", 3, 3, kArray}},
+     {{"x", 0, 1, !kArray, kReal}, {"y", 1, 1, !kArray, kReal}, {"r", 2, 1, !kArray, kReal}, {"circles", 3, 3, kArray}},
      [](const Values& v, Diagram& diagram) {
        diagram.vertices.push_back({v[0], v[1], v[2]});
        diagram.vertexCircles.push_back({index(v[3]), index(v[4]), index(v[5])});
@@ -142,12 +139,12 @@ class DiagramReader {
   void readMetric() {
     expect(JsonKind::string, [] { return "a string for metric"; });
     const std::string name(reader_.string());
-    for (const Metric metric : {Metric::circles, Metric::centres, Metric::power}) {
+    for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
       if (name != metricName(metric)) continue;
       diagram.metric = metric;
       return;
     }
-    reader_.fail("there is no metric \"" + name + "\"; it is circles, centres or power.");
+    reader_.fail("there is no metric \"" + name + "\"; it is circles, centers or power.");
   }
 
   void readSection(const Section& section) {

@@ -35,7 +35,7 @@ void writeCirclesGeoJson(std::ostream& stream, std::span<const Circle> circles) 
   Writer out(stream);
   out << R"({"type":"FeatureCollection","features":[)";
   writeLines(out, circles, [](Writer& line, std::int64_t i, const Circle& c) {
-    line << R"({"type":"Feature","properties":{"circle":)" << i << R"(,"radius":)" << c.r
+    line << R"({"type":"Feature","properties":{"circle":)" << i << R"(,"r":)" << c.r
          << R"(},"geometry":{"type":"Point","coordinates":[)" << c.x << "," << c.y << "]}}";
   });
   out << "\n]}\n";

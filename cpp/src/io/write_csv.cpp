@@ -8,7 +8,7 @@ namespace circle_voronoi {
 void writeDiagramCsv(std::ostream& stream, const Diagram& diagram, std::optional<int> digits) {
   Writer out(stream);
   const DecimalGrid grid(digits);
-  out << "type,index,x,y,radius,circle1,circle2,circle3,start,end\n";
+  out << "type,index,x,y,r,circle1,circle2,circle3,start,end\n";
   for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
     const auto& [x, y, radius] = diagram.vertices[v];
     const auto& [i, j, k] = diagram.vertexCircles[v];

@@ -43,7 +43,7 @@ bool writeFeatures(Writer& out, const Diagram& diagram, const ExportOptions& opt
   bool isAny = false;
   polygons.visit([&](std::int32_t i) {
     if (!selection.contains(i)) return;
-    out << between << R"({"type":"Feature","properties":{"circle":)" << selection.id(i) << R"(,"radius":)"
+    out << between << R"({"type":"Feature","properties":{"circle":)" << selection.id(i) << R"(,"r":)"
         << diagram.circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << frame.area(polygons.area(i))
         << R"(,"neighbors":[)";
     std::string_view comma;

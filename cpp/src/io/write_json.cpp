@@ -65,7 +65,7 @@ void writeJson(std::ostream& stream, const Diagram& diagram, std::optional<int> 
     const Vertex& vertex = diagram.vertices[i];
     const auto& [a, b, c] = diagram.vertexCircles[i];
     out << "{\"x\": " << grid.round(vertex.x) << ", \"y\": " << grid.round(vertex.y)
-        << ", \"radius\": " << grid.round(vertex.radius) << ", \"circles\": [" << a << ", " << b << ", " << c << "]}";
+        << ", \"r\": " << grid.round(vertex.r) << ", \"circles\": [" << a << ", " << b << ", " << c << "]}";
   });
   out << ",\n \"edges\": ";
   writeLines(out, diagram.edges.size(), [&](std::size_t i) {

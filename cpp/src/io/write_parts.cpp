@@ -19,7 +19,7 @@ std::int32_t thirdCircle(const Diagram& diagram, std::int32_t vertex, const Edge
 
 void writePartsCsv(std::ostream& stream, const Diagram& diagram, const Selection& selection) {
   Writer out(stream);
-  out << "type,x,y,radius,circle1,circle2,circle3,circle4\n";
+  out << "type,x,y,r,circle1,circle2,circle3,circle4\n";
   for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
     auto triple = diagram.vertexCircles[v];
     std::rotate(triple.begin(), std::ranges::min_element(triple), triple.end());

@@ -124,7 +124,7 @@ struct Drawing {
 void tracePiece(Writer& out, const Drawing& drawing, const OutlinePiece& piece) {
   const ExportFrame& frame = drawing.frame;
   if (piece.isOnCircle()) {
-    out << "A" << piece.radius << " " << piece.radius << " 0 0 1 ";
+    out << "A" << piece.r << " " << piece.r << " 0 0 1 ";
     return writePoint(out, frame.round(piece.curve.end));
   }
   std::vector<Point> points;
@@ -212,18 +212,18 @@ void writeDual(Writer& out, const ExportFrame& frame) {
 /// With all digits: where an arc is almost a whole circle, its ends are next to each other and say where its centre is.
 void writeHull(Writer& out, const ExportFrame& frame) {
   const auto& circles = frame.diagram.circles;
-  const Hull shape = hull(frame.diagram);
+  const Hull shape = convexHull(frame.diagram);
   if (shape.arcs.empty()) return;
   if (shape.arcs.size() == 1) {
     const Circle& c = circles[static_cast<std::size_t>(shape.arcs[0].circle)];
-    out << "<circle cx=\"" << c.x << "\" cy=\"" << c.y << "\" r=\"" << shape.arcs[0].radius << "\"/>\n";
+    out << "<circle cx=\"" << c.x << "\" cy=\"" << c.y << "\" r=\"" << shape.arcs[0].r << "\"/>\n";
     return;
   }
   out << "<path d=\"";
   std::string_view command = "M";
   for (const HullArc& arc : shape.arcs) {
     writePoint(out, command, arc.start);
-    out << "A" << arc.radius << " " << arc.radius << " 0 " << (arc.angle > std::numbers::pi ? "1" : "0") << " 1 ";
+    out << "A" << arc.r << " " << arc.r << " 0 " << (arc.angle > std::numbers::pi ? "1" : "0") << " 1 ";
     writePoint(out, arc.end);
     command = "L";
   }

@@ -99,23 +99,23 @@ bool isInPlace(const Vertex& vertex, double unit, const Circle& i, const Circle&
   if (vertex == *disc) return true;
   // Times a power of two that brings the larger of vertex and circles near 2^80, so that squares do not overflow.
   int exponent = 0;
-  std::frexp(std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.radius)}), &exponent);
+  std::frexp(std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.r)}), &exponent);
   const int ofUnit = std::ilogb(unit);
   const int shrinking = std::max(exponent - ofUnit - 80, 0);
   const auto scaled = [&](const Vertex& v) {
     const int power = -ofUnit - shrinking;
-    return Vertex{std::ldexp(v.x, power), std::ldexp(v.y, power), std::ldexp(v.radius, power)};
+    return Vertex{std::ldexp(v.x, power), std::ldexp(v.y, power), std::ldexp(v.r, power)};
   };
   const Vertex given = scaled(vertex);
   const Vertex right = scaled(*disc);
-  if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.radius)) return false;
+  if (!std::isfinite(given.x) || !std::isfinite(given.y) || !std::isfinite(given.r)) return false;
   double reach = 0;
   for (const Circle* circle : {&i, &j, &k}) {
     const double shrink = std::ldexp(1.0, -shrinking);
     const Circle c = {circle->x * shrink, circle->y * shrink, circle->r * shrink};
     const double distance = length({given.x - c.x, given.y - c.y});
     const double size = std::abs(given.x) + std::abs(given.y) + std::abs(c.x) + std::abs(c.y) + std::abs(c.r);
-    if (!(std::abs(distance - (c.r + given.radius)) <= 0x1p-40 * (size + distance))) return false;
+    if (!(std::abs(distance - (c.r + given.r)) <= 0x1p-40 * (size + distance))) return false;
     reach = std::max(reach, distance);
   }
   return length({given.x - right.x, given.y - right.y}) <= 0x1p-10 * reach;
@@ -174,7 +174,7 @@ Result<Certificate> certify(const Diagram& diagram) {
     }
     auto scaled = validate(diagram.circles, diagram.weights);
     if (!scaled) return scaled.error();
-    if (diagram.metric == Metric::centres) scaled = validate(pointsOf(diagram.circles));
+    if (diagram.metric == Metric::centers) scaled = validate(pointsOf(diagram.circles));
     Certificate certificate = judgeDiagram(scaled.value().circles, scaled.value().unit, diagram);
     certificate.message = messageOf(certificate, diagram);
     return certificate;

@@ -33,13 +33,13 @@ class Outside {
   /// How much farther out the box would have to be for a disc to be final, or more: below 0 if it is. `error` is that
   /// of each number of the disc.
   double excess(const Vertex& disc, double error) const {
-    const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.radius) + reach_;
+    const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.r) + reach_;
     double excess = -kInfinite;
     const auto consider = [&](double inside, double side) {
       if (std::isinf(side)) return;
       // Three roundings of numbers that are no larger than the sum of all.
       const double rounding = 4 * kUnitRoundoff * (size + std::abs(side)) + kUnderflowError;
-      const double value = disc.radius + reach_ - inside + (2 * error + rounding);
+      const double value = disc.r + reach_ - inside + (2 * error + rounding);
       // Not std::max, which passes over what is not a number.
       if (!(value <= excess)) excess = value;
     };

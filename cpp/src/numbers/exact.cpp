@@ -306,7 +306,7 @@ std::optional<Vertex> disc(const Face& face, double unit) {
     const int scaling = exponent - 1 + std::ilogb(unit);
     const Vertex vertex = {o.x * unit + (x / offset).times(scaling), o.y * unit + (y / offset).times(scaling),
                            (size / offset).times(scaling) - o.r * unit};
-    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.radius)) return std::nullopt;
+    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.r)) return std::nullopt;
     return vertex;
   });
 }

@@ -18,7 +18,7 @@ namespace {
 constexpr double kDistanceError = 0x1p-46;
 
 struct AntipodalDisc {
-  double radius = 0;
+  double r = 0;
   int a = 0;
   int b = 0;
   int slotA = 0;
@@ -27,12 +27,12 @@ struct AntipodalDisc {
 
 /// A three-touch disc in the queue: DE(a,b) and DE(b,c), parametrically adjacent on b when it was formed.
 struct Candidate {
-  double radius = 0;
+  double r = 0;
   int first = kNoEdge;
   int second = kNoEdge;
 
   friend bool operator<(const Candidate& u, const Candidate& v) {  // the queue serves the largest first
-    if (u.radius != v.radius) return u.radius > v.radius;
+    if (u.r != v.r) return u.r > v.r;
     return u.first != v.first ? u.first > v.first : u.second > v.second;
   }
 };
@@ -51,7 +51,7 @@ class Touch {
     std::size_t next = 0;
     while (next < discs_.size() || !queue_.empty()) {
       ++result_.events;
-      if (next < discs_.size() && (queue_.empty() || discs_[next].radius < queue_.top().radius)) {
+      if (next < discs_.size() && (queue_.empty() || discs_[next].r < queue_.top().r)) {
         if (next + kDiscsAhead < discs_.size()) prepare(discs_[next + kDiscsAhead]);
         processAntipodalDisc(discs_[next++]);
         if (progress && next % kDiscsPerReport == 0) {
@@ -97,7 +97,7 @@ class Touch {
       discs_.push_back({gap / 2, a, b, slots[pair][0], slots[pair][1]});
     }
     std::sort(discs_.begin(), discs_.end(), [](const AntipodalDisc& s, const AntipodalDisc& t) {
-      if (s.radius != t.radius) return s.radius < t.radius;
+      if (s.r != t.r) return s.r < t.r;
       return s.a != t.a ? s.a < t.a : s.b < t.b;
     });
   }
@@ -105,8 +105,8 @@ class Touch {
   Vertex discOf(const AntipodalDisc& disc) const {
     const Circle& a = circles_[disc.a];
     const Vector v = between(a, circles_[disc.b]);
-    const double part = (a.r + disc.radius) / length(v);
-    return {a.x + part * v.x, a.y + part * v.y, disc.radius};
+    const double part = (a.r + disc.r) / length(v);
+    return {a.x + part * v.x, a.y + part * v.y, disc.r};
   }
 
   /// Whether the arc of circle i at `slot`, in the given direction to its partner, is already used for the diagram.
@@ -140,7 +140,7 @@ class Touch {
       const Vector v = {disc.x - c.x, disc.y - c.y};
       const double distance = length(v);
       const double rounding = kDistanceError * (distance + std::abs(c.r) + std::abs(disc.x) + std::abs(disc.y));
-      if (distance - c.r <= disc.radius + rounding) return near;
+      if (distance - c.r <= disc.r + rounding) return near;
     }
     return kNone;
   }
@@ -202,7 +202,7 @@ class Touch {
     const auto& [toA, toC, toB] = disc->toCentre;
     if (!isForward(ab, toA, toB) || !isForward(bc, toB, toC)) return;
     ++result_.threeTouchDiscs;
-    queue_.push({disc->disc.radius, first, second});
+    queue_.push({disc->disc.r, first, second});
     tell({TraceKind::threeTouchDiscFormed, disc->disc, {ab.a, ab.b, bc.b}});
   }
 

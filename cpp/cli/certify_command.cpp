@@ -14,12 +14,12 @@
 namespace circle_voronoi::cli {
 namespace {
 
-struct VerifyArguments {
+struct CertifyArguments {
   std::string input;
   std::string progress = "auto";
 };
 
-void runVerify(const VerifyArguments& arguments) {
+void runCertify(const CertifyArguments& arguments) {
   ProgressLine progress(arguments.progress);
   progress.show("read");
   const std::string name = inputName(arguments.input);
@@ -39,13 +39,13 @@ void runVerify(const VerifyArguments& arguments) {
 
 }  // namespace
 
-void addVerifyCommand(CLI::App& program) {
-  const auto arguments = std::make_shared<VerifyArguments>();
+void addCertifyCommand(CLI::App& program) {
+  const auto arguments = std::make_shared<CertifyArguments>();
   CLI::App* command =
-      program.add_subcommand("verify", "Judge whether a diagram, as compute writes it, is right for its circles");
+      program.add_subcommand("certify", "Judge whether a diagram, as compute writes it, is right for its circles");
   command->add_option("FILE", arguments->input, "A diagram as JSON; - is standard input")->type_name("")->required();
   addProgressOption(*command, arguments->progress);
-  command->callback([arguments] { runVerify(*arguments); });
+  command->callback([arguments] { runCertify(*arguments); });
 }
 
 }  // namespace circle_voronoi::cli
