@@ -202,8 +202,8 @@ TEST_F(Cli, ListsTheFamilies) {
 TEST_F(Cli, BadUsage) {
   expectFailure(run(""), 2,
                 "A command is missing; the commands are certify, compute, convert, edit, generate and tile.");
-  expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are compute, ");
-  expectFailure(run("--draw"), 2, "There is no option --draw; the commands are compute, ");
+  expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are certify, ");
+  expectFailure(run("--draw"), 2, "There is no option --draw; the commands are certify, ");
   expectFailure(run("compute - --draw"), 2, "--draw");
   expectFailure(run("compute"), 2, "FILE");
   expectFailure(run("compute - --format xml"), 2, "--format");
