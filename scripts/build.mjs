@@ -39,7 +39,8 @@ export async function buildWasm(purpose) {
     // CGAL and Boost are headers of the machine, where a cross build does not look.
     '-DCMAKE_INCLUDE_PATH=/usr/include;/usr/local/include',
   ]
-  const targets = isPackage ? ['all'] : ['circle_voronoi_wasm', 'circle_voronoi_comparison_wasm']
+  const modules = ['', '_comparison', '_files'].map((name) => `circle_voronoi${name}_wasm`)
+  const targets = isPackage ? ['all'] : modules
   await cmakeBuild('build/wasm', 'emcmake', configure, targets)
 }
 

@@ -9,12 +9,22 @@ import { isMain, main, ROOT, run } from './run.mjs'
 /** What there is to make, each with all before it: the Debian packages that it needs and the C++ libraries in them. */
 const PURPOSES = {
   page: {
-    packages: ['emscripten', 'cmake', 'ninja-build', 'g++', 'libcgal-dev', 'libboost-dev'],
-    libraries: ['CGAL 5.5', 'Boost'],
+    packages: [
+      'emscripten',
+      'cmake',
+      'ninja-build',
+      'g++',
+      'libcgal-dev',
+      'libboost-dev',
+      'libdragonbox-dev',
+      'libfast-float-dev',
+      'librange-v3-dev',
+    ],
+    libraries: ['CGAL 5.5', 'Boost', 'Dragonbox', 'fast_float', 'range-v3'],
   },
   package: {
-    packages: ['libcli11-dev', 'libdragonbox-dev', 'libfast-float-dev', 'librange-v3-dev'],
-    libraries: ['CLI11', 'Dragonbox', 'fast_float', 'range-v3'],
+    packages: ['libcli11-dev'],
+    libraries: ['CLI11'],
   },
   tests: {
     packages: [

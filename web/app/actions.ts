@@ -7,6 +7,7 @@ import type { Hands } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
 import { DATA_SETS, type DataSet, dataSetOf, loadDataSet, nameOf } from './data-sets.ts'
 import type { Editing } from './editing.ts'
+import type { Read } from './files/files-protocol.ts'
 import type { Scene } from './history.ts'
 import { cameraOf, circlesOfLink, viewOfLink } from './scene-link.ts'
 import type { State } from './state.ts'
@@ -59,13 +60,14 @@ export class Actions implements Hands {
 
   /** What a link says; reports whether that could be shown. */
   openLink(text: string): Promise<boolean> {
+    return this.#opening(() => this.#linked(text))
+  }
+
+  /** What is read somewhere; reports whether that could be shown. */
+  openRead(read: () => Promise<Read>): Promise<boolean> {
     return this.#opening(async () => {
-      const { circles, dataSet, edits, view } = await decodeLink(text)
-      const scene =
-        circles === undefined
-          ? await this.#loadNamed(dataSet ?? nameOf(DATA_SETS[0] as DataSet))
-          : { circles, dataSet: '', isEdited: false }
-      return { ...scene, edits, view }
+      const result = await read()
+      return 'link' in result ? this.#linked(result.link) : { circles: result.circles, dataSet: '', isEdited: false }
     })
   }
 
@@ -76,6 +78,15 @@ export class Actions implements Hands {
     const { camera, size } = this.#view
     const isWhole = isSame(camera, this.#fitted(circles.box()))
     return { ...circlesOfLink(scene, circles), ...(!isWhole && { view: viewOfLink(camera, size) }) }
+  }
+
+  async #linked(text: string): Promise<Scene & Opened> {
+    const { circles, dataSet, edits, view } = await decodeLink(text)
+    const scene =
+      circles === undefined
+        ? await this.#loadNamed(dataSet ?? nameOf(DATA_SETS[0] as DataSet))
+        : { circles, dataSet: '', isEdited: false }
+    return { ...scene, edits, view }
   }
 
   async #loadNamed(name: string): Promise<Scene> {

@@ -6,9 +6,12 @@ import { View } from '../view/view.ts'
 import { Actions } from './actions.ts'
 import { DATA_SETS, type DataSet } from './data-sets.ts'
 import { Editing } from './editing.ts'
+import { FileActions } from './files/file-actions.ts'
+import { listenToFiles } from './input/dropping.ts'
 import { listenToKeyboard } from './input/keyboard.ts'
 import { Keeping } from './keeping.ts'
 import { byId } from './panels/by-id.ts'
+import { mountFiles } from './panels/files.ts'
 import { mountInspector } from './panels/inspector.ts'
 import { mountStatus } from './panels/status.ts'
 import { mountToolbar } from './panels/toolbar.ts'
@@ -60,6 +63,9 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view
 mountToolbar(store, actions)
 mountViewControls(actions)
 mountStatus(store)
+const fileActions = new FileActions(store, editing, actions)
+mountFiles(fileActions)
+listenToFiles(fileActions)
 const editNumbers = mountInspector(store, actions)
 const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, editNumbers)

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opening, saving and sharing.
+import { readFileSync } from 'node:fs'
+import { loadFiles } from '../../web/lib/files.ts'
+import { decodeLink } from '../../web/lib/link.ts'
+import { loadCircleVoronoi } from '../../web/lib/loader.ts'
+import { App, dataSet, expect, test } from './page.ts'
+
+const INTRODUCTION = dataSet('introduction')
+const THREE = 'x,y,r\n0,0,1\n6,0,1\n0,8,1\n'
+
+async function openPanel(app: App) {
+  await app.page.locator('#files summary').click()
+}
+
+async function choose(app: App, name: string, content: string | Buffer): Promise<void> {
+  const buffer = Buffer.from(content)
+  await app.page.getByLabel('Open …').setInputFiles({ name, mimeType: 'text/plain', buffer })
+}
+
+/** What is saved by a button. */
+async function saved(app: App, label: string): Promise<{ name: string; text: string }> {
+  const download = app.page.waitForEvent('download')
+  await app.page.locator('#files').getByRole('button', { name: label, exact: true }).click()
+  const file = await download
+  return { name: file.suggestedFilename(), text: readFileSync(await file.path(), 'utf8') }
+}
+
+for (const format of ['csv', 'json', 'geojson'] as const) {
+  test(`opens circles in ${format}, and undo goes back`, async ({ app }) => {
+    await openPanel(app)
+    const text = (await loadFiles()).writeCircles(
+      [
+        [0, 0, 1],
+        [6, 0, 1],
+        [0, 8, 1],
+      ],
+      { format },
+    )
+    await choose(app, `three.${format}`, text)
+    await expect(app.status).toContainText('3 circles')
+    await expect(app.status).toContainText('1 vertex')
+    await app.page.getByRole('button', { name: 'Undo' }).click()
+    await expect(app.status).toContainText('678 circles')
+  })
+}
+
+test('what is saved opens again: SVG as it is, JSON with its diagram, CSV, GeoJSON', async ({ app }) => {
+  await app.choose('Introduction')
+  await openPanel(app)
+  const at = app.center(INTRODUCTION, 4)
+  await app.page.mouse.click(at.x, at.y)
+  await app.field('x').fill(String(-10 / 3))
+  await app.field('x').press('Enter')
+  const expected = INTRODUCTION.slice()
+  expected[12] = -10 / 3
+  const files = await loadFiles()
+  await expect(app.field('x')).toHaveAttribute('title', String(-10 / 3))
+
+  const svg = await saved(app, 'SVG')
+  expect(svg.name).toBe('introduction.svg')
+  expect(svg.text).toContain('<g id="edges"')
+  const link = await decodeLink(/<metadata id="circle-voronoi">(.*)<\/metadata>/.exec(svg.text)?.[1] as string)
+  expect(link).toMatchObject({ dataSet: 'introduction', edits: [{ kind: 'replace', id: 4 }] })
+  expect(files.readCircles((await saved(app, 'CSV')).text)).toEqual(expected)
+  expect(files.readCircles((await saved(app, 'GeoJSON')).text)).toEqual(expected)
+  const json = await saved(app, 'JSON')
+  const diagram = files.readDiagram(json.text)
+  expect(diagram.circles).toEqual(expected)
+  expect(diagram.certificate.certified).toBe(true)
+  const cells = JSON.parse((await saved(app, 'Cells')).text).features
+  expect(cells.map((cell: { properties: { circle: number } }) => cell.properties.circle)).toContain(4)
+  const edges = `${(await loadCircleVoronoi()).compute(expected).edges.length / 4} edges`
+
+  for (const [name, { text }] of [
+    ['a.svg', svg],
+    ['a.json', json],
+  ] as const) {
+    await app.choose('Spruces')
+    await expect(app.status).toContainText('134 circles')
+    await choose(app, name, text)
+    await expect(app.status).toContainText('14 circles')
+    await expect(app.status).toContainText(edges)
+    await app.page.getByRole('button', { name: 'Fit' }).click()
+    const moved = app.locate(expected, { x: -10 / 3, y: expected[13] as number })
+    await app.page.mouse.click(moved.x, moved.y)
+    await expect(app.field('x')).toHaveAttribute('title', String(-10 / 3))
+  }
+})
+
+test('opens an SVG of the command line', async ({ app }) => {
+  await openPanel(app)
+  const diagram = (await loadCircleVoronoi()).compute([
+    [0, 0, 1],
+    [6, 0, 1],
+    [0, 8, 1],
+  ])
+  await choose(app, 'three.svg', (await loadFiles()).writeDiagram(diagram, { format: 'svg' }))
+  await expect(app.status).toContainText('3 circles')
+})
+
+for (const [what, name, content, says] of [
+  ['a line that is no circle', 'a.csv', '0,0,1\n1,2,three', /^a\.csv:2: .*\.$/],
+  ['a negative radius', 'a.csv', '0,0,1\n1,2,-3', /^a\.csv:2: Circle 1 has a negative radius\.$/],
+  ['JSON of something else', 'a.json', '{"name": "x"}', /^a\.json:.*\.$/],
+  ['a picture', 'a.png', Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 255, 254]), /^a\.png:.*\.$/],
+  [
+    'an SVG of something else',
+    'a.svg',
+    '<svg xmlns="http://www.w3.org/2000/svg"><circle r="1"/></svg>',
+    /this SVG is none/,
+  ],
+  [
+    'an SVG with a damaged link',
+    'a.svg',
+    '<svg><metadata id="circle-voronoi">v1.AAAA</metadata></svg>',
+    /cannot be read/,
+  ],
+  ['an SVG that would run something', 'a.svg', '<svg><script>document.title = "x"</script></svg>', /this SVG is none/],
+  ['nothing', 'a.csv', '', /empty/],
+] as const) {
+  test(`a file with ${what} gets a sentence and changes nothing`, async ({ app }) => {
+    await openPanel(app)
+    await choose(app, name, content)
+    await expect(app.page.getByRole('alert')).toHaveText(says)
+    await expect(app.status).toContainText('678 circles')
+    await expect(app.page.getByRole('button', { name: 'Undo' })).toBeDisabled()
+    await expect(app.page).toHaveTitle('Voronoi diagram of circles')
+    await choose(app, 'three.csv', THREE)
+    await expect(app.status).toContainText('3 circles')
+    await expect(app.page.getByRole('alert')).toBeHidden()
+  })
+}
+
+test('opens what is dropped', async ({ app }) => {
+  const data = await app.page.evaluateHandle((text) => {
+    const data = new DataTransfer()
+    data.items.add(new File([text], 'three.csv'))
+    return data
+  }, THREE)
+  await app.canvas.dispatchEvent('dragover', { dataTransfer: data })
+  await expect(app.page.locator('body')).toHaveClass('dropping')
+  await app.canvas.dispatchEvent('drop', { dataTransfer: data })
+  await expect(app.status).toContainText('3 circles')
+  await expect(app.page.locator('body')).not.toHaveClass('dropping')
+})
+
+test('opens what is pasted, numbers or a link, but not into a field', async ({ app }) => {
+  await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
+  const paste = async (text: string) => {
+    await app.page.evaluate((text) => navigator.clipboard.writeText(text), text)
+    await app.page.keyboard.press('Control+v')
+  }
+  await app.canvas.focus()
+  await paste('0\t0\t1\n6\t0\t1\n0\t8\t1\n')
+  await expect(app.status).toContainText('3 circles')
+  await paste('https://example.org/page#v1.q1ZKSSxJDE4tUbJSSirKz6tKTcvMKUktUtJRSk3JLClWsoqOVtJV0jEzNYiNrQUA')
+  await expect(app.status).toContainText('677 circles')
+  await app.canvas.focus()
+  await app.page.keyboard.press('Enter')
+  await expect(app.inspector).toBeVisible()
+  await app.field('x').focus()
+  await app.page.keyboard.press('Control+a')
+  await paste('7')
+  await expect(app.field('x')).toHaveValue('7')
+  await expect(app.status).toContainText('677 circles')
+})
+
+test('copies a link and the code of a frame, which show the same', async ({ app }) => {
+  await app.page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
+  const clipboard = () => app.page.evaluate(() => navigator.clipboard.readText())
+  await openPanel(app)
+  await choose(app, 'three.csv', THREE)
+  await expect(app.status).toContainText('3 circles')
+  await app.page.getByRole('button', { name: 'Copy link' }).click()
+  await expect(app.page.locator('#files')).toContainText('The link is in the clipboard.')
+  const link = await clipboard()
+  await app.page.getByRole('button', { name: 'Copy embed code' }).click()
+  await expect(app.page.locator('#files')).toContainText('The code is in the clipboard.')
+  expect(await clipboard()).toBe(
+    `<iframe src="${link}" title="Voronoi diagram of circles" width="800" height="500" style="border: 0"></iframe>`,
+  )
+  expect((await decodeLink(new URL(link).hash)).circles).toEqual(Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1))
+})
+
+test('works where the part for files fails to load, once it can be loaded', async ({ page }) => {
+  const app = new App(page)
+  await app.open()
+  await page.route('**/circle-voronoi-files*.wasm', (route) => route.abort())
+  await openPanel(app)
+  await choose(app, 'three.csv', THREE)
+  await expect(page.getByRole('alert')).toContainText('cannot be loaded')
+  await page.unroute('**/circle-voronoi-files*.wasm')
+  await choose(app, 'three.csv', THREE)
+  await expect(app.status).toContainText('3 circles')
+})

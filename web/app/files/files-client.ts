@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { CircleVoronoiError } from '../../lib/errors.ts'
+import type { Float64s } from '../../lib/index.ts'
+import type { FilesReply, FilesRequest, Read, SavedFormat } from './files-protocol.ts'
+
+/** Readers and writers, in a thread that begins with the first file. */
+export class FilesClient {
+  readonly #waiting = new Map<number, (reply: FilesReply) => void>()
+  #worker: Worker | undefined
+  #lastRequest = 0
+
+  /** @throws CircleVoronoiError as `readCircles`, `readDiagram` */
+  read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
+    return this.#ask((request) => ({ kind: 'read', request, bytes, name }))
+  }
+
+  /** @throws CircleVoronoiError as `compute`, `writeDiagram` */
+  write(circles: Float64s, format: SavedFormat, link: string): Promise<string> {
+    return this.#ask((request) => ({ kind: 'write', request, circles, format, link }))
+  }
+
+  async #ask<Result>(question: (request: number) => FilesRequest): Promise<Result> {
+    this.#lastRequest += 1
+    const request = this.#lastRequest
+    const worker = this.#start()
+    const { result, error } = await new Promise<FilesReply>((resolve) => {
+      this.#waiting.set(request, resolve)
+      worker.postMessage(question(request))
+    })
+    if (error !== undefined) throw new CircleVoronoiError(error.code, error.circle, error.message)
+    return result as Result
+  }
+
+  #start(): Worker {
+    if (this.#worker !== undefined) return this.#worker
+    const worker = new Worker(new URL('./files-thread.ts', import.meta.url), { type: 'module' })
+    worker.onmessage = ({ data }: MessageEvent<FilesReply>) => {
+      this.#waiting.get(data.request)?.(data)
+      this.#waiting.delete(data.request)
+    }
+    worker.onerror = () => {
+      const message = 'The part of the page for files could not be loaded. Try again.'
+      for (const [request, answer] of this.#waiting)
+        answer({ request, error: { code: 'notLoaded', circle: -1, message } })
+      this.#waiting.clear()
+      // The next one may work.
+      worker.terminate()
+      this.#worker = undefined
+    }
+    this.#worker = worker
+    return worker
+  }
+}

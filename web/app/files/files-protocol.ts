@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What goes between the page and the thread that reads and writes files.
+import type { ErrorCode, Float64s } from '../../lib/index.ts'
+
+/** `geojson`: circles as points with a radius; `cells`: cells as polygons, in GeoJSON too. */
+export type SavedFormat = 'svg' | 'csv' | 'json' | 'geojson' | 'cells'
+
+/** What a file holds: circles, or a link that was saved with them. */
+export type Read = { readonly circles: Float64s } | { readonly link: string }
+
+export type FilesRequest =
+  | { readonly kind: 'read'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer>; readonly name: string }
+  | {
+      readonly kind: 'write'
+      readonly request: number
+      readonly circles: Float64s
+      readonly format: SavedFormat
+      /** What opens the same again; empty: there is too much for a link. */
+      readonly link: string
+    }
+
+export interface FilesReply {
+  readonly request: number
+  readonly result?: unknown
+  readonly error?: { readonly code: ErrorCode; readonly circle: number; readonly message: string }
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What runs in the worker of `FilesClient`: readers and writers, loaded when they are needed for the first time.
+import { CircleVoronoiError, reasonOf } from '../../lib/errors.ts'
+import { loadFiles } from '../../lib/files.ts'
+import { loadCircleVoronoi } from '../../lib/loader.ts'
+import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
+import { circlesOfSvg, withLink } from './svg-scene.ts'
+
+const port = globalThis as unknown as {
+  onmessage: (event: MessageEvent<FilesRequest>) => void
+  postMessage(message: FilesReply, transfer?: Transferable[]): void
+}
+
+const files = kept(loadFiles)
+const library = kept(loadCircleVoronoi)
+
+port.onmessage = async ({ data }) => {
+  const { request } = data
+  try {
+    port.postMessage({ request, result: data.kind === 'read' ? await read(data) : await write(data) })
+  } catch (error) {
+    const { code, circle } = error instanceof CircleVoronoiError ? error : { code: 'internal' as const, circle: -1 }
+    port.postMessage({ request, error: { code, circle, message: `${reasonOf(error)}.` } })
+  }
+}
+
+async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): Promise<Read> {
+  const text = new TextDecoder().decode(bytes)
+  if (/^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)) return circlesOfSvg(text, name)
+  const { holdsDiagram, readCircles, readDiagram } = await files()
+  return { circles: holdsDiagram(bytes) ? readDiagram(bytes, { name }).circles : readCircles(bytes, { name }) }
+}
+
+async function write({ circles, format, link }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {
+  const { writeCircles, writeDiagram } = await files()
+  const { compute } = await library()
+  switch (format) {
+    case 'csv':
+      return writeCircles(circles, { format })
+    case 'geojson':
+      return writeCircles(circles, { format })
+    case 'json':
+      return writeDiagram(compute(circles), { format })
+    case 'cells':
+      return writeDiagram(compute(circles), { format: 'geojson' })
+    case 'svg':
+      return withLink(writeDiagram(compute(circles), { format }), link)
+  }
+}
+
+/** Loads what it loads once; what fails is tried again when it is asked for again. */
+function kept<Loaded>(load: () => Promise<Loaded>): () => Promise<Loaded> {
+  let loaded: Promise<Loaded> | undefined
+  return () => {
+    loaded ??= load().catch((error) => {
+      loaded = undefined
+      throw error
+    })
+    return loaded
+  }
+}

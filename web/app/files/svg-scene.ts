@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings that open again: the page's own by the link in their metadata, those of the program by their circles.
+import { CircleVoronoiError } from '../../lib/errors.ts'
+import type { Read } from './files-protocol.ts'
+
+const LINK = /<metadata id="circle-voronoi">(v\d+\.[\w-]+)<\/metadata>/
+const CIRCLES = /<g id="circles" class="circles">([\s\S]*?)<\/g>/
+// As they are written: circles, and those of radius 0 as points.
+const CIRCLE = /<circle data-circle="(\d+)"[^<>]* cx="([^"]+)" cy="([^"]+)" r="([^"]+)"\/>/y
+
+/** A drawing of `writeDiagram` that says what it shows. */
+export function withLink(svg: string, link: string): string {
+  return link === ''
+    ? svg
+    : svg.replace('\n<style>', () => `\n<metadata id="circle-voronoi">${link}</metadata>\n<style>`)
+}
+
+/** @throws CircleVoronoiError `badInput` */
+export function circlesOfSvg(text: string, name: string): Read {
+  const link = LINK.exec(text)?.[1]
+  if (link !== undefined) return { link }
+  const group = CIRCLES.exec(text)?.[1] ?? ''
+  const lines = group.split('\n').filter((line) => line !== '')
+  const circles = new Float64Array(3 * lines.length)
+  for (const [k, line] of lines.entries()) {
+    CIRCLE.lastIndex = 0
+    const [, i, ...numbers] = CIRCLE.exec(line) ?? []
+    // Where some are missing, as outside the box of the drawing, the rest is something else.
+    if (Number(i) !== k) refuse(name)
+    circles.set(numbers.map(Number), 3 * k)
+  }
+  if (lines.length === 0 || !circles.every(Number.isFinite)) refuse(name)
+  return { circles }
+}
+
+function refuse(name: string): never {
+  throw new CircleVoronoiError('badInput', -1, `${name}: this SVG is none that was saved here with all of its circles.`)
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { FileActions } from '../files/file-actions.ts'
+
+/** Opens what is dropped on the page, or pasted where it is no text that is written. */
+export function listenToFiles(actions: FileActions): void {
+  const openFrom = (data: DataTransfer): boolean => {
+    const file = data.files[0]
+    const text = data.getData('text/plain')
+    if (file !== undefined) actions.openFile(file)
+    else if (text.trim() !== '') actions.openText(text)
+    return file !== undefined || text.trim() !== ''
+  }
+
+  // Else the browser would go to the file.
+  document.addEventListener('dragover', (event) => {
+    event.preventDefault()
+    document.body.classList.add('dropping')
+  })
+  document.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) document.body.classList.remove('dropping')
+  })
+  document.addEventListener('drop', (event) => {
+    event.preventDefault()
+    document.body.classList.remove('dropping')
+    if (event.dataTransfer !== null) openFrom(event.dataTransfer)
+  })
+  document.addEventListener('paste', (event) => {
+    const isWritten = event.target instanceof Element && event.target.closest('input, textarea') !== null
+    if (!isWritten && event.clipboardData !== null && openFrom(event.clipboardData)) event.preventDefault()
+  })
+}
