@@ -81,7 +81,9 @@ export class App {
       .locator('canvas')
       .first()
       .evaluate((canvas: HTMLCanvasElement, points) => {
-        const context = canvas.getContext('2d') as CanvasRenderingContext2D
+        const copy = new OffscreenCanvas(canvas.width, canvas.height)
+        const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+        context.drawImage(canvas, 0, 0)
         const { data, width } = context.getImageData(0, 0, canvas.width, canvas.height)
         return points.map(({ x, y }) => {
           const first = 4 * (Math.floor(y) * width + Math.floor(x))

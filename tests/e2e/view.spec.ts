@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import AxeBuilder from '@axe-core/playwright'
+import { loadCircleVoronoi } from '../../web/lib/loader.ts'
 import { dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -21,3 +23,106 @@ test('a drag ends, taken back, where something else takes the pointer away', asy
   await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
   await expect(app.page.getByRole('button', { name: 'Undo' })).toBeDisabled()
 })
+
+test('layers are drawn and taken away where they are switched', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  const isDrawn = () => expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await isDrawn()
+  const diagram = (await loadCircleVoronoi()).compute(INTRODUCTION)
+  // Halfway between the centres of circles that border on each other, but for what other layers have there.
+  const middles = Array.from({ length: diagram.edges.length / 4 }, (_, e) => {
+    const [i, j] = [diagram.edges[4 * e] as number, diagram.edges[4 * e + 1] as number]
+    const [one, other] = [app.center(INTRODUCTION, i), app.center(INTRODUCTION, j)]
+    return { x: (one.x + other.x) / 2, y: (one.y + other.y) / 2 }
+  }).filter((point) => app.isShown(point) && point.x > 300)
+  const before = await app.colors(middles)
+  await page.getByRole('button', { name: 'Layers', exact: true }).click()
+  await page.getByRole('checkbox', { name: 'Dual graph' }).check()
+  await isDrawn()
+  const greenish = async () =>
+    (await app.colors(middles)).filter(([red, green]) => (green as number) - (red as number) > 40).length
+  await expect.poll(greenish).toBeGreaterThan(0.8 * middles.length)
+  await page.getByRole('checkbox', { name: 'Dual graph' }).uncheck()
+  await expect.poll(() => app.colors(middles)).toEqual(before)
+
+  const layer = (name: string) => page.getByRole('checkbox', { name, exact: true })
+  for (const name of ['Circles', 'Edges', 'Vertices']) await layer(name).uncheck()
+  const cells = page.getByLabel('Cells', { exact: true })
+  await cells.selectOption('no colour')
+  const row = Array.from({ length: 900 }, (_, k) => ({ x: 320 + k, y: 300 }))
+  const isBlank = async () => new Set((await app.colors(row)).map(String)).size === 1
+  await expect.poll(isBlank).toBe(true)
+  for (const name of ['Voronoi of centres', 'Power diagram', 'Delaunay of centres']) {
+    await layer(name).check()
+    await expect.poll(isBlank, { timeout: 10_000 }).toBe(false)
+    await layer(name).uncheck()
+    await expect.poll(isBlank).toBe(true)
+  }
+  await cells.selectOption('neighbours differ')
+  await expect.poll(isBlank).toBe(false)
+})
+
+test('the clearest path follows its ends and the circles', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  await page.getByRole('button', { name: 'Layers', exact: true }).click()
+  await page.getByRole('checkbox', { name: 'Clearest path' }).check()
+  const row = page.locator('.layer', { hasText: 'Clearest path' }).locator('small')
+  await expect(row).toHaveText(/^[\d.]+$/)
+  const clearance = await row.textContent()
+  const { width, height } = page.viewportSize() as { width: number; height: number }
+  // Into a disc: it cannot but be in there.
+  const inside = app.center(INTRODUCTION, 0)
+  await app.drag({ x: width / 2 + 0.3 * width, y: height / 2 }, inside)
+  await page.mouse.up()
+  await expect(row).toHaveText(/^-[\d.]+$/)
+  await expect(app.inspector).toBeHidden()
+  await page.keyboard.press('Escape')
+  await app.drag(inside, { x: width / 2 + 0.3 * width, y: height / 2 })
+  await page.mouse.up()
+  await expect(row).toHaveText(clearance as string)
+  await page.getByRole('checkbox', { name: 'Clearest path' }).uncheck()
+  await expect(row).toHaveCount(0)
+})
+
+test('numbers are those of the circles, and say by which way a diagram is right', async ({ app }) => {
+  const { page } = app
+  const panel = page.getByRole('region', { name: 'Numbers' })
+  await page.getByRole('button', { name: 'Numbers', exact: true }).click()
+  await expect(panel).toContainText('5.95 on average')
+  await expect(panel).toContainText('Proven by a judge')
+  await expect(panel.locator('canvas')).toHaveCount(2)
+  await panel.getByRole('button', { name: 'Compute' }).click()
+  await expect(panel).toContainText('This one is certified')
+  await app.choose('Introduction')
+  await expect(panel).toContainText('4.46 on average')
+  await expect(panel).not.toContainText('This one')
+})
+
+test('panels that fold remember it', async ({ app }) => {
+  const { page } = app
+  const layers = page.getByRole('button', { name: 'Layers', exact: true })
+  await expect(layers).toHaveAttribute('aria-expanded', 'false')
+  await layers.click()
+  await page.reload()
+  await expect(layers).toHaveAttribute('aria-expanded', 'true')
+  await expect(page.getByRole('checkbox', { name: 'Dual graph' })).toBeVisible()
+  await layers.click()
+  await page.reload()
+  await expect(layers).toHaveAttribute('aria-expanded', 'false')
+})
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`the panels have no accessibility violation, ${colorScheme}`, async ({ app }) => {
+    await app.page.emulateMedia({ colorScheme })
+    await app.page.getByRole('button', { name: 'Layers', exact: true }).click()
+    for (const name of ['merged up', 'Cells end', 'Clearest path', 'Largest empty']) {
+      await app.page.getByRole('checkbox', { name }).check()
+    }
+    await app.page.getByRole('button', { name: 'Numbers', exact: true }).click()
+    await expect(app.page.getByText('Proven by')).toBeAttached()
+    const { violations } = await new AxeBuilder({ page: app.page }).analyze()
+    expect(violations).toEqual([])
+  })
+}

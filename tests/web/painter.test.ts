@@ -56,6 +56,7 @@ function edited(revision: number, inserted: readonly number[] = []): FromPainter
     boxes: [],
     inserted: Int32Array.from(inserted),
     marks: NO_MARKS,
+    found: undefined,
     seconds: 0,
   }
 }
@@ -75,7 +76,7 @@ describe('the painter', () => {
     FakeWorker.all = []
     vi.stubGlobal('Worker', FakeWorker)
     painter = new Painter({ wasm: WASM })
-    scene = painter.add({ painted() {}, marked() {} })
+    scene = painter.add({ painted() {}, marked() {}, found() {} })
   })
   afterEach(() => vi.unstubAllGlobals())
 

@@ -169,7 +169,7 @@ describe('what an edit changes in a picture', () => {
         [{ kind: 'insert', circle } as const],
         [{ kind: 'remove', id } as const],
       ].slice(k % 3)
-      const boxes = picture.apply(picture.editor.apply(edit as Edit[]))
+      const { boxes } = picture.apply(picture.editor.apply(edit as Edit[]))
       const after = outlines(picture)
       for (const [x, y, look] of [...before.filter(isNotIn(after)), ...after.filter(isNotIn(before))]) {
         const isInside = boxes.some(

@@ -2,6 +2,7 @@
 import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import { decodeLink, type LinkInput, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
+import type { Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { Hands } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
@@ -204,6 +205,13 @@ export class Actions implements Hands {
   release(): void {
     if (this.isAdding) this.toggleAdding()
     else this.select(undefined)
+  }
+
+  /** Draws something else, or something more. */
+  setLayers(change: Partial<Layers>): void {
+    const layers = { ...this.#store.get().layers, ...change }
+    this.#view.layers = layers
+    this.#store.update((state) => ({ ...state, layers }))
   }
 
   undo(): Promise<void> {

@@ -13,6 +13,8 @@ import { Keeping } from './keeping.ts'
 import { byId } from './panels/by-id.ts'
 import { mountFiles } from './panels/files.ts'
 import { mountInspector } from './panels/inspector.ts'
+import { mountLayers } from './panels/layers.ts'
+import { mountNumbers } from './panels/numbers.ts'
 import { mountStatus } from './panels/status.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountViewControls } from './panels/view-controls.ts'
@@ -58,6 +60,8 @@ store.subscribe(({ selected, hovered }) => {
   marked = [selected, hovered]
 })
 view.onmarked = ({ selected }) => store.update((state) => ({ ...state, described: selected }))
+view.onfound = (found) => store.update((state) => ({ ...state, found }))
+view.onlayers = (layers) => store.update((state) => ({ ...state, layers }))
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.restyle())
 
 mountToolbar(store, actions)
@@ -67,6 +71,8 @@ const fileActions = new FileActions(store, editing, actions)
 mountFiles(fileActions)
 listenToFiles(fileActions)
 const editNumbers = mountInspector(store, actions)
+mountLayers(store, actions, view)
+mountNumbers(store, view)
 const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, editNumbers)
 

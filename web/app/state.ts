@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Circle } from '../lib/index.ts'
+import { DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
-import type { Described } from '../view/protocol.ts'
+import type { Described, Found } from '../view/protocol.ts'
 import { EMPTY_HISTORY, type History } from './history.ts'
 
 /** What the panels show. It is never changed, only replaced; the circles themselves are in a `CircleTable`. */
@@ -19,6 +20,10 @@ export interface State {
   readonly described: Described | undefined
   readonly hovered: number | undefined
   readonly isAdding: boolean
+  /** What is drawn. */
+  readonly layers: Layers
+  /** What of it depends on all circles, once it is known. */
+  readonly found: Found | undefined
 }
 
 export const INITIAL_STATE: State = {
@@ -31,4 +36,6 @@ export const INITIAL_STATE: State = {
   described: undefined,
   hovered: undefined,
   isAdding: false,
+  layers: DEFAULT_LAYERS,
+  found: undefined,
 }

@@ -50,6 +50,15 @@ export class BasePicture {
     return holds(box, seen) ? undefined : this.#turnTo(grid, seen)
   }
 
+  /** The wish for what there is to be painted once more; shown until then is what there is. */
+  again(camera: Camera, size: Size): Wish | undefined {
+    const sheet = this.#sheet
+    if (sheet === undefined) return undefined
+    this.#lastWish += 1
+    this.#sheet = { ...sheet, wish: this.#lastWish, isWhole: false }
+    return { wish: this.#lastWish, grid: sheet.grid, seen: seenOf(sheet.grid, camera, size), wanted: sheet.box }
+  }
+
   put({ grid, patches, ...rest }: Painted): void {
     const sheet = this.#sheet
     if (sheet !== undefined && sheet.grid.id === grid) {

@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from '../lib/errors.ts'
-import type { Edit } from '../lib/index.ts'
+import type { Edit, Options } from '../lib/index.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/load-options.ts'
 import { CircleLog } from './circle-log.ts'
-import type { Counts, FromPainter, Hit, Marks, ToPainter, Wish } from './protocol.ts'
+import type { Layers } from './layers.ts'
+import type {
+  Computed,
+  Counts,
+  Distribution,
+  Found,
+  FromPainter,
+  Hit,
+  Marks,
+  ToPainter,
+  Touching,
+  Wish,
+} from './protocol.ts'
 import type { Style } from './style.ts'
 
 /** What came of circles that were opened, or of edits. */
@@ -19,6 +31,8 @@ export interface Edited {
 export interface PictureEvents {
   painted(painted: Painted): void
   marked(marks: Marks): void
+  /** `undefined`: what was found is that of other circles, and something else will be. */
+  found(found: Found | undefined): void
 }
 
 export type Painted = Extract<FromPainter, { kind: 'painted' | 'edited' }>
@@ -37,6 +51,7 @@ interface Scene {
   log: CircleLog
   look: ToPainter | undefined
   mark: ToPainter | undefined
+  layers: ToPainter | undefined
 }
 
 /**
@@ -70,12 +85,14 @@ export class Painter {
       log: new CircleLog(new Float64Array()),
       look: undefined,
       mark: undefined,
+      layers: undefined,
     }
     this.#scenes.set(number, scene)
     return new PainterScene(number, {
       post: (message) => {
         if (message.kind === 'look') scene.look = message
         if (message.kind === 'mark') scene.mark = message
+        if (message.kind === 'layers') scene.layers = message
         if (message.kind === 'close') this.#scenes.delete(number)
         this.#worker?.postMessage(message)
       },
@@ -121,8 +138,9 @@ export class Painter {
       (module) => worker.postMessage({ kind: 'start', module } satisfies ToPainter),
       (error: Error) => fail(error.message),
     )
-    for (const [scene, { log, look, mark }] of this.#scenes) {
+    for (const [scene, { log, look, mark, layers }] of this.#scenes) {
       const known = { scene, revision: RESTORED }
+      if (layers !== undefined) worker.postMessage(layers)
       worker.postMessage({ kind: 'open', circles: log.opened, ...known } satisfies ToPainter)
       worker.postMessage({ kind: 'edit', edits: log.edits(), ...known } satisfies ToPainter)
       if (look !== undefined) worker.postMessage(look)
@@ -131,7 +149,7 @@ export class Painter {
   }
 
   #receive(message: Exclude<FromPainter, { kind: 'failed' }>): void {
-    if (message.kind === 'hit') {
+    if ('request' in message) {
       this.#asked.get(message.request)?.(message as never)
       this.#asked.delete(message.request)
       return
@@ -140,7 +158,8 @@ export class Painter {
     if (scene === undefined) return
     if (message.kind === 'marked' || message.kind === 'edited') scene.events.marked(message.marks)
     if (message.kind === 'painted' || message.kind === 'edited') scene.events.painted(message)
-    if (message.kind === 'painted' || message.kind === 'marked') return
+    if (message.kind === 'edited' || message.kind === 'found') scene.events.found(message.found)
+    if (message.kind === 'painted' || message.kind === 'marked' || message.kind === 'found') return
     const waiting = scene.waiting.get(message.revision)
     if (waiting === undefined) return
     this.#hasWorked = true
@@ -225,6 +244,34 @@ export class PainterScene {
   async hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
     const answer = await this.#line.ask<{ hit: Hit | undefined }>({ kind: 'hit', scene: this.#scene, x, y, slack })
     return answer?.hit
+  }
+
+  /** The disc around the vertex or the point of an edge next to a point of the plane. */
+  async touch(x: number, y: number, slack: number): Promise<Touching | undefined> {
+    const message = { kind: 'touch', scene: this.#scene, x, y, slack }
+    return (await this.#line.ask<{ touching: Touching | undefined }>(message))?.touching
+  }
+
+  /** How cells are distributed: a moment later, where there are many. `undefined`: the thread has failed. */
+  async measure(): Promise<Distribution | undefined> {
+    const answer = await this.#line.ask<{ distribution: Distribution }>({ kind: 'measure', scene: this.#scene })
+    return answer?.distribution
+  }
+
+  /** Computes the diagram from nothing, likewise. */
+  async compute(options: Options): Promise<Computed | undefined> {
+    const message = { kind: 'compute', scene: this.#scene, options }
+    return (await this.#line.ask<{ computed: Computed }>(message))?.computed
+  }
+
+  /** What is drawn; the next `look` has it painted. */
+  setLayers(layers: Layers): void {
+    this.#line.post({ kind: 'layers', scene: this.#scene, layers, isPainted: true })
+  }
+
+  /** Likewise, where only what depends on all circles is another. */
+  findAgain(layers: Layers): void {
+    this.#line.post({ kind: 'layers', scene: this.#scene, layers, isPainted: false })
   }
 
   /** Which circles stand out. */

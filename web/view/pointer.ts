@@ -7,6 +7,8 @@ import type { View } from './view.ts'
 /** How near to a rim or a dot counts as on it, in pixels. */
 const MOUSE_SLACK = 5
 const TOUCH_SLACK = 12
+/** How near to an edge the pointer shows its disc. */
+const DISC_SLACK = 14
 /** A pointer that moves less than this was a click. */
 const CLICK_DISTANCE = 4
 
@@ -174,6 +176,14 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     }
   }
 
+  const movePathEnd = (end: 'from' | 'to'): Gesture => {
+    const before = view.layers.path?.[end]
+    return {
+      move: (to) => view.movePathEnd(end, planeAt(to)),
+      cancel: () => before !== undefined && view.movePathEnd(end, before),
+    }
+  }
+
   const gestureAt = async (point: Point, pointerType: string): Promise<Gesture> => {
     const hit = await hitAt(point, pointerType)
     const circle = hit === undefined ? undefined : hands.circle(hit.id)
@@ -217,7 +227,10 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     }
     start = point
     hasMoved = false
-    gesture = hands.isAdding ? addCircle(point) : whenKnown(gestureAt(point, event.pointerType))
+    const pathEnd = view.pathEndAt(point, event.pointerType === 'touch' ? TOUCH_SLACK : 0)
+    if (hands.isAdding) gesture = addCircle(point)
+    else if (pathEnd !== undefined) gesture = movePathEnd(pathEnd)
+    else gesture = whenKnown(gestureAt(point, event.pointerType))
     if (element.dataset.cursor === 'cell') element.dataset.cursor = 'pan'
   })
 
@@ -225,6 +238,7 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     const point = pointOf(event)
     if (!pressed.has(event.pointerId)) {
       if (event.pointerType === 'touch') return
+      view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
       hitAt(point, event.pointerType).then((hit) => {
         if (pressed.size > 0) return
         hands.hover(hit?.id)
@@ -248,7 +262,10 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
   }
   on('pointercancel', lose)
   on('lostpointercapture', lose)
-  on('pointerleave', () => hands.hover(undefined))
+  on('pointerleave', () => {
+    hands.hover(undefined)
+    view.touch(undefined, 0)
+  })
   on('keydown', (event) => {
     if (event.key === 'Escape' && gesture !== undefined) {
       event.preventDefault()

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between a view and the painter's thread. A scene is one view's circles; a thread has many.
-import type { Box, Circle, Edit, ErrorCode } from '../lib/index.ts'
+import type { Box, Certificate, Circle, Edit, ErrorCode, Options, Point, Stats, Vertex } from '../lib/index.ts'
 import type { CompiledWasm } from '../lib/wasm.ts'
+import type { Layers } from './layers.ts'
 import type { Style } from './style.ts'
 
 /**
@@ -55,6 +56,21 @@ export type ToPainter =
       readonly y: number
       readonly slack: number
     }
+  /** The vertex or the point of an edge next to a point of the plane, no farther than `slack`. */
+  | {
+      readonly kind: 'touch'
+      readonly scene: number
+      readonly request: number
+      readonly x: number
+      readonly y: number
+      readonly slack: number
+    }
+  /** How cells are distributed. */
+  | { readonly kind: 'measure'; readonly scene: number; readonly request: number }
+  /** All computed once more from nothing, to see how. */
+  | { readonly kind: 'compute'; readonly scene: number; readonly request: number; readonly options: Options }
+  /** What is drawn; `isPainted`: not only what is found (`Found`) is another. */
+  | { readonly kind: 'layers'; readonly scene: number; readonly layers: Layers; readonly isPainted: boolean }
   /** Which circles stand out; what is known of them comes now and with each edit. */
   | {
       readonly kind: 'mark'
@@ -88,6 +104,8 @@ export type FromPainter =
       readonly boxes: readonly Box[]
       readonly inserted: Int32Array
       readonly marks: Marks
+      /** `undefined`: not yet. */
+      readonly found: Found | undefined
       readonly seconds: number
     }
   | {
@@ -110,6 +128,10 @@ export type FromPainter =
       readonly isWhole: boolean
     }
   | { readonly kind: 'hit'; readonly request: number; readonly hit: Hit | undefined }
+  | { readonly kind: 'touched'; readonly request: number; readonly touching: Touching | undefined }
+  | { readonly kind: 'measured'; readonly request: number; readonly distribution: Distribution }
+  | { readonly kind: 'computed'; readonly request: number; readonly computed: Computed }
+  | { readonly kind: 'found'; readonly scene: number; readonly revision: number; readonly found: Found }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
   /** The thread cannot go on. */
   | { readonly kind: 'failed'; readonly message: string }
@@ -138,6 +160,37 @@ export interface Described {
   /** Those of the neighbours. */
   readonly neighborhood: Float64Array
 }
+
+/** A disc that touches circles, and where: in a diagram it meets no other. */
+export interface Touching {
+  readonly disc: Vertex
+  readonly points: readonly Point[]
+}
+
+/** What the layers show that depends on all circles. */
+export interface Found {
+  /** For each arc of the hull its circle's x, y and radius, the angle where it begins, its turn, and the start of the next one. */
+  readonly hull: Float64Array | undefined
+  /** With the ids of the circles it touches. */
+  readonly largestDisc: (Touching & { readonly circles: readonly number[] }) | undefined
+  /** How near the clearest path comes to a circle, and the path (`replay`). */
+  readonly path: { readonly clearance: number; readonly outline: Float64Array } | undefined
+}
+
+/** How many cells there are of each kind. */
+export interface Distribution {
+  /** Of each number of neighbours. */
+  readonly degrees: Int32Array
+  /** Of those that do not go to infinity, in classes of one width from 0 on; what is larger is in the last one. */
+  readonly areas: Int32Array
+  /** The width of a class, 0 if there is no cell. */
+  readonly areaStep: number
+  readonly medianArea: number
+  readonly certificate: Certificate
+}
+
+/** How a diagram was computed, and what came of it; or why it could not be. */
+export type Computed = { readonly stats: Stats; readonly certificate: Certificate } | { readonly problem: string }
 
 export interface Marks {
   readonly selected: Described | undefined

@@ -1,41 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** The colours of the drawing: CSS colours. */
-export interface Style {
-  readonly paper: string
-  readonly edge: string
-  readonly rim: string
-  readonly hidden: string
-  readonly accent: string
-  readonly selectedDisc: string
-  readonly selectedCell: string
-  readonly neighborCell: string
-  /** From the smallest circles to the largest. */
-  readonly tints: readonly string[]
-  /** A cell has the tint of its circle, so much weaker. */
-  readonly cellOpacity: number
-}
-
 export const DISC_OPACITY = 0.85
 /** Smaller circles are drawn as dots of this radius, in pixels. */
 export const DOT_RADIUS = 1.5
 /** How many tints circles and cells have by size. */
 export const TINTS = 6
+/** Every map takes at most so many colours that are chosen greedily, the cells with fewest neighbours last. */
+export const MAP_COLORS = 6
+
+const COLORS = [
+  'paper',
+  'edge',
+  'rim',
+  'hidden',
+  'accent',
+  'selectedDisc',
+  'selectedCell',
+  'neighborCell',
+  'hull',
+  'dual',
+  'delaunay',
+  'ordinary',
+  'power',
+  'touching',
+  'path',
+  'merged',
+] as const
+
+/** The colours of the drawing: CSS colours. */
+export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
+  /** From the smallest to the largest. */
+  readonly tints: readonly string[]
+  /** For neighbours to differ. */
+  readonly map: readonly string[]
+  /** A cell has the tint of its circle, so much weaker. */
+  readonly cellOpacity: number
+}
 
 /** The style that the custom properties of an element say. */
 export function readStyle(element: Element): Style {
-  const style = getComputedStyle(element)
-  const value = (name: string) => style.getPropertyValue(`--${name}`).trim()
-  return {
-    paper: value('paper'),
-    edge: value('edge'),
-    rim: value('rim'),
-    hidden: value('hidden'),
-    accent: value('accent'),
-    selectedDisc: value('selected-disc'),
-    selectedCell: value('selected-cell'),
-    neighborCell: value('neighbor-cell'),
-    tints: Array.from({ length: TINTS }, (_, i) => value(`tint-${i}`)),
-    cellOpacity: Number(value('cell-opacity')),
+  // As numbers: a worker knows neither the scheme nor the system's colours.
+  const probe = element.appendChild(document.createElement('span'))
+  const color = (name: string) => {
+    probe.style.color = `var(--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)})`
+    return getComputedStyle(probe).color
   }
+  const list = (name: string, count: number) => Array.from({ length: count }, (_, k) => color(`${name}-${k}`))
+  const colors = Object.fromEntries(COLORS.map((name) => [name, color(name)])) as Record<
+    (typeof COLORS)[number],
+    string
+  >
+  const style = {
+    ...colors,
+    tints: list('tint', TINTS),
+    map: list('map', MAP_COLORS),
+    cellOpacity: Number(getComputedStyle(element).getPropertyValue('--cell-opacity')),
+  }
+  probe.remove()
+  return style
 }

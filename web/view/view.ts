@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Edit } from '../lib/index.ts'
+import type { Edit, Options, Point } from '../lib/index.ts'
 import { BasePicture } from './base-picture.ts'
-import type { Camera, Size } from './camera.ts'
-import { replay } from './painter/commands.ts'
-import { addDisc } from './painter/disc-path.ts'
-import { FrameSink } from './painter/frame-sink.ts'
+import { type Camera, type Size, toScreen } from './camera.ts'
+import { DEFAULT_LAYERS, type Layers } from './layers.ts'
+import { drawOverlay, HANDLE_RADIUS } from './overlay.ts'
 import type { Edited, Painter, PainterScene } from './painter.ts'
-import type { Hit, Marks } from './protocol.ts'
-import { DISC_OPACITY, DOT_RADIUS, readStyle, type Style } from './style.ts'
+import type { Computed, Distribution, Found, Hit, Marks, Touching } from './protocol.ts'
+import { readStyle, type Style } from './style.ts'
 
 /** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
 const REST = 80
-const HOVER_OPACITY = 0.55
 
 /** Circles and their diagram in an element of a page, moved and zoomed by a camera. */
 export class View {
@@ -27,11 +25,20 @@ export class View {
   #frame = 0
   #rest: ReturnType<typeof setTimeout> | undefined
   #marks: Marks = { selected: undefined, hovered: undefined }
+  #layers = DEFAULT_LAYERS
+  #found: Found | undefined
+  #touching: Touching | undefined
+  /** Where the pointer was when a disc was last asked for; what comes for another place is late. */
+  #touchedAt: Point | undefined
   #baseChanged = false
   #overlayChanged = false
 
   /** Called when what is known of the circles that stand out has changed. */
   onmarked: ((marks: Marks) => void) | undefined
+  /** Called when what the layers show that depends on all circles is known, or is no longer. */
+  onfound: ((found: Found | undefined) => void) | undefined
+  /** Called when an end of the path was dragged. */
+  onlayers: ((layers: Layers) => void) | undefined
 
   /** Called when what is looked at has changed. */
   oncamera: (() => void) | undefined
@@ -49,9 +56,15 @@ export class View {
       },
       marked: (marks) => {
         this.#marks = marks
-        this.#overlayChanged = true
-        this.#schedule()
+        this.#overlayChanges()
         this.onmarked?.(marks)
+      },
+      found: (found) => {
+        this.#found = found
+        // It was that of the circles before.
+        this.#touching = undefined
+        this.#overlayChanges()
+        this.onfound?.(found)
       },
     })
     this.#observer = new ResizeObserver(() => this.#resize())
@@ -66,6 +79,8 @@ export class View {
    */
   open(circles: Float64Array): Promise<Edited> {
     this.#picture.clear()
+    this.#touching = undefined
+    this.#found = undefined
     const opened = this.#scene.open(circles)
     this.#see()
     return opened
@@ -99,6 +114,58 @@ export class View {
 
   hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
     return this.#scene.hit(x, y, slack)
+  }
+
+  /** How cells are distributed. */
+  measure(): Promise<Distribution | undefined> {
+    return this.#scene.measure()
+  }
+
+  /** Computes the diagram once more from nothing, to see how. */
+  compute(options: Options): Promise<Computed | undefined> {
+    return this.#scene.compute(options)
+  }
+
+  get layers(): Layers {
+    return this.#layers
+  }
+
+  set layers(layers: Layers) {
+    this.#layers = layers
+    this.#scene.setLayers(layers)
+    const wish = this.#picture.again(this.#camera, this.#size)
+    if (wish !== undefined) this.#scene.look(wish, this.#style)
+    this.#overlayChanges()
+  }
+
+  /** Shows the disc of the vertex or the point of an edge next to a point of the plane, if that layer is on. */
+  async touch(point: Point | undefined, slack: number): Promise<void> {
+    this.#touchedAt = point
+    const touching =
+      point === undefined || !this.#layers.disc ? undefined : await this.#scene.touch(point.x, point.y, slack)
+    if (this.#touchedAt !== point || touching === this.#touching) return
+    this.#touching = touching
+    this.#overlayChanges()
+  }
+
+  /** The end of the path at a pixel. */
+  pathEndAt(point: Point, slack: number): 'from' | 'to' | undefined {
+    const { path } = this.#layers
+    if (path === undefined) return undefined
+    return (['to', 'from'] as const).find((end) => {
+      const { x, y } = toScreen(this.#camera, this.#size, path[end])
+      return Math.hypot(x - point.x, y - point.y) < HANDLE_RADIUS + slack
+    })
+  }
+
+  /** Moves an end of the path to a point of the plane. */
+  movePathEnd(end: 'from' | 'to', point: Point): void {
+    const { path } = this.#layers
+    if (path === undefined) return
+    this.#layers = { ...this.#layers, path: { ...path, [end]: point } }
+    this.#scene.findAgain(this.#layers)
+    this.#overlayChanges()
+    this.onlayers?.(this.#layers)
   }
 
   /** Which circles stand out. */
@@ -161,42 +228,17 @@ export class View {
   #drawOverlay(): void {
     const context = this.#overlay.getContext('2d') as CanvasRenderingContext2D
     const { width, height } = this.#overlay
-    context.clearRect(0, 0, width, height)
     const frame = { x: this.#camera.x, y: this.#camera.y, scale: this.#camera.scale * devicePixelRatio, width, height }
-    const { selected, hovered } = this.#marks
-    const pathOf = (outline: Float64Array) => {
-      const sink = new FrameSink(frame)
-      replay(outline, sink)
-      return sink.path
-    }
-    const fill = (outline: Float64Array, color: string) => {
-      context.fillStyle = color
-      context.fill(pathOf(outline))
-    }
-    if (selected !== undefined) {
-      fill(selected.neighborhood, this.#style.neighborCell)
-      fill(selected.outline, this.#style.selectedCell)
-    }
-    if (hovered !== undefined && hovered.id !== selected?.id) {
-      context.globalAlpha = HOVER_OPACITY
-      if (selected === undefined) fill(hovered.neighborhood, this.#style.neighborCell)
-      fill(hovered.outline, this.#style.selectedCell)
-      context.globalAlpha = 1
-    }
-    if (selected === undefined) return
-    const { x, y, r } = selected.circle
-    const rim = new FrameSink(frame)
-    const radius = Math.max(r * frame.scale, DOT_RADIUS * devicePixelRatio)
-    addDisc(rim.path, frame, rim.x(x), rim.y(y), radius)
-    context.fillStyle = this.#style.selectedDisc
-    context.globalAlpha = DISC_OPACITY
-    context.fill(rim.path)
-    context.globalAlpha = 1
-    context.strokeStyle = this.#style.accent
-    context.lineWidth = 2 * devicePixelRatio
-    context.stroke(pathOf(selected.outline))
-    context.setLineDash(selected.hiddenBy === undefined ? [] : [4 * devicePixelRatio, 4 * devicePixelRatio])
-    context.stroke(rim.path)
-    context.setLineDash([])
+    drawOverlay(context, frame, devicePixelRatio, this.#style, {
+      marks: this.#marks,
+      found: this.#found,
+      touching: this.#touching,
+      layers: this.#layers,
+    })
+  }
+
+  #overlayChanges(): void {
+    this.#overlayChanged = true
+    this.#schedule()
   }
 }

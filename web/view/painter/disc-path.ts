@@ -5,6 +5,7 @@ import type { Frame } from './frame.ts'
 const LARGEST_ARC = 4096
 /** How many cubic curves the seen part of a large circle takes: each turns by less than 0.1. */
 const PIECES = 8
+const FULL_TURN = 2 * Math.PI
 
 /**
  * Adds a circle to a path: centre in pixels from the top left of the frame, which may be far outside. Of a large one only
@@ -28,15 +29,52 @@ export function addDisc(path: Path2D, { width, height }: Frame, x: number, y: nu
   }
   const angle = Math.atan2(toMiddleY, toMiddleX)
   const half = (2 * seen) / radius
+  traceArc(path, x, y, radius, angle - half, angle + half)
   const at = (turn: number, r: number) => [x + r * Math.cos(turn), y + r * Math.sin(turn)] as const
-  const step = (2 * half) / PIECES
+  path.lineTo(...at(angle + half, radius - 4 * seen))
+  path.lineTo(...at(angle - half, radius - 4 * seen))
+  path.closePath()
+}
+
+/** Adds what can be seen of an arc to a path, by growing angles as the canvas has them, clockwise. */
+export function addArc(
+  path: Path2D,
+  frame: Frame,
+  x: number,
+  y: number,
+  radius: number,
+  from: number,
+  turn: number,
+): void {
+  if (radius <= LARGEST_ARC) {
+    path.moveTo(x + radius * Math.cos(from), y + radius * Math.sin(from))
+    path.arc(x, y, radius, from, from + turn)
+    return
+  }
+  const toMiddleX = frame.width / 2 - x
+  const toMiddleY = frame.height / 2 - y
+  const seen = Math.hypot(frame.width, frame.height)
+  if (Math.abs(Math.hypot(toMiddleX, toMiddleY) - radius) > seen) return
+  const half = (2 * seen) / radius
+  const middle = Math.atan2(toMiddleY, toMiddleX)
+  // The turn from where the arc begins to the middle of what is seen, also where that comes just before it.
+  const toMiddle = (((middle - from) % FULL_TURN) + FULL_TURN) % FULL_TURN
+  for (const offset of [toMiddle, toMiddle - FULL_TURN]) {
+    const first = Math.max(offset - half, 0)
+    const last = Math.min(offset + half, turn)
+    if (first < last) traceArc(path, x, y, radius, from + first, from + last)
+  }
+}
+
+/** As cubic curves: single precision is enough for points that are near. */
+function traceArc(path: Path2D, x: number, y: number, radius: number, first: number, last: number): void {
+  const step = (last - first) / PIECES
   const handle = (4 / 3) * Math.tan(step / 4) * radius
-  path.moveTo(...at(angle - half, radius))
+  path.moveTo(x + radius * Math.cos(first), y + radius * Math.sin(first))
   for (let k = 0; k < PIECES; k++) {
-    const from = angle - half + k * step
-    const to = from + step
-    const [x0, y0] = at(from, radius)
-    const [x1, y1] = at(to, radius)
+    const [from, to] = [first + k * step, first + (k + 1) * step]
+    const [x0, y0] = [x + radius * Math.cos(from), y + radius * Math.sin(from)]
+    const [x1, y1] = [x + radius * Math.cos(to), y + radius * Math.sin(to)]
     path.bezierCurveTo(
       x0 - handle * Math.sin(from),
       y0 + handle * Math.cos(from),
@@ -46,7 +84,4 @@ export function addDisc(path: Path2D, { width, height }: Frame, x: number, y: nu
       y1,
     )
   }
-  path.lineTo(...at(angle + half, radius - 4 * seen))
-  path.lineTo(...at(angle - half, radius - 4 * seen))
-  path.closePath()
 }

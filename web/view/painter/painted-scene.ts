@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import type { Comparison } from '../../lib/comparison.ts'
 import { at } from '../../lib/diagram-data.ts'
-import type { Box, CircleVoronoi, Edit } from '../../lib/index.ts'
-import type { Counts, Described, Hit, Marks, Patch, PixelBox, Wish } from '../protocol.ts'
+import { CircleVoronoiError } from '../../lib/errors.ts'
+import type { Box, CircleVoronoi, Edit, Options } from '../../lib/index.ts'
+import { DEFAULT_LAYERS, type Layers } from '../layers.ts'
+import type {
+  Computed,
+  Counts,
+  Described,
+  Distribution,
+  Found,
+  Hit,
+  Marks,
+  Patch,
+  PixelBox,
+  Touching,
+  Wish,
+} from '../protocol.ts'
 import type { Style } from '../style.ts'
+import { Centres } from './centres.ts'
 import { commandsOf } from './commands.ts'
+import { distributionOf } from './distribution.ts'
+import { found, isAnythingFound } from './found.ts'
 import { regionOf, toleranceOf } from './frame.ts'
 import { frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
 import { paint } from './paint.ts'
+import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
+import { touchingNear } from './touching.ts'
 
 /** What is looked at. */
 interface Look extends Wish {
@@ -17,6 +38,8 @@ interface Look extends Wish {
 /** Around what an edit changed, strokes reach so far, in CSS pixels. */
 const STROKE = 4
 
+/** What is found in so many seconds is found with each edit. */
+const QUICK = 0.005
 /** Of a circle with more neighbours, its own cell stands out alone. */
 const MOST_NEIGHBORS = 500
 
@@ -24,6 +47,9 @@ const MOST_NEIGHBORS = 500
 export class PaintedScene {
   readonly #library: CircleVoronoi
   #picture: Picture
+  #layers = DEFAULT_LAYERS
+  /** How long it took last to find what depends on all circles. */
+  #findingSeconds = 0
   #look: Look | undefined
   /** Those of the grid that the view has, and those still to be painted, the next one last. */
   readonly #painted = new Set<string>()
@@ -47,12 +73,82 @@ export class PaintedScene {
     const picture = new Picture(this.#library.edit(circles))
     this.dispose()
     this.#picture = picture
+    this.#findingSeconds = 0
     this.#hint = -1
-    this.#restart()
+    this.setLayers(this.#layers)
   }
 
   dispose(): void {
+    this.#picture.centres?.dispose()
     this.#picture.editor.dispose()
+  }
+
+  /** Draws these from now on. */
+  setLayers(layers: Layers, isPainted = true): void {
+    const picture = this.#picture
+    this.#layers = layers
+    picture.layers = layers
+    if (!layers.delaunay && !layers.ordinary) {
+      picture.centres?.dispose()
+      picture.centres = undefined
+    } else {
+      picture.centres ??= new Centres(this.#library, picture.diagram)
+    }
+    if (!layers.power) picture.power = undefined
+    if (isPainted) this.#restart()
+  }
+
+  /** Whether the power diagram is to be shown and is not there. */
+  get isPowerMissing(): boolean {
+    return this.#layers.power && this.#picture.power === undefined
+  }
+
+  /** The power diagram of the circles as they are. */
+  addPower({ computeComparison }: Comparison): void {
+    this.#picture.setPower(computeComparison(this.#picture.diagram.circles, 'power'))
+    this.#restart()
+  }
+
+  /** Whether the layers show what depends on all circles. */
+  get isAnythingFound(): boolean {
+    return isAnythingFound(this.#layers)
+  }
+
+  /** Whether to find that takes no longer than an edit may. */
+  get isFoundQuickly(): boolean {
+    return this.#findingSeconds < QUICK
+  }
+
+  /** What depends on all circles. */
+  find(): Found {
+    const start = performance.now()
+    const scale = this.#look?.grid.scale
+    const tolerance = scale === undefined ? this.#picture.cellWidth / 1000 : toleranceOf({ scale })
+    const result = found(this.#picture, tolerance)
+    this.#findingSeconds = (performance.now() - start) / 1000
+    return result
+  }
+
+  /** How cells are distributed. */
+  measure(): Generator<void, Distribution> {
+    return distributionOf(this.#picture)
+  }
+
+  /** All computed from nothing. */
+  compute(options: Options): Computed {
+    try {
+      const { stats, certificate } = this.#library.compute(this.#picture.diagram.circles, options)
+      return { stats, certificate }
+    } catch (error) {
+      if (!(error instanceof CircleVoronoiError)) throw error
+      return { problem: error.message }
+    }
+  }
+
+  /** The disc around the vertex or the point of an edge next to a point of the plane. */
+  touch(x: number, y: number, slack: number): Touching | undefined {
+    const box = { minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack }
+    return touchingNear(this.#picture.diagram, this.#picture.circlesIn(box), x, y, slack)
   }
 
   counts(): Counts {
@@ -70,10 +166,17 @@ export class PaintedScene {
    *
    * @throws CircleVoronoiError as `DiagramEditor.apply`; then all stays as it was
    */
-  edit(edits: readonly Edit[]): { patches: Patch[]; boxes: Box[]; inserted: Int32Array } {
+  edit(edits: readonly Edit[]): {
+    patches: Patch[]
+    boxes: readonly Box[]
+    inserted: Int32Array
+    found: Found | undefined
+  } {
     const change = this.#picture.editor.apply(edits)
-    const boxes = this.#picture.apply(change)
-    return { patches: this.#repaint(boxes), boxes, inserted: change.inserted }
+    const { boxes, isEverywhere } = this.#picture.apply(change)
+    const patches = this.#repaint(boxes)
+    if (isEverywhere) this.#restart()
+    return { patches, boxes, inserted: change.inserted, found: this.isFoundQuickly ? this.find() : undefined }
   }
 
   /** Whether there is anything to paint now. */
@@ -207,7 +310,7 @@ export class PaintedScene {
   #paint(box: PixelBox, { grid, style }: Look): Patch {
     const canvas = new OffscreenCanvas(box.width, box.height)
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-    paint(context, frameOf(grid, box), grid.pixelRatio, this.#picture, style)
+    paint(new Painting(context, frameOf(grid, box), grid.pixelRatio, this.#picture, style))
     return { box, image: canvas.transferToImageBitmap() }
   }
 }

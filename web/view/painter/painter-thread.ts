@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What runs in the worker of a view's `Painter`.
 
+import type { Comparison } from '../../lib/comparison.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/errors.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../../lib/library.ts'
-import type { FromPainter, Patch, ToPainter } from '../protocol.ts'
+import type { Distribution, FromPainter, Patch, ToPainter } from '../protocol.ts'
 import { PaintedScene } from './painted-scene.ts'
 
 /** How long the thread paints before it listens again, in milliseconds. */
 const SLICE = 8
+/** How long nothing is edited before what takes long is done, likewise. */
+const REST = 120
 
 const port = globalThis as unknown as {
   onmessage: (event: MessageEvent<ToPainter>) => void
@@ -19,6 +22,13 @@ const library = new Promise<CircleVoronoi>((resolve) => {
   begin = resolve
 })
 const scenes = new Map<number, { readonly scene: PaintedScene; revision: number }>()
+let measuring: {
+  readonly scene: PaintedScene
+  readonly request: number
+  steps: Generator<void, Distribution>
+}[] = []
+let comparison: Promise<Comparison> | undefined
+let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Lets messages that have arrived be heard before more is painted. */
 const pause = new MessageChannel()
@@ -43,6 +53,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'open':
       try {
         scene.open(message.circles)
+        for (const waiting of measuring) if (waiting.scene === scene) waiting.steps = scene.measure()
         known.revision = message.revision
         post({
           kind: 'opened',
@@ -52,13 +63,14 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
           seconds: secondsSince(start),
         })
         schedule()
+        findAtRest()
       } catch (error) {
         refuse(message.scene, message.revision, error)
       }
       return
     case 'edit':
       try {
-        const { patches, boxes, inserted } = scene.edit(message.edits)
+        const { patches, boxes, inserted, found } = scene.edit(message.edits)
         known.revision = message.revision
         post(
           {
@@ -71,10 +83,13 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
             boxes,
             inserted,
             marks: scene.marks(),
+            found,
             seconds: secondsSince(start),
           },
           patches.map(({ image }) => image),
         )
+        if (scene.isWaiting) schedule()
+        if (found === undefined || scene.isPowerMissing) findAtRest()
       } catch (error) {
         refuse(message.scene, message.revision, error)
       }
@@ -86,12 +101,32 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'hit':
       post({ kind: 'hit', request: message.request, hit: scene.hit(message.x, message.y, message.slack) })
       return
+    case 'touch':
+      post({ kind: 'touched', request: message.request, touching: scene.touch(message.x, message.y, message.slack) })
+      return
+    case 'measure':
+      measuring.push({ scene, request: message.request, steps: scene.measure() })
+      schedule()
+      return
+    case 'compute':
+      post({ kind: 'computed', request: message.request, computed: scene.compute(message.options) })
+      return
+    case 'layers':
+      scene.setLayers(message.layers, message.isPainted)
+      // While an end of the path is dragged, what is quick follows.
+      if (scene.isFoundQuickly && !scene.isPowerMissing) {
+        post({ kind: 'found', scene: message.scene, revision: known.revision, found: scene.find() })
+      } else {
+        findAtRest()
+      }
+      return
     case 'mark':
       post({ kind: 'marked', scene: message.scene, marks: scene.mark(message.selected, message.hovered) })
       return
     case 'close':
       scene.dispose()
       scenes.delete(message.scene)
+      measuring = measuring.filter((waiting) => waiting.scene !== scene)
   }
 }
 
@@ -133,6 +168,39 @@ function paintSlice(): void {
       patches.map(({ image }) => image),
     )
     if (scene.isWaiting) schedule()
+  }
+  measure(end)
+}
+
+/** What is left of a slice is for what is measured; of a scene that was opened anew it is begun anew. */
+function measure(end: number): void {
+  const first = measuring[0]
+  if (first === undefined) return
+  let step = first.steps.next()
+  while (step.done !== true && performance.now() < end) step = first.steps.next()
+  if (step.done === true) {
+    measuring.shift()
+    post({ kind: 'measured', request: first.request, distribution: step.value })
+  }
+  if (measuring.length > 0) schedule()
+}
+
+/** What takes long and is not of the picture of circles and edges comes once nothing has been edited for a while. */
+function findAtRest(): void {
+  clearTimeout(rest)
+  rest = setTimeout(() => findAll().catch((error) => post({ kind: 'failed', message: reasonOf(error) })), REST)
+}
+
+async function findAll(): Promise<void> {
+  for (const [number, { scene, revision }] of scenes) {
+    if (scene.isAnythingFound) post({ kind: 'found', scene: number, revision, found: scene.find() })
+    if (!scene.isPowerMissing) continue
+    comparison ??= import('../../lib/comparison.ts').then(async ({ loadComparison }) => loadComparison(await library))
+    const loaded = await comparison
+    // Meanwhile it may have been closed, or changed.
+    if (scenes.get(number)?.scene !== scene || !scene.isPowerMissing) continue
+    scene.addPower(loaded)
+    schedule()
   }
 }
 

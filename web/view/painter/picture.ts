@@ -1,15 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../lib/diagram-data.ts'
+import { at, NONE } from '../../lib/diagram-data.ts'
 import type { Box, Change, Diagram, DiagramEditor } from '../../lib/index.ts'
 import { boundingBox } from '../camera.ts'
+import { type DataLayer, DEFAULT_LAYERS, isMeasure, type Layers } from '../layers.ts'
 import { TINTS } from '../style.ts'
 import { BoxIndex } from './box-index.ts'
-import { addAround, addBox, addEdge, addFarPart, clearBox, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
+import { addAround, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
+import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
+import type { Centres } from './centres.ts'
+import { Coloring } from './coloring.ts'
+import { Measures } from './measures.ts'
 
 /** How far, in extents of all circles, edges are taken to go that go to infinity. */
 const HORIZON = 1000
 /** So many radii say which are the small ones. */
 const MOST_RADII = 20_000
+
+/** A diagram that does not follow, and where its cells are. */
+export interface Ghost {
+  readonly diagram: Diagram
+  readonly index: BoxIndex
+}
+
+/** What looks different after an edit. */
+export interface Difference {
+  readonly boxes: readonly Box[]
+  /** Whether something does outside of these boxes. */
+  readonly isEverywhere: boolean
+}
+
+/** A layer of a client, and where its parts are. */
+interface IndexedData {
+  readonly layer: DataLayer
+  readonly points: BoxIndex | undefined
+  readonly segments: BoxIndex | undefined
+  readonly discs: BoxIndex | undefined
+}
 
 /** What is drawn: the diagram of an editor, what of it lies where, and what is drawn in which way. */
 export class Picture {
@@ -20,8 +46,21 @@ export class Picture {
   readonly index: BoxIndex
   /** About how far apart the circles are. */
   readonly cellWidth: number
-  readonly #reach: number
+  /** How far edges go that go to infinity. */
+  readonly reach: number
+  /** The diagram of the centres, if a layer shows something of it. */
+  centres: Centres | undefined
+  /** The power diagram of the circles as they are, likewise. */
+  power: Ghost | undefined
+  data: readonly IndexedData[] = []
   readonly #tintBounds: readonly number[]
+  #layers = DEFAULT_LAYERS
+  #measures: Measures | undefined
+  #areas: Measures | undefined
+  #coloring: Coloring | undefined
+  /** Boxes around circles' centres and those of their neighbours, by ids, once they are asked for. */
+  #stars: BoxIndex | undefined
+  #hiddenBy: Map<number, number[]> | undefined
 
   /** Takes the editor over. */
   constructor(editor: DiagramEditor) {
@@ -30,13 +69,34 @@ export class Picture {
     const { circles } = this.diagram
     const box = boundingBox(circles)
     const extent = Math.max(box.maxX - box.minX, box.maxY - box.minY)
-    this.#reach = HORIZON * extent
+    this.reach = HORIZON * extent
     this.#tintBounds = tintBounds(circles)
     const count = circles.length / 3
     const area = (box.maxX - box.minX) * (box.maxY - box.minY)
     // Circles in a row have hardly any area between them.
     this.cellWidth = count === 0 ? 1 : Math.max(Math.sqrt(area / count), extent / count)
-    this.index = new BoxIndex(cellBoxes(this.diagram, this.#reach))
+    this.index = new BoxIndex(cellBoxes(this.diagram, this.reach))
+  }
+
+  get layers(): Layers {
+    return this.#layers
+  }
+
+  set layers(layers: Layers) {
+    const { cells } = layers
+    if (!isMeasure(cells)) this.#measures = undefined
+    else if (cells === 'area') this.#measures = this.areas()
+    else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram)
+    if (cells !== 'different') this.#coloring = undefined
+    else this.#coloring ??= new Coloring(this.diagram)
+    if (!layers.dual) this.#stars = undefined
+    if (layers.data !== this.#layers.data) this.data = layers.data.map(indexed)
+    this.#layers = layers
+  }
+
+  /** Has the power diagram of its circles. */
+  setPower(diagram: Diagram): void {
+    this.power = { diagram, index: new BoxIndex(cellBoxes(diagram, this.reach)) }
   }
 
   /** Which of the tints circles of this radius have: each tint about as many as others, equal radii one. */
@@ -46,64 +106,119 @@ export class Picture {
     return tint
   }
 
-  /**
-   * Makes the change of an edit its own, and returns boxes around all that looks different now: where a circle comes, nothing
-   * changes outside its cell; where one goes, nothing outside the cell it had; where one moves, nothing outside both.
-   */
-  apply(change: Change): Box[] {
-    const { removed, replaced, inserted, cells, hidden, shown } = change
-    const before = this.#around([...removed, ...replaced, ...hidden, ...shown])
-    this.diagram.apply(change)
-    for (const id of removed) this.index.delete(id)
-    for (const id of new Set([...replaced, ...inserted, ...cells, ...hidden])) this.#place(id)
-    return [before, this.#around([...replaced, ...inserted, ...hidden, ...shown])].filter(
-      ({ minX, maxX }) => minX <= maxX,
-    )
+  /** Which colour the cell of circle `i` has, of those that the layer of cells shows. */
+  colorOf(i: number): number {
+    return this.#coloring?.colorOf(idOf(this.diagram, i)) ?? this.#measures?.tintOf(i) ?? 0
   }
 
-  #around(ids: readonly number[]): Box {
-    return ids.reduce((box, id) => union(box, this.index.get(id)), EMPTY_BOX)
+  /** The areas of cells, each found when it is asked for. */
+  areas(): Measures {
+    this.#areas ??= new Measures('area', this.diagram)
+    return this.#areas
+  }
+
+  /** The indices, in increasing order, of the circles that with their cells may meet a box. */
+  circlesIn(box: Box): number[] {
+    return this.#indicesOf(this.index.search(box))
+  }
+
+  /** The same of circles from whose centres segments to their neighbours' centres may meet a box. */
+  starsIn(box: Box): number[] {
+    this.#stars ??= new BoxIndex(starBoxes(this.diagram))
+    return this.#indicesOf(this.#stars.search(box))
+  }
+
+  /** The circles that a circle hides, by indices. */
+  hiddenBy(i: number): readonly number[] {
+    this.#hiddenBy ??= hiddenByHider(this.diagram)
+    return this.#hiddenBy.get(i) ?? []
+  }
+
+  /**
+   * Makes the change of an edit its own, and returns boxes around all that looks different now. Where a circle comes, nothing
+   * changes outside its cell; where one goes, nothing outside the cell it had; where one moves, nothing outside both. Only
+   * where something is shown that depends on a whole cell, it is those of the neighbours, too.
+   */
+  apply(change: Change): Difference {
+    const { removed, replaced, inserted, cells, hidden, shown } = change
+    const before = this.#lookOf([...removed, ...replaced, ...hidden, ...shown], cells)
+    this.diagram.apply(change)
+    this.#hiddenBy = undefined
+    this.power = undefined
+    const changed = new Set([...inserted, ...replaced, ...shown, ...cells, ...hidden])
+    for (const id of removed) {
+      this.index.delete(id)
+      this.#stars?.delete(id)
+    }
+    for (const id of changed) this.#place(id)
+    this.#measures?.forget(changed)
+    this.#areas?.forget(changed)
+    const isFollowed = this.#coloring?.follow(this.diagram, changed) ?? true
+    const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown], cells)]
+    boxes.push(...(this.centres?.apply(change).boxes ?? []))
+    return {
+      boxes: boxes.filter(({ minX, maxX }) => minX <= maxX),
+      isEverywhere: !isFollowed || this.#layers.power,
+    }
+  }
+
+  #indicesOf(ids: readonly number[]): number[] {
+    return ids.map((id) => this.diagram.indexOf(id)).sort((i, j) => i - j)
+  }
+
+  #lookOf(ids: readonly number[], cells: Iterable<number>): Box {
+    const { cells: colors, dual, nearZero, hidden } = this.#layers
+    const isWide = colors === 'area' || colors === 'degree' || colors === 'gap' || colors === 'different'
+    const all = isWide || dual || hidden || nearZero !== undefined ? [...ids, ...cells] : ids
+    return all.reduce((box, id) => union(union(box, this.index.get(id)), this.#stars?.get(id) ?? EMPTY_BOX), EMPTY_BOX)
   }
 
   /** A box around a circle and its cell. */
   #place(id: number): void {
-    const { circles, cells } = this.diagram
     const i = this.diagram.indexOf(id)
-    this.index.set(id, (boxes, k) => {
-      addAround(boxes, k, at(circles, 3 * i), at(circles, 3 * i + 1), at(circles, 3 * i + 2))
-      for (const side of cells.sides(i)) addEdge(boxes, k, this.diagram, side >> 1, this.#reach)
-      addFarPart(boxes, k, this.diagram, i, this.#reach)
-    })
+    if (i === NONE) return
+    this.index.set(id, (boxes, k) => addCell(boxes, k, this.diagram, i, this.reach))
+    this.#stars?.set(id, (boxes, k) => addStar(boxes, k, this.diagram, i))
   }
-}
-
-/** Boxes around all circles and their cells, by the circles' ids: that of each edge is made once, for both of its cells. */
-function cellBoxes(diagram: Diagram, reach: number): Float64Array {
-  const { circles, edges, numbers } = diagram
-  const idOf = (i: number) => numbers?.circles[i] ?? i
-  const count = circles.length / 3
-  // Of a snapshot the last circle has the largest id.
-  const boxes = emptyBoxes(count === 0 ? 0 : idOf(count - 1) + 1)
-  for (let i = 0; i < count; i++) {
-    addAround(boxes, idOf(i), at(circles, 3 * i), at(circles, 3 * i + 1), at(circles, 3 * i + 2))
-  }
-  const own = emptyBoxes(1)
-  for (let e = 0; e < edges.length / 4; e++) {
-    clearBox(own, 0)
-    addEdge(own, 0, diagram, e, reach)
-    addBox(boxes, idOf(at(edges, 4 * e)), own, 0)
-    addBox(boxes, idOf(at(edges, 4 * e + 1)), own, 0)
-  }
-  for (const i of new Set(diagram.hull)) addFarPart(boxes, idOf(i), diagram, i, reach)
-  return boxes
 }
 
 /** From some of the radii, if there are many. */
 function tintBounds(circles: Float64Array): number[] {
   const count = circles.length / 3
-  const step = Math.ceil(count / MOST_RADII)
-  const radii = new Float64Array(Math.floor(count / Math.max(step, 1)))
-    .map((_, k) => at(circles, 3 * step * k + 2))
-    .sort()
+  const step = Math.max(Math.ceil(count / MOST_RADII), 1)
+  const radii = new Float64Array(Math.floor(count / step)).map((_, k) => at(circles, 3 * step * k + 2)).sort()
   return Array.from({ length: TINTS - 1 }, (_, k) => radii[Math.floor(((k + 1) * radii.length) / TINTS)] ?? 0)
+}
+
+function hiddenByHider({ hidden }: Diagram): Map<number, number[]> {
+  const lists = new Map<number, number[]>()
+  for (let k = 0; k < hidden.length; k += 2) {
+    const list = lists.get(at(hidden, k + 1))
+    if (list === undefined) lists.set(at(hidden, k + 1), [at(hidden, k)])
+    else list.push(at(hidden, k))
+  }
+  return lists
+}
+
+function indexed(layer: DataLayer): IndexedData {
+  const index = (list: Float64Array | undefined, size: number, add: (boxes: Float64Array, k: number) => void) => {
+    if (list === undefined) return undefined
+    const boxes = emptyBoxes(Math.floor(list.length / size))
+    for (let k = 0; k < boxes.length / 4; k++) add(boxes, k)
+    return new BoxIndex(boxes)
+  }
+  const { points, segments, discs } = layer
+  const addPoint = (boxes: Float64Array, k: number, list: Float64Array, place: number, r = 0) =>
+    addAround(boxes, k, at(list, place), at(list, place + 1), r)
+  return {
+    layer,
+    points: index(points, 2, (boxes, k) => addPoint(boxes, k, points as Float64Array, 2 * k)),
+    segments: index(segments, 4, (boxes, k) => {
+      addPoint(boxes, k, segments as Float64Array, 4 * k)
+      addPoint(boxes, k, segments as Float64Array, 4 * k + 2)
+    }),
+    discs: index(discs, 3, (boxes, k) => {
+      addPoint(boxes, k, discs as Float64Array, 3 * k, at(discs as Float64Array, 3 * k + 2))
+    }),
+  }
 }

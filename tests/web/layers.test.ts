@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import { at } from '../../web/lib/diagram-data.ts'
+import { type Edit, mergeVertices, neighborPairs } from '../../web/lib/index.ts'
+import { DEFAULT_LAYERS, keptLayers, layersFrom } from '../../web/view/layers.ts'
+import { idOf } from '../../web/view/painter/cell-boxes.ts'
+import { Centres } from '../../web/view/painter/centres.ts'
+import { Coloring } from '../../web/view/painter/coloring.ts'
+import { distributionOf } from '../../web/view/painter/distribution.ts'
+import { found } from '../../web/view/painter/found.ts'
+import { mergedWith } from '../../web/view/painter/layers/vertices.ts'
+import { cellArea, Measures } from '../../web/view/painter/measures.ts'
+import { Picture } from '../../web/view/painter/picture.ts'
+import { touchingNear } from '../../web/view/painter/touching.ts'
+import { MAP_COLORS } from '../../web/view/style.ts'
+import { dataSet, library, seededRandom } from './library.ts'
+
+const random = seededRandom(23)
+
+function randomCircles(count: number): Float64Array {
+  return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0.9 * random() ** 3 : 20 * random()))
+}
+
+function randomEdits(ids: ArrayLike<number>): Edit[] {
+  const id = ids[Math.floor(random() * ids.length)] as number
+  const circle = { x: 20 * random(), y: 20 * random(), r: random() ** 4 * 4 }
+  const choice = random()
+  if (choice < 0.3) return [{ kind: 'insert', circle }]
+  if (choice < 0.5 && ids.length > 20) return [{ kind: 'remove', id }]
+  return [{ kind: 'replace', id, circle }]
+}
+
+describe('colours of which neighbours have different ones', () => {
+  const expectProper = ({ diagram }: Picture, colorOf: (i: number) => number) => {
+    const pairs = neighborPairs(diagram)
+    for (let k = 0; k < pairs.length; k += 2) {
+      const [one, other] = [colorOf(at(pairs, k)), colorOf(at(pairs, k + 1))]
+      expect(one).not.toBe(other)
+      expect(Math.max(one, other)).toBeLessThan(MAP_COLORS)
+    }
+  }
+
+  it.each(['bronzefilter', 'waka', 'introduction'])('are six at most, in %s', (name) => {
+    const picture = new Picture(library.edit(dataSet(name)))
+    const coloring = new Coloring(picture.diagram)
+    expectProper(picture, (i) => coloring.colorOf(idOf(picture.diagram, i)))
+  })
+
+  it('stay so after any edits', () => {
+    const picture = new Picture(library.edit(randomCircles(150)))
+    picture.layers = { ...DEFAULT_LAYERS, cells: 'different' }
+    for (let k = 0; k < 400; k++) {
+      picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
+      if (k % 20 === 0) expectProper(picture, (i) => picture.colorOf(i))
+    }
+  })
+})
+
+describe('what cells are measured by', () => {
+  it('is the area of the cell', () => {
+    const { diagram } = new Picture(library.edit(dataSet('bronzefilter')))
+    const bounds = { minX: -1e4, minY: -1e4, maxX: 1e4, maxY: 1e4 }
+    for (let i = 0; i < diagram.circles.length / 3; i++) {
+      if (!diagram.cells.isBounded(i)) expect(cellArea(diagram, i)).toBe(Number.POSITIVE_INFINITY)
+      else expect(cellArea(diagram, i)).toBeCloseTo(diagram.cellArea(i, { bounds }), 9)
+    }
+  })
+
+  it.each(['area', 'gap', 'radius', 'index'] as const)('gives each tint as many cells: %s', (measure) => {
+    const { diagram } = new Picture(library.edit(randomCircles(1200)))
+    const measures = new Measures(measure, diagram)
+    const counts = new Int32Array(6)
+    const visible = Array.from({ length: 1200 }, (_, i) => i).filter((i) => diagram.cells.exists(i))
+    for (const i of visible) (counts[measures.tintOf(i)] as number)++
+    for (const count of counts) expect(Math.abs(count - visible.length / 6)).toBeLessThan(30)
+  })
+
+  it('is the distance to the nearest circle of all', () => {
+    const circles = randomCircles(200)
+    const { diagram } = new Picture(library.edit(circles))
+    const measures = new Measures('gap', diagram)
+    for (let i = 0; i < 200; i++) {
+      if (!diagram.cells.exists(i)) continue
+      let least = Number.POSITIVE_INFINITY
+      for (let j = 0; j < 200; j++) {
+        if (j === i || !diagram.cells.exists(j)) continue
+        const distance = Math.hypot(
+          at(circles, 3 * i) - at(circles, 3 * j),
+          at(circles, 3 * i + 1) - at(circles, 3 * j + 1),
+        )
+        least = Math.min(least, distance - at(circles, 3 * i + 2) - at(circles, 3 * j + 2))
+      }
+      expect(measures.valueOf(i)).toBeCloseTo(least, 9)
+    }
+  })
+
+  it('changes nowhere but in the boxes that are painted anew', () => {
+    for (const cells of ['area', 'degree', 'gap', 'different'] as const) {
+      const picture = new Picture(library.edit(randomCircles(120)))
+      picture.layers = { ...DEFAULT_LAYERS, cells }
+      const colors = () => {
+        const { diagram } = picture
+        const visible = [...picture.editor.ids()].filter((id) => diagram.cells.exists(diagram.indexOf(id)))
+        return new Map(visible.map((id) => [id, picture.colorOf(diagram.indexOf(id))]))
+      }
+      for (let k = 0; k < 60; k++) {
+        const before = colors()
+        const { boxes, isEverywhere } = picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
+        if (isEverywhere) continue
+        for (const [id, color] of colors()) {
+          if (before.get(id) === color) continue
+          const cell = picture.index.get(id)
+          const isInside = boxes.some(
+            (box) => box.minX <= cell.minX && box.minY <= cell.minY && box.maxX >= cell.maxX && box.maxY >= cell.maxY,
+          )
+          expect(isInside, `${cells}, edit ${k}, circle ${id}`).toBe(true)
+        }
+      }
+    }
+  })
+
+  it('is counted', () => {
+    const picture = new Picture(library.edit(dataSet('bronzefilter')))
+    const steps = distributionOf(picture)
+    let step = steps.next()
+    while (step.done !== true) step = steps.next()
+    const { degrees, areas, certificate } = step.value
+    const bounded = Array.from({ length: 678 }, (_, i) => i).filter((i) => picture.diagram.cells.isBounded(i))
+    expect(degrees.reduce((sum, count) => sum + count)).toBe(678)
+    expect(areas.reduce((sum, count) => sum + count)).toBe(bounded.length)
+    expect(certificate.certified).toBe(true)
+  })
+})
+
+describe('merged vertices', () => {
+  it.each([0, 1e-9, 0.5])('are those of the library, up to length %d', (nearZero) => {
+    const grid = Array.from({ length: 49 }, (_, k): [number, number, number] => [
+      k % 7,
+      Math.floor(k / 7),
+      k < 20 ? 0.2 : 0.1,
+    ])
+    const { diagram } = new Picture(library.edit(grid))
+    const expected = mergeVertices(diagram, nearZero).vertices.length / 3
+    const shown = Array.from({ length: diagram.vertices.length / 3 }, (_, v) => mergedWith(diagram, v, nearZero))
+    expect(shown.filter((others) => others >= 0).length).toBe(expected)
+    expect(shown.reduce((sum, others) => sum + (others < 0 ? 0 : others + 1), 0)).toBe(shown.length)
+  })
+})
+
+describe('the diagram of the centres', () => {
+  it('follows the edits of the circles', () => {
+    const picture = new Picture(library.edit(randomCircles(60)))
+    for (let k = 0; k < 10; k++) picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
+    // It is asked for when circles have come and gone.
+    const centres = new Centres(library, picture.diagram)
+    picture.centres = centres
+    for (let k = 0; k < 150; k++) picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
+    const { circles } = picture.editor.snapshot()
+    const expected = library.compute(circles.map((value, k) => (k % 3 === 2 ? 0 : value)))
+    const { diagram } = centres.picture
+    expect(diagram.edges.length).toBe(expected.edges.length)
+    const keys = (list: Float64Array) =>
+      Array.from({ length: list.length / 3 }, (_, k) => `${list.slice(3 * k, 3 * k + 3)}`)
+    expect(keys(diagram.circles).sort()).toEqual(keys(expected.circles).sort())
+    expect(keys(diagram.vertices).sort()).toEqual(keys(expected.vertices).sort())
+  })
+})
+
+describe('the disc at a point', () => {
+  it('touches circles where it says, and meets none', () => {
+    const { diagram, circlesIn } = pictureOf(randomCircles(80))
+    let discs = 0
+    for (let k = 0; k < 300; k++) {
+      const [x, y] = [20 * random(), 20 * random()]
+      const slack = 0.5
+      const near = circlesIn({ minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack })
+      const touching = touchingNear(diagram, near, x, y, slack)
+      if (touching === undefined) continue
+      discs += 1
+      const { disc, points } = touching
+      expect(Math.hypot(disc.x - x, disc.y - y)).toBeLessThanOrEqual(slack)
+      expect(points.length).toBeGreaterThanOrEqual(2)
+      for (const point of points) {
+        expect(Math.hypot(point.x - disc.x, point.y - disc.y)).toBeCloseTo(Math.abs(disc.r), 7)
+      }
+      for (let i = 0; i < 80; i++) {
+        const r = at(diagram.circles, 3 * i + 2)
+        const distance = Math.hypot(at(diagram.circles, 3 * i) - disc.x, at(diagram.circles, 3 * i + 1) - disc.y)
+        expect(distance - r).toBeGreaterThan(disc.r - 1e-7)
+      }
+    }
+    expect(discs).toBeGreaterThan(100)
+  })
+
+  function pictureOf(circles: Float64Array): { diagram: Picture['diagram']; circlesIn: Picture['circlesIn'] } {
+    const picture = new Picture(library.edit(circles))
+    return { diagram: picture.diagram, circlesIn: (box) => picture.circlesIn(box) }
+  }
+})
+
+describe('what depends on all circles', () => {
+  it('has a path from one point to the other that comes no nearer to a circle than it says', () => {
+    for (let round = 0; round < 100; round++) {
+      const picture = new Picture(library.edit(randomCircles(30)))
+      const point = () => ({ x: 30 * random() - 5, y: 30 * random() - 5 })
+      const [from, to] = [point(), point()]
+      picture.layers = { ...DEFAULT_LAYERS, path: { from, to } }
+      const { path } = found(picture, 1e-4)
+      const { clearance, outline } = path as NonNullable<typeof path>
+      expect([...outline.slice(0, 3)]).toEqual([0, from.x, from.y])
+      expect([...outline.slice(-3)]).toEqual([1, to.x, to.y])
+      const { circles } = picture.diagram
+      let least = Number.POSITIVE_INFINITY
+      for (const { x, y } of alongPath(outline)) {
+        for (let i = 0; i < 30; i++) {
+          const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y) - at(circles, 3 * i + 2)
+          least = Math.min(least, distance)
+        }
+      }
+      expect(least, `round ${round}`).toBeGreaterThan(clearance - 1e-3)
+    }
+  })
+
+  /** Points of lines and curves, as `replay` draws them. */
+  function alongPath(commands: Float64Array): { x: number; y: number }[] {
+    const points: { x: number; y: number }[] = []
+    let [x, y] = [0, 0]
+    for (let k = 0; k < commands.length; ) {
+      const command = at(commands, k)
+      const size = command === 2 ? 6 : 2
+      const ends = [...commands.slice(k + 1, k + 1 + size)] as number[]
+      const [x1, y1] = ends.slice(-2) as [number, number]
+      for (let t = 0; t <= 1 && command > 0; t += 1 / 16) {
+        if (command === 1) points.push({ x: x + t * (x1 - x), y: y + t * (y1 - y) })
+        else {
+          const [ax, ay, bx, by] = ends as [number, number, number, number]
+          const s = 1 - t
+          points.push({
+            x: s ** 3 * x + 3 * s * s * t * ax + 3 * s * t * t * bx + t ** 3 * x1,
+            y: s ** 3 * y + 3 * s * s * t * ay + 3 * s * t * t * by + t ** 3 * y1,
+          })
+        }
+      }
+      ;[x, y] = [x1, y1]
+      k += 1 + size
+    }
+    return points
+  }
+
+  it('is nothing where nothing is asked for, and of no circles', () => {
+    const picture = new Picture(library.edit([]))
+    expect(found(picture, 1)).toEqual({ hull: undefined, largestDisc: undefined, path: undefined })
+    const ask = { hull: true, largestDisc: true, path: { from: { x: 0, y: 0 }, to: { x: 1, y: 1 } } }
+    picture.layers = { ...DEFAULT_LAYERS, ...ask }
+    expect(found(picture, 1)).toEqual({ hull: new Float64Array(), largestDisc: undefined, path: undefined })
+  })
+})
+
+describe('layers that are kept', () => {
+  it('are what differs, and come back', () => {
+    expect(keptLayers(DEFAULT_LAYERS)).toEqual({})
+    const layers = {
+      ...DEFAULT_LAYERS,
+      circles: false,
+      cells: 'gap',
+      nearZero: 0.25,
+      maxDistance: -1,
+      path: { from: { x: 1, y: 2 }, to: { x: 3, y: 4 } },
+    } as const
+    expect(layersFrom(JSON.parse(JSON.stringify(keptLayers(layers))))).toEqual(layers)
+  })
+
+  it('are as by default where they make no sense', () => {
+    fc.assert(
+      fc.property(fc.jsonValue(), fc.constantFrom(...Object.keys(DEFAULT_LAYERS)), (value, name) => {
+        for (const kept of [value, { [name]: value }]) {
+          const layers = layersFrom(kept)
+          expect(Object.keys(layers)).toEqual(Object.keys(DEFAULT_LAYERS))
+          expect(layers.data).toEqual([])
+          expect(layersFrom(keptLayers(layers))).toEqual(layers)
+        }
+      }),
+    )
+    const wrong = { circles: 1, cells: 'red', nearZero: -1, maxDistance: 'x', path: { from: { x: 1 } }, other: true }
+    expect(layersFrom(wrong)).toEqual(DEFAULT_LAYERS)
+  })
+})

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, nothing, svg, type TemplateResult } from 'lit'
+import { CELL_COLORS, type CellColors, type Layers } from '../../view/layers.ts'
+import { MAP_COLORS, TINTS } from '../../view/style.ts'
+import type { View } from '../../view/view.ts'
+import type { Actions } from '../actions.ts'
+import type { State } from '../state.ts'
+import type { Store } from '../store.ts'
+import { byId } from './by-id.ts'
+import { folding } from './folding.ts'
+import { type Pictured, pictureOf } from './layer-pictures.ts'
+
+const ICON = svg`<path d="m10 3 7 4-7 4-7-4zM3 10.500l7 4 7-4M3 14l7 4 7-4" />`
+/** In extents of what is seen: where nothing is merged but by rounding, and how far the slider goes. */
+const NEAR_ZERO = 1e-9
+const FARTHEST = 0.25
+
+const COLOR_NAMES: Readonly<Record<CellColors, string>> = {
+  none: 'no colour',
+  radius: 'by radius',
+  area: 'by area',
+  degree: 'by neighbours',
+  gap: 'by nearest distance',
+  index: 'by number',
+  different: 'neighbours differ',
+}
+/** What the first and the last of the tints stand for. */
+const ENDS: Readonly<Partial<Record<CellColors, readonly [string, string]>>> = {
+  radius: ['small', 'large'],
+  area: ['small', 'large'],
+  degree: ['4 or fewer', '9 or more'],
+  gap: ['near', 'far'],
+  index: ['first', 'last'],
+}
+
+/** What is drawn: a legend in which each layer can be switched. */
+export function mountLayers(store: Store<State>, actions: Actions, view: View): void {
+  const panel = byId('layers', HTMLElement)
+  const draw = () => folded.render(() => body(store.get()))
+  const folded = folding(panel, 'Layers', ICON, draw)
+
+  const toggle = (name: keyof Layers & Pictured, label: string, note: unknown = nothing): TemplateResult => {
+    const layers = store.get().layers
+    const change = (event: Event) => actions.setLayers({ [name]: (event.target as HTMLInputElement).checked })
+    return row(name, label, layers[name] === true, change, note)
+  }
+
+  const extent = () => Math.max(view.size.width, view.size.height) / view.camera.scale
+
+  const body = ({ layers, found }: State) => html`
+    <fieldset>
+      <legend>Diagram</legend>
+      ${toggle('circles', 'Circles')}
+      <div class="layer">
+        ${pictureOf('cells')}<label for="cell-colors">Cells</label>
+        <select
+          id="cell-colors"
+          .value=${layers.cells}
+          @change=${(event: Event) => actions.setLayers({ cells: (event.target as HTMLSelectElement).value as CellColors })}
+        >
+          ${CELL_COLORS.map((name) => html`<option value=${name} ?selected=${name === layers.cells}>${COLOR_NAMES[name]}</option>`)}
+        </select>
+      </div>
+      ${key(layers.cells)} ${toggle('edges', 'Edges')} ${toggle('vertices', 'Vertices')}
+      ${layers.vertices ? mergeControl(layers) : nothing} ${toggle('hidden', 'What hides hidden circles')}
+      ${cutControl(layers)}
+    </fieldset>
+    <fieldset>
+      <legend>Ask</legend>
+      ${toggle('disc', 'Disc at the pointer')}
+      ${toggle('largestDisc', 'Largest empty disc', layers.largestDisc ? numberOf(found?.largestDisc?.disc.r, 'Its radius') : nothing)}
+      ${row('path', 'Clearest path', layers.path !== undefined, togglePath, layers.path === undefined ? nothing : numberOf(found?.path?.clearance, 'How near it comes to a circle'))}
+      ${toggle('hull', 'Convex hull')}
+    </fieldset>
+    <fieldset>
+      <legend>Compare</legend>
+      ${toggle('dual', 'Dual graph')} ${toggle('delaunay', 'Delaunay of centres')}
+      ${toggle('ordinary', 'Voronoi of centres')} ${toggle('power', 'Power diagram')}
+    </fieldset>
+  `
+
+  const togglePath = (event: Event) => {
+    if (!(event.target as HTMLInputElement).checked) {
+      actions.setLayers({ path: undefined })
+      return
+    }
+    const { x, y, scale } = view.camera
+    const half = (0.3 * view.size.width) / scale
+    actions.setLayers({ path: { from: { x: x - half, y }, to: { x: x + half, y } } })
+  }
+
+  const mergeControl = ({ nearZero }: Layers) => html`
+    <div class="layer sub">
+      <label>
+        <input
+          type="checkbox"
+          .checked=${nearZero !== undefined}
+          @change=${(event: Event) => {
+            const isOn = (event.target as HTMLInputElement).checked
+            actions.setLayers({ nearZero: isOn ? rounded(NEAR_ZERO * extent()) : undefined })
+          }}
+        />merged up to length</label
+      >
+      ${
+        nearZero === undefined
+          ? nothing
+          : html`<input
+              type="number"
+              min="0"
+              step="any"
+              aria-label="Length up to which vertices are merged"
+              .value=${String(nearZero)}
+              @change=${(event: Event) => {
+                const value = (event.target as HTMLInputElement).valueAsNumber
+                if (value >= 0) actions.setLayers({ nearZero: value })
+              }}
+            />`
+      }
+    </div>
+  `
+
+  const cutControl = ({ maxDistance }: Layers) => html`
+    ${row('maxDistance', 'Cells end at a distance', maxDistance !== undefined, (event) => {
+      const isOn = (event.target as HTMLInputElement).checked
+      actions.setLayers({ maxDistance: isOn ? rounded(FARTHEST * 0.1 * extent()) : undefined })
+    })}
+    ${
+      maxDistance === undefined
+        ? nothing
+        : html`<div class="layer sub">
+            <input
+              type="range"
+              min="0"
+              max="1"
+              step="any"
+              aria-label="Distance at which cells end"
+              .value=${String(Math.sqrt(maxDistance / (FARTHEST * extent())))}
+              @input=${(event: Event) => {
+                const value = (event.target as HTMLInputElement).valueAsNumber
+                actions.setLayers({ maxDistance: rounded(value * value * FARTHEST * extent()) })
+              }}
+            /><output>${maxDistance.toPrecision(3)}</output>
+          </div>`
+    }
+  `
+
+  let shown: readonly unknown[] = []
+  store.subscribe(({ layers, found }) => {
+    if (layers === shown[0] && found === shown[1]) return
+    shown = [layers, found]
+    draw()
+  })
+}
+
+function row(
+  picture: Pictured,
+  label: string,
+  isOn: boolean,
+  change: (event: Event) => void,
+  note: unknown = nothing,
+): TemplateResult {
+  return html`<div class="layer">
+    <label>${pictureOf(picture)}<span>${label}</span>${note}<input type="checkbox" .checked=${isOn} @change=${change} /></label>
+  </div>`
+}
+
+function key(colors: CellColors): unknown {
+  if (colors === 'none') return nothing
+  const isMap = colors === 'different'
+  const swatches = Array.from(
+    { length: isMap ? MAP_COLORS : TINTS },
+    (_, k) => svg`<rect class=${`${isMap ? 'm' : 't'}${k}`} x=${16 * k} width="16" height="8" />`,
+  )
+  const [first, last] = ENDS[colors] ?? ['at most six colours', '']
+  return html`<div class="key">
+    <span>${first}</span><svg viewBox="0 0 96 8" aria-hidden="true">${swatches}</svg><span>${last}</span>
+  </div>`
+}
+
+function numberOf(value: number | undefined, name: string): TemplateResult {
+  return html`<small title=${name}>${value === undefined ? '…' : Number(value.toPrecision(4))}</small>`
+}
+
+function rounded(value: number): number {
+  return Number(value.toPrecision(3))
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, nothing, svg, type TemplateResult } from 'lit'
+import type { Options } from '../../lib/index.ts'
+import type { Edited } from '../../view/painter.ts'
+import type { Computed, Distribution } from '../../view/protocol.ts'
+import type { View } from '../../view/view.ts'
+import type { State } from '../state.ts'
+import type { Store } from '../store.ts'
+import { byId } from './by-id.ts'
+import { folding } from './folding.ts'
+import type { Histogram } from './histogram.ts'
+
+const ICON = svg`<path d="M4 16V9M8 16V4M12 16v-5M16 16v-8M2 16h16" />`
+/** How long nothing changes before cells are counted, in milliseconds. */
+const REST = 250
+
+/** The ways to compute that can be compared. */
+const WAYS: readonly (readonly [string, Options])[] = [
+  ['the fastest way', {}],
+  ['touching discs, dynamic samples', { method: 'touching-disc' }],
+  ['the same, resampled where it fails', { method: 'touching-disc', resample: true }],
+  ['touching discs, 50 samples a circle', { method: 'touching-disc', candidates: 'uniform' }],
+  ['touching discs, all pairs', { method: 'touching-disc', candidates: 'all-pairs' }],
+  ['edge flips', { method: 'flip' }],
+]
+
+/** How much there is, how cells are distributed, and what is proven. */
+export function mountNumbers(store: Store<State>, view: View): void {
+  const panel = byId('numbers', HTMLElement)
+  let edited: Edited | undefined
+  let distribution: Distribution | undefined
+  let computed: Computed | 'computing' | undefined
+  let way = 0
+  let rest: ReturnType<typeof setTimeout> | undefined
+  let charts: readonly [Histogram, Histogram] | undefined
+
+  const draw = () => {
+    folded.render(body)
+    if (folded.isOpen && distribution !== undefined) drawCharts(distribution)
+  }
+  const measureAtRest = () => {
+    clearTimeout(rest)
+    if (folded.isOpen) rest = setTimeout(measure, REST)
+  }
+  const folded = folding(panel, 'Numbers', ICON, draw, measureAtRest)
+
+  const measure = async () => {
+    const of = edited
+    const answer = await view.measure()
+    // Of other circles it would be wrong.
+    if (of !== edited || answer === undefined) return
+    distribution = answer
+    draw()
+  }
+
+  const drawCharts = async ({ areas, areaStep, degrees }: Distribution) => {
+    const { Histogram } = await import('./histogram.ts')
+    if (!folded.isOpen) return
+    const [areaPlace, degreePlace] = [...panel.querySelectorAll<HTMLElement>('.chart')]
+    if (areaPlace === undefined || degreePlace === undefined) return
+    if (charts?.[0].place !== areaPlace) charts = [new Histogram(areaPlace), new Histogram(degreePlace)]
+    charts?.[0].show(areas, areaStep, 0)
+    charts?.[1].show(degrees, 1, -0.5)
+  }
+
+  const compute = async () => {
+    const of = edited
+    computed = 'computing'
+    draw()
+    const answer = await view.compute((WAYS[way] as (typeof WAYS)[number])[1])
+    computed = of === edited ? answer : undefined
+    draw()
+  }
+
+  const body = () => html`
+    ${edited === undefined ? nothing : countsOf(edited)}
+    ${distribution === undefined ? html`<p class="quiet">Counting …</p>` : distributionOf(distribution)}
+    <div class="again">
+      <label for="way">Compute once more by</label>
+      <select
+        id="way"
+        @change=${(event: Event) => {
+          way = (event.target as HTMLSelectElement).selectedIndex
+        }}
+      >
+        ${WAYS.map(([name], k) => html`<option ?selected=${k === way}>${name}</option>`)}
+      </select>
+      <button type="button" ?disabled=${computed === 'computing'} @click=${compute}>Compute</button>
+    </div>
+    ${computed === undefined ? nothing : computed === 'computing' ? html`<p class="quiet">Computing …</p>` : resultOf(computed)}
+  `
+
+  store.subscribe((state) => {
+    if (state.edited === edited) return
+    edited = state.edited
+    distribution = undefined
+    computed = undefined
+    measureAtRest()
+    draw()
+  })
+}
+
+function countsOf({ counts }: Edited): TemplateResult {
+  return list([
+    ['Circles', counts.circles],
+    ['Hidden', counts.hidden],
+    ['Vertices', counts.vertices],
+    ['Edges', counts.edges],
+  ])
+}
+
+function distributionOf({ certificate, medianArea, areaStep, degrees }: Distribution): TemplateResult {
+  const cells = degrees.reduce((sum, count) => sum + count, 0)
+  const mean = cells === 0 ? 0 : degrees.reduce((sum, count, degree) => sum + degree * count, 0) / cells
+  const largest = areaStep * 31
+  return html`
+    <figure>
+      <figcaption>Areas of bounded cells: half are below ${text(medianArea)}</figcaption>
+      <div class="chart" role="img" aria-label=${`Histogram of areas up to ${text(largest)}; larger ones are in the last bar`}></div>
+    </figure>
+    <figure>
+      <figcaption>Neighbours: ${mean.toFixed(2)} on average</figcaption>
+      <div class="chart" role="img" aria-label="Histogram of the number of neighbours"></div>
+    </figure>
+    <p class="certificate">
+      ${
+        certificate.certified
+          ? 'Proven by a judge that knows nothing of how the diagram was made, with exact signs: no disc around a vertex reaches into a circle, and all cells and edges fit together.'
+          : `Not proven: ${certificate.message}`
+      }
+    </p>
+  `
+}
+
+function resultOf(computed: Computed): TemplateResult {
+  if ('problem' in computed) return html`<p class="wrong">${computed.problem}</p>`
+  const { stats, certificate } = computed
+  const { counts, seconds } = stats
+  const ms = (value: number) => `${(1000 * value).toFixed(value < 0.01 ? 2 : 0)} ms`
+  const stages = Object.entries(seconds).filter(([name, value]) => name !== 'total' && value > 0)
+  return html`
+    ${list(
+      (
+        [
+          ['Made by', stats.way],
+          ['Samples', counts.samples],
+          ['Antipodal discs', counts.antipodalDiscs],
+          ['Three-touch discs', counts.threeTouchDiscs],
+          ['Flips', counts.flips],
+          ['Repairs', counts.repairs],
+          ['Signs by doubles', counts.filtered],
+          ['by twice the digits', counts.refined],
+          ['by exact numbers', counts.exact + counts.inCircle],
+          ...stages.map(([name, value]) => [`Time to ${name}`, ms(value)] as const),
+          ['Time in all', ms(seconds.total)],
+        ] as const
+      ).filter(([, value]) => value !== 0),
+    )}
+    <p class=${certificate.certified ? 'certificate' : 'wrong'}>
+      ${certificate.certified ? 'This one is certified, too.' : `This one is wrong: ${certificate.message}`}
+    </p>
+  `
+}
+
+function list(entries: readonly (readonly [string, string | number])[]): TemplateResult {
+  return html`<dl>
+    ${entries.map(([name, value]) => html`<div><dt>${name}</dt><dd>${typeof value === 'number' ? value.toLocaleString('en') : value}</dd></div>`)}
+  </dl>`
+}
+
+function text(value: number): string {
+  return String(Number(value.toPrecision(3)))
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Point } from '../lib/index.ts'
+
+/** What the colour of a cell says. `different`: no two neighbours have one colour. `gap`: how near the nearest other circle is. */
+export const CELL_COLORS = ['none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
+export type CellColors = (typeof CELL_COLORS)[number]
+
+/** What a client adds of its own, in the units of the circles. */
+export interface DataLayer {
+  readonly id: string
+  /** A CSS colour. */
+  readonly color: string
+  /** x and y each, drawn as dots. */
+  readonly points?: Float64Array
+  /** x, y of one end, x, y of the other. */
+  readonly segments?: Float64Array
+  /** x, y, r each, drawn as outlines. */
+  readonly discs?: Float64Array
+}
+
+/** What is drawn: plain data, as it goes to the painter's thread. */
+export interface Layers {
+  readonly circles: boolean
+  readonly cells: CellColors
+  readonly edges: boolean
+  readonly vertices: boolean
+  /** Vertices with edges between them that are no longer than this are drawn as one. `undefined`: each by itself. */
+  readonly nearZero: number | undefined
+  /** Which circle hides each hidden one. */
+  readonly hidden: boolean
+  /** The disc of the vertex or of the point of an edge under the pointer, and where it touches. */
+  readonly disc: boolean
+  readonly hull: boolean
+  /** A segment for each two circles whose cells share an edge. */
+  readonly dual: boolean
+  /** The same of the Voronoi diagram of the centres. */
+  readonly delaunay: boolean
+  /** The Voronoi diagram of the centres. */
+  readonly ordinary: boolean
+  /** The power diagram of the circles. */
+  readonly power: boolean
+  /** The largest disc that meets no circle, with its centre inside the hull. */
+  readonly largestDisc: boolean
+  /** The path between two points that keeps farthest from all circles. */
+  readonly path: { readonly from: Point; readonly to: Point } | undefined
+  /** Cells and edges end at this distance from their circles. */
+  readonly maxDistance: number | undefined
+  readonly data: readonly DataLayer[]
+}
+
+export const DEFAULT_LAYERS: Layers = {
+  circles: true,
+  cells: 'radius',
+  edges: true,
+  vertices: true,
+  nearZero: undefined,
+  hidden: false,
+  disc: false,
+  hull: false,
+  dual: false,
+  delaunay: false,
+  ordinary: false,
+  power: false,
+  largestDisc: false,
+  path: undefined,
+  maxDistance: undefined,
+  data: [],
+}
+
+/** What a cell is measured by. */
+export type Measure = Exclude<CellColors, 'none' | 'different'>
+
+export function isMeasure(colors: CellColors): colors is Measure {
+  return colors !== 'none' && colors !== 'different'
+}
+
+/** What of layers differs from the default, to be kept; not what clients have added. */
+export function keptLayers(layers: Layers): Readonly<Record<string, unknown>> {
+  const known = DEFAULT_LAYERS as unknown as Record<string, unknown>
+  return Object.fromEntries(Object.entries(layers).filter(([name, value]) => name !== 'data' && value !== known[name]))
+}
+
+/** The layers that were kept: what is unknown or makes no sense is as by default. */
+export function layersFrom(kept: unknown): Layers {
+  if (typeof kept !== 'object' || kept === null) return DEFAULT_LAYERS
+  const given = kept as Readonly<Record<string, unknown>>
+  const layers: Record<string, unknown> = { ...DEFAULT_LAYERS }
+  for (const [name, value] of Object.entries(DEFAULT_LAYERS)) {
+    if (typeof value === 'boolean' && typeof given[name] === 'boolean') layers[name] = given[name]
+  }
+  const { cells, nearZero, maxDistance, path } = given
+  if ((CELL_COLORS as readonly unknown[]).includes(cells)) layers.cells = cells
+  if (isNumber(nearZero) && nearZero >= 0) layers.nearZero = nearZero
+  if (isNumber(maxDistance)) layers.maxDistance = maxDistance
+  const { from, to } = (path ?? {}) as Readonly<Record<string, unknown>>
+  if (isPoint(from) && isPoint(to)) layers.path = { from: { x: from.x, y: from.y }, to: { x: to.x, y: to.y } }
+  return layers as unknown as Layers
+}
+
+function isNumber(value: unknown): value is number {
+  return Number.isFinite(value)
+}
+
+function isPoint(value: unknown): value is Point {
+  const { x, y } = (value ?? {}) as Readonly<Record<string, unknown>>
+  return isNumber(x) && isNumber(y)
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../lib/diagram-data.ts'
+import type { Point } from '../lib/index.ts'
+import type { Layers } from './layers.ts'
+import { replay } from './painter/commands.ts'
+import { addArc, addDisc } from './painter/disc-path.ts'
+import type { Frame } from './painter/frame.ts'
+import { FrameSink } from './painter/frame-sink.ts'
+import { addSegment } from './painter/segment-path.ts'
+import type { Described, Found, Marks, Touching } from './protocol.ts'
+import { DISC_OPACITY, DOT_RADIUS, type Style } from './style.ts'
+
+const HOVER_OPACITY = 0.55
+const FOUND_OPACITY = 0.18
+const FOUND_LINE = 1.75
+const PATH_LINE = 2.5
+const TOUCHING_POINT = 3
+/** Of an end of the path that can be dragged, in pixels. */
+export const HANDLE_RADIUS = 8
+
+/** What is drawn above the picture, anew whenever it moves. */
+export interface Above {
+  readonly marks: Marks
+  readonly found: Found | undefined
+  readonly touching: Touching | undefined
+  readonly layers: Layers
+}
+
+/** Draws on a context whose pixels are those of the frame. `pixelRatio`: device pixels per CSS pixel. */
+export function drawOverlay(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  pixelRatio: number,
+  style: Style,
+  { marks, found, touching, layers }: Above,
+): void {
+  context.clearRect(0, 0, frame.width, frame.height)
+  context.lineJoin = 'round'
+  const to = new FrameSink(frame)
+  const pathOf = (outline: Float64Array) => {
+    const sink = new FrameSink(frame)
+    replay(outline, sink)
+    return sink.path
+  }
+  const fill = (path: Path2D, color: string, opacity = 1) => {
+    context.globalAlpha = opacity
+    context.fillStyle = color
+    context.fill(path)
+    context.globalAlpha = 1
+  }
+  const stroke = (path: Path2D, color: string, width: number, dash: readonly number[] = []) => {
+    context.strokeStyle = color
+    context.lineWidth = width * pixelRatio
+    context.setLineDash(dash.map((length) => length * pixelRatio))
+    context.stroke(path)
+    context.setLineDash([])
+  }
+  const discOf = (x: number, y: number, r: number, least = 0) => {
+    const path = new Path2D()
+    addDisc(path, frame, to.x(x), to.y(y), Math.max(Math.abs(r) * frame.scale, least * pixelRatio))
+    return path
+  }
+  const dot = ({ x, y }: Point, radius: number) => discOf(x, y, 0, radius)
+
+  const { selected, hovered } = marks
+  if (selected !== undefined) {
+    fill(pathOf(selected.neighborhood), style.neighborCell)
+    fill(pathOf(selected.outline), style.selectedCell)
+  }
+  if (hovered !== undefined && hovered.id !== selected?.id) {
+    if (selected === undefined) fill(pathOf(hovered.neighborhood), style.neighborCell, HOVER_OPACITY)
+    fill(pathOf(hovered.outline), style.selectedCell, HOVER_OPACITY)
+  }
+  if (found?.hull !== undefined && layers.hull) stroke(hullPath(frame, to, found.hull), style.hull, FOUND_LINE)
+  if (found?.largestDisc !== undefined && layers.largestDisc) drawTouching(found.largestDisc)
+  if (found?.path !== undefined && layers.path !== undefined) stroke(pathOf(found.path.outline), style.path, PATH_LINE)
+  for (const end of layers.path === undefined ? [] : [layers.path.from, layers.path.to]) {
+    fill(dot(end, HANDLE_RADIUS - 1), style.paper)
+    stroke(dot(end, HANDLE_RADIUS - 1), style.path, PATH_LINE)
+  }
+  if (selected !== undefined) drawSelected(selected)
+  if (touching !== undefined && layers.disc) drawTouching(touching)
+
+  /** Where circles overlap, the disc has a negative radius, and they reach over its rim. */
+  function drawTouching({ disc, points }: Touching): void {
+    const path = discOf(disc.x, disc.y, disc.r)
+    fill(path, style.touching, FOUND_OPACITY)
+    stroke(path, style.touching, FOUND_LINE, disc.r < 0 ? [4, 3] : [])
+    fill(dot(disc, TOUCHING_POINT - 1), style.touching)
+    for (const point of points) fill(dot(point, TOUCHING_POINT), style.touching)
+  }
+
+  function drawSelected({ circle: { x, y, r }, outline, hiddenBy }: Described): void {
+    const rim = discOf(x, y, r, DOT_RADIUS)
+    fill(rim, style.selectedDisc, DISC_OPACITY)
+    stroke(pathOf(outline), style.accent, 2)
+    stroke(rim, style.accent, 2, hiddenBy === undefined ? [] : [4, 4])
+  }
+}
+
+function hullPath(frame: Frame, to: FrameSink, arcs: Float64Array): Path2D {
+  const path = new Path2D()
+  for (let k = 0; k < arcs.length; k += 7) {
+    const [x, y, radius] = [at(arcs, k), at(arcs, k + 1), at(arcs, k + 2)]
+    const [from, turn] = [at(arcs, k + 3), at(arcs, k + 4)]
+    // The canvas has y downwards: a turn to the left is one to the right there, from the end back to the start.
+    if (radius > 0) addArc(path, frame, to.x(x), to.y(y), radius * frame.scale, -(from + turn), turn)
+    const endX = x + radius * Math.cos(from + turn)
+    const endY = y + radius * Math.sin(from + turn)
+    addSegment(path, frame, to.x(endX), to.y(endY), to.x(at(arcs, k + 5)), to.y(at(arcs, k + 6)))
+  }
+  return path
+}

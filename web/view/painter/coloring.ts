@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at, NONE } from '../../lib/diagram-data.ts'
+import type { Diagram } from '../../lib/index.ts'
+import { MAP_COLORS } from '../style.ts'
+import { idOf } from './cell-boxes.ts'
+
+/**
+ * A colour for each cell that none of its neighbours has, one of six.
+ *
+ * The cells and who borders on whom are a planar graph. So is each part of it, and each has a cell with at most five
+ * neighbours: taken away one after the other and put back in reverse, each finds a colour that none of these five has.
+ */
+export class Coloring {
+  /** By the circles' ids. */
+  #colors: Uint8Array
+
+  constructor(diagram: Diagram) {
+    this.#colors = colored(diagram)
+  }
+
+  colorOf(id: number): number {
+    return this.#colors[id] ?? 0
+  }
+
+  /**
+   * Follows a change to cells: those that changed are told by their ids. False: all had to be coloured anew, else only these
+   * may have another colour.
+   */
+  follow(diagram: Diagram, changed: Iterable<number>): boolean {
+    for (const id of changed) {
+      const i = diagram.indexOf(id)
+      if (i === NONE) continue
+      if (id >= this.#colors.length) this.#grow(id)
+      const taken = this.#takenBeside(diagram, i)
+      if (this.#colors[id] !== UNCOLORED && (taken & (1 << this.colorOf(id))) === 0) continue
+      const color = freeColor(taken)
+      if (color === MAP_COLORS) {
+        this.#colors = colored(diagram)
+        return false
+      }
+      this.#colors[id] = color
+    }
+    return true
+  }
+
+  #takenBeside(diagram: Diagram, i: number): number {
+    let taken = 0
+    for (const j of diagram.neighbors(i)) {
+      const color = this.#colors[idOf(diagram, j)] ?? UNCOLORED
+      if (color !== UNCOLORED) taken |= 1 << color
+    }
+    return taken
+  }
+
+  #grow(id: number): void {
+    const larger = new Uint8Array(2 * id + 16).fill(UNCOLORED)
+    larger.set(this.#colors)
+    this.#colors = larger
+  }
+}
+
+const UNCOLORED = 255
+
+function freeColor(taken: number): number {
+  let color = 0
+  while (taken & (1 << color)) color += 1
+  return color
+}
+
+function colored(diagram: Diagram): Uint8Array {
+  const count = diagram.circles.length / 3
+  const order = smallestLast(diagram)
+  const colors = new Uint8Array(count).fill(UNCOLORED)
+  for (let k = count - 1; k >= 0; k--) {
+    const i = at(order, k)
+    let taken = 0
+    for (const j of diagram.neighbors(i)) if (colors[j] !== UNCOLORED) taken |= 1 << (colors[j] as number)
+    colors[i] = freeColor(taken)
+  }
+  const ids = diagram.numbers?.circles
+  if (ids === undefined) return colors
+  const byId = new Uint8Array(ids.reduce((most, id) => Math.max(most, id + 1), 0)).fill(UNCOLORED)
+  for (let i = 0; i < count; i++) byId[at(ids, i)] = colors[i] as number
+  return byId
+}
+
+/** All circles, each with the fewest neighbours of those that come no earlier. */
+function smallestLast(diagram: Diagram): Int32Array {
+  const count = diagram.circles.length / 3
+  const degrees = new Int32Array(count)
+  const seen = new Int32Array(count).fill(NONE)
+  const eachNeighbor = (i: number, act: (j: number) => void) => {
+    for (const j of diagram.neighbors(i)) {
+      // Two cells may share several edges.
+      if (seen[j] === i) continue
+      seen[j] = i
+      act(j)
+    }
+  }
+  for (let i = 0; i < count; i++) eachNeighbor(i, () => (degrees[i] as number)++)
+  // A stack for each degree; who has another degree by now, or is out, is passed over.
+  const stacks: number[][] = []
+  const push = (i: number) => {
+    const degree = at(degrees, i)
+    while (stacks.length <= degree) stacks.push([])
+    ;(stacks[degree] as number[]).push(i)
+  }
+  for (let i = 0; i < count; i++) push(i)
+  const isOut = new Uint8Array(count)
+  const order = new Int32Array(count)
+  seen.fill(NONE)
+  let least = 0
+  for (let k = 0; k < count; ) {
+    const i = (stacks[least] as number[]).pop()
+    if (i === undefined) {
+      least += 1
+      continue
+    }
+    if (isOut[i] === 1 || at(degrees, i) !== least) continue
+    isOut[i] = 1
+    order[k++] = i
+    eachNeighbor(i, (j) => {
+      if (isOut[j] === 1) return
+      ;(degrees[j] as number)--
+      push(j)
+    })
+    least = Math.max(least - 1, 0)
+  }
+  return order
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { traceArc } from '../../lib/bezier.ts'
+import { parameterAt, pointAt } from '../../lib/bisector.ts'
+import { type BoundedCurve, edgeCurve, isBoundedCurve, reversed } from '../../lib/curve.ts'
+import { at, NONE } from '../../lib/diagram-data.ts'
+import {
+  circleAt,
+  clearestPath,
+  convexHull,
+  type Diagram,
+  type HullArc,
+  largestEmptyDiscCenteredInHull,
+  type Point,
+} from '../../lib/index.ts'
+import { hypotenuse } from '../../lib/scale.ts'
+import type { Layers } from '../layers.ts'
+import type { Found } from '../protocol.ts'
+import { idOf } from './cell-boxes.ts'
+import { commandsOf } from './commands.ts'
+import type { Picture } from './picture.ts'
+import { touching } from './touching.ts'
+
+/** What the layers show that depends on all circles. What goes to infinity goes as far as the picture does. */
+export function found({ diagram, reach, layers }: Picture, tolerance: number): Found {
+  const largest = layers.largestDisc && diagram.circles.length > 0 ? largestEmptyDiscCenteredInHull(diagram) : undefined
+  return {
+    hull: layers.hull ? hullOf(diagram) : undefined,
+    largestDisc:
+      largest === undefined
+        ? undefined
+        : {
+            ...touching(diagram, largest.disc, largest.circles),
+            circles: largest.circles.map((i) => idOf(diagram, i)),
+          },
+    path:
+      layers.path === undefined || diagram.circles.length === 0
+        ? undefined
+        : pathOf(diagram, layers.path.from, layers.path.to, tolerance, reach),
+  }
+}
+
+export function isAnythingFound({ hull, largestDisc, path }: Layers): boolean {
+  return hull || largestDisc || path !== undefined
+}
+
+/** For each arc its circle's x, y and radius, the angle where it begins, its turn, and the start of the next arc. */
+function hullOf(diagram: Diagram): Float64Array {
+  const { arcs } = convexHull(diagram)
+  return Float64Array.from(
+    arcs.flatMap(({ circle, r, start, angle }, k) => {
+      const [x, y] = [at(diagram.circles, 3 * circle), at(diagram.circles, 3 * circle + 1)]
+      const next = (arcs[(k + 1) % arcs.length] as HullArc).start
+      return [x, y, r, Math.atan2(start.y - y, start.x - x), angle, next.x, next.y]
+    }),
+  )
+}
+
+function pathOf(diagram: Diagram, from: Point, to: Point, tolerance: number, reach: number): Found['path'] {
+  const { clearance, edges, entry, exit } = clearestPath(diagram, from, to)
+  const outline = commandsOf((sink) => {
+    const lineTo = ({ x, y }: Point) => sink.lineTo(x, y)
+    const goTo = ({ x, y }: Point) => sink.moveTo(x, y)
+    goTo(from)
+    if (entry === undefined) lineTo(farFrom(diagram, from, reach))
+    for (const { arc, comesBack } of arcsAlong(diagram, [...edges], entry, exit, reach)) {
+      if (comesBack) goTo(arc.start)
+      else lineTo(arc.start)
+      traceArc(sink, arc, tolerance)
+    }
+    if (exit === undefined) goTo(farFrom(diagram, to, reach))
+    lineTo(to)
+  })
+  return { clearance, outline }
+}
+
+/** Straight away from the centre of the nearest circle. */
+function farFrom(diagram: Diagram, { x, y }: Point, reach: number): Point {
+  const nearest = circleAt(diagram.circles, diagram.find(x, y))
+  const [dx, dy] = [x - nearest.x, y - nearest.y]
+  const distance = hypotenuse(dx, dy)
+  return distance === 0 ? { x: x + reach, y } : { x: x + (reach * dx) / distance, y: y + (reach * dy) / distance }
+}
+
+/** A part of the path; `comesBack`: from infinity, where the one before leads to. */
+interface Stretch {
+  readonly arc: BoundedCurve
+  readonly comesBack: boolean
+}
+
+/** Edges one after the other, the first from a point on it, the last up to one; to infinity as far as `reach`. */
+function arcsAlong(
+  diagram: Diagram,
+  edges: readonly number[],
+  entry: Point | undefined,
+  exit: Point | undefined,
+  reach: number,
+): Stretch[] {
+  let node = firstNode(diagram, edges, entry)
+  return edges.flatMap((edge, k) => {
+    const [start, end] = endsOf(diagram, edge)
+    const curve = edgeCurve(diagram, edge)
+    const { bisector } = curve
+    const parameterOf = (point: Point | undefined) =>
+      point === undefined ? undefined : parameterAt(bisector, point.x, point.y)
+    const entered = k === 0 ? parameterOf(entry) : undefined
+    const left = k === edges.length - 1 ? parameterOf(exit) : undefined
+    const isForward = entered !== undefined && left !== undefined ? entered <= left : start === node
+    const comesBack = entered === undefined && node === NONE
+    node = isForward ? end : start
+    const farthest = Math.max((2 * reach) / (bisector.b * bisector.unit), 2)
+    const low = (isForward ? entered : left) ?? (start === NONE ? 1 / farthest : undefined)
+    const high = (isForward ? left : entered) ?? (end === NONE ? farthest : undefined)
+    const part = {
+      bisector,
+      from: low ?? curve.from,
+      to: high ?? curve.to,
+      start: low === undefined ? curve.start : pointAt(bisector, low),
+      end: high === undefined ? curve.end : pointAt(bisector, high),
+    }
+    return isBoundedCurve(part) ? [{ arc: isForward ? part : reversed(part), comesBack }] : []
+  })
+}
+
+/** The vertex from which a path takes its first edge, or `NONE`: infinity. */
+function firstNode(diagram: Diagram, edges: readonly number[], entry: Point | undefined): number {
+  const [first, second] = edges
+  if (first === undefined || entry === undefined) return NONE
+  const [start, end] = endsOf(diagram, first)
+  // It leaves by the end that the next edge has, too, or else to infinity.
+  const leaves = second === undefined ? end === NONE : endsOf(diagram, second).includes(end)
+  return leaves ? start : end
+}
+
+function endsOf({ edges }: Diagram, edge: number): readonly [start: number, end: number] {
+  return [at(edges, 4 * edge + 2), at(edges, 4 * edge + 3)]
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../../../lib/diagram-data.ts'
+import { addDisc } from '../disc-path.ts'
+import { FrameSink } from '../frame-sink.ts'
+import type { Layer } from '../painting.ts'
+import { addSegment } from '../segment-path.ts'
+
+const LINE = 1.25
+const DOT = 2.5
+
+/** What clients have added. */
+export const data: Layer = {
+  id: 'data',
+  isOn: (layers) => layers.data.length > 0,
+  draw(painting) {
+    const { picture, frame, pixelRatio, limits } = painting
+    const sink = new FrameSink(frame)
+    for (const { layer, points, segments, discs } of picture.data) {
+      const lines = new Path2D()
+      const dots = new Path2D()
+      const { box } = limits.region
+      const x = (list: Float64Array | undefined, k: number) => sink.x(at(list as Float64Array, k))
+      const y = (list: Float64Array | undefined, k: number) => sink.y(at(list as Float64Array, k))
+      for (const k of segments?.search(box) ?? []) {
+        const own = layer.segments
+        addSegment(lines, frame, x(own, 4 * k), y(own, 4 * k + 1), x(own, 4 * k + 2), y(own, 4 * k + 3))
+      }
+      for (const k of discs?.search(box) ?? []) {
+        const radius = at(layer.discs as Float64Array, 3 * k + 2) * frame.scale
+        addDisc(lines, frame, x(layer.discs, 3 * k), y(layer.discs, 3 * k + 1), radius)
+      }
+      for (const k of points?.search(box) ?? []) {
+        addDisc(dots, frame, x(layer.points, 2 * k), y(layer.points, 2 * k + 1), DOT * pixelRatio)
+      }
+      painting.stroke(lines, layer.color, LINE * pixelRatio)
+      painting.fill(dots, layer.color)
+    }
+  },
+}

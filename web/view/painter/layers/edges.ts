@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { drawEdge } from '../../../lib/draw.ts'
+import type { Diagram } from '../../../lib/index.ts'
+import { FrameSink } from '../frame-sink.ts'
+import type { Layer, Painting } from '../painting.ts'
+
+/** Browsers stroke long paths in more than linear time. */
+const EDGES_PER_PATH = 1000
+const GHOST_LINE = 1.1
+
+/** The true arcs. */
+export const edges: Layer = {
+  id: 'edges',
+  isOn: (layers) => layers.edges,
+  draw(painting) {
+    const { picture, style, lineWidth, circles } = painting
+    strokeEdges(painting, picture.diagram, circles, (path) => painting.stroke(path, style.edge, lineWidth))
+  },
+}
+
+/** The Voronoi diagram of the centres. */
+export const ordinary: Layer = {
+  id: 'ordinary',
+  isOn: (layers) => layers.ordinary,
+  draw(painting) {
+    const { centres } = painting.picture
+    if (centres === undefined) return
+    const { picture } = centres
+    const seen = picture.circlesIn(painting.limits.region.box)
+    strokeEdges(painting, picture.diagram, seen, (path) => strokeGhost(painting, path, painting.style.ordinary))
+  },
+}
+
+/** The power diagram. */
+export const power: Layer = {
+  id: 'power',
+  isOn: (layers) => layers.power,
+  draw(painting) {
+    const { power } = painting.picture
+    if (power === undefined) return
+    const seen = power.index.search(painting.limits.region.box).sort((i, j) => i - j)
+    strokeEdges(painting, power.diagram, seen, (path) => strokeGhost(painting, path, painting.style.power))
+  },
+}
+
+function strokeGhost(painting: Painting, path: Path2D, color: string): void {
+  painting.stroke(path, color, Math.min(painting.lineWidth, GHOST_LINE * painting.pixelRatio), [5, 4])
+}
+
+function strokeEdges(
+  { frame, limits, tolerance, picture }: Painting,
+  diagram: Diagram,
+  circles: readonly number[],
+  stroke: (path: Path2D) => void,
+): void {
+  const ownLimits = diagram === picture.diagram ? limits : { ...limits, maxDistance: undefined }
+  let sink = new FrameSink(frame)
+  let count = 0
+  for (const i of circles) {
+    for (const side of diagram.cells.sides(i)) {
+      // Each edge once: with its left circle.
+      if (side & 1) continue
+      drawEdge(sink, diagram, side >> 1, ownLimits, tolerance)
+      count += 1
+      if (count % EDGES_PER_PATH !== 0) continue
+      stroke(sink.path)
+      sink = new FrameSink(frame)
+    }
+  }
+  stroke(sink.path)
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../../../lib/diagram-data.ts'
+import type { Diagram } from '../../../lib/index.ts'
+import { FrameSink } from '../frame-sink.ts'
+import type { Layer, Painting } from '../painting.ts'
+import type { Picture } from '../picture.ts'
+import { addSegment } from '../segment-path.ts'
+
+const SEGMENTS_PER_PATH = 1000
+
+/** A segment for each two circles whose cells share an edge. */
+export const dual: Layer = {
+  id: 'dual',
+  isOn: (layers) => layers.dual,
+  draw: (painting) => strokeDual(painting, painting.picture, painting.style.dual),
+}
+
+/** The same of the centres' Voronoi diagram: their Delaunay graph. */
+export const delaunay: Layer = {
+  id: 'delaunay',
+  isOn: (layers) => layers.delaunay,
+  draw(painting) {
+    const { centres } = painting.picture
+    if (centres !== undefined) strokeDual(painting, centres.picture, painting.style.delaunay)
+  },
+}
+
+function strokeDual(painting: Painting, picture: Picture, color: string): void {
+  const { frame, limits, lineWidth } = painting
+  const { diagram } = picture
+  const sink = new FrameSink(frame)
+  let path = new Path2D()
+  let count = 0
+  const stroke = () => painting.stroke(path, color, lineWidth)
+  const seen = new Set(picture.starsIn(limits.region.box))
+  for (const i of seen) {
+    for (const side of diagram.cells.sides(i)) {
+      // Each edge once, though its left circle may not be near.
+      if (side & 1 && seen.has(diagram.cells.neighborOf(side))) continue
+      addDualEdge(path, painting, sink, diagram, i, diagram.cells.neighborOf(side))
+      count += 1
+      if (count % SEGMENTS_PER_PATH !== 0) continue
+      stroke()
+      path = new Path2D()
+    }
+  }
+  stroke()
+}
+
+function addDualEdge(
+  path: Path2D,
+  { frame }: Painting,
+  sink: FrameSink,
+  { circles }: Diagram,
+  i: number,
+  j: number,
+): void {
+  addSegment(
+    path,
+    frame,
+    sink.x(at(circles, 3 * i)),
+    sink.y(at(circles, 3 * i + 1)),
+    sink.x(at(circles, 3 * j)),
+    sink.y(at(circles, 3 * j + 1)),
+  )
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../../../lib/diagram-data.ts'
+import { addDisc } from '../disc-path.ts'
+import { FrameSink } from '../frame-sink.ts'
+import type { Layer } from '../painting.ts'
+import { addSegment } from '../segment-path.ts'
+
+const LINE = 1.25
+const DOT = 2
+
+/** From each hidden circle a line to the centre of one that contains it. */
+export const hiders: Layer = {
+  id: 'hidden',
+  isOn: (layers) => layers.hidden,
+  draw(painting) {
+    const { picture, frame, pixelRatio, style } = painting
+    const { circles } = picture.diagram
+    const lines = new Path2D()
+    const dots = new Path2D()
+    const sink = new FrameSink(frame)
+    const x = (i: number) => sink.x(at(circles, 3 * i))
+    const y = (i: number) => sink.y(at(circles, 3 * i + 1))
+    // All of it lies in the disc of the one that hides.
+    for (const hider of painting.circles) {
+      for (const hidden of picture.hiddenBy(hider)) {
+        addSegment(lines, frame, x(hidden), y(hidden), x(hider), y(hider))
+        addDisc(dots, frame, x(hidden), y(hidden), DOT * pixelRatio)
+      }
+    }
+    painting.stroke(lines, style.hidden, LINE * pixelRatio)
+    painting.fill(dots, style.hidden)
+  },
+}

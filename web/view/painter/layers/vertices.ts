@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at, NONE } from '../../../lib/diagram-data.ts'
+import type { Diagram } from '../../../lib/index.ts'
+import { hypotenuse } from '../../../lib/scale.ts'
+import { addDisc } from '../disc-path.ts'
+import { FrameSink } from '../frame-sink.ts'
+import { type Layer, shareOf } from '../painting.ts'
+
+/** Vertices fade in where cells are so wide, in pixels. */
+const CELL_WITH_VERTICES = [50, 80] as const
+const RADIUS = 2
+/** Of one that stands for several. */
+const MERGED_RADIUS = 3.5
+
+/** The vertices; if they are merged, each with its number of circles: those of more than three stand out. */
+export const vertices: Layer = {
+  id: 'vertices',
+  isOn: (layers) => layers.vertices,
+  draw(painting) {
+    const { picture, frame, circles, pixelRatio, layers, style, width } = painting
+    const { diagram } = picture
+    const { nearZero, maxDistance = Number.POSITIVE_INFINITY } = layers
+    const opacity = shareOf(width, CELL_WITH_VERTICES)
+    // Merged ones are looked for: they stand out at any size.
+    if (opacity === 0 && nearZero === undefined) return
+    const plain = new Path2D()
+    const merged = new Path2D()
+    const sink = new FrameSink(frame)
+    const add = (path: Path2D, v: number, radius: number) =>
+      addDisc(
+        path,
+        frame,
+        sink.x(at(diagram.vertices, 3 * v)),
+        sink.y(at(diagram.vertices, 3 * v + 1)),
+        radius * pixelRatio,
+      )
+    for (const i of circles) {
+      for (const side of diagram.cells.sides(i)) {
+        const v = diagram.cells.originOf(side)
+        // Each vertex once: with the first of its circles.
+        if (v === NONE || at(diagram.vertexCircles, 3 * v) !== i) continue
+        if (at(diagram.vertices, 3 * v + 2) > maxDistance) continue
+        const others = nearZero === undefined ? 0 : mergedWith(diagram, v, nearZero)
+        if (others > 0) add(merged, v, MERGED_RADIUS)
+        else if (others === 0) add(plain, v, RADIUS)
+      }
+    }
+    painting.fill(plain, style.edge, opacity)
+    painting.fill(merged, style.merged)
+  },
+}
+
+/** How many vertices one stands for beside itself, joined by edges up to a length; -1, if another one stands for it. */
+export function mergedWith(diagram: Diagram, v: number, nearZero: number): number {
+  const { vertices, vertexSides, cells } = diagram
+  const members = [v]
+  for (let k = 0; k < members.length; k++) {
+    const member = members[k] as number
+    for (let slot = 3 * member; slot < 3 * member + 3; slot++) {
+      const next = cells.targetOf(at(vertexSides, slot))
+      if (next === NONE || members.includes(next)) continue
+      const dx = at(vertices, 3 * next) - at(vertices, 3 * member)
+      const dy = at(vertices, 3 * next + 1) - at(vertices, 3 * member + 1)
+      if (!(hypotenuse(dx, dy) <= nearZero)) continue
+      if (next < v) return -1
+      members.push(next)
+    }
+  }
+  return members.length - 1
+}

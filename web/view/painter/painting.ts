@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Limits } from '../../lib/cell-limits.ts'
+import type { Layers } from '../layers.ts'
+import type { Style } from '../style.ts'
+import { type Frame, regionOf, toleranceOf } from './frame.ts'
+import type { Picture } from './picture.ts'
+
+const CELL_WIDTH_PER_LINE_WIDTH = 16
+const THINNEST_LINE = 0.35
+const THICKEST_LINE = 1.25
+
+/** A frame of a picture that is being painted, on a context whose pixels are those of the frame. */
+export class Painting {
+  readonly context: OffscreenCanvasRenderingContext2D
+  readonly frame: Frame
+  /** Device pixels per CSS pixel. */
+  readonly pixelRatio: number
+  readonly picture: Picture
+  readonly layers: Layers
+  readonly style: Style
+  /** What is seen, with a margin, and how far cells and edges go. */
+  readonly limits: Limits
+  /** How far curves may be from the true ones. */
+  readonly tolerance: number
+  /** The indices of the circles of which something may be seen: in the same order whichever frame it is, for what overlaps. */
+  readonly circles: readonly number[]
+  /** About how wide cells are, in CSS pixels. */
+  readonly width: number
+  /** Of edges, in device pixels. */
+  readonly lineWidth: number
+
+  constructor(
+    context: OffscreenCanvasRenderingContext2D,
+    frame: Frame,
+    pixelRatio: number,
+    picture: Picture,
+    style: Style,
+  ) {
+    this.context = context
+    this.frame = frame
+    this.pixelRatio = pixelRatio
+    this.picture = picture
+    this.layers = picture.layers
+    this.style = style
+    this.limits = { region: regionOf(frame), maxDistance: this.layers.maxDistance }
+    this.tolerance = toleranceOf(frame)
+    this.circles = picture.circlesIn(this.limits.region.box)
+    this.width = (picture.cellWidth * frame.scale) / pixelRatio
+    const thickness = Math.min(Math.max(this.width / CELL_WIDTH_PER_LINE_WIDTH, THINNEST_LINE), THICKEST_LINE)
+    this.lineWidth = pixelRatio * thickness
+  }
+
+  fill(path: Path2D, color: string, opacity = 1): void {
+    this.context.globalAlpha = opacity
+    this.context.fillStyle = color
+    this.context.fill(path)
+  }
+
+  /** `thickness` in device pixels, `dash` in CSS pixels. */
+  stroke(path: Path2D, color: string, thickness: number, dash: readonly number[] = [], opacity = 1): void {
+    this.context.globalAlpha = opacity
+    this.context.strokeStyle = color
+    this.context.lineWidth = thickness
+    this.context.setLineDash(dash.map((length) => length * this.pixelRatio))
+    this.context.stroke(path)
+  }
+}
+
+/** One kind of thing that is drawn. */
+export interface Layer {
+  readonly id: string
+  isOn(layers: Layers): boolean
+  draw(painting: Painting): void
+}
+
+/** How much of the way from `least` to `most` a width has gone, from 0 to 1: what is drawn of large cells alone fades in. */
+export function shareOf(width: number, [least, most]: readonly [number, number]): number {
+  return Math.min(Math.max((width - least) / (most - least), 0), 1)
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Frame } from './frame.ts'
+
+/** So far outside the frame, in pixels, ends of strokes are not seen. */
+const MARGIN = 16
+
+/** Adds what can be seen of a segment in a frame to a path. In pixels, which may be far outside. */
+export function addSegment(path: Path2D, frame: Frame, x0: number, y0: number, x1: number, y1: number): void {
+  const [dx, dy] = [x1 - x0, y1 - y0]
+  let from = 0
+  let to = 1
+  /** Keeps where offset + t * slope is at least 0. */
+  const keep = (offset: number, slope: number) => {
+    const t = -offset / slope
+    if (slope > 0) from = Math.max(from, t)
+    else if (slope < 0) to = Math.min(to, t)
+    else if (offset < 0) to = -1
+  }
+  keep(x0 + MARGIN, dx)
+  keep(frame.width + MARGIN - x0, -dx)
+  keep(y0 + MARGIN, dy)
+  keep(frame.height + MARGIN - y0, -dy)
+  if (from > to) return
+  path.moveTo(x0 + from * dx, y0 + from * dy)
+  path.lineTo(x0 + to * dx, y0 + to * dy)
+}

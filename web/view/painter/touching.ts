@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { parameterAt, pointAt } from '../../lib/bisector.ts'
+import { edgeCurve } from '../../lib/curve.ts'
+import { at, NONE } from '../../lib/diagram-data.ts'
+import { circleAt, type Diagram, type Point, type Vertex } from '../../lib/index.ts'
+import { hypotenuse } from '../../lib/scale.ts'
+import type { Touching } from '../protocol.ts'
+
+/** The disc around the vertex, or else the point of an edge, nearest to (x, y), of the cells of some circles. */
+export function touchingNear(
+  diagram: Diagram,
+  circles: readonly number[],
+  x: number,
+  y: number,
+  slack: number,
+): Touching | undefined {
+  const { cells, vertices, edges, vertexCircles } = diagram
+  let nearest = slack
+  let vertex = NONE
+  let edge = NONE
+  let place: Point = { x, y }
+  const sides = circles.flatMap((i) => [...cells.sides(i)])
+  for (const side of sides) {
+    const v = cells.originOf(side)
+    if (v === NONE) continue
+    const distance = hypotenuse(at(vertices, 3 * v) - x, at(vertices, 3 * v + 1) - y)
+    if (distance < nearest) [nearest, vertex] = [distance, v]
+  }
+  if (vertex !== NONE) {
+    const disc = { x: at(vertices, 3 * vertex), y: at(vertices, 3 * vertex + 1), r: at(vertices, 3 * vertex + 2) }
+    return touching(diagram, disc, [...vertexCircles.subarray(3 * vertex, 3 * vertex + 3)])
+  }
+  for (const side of sides) {
+    const { bisector, from, to } = edgeCurve(diagram, side >> 1)
+    const point = pointAt(bisector, Math.min(Math.max(parameterAt(bisector, x, y), from), to))
+    const distance = hypotenuse(point.x - x, point.y - y)
+    if (distance < nearest) [nearest, edge, place] = [distance, side >> 1, point]
+  }
+  if (edge === NONE) return undefined
+  const left = circleAt(diagram.circles, at(edges, 4 * edge))
+  const r = hypotenuse(place.x - left.x, place.y - left.y) - left.r
+  return touching(diagram, { ...place, r }, [at(edges, 4 * edge), at(edges, 4 * edge + 1)])
+}
+
+/** A disc and where it touches circles. */
+export function touching(diagram: Diagram, disc: Vertex, circles: readonly number[]): Touching {
+  const points = circles.map((i) => {
+    const { x, y, r } = circleAt(diagram.circles, i)
+    const [dx, dy] = [disc.x - x, disc.y - y]
+    const distance = hypotenuse(dx, dy)
+    return distance === 0 ? { x: x + r, y } : { x: x + (r * dx) / distance, y: y + (r * dy) / distance }
+  })
+  return { disc, points }
+}
