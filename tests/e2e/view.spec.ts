@@ -21,7 +21,9 @@ test('a drag ends, taken back, where something else takes the pointer away', asy
   await app.page.mouse.up()
   await app.page.mouse.move(from.x - 60, from.y - 60, { steps: 4 })
   await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
-  await expect(app.page.getByRole('button', { name: 'Undo' })).toBeDisabled()
+  // The drag was nothing: what is undone is the choice of circles before it.
+  await app.page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('678 circles')
 })
 
 test('layers are drawn and taken away where they are switched', async ({ app }) => {
@@ -100,13 +102,19 @@ test('numbers are those of the circles, and say by which way a diagram is right'
   await expect(panel).not.toContainText('This one')
 })
 
-test('panels that fold remember it', async ({ app }) => {
+test('panels that fold remember it, and layers stay in the address', async ({ app }) => {
   const { page } = app
   const layers = page.getByRole('button', { name: 'Layers', exact: true })
   await expect(layers).toHaveAttribute('aria-expanded', 'false')
   await layers.click()
+  await page.getByLabel('Cells', { exact: true }).selectOption('by area')
+  await page.getByRole('checkbox', { name: 'Convex hull' }).check()
+  await expect.poll(() => page.url()).toContain('#')
+  await page.waitForTimeout(600)
   await page.reload()
   await expect(layers).toHaveAttribute('aria-expanded', 'true')
+  await expect(page.getByRole('checkbox', { name: 'Convex hull' })).toBeChecked()
+  await expect(page.getByLabel('Cells', { exact: true })).toHaveValue('area')
   await expect(page.getByRole('checkbox', { name: 'Dual graph' })).toBeVisible()
   await layers.click()
   await page.reload()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Circle, Edit, Point } from '../lib/index.ts'
-import { decodeLink, type LinkInput, type LinkView } from '../lib/link.ts'
+import { decodeLink, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
-import type { Layers } from '../view/layers.ts'
+import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { Hands } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
@@ -24,6 +24,7 @@ const USUAL_RADIUS = 24
 interface Opened {
   readonly edits?: readonly Edit[] | undefined
   readonly view?: LinkView | undefined
+  readonly layers?: LinkState['layers']
 }
 
 /** All that a user can do. Input and panels call these; nothing else changes the state, but for what was computed. */
@@ -78,16 +79,21 @@ export class Actions implements Hands {
     if (scene === undefined) return undefined
     const { camera, size } = this.#view
     const isWhole = isSame(camera, this.#fitted(circles.box()))
-    return { ...circlesOfLink(scene, circles), ...(!isWhole && { view: viewOfLink(camera, size) }) }
+    const layers = keptLayers(this.#view.layers)
+    return {
+      ...circlesOfLink(scene, circles),
+      ...(!isWhole && { view: viewOfLink(camera, size) }),
+      ...(Object.keys(layers).length > 0 && { layers }),
+    }
   }
 
   async #linked(text: string): Promise<Scene & Opened> {
-    const { circles, dataSet, edits, view } = await decodeLink(text)
+    const { circles, dataSet, edits, view, layers = {} } = await decodeLink(text)
     const scene =
       circles === undefined
         ? await this.#loadNamed(dataSet ?? nameOf(DATA_SETS[0] as DataSet))
         : { circles, dataSet: '', isEdited: false }
-    return { ...scene, edits, view }
+    return { ...scene, edits, view, layers }
   }
 
   async #loadNamed(name: string): Promise<Scene> {
@@ -99,7 +105,7 @@ export class Actions implements Hands {
     this.#lastLoad += 1
     const turn = this.#lastLoad
     try {
-      const { edits, view, ...scene } = await load()
+      const { edits, view, layers, ...scene } = await load()
       if (turn !== this.#lastLoad) return false
       const before = this.#view.camera
       this.#view.camera = this.#looking(view, boundingBox(scene.circles))
@@ -107,6 +113,7 @@ export class Actions implements Hands {
         this.#view.camera = before
         return false
       }
+      if (layers !== undefined) this.#view.layers = layersFrom(layers)
       if (edits !== undefined && edits.length > 0) await this.#editing.edit(edits)
       this.#store.update((state) => ({ ...state, isAdding: false }))
       this.select(undefined)
@@ -209,9 +216,7 @@ export class Actions implements Hands {
 
   /** Draws something else, or something more. */
   setLayers(change: Partial<Layers>): void {
-    const layers = { ...this.#store.get().layers, ...change }
-    this.#view.layers = layers
-    this.#store.update((state) => ({ ...state, layers }))
+    this.#view.layers = { ...this.#view.layers, ...change }
   }
 
   undo(): Promise<void> {

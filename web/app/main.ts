@@ -61,7 +61,10 @@ store.subscribe(({ selected, hovered }) => {
 })
 view.onmarked = ({ selected }) => store.update((state) => ({ ...state, described: selected }))
 view.onfound = (found) => store.update((state) => ({ ...state, found }))
-view.onlayers = (layers) => store.update((state) => ({ ...state, layers }))
+view.onlayers = (layers) => {
+  store.update((state) => ({ ...state, layers }))
+  keeping.changed()
+}
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.restyle())
 
 mountToolbar(store, actions)

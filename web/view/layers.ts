@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Point } from '../lib/index.ts'
+import type { LayerValue } from '../lib/link.ts'
 
 /** What the colour of a cell says. `different`: no two neighbours have one colour. `gap`: how near the nearest other circle is. */
 export const CELL_COLORS = ['none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
@@ -75,7 +76,7 @@ export function isMeasure(colors: CellColors): colors is Measure {
 }
 
 /** What of layers differs from the default, to be kept; not what clients have added. */
-export function keptLayers(layers: Layers): Readonly<Record<string, unknown>> {
+export function keptLayers(layers: Layers): Readonly<Record<string, LayerValue>> {
   const known = DEFAULT_LAYERS as unknown as Record<string, unknown>
   return Object.fromEntries(Object.entries(layers).filter(([name, value]) => name !== 'data' && value !== known[name]))
 }

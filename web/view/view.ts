@@ -37,7 +37,7 @@ export class View {
   onmarked: ((marks: Marks) => void) | undefined
   /** Called when what the layers show that depends on all circles is known, or is no longer. */
   onfound: ((found: Found | undefined) => void) | undefined
-  /** Called when an end of the path was dragged. */
+  /** Called when other layers are shown, or an end of the path was dragged. */
   onlayers: ((layers: Layers) => void) | undefined
 
   /** Called when what is looked at has changed. */
@@ -136,6 +136,7 @@ export class View {
     const wish = this.#picture.again(this.#camera, this.#size)
     if (wish !== undefined) this.#scene.look(wish, this.#style)
     this.#overlayChanges()
+    this.onlayers?.(layers)
   }
 
   /** Shows the disc of the vertex or the point of an edge next to a point of the plane, if that layer is on. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, render, svg, type TemplateResult } from 'lit'
+import { html, render, type TemplateResult } from 'lit'
 
 const STORAGE = 'circle-voronoi:open-panels'
 
@@ -35,7 +35,6 @@ export function folding(
         html`<h2>
             <button type="button" aria-expanded=${isOpen} aria-controls=${id} @click=${toggle}>
               <svg viewBox="0 0 20 20" aria-hidden="true">${icon}</svg>${title}
-              <svg class="chevron" viewBox="0 0 20 20" aria-hidden="true">${svg`<path d="m6 8 4 4 4-4" />`}</svg>
             </button>
           </h2>
           <div id=${id} class="body" ?hidden=${!isOpen}>${isOpen ? body() : undefined}</div>`,
