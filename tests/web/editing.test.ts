@@ -14,11 +14,11 @@ async function started(circles = TWO) {
   const problems: string[] = []
   const outcomes: number[] = []
   const computer: Computer = {
-    async open(circles) {
+    async setCircles(circles) {
       editor = library.edit(circles)
       return resultOf(editor, new Int32Array())
     },
-    async edit(edits) {
+    async apply(edits) {
       asked.push(edits)
       await new Promise((resolve) => setTimeout(resolve))
       return resultOf(editor, editor.apply(edits).inserted)

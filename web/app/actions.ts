@@ -108,12 +108,12 @@ export class Actions implements Hands {
       const { edits, view, layers, ...scene } = await load()
       if (turn !== this.#lastLoad) return false
       const before = this.#view.camera
-      this.#view.camera = this.#looking(view, boundingBox(scene.circles))
+      this.#view.setCamera(this.#looking(view, boundingBox(scene.circles)))
       if ((await this.#editing.open(scene)) === undefined) {
-        this.#view.camera = before
+        this.#view.setCamera(before)
         return false
       }
-      if (layers !== undefined) this.#view.layers = layersFrom(layers)
+      if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
       if (edits !== undefined && edits.length > 0) await this.#editing.edit(edits)
       this.#store.update((state) => ({ ...state, isAdding: false }))
       this.select(undefined)
@@ -216,7 +216,7 @@ export class Actions implements Hands {
 
   /** Draws something else, or something more. */
   setLayers(change: Partial<Layers>): void {
-    this.#view.layers = { ...this.#view.layers, ...change }
+    this.#view.setLayers(change)
   }
 
   undo(): Promise<void> {
@@ -232,11 +232,11 @@ export class Actions implements Hands {
     const edited = await go()
     const id = edited?.inserted[0]
     if (id !== undefined) this.goTo(id)
-    if (this.#editing.scene !== scene) this.#view.camera = this.#fitted(this.#editing.circles.box())
+    if (this.#editing.scene !== scene) this.#view.setCamera(this.#fitted(this.#editing.circles.box()))
   }
 
   pan(dx: number, dy: number): void {
-    this.#view.camera = panned(this.#view.camera, dx, dy)
+    this.#view.setCamera(panned(this.#view.camera, dx, dy))
   }
 
   zoom(factor: number, anchor: Point): void {
@@ -244,7 +244,7 @@ export class Actions implements Hands {
     const { circles } = this.#editing
     const [least, most] = this.#zoomLimits(circles.box(), circles.core())
     const scale = Math.min(Math.max(camera.scale * factor, least), most)
-    this.#view.camera = zoomed(camera, size, anchor, scale / camera.scale)
+    this.#view.setCamera(zoomed(camera, size, anchor, scale / camera.scale))
   }
 
   zoomAtMiddle(factor: number): void {
@@ -256,7 +256,7 @@ export class Actions implements Hands {
   fit(): void {
     const { circles } = this.#editing
     const [whole, core] = [this.#fitted(circles.box()), this.#fitted(circles.core())]
-    this.#view.camera = isSame(this.#view.camera, whole) ? core : whole
+    this.#view.setCamera(isSame(this.#view.camera, whole) ? core : whole)
   }
 
   #zoomLimits(box: Box, core: Box): [least: number, most: number] {
@@ -287,7 +287,7 @@ export class Actions implements Hands {
     const { top, right, bottom, left } = this.#padding()
     const { x, y } = toScreen(camera, size, circle)
     const isShown = x >= left && x <= size.width - right && y >= top && y <= size.height - bottom
-    if (!isShown) this.#view.camera = { ...camera, x: circle.x, y: circle.y }
+    if (!isShown) this.#view.setCamera({ ...camera, x: circle.x, y: circle.y })
   }
 
   #changeSelected(change: (circle: Circle) => Circle, gesture: number): void {

@@ -6,8 +6,8 @@ import { EMPTY_HISTORY, type History, idsOnceOpened, type Opening, record, renam
 
 /** Who computes: a view. */
 export interface Computer {
-  open(circles: Float64Array): Promise<Edited>
-  edit(edits: readonly Edit[]): Promise<Edited>
+  setCircles(circles: Float64Array): Promise<Edited>
+  apply(edits: readonly Edit[]): Promise<Edited>
 }
 
 /** What became of what was asked. */
@@ -76,7 +76,7 @@ export class Editing {
   /** All or none of the edits. `undefined`: refused. */
   edit(edits: readonly Edit[], gesture = this.beginGesture()): Promise<Edited | undefined> {
     return this.#ask(gesture, edits, async () => {
-      const edited = await this.#computer.edit(edits)
+      const edited = await this.#computer.apply(edits)
       this.#history = record(this.#history, this.#table.apply(edits, edited.inserted), gesture)
       return edited
     })
@@ -109,7 +109,7 @@ export class Editing {
     const entry = this.#history[from].at(-1)
     if (entry === undefined) return undefined
     if (entry.kind === 'opening') return this.#openAgain(entry, from, to)
-    const edited = await this.#computer.edit(entry.steps.map(plain))
+    const edited = await this.#computer.apply(entry.steps.map(plain))
     const steps = this.#table.apply(entry.steps, edited.inserted)
     const former = entry.steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
@@ -136,7 +136,7 @@ export class Editing {
   }
 
   async #become(scene: Scene): Promise<Edited> {
-    const edited = await this.#computer.open(scene.circles)
+    const edited = await this.#computer.setCircles(scene.circles)
     this.#table = new CircleTable(scene.circles.slice())
     this.#scene = scene
     return edited

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Padding } from '../view/camera.ts'
-import { Painter } from '../view/painter.ts'
+import { mount } from '../view/mount.ts'
 import { listenToPointer } from '../view/pointer.ts'
-import { View } from '../view/view.ts'
 import { Actions } from './actions.ts'
 import { DATA_SETS, type DataSet } from './data-sets.ts'
 import { Editing } from './editing.ts'
@@ -29,7 +28,7 @@ import { createStore } from './store.ts'
 //              └──► panels, and what stands out in the view
 
 const figure = byId('figure', HTMLElement)
-const view = new View(figure, new Painter())
+const view = mount(figure, { gestures: 'none' })
 const store = createStore<State>(INITIAL_STATE)
 
 const editing = new Editing(
@@ -59,13 +58,12 @@ store.subscribe(({ selected, hovered }) => {
   if (selected !== marked[0] || hovered !== marked[1]) view.mark(selected, hovered)
   marked = [selected, hovered]
 })
-view.onmarked = ({ selected }) => store.update((state) => ({ ...state, described: selected }))
-view.onfound = (found) => store.update((state) => ({ ...state, found }))
-view.onlayers = (layers) => {
+view.on('marked', ({ selected }) => store.update((state) => ({ ...state, described: selected })))
+view.on('found', (found) => store.update((state) => ({ ...state, found })))
+view.on('layers', (layers) => {
   store.update((state) => ({ ...state, layers }))
   keeping.changed()
-}
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.restyle())
+})
 
 mountToolbar(store, actions)
 mountViewControls(actions)
@@ -81,5 +79,5 @@ listenToKeyboard(figure, view, pointer, store, actions, editNumbers)
 
 const kept = await keeping.begin()
 if (kept === undefined || !(await actions.openLink(kept))) await actions.load((DATA_SETS[0] as DataSet).id)
-view.oncamera = () => keeping.changed()
+view.on('camera', () => keeping.changed())
 window.addEventListener('hashchange', () => location.hash !== '' && actions.openLink(location.hash))

@@ -15,6 +15,13 @@ export class CircleLog {
     this.#lastId = opened.length / 3 - 1
   }
 
+  /** A circle as it is; `undefined`: there is none. */
+  circle(id: number): Circle | undefined {
+    if (this.#changed.has(id)) return this.#changed.get(id)
+    if (!(id >= 0 && id < this.opened.length / 3)) return undefined
+    return { x: at(this.opened, 3 * id), y: at(this.opened, 3 * id + 1), r: at(this.opened, 3 * id + 2) }
+  }
+
   /** `inserted`: the ids of the circles that came. */
   add(edits: readonly Edit[], inserted: Int32Array): void {
     let next = 0

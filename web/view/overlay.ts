@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/diagram-data.ts'
-import type { Point } from '../lib/index.ts'
+import type { PathSink, Point } from '../lib/index.ts'
 import type { Layers } from './layers.ts'
 import { replay } from './painter/commands.ts'
 import { addArc, addDisc } from './painter/disc-path.ts'
+import type { Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
 import { FrameSink } from './painter/frame-sink.ts'
 import { addSegment } from './painter/segment-path.ts'
@@ -26,37 +27,30 @@ export interface Above {
   readonly layers: Layers
 }
 
-/** Draws on a context whose pixels are those of the frame. `pixelRatio`: device pixels per CSS pixel. */
+/** Draws on what has the frame's pixels. `pixelRatio`: device pixels per CSS pixel. */
 export function drawOverlay(
-  context: CanvasRenderingContext2D,
+  drawing: Drawing,
   frame: Frame,
   pixelRatio: number,
   style: Style,
   { marks, found, touching, layers }: Above,
 ): void {
-  context.clearRect(0, 0, frame.width, frame.height)
-  context.lineJoin = 'round'
-  const to = new FrameSink(frame)
+  const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
-    const sink = new FrameSink(frame)
+    const sink = new FrameSink(frame, drawing.path())
     replay(outline, sink)
     return sink.path
   }
-  const fill = (path: Path2D, color: string, opacity = 1) => {
-    context.globalAlpha = opacity
-    context.fillStyle = color
-    context.fill(path)
-    context.globalAlpha = 1
-  }
-  const stroke = (path: Path2D, color: string, width: number, dash: readonly number[] = []) => {
-    context.strokeStyle = color
-    context.lineWidth = width * pixelRatio
-    context.setLineDash(dash.map((length) => length * pixelRatio))
-    context.stroke(path)
-    context.setLineDash([])
-  }
+  const fill = (path: PathSink, color: string, opacity = 1) => drawing.fill(path, color, opacity)
+  const stroke = (path: PathSink, color: string, width: number, dash: readonly number[] = []) =>
+    drawing.stroke(
+      path,
+      color,
+      width * pixelRatio,
+      dash.map((length) => length * pixelRatio),
+    )
   const discOf = (x: number, y: number, r: number, least = 0) => {
-    const path = new Path2D()
+    const path = drawing.path()
     addDisc(path, frame, to.x(x), to.y(y), Math.max(Math.abs(r) * frame.scale, least * pixelRatio))
     return path
   }
@@ -71,7 +65,8 @@ export function drawOverlay(
     if (selected === undefined) fill(pathOf(hovered.neighborhood), style.neighborCell, HOVER_OPACITY)
     fill(pathOf(hovered.outline), style.selectedCell, HOVER_OPACITY)
   }
-  if (found?.hull !== undefined && layers.hull) stroke(hullPath(frame, to, found.hull), style.hull, FOUND_LINE)
+  if (found?.hull !== undefined && layers.hull)
+    stroke(hullPath(drawing.path(), frame, to, found.hull), style.hull, FOUND_LINE)
   if (found?.largestDisc !== undefined && layers.largestDisc) drawTouching(found.largestDisc)
   if (found?.path !== undefined && layers.path !== undefined) stroke(pathOf(found.path.outline), style.path, PATH_LINE)
   for (const end of layers.path === undefined ? [] : [layers.path.from, layers.path.to]) {
@@ -98,8 +93,7 @@ export function drawOverlay(
   }
 }
 
-function hullPath(frame: Frame, to: FrameSink, arcs: Float64Array): Path2D {
-  const path = new Path2D()
+function hullPath(path: PathSink, frame: Frame, to: FrameSink, arcs: Float64Array): PathSink {
   for (let k = 0; k < arcs.length; k += 7) {
     const [x, y, radius] = [at(arcs, k), at(arcs, k + 1), at(arcs, k + 2)]
     const [from, turn] = [at(arcs, k + 3), at(arcs, k + 4)]

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from '../lib/errors.ts'
-import type { Edit, Options } from '../lib/index.ts'
+import type { Circle, Edit, Options } from '../lib/index.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/load-options.ts'
 import { CircleLog } from './circle-log.ts'
 import type { Layers } from './layers.ts'
+import type { Frame } from './painter/frame.ts'
 import type {
   Computed,
   Counts,
@@ -89,6 +90,7 @@ export class Painter {
     }
     this.#scenes.set(number, scene)
     return new PainterScene(number, {
+      circle: (id) => scene.log.circle(id),
       post: (message) => {
         if (message.kind === 'look') scene.look = message
         if (message.kind === 'mark') scene.mark = message
@@ -202,6 +204,7 @@ const RESTORED = 0
 
 /** How a scene talks to the thread. */
 interface Line {
+  circle(id: number): Circle | undefined
   post(message: ToPainter): void
   /** Posts it, too. */
   edited(message: Waiting['message']): Promise<Edited>
@@ -250,6 +253,23 @@ export class PainterScene {
   async touch(x: number, y: number, slack: number): Promise<Touching | undefined> {
     const message = { kind: 'touch', scene: this.#scene, x, y, slack }
     return (await this.#line.ask<{ touching: Touching | undefined }>(message))?.touching
+  }
+
+  /** A circle as it is after all edits that are done. */
+  circle(id: number): Circle | undefined {
+    return this.#line.circle(id)
+  }
+
+  /** What a frame shows, without what stands out: the elements of an SVG. */
+  async svg(frame: Frame, pixelRatio: number, style: Style): Promise<string | undefined> {
+    const message = { kind: 'draw', scene: this.#scene, as: 'svg', frame, pixelRatio, style }
+    return (await this.#line.ask<{ svg: string }>(message))?.svg
+  }
+
+  /** The same in pixels. */
+  async image(frame: Frame, pixelRatio: number, style: Style): Promise<ImageBitmap | undefined> {
+    const message = { kind: 'draw', scene: this.#scene, as: 'image', frame, pixelRatio, style }
+    return (await this.#line.ask<{ image: ImageBitmap }>(message))?.image
   }
 
   /** How cells are distributed: a moment later, where there are many. `undefined`: the thread has failed. */

@@ -67,7 +67,7 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     let last = from
     return {
       move(to) {
-        view.camera = panned(view.camera, to.x - last.x, to.y - last.y)
+        view.setCamera(panned(view.camera, to.x - last.x, to.y - last.y))
         last = to
       },
       click,
@@ -138,7 +138,7 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     return {
       move() {
         const next = spread()
-        view.camera = panned(view.camera, next.middle.x - last.middle.x, next.middle.y - last.middle.y)
+        view.setCamera(panned(view.camera, next.middle.x - last.middle.x, next.middle.y - last.middle.y))
         hands.zoom(next.width / last.width, next.middle)
         last = next
       },

@@ -3,6 +3,7 @@
 import type { Box, Certificate, Circle, Edit, ErrorCode, Options, Point, Stats, Vertex } from '../lib/index.ts'
 import type { CompiledWasm } from '../lib/wasm.ts'
 import type { Layers } from './layers.ts'
+import type { Frame } from './painter/frame.ts'
 import type { Style } from './style.ts'
 
 /**
@@ -64,6 +65,16 @@ export type ToPainter =
       readonly x: number
       readonly y: number
       readonly slack: number
+    }
+  /** What a frame shows, all at once. */
+  | {
+      readonly kind: 'draw'
+      readonly scene: number
+      readonly request: number
+      readonly as: 'svg' | 'image'
+      readonly frame: Frame
+      readonly pixelRatio: number
+      readonly style: Style
     }
   /** How cells are distributed. */
   | { readonly kind: 'measure'; readonly scene: number; readonly request: number }
@@ -129,6 +140,8 @@ export type FromPainter =
     }
   | { readonly kind: 'hit'; readonly request: number; readonly hit: Hit | undefined }
   | { readonly kind: 'touched'; readonly request: number; readonly touching: Touching | undefined }
+  | { readonly kind: 'drawn'; readonly request: number; readonly svg: string }
+  | { readonly kind: 'drawn'; readonly request: number; readonly image: ImageBitmap }
   | { readonly kind: 'measured'; readonly request: number; readonly distribution: Distribution }
   | { readonly kind: 'computed'; readonly request: number; readonly computed: Computed }
   | { readonly kind: 'found'; readonly scene: number; readonly revision: number; readonly found: Found }

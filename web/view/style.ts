@@ -41,6 +41,8 @@ export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
 export function readStyle(element: Element): Style {
   // As numbers: a worker knows neither the scheme nor the system's colours.
   const probe = element.appendChild(document.createElement('span'))
+  // The system's colours are named where they are to be: data keeps its own.
+  probe.style.setProperty('forced-color-adjust', 'none')
   const color = (name: string) => {
     probe.style.color = `var(--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)})`
     return getComputedStyle(probe).color

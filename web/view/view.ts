@@ -1,15 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Edit, Options, Point } from '../lib/index.ts'
+import type { Circle, Edit, Options, Point } from '../lib/index.ts'
 import { BasePicture } from './base-picture.ts'
 import { type Camera, type Size, toScreen } from './camera.ts'
 import { DEFAULT_LAYERS, type Layers } from './layers.ts'
 import { drawOverlay, HANDLE_RADIUS } from './overlay.ts'
+import { CanvasDrawing, type Drawing, SvgDrawing, svgOf } from './painter/drawing.ts'
+import type { Frame } from './painter/frame.ts'
 import type { Edited, Painter, PainterScene } from './painter.ts'
 import type { Computed, Distribution, Found, Hit, Marks, Touching } from './protocol.ts'
 import { readStyle, type Style } from './style.ts'
 
 /** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
 const REST = 80
+
+const NOT_DRAWN = 'The picture could not be drawn.'
+
+/** What listeners are told. */
+export interface ViewEvents {
+  /** What is known of the circles that stand out, whenever that has changed. */
+  readonly marked: Marks
+  /** What the layers show that depends on all circles, once it is known; `undefined`: it is no longer. */
+  readonly found: Found | undefined
+  /** Others are shown, or an end of the path was dragged. */
+  readonly layers: Layers
+  readonly camera: Camera
+  /** Circles were set, or edited. */
+  readonly changed: Edited
+  /** They could not be, and why: a `CircleVoronoiError`, or another one if the computer failed. */
+  readonly refused: Error
+}
 
 /** Circles and their diagram in an element of a page, moved and zoomed by a camera. */
 export class View {
@@ -33,17 +52,21 @@ export class View {
   #baseChanged = false
   #overlayChanged = false
 
-  /** Called when what is known of the circles that stand out has changed. */
-  onmarked: ((marks: Marks) => void) | undefined
-  /** Called when what the layers show that depends on all circles is known, or is no longer. */
-  onfound: ((found: Found | undefined) => void) | undefined
-  /** Called when other layers are shown, or an end of the path was dragged. */
-  onlayers: ((layers: Layers) => void) | undefined
+  readonly #listeners: { readonly [Name in keyof ViewEvents]: Set<(event: ViewEvents[Name]) => void> } = {
+    marked: new Set(),
+    found: new Set(),
+    layers: new Set(),
+    camera: new Set(),
+    changed: new Set(),
+    refused: new Set(),
+  }
+  readonly #ondispose: () => void
+  readonly #watching = new AbortController()
 
-  /** Called when what is looked at has changed. */
-  oncamera: (() => void) | undefined
-
-  constructor(container: HTMLElement, painter: Painter) {
+  /** `ondispose`: called when the view is disposed of. */
+  constructor(container: HTMLElement, painter: Painter, ondispose = () => {}) {
+    this.#ondispose = ondispose
+    container.classList.add('circle-voronoi')
     this.#container = container
     this.#base = container.appendChild(document.createElement('canvas'))
     this.#overlay = container.appendChild(document.createElement('canvas'))
@@ -57,18 +80,19 @@ export class View {
       marked: (marks) => {
         this.#marks = marks
         this.#overlayChanges()
-        this.onmarked?.(marks)
+        this.#tell('marked', marks)
       },
       found: (found) => {
         this.#found = found
         // It was that of the circles before.
         this.#touching = undefined
         this.#overlayChanges()
-        this.onfound?.(found)
+        this.#tell('found', found)
       },
     })
     this.#observer = new ResizeObserver(() => this.#resize())
     this.#observer.observe(container)
+    this.#watchSurroundings()
     this.#resize()
   }
 
@@ -77,17 +101,33 @@ export class View {
    *
    * @throws CircleVoronoiError as `compute`; then all stays as it was
    */
-  open(circles: Float64Array): Promise<Edited> {
+  setCircles(circles: Float64Array): Promise<Edited> {
     this.#picture.clear()
     this.#touching = undefined
     this.#found = undefined
     const opened = this.#scene.open(circles)
     this.#see()
-    return opened
+    return this.#told(opened)
   }
 
-  edit(edits: readonly Edit[]): Promise<Edited> {
-    return this.#scene.edit(edits)
+  /**
+   * All or none of the edits.
+   *
+   * @throws CircleVoronoiError as `DiagramEditor.apply`; then all stays as it was
+   */
+  apply(edits: readonly Edit[]): Promise<Edited> {
+    return this.#told(this.#scene.edit(edits))
+  }
+
+  /** A circle as it is after all edits that are done. */
+  circle(id: number): Circle | undefined {
+    return this.#scene.circle(id)
+  }
+
+  /** Has a function called with each event of a kind, and returns what ends that. */
+  on<Name extends keyof ViewEvents>(name: Name, listener: (event: ViewEvents[Name]) => void): () => void {
+    this.#listeners[name].add(listener)
+    return () => this.#listeners[name].delete(listener)
   }
 
   get camera(): Camera {
@@ -98,9 +138,9 @@ export class View {
     return this.#size
   }
 
-  set camera(camera: Camera) {
+  setCamera(camera: Camera): void {
     this.#camera = camera
-    this.oncamera?.()
+    this.#tell('camera', camera)
     this.#baseChanged = true
     this.#overlayChanged = true
     this.#schedule()
@@ -130,13 +170,15 @@ export class View {
     return this.#layers
   }
 
-  set layers(layers: Layers) {
+  /** Draws something else, or something more; layers that are not named stay. */
+  setLayers(change: Partial<Layers>): void {
+    const layers = { ...this.#layers, ...change }
     this.#layers = layers
     this.#scene.setLayers(layers)
     const wish = this.#picture.again(this.#camera, this.#size)
     if (wish !== undefined) this.#scene.look(wish, this.#style)
     this.#overlayChanges()
-    this.onlayers?.(layers)
+    this.#tell('layers', layers)
   }
 
   /** Shows the disc of the vertex or the point of an edge next to a point of the plane, if that layer is on. */
@@ -166,7 +208,41 @@ export class View {
     this.#layers = { ...this.#layers, path: { ...path, [end]: point } }
     this.#scene.findAgain(this.#layers)
     this.#overlayChanges()
-    this.onlayers?.(this.#layers)
+    this.#tell('layers', this.#layers)
+  }
+
+  /** What is seen, as the text of an SVG. */
+  async toSVG(): Promise<string> {
+    const { width, height } = this.#size
+    const frame = { ...this.#camera, width, height }
+    const elements = await this.#scene.svg(frame, 1, this.#style)
+    if (elements === undefined) throw new Error(NOT_DRAWN)
+    const above = new SvgDrawing()
+    this.#drawAbove(above, frame, 1)
+    return svgOf(width, height, [elements, String(above)])
+  }
+
+  /** What is seen, as a PNG of `scale` pixels for each CSS pixel. */
+  async toPNG(scale = devicePixelRatio): Promise<Blob> {
+    const frame = {
+      ...this.#camera,
+      scale: this.#camera.scale * scale,
+      width: Math.max(Math.round(this.#size.width * scale), 1),
+      height: Math.max(Math.round(this.#size.height * scale), 1),
+    }
+    const image = await this.#scene.image(frame, scale, this.#style)
+    if (image === undefined) throw new Error(NOT_DRAWN)
+    const canvas = new OffscreenCanvas(frame.width, frame.height)
+    const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
+    context.drawImage(image, 0, 0)
+    image.close()
+    this.#drawAbove(new CanvasDrawing(context), frame, scale)
+    return canvas.convertToBlob({ type: 'image/png' })
+  }
+
+  /** Has one circle stand out, or none. */
+  select(id: number | undefined): void {
+    this.mark(id, undefined)
   }
 
   /** Which circles stand out. */
@@ -187,7 +263,9 @@ export class View {
     this.#observer.disconnect()
     cancelAnimationFrame(this.#frame)
     clearTimeout(this.#rest)
+    this.#watching.abort()
     this.#scene.close()
+    this.#ondispose()
     this.#base.remove()
     this.#overlay.remove()
   }
@@ -230,7 +308,12 @@ export class View {
     const context = this.#overlay.getContext('2d') as CanvasRenderingContext2D
     const { width, height } = this.#overlay
     const frame = { x: this.#camera.x, y: this.#camera.y, scale: this.#camera.scale * devicePixelRatio, width, height }
-    drawOverlay(context, frame, devicePixelRatio, this.#style, {
+    context.clearRect(0, 0, width, height)
+    this.#drawAbove(new CanvasDrawing(context), frame, devicePixelRatio)
+  }
+
+  #drawAbove(drawing: Drawing, frame: Frame, pixelRatio: number): void {
+    drawOverlay(drawing, frame, pixelRatio, this.#style, {
       marks: this.#marks,
       found: this.#found,
       touching: this.#touching,
@@ -241,5 +324,35 @@ export class View {
   #overlayChanges(): void {
     this.#overlayChanged = true
     this.#schedule()
+  }
+
+  #tell<Name extends keyof ViewEvents>(name: Name, event: ViewEvents[Name]): void {
+    for (const listener of this.#listeners[name]) listener(event)
+  }
+
+  /** Tells what comes of edits as events, too. */
+  #told(edited: Promise<Edited>): Promise<Edited> {
+    edited.then(
+      (outcome) => this.#tell('changed', outcome),
+      (error: Error) => this.#tell('refused', error),
+    )
+    return edited
+  }
+
+  /** The scheme, the system's colours and the pixels of the screen may be others later. */
+  #watchSurroundings(): void {
+    const { signal } = this.#watching
+    for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
+      matchMedia(query).addEventListener('change', () => this.restyle(), { signal })
+    }
+    const watchPixels = () => {
+      const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
+      const change = () => {
+        this.#resize()
+        watchPixels()
+      }
+      query.addEventListener('change', change, { signal, once: true })
+    }
+    watchPixels()
   }
 }

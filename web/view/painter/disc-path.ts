@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { PathSink } from '../../lib/index.ts'
 import type { Frame } from './frame.ts'
 
 /** Beyond this radius, in pixels, single precision shows in the arcs of a canvas. */
@@ -11,7 +12,7 @@ const FULL_TURN = 2 * Math.PI
  * Adds a circle to a path: centre in pixels from the top left of the frame, which may be far outside. Of a large one only
  * what can be seen in the frame is there, as a curve that goes around outside of it: right to fill, and to stroke.
  */
-export function addDisc(path: Path2D, { width, height }: Frame, x: number, y: number, radius: number): void {
+export function addDisc(path: PathSink, { width, height }: Frame, x: number, y: number, radius: number): void {
   if (radius <= LARGEST_ARC) {
     path.moveTo(x + radius, y)
     path.arc(x, y, radius, 0, 2 * Math.PI)
@@ -24,7 +25,11 @@ export function addDisc(path: Path2D, { width, height }: Frame, x: number, y: nu
   // The rim nearest to the middle, seen from there.
   if (distance - radius > seen) return
   if (radius - distance > seen) {
-    path.rect(-seen, -seen, width + 2 * seen, height + 2 * seen)
+    path.moveTo(-seen, -seen)
+    path.lineTo(width + seen, -seen)
+    path.lineTo(width + seen, height + seen)
+    path.lineTo(-seen, height + seen)
+    path.closePath()
     return
   }
   const angle = Math.atan2(toMiddleY, toMiddleX)
@@ -38,7 +43,7 @@ export function addDisc(path: Path2D, { width, height }: Frame, x: number, y: nu
 
 /** Adds what can be seen of an arc to a path, by growing angles as the canvas has them, clockwise. */
 export function addArc(
-  path: Path2D,
+  path: PathSink,
   frame: Frame,
   x: number,
   y: number,
@@ -67,7 +72,7 @@ export function addArc(
 }
 
 /** As cubic curves: single precision is enough for points that are near. */
-function traceArc(path: Path2D, x: number, y: number, radius: number, first: number, last: number): void {
+function traceArc(path: PathSink, x: number, y: number, radius: number, first: number, last: number): void {
   const step = (last - first) / PIECES
   const handle = (4 / 3) * Math.tan(step / 4) * radius
   path.moveTo(x + radius * Math.cos(first), y + radius * Math.sin(first))

@@ -7,12 +7,14 @@ import type { Frame } from './frame.ts'
  * are seen from the middle of the frame, in doubles, before it gets them. The plane is y-up, the frame y-down.
  */
 export class FrameSink implements PathSink {
-  readonly path = new Path2D()
+  readonly path: PathSink
   readonly #frame: Frame
   readonly #left: number
   readonly #top: number
 
-  constructor(frame: Frame) {
+  /** `path`: in pixels. */
+  constructor(frame: Frame, path: PathSink) {
+    this.path = path
     this.#frame = frame
     this.#left = frame.width / 2
     this.#top = frame.height / 2

@@ -13,11 +13,6 @@ const LAYERS: readonly Layer[] = [cells, discs, ordinary, power, edges, dual, de
 
 /** Draws all that a frame shows: every pixel of it, paper and all. */
 export function paint(painting: Painting): void {
-  const { context, frame, style, layers } = painting
-  context.fillStyle = style.paper
-  context.fillRect(0, 0, frame.width, frame.height)
-  context.lineJoin = 'round'
-  context.lineCap = 'round'
-  for (const layer of LAYERS) if (layer.isOn(layers)) layer.draw(painting)
-  context.globalAlpha = 1
+  painting.drawing.cover(painting.style.paper)
+  for (const layer of LAYERS) if (layer.isOn(painting.layers)) layer.draw(painting)
 }

@@ -22,8 +22,9 @@ import type { Style } from '../style.ts'
 import { Centres } from './centres.ts'
 import { commandsOf } from './commands.ts'
 import { distributionOf } from './distribution.ts'
+import { CanvasDrawing, type Drawing } from './drawing.ts'
 import { found, isAnythingFound } from './found.ts'
-import { regionOf, toleranceOf } from './frame.ts'
+import { type Frame, regionOf, toleranceOf } from './frame.ts'
 import { frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
@@ -127,6 +128,11 @@ export class PaintedScene {
     const result = found(this.#picture, tolerance)
     this.#findingSeconds = (performance.now() - start) / 1000
     return result
+  }
+
+  /** What a frame shows, on a drawing. */
+  draw(drawing: Drawing, frame: Frame, pixelRatio: number, style: Style): void {
+    paint(new Painting(drawing, frame, pixelRatio, this.#picture, style))
   }
 
   /** How cells are distributed. */
@@ -310,7 +316,7 @@ export class PaintedScene {
   #paint(box: PixelBox, { grid, style }: Look): Patch {
     const canvas = new OffscreenCanvas(box.width, box.height)
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-    paint(new Painting(context, frameOf(grid, box), grid.pixelRatio, this.#picture, style))
+    this.draw(new CanvasDrawing(context), frameOf(grid, box), grid.pixelRatio, style)
     return { box, image: canvas.transferToImageBitmap() }
   }
 }

@@ -5,6 +5,7 @@ import type { Comparison } from '../../lib/comparison.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/errors.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../../lib/library.ts'
 import type { Distribution, FromPainter, Patch, ToPainter } from '../protocol.ts'
+import { CanvasDrawing, SvgDrawing } from './drawing.ts'
 import { PaintedScene } from './painted-scene.ts'
 
 /** How long the thread paints before it listens again, in milliseconds. */
@@ -104,6 +105,21 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'touch':
       post({ kind: 'touched', request: message.request, touching: scene.touch(message.x, message.y, message.slack) })
       return
+    case 'draw': {
+      const { request, frame, pixelRatio, style } = message
+      if (message.as === 'svg') {
+        const drawing = new SvgDrawing()
+        scene.draw(drawing, frame, pixelRatio, style)
+        post({ kind: 'drawn', request, svg: String(drawing) })
+        return
+      }
+      const canvas = new OffscreenCanvas(frame.width, frame.height)
+      const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
+      scene.draw(new CanvasDrawing(context), frame, pixelRatio, style)
+      const image = canvas.transferToImageBitmap()
+      post({ kind: 'drawn', request, image }, [image])
+      return
+    }
     case 'measure':
       measuring.push({ scene, request: message.request, steps: scene.measure() })
       schedule()
@@ -167,8 +183,9 @@ function paintSlice(): void {
       },
       patches.map(({ image }) => image),
     )
-    if (scene.isWaiting) schedule()
   }
+  // One scene may have used the time of all.
+  if ([...scenes.values()].some(({ scene }) => scene.isWaiting)) schedule()
   measure(end)
 }
 

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Limits } from '../../lib/cell-limits.ts'
+import type { PathSink } from '../../lib/index.ts'
 import type { Layers } from '../layers.ts'
 import type { Style } from '../style.ts'
+import type { Drawing } from './drawing.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
+import { FrameSink } from './frame-sink.ts'
 import type { Picture } from './picture.ts'
 
 const CELL_WIDTH_PER_LINE_WIDTH = 16
 const THINNEST_LINE = 0.35
 const THICKEST_LINE = 1.25
 
-/** A frame of a picture that is being painted, on a context whose pixels are those of the frame. */
+/** A frame of a picture that is being painted, on a drawing whose pixels are those of the frame. */
 export class Painting {
-  readonly context: OffscreenCanvasRenderingContext2D
+  readonly drawing: Drawing
   readonly frame: Frame
   /** Device pixels per CSS pixel. */
   readonly pixelRatio: number
@@ -29,14 +32,8 @@ export class Painting {
   /** Of edges, in device pixels. */
   readonly lineWidth: number
 
-  constructor(
-    context: OffscreenCanvasRenderingContext2D,
-    frame: Frame,
-    pixelRatio: number,
-    picture: Picture,
-    style: Style,
-  ) {
-    this.context = context
+  constructor(drawing: Drawing, frame: Frame, pixelRatio: number, picture: Picture, style: Style) {
+    this.drawing = drawing
     this.frame = frame
     this.pixelRatio = pixelRatio
     this.picture = picture
@@ -50,19 +47,19 @@ export class Painting {
     this.lineWidth = pixelRatio * thickness
   }
 
-  fill(path: Path2D, color: string, opacity = 1): void {
-    this.context.globalAlpha = opacity
-    this.context.fillStyle = color
-    this.context.fill(path)
+  /** What is drawn in the plane goes there. */
+  sink(): FrameSink {
+    return new FrameSink(this.frame, this.drawing.path())
+  }
+
+  fill(path: PathSink, color: string, opacity = 1): void {
+    this.drawing.fill(path, color, opacity)
   }
 
   /** `thickness` in device pixels, `dash` in CSS pixels. */
-  stroke(path: Path2D, color: string, thickness: number, dash: readonly number[] = [], opacity = 1): void {
-    this.context.globalAlpha = opacity
-    this.context.strokeStyle = color
-    this.context.lineWidth = thickness
-    this.context.setLineDash(dash.map((length) => length * this.pixelRatio))
-    this.context.stroke(path)
+  stroke(path: PathSink, color: string, thickness: number, dash: readonly number[] = [], opacity = 1): void {
+    const dashes = dash.map((length) => length * this.pixelRatio)
+    this.drawing.stroke(path, color, thickness, dashes, opacity)
   }
 }
 

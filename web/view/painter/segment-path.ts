@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { PathSink } from '../../lib/index.ts'
 import type { Frame } from './frame.ts'
 
 /** So far outside the frame, in pixels, ends of strokes are not seen. */
 const MARGIN = 16
 
 /** Adds what can be seen of a segment in a frame to a path. In pixels, which may be far outside. */
-export function addSegment(path: Path2D, frame: Frame, x0: number, y0: number, x1: number, y1: number): void {
+export function addSegment(path: PathSink, frame: Frame, x0: number, y0: number, x1: number, y1: number): void {
   const [dx, dy] = [x1 - x0, y1 - y0]
   let from = 0
   let to = 1

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { drawCell } from '../../../lib/draw.ts'
-import { FrameSink } from '../frame-sink.ts'
+import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 
 /** Browsers fill long paths in more than linear time. */
@@ -24,11 +25,11 @@ export const cells: Layer = {
 }
 
 function fillCells(painting: Painting, colors: readonly string[], opacity: number): void {
-  const { picture, frame, limits, tolerance } = painting
-  const paths = colors.map(() => ({ sink: new FrameSink(frame), count: 0 }))
+  const { picture, limits, tolerance } = painting
+  const paths = colors.map(() => ({ sink: painting.sink(), count: 0 }))
   const flush = (k: number) => {
     painting.fill((paths[k] as { sink: FrameSink }).sink.path, colors[k] as string, opacity)
-    paths[k] = { sink: new FrameSink(frame), count: 0 }
+    paths[k] = { sink: painting.sink(), count: 0 }
   }
   for (const i of painting.circles) {
     const k = picture.colorOf(i)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { at } from '../../../lib/diagram-data.ts'
+import type { PathSink } from '../../../lib/index.ts'
 import { DISC_OPACITY, DOT_RADIUS } from '../../style.ts'
 import { addDisc } from '../disc-path.ts'
-import { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 
 /** Dots fade in where cells are so wide, in pixels. */
@@ -38,21 +39,22 @@ export const rims: Layer = {
   },
 }
 
-function pathsOf({ picture, frame, circles, pixelRatio, style }: Painting): {
-  readonly discs: readonly Path2D[]
-  readonly dots: Path2D
-  readonly hidden: Path2D
+function pathsOf(painting: Painting): {
+  readonly discs: readonly PathSink[]
+  readonly dots: PathSink
+  readonly hidden: PathSink
 } {
+  const { picture, frame, circles, pixelRatio, style } = painting
   const { diagram } = picture
-  const discs = style.tints.map(() => new Path2D())
-  const dots = new Path2D()
-  const hidden = new Path2D()
-  const sink = new FrameSink(frame)
+  const discs = style.tints.map(() => painting.drawing.path())
+  const dots = painting.drawing.path()
+  const hidden = painting.drawing.path()
+  const sink = painting.sink()
   const smallest = DOT_RADIUS * pixelRatio
   for (const i of circles) {
     const r = at(diagram.circles, 3 * i + 2)
     const radius = r * frame.scale
-    const path = !diagram.cells.exists(i) ? hidden : radius < smallest ? dots : (discs[picture.tintOf(r)] as Path2D)
+    const path = !diagram.cells.exists(i) ? hidden : radius < smallest ? dots : (discs[picture.tintOf(r)] as PathSink)
     // A hidden circle too small to be seen is not there.
     if (path === hidden && radius < smallest) continue
     const x = sink.x(at(diagram.circles, 3 * i))

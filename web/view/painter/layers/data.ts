@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../../lib/diagram-data.ts'
 import { addDisc } from '../disc-path.ts'
-import { FrameSink } from '../frame-sink.ts'
 import type { Layer } from '../painting.ts'
 import { addSegment } from '../segment-path.ts'
 
@@ -14,10 +13,10 @@ export const data: Layer = {
   isOn: (layers) => layers.data.length > 0,
   draw(painting) {
     const { picture, frame, pixelRatio, limits } = painting
-    const sink = new FrameSink(frame)
+    const sink = painting.sink()
     for (const { layer, points, segments, discs } of picture.data) {
-      const lines = new Path2D()
-      const dots = new Path2D()
+      const lines = painting.drawing.path()
+      const dots = painting.drawing.path()
       const { box } = limits.region
       const x = (list: Float64Array | undefined, k: number) => sink.x(at(list as Float64Array, k))
       const y = (list: Float64Array | undefined, k: number) => sink.y(at(list as Float64Array, k))

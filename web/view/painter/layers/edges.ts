@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { drawEdge } from '../../../lib/draw.ts'
-import type { Diagram } from '../../../lib/index.ts'
-import { FrameSink } from '../frame-sink.ts'
+import type { Diagram, PathSink } from '../../../lib/index.ts'
 import type { Layer, Painting } from '../painting.ts'
 
 /** Browsers stroke long paths in more than linear time. */
@@ -43,18 +43,19 @@ export const power: Layer = {
   },
 }
 
-function strokeGhost(painting: Painting, path: Path2D, color: string): void {
+function strokeGhost(painting: Painting, path: PathSink, color: string): void {
   painting.stroke(path, color, Math.min(painting.lineWidth, GHOST_LINE * painting.pixelRatio), [5, 4])
 }
 
 function strokeEdges(
-  { frame, limits, tolerance, picture }: Painting,
+  painting: Painting,
   diagram: Diagram,
   circles: readonly number[],
-  stroke: (path: Path2D) => void,
+  stroke: (path: PathSink) => void,
 ): void {
+  const { limits, tolerance, picture } = painting
   const ownLimits = diagram === picture.diagram ? limits : { ...limits, maxDistance: undefined }
-  let sink = new FrameSink(frame)
+  let sink = painting.sink()
   let count = 0
   for (const i of circles) {
     for (const side of diagram.cells.sides(i)) {
@@ -64,7 +65,7 @@ function strokeEdges(
       count += 1
       if (count % EDGES_PER_PATH !== 0) continue
       stroke(sink.path)
-      sink = new FrameSink(frame)
+      sink = painting.sink()
     }
   }
   stroke(sink.path)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { at } from '../../../lib/diagram-data.ts'
-import type { Diagram } from '../../../lib/index.ts'
-import { FrameSink } from '../frame-sink.ts'
+import type { Diagram, PathSink } from '../../../lib/index.ts'
+import type { FrameSink } from '../frame-sink.ts'
 import type { Layer, Painting } from '../painting.ts'
 import type { Picture } from '../picture.ts'
 import { addSegment } from '../segment-path.ts'
@@ -26,10 +27,10 @@ export const delaunay: Layer = {
 }
 
 function strokeDual(painting: Painting, picture: Picture, color: string): void {
-  const { frame, limits, lineWidth } = painting
+  const { limits, lineWidth } = painting
   const { diagram } = picture
-  const sink = new FrameSink(frame)
-  let path = new Path2D()
+  const sink = painting.sink()
+  let path = painting.drawing.path()
   let count = 0
   const stroke = () => painting.stroke(path, color, lineWidth)
   const seen = new Set(picture.starsIn(limits.region.box))
@@ -41,14 +42,14 @@ function strokeDual(painting: Painting, picture: Picture, color: string): void {
       count += 1
       if (count % SEGMENTS_PER_PATH !== 0) continue
       stroke()
-      path = new Path2D()
+      path = painting.drawing.path()
     }
   }
   stroke()
 }
 
 function addDualEdge(
-  path: Path2D,
+  path: PathSink,
   { frame }: Painting,
   sink: FrameSink,
   { circles }: Diagram,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../../lib/diagram-data.ts'
 import { addDisc } from '../disc-path.ts'
-import { FrameSink } from '../frame-sink.ts'
 import type { Layer } from '../painting.ts'
 import { addSegment } from '../segment-path.ts'
 
@@ -15,9 +14,9 @@ export const hiders: Layer = {
   draw(painting) {
     const { picture, frame, pixelRatio, style } = painting
     const { circles } = picture.diagram
-    const lines = new Path2D()
-    const dots = new Path2D()
-    const sink = new FrameSink(frame)
+    const lines = painting.drawing.path()
+    const dots = painting.drawing.path()
+    const sink = painting.sink()
     const x = (i: number) => sink.x(at(circles, 3 * i))
     const y = (i: number) => sink.y(at(circles, 3 * i + 1))
     // All of it lies in the disc of the one that hides.

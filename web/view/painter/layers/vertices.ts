@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { at, NONE } from '../../../lib/diagram-data.ts'
-import type { Diagram } from '../../../lib/index.ts'
+import type { Diagram, PathSink } from '../../../lib/index.ts'
 import { hypotenuse } from '../../../lib/scale.ts'
 import { addDisc } from '../disc-path.ts'
-import { FrameSink } from '../frame-sink.ts'
 import { type Layer, shareOf } from '../painting.ts'
 
 /** Vertices fade in where cells are so wide, in pixels. */
@@ -23,10 +23,10 @@ export const vertices: Layer = {
     const opacity = shareOf(width, CELL_WITH_VERTICES)
     // Merged ones are looked for: they stand out at any size.
     if (opacity === 0 && nearZero === undefined) return
-    const plain = new Path2D()
-    const merged = new Path2D()
-    const sink = new FrameSink(frame)
-    const add = (path: Path2D, v: number, radius: number) =>
+    const plain = painting.drawing.path()
+    const merged = painting.drawing.path()
+    const sink = painting.sink()
+    const add = (path: PathSink, v: number, radius: number) =>
       addDisc(
         path,
         frame,

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { fileURLToPath } from 'node:url'
+import { test as base, expect, type Page } from '@playwright/test'
+import { build, type PreviewServer, preview } from 'vite'
+import type { TwoViews } from './two-views/two-views.ts'
+
+const ROOT = fileURLToPath(new URL('two-views', import.meta.url))
+const OUT = fileURLToPath(new URL('../../build/two-views', import.meta.url))
+
+declare const views: TwoViews
+
+let server: PreviewServer
+
+base.beforeAll(async () => {
+  const options = { root: ROOT, configFile: false, logLevel: 'error' } as const
+  await build({ ...options, worker: { format: 'es' }, build: { outDir: OUT, emptyOutDir: true, target: 'es2022' } })
+  server = await preview({ ...options, build: { outDir: OUT }, preview: { port: 0 } })
+})
+base.afterAll(() => server.close())
+
+const test = base.extend<{ opened: Page }>({
+  opened: async ({ page }, use) => {
+    const errors: string[] = []
+    page.on('pageerror', (error) => errors.push(error.message))
+    page.on('console', (message) => message.type() === 'error' && errors.push(message.text()))
+    await page.goto(server.resolvedUrls?.local[0] as string)
+    await expect(page.locator('#one[aria-busy="false"]')).toBeVisible()
+    await expect(page.locator('#other[aria-busy="false"]')).toBeVisible()
+    await use(page)
+    expect(errors).toEqual([])
+  },
+})
+
+const circleOf = (page: Page, name: 'one' | 'other', id: number) =>
+  page.evaluate(([name, id]) => views[name].circle(id), [name, id] as const)
+
+test('two views on one page know nothing of each other', async ({ opened: page }) => {
+  const other = page.locator('#other')
+  const before = await other.screenshot()
+  const place = await page.evaluate(() => {
+    const { camera, size } = views.one
+    const { left, top } = (document.getElementById('one') as HTMLElement).getBoundingClientRect()
+    return {
+      x: left + 3 + size.width / 2 - camera.x * camera.scale,
+      y: top + 3 + size.height / 2 + camera.y * camera.scale,
+    }
+  })
+  await page.mouse.move(place.x, place.y)
+  await page.mouse.down()
+  await page.mouse.move(place.x + 40, place.y - 20, { steps: 4 })
+  await page.mouse.up()
+  await expect.poll(async () => (await circleOf(page, 'one', 0))?.x).toBeGreaterThan(0.5)
+  expect(await circleOf(page, 'other', 0)).toEqual({ x: 0, y: 0, r: 2 })
+  await page.mouse.move(place.x + 100, place.y + 4000)
+  expect(await other.screenshot()).toEqual(before)
+
+  // Layers, the camera and what is selected are its own, too; what is refused is told where it was asked.
+  await page.evaluate(() => {
+    views.one.setLayers({ hull: true, cells: 'different' })
+    views.one.setCamera({ x: 5, y: 5, scale: 10 })
+    views.one.select(1)
+  })
+  await expect(page.locator('#one[aria-busy="false"]')).toBeVisible()
+  expect(await other.screenshot()).toEqual(before)
+  const refused = await page.evaluate(async () => {
+    const told: string[] = []
+    views.one.on('refused', ({ name }) => told.push(name))
+    views.other.on('refused', () => told.push('wrong view'))
+    await views.one.apply([{ kind: 'remove', id: 99 }]).catch(() => {})
+    return told
+  })
+  expect(refused).toEqual(['CircleVoronoiError'])
+
+  // What is left of a page after one has gone.
+  await page.evaluate(() => views.one.dispose())
+  await expect(page.locator('#one canvas')).toHaveCount(0)
+  await page.evaluate(() => views.other.apply([{ kind: 'remove', id: 1 }]))
+  await expect.poll(() => circleOf(page, 'other', 1)).toBeUndefined()
+  const again = await page.evaluate(async () => {
+    views.other.dispose()
+    const view = views.mount(document.getElementById('one') as HTMLElement, { gestures: 'none' })
+    const { counts } = await view.setCircles(Float64Array.of(0, 0, 1, 5, 0, 1))
+    return counts
+  })
+  expect(again).toEqual({ circles: 2, hidden: 0, vertices: 0, edges: 1 })
+})
+
+test('a view is written as an SVG and as a PNG that look alike', async ({ opened: page }) => {
+  await page.evaluate(() => views.one.setLayers({ hull: true, dual: true }))
+  const alike = await page.evaluate(async () => {
+    const draw = async (blob: Blob) => {
+      const image = new Image()
+      image.src = URL.createObjectURL(blob)
+      await image.decode()
+      const canvas = new OffscreenCanvas(400, 300)
+      const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+      context.drawImage(image, 0, 0, 400, 300)
+      return { pixels: context.getImageData(0, 0, 400, 300).data, width: image.naturalWidth }
+    }
+    // The hull is found a moment later.
+    await new Promise((resolve) => setTimeout(resolve, 500))
+    const svg = await draw(new Blob([await views.one.toSVG()], { type: 'image/svg+xml' }))
+    const png = await draw(await views.one.toPNG(1))
+    const large = await views.one.toPNG(3)
+    let different = 0
+    for (let k = 0; k < svg.pixels.length; k++) {
+      if (Math.abs((svg.pixels[k] as number) - (png.pixels[k] as number)) > 60) different += 1
+    }
+    const colors = new Set(Array.from({ length: 3000 }, (_, k) => png.pixels.slice(160 * k, 160 * k + 3).join()))
+    return {
+      share: different / svg.pixels.length,
+      colors: colors.size,
+      width: (await draw(large)).width,
+      type: large.type,
+    }
+  })
+  expect(alike.share).toBeLessThan(0.01)
+  expect(alike.colors).toBeGreaterThan(8)
+  expect(alike.width).toBe(1200)
+  expect(alike.type).toBe('image/png')
+})
