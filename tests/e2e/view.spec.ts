@@ -129,7 +129,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await app.page.getByRole('checkbox', { name }).check()
     }
     await app.page.getByRole('button', { name: 'Numbers', exact: true }).click()
-    await expect(app.page.getByText('Proven by')).toBeAttached()
+    await expect(app.page.getByText('Proven by')).toBeAttached({ timeout: 15_000 })
     const { violations } = await new AxeBuilder({ page: app.page }).analyze()
     expect(violations).toEqual([])
   })
