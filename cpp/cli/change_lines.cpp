@@ -2,10 +2,11 @@
 #include "change_lines.h"
 
 #include <array>
-#include <charconv>
 #include <ostream>
 #include <string_view>
 #include <vector>
+
+#include "json_number.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -25,11 +26,9 @@ class LineWriter {
  private:
   template <class Number>
   void number(Number value) {
-    std::array<char, 32> digits;
-    const auto [end, code] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
     if (!isFirst_) out_ << ", ";
     isFirst_ = false;
-    out_.write(digits.data(), end - digits.data());
+    writeNumber(out_, value);
   }
   template <class... Numbers>
   void numbers(Numbers... values) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "output.h"
 #include "progress_line.h"
 #include "tile_part.h"
+#include "trace_lines.h"
 #include "weights_option.h"
 
 namespace circle_voronoi::cli {
@@ -29,6 +31,7 @@ struct ComputeArguments {
   std::string candidates{nameOf(Options{}.candidates)};
   int samples = Options{}.samples;
   bool resample = Options{}.resample;
+  std::string trace;
   TilePart tile;
   std::string progress = "auto";
 };
@@ -43,7 +46,7 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   const Method method = kMethodChoices.at(arguments.method);
   const Candidates candidates = kCandidatesChoices.at(arguments.candidates);
   const auto needed = [](auto field, auto value) { return flagOf(field) + " " + std::string(nameOf(value)); };
-  for (const std::string& option : {flagOf(&Options::candidates), samples, resample}) {
+  for (const std::string& option : {flagOf(&Options::candidates), samples, resample, std::string("--trace")}) {
     refuse(option, method == Method::touchingDisc, needed(&Options::method, Method::touchingDisc));
   }
   refuse(samples, candidates != Candidates::allPairs,
@@ -52,10 +55,19 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
 }
 
+void checkTrace(const ComputeArguments& arguments) {
+  if (arguments.trace.empty()) return;
+  if (arguments.trace == kStandardStream && arguments.output.file == kStandardStream) {
+    throw Failure{kBadInput, "The trace and the diagram cannot both be standard output."};
+  }
+  for (const std::string& file : {arguments.input, arguments.output.file}) refuseOneFile(file, arguments.trace);
+}
+
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   refuseUnused(command, arguments);
   settle(arguments.output, arguments.input);
   check(arguments.tile, arguments.output);
+  checkTrace(arguments);
   ProgressLine progress(arguments.progress);
   progress.show("read");
   if (arguments.tile.isAsked()) {
@@ -72,9 +84,18 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   options.samples = arguments.samples;
   options.resample = arguments.resample;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
-  const auto diagram = compute(circles.value(), options);
-  if (!diagram) fail(diagram.error(), name + ": ");
-  writeDiagram(arguments.output, name, diagram.value(), progress);
+  const auto computed = [&] {
+    auto diagram = compute(circles.value(), options);
+    if (!diagram) fail(diagram.error(), name + ": ");
+    return std::move(diagram).value();
+  };
+  if (arguments.trace.empty()) return writeDiagram(arguments.output, name, computed(), progress);
+  Diagram diagram;
+  writeText(arguments.trace, [&](std::ostream& out) {
+    options.observer = [&](const TraceEvent& event) { writeTraceEvent(out, event); };
+    diagram = computed();
+  });
+  writeDiagram(arguments.output, name, diagram, progress);
 }
 
 }  // namespace
@@ -108,6 +129,10 @@ void addComputeCommand(CLI::App& program) {
       ->check(CLI::Range(0, kMaxSamples).description("0 to " + std::to_string(kMaxSamples)));
   command->add_flag(flagOf(&Options::resample), arguments->resample,
                     "dynamic: take more samples where the certificate failed and try again");
+  command
+      ->add_option("--trace", arguments->trace,
+                   "touching-disc: write what happens to this file, a line of JSON an event")
+      ->type_name("FILE");
   addTileOptions(*command, arguments->tile);
   addProgressOption(*command, arguments->progress);
   command->footer(

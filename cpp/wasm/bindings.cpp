@@ -84,6 +84,50 @@ val computeValue(const val& coordinates, const val& options) {
   });
 }
 
+/// Events as they come, field by field.
+struct TraceArrays {
+  std::vector<std::uint8_t> kinds;
+  std::vector<Vertex> discs;
+  std::vector<std::array<CircleIndex, 3>> circles;
+  std::vector<VertexIndex> vertices;
+  std::vector<std::array<std::int32_t, 2>> numbers;
+
+  void add(const TraceEvent& event) {
+    kinds.push_back(static_cast<std::uint8_t>(event.kind));
+    discs.push_back(event.disc);
+    circles.push_back(event.circles);
+    vertices.push_back(event.vertex);
+    numbers.push_back(event.numbers);
+  }
+
+  val value() const {
+    val result = val::object();
+    result.set("kinds", typedArray<std::uint8_t>("Uint8Array", kinds));
+    result.set("discs", float64Array(discs));
+    result.set("circles", int32Array(circles));
+    result.set("vertices", int32Array(vertices));
+    result.set("numbers", int32Array(numbers));
+    return result;
+  }
+};
+
+val traceValue(const val& coordinates, const val& options) {
+  return valueOf([&] {
+    Result<Options> chosen = optionsFrom(options);
+    if (!chosen.ok()) return errorValue(chosen.error());
+    TraceArrays events;
+    Options traced = std::move(chosen).value();
+    traced.method = Method::touchingDisc;
+    traced.observer = [&](const TraceEvent& event) { events.add(event); };
+    const Result<Diagram> diagram = compute(itemsFrom<double, Circle>(coordinates), traced);
+    if (!diagram.ok()) return errorValue(diagram.error());
+    val result = val::object();
+    result.set("diagram", diagramValue(diagram.value()));
+    result.set("events", events.value());
+    return result;
+  });
+}
+
 // In what follows `value` is a diagram as `compute` in web/lib returns it.
 
 val certifyValue(const val& value) {
@@ -116,10 +160,20 @@ val errorCodeNames() {
   return names;
 }
 
+val traceKindNames() {
+  val names = val::array();
+  for (int kind = 0; !traceKindName(static_cast<TraceKind>(kind)).empty(); ++kind) {
+    names.call<void>("push", std::string(traceKindName(static_cast<TraceKind>(kind))));
+  }
+  return names;
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(circle_voronoi) {
   emscripten::function("compute", &computeValue);
+  emscripten::function("trace", &traceValue);
+  emscripten::function("traceKindNames", &traceKindNames);
   emscripten::function("certify", &certifyValue);
   emscripten::function("finalCells", &finalCellsValue);
   emscripten::function("errorCodeNames", &errorCodeNames);

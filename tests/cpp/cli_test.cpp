@@ -151,7 +151,7 @@ TEST_F(Cli, EndingsIgnoreCaseAndUnknownOnesAreErrors) {
 TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
   const std::string compute = "compute " + kFixture;
   for (const std::string method : {"", " --method flip", " --method auto"}) {
-    for (const std::string option : {"--candidates dynamic", "--samples 1", "--resample"}) {
+    for (const std::string option : {"--candidates dynamic", "--samples 1", "--resample", "--trace out.jsonl"}) {
       expectFailure(run(compute + method + " " + option), 2,
                     option.substr(0, option.find(' ')) + " needs --method touching-disc.");
     }
@@ -170,6 +170,30 @@ TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
   for (const std::string digits : {"-1", "2.5", "two", "1e1", "''"}) {
     expectFailure(run(compute + " --digits " + digits), 2, "--digits");
   }
+}
+
+TEST_F(Cli, TracesTheTouchingDiscMethod) {
+  const std::string compute = "compute --method touching-disc ";
+  const std::string circles = "0,0,1\n6,0,1\n0,8,1\n";
+  const std::string plain = run(compute + "- --format csv", circles).out;
+  EXPECT_EQ(run(compute + "- --format csv --trace " + path("trace.jsonl"), circles).out, plain);
+  const std::string trace = readFile(path("trace.jsonl"));
+  EXPECT_TRUE(trace.starts_with("{\"kind\": \"roundBegun\", \"numbers\": [0]}\n"));
+  EXPECT_NE(trace.find("{\"kind\": \"pairFound\", \"circles\": [0, 1]}\n"), std::string::npos);
+  EXPECT_NE(
+      trace.find(
+          "{\"kind\": \"antipodalDiscAccepted\", \"disc\": {\"x\": 3, \"y\": 0, \"r\": 2}, \"circles\": [0, 1]}\n"),
+      std::string::npos);
+  std::istringstream lines(trace);
+  for (std::string line; std::getline(lines, line);) EXPECT_TRUE(nlohmann::json::parse(line).contains("kind")) << line;
+  EXPECT_EQ(run(compute + "- -o " + path("diagram.csv") + " --trace -", circles).out, trace);
+
+  expectFailure(run(compute + "- --trace -", circles), 2, "The trace and the diagram cannot both be standard output.");
+  const std::string file = write("circles.csv", circles);
+  expectFailure(run(compute + file + " --trace " + file), 2, "would be overwritten");
+  EXPECT_EQ(readFile(file), circles);
+  expectFailure(run(compute + "- --trace " + path("trace.jsonl"), "0,0,-1\n"), 2, "");
+  EXPECT_EQ(readFile(path("trace.jsonl")), trace) << "a trace that cannot be made leaves the last one";
 }
 
 TEST_F(Cli, AnEmptyFileIsSaidToBeEmpty) {

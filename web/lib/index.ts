@@ -69,4 +69,13 @@ export type { Point, Vector } from './point.ts'
 export type { Polygon } from './polygon.ts'
 export { type ClosestPair, closestPair, neighborPairs } from './queries.ts'
 export { SvgPath } from './svg-path.ts'
+export {
+  TRACE_KINDS,
+  Trace,
+  type TraceArrays,
+  type TraceEvent,
+  type TraceKind,
+  type TraceOptions,
+  type TraceState,
+} from './trace.ts'
 export type { CompiledWasm, WasmSource } from './wasm.ts'

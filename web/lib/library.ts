@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseArgument } from './check.ts'
+import { refuseArgument, refuseOption, shown } from './check.ts'
 import type { Box } from './convex-polygon.ts'
 import {
   type Accessor,
@@ -18,6 +18,7 @@ import createModule from './generated/circle-voronoi.js'
 import { judgedArrays, type Verifiable } from './judged-arrays.ts'
 import { editorsOf } from './module-editor.ts'
 import { checkOptions, type Options, type Progress } from './options.ts'
+import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
 /**
@@ -84,6 +85,12 @@ export interface CircleVoronoi {
     options?: Options,
   ): Diagram
   /**
+   * The diagram of `circles` by the touching disc method, and all that this did.
+   *
+   * @throws CircleVoronoiError as `compute`; `badOption`, if another method is asked for
+   */
+  trace(circles: Circles, options?: TraceOptions): Trace
+  /**
    * An editor of the diagram of `circles`, or of a diagram's: circle i gets id i. Additive weights cannot be edited.
    *
    * @throws CircleVoronoiError as `compute`; `badArgument`, if it is a diagram with weights or of another metric
@@ -114,18 +121,16 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
 
   const certify = (diagram: Verifiable) => unwrap(module.certify(judgedArrays(diagram)))
 
-  const dataOf = (coordinates: Float64s, options: Options): DiagramData => {
+  const told = <Value>(options: Options, run: (options: WasmOptions) => Value): Value => {
     const { weights, method, candidates, samples, resample } = options
     const reporter = new Reporter(options.progress)
-    const result = module.compute(coordinates, {
-      weights,
-      method,
-      candidates,
-      samples,
-      resample,
-      progress: reporter.progress,
-    })
+    const result = run({ weights, method, candidates, samples, resample, progress: reporter.progress })
     reporter.rethrow()
+    return result
+  }
+
+  const dataOf = (coordinates: Float64s, options: Options): DiagramData => {
+    const result = told(options, (chosen) => module.compute(coordinates, chosen))
     return { metric: 'circles', circles: coordinates, ...unwrap(result) }
   }
 
@@ -149,6 +154,16 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
         refuseArgument('from takes three functions, for x, y and r of a datum.')
       }
       return diagramOf(coordinatesFrom(data, fx, fy, fr), options)
+    },
+    trace(circles, options = {}) {
+      checkOptions(options, 'trace')
+      const { method }: Options = options
+      if (method !== undefined && method !== 'touching-disc') {
+        refuseOption(`trace is of the method touching-disc, not ${shown(method)}.`)
+      }
+      const coordinates = coordinatesOf(circles)
+      const { diagram, events } = unwrap(told(options, (chosen) => module.trace(coordinates, chosen)))
+      return new Trace(new Diagram({ metric: 'circles', circles: coordinates, ...diagram }), events)
     },
     edit: (circles) => edit(editedCircles(circles)),
     certify,

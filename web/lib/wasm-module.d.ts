@@ -19,6 +19,12 @@ type JudgedArrays = Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'ce
 
 interface WasmModule {
   compute(circles: Float64Array, options: WasmOptions): WasmError | WasmDiagram
+  /** Of the touching disc method, whatever the options say. */
+  trace(
+    circles: Float64Array,
+    options: WasmOptions,
+  ): WasmError | { readonly diagram: WasmDiagram; readonly events: import('./trace.ts').TraceArrays }
+  traceKindNames(): string[]
   certify(diagram: JudgedArrays): WasmError | import('./diagram-data.ts').Certificate
   /** `box`: minX, minY, maxX, maxY. */
   finalCells(diagram: JudgedArrays, box: Float64Array, maxRadius: number): WasmError | import('./library.ts').FinalCells
@@ -56,7 +62,7 @@ interface WasmComparisonModule {
   powerDiagram(circles: Float64Array): WasmError | WasmDiagram
 }
 
-/** What is written, as far as it is said. `box`: minX, minY, maxX, maxY. */
+/** What is written, as far as it is said. `bounds`: minX, minY, maxX, maxY. */
 interface WasmWriteOptions {
   readonly bounds: Float64Array | undefined
   readonly maxDistance: number | undefined

@@ -4,14 +4,21 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <string_view>
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/diagram.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// What happens in the event loop of the touching disc method (paper, Algorithms 2 and 3), in order.
+/// What happens in the touching disc method, in order: candidates (paper, sections 4.1 and 5), then the event loop
+/// (Algorithms 2 and 3). By `resample` all begins anew, `roundBegun` each time.
 enum class TraceKind {
+  roundBegun,     ///< `numbers[0]` is its number, from 0; samples, directed edges and vertices are counted anew
+  centersJoined,  ///< an edge of the Delaunay graph of the visible circles' centres
+  sampleTaken,    ///< the point `disc`, of radius 0, on circles[0] less the smallest of all radii
+  samplesJoined,  ///< an edge of the Delaunay graph of the samples, of which coinciding ones count as their first
+  pairFound,      ///< circles[0] and circles[1] get an antipodal disc
   antipodalDiscAccepted,  ///< the disc is empty; its two directed edges follow
   antipodalDiscUsed,      ///< rejected: a footpoint lies on an arc already used for the diagram
   antipodalDiscNotEmpty,  ///< rejected: it meets `circles[2]`
@@ -23,13 +30,20 @@ enum class TraceKind {
   segmentFinished,  ///< the Voronoi segment of the directed edge circles[0] to circles[1]; `disc` is its disc of R_max
 };
 
+/// A kind's name outside C++; empty past the last one.
+std::string_view traceKindName(TraceKind kind);
+
 /// One event. Discs are given in the units of the input; circles are input indices, kNone where there is none.
 /// A three-touch disc names its circles in the paper's order, clockwise: directed edges 0 to 1, 1 to 2 (and 2 to 0).
 struct TraceEvent {
-  TraceKind kind = TraceKind::antipodalDiscAccepted;
+  TraceKind kind = TraceKind::roundBegun;
   Vertex disc;
   std::array<CircleIndex, 3> circles = {};
   VertexIndex vertex = {};
+  /// Counted from 0, kNone where there is none: of `samplesJoined` the two samples; of `directedEdgePlaced`,
+  /// `directedEdgeDeleted` and `segmentFinished` the directed edge, as they are placed; of a three-touch disc the two
+  /// that form it.
+  std::array<std::int32_t, 2> numbers = {kNone, kNone};
 };
 
 /// Called once per event. What it throws passes through `compute`.

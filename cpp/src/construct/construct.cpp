@@ -52,6 +52,26 @@ Construction judged(Topology topology, std::span<const Circle> circles, Journal&
   return {std::move(topology), {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}}};
 }
 
+void tellOfCenters(const Dual& centers, const Observer& observer) {
+  for (int h = 0; h < centers.halfEdgeCount(); ++h) {
+    const int i = centers.origin[h];
+    const int j = centers.target(h);
+    // Each edge once; kInfinity is below the indices of circles.
+    if (i != kInfinity && i < j) observer({TraceKind::centersJoined, {}, {i, j, kNone}, kNone});
+  }
+}
+
+void tellOfSamples(const Samples& samples, const Observer& observer) {
+  for (std::size_t k = 0; k < samples.points.size(); ++k) {
+    const auto& [x, y] = samples.points[k];
+    observer({TraceKind::sampleTaken, {x, y, 0}, {samples.circles[k], kNone, kNone}, kNone});
+  }
+}
+
+void tellOfPairs(std::span<const Pair> pairs, const Observer& observer) {
+  for (const auto& [a, b] : pairs) observer({TraceKind::pairFound, {}, {a, b, kNone}, kNone});
+}
+
 Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pairs, const Observer& observer,
                     Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::touch);
@@ -189,21 +209,26 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
   std::vector<int> angular(n, options.samples);
   journal.stats.way = "touching-disc";
   for (int round = 0;; ++round) {
+    if (observer) observer({TraceKind::roundBegun, {}, {kNone, kNone, kNone}, kNone, {round, kNone}});
     Samples samples;
     if (options.candidates != Candidates::allPairs) {
       const Stopwatch watch = journal.enter(Stage::sample);
       const auto tell = [&](double done) { journal.tell(Stage::sample, done); };
-      samples = options.candidates == Candidates::dynamic
-                    ? sampleDynamically(sites.circles, sites.centres, angular, tell)
-                    : sampleUniformly(sites.circles, options.samples, tell);
+      const bool isDynamic = options.candidates == Candidates::dynamic;
+      if (observer && isDynamic) tellOfCenters(sites.centres, observer);
+      samples = isDynamic ? sampleDynamically(sites.circles, sites.centres, angular, tell)
+                          : sampleUniformly(sites.circles, options.samples, tell);
       journal.stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
+      if (observer) tellOfSamples(samples, observer);
     }
     std::vector<Pair> pairs;
     {
       const Stopwatch watch = journal.enter(Stage::pair);
       pairs = options.candidates == Candidates::allPairs
                   ? pairAll(n)
-                  : pairNeighbors(samples, n, [&](double done) { journal.tell(Stage::pair, done); });
+                  : pairNeighbors(
+                        samples, n, [&](double done) { journal.tell(Stage::pair, done); }, observer);
+      if (observer) tellOfPairs(pairs, observer);
     }
     Construction result = judged(touchPairs(sites.circles, pairs, observer, journal), sites.circles, journal);
     const bool mayResample = options.resample && options.candidates == Candidates::dynamic && round < kMostResamplings;

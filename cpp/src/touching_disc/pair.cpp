@@ -36,13 +36,19 @@ std::vector<Pair> sortedUnique(const std::vector<Pair>& pairs, int circleCount, 
 
 }  // namespace
 
-std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress) {
+std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress,
+                                const Observer& observer) {
   // Parts of the time, about.
   constexpr double kTriangulated = 0.91;
   constexpr double kShared = 0.915;
   constexpr double kCounted = 0.92;
   constexpr double kListed = 0.97;
   const DelaunayEdges graph = delaunayEdges(samples.points, partOf(progress, 0, kTriangulated));
+  if (observer) {
+    for (const auto& [s, t] : graph.edges) {
+      observer({TraceKind::samplesJoined, {}, {samples.circles[s], samples.circles[t], kNone}, kNone, {s, t}});
+    }
+  }
 
   // Samples of several circles may coincide; each joins its circle to that of its representative and, by the
   // representative's edges, to the neighbours. Listing the circles at every representative makes no pair go missing.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "circle_voronoi/trace.h"
 #include "sample.h"
 
 namespace circle_voronoi {
@@ -18,8 +19,9 @@ inline constexpr std::int64_t kMaxPairs = std::numeric_limits<std::int32_t>::max
 
 /// The pairs of circles that have neighbouring or coinciding samples in the Delaunay graph of the samples (paper,
 /// section 4.1), each once, in lexicographic order. Refuses (guarded.h) more than kMaxPairs, tooManyCircles.
-/// `progress` is told now and then which part is done.
-std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress = {});
+/// `progress` is told now and then which part is done, `observer` each edge of that graph and each pair.
+std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress = {},
+                                const Observer& observer = {});
 
 /// Every pair, in lexicographic order.
 std::vector<Pair> pairAll(int circleCount);

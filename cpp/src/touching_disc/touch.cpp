@@ -151,16 +151,16 @@ class Touch {
     const Vector back = {-v.x, -v.y};
     const Vertex disc = discOf(antipodal);
     if (isUsed(a, slotA, b, v) || isUsed(b, slotB, a, back)) {
-      tell({TraceKind::antipodalDiscUsed, disc, {a, b, kNone}});
+      tell({TraceKind::antipodalDiscUsed, disc, {a, b, kNone}, kNone});
       return;
     }
     int meeting = meetingCircle(a, slotA, disc);
     if (meeting == kNone) meeting = meetingCircle(b, slotB, disc);
     if (meeting != kNone) {
-      tell({TraceKind::antipodalDiscNotEmpty, disc, {a, b, meeting}});
+      tell({TraceKind::antipodalDiscNotEmpty, disc, {a, b, meeting}, kNone});
       return;
     }
-    tell({TraceKind::antipodalDiscAccepted, disc, {a, b, kNone}});
+    tell({TraceKind::antipodalDiscAccepted, disc, {a, b, kNone}, kNone});
     touched_[a] = true;
     touched_[b] = true;
     // Going along the segment of DE(a,b), b is on the left.
@@ -169,7 +169,11 @@ class Touch {
     const int forth = rings_.place({a, b, slotA, slotB, edge, true, v, back});
     const int reverse = rings_.place({b, a, slotB, slotA, edge, false, back, v});
     for (const int placed : {forth, reverse}) {
-      tell({TraceKind::directedEdgePlaced, disc, {rings_.edge(placed).a, rings_.edge(placed).b, kNone}});
+      tell({TraceKind::directedEdgePlaced,
+            disc,
+            {rings_.edge(placed).a, rings_.edge(placed).b, kNone},
+            kNone,
+            {placed, kNone}});
     }
     for (const int placed : {forth, reverse}) formThreeTouchDiscs(placed);
   }
@@ -203,7 +207,7 @@ class Touch {
     if (!isForward(ab, toA, toB) || !isForward(bc, toB, toC)) return;
     ++result_.threeTouchDiscs;
     queue_.push({disc->disc.r, first, second});
-    tell({TraceKind::threeTouchDiscFormed, disc->disc, {ab.a, ab.b, bc.b}});
+    tell({TraceKind::threeTouchDiscFormed, disc->disc, {ab.a, ab.b, bc.b}, kNone, {first, second}});
   }
 
   void processThreeTouchDisc(const Candidate& candidate) {
@@ -214,12 +218,12 @@ class Touch {
     if (isStale && !observer_) return;
     const auto disc = threeTouchDisc(circles_[ab.a], circles_[bc.b], circles_[ab.b]);
     if (isStale) {
-      tell({TraceKind::threeTouchDiscStale, disc->disc, {ab.a, ab.b, bc.b}});
+      tell({TraceKind::threeTouchDiscStale, disc->disc, {ab.a, ab.b, bc.b}, kNone, {first, second}});
       return;
     }
     const int vertex = static_cast<int>(result_.topology.vertexCircles.size());
     result_.topology.vertexCircles.push_back({ab.a, bc.b, ab.b});
-    tell({TraceKind::branchDisc, disc->disc, {ab.a, ab.b, bc.b}, vertex});
+    tell({TraceKind::branchDisc, disc->disc, {ab.a, ab.b, bc.b}, vertex, {first, second}});
 
     const auto& [toA, toC, toB] = disc->toCentre;
     int third = rings_.adjacentAfter(bc);
@@ -238,7 +242,7 @@ class Touch {
     const int edge = static_cast<int>(result_.topology.edges.size());
     result_.topology.edges.push_back({bc.b, ab.a, vertex, kNone});
     const int placed = rings_.place({ab.a, bc.b, ab.slotA, bc.slotB, edge, true, toA, toC});
-    tell({TraceKind::directedEdgePlaced, disc->disc, {ab.a, bc.b, kNone}});
+    tell({TraceKind::directedEdgePlaced, disc->disc, {ab.a, bc.b, kNone}, kNone, {placed, kNone}});
     formThreeTouchDiscs(placed);
   }
 
@@ -247,9 +251,9 @@ class Touch {
     const DirectedEdge& edge = rings_.edge(index);
     Edge& voronoi = result_.topology.edges[edge.edge];
     (edge.isEnd ? voronoi.end : voronoi.start) = vertex;
-    tell({TraceKind::segmentFinished, disc, {edge.a, edge.b, kNone}, vertex});
+    tell({TraceKind::segmentFinished, disc, {edge.a, edge.b, kNone}, vertex, {index, kNone}});
     rings_.remove(index);
-    tell({TraceKind::directedEdgeDeleted, disc, {edge.a, edge.b, kNone}});
+    tell({TraceKind::directedEdgeDeleted, disc, {edge.a, edge.b, kNone}, kNone, {index, kNone}});
   }
 
   /// The leftover DEs run counter-clockwise along the hull, with the outside to their right.

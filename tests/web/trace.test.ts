@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { readFileSync } from 'node:fs'
+import fc from 'fast-check'
+import { describe, expect, it } from 'vitest'
+import createModule from '../../web/lib/generated/circle-voronoi.js'
+import { type Diagram, NONE, TRACE_KINDS, type Trace, type TraceState } from '../../web/lib/index.ts'
+import { compileCircleVoronoi } from '../../web/lib/loader.ts'
+import { instantiate } from '../../web/lib/wasm.ts'
+import { library, seededRandom } from './library.ts'
+
+function circlesOf(count: number, seed: number, largest = 1): Float64Array {
+  const random = seededRandom(seed)
+  const side = Math.sqrt(count) * 2
+  return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? largest * random() : side * random()))
+}
+
+/** The edges of a diagram as texts: left and right, and the circles of the vertices at both ends. */
+function edgesOf({ edges, vertexCircles }: Diagram): string[] {
+  const corner = (v: number) => (v === NONE ? '-' : tripleOf(vertexCircles.subarray(3 * v, 3 * v + 3)))
+  return Array.from({ length: edges.length / 4 }, (_, e) => {
+    const [left, right, start, end] = edges.subarray(4 * e, 4 * e + 4) as unknown as [number, number, number, number]
+    return turned(left, right, corner(start), corner(end))
+  }).sort()
+}
+
+/** With the lower circle on the left. */
+function turned(left: number, right: number, start: string, end: string): string {
+  return left < right ? `${left} ${right} ${start} ${end}` : `${right} ${left} ${end} ${start}`
+}
+
+function tripleOf(circles: ArrayLike<number>): string {
+  return Array.from(circles)
+    .sort((a, b) => a - b)
+    .join(',')
+}
+
+/** The same from the events alone: an edge for each accepted antipodal disc, and one from each vertex that leaves one open. */
+function replayedEdges(trace: Trace): string[] {
+  const edges: { left: number; right: number; ends: [string, string] }[] = []
+  const ofDirectedEdge = new Map<number, { edge: number; end: 0 | 1 }>()
+  let vertex = '-'
+  let placedAtOnce = 0
+  for (let k = 0; k < trace.length; k++) {
+    const { kind, circles, numbers } = trace.event(k)
+    const [a, b] = circles as [number, number]
+    const [number] = numbers as [number]
+    if (kind === 'antipodalDiscAccepted') {
+      placedAtOnce = 2
+      vertex = '-'
+      edges.push({ left: b, right: a, ends: ['-', '-'] })
+    } else if (kind === 'branchDisc') {
+      vertex = tripleOf(circles)
+    } else if (kind === 'directedEdgePlaced' && placedAtOnce > 0) {
+      ofDirectedEdge.set(number, { edge: edges.length - 1, end: placedAtOnce === 2 ? 1 : 0 })
+      placedAtOnce -= 1
+    } else if (kind === 'directedEdgePlaced') {
+      edges.push({ left: b, right: a, ends: [vertex, '-'] })
+      ofDirectedEdge.set(number, { edge: edges.length - 1, end: 1 })
+    } else if (kind === 'segmentFinished') {
+      const { edge, end } = ofDirectedEdge.get(number) as { edge: number; end: 0 | 1 }
+      ;(edges[edge] as (typeof edges)[number]).ends[end] = vertex
+    }
+  }
+  return edges.map(({ left, right, ends }) => turned(left, right, ...ends)).sort()
+}
+
+/** By looking at each event from the first one. */
+function stateByReplay(trace: Trace, end: number): Partial<TraceState> {
+  let alive: number[] = []
+  let queue: number[] = []
+  const numbers = (k: number) => String(trace.event(k).numbers)
+  for (let k = 0; k < end; k++) {
+    const { kind } = trace.event(k)
+    if (kind === 'directedEdgePlaced') alive.push(k)
+    if (kind === 'directedEdgeDeleted') alive = alive.filter((other) => numbers(other) !== numbers(k))
+    if (kind === 'threeTouchDiscFormed') queue.push(k)
+    if (kind === 'branchDisc' || kind === 'threeTouchDiscStale') {
+      queue = queue.filter((other) => numbers(other) !== numbers(k))
+    }
+  }
+  const r = (k: number) => trace.event(k).disc?.r as number
+  return {
+    directedEdges: Int32Array.from(alive),
+    queue: Int32Array.from(queue.sort((s, t) => r(s) - r(t))),
+  }
+}
+
+describe('a trace', () => {
+  it('has the kinds of the core', async () => {
+    const { traceKindNames } = await instantiate(createModule, await compileCircleVoronoi({}))
+    expect(traceKindNames()).toEqual(TRACE_KINDS)
+  })
+
+  it.each(['dynamic', 'uniform', 'all-pairs'] as const)('gives the diagram, event by event: %s', (candidates) => {
+    fc.assert(
+      fc.property(fc.integer({ min: 0, max: 60 }), fc.nat(), fc.constantFrom(0.5, 1, 3), (count, seed, largest) => {
+        const circles = circlesOf(count, seed, largest)
+        const trace = library.trace(circles, { candidates })
+        expect(replayedEdges(trace)).toEqual(edgesOf(trace.diagram))
+        const { vertices, hidden, edges } = library.compute(circles, { method: 'touching-disc', candidates })
+        expect([trace.diagram.vertices, trace.diagram.hidden, trace.diagram.edges]).toEqual([vertices, hidden, edges])
+      }),
+      { numRuns: 60 },
+    )
+  })
+
+  it('knows what is there after each event, in whichever order it is asked', () => {
+    const circles = circlesOf(150, 7)
+    const trace = library.trace(circles)
+    const random = seededRandom(3)
+    const places = [0, trace.length, ...Array.from({ length: 40 }, () => Math.floor(random() * (trace.length + 1)))]
+    for (const k of places) {
+      const state = trace.at(k)
+      const { directedEdges, queue } = stateByReplay(trace, k)
+      expect(state.directedEdges).toEqual(directedEdges)
+      expect(state.queue).toEqual(queue)
+    }
+    const { counts } = trace.diagram.stats
+    const { samples, pairs, branchDiscs, queue, round } = trace.at(trace.length)
+    expect([samples.length, pairs.length, branchDiscs.length]).toEqual([
+      counts.samples,
+      counts.antipodalDiscs,
+      trace.diagram.vertices.length / 3,
+    ])
+    expect([queue.length, round]).toEqual([0, 0])
+    expect(trace.at(0)).toMatchObject({ samples: new Int32Array(0), directedEdges: new Int32Array(0) })
+  })
+
+  it('takes samples on circles less the smallest radius, and joins them', () => {
+    const trace = library.trace([
+      [0, 0, 3],
+      [10, 0, 1],
+      [4, 9, 2],
+    ])
+    const { samples, sampleEdges } = trace.at(trace.length)
+    const radii = [2, 0, 1]
+    for (const k of samples) {
+      const { disc, circles } = trace.event(k)
+      const [x, y] = [0, 1].map((axis) => trace.diagram.circles[3 * (circles[0] as number) + axis] as number)
+      expect(Math.hypot((disc?.x ?? 0) - (x as number), (disc?.y ?? 0) - (y as number))).toBeCloseTo(
+        radii[circles[0] as number] as number,
+        12,
+      )
+    }
+    for (const k of sampleEdges) {
+      const { numbers, circles } = trace.event(k)
+      expect(numbers.map((sample) => trace.event(samples[sample] as number).circles[0])).toEqual(circles)
+    }
+  })
+
+  it('begins anew where it samples again', () => {
+    const text = readFileSync(new URL('../fixtures/missed-antipodal-disc-mixed-4.csv', import.meta.url), 'utf8')
+    const circles = text
+      .trim()
+      .split('\n')
+      .filter((line) => /^[-\d]/.test(line))
+      .map((line) => line.split(',').map(Number))
+    const trace = library.trace(circles as [number, number, number][], { samples: 0, resample: true })
+    const rounds = trace.kinds.reduce((count, kind) => count + (TRACE_KINDS[kind] === 'roundBegun' ? 1 : 0), 0)
+    expect(rounds).toBe(trace.diagram.stats.counts.resamplings + 1)
+    expect(rounds).toBeGreaterThan(1)
+    const { round, samples } = trace.at(trace.length)
+    expect(trace.event(round).numbers).toEqual([rounds - 1])
+    expect(samples).toHaveLength(trace.diagram.stats.counts.samples)
+  })
+
+  it('refuses what makes no sense', () => {
+    const trace = library.trace([[0, 0, 1]])
+    expect(trace.diagram.hull).toEqual(Int32Array.of(0))
+    for (const k of [-1, trace.length + 1, 0.5, Number.NaN]) {
+      expect(() => trace.at(k)).toThrow(/^at takes/)
+      expect(() => trace.event(k)).toThrow(/^event: there is no event/)
+    }
+    expect(() => library.trace([], { method: 'flip' as 'touching-disc' })).toThrow(
+      'trace is of the method touching-disc, not "flip".',
+    )
+    expect(() => library.trace([[0, 0, -1]])).toThrow('Circle 0 has a negative radius')
+    const stop = new Error('enough')
+    const progress = () => {
+      throw stop
+    }
+    expect(() => library.trace([[0, 0, 1]], { progress })).toThrow(stop)
+  })
+})
