@@ -4,7 +4,7 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import createModule from '../../web/lib/generated/circle-voronoi.js'
 import { type Diagram, NONE, TRACE_KINDS, type Trace, type TraceState } from '../../web/lib/index.ts'
-import { compileCircleVoronoi } from '../../web/lib/loader.ts'
+import { compileCircleVoronoi } from '../../web/lib/load-options.ts'
 import { instantiate } from '../../web/lib/wasm.ts'
 import { library, seededRandom } from './library.ts'
 
@@ -79,9 +79,10 @@ function stateByReplay(trace: Trace, end: number): Partial<TraceState> {
     }
   }
   const r = (k: number) => trace.event(k).disc?.r as number
+  const edge = (k: number, which: number) => trace.event(k).numbers[which] as number
   return {
     directedEdges: Int32Array.from(alive),
-    queue: Int32Array.from(queue.sort((s, t) => r(s) - r(t))),
+    queue: Int32Array.from(queue.sort((s, t) => r(s) - r(t) || edge(s, 0) - edge(t, 0) || edge(s, 1) - edge(t, 1))),
   }
 }
 

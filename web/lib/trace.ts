@@ -142,7 +142,7 @@ const EDGES = 2 ** 26
  * @category Tracing
  * @example
  * const trace = library.trace([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
- * trace.event(trace.length - 1).kind // 'directedEdgeDeleted'
+ * trace.event(trace.length - 1).kind // 'antipodalDiscUsed'
  * trace.at(trace.length).directedEdges.length // 3
  * trace.at(trace.length).branchDiscs.length // 1
  */
