@@ -134,3 +134,19 @@ for (const colorScheme of ['light', 'dark'] as const) {
     expect(violations).toEqual([])
   })
 }
+
+test('says where the pointer is and how long a length is, also after a zoom', async ({ app }) => {
+  await app.choose('Introduction')
+  const { x, y } = app.center(INTRODUCTION, 4)
+  await app.page.mouse.move(x, y)
+  const place = app.page.locator('#scale .pointer')
+  const numbers = async () => ((await place.textContent()) ?? '').split(', ').map(Number)
+  await expect.poll(async () => (await numbers())[0]).toBeCloseTo(INTRODUCTION[12] as number, 1)
+  await expect.poll(async () => (await numbers())[1]).toBeCloseTo(INTRODUCTION[13] as number, 1)
+  const bar = app.page.locator('#scale .length')
+  const before = Number(await bar.textContent())
+  await app.page.mouse.wheel(0, -1500)
+  await expect.poll(async () => Number(await bar.textContent())).toBeLessThan(before)
+  await app.page.mouse.move(5, 5)
+  await expect.poll(async () => (await numbers())[0]).not.toBeCloseTo(INTRODUCTION[12] as number, 1)
+})

@@ -2,6 +2,7 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { parseCircles } from '../../web/app/csv.ts'
+import { roundLength } from '../../web/app/panels/scale.ts'
 import type { Box, Edit } from '../../web/lib/index.ts'
 import { boundingBox, fitted, panned, toPlane, toScreen, zoomed } from '../../web/view/camera.ts'
 import { BoxIndex } from '../../web/view/painter/box-index.ts'
@@ -121,6 +122,20 @@ describe('what is hit', () => {
 
   it('is nothing where there is nothing', () => {
     expect(new PaintedScene(library).hit(0, 0, 1)).toBeUndefined()
+  })
+})
+
+describe('the length of the scale bar', () => {
+  it('is the largest round one that fits', () => {
+    fc.assert(
+      fc.property(fc.double({ min: 1e-12, max: 1e12, noNaN: true }), (most) => {
+        const length = roundLength(most)
+        expect(length).toBeLessThanOrEqual(most)
+        expect(length).toBeGreaterThan(most / 2.5001)
+        expect(String(length)).toMatch(/^(0\.0*)?[125]0*(e[+-]\d+)?$/)
+      }),
+    )
+    expect([roundLength(1), roundLength(0.99), roundLength(3), roundLength(49)]).toEqual([1, 0.5, 2, 20])
   })
 })
 

@@ -14,6 +14,7 @@ import { mountFiles } from './panels/files.ts'
 import { mountInspector } from './panels/inspector.ts'
 import { mountLayers } from './panels/layers.ts'
 import { mountNumbers } from './panels/numbers.ts'
+import { mountScale } from './panels/scale.ts'
 import { mountStatus } from './panels/status.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountViewControls } from './panels/view-controls.ts'
@@ -74,6 +75,7 @@ listenToFiles(fileActions)
 const editNumbers = mountInspector(store, actions)
 mountLayers(store, actions, view)
 mountNumbers(store, view)
+mountScale(view)
 const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, editNumbers)
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `npm run bench:page [-- --sizes N,...] [--million]`: the page in Chromium with circles spread evenly: how long a frame takes
+// while a circle is dragged, the picture is panned, the wheel zooms and the pointer hovers, and how long from an edit to its
+// picture; with --million, opening, panning and zooming 1,000,000. Two tables, and build/bench/page.json.
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { buildApp, buildWasm } from './build.mjs'
+import { main, ROOT } from './run.mjs'
+import { chromiumPath, setup } from './setup.mjs'
+
+const SIZES = [300, 2_000, 10_000, 100_000]
+const MILLION = 1_000_000
+const FRAMES = 120
+const VIEWPORT = { width: 1280, height: 800 }
+
+async function bench(browser, url, circles, gestures) {
+  const page = await browser.newPage({ viewport: VIEWPORT })
+  page.setDefaultTimeout(120_000)
+  try {
+    await page.goto(url)
+    await page.locator('#figure[aria-busy="false"]').waitFor()
+    const times = { open: await opened(page, circles) }
+    await page.locator('#figure[aria-busy="false"]').waitFor()
+    const frames = {}
+    for (const gesture of gestures) {
+      const { intervals, latency } = await GESTURES[gesture](page)
+      intervals.sort((a, b) => a - b)
+      const at = (share) => Math.round(10 * intervals[Math.floor(share * (intervals.length - 1))]) / 10
+      frames[gesture] = at(0.5)
+      frames[`${gesture}, 95 %`] = at(0.95)
+      if (latency !== undefined) times['edit to picture'] = Math.round(latency)
+      const start = performance.now()
+      await page.locator('#figure[aria-busy="false"]').waitFor()
+      times[`sharp after ${gesture}`] = Math.round(performance.now() - start)
+    }
+    return { circles, frames, times }
+  } finally {
+    await page.close()
+  }
+}
+
+/** Opens a file with so many circles, as a user would, and returns the milliseconds until they are seen. */
+async function opened(page, circles) {
+  const start = performance.now()
+  await page.evaluate((count) => {
+    let state = 1
+    const random = () => {
+      state = (state * 1664525 + 1013904223) % 2 ** 32
+      return state / 2 ** 32
+    }
+    const width = 4 * Math.sqrt(count)
+    const lines = Array.from({ length: count }, () => `${width * random()},${width * random()},${2 * random() ** 2}`)
+    const clipboard = new DataTransfer()
+    clipboard.items.add(new File([`x,y,r\n${lines.join('\n')}\n`], 'circles.csv', { type: 'text/csv' }))
+    const event = new DragEvent('drop', { dataTransfer: clipboard, bubbles: true, cancelable: true })
+    document.querySelector('#figure').dispatchEvent(event)
+  }, circles)
+  const text = `${circles.toLocaleString('en')} circles`
+  await page.waitForFunction((said) => document.querySelector('#status').textContent.includes(said), text)
+  return Math.round(performance.now() - start)
+}
+
+const MIDDLE = { x: VIEWPORT.width / 2, y: VIEWPORT.height / 2 }
+
+/** Each moves the pointer once a frame, for some frames, and returns the time from each frame to the next. */
+const GESTURES = {
+  drag: async (page) => {
+    const point = await pointOn(page, 'disc')
+    await page.mouse.move(point.x, point.y)
+    await page.mouse.down()
+    const intervals = await moving(page, point, (k) => [60 * Math.sin(k / 12), 40 * Math.sin(k / 9)], 'pointermove')
+    const latency = await latencyOf(page, point)
+    await page.mouse.up()
+    await page.keyboard.press('Escape')
+    await page.keyboard.press('0')
+    return { intervals, latency }
+  },
+  pan: async (page) => {
+    const point = await pointOn(page, 'cell')
+    await page.mouse.move(point.x, point.y)
+    await page.mouse.down()
+    const intervals = await moving(page, point, (k) => [200 * Math.sin(k / 20), 120 * Math.sin(k / 15)], 'pointermove')
+    await page.mouse.up()
+    return { intervals }
+  },
+  zoom: async (page) => {
+    const intervals = await moving(page, MIDDLE, (k) => [0, 60 * Math.sin(k / 10)], 'wheel')
+    await page.keyboard.press('0')
+    return { intervals }
+  },
+  hover: async (page) => ({
+    intervals: await moving(page, MIDDLE, (k) => [300 * Math.sin(k / 17), 200 * Math.sin(k / 13)], 'pointermove'),
+  }),
+}
+
+/** A point where this is to be grasped: zooms in until there is one. */
+async function pointOn(page, part) {
+  const { x, y } = MIDDLE
+  for (let step = 0; step < 40; step++) {
+    for (let k = 0; k < 60; k++) {
+      const point = { x: x + 5 * k * Math.cos(k), y: y + 5 * k * Math.sin(k) }
+      await page.mouse.move(point.x, point.y)
+      await page.waitForTimeout(30)
+      if ((await page.locator('#figure').getAttribute('data-cursor')) === part) return point
+    }
+    await page.mouse.move(x, y)
+    await page.mouse.wheel(0, -300)
+    await page.waitForTimeout(300)
+  }
+  throw new Error(`There is no ${part} to be grasped.`)
+}
+
+/** Events as the browser makes them of a pointer that moves, one in each frame. */
+function moving(page, start, stepOf, type) {
+  const steps = Array.from({ length: FRAMES }, (_, k) => stepOf(k))
+  return page.evaluate(
+    ([{ x, y }, steps, type]) =>
+      new Promise((resolve) => {
+        const figure = document.querySelector('#figure')
+        const intervals = []
+        let last
+        let k = 0
+        const frame = (now) => {
+          if (last !== undefined) intervals.push(now - last)
+          last = now
+          const step = steps[k++]
+          if (step === undefined) {
+            resolve(intervals)
+            return
+          }
+          const [dx, dy] = step
+          const options = { bubbles: true, cancelable: true, pointerId: 1, pointerType: 'mouse', isPrimary: true }
+          const event =
+            type === 'wheel'
+              ? new WheelEvent(type, { ...options, clientX: x, clientY: y, deltaY: dy })
+              : new PointerEvent(type, { ...options, clientX: x + dx, clientY: y + dy })
+          figure.dispatchEvent(event)
+          requestAnimationFrame(frame)
+        }
+        requestAnimationFrame(frame)
+      }),
+    [start, steps, type],
+  )
+}
+
+/** From a move in a drag to the frame that shows it: its picture and the numbers of the circle come in the same one. */
+function latencyOf(page, { x, y }) {
+  return page.evaluate(
+    async ([x, y]) => {
+      const figure = document.querySelector('#figure')
+      const field = document.querySelector('#field-x')
+      const nextFrame = () => new Promise(requestAnimationFrame)
+      const times = []
+      for (let k = 0; k < 21; k++) {
+        await new Promise((resolve) => setTimeout(resolve, 100))
+        const before = field.value
+        const start = performance.now()
+        const options = { bubbles: true, pointerId: 1, pointerType: 'mouse', isPrimary: true }
+        figure.dispatchEvent(new PointerEvent('pointermove', { ...options, clientX: x + 9 + 3 * k, clientY: y }))
+        while (field.value === before && performance.now() - start < 5000) await nextFrame()
+        times.push(performance.now() - start)
+      }
+      return times.sort((a, b) => a - b)[10]
+    },
+    [x, y],
+  )
+}
+
+await main(async () => {
+  await setup('tests')
+  await buildWasm('page')
+  await buildApp()
+  const { preview } = await import('vite')
+  const { chromium } = await import('@playwright/test')
+  const server = await preview({ root: `${ROOT}web`, configFile: `${ROOT}vite.config.ts`, preview: { port: 0 } })
+  const browser = await chromium.launch({
+    executablePath: chromiumPath(),
+    args: ['--headless', '--no-sandbox', '--disable-gpu'],
+  })
+  try {
+    const given = process.argv.indexOf('--sizes')
+    const sizes = given < 0 ? SIZES : process.argv[given + 1].split(',').map(Number)
+    const url = server.resolvedUrls.local[0]
+    const rows = []
+    for (const size of sizes) rows.push(await bench(browser, url, size, ['drag', 'pan', 'zoom', 'hover']))
+    if (process.argv.includes('--million')) rows.push(await bench(browser, url, MILLION, ['pan', 'zoom']))
+    console.log('Milliseconds from frame to frame, the median and what 95 % stay below')
+    console.table(Object.fromEntries(rows.map(({ circles, frames }) => [circles, frames])))
+    console.log('Milliseconds until the picture is there')
+    console.table(Object.fromEntries(rows.map(({ circles, times }) => [circles, times])))
+    mkdirSync(`${ROOT}build/bench`, { recursive: true })
+    writeFileSync(`${ROOT}build/bench/page.json`, `${JSON.stringify(rows, undefined, 1)}\n`)
+  } finally {
+    await browser.close()
+    await server.close()
+  }
+})
