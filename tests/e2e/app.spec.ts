@@ -233,9 +233,9 @@ test('works with the keyboard alone', async ({ app }) => {
   await expect.poll(() => number('x')).toBeGreaterThan(2.1)
   const step = (await number('x')) - 2.1
   await app.page.keyboard.press('Shift+ArrowUp')
-  await expect.poll(() => number('y')).toBeCloseTo(3.2 + 8 * step, 4)
+  await expect.poll(() => number('y')).toBeCloseTo(3.2 + 10 * step, 4)
   await app.page.keyboard.press('Alt+ArrowLeft')
-  await expect.poll(() => number('x')).toBeCloseTo(2.1 + step * (1 - 1 / 8), 4)
+  await expect.poll(() => number('x')).toBeCloseTo(2.1 + step * (1 - 1 / 10), 4)
   await app.page.keyboard.press('+')
   await expect.poll(() => number('r')).toBeCloseTo(1 + step, 4)
   await app.page.keyboard.press('-')

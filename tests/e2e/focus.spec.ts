@@ -11,7 +11,7 @@ test('a button that has nothing left to do gives the focus to the picture', asyn
   const at = app.center(BRONZE, 650)
   await app.page.mouse.click(at.x, at.y)
   await expect(app.inspector).toContainText('Circle 650')
-  await app.page.getByRole('button', { name: 'Delete the selected circle' }).click()
+  await app.page.getByRole('button', { name: 'Delete what is selected' }).click()
   await expect(app.status).toContainText('677 circles')
   await expect(app.canvas).toBeFocused()
   await app.page.getByRole('button', { name: 'Undo' }).click()

@@ -37,7 +37,7 @@ export class App {
   }
 
   get inspector() {
-    return this.page.getByRole('region', { name: 'Selected circle' })
+    return this.page.getByRole('region', { name: 'Selected circle', exact: true })
   }
 
   field(name: 'x' | 'y' | 'r') {

@@ -2,16 +2,18 @@
 import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import { decodeLink, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
+import type { Hands, Held } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
-import type { Hands } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
+import { middleOf, nextInDirection, roundStep, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
 import { DATA_SETS, type DataSet, dataSetOf, loadDataSet, nameOf } from './data-sets.ts'
 import type { Editing } from './editing.ts'
 import type { Read } from './files/files-protocol.ts'
 import type { Scene } from './history.ts'
+import { shortest } from './panels/shortest.ts'
 import { cameraOf, circlesOfLink, viewOfLink } from './scene-link.ts'
-import type { State } from './state.ts'
+import type { State, Tool } from './state.ts'
 import type { Store } from './store.ts'
 
 /** How far one may zoom in from the picture without outliers, and out from the whole one. */
@@ -19,6 +21,10 @@ const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
 /** The radius of a circle that is added with room around, in pixels. */
 const USUAL_RADIUS = 24
+/** Copies lie so far aside, in pixels. */
+const ASIDE = 16
+/** The distance of the lines of the grid, in pixels. */
+const GRID = 16
 
 /** What a link may say beside its circles. */
 interface Opened {
@@ -34,6 +40,8 @@ export class Actions implements Hands {
   readonly #view: View
   readonly #padding: () => Padding
   #lastLoad = 0
+  #isPanning = false
+  #pending: Promise<unknown> | undefined
 
   constructor(store: Store<State>, editing: Editing, view: View, padding: () => Padding) {
     this.#store = store
@@ -42,8 +50,12 @@ export class Actions implements Hands {
     this.#padding = padding
   }
 
-  get isAdding(): boolean {
-    return this.#store.get().isAdding
+  get tool(): Tool {
+    return this.#isPanning ? 'pan' : this.#store.get().tool
+  }
+
+  get snaps(): boolean {
+    return this.#store.get().isSnapping
   }
 
   circle(id: number): Circle | undefined {
@@ -115,8 +127,8 @@ export class Actions implements Hands {
       }
       if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
       if (edits !== undefined && edits.length > 0) await this.#editing.edit(edits)
-      this.#store.update((state) => ({ ...state, isAdding: false }))
-      this.select(undefined)
+      this.useTool('select')
+      this.select([])
       return true
     } catch (error) {
       this.#store.update((state) => ({ ...state, problem: (error as Error).message }))
@@ -124,18 +136,36 @@ export class Actions implements Hands {
     }
   }
 
-  set(id: number, circle: Circle, gesture = this.beginGesture()): void {
-    // A drag may go on where the circle was removed by a key.
-    if (this.#editing.latest(id) !== undefined) this.#editing.edit([{ kind: 'replace', id, circle }], gesture)
+  /** Those that are selected, as they will be. */
+  held(): Held[] {
+    return this.#store.get().selection.flatMap((id) => {
+      const circle = this.#editing.latest(id)
+      return circle === undefined ? [] : [{ id, circle }]
+    })
   }
 
-  /** Adds a circle and selects it. */
-  async add(circle: Circle, gesture = this.beginGesture()): Promise<number | undefined> {
-    const edited = await this.#editing.edit([{ kind: 'insert', circle }], gesture)
-    const id = edited?.inserted[0]
-    this.#store.update((state) => ({ ...state, isAdding: false }))
-    if (id !== undefined) this.select(id)
-    return id
+  set(changes: readonly Held[], gesture = this.beginGesture()): void {
+    // A drag may go on where a circle was removed by a key.
+    const there = changes.filter(({ id }) => this.#editing.latest(id) !== undefined)
+    if (there.length > 0)
+      this.#editing.edit(
+        there.map(({ id, circle }) => ({ kind: 'replace', id, circle })),
+        gesture,
+      )
+  }
+
+  /** Adds circles and selects them; returns their ids, or none if they were refused. */
+  async add(circles: readonly Circle[], gesture = this.beginGesture()): Promise<readonly number[]> {
+    const edited = await this.#editing.edit(
+      circles.map((circle) => ({ kind: 'insert', circle })),
+      gesture,
+    )
+    this.useTool('select')
+    if (edited === undefined) return []
+    const ids = [...edited.inserted]
+    this.select(ids)
+    this.#say(ids.length === 1 ? `Circle ${ids[0]} added` : `${ids.length} circles added`)
+    return ids
   }
 
   async addFitting({ x, y }: Point): Promise<void> {
@@ -143,75 +173,175 @@ export class Actions implements Hands {
     const nearest = await this.#view.hit(x, y, 0)
     const other = nearest === undefined ? undefined : this.circle(nearest.id)
     const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
-    await this.add({ x, y, r: room > 0 ? Math.min(usual, room / 2) : usual })
+    await this.add([{ x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }])
+  }
+
+  /** Adds the selected circles once more, a little aside. */
+  async duplicateSelected(): Promise<void> {
+    const aside = roundStep(ASIDE / this.#view.camera.scale)
+    const circles = this.held().map(({ circle: { x, y, r } }) => ({ x: stepped(x, aside), y: stepped(y, -aside), r }))
+    if (circles.length > 0) await this.add(circles)
+  }
+
+  /** Adds copies of circles: a little aside, or in the middle of the view if they are not in it. */
+  async paste(circles: readonly Circle[], times: number): Promise<void> {
+    const { x, y } = middleOf(circles)
+    const { camera } = this.#view
+    const aside = times * roundStep(ASIDE / camera.scale)
+    const [dx, dy] = this.#shows({ x, y }) ? [aside, -aside] : [camera.x + aside - x, camera.y - aside - y]
+    await this.add(circles.map((circle) => ({ x: stepped(circle.x, dx), y: stepped(circle.y, dy), r: circle.r })))
   }
 
   cancel(gesture: number): void {
     this.#editing.cancel(gesture)
   }
 
+  useTool(tool: Tool): void {
+    this.#store.update((state) => (state.tool === tool ? state : { ...state, tool }))
+  }
+
+  /** Adding, or no more. */
   toggleAdding(): void {
-    this.#store.update((state) => ({ ...state, isAdding: !state.isAdding }))
+    this.useTool(this.#store.get().tool === 'add' ? 'select' : 'add')
   }
 
-  removeSelected(): void {
-    const { selected } = this.#store.get()
-    if (selected === undefined) return
-    this.select(undefined)
-    this.#editing.edit([{ kind: 'remove', id: selected }])
+  /** What is pressed pans for as long as a key is held. */
+  holdPanning(isHeld: boolean): void {
+    this.#isPanning = isHeld
   }
 
+  toggleSnapping(): void {
+    const isSnapping = !this.snaps
+    this.#store.update((state) => ({ ...state, isSnapping }))
+    this.#say(isSnapping ? 'What is dragged snaps' : 'What is dragged does not snap')
+  }
+
+  async removeSelected(): Promise<void> {
+    const ids = this.held().map(({ id }) => id)
+    if (ids.length === 0) return
+    this.select([])
+    const edited = await this.#editing.edit(ids.map((id) => ({ kind: 'remove', id })))
+    if (edited !== undefined) this.#say(ids.length === 1 ? `Circle ${ids[0]} deleted` : `${ids.length} circles deleted`)
+  }
+
+  /** Moves by steps that leave the numbers short. */
   moveSelected(dx: number, dy: number, gesture: number): void {
-    this.#changeSelected(({ x, y, r }) => ({ x: x + dx, y: y + dy, r }), gesture)
+    this.#changeSelected(({ x, y, r }) => ({ x: stepped(x, dx), y: stepped(y, dy), r }), gesture)
   }
 
-  /** The radius does not go below zero. */
-  growSelected(dr: number, gesture: number): void {
-    this.#changeSelected(({ x, y, r }) => ({ x, y, r: Math.max(r + dr, 0) }), gesture)
+  /** Changes one radius by a step, but not below zero, or scales several circles. */
+  growSelected(dr: number, factor: number, gesture: number): void {
+    const held = this.held()
+    if (held.length === 1) this.#changeSelected(({ x, y, r }) => ({ x, y, r: Math.max(stepped(r, dr), 0) }), gesture)
+    else this.#scale(held, factor, gesture)
   }
 
-  select(id: number | undefined): void {
-    this.#store.update((state) =>
-      state.selected === id
-        ? state
-        : {
-            ...state,
-            selected: id,
-            circle: id === undefined ? undefined : this.circle(id),
-            described: undefined,
-            problem: '',
-          },
+  #scale(held: readonly Held[], factor: number, gesture: number): void {
+    const middle = middleOf(held.map(({ circle }) => circle))
+    this.set(
+      held.map(({ id, circle }) => ({ id, circle: scaled(circle, middle, factor) })),
+      gesture,
     )
+  }
+
+  #changeSelected(change: (circle: Circle) => Circle, gesture: number): void {
+    const changed = this.held().map(({ id, circle }) => ({ id, circle: change(circle) }))
+    this.set(changed, gesture)
+    const [only, ...others] = changed
+    if (only !== undefined) this.#say(others.length === 0 ? textOf(only) : `${changed.length} circles moved`)
+  }
+
+  select(ids: readonly number[]): void {
+    this.#store.update((state) => {
+      if (ids.length === state.selection.length && ids.every((id, k) => id === state.selection[k])) return state
+      const selected = ids.length === 1 ? ids[0] : undefined
+      const circle = selected === undefined ? undefined : this.circle(selected)
+      return { ...state, selection: ids, selected, circle, described: undefined, problem: '' }
+    })
+  }
+
+  isSelected(id: number): boolean {
+    return this.#store.get().selection.includes(id)
+  }
+
+  /** Selects a circle beside the others, or no longer. */
+  toggle(id: number): void {
+    const { selection } = this.#store.get()
+    this.select(selection.includes(id) ? selection.filter((other) => other !== id) : [...selection, id])
+  }
+
+  /** Selects the circles with their centres in a box, beside those that are. */
+  selectWithin(box: Box): void {
+    const { selection } = this.#store.get()
+    this.select([...new Set([...selection, ...this.#editing.circles.within(box)])])
+    this.#saySelected()
+  }
+
+  selectAll(): void {
+    this.select([...this.#editing.circles.ids()])
+    this.#saySelected()
   }
 
   /** Selects a circle and has the view show it. */
   goTo(id: number): void {
-    this.select(id)
+    this.select([id])
     this.#reveal(id)
   }
 
   /** Selects the circle nearest to the middle of the view. */
   async selectNearMiddle(): Promise<void> {
     const { x, y } = this.#view.camera
-    this.select((await this.#view.hit(x, y, 0))?.id)
+    const hit = await this.#view.hit(x, y, 0)
+    if (hit !== undefined) this.select([hit.id])
   }
 
   /** Selects the next circle by number, or the one before; reports whether there is one. */
   selectNext(step: 1 | -1): boolean {
-    const { selected } = this.#store.get()
-    const next = selected === undefined ? undefined : this.#editing.circles.next(selected + step, step)
+    const last = this.#store.get().selection.at(-1)
+    const next = last === undefined ? undefined : this.#editing.circles.next(last + step, step)
     if (next !== undefined) this.goTo(next)
     return next !== undefined
+  }
+
+  /** Selects the neighbour in a direction, of length 1. */
+  selectNeighbor(direction: readonly [number, number]): void {
+    const { circle } = this.#store.get()
+    const next = circle === undefined ? undefined : nextInDirection(circle, this.#neighbors(), direction)
+    if (next !== undefined) this.goTo(next.id)
+  }
+
+  /** A circle that is dragged, touching neighbours or on the grid if it is so near, in units; `sizes`: its radius changes. */
+  snapped(circle: Circle, within: number, sizes: boolean): Circle {
+    const snapping = { others: this.#neighbors(), grid: roundStep(GRID / this.#view.camera.scale), within }
+    return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
+  }
+
+  /** Those of the selected circle that are not selected, too. */
+  #neighbors(): (Circle & { id: number })[] {
+    const ids = this.#store.get().described?.neighbors ?? []
+    return [...ids].flatMap((id) => {
+      const circle = this.circle(id)
+      return circle === undefined ? [] : [{ ...circle, id }]
+    })
+  }
+
+  #say(said: string): void {
+    this.#store.update((state) => ({ ...state, said }))
+  }
+
+  #saySelected(): void {
+    const count = this.#store.get().selection.length
+    if (count !== 1) this.#say(`${count} circles selected`)
   }
 
   hover(id: number | undefined): void {
     this.#store.update((state) => (state.hovered === id ? state : { ...state, hovered: id }))
   }
 
-  /** Gives up what is going on: adding, or else the selection. */
+  /** Gives up what is going on: a tool, or else the selection. */
   release(): void {
-    if (this.isAdding) this.toggleAdding()
-    else this.select(undefined)
+    if (this.#store.get().tool !== 'select') this.useTool('select')
+    else this.select([])
   }
 
   /** Draws something else, or something more. */
@@ -227,11 +357,25 @@ export class Actions implements Hands {
     return this.#goThroughHistory(() => this.#editing.redo())
   }
 
-  async #goThroughHistory(go: () => Promise<Edited | undefined>): Promise<void> {
+  /** Ends once what was undone or done again is known; `undefined`: it is. */
+  get pending(): Promise<unknown> | undefined {
+    return this.#pending
+  }
+
+  #goThroughHistory(go: () => Promise<Edited | undefined>): Promise<void> {
+    const all = Promise.all([this.#pending, this.#gone(go)]).then(() => {
+      if (this.#pending === all) this.#pending = undefined
+    })
+    this.#pending = all
+    return all
+  }
+
+  async #gone(go: () => Promise<Edited | undefined>): Promise<void> {
     const { scene } = this.#editing
     const edited = await go()
-    const id = edited?.inserted[0]
-    if (id !== undefined) this.goTo(id)
+    const ids = [...(edited?.inserted ?? [])]
+    if (ids.length > 0) this.select(ids)
+    if (ids.length === 1) this.#reveal(ids[0] as number)
     if (this.#editing.scene !== scene) this.#view.setCamera(this.#fitted(this.#editing.circles.box()))
   }
 
@@ -282,19 +426,22 @@ export class Actions implements Hands {
   /** Has the view show the centre of a circle, where it does not. */
   #reveal(id: number): void {
     const circle = this.circle(id)
-    if (circle === undefined) return
-    const { camera, size } = this.#view
-    const { top, right, bottom, left } = this.#padding()
-    const { x, y } = toScreen(camera, size, circle)
-    const isShown = x >= left && x <= size.width - right && y >= top && y <= size.height - bottom
-    if (!isShown) this.#view.setCamera({ ...camera, x: circle.x, y: circle.y })
+    if (circle !== undefined && !this.#shows(circle)) {
+      this.#view.setCamera({ ...this.#view.camera, x: circle.x, y: circle.y })
+    }
   }
 
-  #changeSelected(change: (circle: Circle) => Circle, gesture: number): void {
-    const { selected } = this.#store.get()
-    const circle = selected === undefined ? undefined : this.#editing.latest(selected)
-    if (selected !== undefined && circle !== undefined) this.set(selected, change(circle), gesture)
+  /** Whether a point is in the view, where no panel stands. */
+  #shows(point: Point): boolean {
+    const { camera, size } = this.#view
+    const { top, right, bottom, left } = this.#padding()
+    const { x, y } = toScreen(camera, size, point)
+    return x >= left && x <= size.width - right && y >= top && y <= size.height - bottom
   }
+}
+
+function textOf({ id, circle: { x, y, r } }: Held): string {
+  return `Circle ${id}: x ${shortest(x)}, y ${shortest(y)}, r ${shortest(r)}`
 }
 
 function isSame(camera: Camera, other: Camera): boolean {

@@ -83,6 +83,16 @@ export class CircleTable {
     return ids
   }
 
+  /** The ids of the circles with their centres in a box. */
+  within({ minX, minY, maxX, maxY }: Box): number[] {
+    const ids: number[] = []
+    for (let id = 0; id < this.#size; id++) {
+      const [x, y] = [at(this.#numbers, 3 * id), at(this.#numbers, 3 * id + 1)]
+      if (this.#isThere[id] === 1 && x >= minX && x <= maxX && y >= minY && y <= maxY) ids.push(id)
+    }
+    return ids
+  }
+
   /** The smallest box around all circles, known until the next edit. */
   box(): Box {
     this.#box ??= boundingBox(this.circles())

@@ -22,6 +22,8 @@ interface Job {
   /** -1: of no gesture that goes on. */
   readonly gesture: number
   readonly edits: readonly Edit[]
+  /** What it makes of circles that are there; `undefined`: it removes them. */
+  readonly made: ReadonlyMap<number, Circle | undefined>
   /** `undefined`: there was nothing to do. */
   run(): Promise<Edited | undefined>
   readonly waiting: { resolve(edited: Edited | undefined): void }[]
@@ -153,13 +155,8 @@ export class Editing {
 
   /** A circle as it will be once all that was asked is done, if nothing is refused. */
   latest(id: number): Circle | undefined {
-    for (const { edits } of this.#jobs.toReversed()) {
-      for (const edit of edits.toReversed()) {
-        if (edit.kind === 'insert' || edit.id !== id) continue
-        return edit.kind === 'replace' ? (edit.circle as Circle) : undefined
-      }
-    }
-    return this.#table.get(id)
+    const last = this.#jobs.findLast(({ made }) => made.has(id))
+    return last === undefined ? this.#table.get(id) : last.made.get(id)
   }
 
   #ask(gesture: number, edits: readonly Edit[], run: () => Promise<Edited | undefined>): Promise<Edited | undefined> {
@@ -168,7 +165,7 @@ export class Editing {
       const standsForLast = this.#jobs.length > 1 && last?.gesture === gesture && isReplacedBy(last.edits, edits)
       const waiting = standsForLast ? [...(last as Job).waiting, { resolve }] : [{ resolve }]
       if (standsForLast) this.#jobs.pop()
-      this.#jobs.push({ gesture, edits, run, waiting })
+      this.#jobs.push({ gesture, edits, made: madeBy(edits), run, waiting })
       if (this.#jobs.length === 1) this.#work()
     })
   }
@@ -192,6 +189,14 @@ export class Editing {
       for (const { resolve } of job.waiting) resolve(edited)
     }
   }
+}
+
+function madeBy(edits: readonly Edit[]): Map<number, Circle | undefined> {
+  const made = new Map<number, Circle | undefined>()
+  for (const edit of edits) {
+    if (edit.kind !== 'insert') made.set(edit.id, edit.kind === 'replace' ? (edit.circle as Circle) : undefined)
+  }
+  return made
 }
 
 function plain(step: Step): Edit {

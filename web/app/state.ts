@@ -13,29 +13,42 @@ export interface State {
   readonly history: History
   /** One sentence about what was refused, or empty. */
   readonly problem: string
+  /** Those that are selected, the newest last. */
+  readonly selection: readonly number[]
+  /** The one that is, if there is only one. */
   readonly selected: number | undefined
   /** The selected circle as it is. */
   readonly circle: Circle | undefined
   /** What is known of it, a moment later. */
   readonly described: Described | undefined
   readonly hovered: number | undefined
-  readonly isAdding: boolean
   /** What is drawn. */
   readonly layers: Layers
   /** What of it depends on all circles, once it is known. */
   readonly found: Found | undefined
+  readonly tool: Tool
+  /** Whether what is dragged snaps, without a key. */
+  readonly isSnapping: boolean
+  /** What is said to who does not see it. */
+  readonly said: string
 }
+
+/** What a press on the figure does. */
+export type Tool = 'select' | 'pan' | 'add'
 
 export const INITIAL_STATE: State = {
   dataSet: '',
   edited: undefined,
   history: EMPTY_HISTORY,
   problem: '',
+  selection: [],
   selected: undefined,
   circle: undefined,
   described: undefined,
   hovered: undefined,
-  isAdding: false,
   layers: DEFAULT_LAYERS,
   found: undefined,
+  tool: 'select',
+  isSnapping: false,
+  said: '',
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle, Edit, Point } from '../lib/index.ts'
+import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import { zoomed } from './camera.ts'
-import type { Hands } from './pointer.ts'
+import type { Hands, Held } from './gestures.ts'
 import type { View } from './view.ts'
 
 /** The radius of a circle that is added, in pixels. */
@@ -9,14 +9,15 @@ const USUAL_RADIUS = 24
 
 /** What the gestures do to a view that has no client with a history of its own. */
 export class PlainHands implements Hands {
-  readonly isAdding = false
+  readonly tool = 'select'
+  readonly snaps = false
   readonly #view: View
   readonly #isEditable: boolean
   #lastGesture = 0
   /** Where the circles of the gesture that goes on were before. */
   #before = new Map<number, Circle>()
   #isBusy = false
-  #next: Edit | undefined
+  #next: readonly Edit[] | undefined
   #selected: number | undefined
 
   constructor(view: View, isEditable: boolean) {
@@ -34,34 +35,57 @@ export class PlainHands implements Hands {
     return this.#lastGesture
   }
 
-  select(id: number | undefined): void {
+  held(): readonly Held[] {
+    const circle = this.#selected === undefined ? undefined : this.circle(this.#selected)
+    return circle === undefined ? [] : [{ id: this.#selected as number, circle }]
+  }
+
+  isSelected(id: number): boolean {
+    return id === this.#selected
+  }
+
+  /** One at most. */
+  select([id]: readonly number[]): void {
     this.#selected = id
     this.#view.mark(id, undefined)
   }
+
+  toggle(id: number): void {
+    this.select(this.isSelected(id) ? [] : [id])
+  }
+
+  selectWithin(_: Box): void {}
 
   hover(id: number | undefined): void {
     this.#view.mark(this.#selected, id)
   }
 
-  set(id: number, circle: Circle, gesture: number): void {
-    const before = this.#view.circle(id)
-    if (gesture !== this.#lastGesture || before === undefined) return
-    if (!this.#before.has(id)) this.#before.set(id, before)
-    this.#edit({ kind: 'replace', id, circle })
+  set(circles: readonly Held[], gesture: number): void {
+    if (gesture !== this.#lastGesture) return
+    for (const { id } of circles) {
+      const before = this.#view.circle(id)
+      if (before !== undefined && !this.#before.has(id)) this.#before.set(id, before)
+    }
+    const there = circles.filter(({ id }) => this.#view.circle(id) !== undefined)
+    this.#edit(there.map(({ id, circle }) => ({ kind: 'replace', id, circle })))
   }
 
-  async add(circle: Circle): Promise<number | undefined> {
-    if (!this.#isEditable) return undefined
-    return (await this.#view.apply([{ kind: 'insert', circle }])).inserted[0]
+  snapped(circle: Circle): Circle {
+    return circle
+  }
+
+  async add(circles: readonly Circle[]): Promise<readonly number[]> {
+    if (!this.#isEditable) return []
+    return [...(await this.#view.apply(circles.map((circle) => ({ kind: 'insert', circle })))).inserted]
   }
 
   async addFitting({ x, y }: Point): Promise<void> {
-    await this.add({ x, y, r: USUAL_RADIUS / this.#view.camera.scale })
+    await this.add([{ x, y, r: USUAL_RADIUS / this.#view.camera.scale }])
   }
 
   cancel(gesture: number): void {
     if (gesture !== this.#lastGesture) return
-    for (const [id, circle] of this.#before) this.#edit({ kind: 'replace', id, circle })
+    this.#edit([...this.#before].map(([id, circle]) => ({ kind: 'replace', id, circle })))
     this.beginGesture()
   }
 
@@ -70,15 +94,16 @@ export class PlainHands implements Hands {
   }
 
   /** One at a time; of those that wait, the last. */
-  async #edit(edit: Edit): Promise<void> {
-    this.#next = edit
+  async #edit(edits: readonly Edit[]): Promise<void> {
+    if (edits.length === 0) return
+    this.#next = edits
     if (this.#isBusy) return
     this.#isBusy = true
     while (this.#next !== undefined) {
       const next = this.#next
       this.#next = undefined
       // What is refused leaves all as it was.
-      await this.#view.apply([next]).catch(() => {})
+      await this.#view.apply(next).catch(() => {})
     }
     this.#isBusy = false
   }

@@ -2,10 +2,11 @@
 import './theme.css'
 import type { LoadOptions } from '../lib/load-options.ts'
 import { boundingBox, type Camera, fitted } from './camera.ts'
+import type { Hands } from './gestures.ts'
 import { PlainHands } from './hands.ts'
 import type { Layers } from './layers.ts'
 import { Painter } from './painter.ts'
-import { type Hands, type Listening, listenToPointer } from './pointer.ts'
+import { type Listening, listenToPointer } from './pointer.ts'
 import { View } from './view.ts'
 
 export interface MountOptions extends LoadOptions {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/diagram-data.ts'
-import type { PathSink, Point } from '../lib/index.ts'
+import type { Box, PathSink, Point } from '../lib/index.ts'
 import type { Layers } from './layers.ts'
 import { replay } from './painter/commands.ts'
 import { addArc, addDisc } from './painter/disc-path.ts'
@@ -10,6 +10,7 @@ import { FrameSink } from './painter/frame-sink.ts'
 import { addSegment } from './painter/segment-path.ts'
 import type { Described, Found, Marks, Touching } from './protocol.ts'
 import { DISC_OPACITY, DOT_RADIUS, type Style } from './style.ts'
+import type { Band, Chosen } from './view.ts'
 
 const HOVER_OPACITY = 0.55
 const FOUND_OPACITY = 0.18
@@ -18,6 +19,17 @@ const PATH_LINE = 2.5
 const TOUCHING_POINT = 3
 /** Of an end of the path that can be dragged, in pixels. */
 export const HANDLE_RADIUS = 8
+const HANDLE_SIDE = 8
+/** The handle of selected circles lies so far outside the corner of their box, in pixels. */
+const HANDLE_DISTANCE = 7
+/** Browsers fill and stroke long paths in more than linear time. */
+const CHOSEN_PER_PATH = 3 * 500
+
+/** Where the handle of selected circles is, in pixels. */
+export function handleOf({ maxX, minY }: Box, toPixel: (point: Point) => Point): Point {
+  const { x, y } = toPixel({ x: maxX, y: minY })
+  return { x: x + HANDLE_DISTANCE, y: y + HANDLE_DISTANCE }
+}
 
 /** What is drawn above the picture, anew whenever it moves. */
 export interface Above {
@@ -25,6 +37,8 @@ export interface Above {
   readonly found: Found | undefined
   readonly touching: Touching | undefined
   readonly layers: Layers
+  readonly chosen: Chosen | undefined
+  readonly band: Band | undefined
 }
 
 /** Draws on what has the frame's pixels. `pixelRatio`: device pixels per CSS pixel. */
@@ -33,7 +47,7 @@ export function drawOverlay(
   frame: Frame,
   pixelRatio: number,
   style: Style,
-  { marks, found, touching, layers }: Above,
+  { marks, found, touching, layers, chosen, band }: Above,
 ): void {
   const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
@@ -74,7 +88,9 @@ export function drawOverlay(
     stroke(dot(end, HANDLE_RADIUS - 1), style.path, PATH_LINE)
   }
   if (selected !== undefined) drawSelected(selected)
+  if (chosen !== undefined) drawChosen(chosen)
   if (touching !== undefined && layers.disc) drawTouching(touching)
+  if (band !== undefined) drawBand(band)
 
   /** Where circles overlap, the disc has a negative radius, and they reach over its rim. */
   function drawTouching({ disc, points }: Touching): void {
@@ -83,6 +99,49 @@ export function drawOverlay(
     stroke(path, style.touching, FOUND_LINE, disc.r < 0 ? [4, 3] : [])
     fill(dot(disc, TOUCHING_POINT - 1), style.touching)
     for (const point of points) fill(dot(point, TOUCHING_POINT), style.touching)
+  }
+
+  /** Of one circle, which is drawn already, only the handle. */
+  function drawChosen({ circles, box }: Chosen): void {
+    if (circles.length > 3) {
+      let path = drawing.path()
+      for (let k = 0; k < circles.length; k += 3) {
+        const [x, y, r] = [to.x(at(circles, k)), to.y(at(circles, k + 1)), at(circles, k + 2) * frame.scale]
+        if (x + r < 0 || y + r < 0 || x - r > frame.width || y - r > frame.height) continue
+        addDisc(path, frame, x, y, Math.max(r, DOT_RADIUS * pixelRatio))
+        if (k % CHOSEN_PER_PATH !== 0) continue
+        drawChosenPath(path)
+        path = drawing.path()
+      }
+      drawChosenPath(path)
+      stroke(rectangle(to.x(box.minX), to.y(box.maxY), to.x(box.maxX), to.y(box.minY)), style.accent, 1, [4, 4])
+    }
+    const { x, y } = handleOf(box, (corner) => ({ x: to.x(corner.x) / pixelRatio, y: to.y(corner.y) / pixelRatio }))
+    const [left, top] = [(x - HANDLE_SIDE / 2) * pixelRatio, (y - HANDLE_SIDE / 2) * pixelRatio]
+    const square = rectangle(left, top, left + HANDLE_SIDE * pixelRatio, top + HANDLE_SIDE * pixelRatio)
+    fill(square, style.paper)
+    stroke(square, style.accent, 1.5)
+  }
+
+  function drawChosenPath(path: PathSink): void {
+    fill(path, style.selectedDisc, DISC_OPACITY)
+    stroke(path, style.accent, 1.5)
+  }
+
+  function drawBand({ from, to }: Band): void {
+    const path = rectangle(from.x * pixelRatio, from.y * pixelRatio, to.x * pixelRatio, to.y * pixelRatio)
+    fill(path, style.accent, 0.1)
+    stroke(path, style.accent, 1)
+  }
+
+  function rectangle(left: number, top: number, right: number, bottom: number): PathSink {
+    const path = drawing.path()
+    path.moveTo(left, top)
+    path.lineTo(right, top)
+    path.lineTo(right, bottom)
+    path.lineTo(left, bottom)
+    path.closePath()
+    return path
   }
 
   function drawSelected({ circle: { x, y, r }, outline, hiddenBy }: Described): void {

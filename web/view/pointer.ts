@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle, Point } from '../lib/index.ts'
-import { panned, toPlane } from './camera.ts'
+import type { Point } from '../lib/index.ts'
+import { toPlane } from './camera.ts'
+import { type Gesture, gesturesOf, type Hands } from './gestures.ts'
 import type { Hit } from './protocol.ts'
 import type { View } from './view.ts'
 
@@ -11,35 +12,9 @@ const TOUCH_SLACK = 12
 const DISC_SLACK = 14
 /** A pointer that moves less than this was a click. */
 const CLICK_DISTANCE = 4
-
-/** What the gestures of a view do to its circles. */
-export interface Hands {
-  /** Whether what is pressed next becomes a circle. */
-  readonly isAdding: boolean
-  /** A circle as it is now. */
-  circle(id: number): Circle | undefined
-  /** A number for what belongs to one gesture: one step of undo. */
-  beginGesture(): number
-  select(id: number | undefined): void
-  hover(id: number | undefined): void
-  set(id: number, circle: Circle, gesture: number): void
-  /** Adds a circle and returns its id; `undefined` if it was refused. */
-  add(circle: Circle, gesture: number): Promise<number | undefined>
-  /** Adds a circle that leaves some room to the nearest other one. */
-  addFitting(center: Point): Promise<void>
-  /** Takes back what a gesture did. */
-  cancel(gesture: number): void
-  /** `factor`: how much larger everything is to be; `anchor`: the pixel that stays where it is. */
-  zoom(factor: number, anchor: Point): void
-}
-
-/** What a pressed pointer does until it is released. Points are in pixels. */
-interface Gesture {
-  move(to: Point): void
-  /** Released without having moved. */
-  click?(): void
-  cancel?(): void
-}
+/** Of `MouseEvent.button`. */
+const MAIN = 0
+const MIDDLE = 1
 
 /** What listens to a pointer. */
 export interface Listening {
@@ -57,92 +32,11 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
   /** What was pressed and is not known yet. */
   let pending: Promise<unknown> | undefined
 
+  const gestures = gesturesOf(view, hands)
   const planeAt = (point: Point) => toPlane(view.camera, view.size, point)
   const hitAt = (point: Point, pointerType: string): Promise<Hit | undefined> => {
     const { x, y } = planeAt(point)
     return view.hit(x, y, (pointerType === 'touch' ? TOUCH_SLACK : MOUSE_SLACK) / view.camera.scale)
-  }
-
-  const pan = (from: Point, click: () => void): Gesture => {
-    let last = from
-    return {
-      move(to) {
-        view.setCamera(panned(view.camera, to.x - last.x, to.y - last.y))
-        last = to
-      },
-      click,
-    }
-  }
-
-  /** The circle keeps its place under the pointer. */
-  const moveCircle = (from: Point, id: number, { x, y, r }: Circle): Gesture => {
-    const gesture = hands.beginGesture()
-    const grip = planeAt(from)
-    return {
-      move(to) {
-        const point = planeAt(to)
-        hands.set(id, { x: x + point.x - grip.x, y: y + point.y - grip.y, r }, gesture)
-      },
-      cancel: () => hands.cancel(gesture),
-    }
-  }
-
-  /** The rim keeps its distance to the pointer. */
-  const resizeCircle = (from: Point, id: number, { x, y, r }: Circle): Gesture => {
-    const gesture = hands.beginGesture()
-    const distanceTo = (point: Point) => {
-      const { x: px, y: py } = planeAt(point)
-      return Math.hypot(px - x, py - y)
-    }
-    const offset = r - distanceTo(from)
-    return {
-      move: (to) => hands.set(id, { x, y, r: Math.max(distanceTo(to) + offset, 0) }, gesture),
-      cancel: () => hands.cancel(gesture),
-    }
-  }
-
-  /** Press where the centre is to be, drag to the rim. */
-  const addCircle = (from: Point): Gesture => {
-    const gesture = hands.beginGesture()
-    const { x, y } = planeAt(from)
-    let added: Promise<number | undefined> | undefined
-    let last = from
-    const circleTo = (to: Point): Circle => {
-      const point = planeAt(to)
-      return { x, y, r: Math.hypot(point.x - x, point.y - y) }
-    }
-    return {
-      move(to) {
-        last = to
-        if (added === undefined) {
-          added = hands.add(circleTo(to), gesture)
-          added.then((id) => id !== undefined && hands.set(id, circleTo(last), gesture))
-        } else {
-          added.then((id) => id !== undefined && to === last && hands.set(id, circleTo(to), gesture))
-        }
-      },
-      click: () => hands.addFitting({ x, y }),
-      cancel: () => hands.cancel(gesture),
-    }
-  }
-
-  const pinch = (): Gesture => {
-    const spread = () => {
-      const [one, other] = [...pressed.values()] as [Point, Point]
-      return {
-        middle: { x: (one.x + other.x) / 2, y: (one.y + other.y) / 2 },
-        width: Math.max(Math.hypot(one.x - other.x, one.y - other.y), 1),
-      }
-    }
-    let last = spread()
-    return {
-      move() {
-        const next = spread()
-        view.setCamera(panned(view.camera, next.middle.x - last.middle.x, next.middle.y - last.middle.y))
-        hands.zoom(next.width / last.width, next.middle)
-        last = next
-      },
-    }
   }
 
   const wait = (known: Promise<unknown>) => {
@@ -155,20 +49,21 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
   /** What is under the pointer is known a moment later: until then what it does is kept. */
   const whenKnown = (begun: Promise<Gesture>): Gesture => {
     let known: Gesture | undefined
-    let last: Point | undefined
+    let last: Parameters<Gesture['move']> | undefined
     let isCancelled = false
     const then = begun.then((gesture) => {
       known = gesture
-      if (last !== undefined && !isCancelled) gesture.move(last)
+      if (last !== undefined && !isCancelled) gesture.move(...last)
       return gesture
     })
     wait(then)
     return {
-      move(to) {
-        if (known === undefined) last = to
-        else known.move(to)
+      move(...how) {
+        if (known === undefined) last = how
+        else known.move(...how)
       },
       click: () => wait(then.then((gesture) => gesture.click?.())),
+      end: () => wait(then.then((gesture) => gesture.end?.())),
       cancel() {
         isCancelled = true
         known?.cancel?.()
@@ -176,25 +71,34 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     }
   }
 
-  const movePathEnd = (end: 'from' | 'to'): Gesture => {
-    const before = view.layers.path?.[end]
-    return {
-      move: (to) => view.movePathEnd(end, planeAt(to)),
-      cancel: () => before !== undefined && view.movePathEnd(end, before),
-    }
-  }
-
-  const gestureAt = async (point: Point, pointerType: string): Promise<Gesture> => {
+  const gestureAt = async (point: Point, { pointerType, shiftKey }: PointerEvent): Promise<Gesture> => {
     const hit = await hitAt(point, pointerType)
     const circle = hit === undefined ? undefined : hands.circle(hit.id)
-    if (hit === undefined || circle === undefined) return pan(point, () => hands.select(undefined))
-    if (hit.part === 'cell') return pan(point, () => hands.select(hit.id))
-    hands.select(hit.id)
-    return hit.part === 'rim' ? resizeCircle(point, hit.id, circle) : moveCircle(point, hit.id, circle)
+    if (shiftKey) return gestures.band(point, () => hit !== undefined && hands.toggle(hit.id))
+    if (hit === undefined || circle === undefined) return gestures.pan(point, () => hands.select([]))
+    const { id, part } = hit
+    const isSelected = hands.isSelected(id)
+    // A finger that is to pan may well begin on a circle.
+    const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected)
+    if (isPan) return gestures.pan(point, () => hands.select([id]))
+    if (!isSelected) hands.select([id])
+    const isOne = hands.held().length === 1
+    return part === 'rim' && isOne ? gestures.resizeCircle(point, id, circle) : gestures.moveCircles(point, id)
+  }
+
+  const begin = (point: Point, event: PointerEvent): Gesture => {
+    const isTouch = event.pointerType === 'touch'
+    const pathEnd = view.pathEndAt(point, isTouch ? TOUCH_SLACK : 0)
+    const scaling = view.handleAt(point, isTouch ? TOUCH_SLACK : 0)
+    if (event.button === MIDDLE || hands.tool === 'pan') return gestures.pan(point, () => {})
+    if (hands.tool === 'add') return gestures.addCircle(point)
+    if (pathEnd !== undefined) return gestures.movePathEnd(pathEnd)
+    if (scaling !== undefined) return gestures.scaleCircles(point, scaling)
+    return whenKnown(gestureAt(point, event))
   }
 
   const showCursor = (hit: Hit | undefined) => {
-    element.dataset.cursor = hands.isAdding ? 'add' : (hit?.part ?? 'cell')
+    element.dataset.cursor = hands.tool === 'select' ? (hit?.part ?? 'cell') : hands.tool
   }
 
   const end = (point: Point | undefined) => {
@@ -215,23 +119,22 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
   ) => element.addEventListener(name, listener, { ...options, signal: listeners.signal })
 
   on('pointerdown', (event) => {
-    if (event.button !== 0 || pressed.size === 2) return
+    if (![MAIN, MIDDLE].includes(event.button) || pressed.size === 2) return
+    // The middle button would begin to scroll.
+    if (event.button === MIDDLE) event.preventDefault()
     element.setPointerCapture(event.pointerId)
     const point = pointOf(event)
     pressed.set(event.pointerId, point)
     if (pressed.size === 2) {
       cancel()
-      gesture = pinch()
+      gesture = gestures.pinch(pressed)
       hasMoved = true
       return
     }
     start = point
     hasMoved = false
-    const pathEnd = view.pathEndAt(point, event.pointerType === 'touch' ? TOUCH_SLACK : 0)
-    if (hands.isAdding) gesture = addCircle(point)
-    else if (pathEnd !== undefined) gesture = movePathEnd(pathEnd)
-    else gesture = whenKnown(gestureAt(point, event.pointerType))
-    if (element.dataset.cursor === 'cell') element.dataset.cursor = 'pan'
+    gesture = begin(point, event)
+    if (['cell', 'pan'].includes(element.dataset.cursor ?? '')) element.dataset.cursor = 'panning'
   })
 
   on('pointermove', (event) => {
@@ -242,18 +145,20 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
       hitAt(point, event.pointerType).then((hit) => {
         if (pressed.size > 0) return
         hands.hover(hit?.id)
-        showCursor(hit)
+        if (hands.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
+        else showCursor(hit)
       })
       return
     }
     pressed.set(event.pointerId, point)
     hasMoved ||= Math.hypot(point.x - start.x, point.y - start.y) >= CLICK_DISTANCE
-    if (hasMoved) gesture?.move(point)
+    if (hasMoved) gesture?.move(point, event.altKey !== hands.snaps)
   })
 
   on('pointerup', (event) => {
     if (!pressed.delete(event.pointerId)) return
-    if (!hasMoved) gesture?.click?.()
+    if (hasMoved) gesture?.end?.()
+    else gesture?.click?.()
     end(pointOf(event))
   })
   // Also where another element or the system takes the pointer away.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Circle, Edit, Options, Point } from '../lib/index.ts'
+import type { Box, Circle, Edit, Options, Point } from '../lib/index.ts'
 import { BasePicture } from './base-picture.ts'
-import { type Camera, type Size, toScreen } from './camera.ts'
+import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
 import { DEFAULT_LAYERS, type Layers } from './layers.ts'
-import { drawOverlay, HANDLE_RADIUS } from './overlay.ts'
+import { drawOverlay, HANDLE_RADIUS, handleOf } from './overlay.ts'
 import { CanvasDrawing, type Drawing, SvgDrawing, svgOf } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Edited, Painter, PainterScene } from './painter.ts'
@@ -30,6 +30,18 @@ export interface ViewEvents {
   readonly refused: Error
 }
 
+/** Circles that are selected: x, y, r each, and the box around them. */
+export interface Chosen {
+  readonly circles: Float64Array
+  readonly box: Box
+}
+
+/** The corners of what is selected with a rubber band, in pixels. */
+export interface Band {
+  readonly from: Point
+  readonly to: Point
+}
+
 /** Circles and their diagram in an element of a page, moved and zoomed by a camera. */
 export class View {
   readonly #container: HTMLElement
@@ -49,6 +61,8 @@ export class View {
   #touching: Touching | undefined
   /** Where the pointer was when a disc was last asked for; what comes for another place is late. */
   #touchedAt: Point | undefined
+  #chosen: Chosen | undefined
+  #band: Band | undefined
   #baseChanged = false
   #overlayChanged = false
 
@@ -250,6 +264,27 @@ export class View {
     this.#scene.mark(selected, hovered)
   }
 
+  /** Which circles are selected, as they are: they can be scaled by a handle, and of several each stands out. */
+  choose(circles: readonly Circle[]): void {
+    const flat = Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
+    this.#chosen = circles.length === 0 ? undefined : { circles: flat, box: boundingBox(flat) }
+    this.#overlayChanges()
+  }
+
+  set band(band: Band | undefined) {
+    this.#band = band
+    this.#overlayChanges()
+  }
+
+  /** What is scaled about, if the handle of the selected circles is at a pixel. */
+  handleAt(point: Point, slack: number): Point | undefined {
+    if (this.#chosen === undefined) return undefined
+    const { box } = this.#chosen
+    const { x, y } = handleOf(box, (corner) => toScreen(this.#camera, this.#size, corner))
+    if (Math.hypot(x - point.x, y - point.y) > HANDLE_RADIUS + slack) return undefined
+    return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 }
+  }
+
   /** Reads the style of the container again, after it has changed. */
   restyle(): void {
     this.#style = readStyle(this.#container)
@@ -318,6 +353,8 @@ export class View {
       found: this.#found,
       touching: this.#touching,
       layers: this.#layers,
+      chosen: this.#chosen,
+      band: this.#band,
     })
   }
 

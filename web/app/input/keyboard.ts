@@ -3,13 +3,16 @@
 import type { Listening } from '../../view/pointer.ts'
 import type { View } from '../../view/view.ts'
 import type { Actions } from '../actions.ts'
+import { roundStep } from '../arranging.ts'
 import type { State } from '../state.ts'
 import type { Store } from '../store.ts'
 
 /** The step of one arrow key, in pixels; Shift makes it bigger, Alt finer. */
 const STEP = 4
-const BIGGER = 8
-const FINER = 1 / 8
+const BIGGER = 10
+const FINER = 1 / 10
+/** What one step scales several circles by. */
+const SCALE_STEP = 0.04
 const PAN_STEP = 48
 const ZOOM_STEP = 1.25
 
@@ -20,22 +23,30 @@ const ARROWS: { readonly [key: string]: readonly [number, number] } = {
   ArrowDown: [0, -1],
 }
 
-/** Keys on the figure; undo, redo, Delete and Escape anywhere but in a field. `editNumbers` moves the focus to the fields. */
+/** What the page does beside its actions. */
+interface Places {
+  /** Moves the focus to the numbers of the selected circle. */
+  editNumbers(): void
+  showHelp(): void
+}
+
+/** Keys on the figure; some of them anywhere but in a field. */
 export function listenToKeyboard(
   figure: HTMLElement,
   view: View,
   pointer: Listening,
   store: Store<State>,
   actions: Actions,
-  editNumbers: () => void,
+  { editNumbers, showHelp }: Places,
 ): void {
   // A key that is held down is one gesture.
   let gesture = 0
 
   const onFigureKey = (event: KeyboardEvent): boolean => {
-    const { selected, isAdding } = store.get()
-    const hasSelection = selected !== undefined
-    const step = (STEP * (event.shiftKey ? BIGGER : 1) * (event.altKey ? FINER : 1)) / view.camera.scale
+    const { selection, tool } = store.get()
+    const hasSelection = selection.length > 0
+    const times = (event.shiftKey ? BIGGER : 1) * (event.altKey ? FINER : 1)
+    const step = Number((roundStep(STEP / view.camera.scale) * times).toPrecision(1))
     const arrow = ARROWS[event.key]
     if (!event.repeat) gesture = actions.beginGesture()
 
@@ -53,12 +64,12 @@ export function listenToKeyboard(
         return true
       case '+':
       case '=':
-        if (hasSelection) actions.growSelected(step, gesture)
+        if (hasSelection) actions.growSelected(step, 1 + SCALE_STEP * times, gesture)
         else actions.zoomAtMiddle(ZOOM_STEP)
         return true
       case '-':
       case '_':
-        if (hasSelection) actions.growSelected(-step, gesture)
+        if (hasSelection) actions.growSelected(-step, 1 / (1 + SCALE_STEP * times), gesture)
         else actions.zoomAtMiddle(1 / ZOOM_STEP)
         return true
       case '0':
@@ -70,42 +81,81 @@ export function listenToKeyboard(
         return true
       case 'Escape':
         actions.release()
-        return hasSelection || isAdding
+        return hasSelection || tool !== 'select'
+      case ' ':
+        actions.holdPanning(true)
+        return true
       default:
         return false
     }
   }
 
-  /** What is clicked may not be selected yet: then it is not known whether the key is used, and the browser does not get it. */
-  const afterPointer = (event: KeyboardEvent, act: () => boolean) => {
-    const { pending } = pointer
+  /** What keys with Ctrl or Cmd do, on the figure or elsewhere. */
+  const commandOf = (event: KeyboardEvent): (() => void) | undefined => {
+    const arrow = event.target === figure ? ARROWS[event.key] : undefined
+    if (arrow !== undefined) return () => actions.selectNeighbor(arrow)
+    switch (event.key.toLowerCase()) {
+      case 'z':
+        return event.shiftKey ? () => actions.redo() : () => actions.undo()
+      case 'y':
+        return () => actions.redo()
+      case 'a':
+        return () => actions.selectAll()
+      case 'd':
+        return () => actions.duplicateSelected()
+      default:
+        return undefined
+    }
+  }
+
+  /** What keys do wherever the focus is, on a button of the toolbar too. */
+  const actionOf = (event: KeyboardEvent): (() => void) | undefined => {
+    switch (event.key.toLowerCase()) {
+      case '?':
+        return showHelp
+      case 'v':
+        return () => actions.useTool('select')
+      case 'h':
+        return () => actions.useTool('pan')
+      case 'a':
+        return () => actions.useTool('add')
+      case 's':
+        return () => actions.toggleSnapping()
+      case 'escape':
+        return event.target === figure ? undefined : () => actions.release()
+      case 'delete':
+      case 'backspace':
+        return event.target === figure ? undefined : () => actions.removeSelected()
+      default:
+        return undefined
+    }
+  }
+
+  /**
+   * What is clicked may not be selected yet, or what is undone not be there again: then it is not known whether the key is
+   * used, and the browser does not get it.
+   */
+  const afterwards = (event: KeyboardEvent, act: () => boolean) => {
+    const pending = pointer.pending ?? actions.pending
     if (pending !== undefined) pending.finally(act)
     if (pending !== undefined || act()) event.preventDefault()
   }
 
   figure.addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey)) afterPointer(event, () => onFigureKey(event))
+    if (!(event.ctrlKey || event.metaKey)) afterwards(event, () => onFigureKey(event))
   })
+  figure.addEventListener('keyup', (event) => {
+    if (event.key === ' ') actions.holdPanning(false)
+  })
+  figure.addEventListener('blur', () => actions.holdPanning(false))
 
   document.addEventListener('keydown', (event) => {
     if (event.target instanceof Element && event.target.closest('input, textarea, select, dialog') !== null) return
-    const act = actionOf(event)
+    const act = event.ctrlKey || event.metaKey ? commandOf(event) : event.altKey ? undefined : actionOf(event)
     if (act === undefined) return
-    afterPointer(event, () => {
+    afterwards(event, () => {
       act()
       return true
     })
   })
-
-  const actionOf = (event: KeyboardEvent): (() => void) | undefined => {
-    const key = event.key.toLowerCase()
-    if (event.ctrlKey || event.metaKey) {
-      if (key === 'z' && !event.shiftKey) return () => actions.undo()
-      return key === 'y' || key === 'z' ? () => actions.redo() : undefined
-    }
-    // The focus may be on a button of the toolbar.
-    if (event.target === figure) return undefined
-    if (key === 'escape') return () => actions.release()
-    return key === 'delete' || key === 'backspace' ? () => actions.removeSelected() : undefined
-  }
 }

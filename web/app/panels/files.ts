@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, render, svg, type TemplateResult } from 'lit'
+import { html, svg, type TemplateResult } from 'lit'
 import type { FileActions } from '../files/file-actions.ts'
 import type { SavedFormat } from '../files/files-protocol.ts'
 import { byId } from './by-id.ts'
+import { folding } from './folding.ts'
 
 const OPENED = '.csv,.tsv,.txt,.json,.geojson,.svg'
 /** What is copied is said for so long, in milliseconds. */
@@ -24,7 +25,6 @@ const CODE = icon(svg`<path d="m7 6-4 4 4 4M13 6l4 4-4 4" />`)
 
 /** Open, save and share. */
 export function mountFiles(actions: FileActions): void {
-  const panel = byId('files', HTMLDetailsElement)
   let said = ''
   let timer: ReturnType<typeof setTimeout> | undefined
 
@@ -45,10 +45,8 @@ export function mountFiles(actions: FileActions): void {
   }
 
   const draw = () =>
-    render(
-      html`
-        <summary>${FOLDER}Files</summary>
-        <div class="body">
+    panel.render(
+      () => html`
           <label class="button wide">
             ${FOLDER}Open …
             <input type="file" class="visually-hidden" accept=${OPENED} @change=${open} />
@@ -77,9 +75,8 @@ export function mountFiles(actions: FileActions): void {
             </button>
           </div>
           <p aria-live="polite">${said}</p>
-        </div>
       `,
-      panel,
     )
+  const panel = folding(byId('files', HTMLElement), 'Files', svg`<path d="M3 6v9h14V7h-7L8 5H3Z" />`, draw)
   draw()
 }

@@ -4,6 +4,7 @@ import type { Actions } from '../actions.ts'
 import type { State } from '../state.ts'
 import type { Store } from '../store.ts'
 import { byId } from './by-id.ts'
+import { shortest } from './shortest.ts'
 
 type Field = 'x' | 'y' | 'r'
 const FIELDS: readonly Field[] = ['x', 'y', 'r']
@@ -26,7 +27,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
     field.addEventListener('change', () => {
       const { selected, circle } = store.get()
       if (selected === undefined || circle === undefined) return
-      actions.set(selected, { ...circle, [FIELDS[i] as Field]: field.valueAsNumber })
+      actions.set([{ id: selected, circle: { ...circle, [FIELDS[i] as Field]: field.valueAsNumber } }])
     })
     field.addEventListener('blur', () => {
       typing = undefined
@@ -36,7 +37,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
     })
   })
   byId('deselect', HTMLButtonElement).addEventListener('click', () => {
-    actions.select(undefined)
+    actions.select([])
     figure.focus()
   })
 
@@ -72,7 +73,8 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
   return () => (fields[0] as HTMLInputElement).focus()
 }
 
-function describeCell(described: Described): [string, readonly number[]] {
+/** What is known of a circle's cell as a sentence, and the circles that it names. */
+export function describeCell(described: Described): [string, readonly number[]] {
   const { hiddenBy, isBounded } = described
   if (hiddenBy !== undefined) return [`Hidden inside circle ${hiddenBy}: it has no cell.`, [hiddenBy]]
   const neighbors = [...described.neighbors]
@@ -91,9 +93,4 @@ function chip(index: number, actions: Actions): HTMLLIElement {
   const item = document.createElement('li')
   item.append(button)
   return item
-}
-
-/** Six digits are enough to read; the number itself keeps all of its own. */
-function shortest(value: number): string {
-  return String(Number(value.toPrecision(6)))
 }

@@ -8,7 +8,12 @@ export function mountStatus(store: Store<State>): void {
   const status = byId('status', HTMLParagraphElement)
   const problem = byId('problem', HTMLParagraphElement)
 
+  const hint = byId('hint', HTMLParagraphElement)
+
   store.subscribe((state) => {
+    // Whoever has done something knows.
+    hint.hidden =
+      state.edited === undefined || state.history.done.length > 0 || state.selection.length > 0 || state.problem !== ''
     status.replaceChildren(...statusParts(state))
     problem.hidden = state.problem === ''
     if (problem.textContent !== state.problem) problem.textContent = state.problem

@@ -10,7 +10,6 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
   const figure = byId('figure', HTMLElement)
   const dataSet = byId('data-set', HTMLSelectElement)
   const again = byId('again', HTMLButtonElement)
-  const add = byId('add', HTMLButtonElement)
   const remove = byId('remove', HTMLButtonElement)
   const undo = byId('undo', HTMLButtonElement)
   const redo = byId('redo', HTMLButtonElement)
@@ -20,7 +19,14 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
   dataSet.append(own, ...DATA_SETS.map(({ id, label }) => new Option(label, id)))
   dataSet.addEventListener('change', () => actions.load(dataSet.value))
   again.addEventListener('click', () => actions.load(dataSet.value))
-  add.addEventListener('click', () => actions.toggleAdding())
+  const tools = [
+    ['select', byId('select', HTMLButtonElement)],
+    ['pan', byId('pan', HTMLButtonElement)],
+    ['add', byId('add', HTMLButtonElement)],
+  ] as const
+  for (const [tool, button] of tools) {
+    button.addEventListener('click', () => (tool === 'add' ? actions.toggleAdding() : actions.useTool(tool)))
+  }
   remove.addEventListener('click', () => actions.removeSelected())
   undo.addEventListener('click', () => actions.undo())
   redo.addEventListener('click', () => actions.redo())
@@ -35,8 +41,8 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
     const chosen = dataSetOf(state.dataSet)
     dataSet.value = chosen?.id ?? ''
     again.hidden = chosen?.count === undefined
-    add.setAttribute('aria-pressed', String(state.isAdding))
-    disable(remove, state.selected === undefined)
+    for (const [tool, button] of tools) button.setAttribute('aria-pressed', String(state.tool === tool))
+    disable(remove, state.selection.length === 0)
     disable(undo, state.history.done.length === 0)
     disable(redo, state.history.undone.length === 0)
   })

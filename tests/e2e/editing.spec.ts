@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several circles at once, tools, steps and snapping, by mouse, keys and fingers. What became of the circles is read from the
+// address.
+import type { Circle, Point } from '../../web/lib/index.ts'
+import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { App, expect, test } from './page.ts'
+
+/** Discs in two rows, 4 units from one to the next. */
+const ROWS = Float64Array.from([0, 4, 8, 0, 4, 8].flatMap((x, k) => [x, k < 3 ? 0 : 4, 1]))
+
+async function started(app: App, circles = ROWS): Promise<void> {
+  await app.page.goto(`/#${await encodeLink({ circles })}`)
+  await app.page.reload()
+  await expect(app.status).toContainText(`${circles.length / 3} circles`)
+}
+
+/** The circles, once they are kept. */
+async function circlesOf(app: App): Promise<Circle[]> {
+  const { circles = [] } = await decodeLink(new URL(app.page.url()).hash)
+  return Array.from({ length: circles.length / 3 }, (_, i) => {
+    const [x, y, r] = circles.slice(3 * i, 3 * i + 3) as unknown as [number, number, number]
+    return { x, y, r }
+  })
+}
+
+const at = (app: App, x: number, y: number): Point => app.locate(ROWS, { x, y })
+const group = (app: App) => app.page.getByRole('region', { name: 'Selected circles' })
+
+async function click(app: App, x: number, y: number): Promise<void> {
+  const point = at(app, x, y)
+  await app.page.mouse.click(point.x, point.y)
+}
+
+/** Selects the lower row by a rubber band. */
+async function selectRow(app: App): Promise<void> {
+  await app.page.keyboard.down('Shift')
+  await app.drag(at(app, -0.5, 1.7), at(app, 9, -0.4))
+  await app.page.mouse.up()
+  await app.page.keyboard.up('Shift')
+  await expect(group(app)).toContainText('3 circles')
+}
+
+test('several are selected by Shift and by a rubber band, all and none by keys', async ({ app }) => {
+  await started(app)
+  await click(app, 0, 0)
+  await expect(app.inspector).toContainText('Circle 0')
+  await app.page.keyboard.down('Shift')
+  await click(app, 4, 4)
+  await expect(group(app)).toContainText('2 circles')
+  await expect(app.inspector).toBeHidden()
+  await click(app, 0, 0)
+  await expect(app.inspector).toContainText('Circle 4')
+  await app.page.keyboard.up('Shift')
+  await app.page.keyboard.press('Escape')
+  await selectRow(app)
+  await app.page.keyboard.press('Control+a')
+  await expect(group(app)).toContainText('6 circles')
+  await app.page.keyboard.press('Escape')
+  await expect(group(app)).toBeHidden()
+  // Escape in the middle of a band selects nothing.
+  await app.page.keyboard.down('Shift')
+  await app.drag(at(app, -1, 2), at(app, 9, -1))
+  await app.page.keyboard.press('Escape')
+  await app.page.mouse.up()
+  await app.page.keyboard.up('Shift')
+  await expect(group(app)).toBeHidden()
+})
+
+test('several are moved together, and by one undo back', async ({ app }) => {
+  await started(app)
+  await selectRow(app)
+  const { scale } = app.camera(ROWS)
+  const from = at(app, 4, 0)
+  await app.drag(from, { x: from.x, y: from.y + Math.round(scale) })
+  await app.page.mouse.up()
+  const moved = async () => (await circlesOf(app)).map(({ x, y }) => [x, Number(y.toFixed(1))])
+  const y = expect.closeTo(-1, 1)
+  await expect.poll(moved).toEqual([
+    [0, y],
+    [4, y],
+    [8, y],
+    [0, 4],
+    [4, 4],
+    [8, 4],
+  ])
+  await app.page.keyboard.press('Control+z')
+  await expect.poll(moved).toEqual([
+    [0, 0],
+    [4, 0],
+    [8, 0],
+    [0, 4],
+    [4, 4],
+    [8, 4],
+  ])
+})
+
+test('several are scaled by the handle and by keys, one by the handle', async ({ app }) => {
+  await started(app)
+  await selectRow(app)
+  const corner = at(app, 9, -1)
+  const middle = at(app, 4, 0)
+  // The handle stands 7 pixels outside.
+  const handle = { x: corner.x + 7, y: corner.y + 7 }
+  await app.drag(handle, { x: middle.x + 1.1 * (handle.x - middle.x), y: middle.y + 1.1 * (handle.y - middle.y) })
+  await app.page.mouse.up()
+  const third = async () => (await circlesOf(app))[2]
+  await expect.poll(third).toEqual({ x: expect.closeTo(8.4, 1), y: 0, r: expect.closeTo(1.1, 1) })
+  await app.page.keyboard.press('Control+z')
+  await app.canvas.focus()
+  await app.page.keyboard.press('+')
+  await expect.poll(third).toEqual({ x: expect.closeTo(4 + 4 * 1.04, 9), y: 0, r: expect.closeTo(1.04, 9) })
+
+  await started(app)
+  await click(app, 0, 4)
+  await expect(app.inspector).toContainText('Circle 3')
+  const own = at(app, 1, 3)
+  await app.drag({ x: own.x + 7, y: own.y + 7 }, { x: own.x + 40, y: own.y + 40 })
+  await app.page.mouse.up()
+  await expect.poll(async () => (await circlesOf(app))[3]?.r).toBeGreaterThan(1.1)
+})
+
+test('what is selected is duplicated, copied, cut and pasted, in another tab too, and deleted together', async ({
+  app,
+}) => {
+  const context = app.page.context()
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+  await started(app)
+  await selectRow(app)
+  await app.page.keyboard.press('Control+d')
+  await expect(app.status).toContainText('9 circles')
+  await expect(group(app)).toContainText('3 circles')
+  await app.page.keyboard.press('Delete')
+  await expect(app.status).toContainText('6 circles')
+  await selectRow(app)
+  await app.page.keyboard.press('Control+c')
+  await app.page.keyboard.press('Control+v')
+  await expect(app.status).toContainText('9 circles')
+  await app.page.keyboard.press('Control+v')
+  await expect(app.status).toContainText('12 circles')
+  await app.page.keyboard.press('Control+x')
+  await expect(app.status).toContainText('9 circles')
+
+  const other = new App(await context.newPage())
+  await other.page.goto('/')
+  await expect(other.status).toContainText('678 circles')
+  await other.canvas.focus()
+  await other.page.keyboard.press('Control+v')
+  await expect(other.status).toContainText('681 circles')
+  await expect(group(other)).toContainText('3 circles')
+  // Other programs get numbers.
+  expect(await other.page.evaluate(() => navigator.clipboard.readText())).toMatch(/^(\S+\t\S+\t1\n){3}$/)
+})
+
+test('keys move by steps that fit the data, ten times with Shift, a tenth with Alt', async ({ app }) => {
+  await started(app)
+  await click(app, 4, 0)
+  await app.page.keyboard.press('ArrowRight')
+  await app.page.keyboard.press('Shift+ArrowUp')
+  await app.page.keyboard.press('Alt+ArrowUp')
+  // 4 pixels are 0.037 units here.
+  const { scale } = app.camera(ROWS)
+  expect(4 / scale).toBeCloseTo(0.04, 2)
+  await expect.poll(async () => (await circlesOf(app))[1]).toEqual({ x: 4.05, y: 0.505, r: 1 })
+  await app.page.keyboard.press('Control+a')
+  await app.page.keyboard.press('ArrowLeft')
+  await expect.poll(async () => (await circlesOf(app)).map(({ x }) => x)).toEqual([-0.05, 4, 7.95, -0.05, 3.95, 7.95])
+})
+
+test('Control and an arrow key go to the neighbour on that side', async ({ app }) => {
+  await started(app)
+  await click(app, 0, 0)
+  await expect(app.inspector).toContainText('Circle 0')
+  for (const [key, id] of [
+    ['ArrowRight', 1],
+    ['ArrowUp', 4],
+    ['ArrowRight', 5],
+    ['ArrowDown', 2],
+    ['ArrowLeft', 1],
+  ] as const) {
+    await expect(app.inspector).toContainText('neighbours')
+    await app.page.waitForTimeout(50)
+    await app.page.keyboard.press(`Control+${key}`)
+    await expect(app.inspector).toContainText(`Circle ${id}`)
+  }
+})
+
+test('what is dragged snaps to neighbours and to the grid, with Alt or always', async ({ app }) => {
+  await started(app)
+  await click(app, 0, 0)
+  await expect(app.inspector).toContainText('Circle 0')
+  const { scale } = app.camera(ROWS)
+  const from = at(app, 0, 0)
+  // The one at (4, 0) is touched from (2, 0).
+  const to = { x: from.x + 2 * scale - 5, y: from.y }
+  await app.page.keyboard.down('Alt')
+  await app.drag(from, to)
+  await app.page.keyboard.up('Alt')
+  await app.page.mouse.up()
+  await expect.poll(async () => (await circlesOf(app))[0]?.x).toBeCloseTo(2, 12)
+  await app.page.keyboard.press('Control+z')
+  await app.page.keyboard.press('s')
+  const near = at(app, -1, -1)
+  await app.drag(at(app, 0, 0), { x: near.x + 3, y: near.y - 3 })
+  await app.page.mouse.up()
+  const place = async () => (await circlesOf(app))[0] as Circle
+  await expect.poll(async () => (await place()).x).toBeLessThan(-0.8)
+  // Lines are 0.1 apart.
+  const { x, y } = await place()
+  expect([x, y].map((value) => Number(value.toFixed(1)))).toEqual([x, y])
+})
+
+test('tools: pan moves no circle, Space and the middle button pan, keys choose', async ({ app }) => {
+  await started(app)
+  const from = at(app, 4, 0)
+  const view = async () => (await decodeLink(new URL(app.page.url()).hash)).view
+  const pressed = (name: string) => app.page.getByRole('button', { name }).getAttribute('aria-pressed')
+  await app.page.keyboard.press('h')
+  expect(await pressed('Pan')).toBe('true')
+  await app.drag(from, { x: from.x + 50, y: from.y })
+  await app.page.mouse.up()
+  await expect.poll(async () => (await view())?.x).toBeLessThan(4)
+  const first = (await view())?.x as number
+  await app.page.keyboard.press('v')
+  expect(await pressed('Select and move')).toBe('true')
+  await app.page.mouse.move(from.x + 50, from.y)
+  await app.page.mouse.down({ button: 'middle' })
+  await app.page.mouse.move(from.x + 90, from.y, { steps: 3 })
+  await app.page.mouse.up({ button: 'middle' })
+  await expect.poll(async () => (await view())?.x).toBeLessThan(first)
+  const second = (await view())?.x as number
+  await app.canvas.focus()
+  await app.page.keyboard.down('Space')
+  await app.drag({ x: from.x + 90, y: from.y }, { x: from.x + 130, y: from.y })
+  await app.page.mouse.up()
+  await app.page.keyboard.up('Space')
+  await expect.poll(async () => (await view())?.x).toBeLessThan(second)
+  expect((await circlesOf(app)).map(({ x }) => x)).toEqual([0, 4, 8, 0, 4, 8])
+  await expect(app.page.getByRole('button', { name: 'Undo' })).toBeDisabled()
+})
+
+test('help shows what pointer and keys do', async ({ app }) => {
+  await app.page.keyboard.press('?')
+  const help = app.page.getByRole('dialog')
+  await expect(help).toContainText('Shift + click')
+  await app.page.keyboard.press('Escape')
+  await expect(help).toBeHidden()
+  await app.page.getByRole('button', { name: 'Help' }).click()
+  await help.getByRole('button', { name: 'Close' }).click()
+  await expect(help).toBeHidden()
+})
+
+test('what is done is said once', async ({ app }) => {
+  await started(app)
+  await app.page.evaluate(() => {
+    const said = document.querySelector('#said') as HTMLElement
+    const texts: string[] = []
+    Object.assign(window, { texts })
+    new MutationObserver(() => texts.push(said.textContent ?? '')).observe(said, { childList: true })
+  })
+  const texts = () => app.page.evaluate(() => (window as unknown as { texts: string[] }).texts)
+  await app.canvas.focus()
+  await app.page.keyboard.press('Enter')
+  await expect.poll(texts).toEqual([expect.stringMatching(/^Circle \d\. (B|Unb)ounded cell, \d neighbours$/)])
+  await app.page.keyboard.press('ArrowRight')
+  await expect.poll(texts).toEqual([expect.anything(), expect.stringMatching(/^Circle \d: x \S+, y \S+, r 1$/)])
+  await app.page.keyboard.press('Delete')
+  await expect.poll(texts).toEqual([expect.anything(), expect.anything(), expect.stringMatching(/^Circle \d deleted$/)])
+  await app.page.waitForTimeout(400)
+  expect(await texts()).toHaveLength(3)
+})
+
+test.describe('with fingers', () => {
+  test.use({ viewport: { width: 390, height: 780 }, hasTouch: true })
+
+  test('one pans, or drags what is selected; a pinch edits nothing', async ({ app }) => {
+    await started(app)
+    const session = await app.page.context().newCDPSession(app.page)
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...points: Point[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(({ x, y }, id) => ({ x, y, id })) })
+    const swipe = async (from: Point, dx: number, dy: number) => {
+      await touch('touchStart', from)
+      for (const share of [0.3, 0.6, 1]) await touch('touchMove', { x: from.x + share * dx, y: from.y + share * dy })
+      await touch('touchEnd')
+    }
+    const view = async () => (await decodeLink(new URL(app.page.url()).hash)).view
+    const from = at(app, 4, 0)
+    await swipe(from, 0, -60)
+    await expect.poll(async () => (await view())?.y).toBeLessThan(1)
+    expect((await circlesOf(app))[1]).toEqual({ x: 4, y: 0, r: 1 })
+
+    await app.page.touchscreen.tap(from.x, from.y - 60)
+    await expect(app.inspector).toContainText('Circle 1')
+    await swipe({ x: from.x, y: from.y - 60 }, 0, -30)
+    await expect.poll(async () => (await circlesOf(app))[1]?.y).toBeGreaterThan(0.5)
+    const moved = await circlesOf(app)
+
+    // The first finger lies on the selected circle.
+    const place = { x: from.x, y: from.y - 90 }
+    await touch('touchStart', place)
+    await touch('touchMove', { x: place.x + 10, y: place.y })
+    await touch('touchStart', { x: place.x + 10, y: place.y }, { x: place.x + 80, y: place.y })
+    for (const x of [90, 110, 130])
+      await touch('touchMove', { x: place.x - 10, y: place.y }, { x: place.x + x, y: place.y })
+    await touch('touchEnd')
+    const before = (await view())?.span
+    await expect.poll(async () => (await view())?.span).not.toBe(before)
+    await expect.poll(() => circlesOf(app)).toEqual(moved)
+  })
+})

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, render } from 'lit'
+import type { Actions } from '../actions.ts'
+import type { State } from '../state.ts'
+import type { Store } from '../store.ts'
+import { byId } from './by-id.ts'
+
+/** How many circles are selected, and what can be done with them. */
+export function mountGroup(store: Store<State>, actions: Actions): void {
+  const panel = byId('group', HTMLElement)
+  const figure = byId('figure', HTMLElement)
+  const act = (action: () => void) => () => {
+    action()
+    figure.focus()
+  }
+  store.subscribe(({ selection }) => {
+    panel.hidden = selection.length < 2
+    if (panel.hidden) return
+    render(
+      html`
+        <header class="row">
+          <h2>${selection.length.toLocaleString('en')} circles</h2>
+          <button type="button" class="icon" aria-label="Deselect" title="Deselect (Escape)" @click=${act(() => actions.select([]))}>
+            <svg viewBox="0 0 20 20" aria-hidden="true"><path d="m6 6 8 8M14 6l-8 8" /></svg>
+          </button>
+        </header>
+        <div class="choices">
+          <button type="button" title="Duplicate (Ctrl+D)" @click=${act(() => actions.duplicateSelected())}>Duplicate</button>
+          <button type="button" title="Delete (Delete)" @click=${act(() => actions.removeSelected())}>Delete</button>
+        </div>
+      `,
+      panel,
+    )
+  })
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, render } from 'lit'
+import { byId } from './by-id.ts'
+
+const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: string, what: string])[]])[] = [
+  [
+    'Look',
+    [
+      ['wheel, pinch, + −', 'zoom'],
+      ['drag, Space + drag, middle button, arrows', 'pan'],
+      ['0', 'show everything; again: leave out what lies far outside'],
+    ],
+  ],
+  [
+    'Select',
+    [
+      ['click, Enter', 'a circle by its disc or its cell'],
+      ['Shift + click, Shift + drag', 'several'],
+      ['Tab, Shift + Tab', 'the next one, the one before'],
+      ['Ctrl + arrows', 'the neighbour on that side'],
+      ['Ctrl + A, Escape', 'all, none'],
+    ],
+  ],
+  [
+    'Edit',
+    [
+      ['double click, A and drag', 'add a circle'],
+      ['drag its disc, its rim, the square', 'move, resize, scale'],
+      ['arrows, + −', 'move and resize by a step: Shift ten, Alt a tenth'],
+      ['Alt + drag, S', 'snap to neighbours and to a grid'],
+      ['Ctrl + C, X, V, D', 'copy, cut, paste, duplicate'],
+      ['Delete', 'delete'],
+      ['Ctrl + Z, Ctrl + Shift + Z', 'undo, redo'],
+      ['Enter', 'type the numbers of the selected circle'],
+    ],
+  ],
+  [
+    'Tools',
+    [
+      ['V, H, A', 'select, pan, add'],
+      ['?', 'this help'],
+    ],
+  ],
+]
+
+/** What pointer and keys do. Returns how to show it. */
+export function mountHelp(): () => void {
+  const dialog = byId('help', HTMLDialogElement)
+  render(
+    html`
+      <form method="dialog" class="row">
+        <h2 id="help-title">Mouse, fingers and keys</h2>
+        <button class="icon" aria-label="Close" title="Close (Escape)">
+          <svg viewBox="0 0 20 20" aria-hidden="true"><path d="m6 6 8 8M14 6l-8 8" /></svg>
+        </button>
+      </form>
+      <div class="help">
+        ${HELP.map(
+          ([title, rows]) =>
+            html`<section>
+              <h3>${title}</h3>
+              <dl>${rows.map(([how, what]) => html`<dt>${how}</dt><dd>${what}</dd>`)}</dl>
+            </section>`,
+        )}
+      </div>
+    `,
+    dialog,
+  )
+  // A click beside it closes it.
+  dialog.addEventListener('click', (event) => event.target === dialog && dialog.close())
+  byId('show-help', HTMLButtonElement).addEventListener('click', () => dialog.showModal())
+  return () => dialog.showModal()
+}

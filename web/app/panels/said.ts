@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { State } from '../state.ts'
+import type { Store } from '../store.ts'
+import { byId } from './by-id.ts'
+import { describeCell } from './inspector.ts'
+
+/** So long nothing may change before it is said, in milliseconds: of a drag, the end. */
+const REST = 250
+
+/** Says what was done, and which circle is selected, to who does not see it: each once. */
+export function mountSaid(store: Store<State>): void {
+  const said = byId('said', HTMLParagraphElement)
+  let before = store.get()
+  let timer: ReturnType<typeof setTimeout> | undefined
+
+  const say = (text: string) => {
+    clearTimeout(timer)
+    timer = setTimeout(() => {
+      said.textContent = text
+    }, REST)
+  }
+  store.subscribe((state) => {
+    const { selected, described } = state
+    if (state.said !== before.said) say(state.said)
+    else if (
+      described !== undefined &&
+      described.id === selected &&
+      (selected !== before.selected || before.described === undefined)
+    ) {
+      say(`Circle ${selected}. ${describeCell(described)[0]}`)
+    }
+    before = state
+  })
+}
