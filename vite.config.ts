@@ -28,7 +28,6 @@ export default defineConfig({
   publicDir: '../public',
   build: { outDir: '../dist/app', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   worker: { format: 'es' },
-  server: { headers },
   preview: { headers },
   // The limit is for what hangs: on a busy machine a test of many random inputs may take long.
   test: {
