@@ -88,6 +88,30 @@ test('what is saved opens again: SVG as it is, JSON with its diagram, CSV, GeoJS
   }
 })
 
+test('saves the picture that is seen as PNG, so many times as large', async ({ app }) => {
+  await openPanel(app)
+  const sizeOf = async (times: string) => {
+    await app.page.getByLabel('times').fill(times)
+    await app.page.getByLabel('times').press('Tab')
+    const download = app.page.waitForEvent('download')
+    await app.page.getByRole('button', { name: 'PNG' }).click()
+    const file = await download
+    expect(file.suggestedFilename()).toBe('bronzefilter.png')
+    const bytes = readFileSync(await file.path())
+    expect(bytes.subarray(1, 4).toString()).toBe('PNG')
+    return [bytes.readUInt32BE(16), bytes.readUInt32BE(20), bytes.length]
+  }
+  expect(await sizeOf('1')).toEqual([1280, 800, expect.any(Number)])
+  const [width, height, length] = await sizeOf('2.5')
+  expect([width, height]).toEqual([3200, 2000])
+  // A picture without anything would be small.
+  expect(length).toBeGreaterThan(200_000)
+  await app.page.getByLabel('times').fill('1000')
+  await app.page.getByLabel('times').press('Tab')
+  await app.page.getByRole('button', { name: 'PNG' }).click()
+  await expect(app.page.getByRole('alert')).toContainText('too large')
+})
+
 test('opens an SVG of the command line', async ({ app }) => {
   await openPanel(app)
   const diagram = (await loadCircleVoronoi()).compute([

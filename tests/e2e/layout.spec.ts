@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Panels in windows of all sizes, forced colours, and pages that run from right to left.
+import AxeBuilder from '@axe-core/playwright'
 import type { Locator } from '@playwright/test'
 import { type App, dataSet, expect, test } from './page.ts'
 
@@ -43,6 +44,23 @@ for (const [width, height] of [
     await app.field('r').press('Enter')
     await expect(app.page.getByRole('alert')).toBeVisible()
     await expectApart(app)
+  })
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`files, several circles and help have no serious accessibility violation, ${colorScheme}`, async ({ app }) => {
+    await app.page.emulateMedia({ colorScheme })
+    const expectNone = async () => {
+      const { violations } = await new AxeBuilder({ page: app.page }).analyze()
+      expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([])
+    }
+    await app.choose('Introduction')
+    await app.page.keyboard.press('Control+a')
+    await expect(app.page.getByRole('region', { name: 'Selected circles' })).toBeVisible()
+    await app.page.getByRole('button', { name: 'Files' }).click()
+    await expectNone()
+    await app.page.getByRole('button', { name: 'Help' }).click()
+    await expectNone()
   })
 }
 

@@ -82,7 +82,7 @@ view.on('layers', (layers) => {
 mountToolbar(store, actions)
 mountViewControls(actions)
 mountStatus(store)
-const fileActions = new FileActions(store, editing, actions)
+const fileActions = new FileActions(store, editing, actions, view)
 mountFiles(fileActions)
 // What is copied here is no file: this hears of it first.
 listenToClipboard(actions)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from '../../lib/index.ts'
 import { encodeLink } from '../../lib/link.ts'
+import type { View } from '../../view/view.ts'
 import type { Actions } from '../actions.ts'
 import { dataSetOf } from '../data-sets.ts'
 import type { Editing } from '../editing.ts'
@@ -12,6 +13,9 @@ import { embedCode, save } from './saving.ts'
 
 /** Larger files are none that a browser could show. */
 const LARGEST_FILE = 2 ** 28
+/** Browsers draw no larger pictures: pixels of a side, and all of them. */
+const LONGEST_SIDE = 16_384
+const MOST_PIXELS = 2 ** 27
 /** A longer address is none that browsers open. */
 const LONGEST_LINK = 2_000_000
 const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string]>> = {
@@ -27,12 +31,14 @@ export class FileActions {
   readonly #store: Store<State>
   readonly #editing: Editing
   readonly #actions: Actions
+  readonly #view: View
   readonly #client = new FilesClient()
 
-  constructor(store: Store<State>, editing: Editing, actions: Actions) {
+  constructor(store: Store<State>, editing: Editing, actions: Actions, view: View) {
     this.#store = store
     this.#editing = editing
     this.#actions = actions
+    this.#view = view
   }
 
   /** Opens a file. One that cannot be read changes nothing. */
@@ -56,6 +62,19 @@ export class FileActions {
       const text = await this.#client.write(circles, format, format === 'svg' ? await this.#link() : '')
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
+    })
+  }
+
+  /** The picture that is seen, so many times as large. */
+  async savePicture(scale: number): Promise<void> {
+    await this.#try(async () => {
+      const { width, height } = this.#view.size
+      if (
+        !(scale > 0 && scale * Math.max(width, height) <= LONGEST_SIDE && scale * scale * width * height <= MOST_PIXELS)
+      ) {
+        throw new Error(`A picture ${scale} times as large as this one is too large.`)
+      }
+      save(await this.#view.toPNG(scale), `${this.#name}.png`)
     })
   }
 

@@ -26,6 +26,8 @@ const CODE = icon(svg`<path d="m7 6-4 4 4 4M13 6l4 4-4 4" />`)
 /** Open, save and share. */
 export function mountFiles(actions: FileActions): void {
   let said = ''
+  /** How many pixels a saved picture has for one that is seen. */
+  let scale = 2
   let timer: ReturnType<typeof setTimeout> | undefined
 
   const say = (text: string) => {
@@ -44,6 +46,10 @@ export function mountFiles(actions: FileActions): void {
     input.value = ''
   }
 
+  const rescale = ({ target }: Event) => {
+    scale = (target as HTMLInputElement).valueAsNumber
+  }
+
   const draw = () =>
     panel.render(
       () => html`
@@ -60,6 +66,15 @@ export function mountFiles(actions: FileActions): void {
                   ${DOWN}${label}
                 </button>`,
             )}
+          </div>
+          <div class="choices">
+            <button type="button" title="Save the picture that is seen" @click=${() => actions.savePicture(scale)}>
+              ${DOWN}PNG
+            </button>
+            <label>
+              times
+              <input type="number" min="0.1" step="any" .value=${String(scale)} @change=${rescale} autocomplete="off" />
+            </label>
           </div>
           <h3>Share</h3>
           <div class="choices">
