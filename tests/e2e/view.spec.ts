@@ -55,7 +55,13 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
   const row = Array.from({ length: 900 }, (_, k) => ({ x: 320 + k, y: 300 }))
   const isBlank = async () => new Set((await app.colors(row)).map(String)).size === 1
   await expect.poll(isBlank).toBe(true)
-  for (const name of ['Voronoi of centres', 'Power diagram', 'Delaunay of centres']) {
+  for (const name of [
+    'Power diagram',
+    'Delaunay of centres',
+    'Delaunay of samples',
+    'Antipodal discs',
+    'Directed edges left',
+  ]) {
     await layer(name).check()
     await expect.poll(isBlank, { timeout: 10_000 }).toBe(false)
     await layer(name).uncheck()

@@ -11,6 +11,7 @@ import { distributionOf } from '../../web/view/painter/distribution.ts'
 import { found } from '../../web/view/painter/found.ts'
 import { mergedWith } from '../../web/view/painter/layers/vertices.ts'
 import { cellArea, Measures } from '../../web/view/painter/measures.ts'
+import { methodData } from '../../web/view/painter/method-layers.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { touchingNear } from '../../web/view/painter/touching.ts'
 import { MAP_COLORS } from '../../web/view/style.ts'
@@ -254,6 +255,35 @@ describe('what depends on all circles', () => {
     const ask = { hull: true, largestDisc: true, path: { from: { x: 0, y: 0 }, to: { x: 1, y: 1 } } }
     picture.layers = { ...DEFAULT_LAYERS, ...ask }
     expect(found(picture, 1)).toEqual({ hull: new Float64Array(), largestDisc: undefined, path: undefined })
+  })
+})
+
+describe('what the touching disc method makes on its way', () => {
+  it('lies where it says: samples on circles, discs that touch two and meet none, directed edges around the hull', () => {
+    const circles = randomCircles(60)
+    const { hull, hidden } = library.compute(circles)
+    const [samples, graph, antipodal, directed] = methodData(library, { circles })
+    const gapsAt = (x: number, y: number) =>
+      Array.from({ length: 60 }, (_, i) => {
+        const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y)
+        return distance - at(circles, 3 * i + 2)
+      })
+    const points = samples?.points as Float64Array
+    const smallest = circles.reduce((least, r, k) => (k % 3 === 2 ? Math.min(least, r) : least), 10)
+    expect(points.length).toBeGreaterThan(2 * (60 - hidden.length / 2))
+    for (let k = 0; k < points.length; k += 2) {
+      const gaps = gapsAt(at(points, k), at(points, k + 1)).map((gap) => Math.abs(gap + smallest))
+      expect(Math.min(...gaps)).toBeLessThan(1e-6)
+    }
+    const discs = antipodal?.discs as Float64Array
+    expect(discs.length).toBeGreaterThan(0)
+    for (let k = 0; k < discs.length; k += 3) {
+      const gaps = gapsAt(at(discs, k), at(discs, k + 1)).sort((a, b) => a - b)
+      expect(gaps[0]).toBeCloseTo(at(discs, k + 2), 6)
+      expect(gaps[1]).toBeCloseTo(at(discs, k + 2), 6)
+    }
+    expect(graph?.segments?.length).toBeGreaterThan(points.length)
+    expect(directed?.segments?.length).toBe(4 * hull.length)
   })
 })
 

@@ -6,6 +6,11 @@ import type { LayerValue } from '../lib/link.ts'
 export const CELL_COLORS = ['none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
 export type CellColors = (typeof CELL_COLORS)[number]
 
+/** What the touching disc method makes on its way, for so many circles at most. */
+export const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
+export type MethodLayer = (typeof METHOD_LAYERS)[number]
+export const MOST_TRACED = 5000
+
 /** What a client adds of its own, in the units of the circles. */
 export interface DataLayer {
   readonly id: string
@@ -46,6 +51,14 @@ export interface Layers {
   readonly path: { readonly from: Point; readonly to: Point } | undefined
   /** Cells and edges end at this distance from their circles. */
   readonly maxDistance: number | undefined
+  /** The samples of the touching disc method. */
+  readonly samples: boolean
+  /** Their Delaunay graph. */
+  readonly sampleGraph: boolean
+  /** Its antipodal discs that are empty. */
+  readonly antipodalDiscs: boolean
+  /** Its directed edges that are left over, those of the hull. */
+  readonly directedEdges: boolean
   readonly data: readonly DataLayer[]
 }
 
@@ -65,6 +78,10 @@ export const DEFAULT_LAYERS: Layers = {
   largestDisc: false,
   path: undefined,
   maxDistance: undefined,
+  samples: false,
+  sampleGraph: false,
+  antipodalDiscs: false,
+  directedEdges: false,
   data: [],
 }
 

@@ -25,6 +25,10 @@ const COLORS = [
   'touching',
   'path',
   'merged',
+  'samples',
+  'sampleGraph',
+  'antipodalDiscs',
+  'directedEdges',
 ] as const
 
 /** The colours of the drawing: CSS colours. */

@@ -21,6 +21,10 @@ const PICTURES = {
   largestDisc: svg`<circle class="c" cx="5" cy="5" r="3.500" /><circle class="c" cx="27" cy="7" r="3" /><circle class="c" cx="16" cy="22" r="3" /><circle class="touching" cx="16" cy="9.500" r="9" />`,
   path: svg`<circle class="c" cx="9" cy="6" r="4" /><circle class="c" cx="20" cy="17" r="4" /><path class="path" d="M2 18c8 0 12-8 28-14" />`,
   maxDistance: svg`<path class="t4" d="M4 15a9 9 0 0 1 12-8.400A16 16 0 0 0 21 17a9 9 0 0 1-17-2z" /><circle class="c" cx="12" cy="14" r="3.500" />`,
+  samples: svg`${CIRCLES}<circle class="samples" cx="13" cy="12" r="1.800" /><circle class="samples" cx="5" cy="18" r="1.800" /><circle class="samples" cx="21" cy="6" r="1.800" />`,
+  sampleGraph: svg`<path class="sample-graph" d="M3 18 13 12l8-8 8 8-16 0 4 9z" />`,
+  antipodalDiscs: svg`${CIRCLES}<circle class="antipodal" cx="17.200" cy="10.700" r="4.300" />`,
+  directedEdges: svg`${CIRCLES}<path class="directed" d="M9 15 22 8.500m-5 0 5-.2-2.500 4.300" />`,
 } as const
 
 export type Pictured = keyof typeof PICTURES

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, svg, type TemplateResult } from 'lit'
-import { CELL_COLORS, type CellColors, type Layers } from '../../view/layers.ts'
+import { CELL_COLORS, type CellColors, type Layers, MOST_TRACED } from '../../view/layers.ts'
 import { MAP_COLORS, TINTS } from '../../view/style.ts'
 import type { View } from '../../view/view.ts'
 import type { Actions } from '../actions.ts'
@@ -47,7 +47,15 @@ export function mountLayers(store: Store<State>, actions: Actions, view: View): 
 
   const extent = () => Math.max(view.size.width, view.size.height) / view.camera.scale
 
-  const body = ({ layers, found }: State) => html`
+  const methodLayers = () => html`
+    <fieldset>
+      <legend>Touching disc method</legend>
+      ${toggle('samples', 'Samples')} ${toggle('sampleGraph', 'Delaunay of samples')}
+      ${toggle('antipodalDiscs', 'Antipodal discs')} ${toggle('directedEdges', 'Directed edges left')}
+    </fieldset>
+  `
+
+  const body = ({ layers, found, edited }: State) => html`
     <fieldset>
       <legend>Diagram</legend>
       ${toggle('circles', 'Circles')}
@@ -77,6 +85,7 @@ export function mountLayers(store: Store<State>, actions: Actions, view: View): 
       ${toggle('dual', 'Dual graph')} ${toggle('delaunay', 'Delaunay of centres')}
       ${toggle('ordinary', 'Voronoi of centres')} ${toggle('power', 'Power diagram')}
     </fieldset>
+    ${(edited?.counts.circles ?? 0) > MOST_TRACED ? nothing : methodLayers()}
   `
 
   const togglePath = (event: Event) => {
@@ -145,9 +154,9 @@ export function mountLayers(store: Store<State>, actions: Actions, view: View): 
   `
 
   let shown: readonly unknown[] = []
-  store.subscribe(({ layers, found }) => {
-    if (layers === shown[0] && found === shown[1]) return
-    shown = [layers, found]
+  store.subscribe(({ layers, found, edited }) => {
+    if (layers === shown[0] && found === shown[1] && edited?.counts.circles === shown[2]) return
+    shown = [layers, found, edited?.counts.circles]
     draw()
   })
 }

@@ -4,7 +4,7 @@ import type { Comparison } from '../../lib/comparison.ts'
 import { at } from '../../lib/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/errors.ts'
 import type { Box, CircleVoronoi, Edit, Options } from '../../lib/index.ts'
-import { DEFAULT_LAYERS, type Layers } from '../layers.ts'
+import { DEFAULT_LAYERS, type Layers, METHOD_LAYERS } from '../layers.ts'
 import type {
   Computed,
   Counts,
@@ -26,6 +26,7 @@ import { CanvasDrawing, type Drawing } from './drawing.ts'
 import { found, isAnythingFound } from './found.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
 import { frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
+import { isTraced, methodData } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
@@ -96,6 +97,7 @@ export class PaintedScene {
       picture.centres ??= new Centres(this.#library, picture.diagram)
     }
     if (!layers.power) picture.power = undefined
+    if (!METHOD_LAYERS.some((name) => layers[name])) picture.method = undefined
     if (isPainted) this.#restart()
   }
 
@@ -107,6 +109,18 @@ export class PaintedScene {
   /** The power diagram of the circles as they are. */
   addPower({ computeComparison }: Comparison): void {
     this.#picture.setPower(computeComparison(this.#picture.diagram.circles, 'power'))
+    this.#restart()
+  }
+
+  /** Whether the layers show something of the method that is not there. */
+  get isMethodMissing(): boolean {
+    const { diagram, method } = this.#picture
+    return method === undefined && isTraced(this.#layers, diagram.circles.length / 3)
+  }
+
+  /** What the touching disc method makes of the circles as they are. */
+  addMethod(): void {
+    this.#picture.setMethod(methodData(this.#library, this.#picture.diagram))
     this.#restart()
   }
 

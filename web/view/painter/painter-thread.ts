@@ -90,7 +90,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
           patches.map(({ image }) => image),
         )
         if (scene.isWaiting) schedule()
-        if (found === undefined || scene.isPowerMissing) findAtRest()
+        if (found === undefined || scene.isPowerMissing || scene.isMethodMissing) findAtRest()
       } catch (error) {
         refuse(message.scene, message.revision, error)
       }
@@ -130,7 +130,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'layers':
       scene.setLayers(message.layers, message.isPainted)
       // While an end of the path is dragged, what is quick follows.
-      if (scene.isFoundQuickly && !scene.isPowerMissing) {
+      if (scene.isFoundQuickly && !scene.isPowerMissing && !scene.isMethodMissing) {
         post({ kind: 'found', scene: message.scene, revision: known.revision, found: scene.find() })
       } else {
         findAtRest()
@@ -211,6 +211,10 @@ function findAtRest(): void {
 async function findAll(): Promise<void> {
   for (const [number, { scene, revision }] of scenes) {
     if (scene.isAnythingFound) post({ kind: 'found', scene: number, revision, found: scene.find() })
+    if (scene.isMethodMissing) {
+      scene.addMethod()
+      schedule()
+    }
     if (!scene.isPowerMissing) continue
     comparison ??= import('../../lib/comparison.ts').then(async ({ loadComparison }) => loadComparison(await library))
     const loaded = await comparison

@@ -2,7 +2,7 @@
 import { at, NONE } from '../../lib/diagram-data.ts'
 import type { Box, Change, Diagram, DiagramEditor } from '../../lib/index.ts'
 import { boundingBox } from '../camera.ts'
-import { type DataLayer, DEFAULT_LAYERS, isMeasure, type Layers } from '../layers.ts'
+import { type DataLayer, DEFAULT_LAYERS, isMeasure, type Layers, type MethodLayer } from '../layers.ts'
 import { TINTS } from '../style.ts'
 import { BoxIndex } from './box-index.ts'
 import { addAround, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
@@ -10,6 +10,7 @@ import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
 import type { Centres } from './centres.ts'
 import { Coloring } from './coloring.ts'
 import { Measures } from './measures.ts'
+import type { MethodData } from './method-layers.ts'
 
 /** How far, in extents of all circles, edges are taken to go that go to infinity. */
 const HORIZON = 1000
@@ -30,8 +31,10 @@ export interface Difference {
 }
 
 /** A layer of a client, and where its parts are. */
-interface IndexedData {
-  readonly layer: DataLayer
+export interface IndexedData {
+  readonly layer: Pick<DataLayer, 'points' | 'segments' | 'discs'>
+  /** A CSS colour, or the name of a style's. */
+  readonly color: string
   readonly points: BoxIndex | undefined
   readonly segments: BoxIndex | undefined
   readonly discs: BoxIndex | undefined
@@ -53,6 +56,8 @@ export class Picture {
   /** The power diagram of the circles as they are, likewise. */
   power: Ghost | undefined
   data: readonly IndexedData[] = []
+  /** What the touching disc method makes of the circles as they are, likewise. */
+  method: readonly (IndexedData & { readonly color: MethodLayer })[] | undefined
   readonly #tintBounds: readonly number[]
   #layers = DEFAULT_LAYERS
   #measures: Measures | undefined
@@ -90,13 +95,17 @@ export class Picture {
     if (cells !== 'different') this.#coloring = undefined
     else this.#coloring ??= new Coloring(this.diagram)
     if (!layers.dual) this.#stars = undefined
-    if (layers.data !== this.#layers.data) this.data = layers.data.map(indexed)
+    if (layers.data !== this.#layers.data) this.data = layers.data.map((layer) => indexed(layer, layer.color))
     this.#layers = layers
   }
 
   /** Has the power diagram of its circles. */
   setPower(diagram: Diagram): void {
     this.power = { diagram, index: new BoxIndex(cellBoxes(diagram, this.reach)) }
+  }
+
+  setMethod(data: readonly MethodData[]): void {
+    this.method = data.map((layer) => indexed(layer, layer.name))
   }
 
   /** Which of the tints circles of this radius have: each tint about as many as others, equal radii one. */
@@ -145,6 +154,8 @@ export class Picture {
     this.diagram.apply(change)
     this.#hiddenBy = undefined
     this.power = undefined
+    const isMethodShown = this.method !== undefined
+    this.method = undefined
     const changed = new Set([...inserted, ...replaced, ...shown, ...cells, ...hidden])
     for (const id of removed) {
       this.index.delete(id)
@@ -158,7 +169,7 @@ export class Picture {
     boxes.push(...(this.centres?.apply(change).boxes ?? []))
     return {
       boxes: boxes.filter(({ minX, maxX }) => minX <= maxX),
-      isEverywhere: !isFollowed || this.#layers.power,
+      isEverywhere: !isFollowed || isMethodShown || this.#layers.power,
     }
   }
 
@@ -200,7 +211,10 @@ function hiddenByHider({ hidden }: Diagram): Map<number, number[]> {
   return lists
 }
 
-function indexed(layer: DataLayer): IndexedData {
+function indexed<Color extends string>(
+  layer: IndexedData['layer'],
+  color: Color,
+): IndexedData & { readonly color: Color } {
   const index = (list: Float64Array | undefined, size: number, add: (boxes: Float64Array, k: number) => void) => {
     if (list === undefined) return undefined
     const boxes = emptyBoxes(Math.floor(list.length / size))
@@ -212,6 +226,7 @@ function indexed(layer: DataLayer): IndexedData {
     addAround(boxes, k, at(list, place), at(list, place + 1), r)
   return {
     layer,
+    color,
     points: index(points, 2, (boxes, k) => addPoint(boxes, k, points as Float64Array, 2 * k)),
     segments: index(segments, 4, (boxes, k) => {
       addPoint(boxes, k, segments as Float64Array, 4 * k)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../../lib/diagram-data.ts'
+import { METHOD_LAYERS } from '../../layers.ts'
 import { addDisc } from '../disc-path.ts'
-import type { Layer } from '../painting.ts'
+import type { Layer, Painting } from '../painting.ts'
+import type { IndexedData } from '../picture.ts'
 import { addSegment } from '../segment-path.ts'
 
 const LINE = 1.25
@@ -12,27 +14,40 @@ export const data: Layer = {
   id: 'data',
   isOn: (layers) => layers.data.length > 0,
   draw(painting) {
-    const { picture, frame, pixelRatio, limits } = painting
-    const sink = painting.sink()
-    for (const { layer, points, segments, discs } of picture.data) {
-      const lines = painting.drawing.path()
-      const dots = painting.drawing.path()
-      const { box } = limits.region
-      const x = (list: Float64Array | undefined, k: number) => sink.x(at(list as Float64Array, k))
-      const y = (list: Float64Array | undefined, k: number) => sink.y(at(list as Float64Array, k))
-      for (const k of segments?.search(box) ?? []) {
-        const own = layer.segments
-        addSegment(lines, frame, x(own, 4 * k), y(own, 4 * k + 1), x(own, 4 * k + 2), y(own, 4 * k + 3))
-      }
-      for (const k of discs?.search(box) ?? []) {
-        const radius = at(layer.discs as Float64Array, 3 * k + 2) * frame.scale
-        addDisc(lines, frame, x(layer.discs, 3 * k), y(layer.discs, 3 * k + 1), radius)
-      }
-      for (const k of points?.search(box) ?? []) {
-        addDisc(dots, frame, x(layer.points, 2 * k), y(layer.points, 2 * k + 1), DOT * pixelRatio)
-      }
-      painting.stroke(lines, layer.color, LINE * pixelRatio)
-      painting.fill(dots, layer.color)
+    for (const own of painting.picture.data) drawData(painting, own, own.color)
+  },
+}
+
+/** What the touching disc method makes on its way. */
+export const method: Layer = {
+  id: 'method',
+  isOn: (layers) => METHOD_LAYERS.some((name) => layers[name]),
+  draw(painting) {
+    for (const own of painting.picture.method ?? []) {
+      if (painting.layers[own.color]) drawData(painting, own, painting.style[own.color])
     }
   },
+}
+
+function drawData(painting: Painting, { layer, points, segments, discs }: IndexedData, color: string): void {
+  const { frame, pixelRatio, limits } = painting
+  const sink = painting.sink()
+  const lines = painting.drawing.path()
+  const dots = painting.drawing.path()
+  const { box } = limits.region
+  const x = (list: Float64Array | undefined, k: number) => sink.x(at(list as Float64Array, k))
+  const y = (list: Float64Array | undefined, k: number) => sink.y(at(list as Float64Array, k))
+  for (const k of segments?.search(box) ?? []) {
+    const own = layer.segments
+    addSegment(lines, frame, x(own, 4 * k), y(own, 4 * k + 1), x(own, 4 * k + 2), y(own, 4 * k + 3))
+  }
+  for (const k of discs?.search(box) ?? []) {
+    const radius = at(layer.discs as Float64Array, 3 * k + 2) * frame.scale
+    addDisc(lines, frame, x(layer.discs, 3 * k), y(layer.discs, 3 * k + 1), Math.abs(radius))
+  }
+  for (const k of points?.search(box) ?? []) {
+    addDisc(dots, frame, x(layer.points, 2 * k), y(layer.points, 2 * k + 1), DOT * pixelRatio)
+  }
+  painting.stroke(lines, color, LINE * pixelRatio)
+  painting.fill(dots, color)
 }
