@@ -85,3 +85,19 @@ test('a page that runs from right to left leaves each part of the status as it i
   expect((await boxOf(part.locator('b'))).x).toBe((await boxOf(part)).x)
   expect((await boxOf(part)).x).toBeGreaterThan((await boxOf(app.status.locator('bdi').nth(1))).x)
 })
+
+test.describe('with fingers', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true })
+
+  test('what is to be tapped is 44 pixels large', async ({ app }) => {
+    const at = app.center(BRONZE, 650)
+    await app.page.touchscreen.tap(at.x, at.y)
+    await expect(app.inspector).toBeVisible()
+    await app.page.getByRole('button', { name: 'Files' }).tap()
+    for (const control of await app.page.locator('button:visible, select:visible, #files input[type=number]').all()) {
+      const { width, height } = await boxOf(control)
+      expect(Math.min(width, height), await control.evaluate((element) => element.outerHTML)).toBeGreaterThanOrEqual(44)
+    }
+    expect(await app.page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0)
+  })
+})
