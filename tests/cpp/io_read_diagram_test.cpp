@@ -115,7 +115,7 @@ TEST(ReadDiagram, SaysWhatIsWrongAndWhere) {
             "file:1: the version is not 1, the only one that can be read.");
   EXPECT_EQ(errorAfter("\"version\": 1,", ""), "file:10: there is no version.");
   EXPECT_EQ(errorAfter("\"version\": 1,", "\"version\": 1, \"metric\": \"taxi\","),
-            "file:1: there is no metric \"taxi\"; it is circles, centres or power.");
+            "file:1: there is no metric \"taxi\"; it is circles, centers or power.");
   EXPECT_EQ(errorAfter("\"format\": \"circle-voronoi\",", ""),
             "file:10: there is no format; a diagram has \"format\": \"circle-voronoi\".");
   EXPECT_EQ(errorAfter("\"hull\": [0]", "\"hulls\": [0]"), "file:10: there is no list of hull.");
@@ -124,7 +124,7 @@ TEST(ReadDiagram, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(errorAfter("\"r\": 5}", "\"r\": -5}"), "file:3: Circle 0 has a negative radius.");
   EXPECT_EQ(errorAfter("\"r\": 5}", "\"r\": null}"), "file:3: expected a number for r of circles[0], not null.");
   EXPECT_EQ(errorAfter("\"r\": 1}", "\"x\": 1}"), "file:4: x of circles[1] is given twice.");
-  EXPECT_EQ(errorAfter("\"radius\": 1, ", ""), "file:7: vertices[0] has no radius.");
+  EXPECT_EQ(errorAfter("\"r\": 1, ", ""), "file:7: vertices[0] has no r.");
   EXPECT_EQ(errorAfter("[0, 1, 2]", "[0, 1]"), "file:7: expected 3 numbers for circles of vertices[0].");
   EXPECT_EQ(errorAfter("[0, 1, 2]", "[0, 1, 2, 3]"), "file:7: expected 3 numbers for circles of vertices[0].");
   EXPECT_EQ(errorAfter("[0, 1, 2]", "[0, 1, 0.5]"), "file:7: circles of vertices[0] is no index.");
