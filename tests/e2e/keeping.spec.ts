@@ -120,3 +120,21 @@ test('a tab that was closed loses nothing, and two tabs do not destroy each othe
   await expect(third.status).toContainText('134 circles')
   await expect(app.status).toContainText('14 circles')
 })
+
+test('many circles, too many for an address, are there again after a reload', async ({ app }) => {
+  const circles = Float64Array.from({ length: 3 * 6000 }, (_, k) => {
+    const i = Math.floor(k / 3)
+    return [(i % 80) + Math.sin(i) / 4, Math.floor(i / 80) + Math.cos(i) / 4, 0.1][k % 3] as number
+  })
+  const link = await encodeLink({ circles })
+  await app.page.evaluate((link) => {
+    location.hash = link
+  }, link)
+  await expect(app.status).toContainText('6,000 circles')
+  const longestKept = () =>
+    app.page.evaluate(() => Math.max(0, ...Object.values(localStorage).map((kept) => kept.length)))
+  await expect.poll(longestKept).toBeGreaterThan(100_000)
+  await expect.poll(() => hashOf(app)).toBe('')
+  await app.page.reload()
+  await expect(app.status).toContainText('6,000 circles')
+})

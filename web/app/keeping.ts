@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from '../lib/index.ts'
-import { encodeLink, type LinkInput } from '../lib/link.ts'
+import type { LinkInput } from '../lib/link.ts'
+import { LinkWriter } from './link-writer.ts'
 import { SceneStorage } from './scene-storage.ts'
 
 /** What changes for so long, in milliseconds, is kept once. */
@@ -11,6 +11,7 @@ const LONGEST_ADDRESS = 100_000
 /** Keeps what is shown: as a link in the address, and in the storage of the browser. */
 export class Keeping {
   readonly #read: () => LinkInput | undefined
+  readonly #links = new LinkWriter()
   #storage: SceneStorage | undefined
   #timer: ReturnType<typeof setTimeout> | undefined
 
@@ -47,21 +48,11 @@ export class Keeping {
     this.#timer = undefined
     const state = this.#read()
     if (state === undefined) return
-    const link = await linkOf(state)
+    const link = await this.#links.linkOf(state)
     // Meanwhile there may be something newer.
     if (this.#timer !== undefined) return
     const isShort = link !== undefined && link.length <= LONGEST_ADDRESS
     history.replaceState(null, '', isShort ? `#${link}` : location.pathname + location.search)
     if (link !== undefined) await this.#storage?.write(link)
-  }
-}
-
-/** `undefined`: there is too much for a link. */
-async function linkOf(state: LinkInput): Promise<string | undefined> {
-  try {
-    return await encodeLink(state)
-  } catch (error) {
-    if (error instanceof CircleVoronoiError) return undefined
-    throw error
   }
 }
