@@ -4,7 +4,7 @@
 import { mkdirSync, rmSync } from 'node:fs'
 import { buildApp, buildCli, buildLib, buildNative, buildWasm } from './build.mjs'
 import { countTests, NO_TESTS, summary } from './count-tests.mjs'
-import { outcomeOf, ROOT, run, statusOf } from './run.mjs'
+import { ROOT, run, statusOf } from './run.mjs'
 import { chromiumPath, setup } from './setup.mjs'
 
 const BIN = `${ROOT}node_modules/.bin`
@@ -18,18 +18,20 @@ function testing(report) {
   return ['--test', ...reporters, `--test-reporter-destination=${report}`]
 }
 
-// Each suite writes a JUnit report.
-
-/** It keeps two cores busy by itself. */
-const NATIVE = {
-  name: 'CTest',
-  report: `${RESULTS}/ctest.xml`,
-  program: 'ctest',
-  args: ['--test-dir', 'build/native', '--output-on-failure', '--output-junit', `${RESULTS}/ctest.xml`, '-j', '2'],
-}
-
-/** In this order, two at a time; what they print is shown when they end. The longest ones come first. */
+/** In this order; each of them writes a JUnit report. */
 const SUITES = [
+  {
+    name: 'CTest',
+    report: `${RESULTS}/ctest.xml`,
+    program: 'ctest',
+    args: ['--test-dir', 'build/native', '--output-on-failure', '--output-junit', `${RESULTS}/ctest.xml`, '-j', '2'],
+  },
+  {
+    name: 'Vitest',
+    report: `${RESULTS}/vitest.xml`,
+    program: `${BIN}/vitest`,
+    args: ['run', '--reporter=default', '--reporter=junit', `--outputFile.junit=${RESULTS}/vitest.xml`],
+  },
   {
     name: 'WebAssembly in Node',
     report: `${RESULTS}/node.xml`,
@@ -51,26 +53,6 @@ const SUITES = [
     ],
   },
   {
-    name: 'Playwright',
-    report: `${RESULTS}/playwright.xml`,
-    program: `${BIN}/playwright`,
-    args: ['test', '--reporter=list,junit'],
-    // Playwright colours its own way, and Node warns when both are set.
-    env: { NO_COLOR: undefined, PLAYWRIGHT_JUNIT_OUTPUT_FILE: `${RESULTS}/playwright.xml` },
-  },
-  {
-    name: "The paper's results in Node",
-    report: `${RESULTS}/results.xml`,
-    program: process.execPath,
-    args: [...testing(`${RESULTS}/results.xml`), 'tests/results/reproduce.test.mjs'],
-  },
-  {
-    name: 'Vitest',
-    report: `${RESULTS}/vitest.xml`,
-    program: `${BIN}/vitest`,
-    args: ['run', '--reporter=default', '--reporter=junit', `--outputFile.junit=${RESULTS}/vitest.xml`],
-  },
-  {
     name: 'Files, tiles and README in Node',
     report: `${RESULTS}/files.xml`,
     program: process.execPath,
@@ -80,6 +62,20 @@ const SUITES = [
       'tests/tiles/tiles.test.mjs',
       'tests/readme/native.test.mjs',
     ],
+  },
+  {
+    name: "The paper's results in Node",
+    report: `${RESULTS}/results.xml`,
+    program: process.execPath,
+    args: [...testing(`${RESULTS}/results.xml`), 'tests/results/reproduce.test.mjs'],
+  },
+  {
+    name: 'Playwright',
+    report: `${RESULTS}/playwright.xml`,
+    program: `${BIN}/playwright`,
+    args: ['test', '--reporter=list,junit'],
+    // Playwright colours its own way, and Node warns when both are set.
+    env: { NO_COLOR: undefined, PLAYWRIGHT_JUNIT_OUTPUT_FILE: `${RESULTS}/playwright.xml` },
   },
 ]
 
@@ -95,34 +91,19 @@ try {
 
   rmSync(RESULTS, { recursive: true, force: true })
   mkdirSync(RESULTS, { recursive: true })
-  console.log(`\n── ${NATIVE.name}`)
-  await test(NATIVE, (program, args, env) => statusOf(program, args, env))
-  const waiting = [...SUITES]
-  const testNext = async () => {
-    for (let suite = waiting.shift(); suite !== undefined; suite = waiting.shift()) {
-      const { name } = suite
-      await test(suite, async (program, args, env) => {
-        const { status, output } = await outcomeOf(program, args, { env })
-        console.log(`\n── ${name}\n${output}`)
-        return status
-      })
-    }
+  for (const { name, report, program, args, env } of SUITES) {
+    console.log(`\n── ${name}`)
+    const start = performance.now()
+    const status = await statusOf(program, args, { ...ENV, ...env })
+    const counts = countTests(report)
+    console.log(`── ${name}: ${Math.round((performance.now() - start) / 1000)} s`)
+    // A suite that fails without a failed test, or runs none, counts as one failure.
+    const isSilentFailure = counts.failed === 0 && (status !== 0 || counts.passed === 0)
+    results.push({ name, ...counts, failed: isSilentFailure ? 1 : counts.failed })
   }
-  await Promise.all([testNext(), testNext()])
 } catch (error) {
   console.error(`\n${error.message}`)
   results.push({ ...NO_TESTS, name: 'Set-up, build and checks', failed: 1 })
-}
-
-/** Runs a suite as `execute` does, which gives its exit status, and counts its tests. */
-async function test({ name, report, program, args, env }, execute) {
-  const start = performance.now()
-  const status = await execute(program, args, { ...ENV, ...env })
-  const counts = countTests(report)
-  console.log(`── ${name}: ${Math.round((performance.now() - start) / 1000)} s`)
-  // A suite that fails without a failed test, or runs none, counts as one failure.
-  const isSilentFailure = counts.failed === 0 && (status !== 0 || counts.passed === 0)
-  results.push({ name, ...counts, failed: isSilentFailure ? 1 : counts.failed })
 }
 
 console.log('')

@@ -19,7 +19,18 @@ test.beforeAll(() => {
 test.afterAll(() => project.remove())
 
 test('all of it is run', () => {
-  expect(SNIPPETS.map(({ language }) => language)).toEqual(['sh', 'js', 'js', 'js', 'js', 'js', 'html', 'js', 'js'])
+  expect(SNIPPETS.map(({ language }) => language)).toEqual([
+    'sh',
+    'js',
+    'js',
+    'js',
+    'js',
+    'js',
+    'js',
+    'html',
+    'js',
+    'js',
+  ])
 })
 
 test('install', () => {

@@ -61,8 +61,8 @@ export const updated: Diagram = library.from([[0, 0, 1]]).update()
 export const file: DiagramFile = diagram.toJSON()
 
 // To another thread without a copy, and back.
-declare const thread: Worker
-thread.postMessage(diagram, [diagram.vertices.buffer, diagram.edges.buffer])
+declare function postMessage(message: unknown, transfer: ArrayBuffer[]): void
+postMessage(diagram, [diagram.vertices.buffer, diagram.edges.buffer])
 export const received: Diagram = new Diagram(structuredClone(diagram, { transfer: [diagram.circles.buffer] }))
 export const reads: Diagram[] = [
   Diagram.fromJSON(JSON.stringify(diagram)),
