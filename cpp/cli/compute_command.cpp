@@ -46,7 +46,7 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   const Method method = kMethodChoices.at(arguments.method);
   const Candidates candidates = kCandidatesChoices.at(arguments.candidates);
   const auto needed = [](auto field, auto value) { return flagOf(field) + " " + std::string(nameOf(value)); };
-  for (const std::string& option : {flagOf(&Options::candidates), samples, resample, std::string("--trace")}) {
+  for (const std::string& option : {flagOf(&Options::candidates), samples, resample}) {
     refuse(option, method == Method::touchingDisc, needed(&Options::method, Method::touchingDisc));
   }
   refuse(samples, candidates != Candidates::allPairs,
@@ -129,9 +129,7 @@ void addComputeCommand(CLI::App& program) {
       ->check(CLI::Range(0, kMaxSamples).description("0 to " + std::to_string(kMaxSamples)));
   command->add_flag(flagOf(&Options::resample), arguments->resample,
                     "dynamic: take more samples where the certificate failed and try again");
-  command
-      ->add_option("--trace", arguments->trace,
-                   "touching-disc: write what happens to this file, a line of JSON an event")
+  command->add_option("--trace", arguments->trace, "Write what happens to this file, a line of JSON an event")
       ->type_name("FILE");
   addTileOptions(*command, arguments->tile);
   addProgressOption(*command, arguments->progress);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <memory>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "files.h"
 #include "output.h"
 #include "progress_line.h"
+#include "trace_lines.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -22,6 +25,7 @@ struct EditArguments {
   std::string input;
   std::string script;
   std::string changes;
+  std::string trace;
   Output output;
   std::string progress = "auto";
 };
@@ -59,21 +63,39 @@ void runEdit(EditArguments& arguments) {
   if (arguments.input == kStandardStream && arguments.script == kStandardStream) {
     throw Failure{kBadInput, "The circles and the script cannot both be standard input."};
   }
-  if (arguments.changes == kStandardStream && arguments.output.file == kStandardStream) {
-    throw Failure{kBadInput, "The changes and the diagram cannot both be standard output."};
+  const std::array results = {std::pair(&arguments.changes, "The changes"), std::pair(&arguments.trace, "The trace")};
+  for (const auto& [file, name] : results) {
+    if (*file == kStandardStream && arguments.output.file == kStandardStream) {
+      throw Failure{kBadInput, std::string(name) + " and the diagram cannot both be standard output."};
+    }
+    if (file->empty()) continue;
+    for (const std::string& other : {arguments.input, arguments.script, arguments.output.file}) {
+      refuseOneFile(other, *file);
+    }
   }
+  if (!arguments.changes.empty()) refuseOneFile(arguments.changes, arguments.trace);
   ProgressLine progress(arguments.progress);
   progress.show("read");
   auto made = DiagramEditor::from(readEditedCircles(arguments.input));
   if (!made) fail(made.error(), inputName(arguments.input) + ": ");
   DiagramEditor editor = std::move(made).value();
-  if (arguments.changes.empty()) {
-    makeEdits(editor, arguments.script, nullptr, progress);
+  const auto makeAll = [&](std::ostream* changes) { makeEdits(editor, arguments.script, changes, progress); };
+  const auto makeAndWrite = [&](const std::string& file) {
+    if (file.empty()) return makeAll(nullptr);
+    writeText(file, [&](std::ostream& out) { makeAll(&out); });
+  };
+  if (arguments.trace.empty()) {
+    makeAndWrite(arguments.changes);
   } else {
-    for (const std::string& file : {arguments.input, arguments.script, arguments.output.file}) {
-      refuseOneFile(file, arguments.changes);
-    }
-    writeText(arguments.changes, [&](std::ostream& out) { makeEdits(editor, arguments.script, &out, progress); });
+    // One file is written after the other.
+    std::ostringstream changes;
+    writeText(arguments.trace, [&](std::ostream& out) {
+      const auto error = editor.observe([&out](const TraceEvent& event) { writeTraceEvent(out, event); });
+      if (error) fail(*error, inputName(arguments.input) + ": ");
+      makeAll(arguments.changes.empty() ? nullptr : &changes);
+      editor.observe({});
+    });
+    if (!arguments.changes.empty()) writeText(arguments.changes, [&](std::ostream& out) { out << changes.str(); });
   }
   const auto diagram = editor.snapshot();
   if (!diagram) fail(diagram.error(), inputName(arguments.input) + ": ");
@@ -95,6 +117,8 @@ void addEditCommand(CLI::App& program) {
       ->type_name("FILE")
       ->required();
   command->add_option("--changes", arguments->changes, "Where to write what each edit changes, a line of JSON each")
+      ->type_name("FILE");
+  command->add_option("--trace", arguments->trace, "Write what happens to this file, a line of JSON an event")
       ->type_name("FILE");
   addOutputOptions(*command, arguments->output);
   addProgressOption(*command, arguments->progress);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trace_lines.h"
 
+#include <cmath>
 #include <ostream>
 #include <span>
 #include <string_view>
@@ -22,16 +23,17 @@ void writeIndices(std::ostream& out, std::string_view name, std::span<const Inde
   out << ']';
 }
 
-bool hasDisc(TraceKind kind) {
+bool hasDisc(const TraceEvent& event) {
+  const TraceKind kind = event.kind;
   return kind != TraceKind::roundBegun && kind != TraceKind::centersJoined && kind != TraceKind::samplesJoined &&
-         kind != TraceKind::pairFound;
+         kind != TraceKind::pairFound && !std::isnan(event.disc.r);
 }
 
 }  // namespace
 
 void writeTraceEvent(std::ostream& out, const TraceEvent& event) {
   out << "{\"kind\": \"" << traceKindName(event.kind) << '"';
-  if (hasDisc(event.kind)) {
+  if (hasDisc(event)) {
     out << ", \"disc\": {\"x\": ";
     writeNumber(out, event.disc.x);
     out << ", \"y\": ";

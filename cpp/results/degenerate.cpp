@@ -8,6 +8,7 @@
 #include "circle_voronoi/queries.h"
 #include "experiments.h"
 #include "figure.h"
+#include "figures.h"
 #include "method.h"
 
 namespace circle_voronoi::results {
@@ -15,17 +16,7 @@ namespace {
 
 constexpr std::size_t kColumns = 10;  ///< of the grids
 
-struct Case {
-  std::string figure;
-  Family family;
-  std::size_t count;
-};
-
-const Case kCases[] = {{"15a", Family::cocircularVaried, 24},
-                       {"15b", Family::cocircularEqual, 100},
-                       {"15d", Family::grid, kColumns* kColumns},
-                       {"15e", Family::gridTangent, kColumns* kColumns},
-                       {"15f", Family::gridColumns, kColumns* kColumns}};
+constexpr std::string_view kCases[] = {"15a", "15b", "15d", "15e", "15f"};
 
 /// How many merged vertices have each degree.
 std::map<std::string, int> degreesOf(const MergedDiagram& merged) {
@@ -87,36 +78,37 @@ void drawMiddle(const std::filesystem::path& folder, std::span<const Circle> cir
   draw(folder, "figure-15c", large, diagramOf(large), figure);
 }
 
-void drawCase(const std::filesystem::path& folder, const Case& its, std::span<const Circle> circles,
+void drawCase(const std::filesystem::path& folder, std::string_view name, std::span<const Circle> circles,
               const Diagram& diagram) {
   SvgFigure figure;
   figure.pixels = 420;
   figure.groups = {"circles", "edges"};
-  if (its.figure == "15f") figure.groups = {"circles", "dual"};
-  if (its.figure == "15a") figure.groups.push_back("vertices");
-  draw(folder, "figure-" + its.figure, circles, diagram, figure);
-  if (its.figure == "15b") drawMiddle(folder, circles, spreadOf(diagram, 50));
+  if (name == "15f") figure.groups = {"circles", "dual"};
+  if (name == "15a") figure.groups.push_back("vertices");
+  draw(folder, "figure-" + std::string(name), circles, diagram, figure);
+  if (name == "15b") drawMiddle(folder, circles, spreadOf(diagram, 50));
 }
 
 }  // namespace
 
 Json degeneratePositions(const Parameters& parameters) {
   Json cases = Json::array();
-  for (const Case& its : kCases) {
-    const auto circles = generate(its.family, its.count, 1);
+  for (const std::string_view name : kCases) {
+    const Figure& its = figureOf(name);
+    const auto circles = circlesOf(its);
     const Diagram method = diagramOf(circles, touchingDisc(Candidates::dynamic, 1));
     const Diagram diagram = diagramOf(circles);
-    Json row = {{"figure", its.figure},
+    Json row = {{"figure", name},
                 {"family", familyName(its.family)},
                 {"n", its.count},
                 {"certifiedByMethod", method.certificate.certified()},
                 {"certifiedByAuto", diagram.certificate.certified()},
                 {"vertices", diagram.vertices.size()},
                 {"degrees", degreesOf(mergeVertices(diagram))}};
-    if (its.figure == "15b") row["spread"] = spreadOf(diagram, 50);
-    if (its.figure == "15f") row["quasiTriangulation"] = quasiTriangulation(diagram);
+    if (name == "15b") row["spread"] = spreadOf(diagram, 50);
+    if (name == "15f") row["quasiTriangulation"] = quasiTriangulation(diagram);
     cases.push_back(std::move(row));
-    drawCase(parameters.folder, its, circles, diagram);
+    drawCase(parameters.folder, name, circles, diagram);
   }
   Json discs = Json::array();
   for (const std::size_t n : {8, 16, 32, 64, 128, 256, 512, 1024}) {

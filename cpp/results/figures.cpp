@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "figures.h"
+
 #include <algorithm>
 #include <map>
 
 #include "centres.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/families.h"
-#include "configurations.h"
 #include "delaunay.h"
 #include "experiments.h"
 #include "figure.h"
@@ -86,13 +87,13 @@ Json figure6(const Path& folder) {
 }
 
 void figure7(const Path& folder) {
-  for (const auto& [name, n] : {std::pair{"figure-7a", 49}, std::pair{"figure-7b", 199}}) {
-    const auto circles = generate(Family::ring, static_cast<std::size_t>(n), 1);
+  for (const std::string name : {"7a", "7b"}) {
+    const auto circles = circlesOf(figureOf(name));
     SvgFigure figure;
     figure.pixels = 480;
     figure.groups = {"circles"};
     figure.layers = {centresLayer(circles), samplesLayer(drawnDynamicSamples(circles, 3))};
-    draw(folder, name, circles, diagramOf(circles), figure);
+    draw(folder, "figure-" + name, circles, diagramOf(circles), figure);
   }
 }
 

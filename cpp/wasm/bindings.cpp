@@ -14,6 +14,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/final_cells.h"
 #include "circle_voronoi/option_names.h"
+#include "trace_arrays.h"
 #include "values.h"
 
 namespace {
@@ -84,41 +85,13 @@ val computeValue(const val& coordinates, const val& options) {
   });
 }
 
-/// Events as they come, field by field.
-struct TraceArrays {
-  std::vector<std::uint8_t> kinds;
-  std::vector<Vertex> discs;
-  std::vector<std::array<CircleIndex, 3>> circles;
-  std::vector<VertexIndex> vertices;
-  std::vector<std::array<std::int32_t, 2>> numbers;
-
-  void add(const TraceEvent& event) {
-    kinds.push_back(static_cast<std::uint8_t>(event.kind));
-    discs.push_back(event.disc);
-    circles.push_back(event.circles);
-    vertices.push_back(event.vertex);
-    numbers.push_back(event.numbers);
-  }
-
-  val value() const {
-    val result = val::object();
-    result.set("kinds", typedArray<std::uint8_t>("Uint8Array", kinds));
-    result.set("discs", float64Array(discs));
-    result.set("circles", int32Array(circles));
-    result.set("vertices", int32Array(vertices));
-    result.set("numbers", int32Array(numbers));
-    return result;
-  }
-};
-
 val traceValue(const val& coordinates, const val& options) {
   return valueOf([&] {
     Result<Options> chosen = optionsFrom(options);
     if (!chosen.ok()) return errorValue(chosen.error());
     TraceArrays events;
     Options traced = std::move(chosen).value();
-    traced.method = Method::touchingDisc;
-    traced.observer = [&](const TraceEvent& event) { events.add(event); };
+    traced.observer = events.observer();
     const Result<Diagram> diagram = compute(itemsFrom<double, Circle>(coordinates), traced);
     if (!diagram.ok()) return errorValue(diagram.error());
     val result = val::object();

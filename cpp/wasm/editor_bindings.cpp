@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "circle_voronoi/editor.h"
+#include "trace_arrays.h"
 #include "values.h"
 
 namespace {
@@ -88,14 +89,30 @@ val editValue(std::uintptr_t address, int kind, CircleId id, double x, double y,
 }
 
 /// Of each edit its kind, id, x, y, r.
+std::vector<Edit> editsFrom(const val& numbers) {
+  std::vector<Edit> edits;
+  for (const auto& [kind, id, x, y, r] : itemsFrom<double, std::array<double, 5>>(numbers)) {
+    edits.push_back({static_cast<Edit::Kind>(static_cast<int>(kind)), static_cast<CircleId>(id), {x, y, r}});
+  }
+  return edits;
+}
+
 val applyValue(std::uintptr_t address, const val& numbers) {
   return valueOf([&] {
-    std::vector<Edit> edits;
-    for (const auto& [kind, id, x, y, r] : itemsFrom<double, std::array<double, 5>>(numbers)) {
-      edits.push_back({static_cast<Edit::Kind>(static_cast<int>(kind)), static_cast<CircleId>(id), {x, y, r}});
-    }
     Session& session = sessionOf(address);
-    return replyTo(session, session.editor.apply(edits));
+    return replyTo(session, session.editor.apply(editsFrom(numbers)));
+  });
+}
+
+/// The events of these edits, of one after the other.
+val traceEditsValue(std::uintptr_t address, const val& numbers) {
+  return valueOf([&] {
+    DiagramEditor& editor = sessionOf(address).editor;
+    TraceArrays events;
+    if (const auto error = editor.observe(events.observer())) return errorValue(*error);
+    const Result<Change> change = editor.apply(editsFrom(numbers));
+    editor.observe({});
+    return change.ok() ? events.value() : errorValue(change.error());
   });
 }
 
@@ -150,6 +167,7 @@ EMSCRIPTEN_BINDINGS(circle_voronoi_editor) {
   emscripten::function("deleteEditor", &deleteEditor);
   emscripten::function("editCircle", &editValue);
   emscripten::function("applyEdits", &applyValue);
+  emscripten::function("traceEdits", &traceEditsValue);
   emscripten::function("nearestCircle", &nearestId);
   emscripten::function("editorSize", &sizeOf);
   emscripten::function("circleOfEditor", &circleValue);

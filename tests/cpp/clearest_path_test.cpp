@@ -124,7 +124,7 @@ TEST_P(ClearestPathIn, FollowsEdgesThatMeet) {
   }
 }
 
-std::string testName(const testing::TestParamInfo<Family>& family) {
+std::string nameOfPathTest(const testing::TestParamInfo<Family>& family) {
   std::string name(familyName(family.param));
   std::ranges::replace(name, '-', '_');
   return name;
@@ -136,7 +136,7 @@ std::vector<Family> allFamilies() {
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, ClearestPathIn, testing::ValuesIn(allFamilies()), testName);
+INSTANTIATE_TEST_SUITE_P(Families, ClearestPathIn, testing::ValuesIn(allFamilies()), nameOfPathTest);
 
 TEST(ClearestPath, GoesThroughTheWiderGap) {
   // A ring of six circles with gaps of 1, but for one that leaves 1.5 on either side of it.

@@ -9,6 +9,7 @@
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
 #include "cli.h"
+#include "fixtures.h"
 
 namespace circle_voronoi {
 namespace {
@@ -17,7 +18,7 @@ using Json = nlohmann::json;
 
 class CliConvert : public test::Cli {
  protected:
-  const std::string fixture_ = CIRCLE_VORONOI_FIXTURES "/waka.csv";
+  const std::string fixture_ = test::pathOfFixture("waka");
 
   std::string textOf(const std::string& arguments, const std::string& input = "") const {
     const auto [status, out, err] = run(arguments, input);

@@ -32,6 +32,27 @@ class CliEdit : public test::Cli {
   }
 };
 
+TEST_F(CliEdit, TracesEachEdit) {
+  const std::string script = write("edits.csv", "insert,3,4,0.5\nremove,3\n");
+  const std::string edit = "edit " + circles_ + " --script " + script;
+  const std::string plain = textOf(edit);
+  const std::string changes = textOf(edit + " -o " + path("diagram.json") + " --changes -");
+  EXPECT_EQ(textOf(edit + " --trace " + path("trace.jsonl") + " --changes " + path("changes.jsonl")), plain);
+  EXPECT_EQ(readFile(path("changes.jsonl")), changes);
+  const std::string trace = readFile(path("trace.jsonl"));
+  EXPECT_EQ(textOf(edit + " -o " + path("diagram.json") + " --trace -"), trace);
+  std::istringstream lines(trace);
+  std::string kinds;
+  for (std::string line; std::getline(lines, line);) kinds += Json::parse(line)["kind"].get<std::string>() + ' ';
+  EXPECT_TRUE(kinds.starts_with("roundBegun faceMade faceMade faceMade faceMade circleInserted ")) << kinds;
+  EXPECT_NE(kinds.find("circleShrunk"), std::string::npos);
+  EXPECT_NE(kinds.find("circleRemoved"), std::string::npos);
+  for (const std::string& same : {" --changes " + path("trace.jsonl"), " -o " + path("trace.jsonl")}) {
+    EXPECT_NE(run(edit + " --trace " + path("trace.jsonl") + same).status, 0) << same;
+  }
+  EXPECT_NE(run(edit + " --trace -").status, 0);
+}
+
 TEST_F(CliEdit, EndsWithTheDiagramOfTheCirclesThatAreLeft) {
   const std::string script = write("edits.csv",
                                    "# comes, moves and grows\n"

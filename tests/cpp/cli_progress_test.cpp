@@ -5,13 +5,14 @@
 #include <string>
 
 #include "cli.h"
+#include "fixtures.h"
 
 namespace circle_voronoi {
 namespace {
 
 class CliProgress : public test::Cli {
  protected:
-  const std::string fixture_ = CIRCLE_VORONOI_FIXTURES "/spruces.csv";
+  const std::string fixture_ = test::pathOfFixture("spruces");
 
   /// A computation that waits for its input for well over a second, also if it takes long to start.
   std::string slow(const std::string& options) const {
@@ -70,7 +71,7 @@ TEST_F(CliProgress, IsShownOrNotAsTheUserSays) {
 
 TEST_F(CliProgress, TellsThePartOfTheEventLoopThatIsDone) {
   const std::string text =
-      shell(program_ + " generate uniform 3000 | " + program_ +
+      shell(program_ + " generate uniform 1500 | " + program_ +
             " compute - --method touching-disc --candidates all-pairs --progress always -o " + path("out.json"))
           .err;
   EXPECT_TRUE(has(text, "touch")) << text;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "circle_voronoi/families.h"
+#include "fixtures.h"
 
 namespace circle_voronoi {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 using test::Cli;
 using test::Outcome;
 
-const std::string kFixture = CIRCLE_VORONOI_FIXTURES "/spruces.csv";
+const std::string kFixture = test::pathOfFixture("spruces");
 
 TEST_F(Cli, ComputesAFile) {
   const Outcome result = run("compute " + kFixture);
@@ -82,14 +83,14 @@ TEST_F(Cli, WritesEveryFormat) {
   for (const char* tolerance : {"0", "-1", "inf", "small"}) {
     expectFailure(run("compute " + kFixture + " --format svg --tolerance " + tolerance), 2, "--tolerance: expected");
   }
-  expectFailure(run("compute " CIRCLE_VORONOI_FIXTURES "/missed-antipodal-disc-mixed-4.csv --format svg "
-                    "--method touching-disc --samples 0"),
+  expectFailure(run("compute " + test::pathOfFixture("missed-antipodal-disc-mixed-4") +
+                    " --format svg --method touching-disc --samples 0"),
                 1, "not certified");
 }
 
 TEST_F(Cli, SaysWhereSamplingMissedSomethingAndSamplesAgain) {
-  const std::string command = "compute " CIRCLE_VORONOI_FIXTURES
-                              "/missed-antipodal-disc-mixed-4.csv --format stats --method touching-disc --samples 0";
+  const std::string command = "compute " + test::pathOfFixture("missed-antipodal-disc-mixed-4") +
+                              " --format stats --method touching-disc --samples 0";
   const auto certificate = [&](const std::string& options) {
     return nlohmann::json::parse(run(command + options).out).at("certificate");
   };
@@ -151,7 +152,7 @@ TEST_F(Cli, EndingsIgnoreCaseAndUnknownOnesAreErrors) {
 TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
   const std::string compute = "compute " + kFixture;
   for (const std::string method : {"", " --method flip", " --method auto"}) {
-    for (const std::string option : {"--candidates dynamic", "--samples 1", "--resample", "--trace out.jsonl"}) {
+    for (const std::string option : {"--candidates dynamic", "--samples 1", "--resample"}) {
       expectFailure(run(compute + method + " " + option), 2,
                     option.substr(0, option.find(' ')) + " needs --method touching-disc.");
     }
@@ -187,6 +188,12 @@ TEST_F(Cli, TracesTheTouchingDiscMethod) {
   std::istringstream lines(trace);
   for (std::string line; std::getline(lines, line);) EXPECT_TRUE(nlohmann::json::parse(line).contains("kind")) << line;
   EXPECT_EQ(run(compute + "- -o " + path("diagram.csv") + " --trace -", circles).out, trace);
+
+  // By flips: the centre of one of four circles lies in the disc of the others.
+  const std::string flips =
+      run("compute - -o " + path("diagram.csv") + " --trace -", "0,0,1\n8,0,1\n0,8,1\n7,7,3\n").out;
+  EXPECT_NE(flips.find("{\"kind\": \"centersJoined\", \"circles\": [0, 1]}\n"), std::string::npos);
+  EXPECT_NE(flips.find("{\"kind\": \"faceMade\", \"circles\": [1, 0], \"numbers\": ["), std::string::npos) << flips;
 
   expectFailure(run(compute + "- --trace -", circles), 2, "The trace and the diagram cannot both be standard output.");
   const std::string file = write("circles.csv", circles);

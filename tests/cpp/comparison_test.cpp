@@ -102,13 +102,13 @@ TEST_P(Comparison, RejectsWhatComputeRejects) {
   EXPECT_TRUE(computeComparison({}, GetParam()));
 }
 
-std::string testName(const testing::TestParamInfo<Metric>& metric) {
+std::string nameOfMetricTest(const testing::TestParamInfo<Metric>& metric) {
   constexpr const char* kNames[] = {"circles", "centers", "power"};
   return kNames[static_cast<int>(metric.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Metrics, Comparison, testing::Values(Metric::circles, Metric::centers, Metric::power),
-                         testName);
+                         nameOfMetricTest);
 
 TEST(ComparisonOfPower, TheRadiusOfAVertexIsThatOfTheCircleAtRightAngles) {
   const std::vector<Circle> circles = {{0, 0, 1}, {8, 0, 1}, {0, 8, 1}};

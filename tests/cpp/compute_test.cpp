@@ -38,13 +38,13 @@ class Compute : public testing::TestWithParam<Method> {
   Diagram diagramOf(const std::vector<Circle>& circles) const { return circle_voronoi::diagramOf(circles, GetParam()); }
 };
 
-std::string testName(const testing::TestParamInfo<Method>& method) {
+std::string nameOfMethodTest(const testing::TestParamInfo<Method>& method) {
   constexpr const char* kNames[] = {"automatic", "touchingDisc", "flip"};
   return kNames[static_cast<int>(method.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Compute, testing::Values(Method::automatic, Method::touchingDisc, Method::flip),
-                         testName);
+                         nameOfMethodTest);
 
 TEST_P(Compute, NoCircle) {
   const Diagram diagram = diagramOf({});

@@ -14,6 +14,7 @@
 #include "fixtures.h"
 #include "report.h"
 #include "tie_inputs.h"
+#include "trace_replay.h"
 #include "variants.h"
 
 namespace circle_voronoi {
@@ -54,6 +55,12 @@ TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
     EXPECT_EQ(stats.counts.flips > 0, way != "flip");
     EXPECT_EQ(stats.counts.repairs, repairs);
     EXPECT_TRUE(certify(diagram.value()).value().certified());
+    // Told step by step it is the same.
+    test::Replay replay;
+    replay.know(circles);
+    Options told;
+    told.observer = [&](const TraceEvent& event) { replay.see(event); };
+    replay.expectDiagram(compute(circles, told).value(), test::firstIds(circles.size()));
     // Flips on their own end in another dual, and say so.
     Options options;
     options.method = Method::flip;

@@ -213,7 +213,7 @@ TEST(Curve, ReversedRunsThroughTheSamePoints) {
 
 TEST(Curve, CubicsAndPolylinesKeepTheTolerance) {
   Random random(6);
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < 150; ++trial) {
     SCOPED_TRACE(trial);
     const auto [left, right] = randomPair(kKinds[trial % 5], random);
     const EdgeCurve arc = randomArc(bisector(left, right), random);

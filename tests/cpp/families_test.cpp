@@ -49,13 +49,13 @@ std::vector<std::string> familyNames() {
   return names;
 }
 
-std::string testName(const testing::TestParamInfo<std::string>& family) {
+std::string nameOfFamilyTest(const testing::TestParamInfo<std::string>& family) {
   std::string name = family.param;
   std::ranges::replace(name, '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FamilyTest, testing::ValuesIn(familyNames()), testName);
+INSTANTIATE_TEST_SUITE_P(All, FamilyTest, testing::ValuesIn(familyNames()), nameOfFamilyTest);
 
 TEST_P(FamilyTest, HasItsName) {
   EXPECT_EQ(familyName(info().family), GetParam());

@@ -10,23 +10,19 @@
 #include "circle_voronoi/io.h"
 
 namespace circle_voronoi::test {
-namespace {
-
-const std::filesystem::path kFolder = CIRCLE_VORONOI_FIXTURES;
-
-}  // namespace
-
 std::vector<std::string> fixtureNames() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(CIRCLE_VORONOI_FIXTURES)) {
     if (entry.path().extension() == ".csv") names.push_back(entry.path().stem().string());
   }
   std::ranges::sort(names);
   return names;
 }
 
+std::string pathOfFixture(const std::string& name) { return CIRCLE_VORONOI_FIXTURES "/" + name + ".csv"; }
+
 std::vector<Circle> readFixture(const std::string& name) {
-  std::ifstream file(kFolder / (name + ".csv"));
+  std::ifstream file(pathOfFixture(name));
   std::ostringstream text;
   text << file.rdbuf();
   auto circles = readCircles(text.str(), name);

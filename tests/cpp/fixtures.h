@@ -11,6 +11,9 @@ namespace circle_voronoi::test {
 /// The names of all files of tests/fixtures that hold circles, without folder and extension, sorted.
 std::vector<std::string> fixtureNames();
 
+/// Where the file of a fixture is.
+std::string pathOfFixture(const std::string& name);
+
 std::vector<Circle> readFixture(const std::string& name);
 
 }  // namespace circle_voronoi::test

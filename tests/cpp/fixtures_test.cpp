@@ -56,13 +56,13 @@ TEST_P(Fixture, DynamicSamplingAndMore) {
   EXPECT_EQ(problem(GetParam(), options), "");
 }
 
-std::string testName(const testing::TestParamInfo<std::string>& fixture) {
+std::string nameOfFixtureTest(const testing::TestParamInfo<std::string>& fixture) {
   std::string name = fixture.param;
   std::ranges::replace(name, '-', '_');  // a test's name has no hyphens
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Fixture, testing::ValuesIn(test::fixtureNames()), testName);
+INSTANTIATE_TEST_SUITE_P(All, Fixture, testing::ValuesIn(test::fixtureNames()), nameOfFixtureTest);
 
 }  // namespace
 }  // namespace circle_voronoi

@@ -102,7 +102,7 @@ const std::vector<std::string> kTexts = {
     R"([[1,2,3],[4,5,6]])", R"([ {"x" : 1} , "\u0041\n\"\\\/\b\f\r\t\ud83d\ude00é€😀" ])", R"("\u00e9\u20ac")",
     " \t\r\n 17 "};
 
-constexpr auto kPieces = std::to_array<std::string_view>({"{",
+constexpr auto kTokens = std::to_array<std::string_view>({"{",
                                                           "}",
                                                           "[",
                                                           "]",
@@ -178,15 +178,15 @@ TEST(JsonReader, AKeyAskedForByNameIsReadOnlyIfItComesNext) {
 }
 
 TEST(JsonReader, AgreesWithAnotherParserOnChangedTexts) {
-  constexpr int kTrials = 30'000;
+  constexpr int kChanges = 30'000;
   Random random(1);
   for (const std::string& text : kTexts) expectTheSame(text);
-  for (int i = 0; i < kTrials; ++i) {
+  for (int i = 0; i < kChanges; ++i) {
     std::string text = kTexts[random.below(kTexts.size())];
     for (std::size_t changes = 1 + random.below(3); changes > 0; --changes) {
       const std::size_t at = random.below(text.size() + 1);
       const std::size_t size = std::min<std::size_t>(random.below(4), text.size() - at);
-      text.replace(at, size, random.below(4) == 0 ? "" : kPieces[random.below(kPieces.size())]);
+      text.replace(at, size, random.below(4) == 0 ? "" : kTokens[random.below(kTokens.size())]);
     }
     expectTheSame(text);
   }

@@ -73,7 +73,7 @@ const std::map<Family, std::array<double, 4>> kMostPercent = {
 
 TEST(Mismatches, ByFamilyAndNumberOfSamples) {
   const std::uint64_t seed = environmentOr("CIRCLE_VORONOI_SEED", 1);
-  const std::uint64_t trials = environmentOr("CIRCLE_VORONOI_TRIALS", 250);
+  const std::uint64_t trials = environmentOr("CIRCLE_VORONOI_TRIALS", 100);
   const std::vector<test::Mismatches> rows = test::countMismatches(seed, trials);
 
   const std::string table = tableOf(rows, seed, trials);

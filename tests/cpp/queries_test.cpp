@@ -182,7 +182,7 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
   }
 }
 
-std::string testName(const testing::TestParamInfo<Family>& family) {
+std::string nameOfQueryTest(const testing::TestParamInfo<Family>& family) {
   std::string name(familyName(family.param));
   std::ranges::replace(name, '-', '_');
   return name;
@@ -194,7 +194,7 @@ std::vector<Family> allFamilies() {
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Queries, testing::ValuesIn(allFamilies()), testName);
+INSTANTIATE_TEST_SUITE_P(Families, Queries, testing::ValuesIn(allFamilies()), nameOfQueryTest);
 
 TEST(Query, NoCirclesHaveNoAnswers) {
   const Diagram diagram = compute({}).value();

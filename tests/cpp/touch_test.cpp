@@ -18,30 +18,30 @@
 namespace circle_voronoi {
 namespace {
 
-struct Outcome {
+struct Solved {
   std::vector<Circle> circles;
   Diagram diagram;
   std::map<TraceKind, int> events;
   std::string problem;
 };
 
-Outcome solve(const std::vector<Circle>& circles, Options options) {
-  Outcome outcome;
-  outcome.circles = circles;
+Solved solve(const std::vector<Circle>& circles, Options options) {
+  Solved solved;
+  solved.circles = circles;
   options.method = Method::touchingDisc;
-  options.observer = [&](const TraceEvent& event) { ++outcome.events[event.kind]; };
-  outcome.diagram = compute(circles, options).value();
-  outcome.problem = test::problemInGeneralPosition(outcome.diagram, oracle::exactDiagram(circles), circles);
-  return outcome;
+  options.observer = [&](const TraceEvent& event) { ++solved.events[event.kind]; };
+  solved.diagram = compute(circles, options).value();
+  solved.problem = test::problemInGeneralPosition(solved.diagram, oracle::exactDiagram(circles), circles);
+  return solved;
 }
 
-Outcome solveAllPairs(const std::string& fixture) {
+Solved solveAllPairs(const std::string& fixture) {
   Options options;
   options.candidates = Candidates::allPairs;
   return solve(test::readFixture(fixture), options);
 }
 
-Outcome solveSampled(const std::string& fixture, int samples) {
+Solved solveSampled(const std::string& fixture, int samples) {
   Options options;
   options.samples = samples;
   return solve(test::readFixture(fixture), options);
@@ -50,20 +50,20 @@ Outcome solveSampled(const std::string& fixture, int samples) {
 // The paper finds hidden circles by the leftover DEs. Left in, they take part in antipodal discs and displace the
 // neighbours of the circle that contains them: here a copy of circle 0.
 TEST(TouchRule1, HiddenCirclesAreRemovedFirst) {
-  const Outcome outcome = solveSampled("missed-antipodal-disc-duplicates-4", 0);
-  EXPECT_EQ(outcome.problem, "");
-  ASSERT_EQ(outcome.diagram.hidden.size(), 1U);
-  EXPECT_EQ(outcome.diagram.hidden[0].circle, 3);
-  EXPECT_EQ(outcome.diagram.hidden[0].by, 0);
+  const Solved solved = solveSampled("missed-antipodal-disc-duplicates-4", 0);
+  EXPECT_EQ(solved.problem, "");
+  ASSERT_EQ(solved.diagram.hidden.size(), 1U);
+  EXPECT_EQ(solved.diagram.hidden[0].circle, 3);
+  EXPECT_EQ(solved.diagram.hidden[0].by, 0);
 }
 
 // DE(c,a) may exist and belong to another branch of the bisector of c and a: taking it for the third DE of the disc,
 // as Algorithm 3 does, closes the diagram of three circles in a row after one vertex.
 TEST(TouchRule2, TheThirdDirectedEdgeMustBeAdjacentAndForward) {
   for (const std::string name : {"collinear-varied", "log-uniform", "one-huge", "two-huge"}) {
-    const Outcome outcome = solveAllPairs("third-edge-not-forward-" + name + "-3");
-    EXPECT_EQ(outcome.problem, "") << name;
-    EXPECT_EQ(outcome.diagram.vertices.size(), 2U) << name;
+    const Solved solved = solveAllPairs("third-edge-not-forward-" + name + "-3");
+    EXPECT_EQ(solved.problem, "") << name;
+    EXPECT_EQ(solved.diagram.vertices.size(), 2U) << name;
   }
 }
 
@@ -77,10 +77,10 @@ TEST(TouchRule3, ForwardIsAlongTheBisector) {
 // When its turn comes a three-touch disc may name a DE that is gone. Discs are discarded then, and none is lost: the DE
 // that took its place has formed its own.
 TEST(TouchRule4, DiscsOfDeletedEdgesAreStale) {
-  const Outcome outcome = solveSampled("missed-antipodal-disc-duplicates-22", 1);
-  EXPECT_EQ(outcome.problem, "");
-  EXPECT_GT(outcome.events.at(TraceKind::threeTouchDiscStale), 0);
-  EXPECT_EQ(outcome.events.at(TraceKind::branchDisc), static_cast<int>(outcome.diagram.vertices.size()));
+  const Solved solved = solveSampled("missed-antipodal-disc-duplicates-22", 1);
+  EXPECT_EQ(solved.problem, "");
+  EXPECT_GT(solved.events.at(TraceKind::threeTouchDiscStale), 0);
+  EXPECT_EQ(solved.events.at(TraceKind::branchDisc), static_cast<int>(solved.diagram.vertices.size()));
 }
 
 // All circles touch one disc. A DE sorted into the ring by an angle that rounding has changed would cross another one;
@@ -88,9 +88,9 @@ TEST(TouchRule4, DiscsOfDeletedEdgesAreStale) {
 TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
   for (const std::string name : {"tie-on-one-disc-cocircular-equal-4", "tie-on-one-disc-cocircular-varied-4",
                                  "centre-right-of-edge-cocircular-varied-5"}) {
-    const Outcome outcome = solveAllPairs(name);
+    const Solved solved = solveAllPairs(name);
     EXPECT_EQ(
-        test::problemInDegeneratePosition(outcome.diagram, oracle::exactDiagram(outcome.circles), outcome.circles), "")
+        test::problemInDegeneratePosition(solved.diagram, oracle::exactDiagram(solved.circles), solved.circles), "")
         << name;
   }
 }
@@ -98,21 +98,21 @@ TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
 // Opposite circles around one disc all have it for antipodal disc. An antipodal disc that touches a neighbour, but for
 // rounding, is left to the three-touch discs; two that were both accepted would cross.
 TEST(TouchRule5, AnAntipodalDiscThatTouchesANeighborIsNotEmpty) {
-  const Outcome outcome = solveAllPairs("tie-of-antipodal-disc-cocircular-equal-8");
-  EXPECT_EQ(test::problemInDegeneratePosition(outcome.diagram, oracle::exactDiagram(outcome.circles), outcome.circles),
+  const Solved solved = solveAllPairs("tie-of-antipodal-disc-cocircular-equal-8");
+  EXPECT_EQ(test::problemInDegeneratePosition(solved.diagram, oracle::exactDiagram(solved.circles), solved.circles),
             "");
-  EXPECT_EQ(outcome.diagram.vertices.size(), 6U);
-  EXPECT_EQ(outcome.diagram.stats.counts.leftoverCycles, 1);
+  EXPECT_EQ(solved.diagram.vertices.size(), 6U);
+  EXPECT_EQ(solved.diagram.stats.counts.leftoverCycles, 1);
 }
 
 // The antipodal disc of two intersecting circles has a negative radius and may meet a third one like any other.
 TEST(TouchRule6, DiscsOfIntersectingCirclesAreTestedForEmptiness) {
   for (const std::string name : {"centre-right-of-edge-intersecting-4", "missed-antipodal-disc-intersecting-5",
                                  "missed-antipodal-disc-intersecting-6"}) {
-    const Outcome outcome = solveAllPairs(name);
-    EXPECT_EQ(outcome.problem, "") << name;
+    const Solved solved = solveAllPairs(name);
+    EXPECT_EQ(solved.problem, "") << name;
     EXPECT_GT(
-        outcome.events.count(TraceKind::antipodalDiscNotEmpty) + outcome.events.count(TraceKind::antipodalDiscUsed), 0U)
+        solved.events.count(TraceKind::antipodalDiscNotEmpty) + solved.events.count(TraceKind::antipodalDiscUsed), 0U)
         << name;
   }
 }
@@ -121,10 +121,10 @@ TEST(TouchRule6, DiscsOfIntersectingCirclesAreTestedForEmptiness) {
 // behind that nothing joins.
 TEST(TouchRule7, EveryEdgeHasItsVertices) {
   for (const std::string& name : test::fixtureNames()) {
-    const Outcome outcome = solveAllPairs(name);
-    const auto ends = std::ranges::count_if(outcome.diagram.edges, [](const Edge& e) { return e.start != kNone; }) +
-                      std::ranges::count_if(outcome.diagram.edges, [](const Edge& e) { return e.end != kNone; });
-    EXPECT_EQ(ends, 3 * static_cast<std::ptrdiff_t>(outcome.diagram.vertices.size())) << name;
+    const Solved solved = solveAllPairs(name);
+    const auto ends = std::ranges::count_if(solved.diagram.edges, [](const Edge& e) { return e.start != kNone; }) +
+                      std::ranges::count_if(solved.diagram.edges, [](const Edge& e) { return e.end != kNone; });
+    EXPECT_EQ(ends, 3 * static_cast<std::ptrdiff_t>(solved.diagram.vertices.size())) << name;
   }
 }
 
@@ -142,9 +142,9 @@ TEST(TouchRule9, AllPairsMissNothing) {
 // A three-touch disc may come before the antipodal disc of two of its circles by rounding alone. The DE that it places
 // stands for both; a second pair of DEs would count the edge twice.
 TEST(TouchRule, ADirectedEdgeStandsForTheAntipodalDiscOfItsCircles) {
-  const Outcome outcome = solveAllPairs("antipodal-disc-after-three-touch-disc-clustered-3");
-  EXPECT_EQ(outcome.problem, "");
-  EXPECT_EQ(outcome.diagram.edges.size(), 3U);
+  const Solved solved = solveAllPairs("antipodal-disc-after-three-touch-disc-clustered-3");
+  EXPECT_EQ(solved.problem, "");
+  EXPECT_EQ(solved.diagram.edges.size(), 3U);
 }
 
 /// What became of the antipodal disc of circles 0 and 1.
@@ -185,12 +185,12 @@ TEST(Touch, TellsRoundingFromAGap) {
 }
 
 TEST(Touch, TellsEveryEvent) {
-  const Outcome outcome = solveAllPairs("spruces");
+  const Solved solved = solveAllPairs("spruces");
   const auto count = [&](TraceKind kind) {
-    const auto found = outcome.events.find(kind);
-    return found == outcome.events.end() ? 0 : found->second;
+    const auto found = solved.events.find(kind);
+    return found == solved.events.end() ? 0 : found->second;
   };
-  const Counts& counts = outcome.diagram.stats.counts;
+  const Counts& counts = solved.diagram.stats.counts;
   const int rejected = count(TraceKind::antipodalDiscUsed) + count(TraceKind::antipodalDiscNotEmpty);
   EXPECT_EQ(count(TraceKind::antipodalDiscAccepted) + rejected, counts.antipodalDiscs);
   EXPECT_EQ(count(TraceKind::threeTouchDiscFormed), counts.threeTouchDiscs);
@@ -199,7 +199,7 @@ TEST(Touch, TellsEveryEvent) {
   EXPECT_EQ(count(TraceKind::segmentFinished), count(TraceKind::directedEdgeDeleted));
   // What is left of the DEs is the hull.
   EXPECT_EQ(count(TraceKind::directedEdgePlaced) - count(TraceKind::directedEdgeDeleted),
-            static_cast<int>(outcome.diagram.hull.size()));
+            static_cast<int>(solved.diagram.hull.size()));
 }
 
 }  // namespace

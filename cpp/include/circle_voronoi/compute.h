@@ -39,7 +39,7 @@ struct Options {
   /// Whether the radii are additive weights, which may be negative.
   bool weights = false;
   Method method = Method::automatic;
-  /// For the touching disc method, as are the options below.
+  /// For the touching disc method, as are the options below but the last two.
   Candidates candidates = Candidates::dynamic;
   /// dynamic: N_s, samples inside each angle of a Delaunay face, 0 to kMaxSamples.
   /// uniform: m, samples on each circle, 1 to kMaxSamples.
@@ -47,7 +47,7 @@ struct Options {
   int samples = -1;
   /// dynamic: if the diagram is not certified, take more samples around what is wrong and try again.
   bool resample = false;
-  /// Told each event of the loop; costs nothing when empty.
+  /// Told each event (trace.h); costs nothing when empty.
   Observer observer;
   /// Told how far the computation has come; costs nothing when empty.
   Progress progress;

@@ -16,6 +16,7 @@
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/index.h"
 #include "circle_voronoi/point.h"
+#include "circle_voronoi/trace.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
@@ -133,6 +134,12 @@ class DiagramEditor {
   Result<Change> replace(CircleId id, const Circle& circle);
   /// All or none of the edits, one after the other. A circle that comes and goes in it is in no list.
   Result<Change> apply(std::span<const Edit> edits);
+
+  /// Has `observer` told all faces now, as a round, and from then on what each edit does, once it is done (trace.h);
+  /// an empty one ends that, as does an edit for which there is no memory. Circles are named by ids. Where everything
+  /// is computed, a round begins with all faces. Whatever the observer throws passes through; the edit is done then. An
+  /// error if there is no memory.
+  std::optional<Error> observe(const Observer& observer);
 
   /// The circle of smallest signed distance, one of them up to rounding where several are; kNone if there is none.
   CircleId nearest(Point p, CircleId hint = kNone) const;

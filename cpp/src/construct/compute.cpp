@@ -70,19 +70,19 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
   }
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
 
+  const Observer observer = observerOfInput(options.observer, sites.indices, scaled.unit);
   Construction construction;
   switch (options.method) {
     case Method::automatic:
-      construction = constructAutomatically(sites, journal);
+      construction = constructAutomatically(sites, observer, journal);
       break;
     case Method::flip:
-      construction = constructByFlips(sites, journal);
+      construction = constructByFlips(sites, observer, journal);
       break;
     case Method::touchingDisc: {
       stats.candidates = nameOf(options.candidates);
       Options complete = options;
       complete.samples = sampleCount(options);
-      const Observer observer = observerOfInput(options.observer, sites.indices, scaled.unit);
       construction = constructByTouchingDisc(sites, complete, observer, journal);
       break;
     }

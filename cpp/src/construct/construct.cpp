@@ -18,6 +18,7 @@
 #include "repair.h"
 #include "sample.h"
 #include "settle_ties.h"
+#include "tell_faces.h"
 #include "touch.h"
 #include "triangulate.h"
 
@@ -33,7 +34,7 @@ void addCounts(const FilterCounts& signs, Counts& counts) {
 
 void addCounts(const Predicates& predicates, Counts& counts) { addCounts(predicates.counts(), counts); }
 
-Construction judged(Dual dual, std::span<const Circle> circles, Journal& journal) {
+Construction judged(Dual& dual, std::span<const Circle> circles, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::certify);
   Predicates predicates(circles);
   const Verdict verdict = judge(circles, dual, predicates);
@@ -44,10 +45,16 @@ Construction judged(Dual dual, std::span<const Circle> circles, Journal& journal
   return {std::move(topology), std::move(certificate)};
 }
 
-/// A topology of `touch` need not be a triangulated sphere.
-Construction judged(Topology topology, std::span<const Circle> circles, Journal& journal) {
-  auto dual = dualOf(topology, static_cast<int>(circles.size()));
-  if (auto* fitting = std::get_if<Dual>(&dual)) return judged(std::move(*fitting), circles, journal);
+/// A topology of `touch` need not be a triangulated sphere. Tells what ties change.
+Construction judged(Topology topology, const Sites& sites, const Observer& observer, Journal& journal) {
+  auto dual = dualOf(topology, static_cast<int>(sites.circles.size()));
+  if (auto* fitting = std::get_if<Dual>(&dual)) {
+    FaceTeller teller(*fitting, sites.circles, observer);
+    teller.know();
+    Construction result = judged(*fitting, sites.circles, journal);
+    teller.tellChanges();
+    return result;
+  }
   const auto& misfit = std::get<Misfit>(dual);
   return {std::move(topology), {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}}};
 }
@@ -89,20 +96,23 @@ struct FlippedFaces {
   std::vector<int> wrong;
 };
 
-FlippedFaces flipFaces(Dual& dual, Predicates& predicates, const Sites& sites, Journal& journal) {
+FlippedFaces flipFaces(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::flip);
   FaceDiscs discs(sites.circles, dual, predicates);
-  Flips flips = flip(dual, discs);
+  Flips flips = flip(dual, discs, teller.watcher());
   journal.stats.counts.flips += flips.count;
   return {std::move(discs), std::move(flips.wrong)};
 }
 
-/// A dual after flips.
-Dual flipped(Dual dual, const Sites& sites, Journal& journal) {
+/// A dual flipped and judged, and all that told.
+Construction flippedAndJudged(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal) {
+  teller.tellChanges();
   Predicates predicates(sites.circles);
-  flipFaces(dual, predicates, sites, journal);
+  flipFaces(dual, predicates, sites, teller, journal);
   addCounts(predicates, journal.stats.counts);
-  return dual;
+  Construction result = judged(dual, sites.circles, journal);
+  teller.tellChanges();
+  return result;
 }
 
 /// The circles at what a certificate found wrong and their neighbours among the centres; all if it names none.
@@ -162,16 +172,15 @@ void repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& j
   }
 }
 
-/// The dual by flips of the centres' triangulation, and repair where they leave it wrong; nothing if too much is.
-std::optional<Dual> flippedAndRepaired(Dual dual, const Sites& sites, Journal& journal) {
+/// Flips the centres' triangulation, and repairs it where that leaves it wrong. Whether not too much is.
+bool flipAndRepair(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal) {
   Predicates predicates(sites.circles);
-  auto [discs, wrong] = flipFaces(dual, predicates, sites, journal);
+  auto [discs, wrong] = flipFaces(dual, predicates, sites, teller, journal);
   // A patch takes as long as the insertion of hundreds of circles.
   const bool isMuch = wrong.size() > kFewWrongFaces + sites.circles.size() / 100;
   if (!wrong.empty() && !isMuch) repairAll(dual, discs, wrong, journal);
   addCounts(predicates, journal.stats.counts);
-  if (isMuch) return std::nullopt;
-  return dual;
+  return !isMuch;
 }
 
 }  // namespace
@@ -230,14 +239,15 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
                         samples, n, [&](double done) { journal.tell(Stage::pair, done); }, observer);
       if (observer) tellOfPairs(pairs, observer);
     }
-    Construction result = judged(touchPairs(sites.circles, pairs, observer, journal), sites.circles, journal);
+    Construction result = judged(touchPairs(sites.circles, pairs, observer, journal), sites, observer, journal);
     const bool mayResample = options.resample && options.candidates == Candidates::dynamic && round < kMostResamplings;
     if (result.certificate.certified() || !mayResample) return result;
     ++journal.stats.counts.resamplings;
     // Where only rounding put the ends of an edge out of order, flips settle it; else pairs are missing.
     auto dual = dualOf(result.topology, n);
     if (auto* fitting = std::get_if<Dual>(&dual)) {
-      Construction flippedResult = judged(flipped(std::move(*fitting), sites, journal), sites.circles, journal);
+      FaceTeller teller(*fitting, sites.circles, observer);
+      Construction flippedResult = flippedAndJudged(*fitting, sites, teller, journal);
       if (flippedResult.certificate.certified()) return flippedResult;
     }
     // What is missing may lie farther off than what is seen to be wrong: from the third try on, sample everywhere.
@@ -250,17 +260,27 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
   }
 }
 
-Construction constructByFlips(const Sites& sites, Journal& journal) {
+Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal) {
   journal.stats.way = "flip";
-  return judged(flipped(sites.centres, sites, journal), sites.circles, journal);
+  FaceTeller teller(sites.centres, sites.circles, observer);
+  teller.tellRound(0);
+  if (observer) tellOfCenters(sites.centres, observer);
+  return flippedAndJudged(sites.centres, sites, teller, journal);
 }
 
-Construction constructAutomatically(Sites& sites, Journal& journal) {
+Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal) {
   Construction result;
-  const auto isCertified = [&](std::optional<Dual> dual) {
-    if (!dual) return false;
-    result = judged(*std::move(dual), sites.circles, journal);
+  int round = 0;
+  // Whether a dual is right. What is not told on the way to it is told at the end.
+  const auto isCertified = [&](Dual& dual, FaceTeller& teller) {
+    result = judged(dual, sites.circles, journal);
+    teller.tellChanges();
     return result.certificate.certified();
+  };
+  const auto isRightAnew = [&](Dual& dual) {
+    FaceTeller teller(dual, sites.circles, observer);
+    teller.tellRound(round++);
+    return isCertified(dual, teller);
   };
   if (sites.diagram) {
     journal.stats.way = "insert";
@@ -268,14 +288,26 @@ Construction constructAutomatically(Sites& sites, Journal& journal) {
     addCounts(sites.signs, journal.stats.counts);
     result.topology = topologyOf(*sites.diagram, static_cast<int>(sites.circles.size()));
     result.certificate = certificateOf(Verdict{}, *sites.diagram, result.topology);
+    FaceTeller teller(*sites.diagram, sites.circles, observer);
+    teller.tellRound(round);
+    teller.tellChanges();
     return result;
   }
   journal.stats.way = "flip";
-  if (isCertified(flippedAndRepaired(std::move(sites.centres), sites, journal))) return result;
+  {
+    Dual dual = std::move(sites.centres);
+    FaceTeller teller(dual, sites.circles, observer);
+    teller.tellRound(round++);
+    if (observer) tellOfCenters(dual, observer);
+    teller.tellChanges();
+    if (flipAndRepair(dual, sites, teller, journal) && isCertified(dual, teller)) return result;
+  }
   journal.stats.way = "insert";
-  if (isCertified(insertedAll(sites, journal))) return result;
+  if (auto dual = insertedAll(sites, journal); dual && isRightAnew(*dual)) return result;
   journal.stats.way = "apollonius-graph";
-  return judged(apolloniusGraph(sites.circles), sites.circles, journal);
+  Dual dual = apolloniusGraph(sites.circles);
+  isRightAnew(dual);
+  return result;
 }
 
 }  // namespace circle_voronoi

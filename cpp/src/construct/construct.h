@@ -23,7 +23,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
                                      Journal& journal);
 
 /// Flips from the Delaunay triangulation of the centres, judged.
-Construction constructByFlips(const Sites& sites, Journal& journal);
+Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal);
 
 /// The certified dual of those of a few circles that are visible: by the touching disc method on all pairs if they are
 /// very few, else by insertion, and if that is not certified by CGAL. Nothing if they are too many, or it is not
@@ -33,6 +33,6 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journ
 /// The first that leads to a certified topology: flips, with local repair where they leave little wrong; insertion;
 /// CGAL's Apollonius graph. If none does, the last one, with its certificate. Uses up the triangulation of the sites,
 /// which flips change in place.
-Construction constructAutomatically(Sites& sites, Journal& journal);
+Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal);
 
 }  // namespace circle_voronoi

@@ -3,17 +3,21 @@
 
 namespace circle_voronoi {
 
-/// Who keeps a dual, and has places for its faces, while others change it.
-class DualKeeper {
+/// Who is told of faces while others change a dual.
+class FaceWatcher {
  public:
-  virtual ~DualKeeper() = default;
-
-  /// A face whose half-edges and disc are to be set.
-  virtual int addFace() = 0;
-  virtual void removeFace(int face) = 0;
+  virtual ~FaceWatcher() = default;
 
   /// Before the half-edges or the disc of a face change.
   virtual void willChange(int face) = 0;
+};
+
+/// Who keeps a dual, and has places for its faces, while others change it.
+class DualKeeper : public FaceWatcher {
+ public:
+  /// A face whose half-edges and disc are to be set.
+  virtual int addFace() = 0;
+  virtual void removeFace(int face) = 0;
 
   /// Before a circle is marked as hidden.
   virtual void willHide(int circle) = 0;

@@ -14,8 +14,8 @@ namespace {
 
 class Flipper {
  public:
-  Flipper(Dual& dual, FaceDiscs& discs, DualKeeper* keeper)
-      : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()), keeper_(keeper) {}
+  Flipper(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher)
+      : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()), watcher_(watcher) {}
 
   Flips run() {
     // Four a circle: no family needs more than three and a bit, and who does gets there by insertion.
@@ -125,8 +125,8 @@ class Flipper {
     const int db = Dual::previous(t);
     const int beyondAd = dual_.twin[ad];
     const int beyondBc = dual_.twin[bc];
-    if (keeper_ != nullptr) {
-      for (const int changed : {h, t, beyondAd, beyondBc}) keeper_->willChange(changed / 3);
+    if (watcher_ != nullptr) {
+      for (const int changed : {h, t, beyondAd, beyondBc}) watcher_->willChange(changed / 3);
     }
     link(h, beyondAd);
     link(t, beyondBc);
@@ -147,7 +147,7 @@ class Flipper {
   Dual& dual_;
   FaceDiscs& discs_;
   Predicates& predicates_;
-  DualKeeper* keeper_;
+  FaceWatcher* watcher_;
   std::int64_t flips_ = 0;
   std::vector<int> stack_;
   std::vector<int> left_;  ///< edges that were wrong, but not to be flipped
@@ -155,14 +155,14 @@ class Flipper {
 
 }  // namespace
 
-Flips flip(Dual& dual, FaceDiscs& discs) { return Flipper(dual, discs, nullptr).run(); }
+Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher) { return Flipper(dual, discs, watcher).run(); }
 
-Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, DualKeeper& keeper) {
-  return Flipper(dual, discs, &keeper).runFrom(edges);
+Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, FaceWatcher& watcher) {
+  return Flipper(dual, discs, &watcher).runFrom(edges);
 }
 
-void flipTies(Dual& dual, FaceDiscs& discs, std::span<const int> ties, DualKeeper& keeper) {
-  Flipper(dual, discs, &keeper).runTies(ties);
+void flipTies(Dual& dual, FaceDiscs& discs, std::span<const int> ties, FaceWatcher& watcher) {
+  Flipper(dual, discs, &watcher).runTies(ties);
 }
 
 }  // namespace circle_voronoi

@@ -23,14 +23,14 @@ struct Flips {
 /// ends in the dual in nearly all cases; nothing guarantees it: where flips go round in circles, as where an edge is as
 /// wrong as the one that would take its place, they stop. So the result is to be judged.
 ///
-/// `discs` are all the discs of `dual`, before and after.
-Flips flip(Dual& dual, FaceDiscs& discs);
+/// `discs` are all the discs of `dual`, before and after. `watcher` is told of each face that changes, if there is one.
+Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher = nullptr);
 
-/// The same where only the edges given, by a half-edge each, may be wrong. `keeper` is told of each face that changes.
-Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, DualKeeper& keeper);
+/// The same where only the edges given, by a half-edge each, may be wrong.
+Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, FaceWatcher& watcher);
 
 /// Flips the edges given, of length zero in a right dual, and those of their discs, until all are settled
 /// (settle_ties.h).
-void flipTies(Dual& dual, FaceDiscs& discs, std::span<const int> ties, DualKeeper& keeper);
+void flipTies(Dual& dual, FaceDiscs& discs, std::span<const int> ties, FaceWatcher& watcher);
 
 }  // namespace circle_voronoi

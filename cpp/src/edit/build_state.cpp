@@ -113,7 +113,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   const Progress silent;
   Journal journal(silent);
   Sites sites = triangulate(hide(order(scaled.circles)));
-  const Construction construction = constructAutomatically(sites, journal);
+  const Construction construction = constructAutomatically(sites, {}, journal);
   if (!construction.certificate.certified()) {
     return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
   }

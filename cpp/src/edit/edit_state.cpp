@@ -5,11 +5,12 @@ namespace circle_voronoi {
 
 void EditState::sizeToPlaces() {
   const auto faces = static_cast<std::size_t>(facePlaces.count());
-  dual.origin.resize(3 * faces, kInfinity);
   dual.twin.resize(3 * faces, kNone);
   proof.resize(3 * faces);
   edgeNumber.resize(3 * faces, kNone);
   discs.resize(static_cast<int>(faces));
+  // By its size faces are counted: should memory run out in between, the others are no smaller.
+  dual.origin.resize(3 * faces, kInfinity);
   savedFaceAt_.resize(faces, kNone);
   const auto slots = static_cast<std::size_t>(sitePlaces.count());
   circles.resize(slots);
@@ -38,6 +39,7 @@ void EditState::removeFace(int face) {
 }
 
 void EditState::willChange(int face) {
+  if (teller != nullptr) teller->willChange(face);
   const int last = savedFaceAt_[face];
   if (last != kNone && static_cast<std::size_t>(last) >= stepFaces_) return;
   const int h = 3 * face;

@@ -15,6 +15,7 @@
 #include "insert_cell.h"
 #include "places.h"
 #include "predicates.h"
+#include "tell_faces.h"
 
 namespace circle_voronoi {
 
@@ -68,6 +69,8 @@ class EditState final : public DualKeeper {
   int circleCount = 0;
   int visibleCount = 0;
   int faceCount = 0;
+  /// Who tells of the faces that change, if somebody does.
+  FaceTeller* teller = nullptr;
   Places facePlaces;
   Places sitePlaces;
   Places edgePlaces;

@@ -49,6 +49,35 @@ class DiagramEditor::Editor {
     return slot != kNone && state_->sites[slot].id == id ? slot : kNone;
   }
 
+  /// All that follows is told to `observer`, as are all faces before.
+  void observe(const Observer& observer) {
+    stopTelling();
+    observer_ = observer;
+    if (observer_) beginTelling();
+  }
+
+  void stopTelling() noexcept {
+    state_->teller = nullptr;
+    teller_.reset();
+    observer_ = nullptr;
+    events_.clear();
+  }
+
+  /// Tells what was done.
+  void handOut() {
+    std::vector<TraceEvent> events;
+    events.swap(events_);
+    for (const TraceEvent& event : events) observer_(event);
+  }
+
+  /// What the observer throws goes on to the caller, once all is done.
+  Result<Change> edited(std::span<const Edit> edits, CircleId hint) {
+    auto change = guarded([&] { return apply(edits, hint); });
+    if (!change) events_.clear();  // what is refused was never done
+    handOut();
+    return change;
+  }
+
   /// Throws only if there is no memory, and then nothing has changed.
   Result<Change> apply(std::span<const Edit> edits, CircleId hint) {
     if (auto error = refusalOf(edits)) return *std::move(error);
@@ -58,11 +87,11 @@ class DiagramEditor::Editor {
     try {
       auto change = areFew(edits) ? applyLocally(edits, hint) : std::nullopt;
       if (!change) {
-        state_->takeAllBack();
+        takeAllBack();
         return applyWhole(edits);
       }
       if (!*change) {
-        state_->takeAllBack();
+        takeAllBack();
         return *std::move(change);
       }
       state_->prepareToKeep();
@@ -71,11 +100,53 @@ class DiagramEditor::Editor {
       return *std::move(change);
     } catch (...) {
       state_->takeAllBack();
+      stopTelling();
       throw;
     }
   }
 
  private:
+  void takeAllBack() {
+    state_->takeAllBack();
+    if (!teller_) return;
+    teller_->setShrinking(kInfinity);
+    teller_->tellChanges();
+    events_.clear();  // it was never done
+  }
+
+  void beginTelling() {
+    teller_.emplace(state_->dual, state_->circles, sink_);
+    state_->teller = &*teller_;
+    teller_->tellRound(round_++);
+    teller_->tellChanges();
+  }
+
+  /// All faces, after an edit that is done: without memory it ends the telling.
+  void tellAnew() noexcept {
+    if (!observer_) return;
+    try {
+      beginTelling();
+    } catch (...) {
+      stopTelling();
+    }
+  }
+
+  /// Tells of an edit that is done by computing everything.
+  void tellEdit(const Edit& edit, CircleId id, const Circle& circle) {
+    if (!observer_) return;
+    const TraceKind kind = edit.kind == Edit::Kind::insert   ? TraceKind::circleInserted
+                           : edit.kind == Edit::Kind::remove ? TraceKind::circleRemoved
+                                                             : TraceKind::circleReplaced;
+    events_.push_back({kind, {circle.x, circle.y, circle.r}, {id, kNone, kNone}, kNone});
+  }
+
+  /// Tells what is left to tell of it.
+  void tellRest() {
+    if (!teller_) return;
+    for (const auto& saved : state_->faceLog) teller_->lookAt(saved.face);
+    teller_->tell();
+  }
+
   void take(std::unique_ptr<EditState> state) {
     auto stepper = std::make_unique<Stepper>(*state, locator_);
     Locator filled;
@@ -120,6 +191,7 @@ class DiagramEditor::Editor {
                                                : stepper_->replace(slot, *circle);
       }
       if (!done) return std::nullopt;
+      tellRest();
       way = std::max(way, *done);
     }
     auto change = recorder_.record(*state_, way);
@@ -144,12 +216,14 @@ class DiagramEditor::Editor {
         ids.push_back(ids.empty() ? firstNew : std::max(firstNew, ids.back() + 1));
         circles.push_back(edit.circle);
         isThere.push_back(1);
+        tellEdit(edit, ids.back(), edit.circle);
         continue;
       }
       const auto found = static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), edit.id) - ids.begin());
       if (found == ids.size() || ids[found] != edit.id || isThere[found] == 0) {
         return unknownCircle(edit.id, static_cast<std::int64_t>(i));
       }
+      tellEdit(edit, edit.id, edit.kind == Edit::Kind::remove ? circles[found] : edit.circle);
       if (edit.kind == Edit::Kind::remove) {
         isThere[found] = 0;
       } else {
@@ -170,7 +244,10 @@ class DiagramEditor::Editor {
     state->nextId = firstNew + static_cast<CircleId>(newOnes);
     state->keep();
     auto change = recorder_.recordWhole(*state_, *state);
-    if (change) take(std::move(state));
+    if (change) {
+      take(std::move(state));
+      tellAnew();
+    }
     return change;
   }
 
@@ -194,6 +271,17 @@ class DiagramEditor::Editor {
   Locator locator_;
   std::unique_ptr<Stepper> stepper_;
   ChangeRecorder recorder_;
+  Observer observer_;
+  std::vector<TraceEvent> events_;  ///< what is to be told once the edit is done
+  /// By ids, in the unit of the input.
+  const Observer sink_ = [this](TraceEvent event) {
+    const double unit = state_->unit;
+    event.disc = {event.disc.x * unit, event.disc.y * unit, event.disc.r * unit};
+    for (CircleIndex& circle : event.circles) circle = state_->idOf(circle);
+    events_.push_back(event);
+  };
+  std::optional<FaceTeller> teller_;
+  int round_ = 0;
 };
 
 DiagramEditor::DiagramEditor(std::unique_ptr<Editor> editor) : editor_(std::move(editor)) {}
@@ -214,21 +302,28 @@ Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles) {
 
 Result<Change> DiagramEditor::insert(const Circle& circle, CircleId hint) {
   const Edit edit{Edit::Kind::insert, kNone, circle};
-  return guarded([&] { return editor_->apply({&edit, 1}, hint); });
+  return editor_->edited({&edit, 1}, hint);
 }
 
 Result<Change> DiagramEditor::remove(CircleId id) {
   const Edit edit{Edit::Kind::remove, id, {}};
-  return guarded([&] { return editor_->apply({&edit, 1}, kNone); });
+  return editor_->edited({&edit, 1}, kNone);
 }
 
 Result<Change> DiagramEditor::replace(CircleId id, const Circle& circle) {
   const Edit edit{Edit::Kind::replace, id, circle};
-  return guarded([&] { return editor_->apply({&edit, 1}, kNone); });
+  return editor_->edited({&edit, 1}, kNone);
 }
 
-Result<Change> DiagramEditor::apply(std::span<const Edit> edits) {
-  return guarded([&] { return editor_->apply(edits, kNone); });
+Result<Change> DiagramEditor::apply(std::span<const Edit> edits) { return editor_->edited(edits, kNone); }
+
+std::optional<Error> DiagramEditor::observe(const Observer& observer) {
+  auto error = guarded([&]() -> std::optional<Error> {
+    editor_->observe(observer);
+    return std::nullopt;
+  });
+  if (!error) editor_->handOut();
+  return error;
 }
 
 CircleId DiagramEditor::nearest(Point p, CircleId hint) const {

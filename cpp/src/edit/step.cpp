@@ -19,6 +19,7 @@ Point centreOf(const Circle& c) { return {c.x, c.y}; }
 std::optional<EditWay> Stepper::insert(const Circle& circle, int hint) {
   begin();
   const int slot = state_.addSite(circle);
+  tellCircle(TraceKind::circleInserted, slot, circle);
   if (!put(slot, hint) || !putWaiting(hint)) return std::nullopt;
   return certify(kNone);
 }
@@ -27,11 +28,13 @@ std::optional<EditWay> Stepper::remove(int slot) {
   begin();
   if (!state_.isVisible(slot)) {
     state_.detach(slot);
+    tellCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
     state_.removeSite(slot);
     return certify(kNone);
   }
   const int hint = neighborOf(slot);
   if (!takeOut(slot)) return std::nullopt;
+  tellCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
   state_.removeSite(slot);
   if (!putWaiting(hint)) return std::nullopt;
   return certify(kNone);
@@ -43,6 +46,8 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
   if (isVisible && staysNear(slot, circle)) {
     if (move(slot, circle) && isRight(slot)) return EditWay::local;
     state_.takeBack(mark);
+    tellCircle(TraceKind::circleReplaced, slot, state_.circles[slot]);
+    if (state_.teller != nullptr) state_.teller->tellChanges();
   }
   int hint = slot;
   if (isVisible) {
@@ -52,6 +57,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
     hint = state_.sites[slot].hider;
     state_.detach(slot);
   }
+  tellCircle(TraceKind::circleReplaced, slot, circle);
   state_.willChangeSite(slot);
   state_.circles[slot] = circle;
   if (!put(slot, hint) || !putWaiting(hint)) return std::nullopt;
@@ -61,6 +67,10 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
 EditState::Mark Stepper::begin() {
   waiting_.clear();
   return state_.beginStep();
+}
+
+void Stepper::tellCircle(TraceKind kind, int slot, const Circle& circle) {
+  if (state_.teller != nullptr) state_.teller->tellCircle(kind, slot, circle);
 }
 
 /// Puts a circle that is not there into the dual, or into the list of one that hides it. Whether that went well.
@@ -106,7 +116,13 @@ bool Stepper::putBefore(int slot, int identical) {
 
 /// Takes a visible circle out of the dual; those in its list wait. Whether that went well.
 bool Stepper::takeOut(int slot) {
-  if (state_.visibleCount <= 2 || !shrinker_.takeOut(state_, slot)) return false;
+  if (state_.visibleCount <= 2) return false;
+  if (state_.teller != nullptr) state_.teller->setShrinking(slot);
+  if (!shrinker_.takeOut(state_, slot)) return false;
+  if (state_.teller != nullptr) {
+    state_.teller->tell();
+    state_.teller->setShrinking(kInfinity);
+  }
   --state_.visibleCount;
   state_.willChangeSite(slot);
   state_.isHidden[slot] = 1;
@@ -158,6 +174,7 @@ bool Stepper::staysNear(int slot, const Circle& circle) const {
 /// Changes a visible circle in its place in the dual. Whether that went well.
 bool Stepper::move(int slot, const Circle& circle) {
   Dual& dual = state_.dual;
+  tellCircle(TraceKind::circleReplaced, slot, circle);
   state_.willChangeSite(slot);
   state_.circles[slot] = circle;
   edges_.clear();

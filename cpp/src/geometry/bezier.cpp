@@ -15,10 +15,6 @@
 namespace circle_voronoi {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// Of an arc's extent: the least tolerance of a polyline.
-constexpr double kFinestPolyline = 1e-9;
-
 /// w - 1
 double excessOf(double from, double to) {
   const double difference = std::sqrt(to) - std::sqrt(from);

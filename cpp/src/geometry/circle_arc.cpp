@@ -10,9 +10,6 @@
 namespace circle_voronoi {
 namespace {
 
-/// Of a radius: the least tolerance of a polyline.
-constexpr double kFinestPolyline = 1e-9;
-
 /// An arc by half its angle h: sin h and cos h, and R_F and R_D of (cos^2 h, 1, 1). With these
 ///
 ///     h = sin h R_F,        h - sin h cos h = 2 / 3 sin^3 h R_D,

@@ -2,7 +2,6 @@
 #include "circle_voronoi/clearest_path.h"
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 
 #include "circle_voronoi/cells.h"
@@ -12,8 +11,6 @@
 
 namespace circle_voronoi {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Where the ray from a cell's centre through a point leaves the cell.
 struct Exit {

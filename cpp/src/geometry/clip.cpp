@@ -10,8 +10,6 @@
 namespace circle_voronoi {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 /// A parameter between two.
 double between(double from, double to) {
   if (from == 0) return to == kInfinite ? 1 : to / 2;

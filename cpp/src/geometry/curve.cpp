@@ -10,7 +10,6 @@
 namespace circle_voronoi {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Finite parameters keep away from what stands for infinity.
 constexpr double kSmallestParameter = 1e-300;
 constexpr double kLargestParameter = 1e300;

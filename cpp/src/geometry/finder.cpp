@@ -5,7 +5,6 @@
 #include <cmath>
 #include <deque>
 #include <iterator>
-#include <limits>
 
 #include "circle_voronoi/cells.h"
 #include "scale.h"
@@ -50,7 +49,6 @@ bool noLater(Vector reference, Vector v, Vector w) {
 
 Finder::Finder(const Diagram& diagram) : diagram_(diagram) {
   const auto& circles = diagram.circles;
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
   std::size_t visible = 0;
   for (std::size_t i = 0; i < circles.size(); ++i) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/finder.h"
@@ -12,8 +11,6 @@
 namespace circle_voronoi {
 namespace {
 
-/// Parameters may be off by rounding, and so may the order of depths.
-constexpr double kRounding = 0x1p-40;
 /// Where a disc touches a circle and a side, the two distances differ by less than this share.
 constexpr double kRoundingOfPlace = 0x1p-31;
 constexpr double kRoundingOfDepth = 0x1p-48;
@@ -123,11 +120,11 @@ class Search {
 
  private:
   double depthOf(Point p) const {
-    double depth = std::numeric_limits<double>::infinity();
+    double depth = kInfinite;
     for (const Side& side : sides_) depth = std::min(depth, side.depth(p));
     return depth;
   }
-  double radius() const { return best_ ? best_->disc.r : -std::numeric_limits<double>::infinity(); }
+  double radius() const { return best_ ? best_->disc.r : -kInfinite; }
 
   void keep(Point p, double radius, const std::array<CircleIndex, 3>& circles) {
     if (radius > this->radius()) best_ = {{p.x, p.y, radius}, circles};
@@ -167,7 +164,7 @@ class Search {
     for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram_.edges.size()); ++e) {
       const auto& [left, right, start, end] = diagram_.edges[static_cast<std::size_t>(e)];
       const auto radiusAt = [&](VertexIndex v) {
-        return v == kNone ? std::numeric_limits<double>::infinity() : diagram_.vertices[static_cast<std::size_t>(v)].r;
+        return v == kNone ? kInfinite : diagram_.vertices[static_cast<std::size_t>(v)].r;
       };
       // Along an edge the distance is largest at one of its ends.
       if (std::max(radiusAt(start), radiusAt(end)) <= radius()) continue;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <limits>
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/finder.h"
@@ -25,14 +24,12 @@ class Largest {
     offer({p.x, p.y, distance(diagram, circle, p)}, {circle, other, kNone});
   }
 
-  double radius() const { return best_ ? best_->disc.r : -std::numeric_limits<double>::infinity(); }
+  double radius() const { return best_ ? best_->disc.r : -kInfinite; }
   const std::optional<EmptyDisc>& best() const { return best_; }
 
  private:
   std::optional<EmptyDisc> best_;
 };
-
-Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
 
 }  // namespace
 
@@ -51,7 +48,7 @@ std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, cons
   for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
     const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(e)];
     const auto radiusAt = [&](VertexIndex v) {
-      return v == kNone ? std::numeric_limits<double>::infinity() : diagram.vertices[static_cast<std::size_t>(v)].r;
+      return v == kNone ? kInfinite : diagram.vertices[static_cast<std::size_t>(v)].r;
     };
     // Along an edge the distance is largest at one of its ends.
     if (std::max(radiusAt(start), radiusAt(end)) <= largest.radius()) continue;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 
 #include "arc_measure.h"
@@ -175,7 +174,7 @@ class Clipper {
 
   /// How much nearer the circle is to a point than its nearest neighbour.
   double lead(Point p) const {
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinite;
     for (const SideIndex side : diagram_.sides(circle_)) {
       least = std::min(least, circle_voronoi::lead(diagram_, circle_, diagram_.neighborOf(side), p));
     }

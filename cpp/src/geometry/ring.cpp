@@ -4,21 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "scale.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// Points nearer to each other than this share of the radius are one but for rounding.
-constexpr double kRounding = 0x1p-40;
-/// A ring of that size is made of such points alone.
+/// A ring of that share of its radius is made of points alone that are one but for rounding.
 constexpr double kNothing = 0x1p-30;
 
 constexpr std::array<Vector, 4> kAxes = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
 Point centreOf(const Circle& c) { return {c.x, c.y}; }
 Point onAxis(const Circle& c, std::size_t k) { return {c.x + c.r * kAxes[k].x, c.y + c.r * kAxes[k].y}; }
 
@@ -87,12 +83,12 @@ void Ring::takeCommon(const ConvexPolygon& polygon) {
   const auto corners = polygon.corners();
   std::vector<bool> isInside;
   for (const Point& corner : corners) isInside.push_back(lengthOf(vectorTo(centre, corner)) <= disc_.r);
-  struct Part {
+  struct Chord {
     Point start;
     Point end;
     std::size_t side;
   };
-  std::vector<Part> parts;
+  std::vector<Chord> parts;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Point to = polygon.cornerAfter(k);
     const auto chord = chordOf(corners[k], to, isInside[k], isInside[(k + 1) % corners.size()], disc_);
@@ -186,7 +182,7 @@ Point Ring::at(double place) const {
 }
 
 double Ring::placeNear(Point p, std::optional<std::int32_t> side) const {
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = kInfinite;
   double place = 0;
   const auto consider = [&](std::size_t k) {
     const double share = shareOn(elements_[k], p);
@@ -200,7 +196,7 @@ double Ring::placeNear(Point p, std::optional<std::int32_t> side) const {
     if (!side || elements_[k].side == *side) consider(k);
   }
   // The side may have nothing but a point in common with the disc.
-  return side && nearest == std::numeric_limits<double>::infinity() ? placeNear(p) : place;
+  return side && nearest == kInfinite ? placeNear(p) : place;
 }
 
 std::vector<Ring::Element> Ring::between(double from, double to, Point start, Point end) const {

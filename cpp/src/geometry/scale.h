@@ -4,10 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "vectors.h"
 
 namespace circle_voronoi {
+
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Parameters of curves and places on them may be off by that share, by rounding.
+inline constexpr double kRounding = 0x1p-40;
+/// The finest polyline of a curve, as a share of its size.
+inline constexpr double kFinestPolyline = 1e-9;
+
+inline Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
 
 /// Whether a sum of two products has neither overflown nor lost what counts.
 inline bool isSafe(double product) { return 0x1p-900 < std::abs(product) && std::abs(product) < 0x1p1000; }

@@ -24,8 +24,6 @@ constexpr int kMostRounds = 8;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-Vector vectorTo(Point p, Point q) { return {q.x - p.x, q.y - p.y}; }
-
 /// Whether the triangle p, q, r is counter-clockwise.
 bool isLeftTurn(Point p, Point q, Point r) { return turn(vectorTo(p, q), vectorTo(p, r)) > 0; }
 

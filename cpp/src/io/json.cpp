@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kKeys = {"x", "y", "r"};
 
-using Values = std::array<double, 3>;
+using Numbers = std::array<double, 3>;
 
 std::string nameOfField(std::size_t field) { return std::string(kKeys[field]); }
 
@@ -24,7 +24,7 @@ double readField(JsonReader& reader, std::size_t field) {
 }
 
 Circle readArray(JsonReader& reader) {
-  Values values{};
+  Numbers values{};
   std::size_t count = 0;
   reader.enterArray();
   while (reader.nextItem()) {
@@ -37,7 +37,7 @@ Circle readArray(JsonReader& reader) {
 }
 
 Circle readObject(JsonReader& reader) {
-  Values values{};
+  Numbers values{};
   std::array<bool, kKeys.size()> given{};
   reader.enterObject();
   while (const auto key = reader.nextKey()) {

@@ -6,15 +6,15 @@
 namespace circle_voronoi {
 namespace {
 
-void writePoint(Writer& out, Point p) { out << "[" << p.x << "," << p.y << "]"; }
+void writePosition(Writer& out, Point p) { out << "[" << p.x << "," << p.y << "]"; }
 
 void writeRing(Writer& out, const std::vector<Point>& ring) {
   out << "[[";
   for (const Point& p : ring) {
-    writePoint(out, p);
+    writePosition(out, p);
     out << ",";
   }
-  writePoint(out, ring.front());
+  writePosition(out, ring.front());
   out << "]]";
 }
 

@@ -6,15 +6,15 @@
 namespace circle_voronoi {
 namespace {
 
-void writePoint(Writer& out, Point p) { out << p.x << " " << p.y; }
+void writeCoordinates(Writer& out, Point p) { out << p.x << " " << p.y; }
 
 void writePolygon(Writer& out, const std::vector<Point>& ring) {
   out << "((";
   for (const Point& p : ring) {
-    writePoint(out, p);
+    writeCoordinates(out, p);
     out << ", ";
   }
-  writePoint(out, ring.front());
+  writeCoordinates(out, ring.front());
   out << "))";
 }
 

@@ -20,23 +20,23 @@ constexpr std::size_t kFanOut = 8;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// A box around centres, and the range of their radii.
-struct Box {
+struct BoxOfCircles {
   Point low = {kInfinite, kInfinite};
   Point high = {-kInfinite, -kInfinite};
   double smallest = kInfinite;
   double largest = -kInfinite;
 
-  void include(const Box& other) {
+  void include(const BoxOfCircles& other) {
     low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
     high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
     smallest = std::min(smallest, other.smallest);
     largest = std::max(largest, other.largest);
   }
 
-  static Box of(const Circle& c) { return {{c.x, c.y}, {c.x, c.y}, c.r, c.r}; }
+  static BoxOfCircles of(const Circle& c) { return {{c.x, c.y}, {c.x, c.y}, c.r, c.r}; }
 
   /// Whether a circle of this box may contain one of the other: false only if none does, rounding included.
-  bool mayHide(const Box& other) const {
+  bool mayHide(const BoxOfCircles& other) const {
     const double reach = largest - other.smallest;
     if (reach < 0) return false;
     const double x = std::max({0.0, low.x - other.high.x, other.low.x - high.x});
@@ -91,7 +91,8 @@ class Search {
       : circles_(circles), inner_(inner), predicates_(circles.circles), hider_(inner.circles.size(), kNone) {
     const std::size_t count = circles.circles.size();
     std::vector<Node> below(count);
-    for (std::size_t i = 0; i < count; ++i) below[i] = {Box::of(circles.circles[i]), {}, rankOf(circles, i), {}};
+    for (std::size_t i = 0; i < count; ++i)
+      below[i] = {BoxOfCircles::of(circles.circles[i]), {}, rankOf(circles, i), {}};
     std::size_t width = 1;
     do {
       width *= kFanOut;
@@ -110,7 +111,7 @@ class Search {
     for (first_ = 0; first_ < hider_.size(); first_ = last_) {
       last_ = std::min(first_ + kFanOut, hider_.size());
       query_ = {};
-      for (std::size_t j = first_; j < last_; ++j) query_.include(Box::of(inner_.circles[j]));
+      for (std::size_t j = first_; j < last_; ++j) query_.include(BoxOfCircles::of(inner_.circles[j]));
       noteLastBound();
       descend(levels_.size() - 1, 0);
       if (steps_ > limit) return {{}, steps_};
@@ -121,7 +122,7 @@ class Search {
  private:
   /// A circle, or a box over kFanOut nodes of the level below.
   struct Node {
-    Box box;
+    BoxOfCircles box;
     Slope slope;
     Rank first;                                 ///< of its circles the one that comes before all others
     std::array<std::uint8_t, kFanOut> order{};  ///< its children, each before those whose first comes after its own
@@ -206,7 +207,7 @@ class Search {
   // The query: the inner circles from first_ to before last_, their box, and of their bounds the one that comes last.
   std::size_t first_ = 0;
   std::size_t last_ = 0;
-  Box query_;
+  BoxOfCircles query_;
   Rank lastBound_;
 };
 

@@ -33,6 +33,26 @@ std::string_view traceKindName(TraceKind kind) {
       return "directedEdgeDeleted";
     case TraceKind::segmentFinished:
       return "segmentFinished";
+    case TraceKind::faceMade:
+      return "faceMade";
+    case TraceKind::faceRemoved:
+      return "faceRemoved";
+    case TraceKind::discNotEmpty:
+      return "discNotEmpty";
+    case TraceKind::discMissing:
+      return "discMissing";
+    case TraceKind::tangentNotClear:
+      return "tangentNotClear";
+    case TraceKind::hullNotConvex:
+      return "hullNotConvex";
+    case TraceKind::circleInserted:
+      return "circleInserted";
+    case TraceKind::circleRemoved:
+      return "circleRemoved";
+    case TraceKind::circleReplaced:
+      return "circleReplaced";
+    case TraceKind::circleShrunk:
+      return "circleShrunk";
   }
   return "";
 }

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Events replayed one by one give the diagram: of every family, by every method, and through edits.
+#include "trace_replay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/editor.h"
+#include "circle_voronoi/families.h"
+#include "circle_voronoi/trace.h"
+#include "random.h"
+#include "report.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// More than a thousand of all families together.
+constexpr int kInputs = 24;
+
+TEST(TraceReplay, GivesTheDiagramOfEveryFamilyByEveryMethod) {
+  const std::uint64_t seed = test::seedOr(1);
+  int inputs = 0;
+  int reasons = 0;
+  for (const FamilyInfo& family : families()) {
+    for (int k = 0; k < kInputs; ++k, ++inputs) {
+      Random random(seed + static_cast<std::uint64_t>(k));
+      const std::vector<Circle> circles =
+          generate(family.family, random.below(k % 8 == 0 ? 60 : 14), seed + static_cast<std::uint64_t>(k));
+      for (const Method method : {Method::automatic, Method::flip, Method::touchingDisc}) {
+        SCOPED_TRACE(std::string(family.name) + ", seed " + std::to_string(seed) + ", input " + std::to_string(k) +
+                     ", method " + std::to_string(static_cast<int>(method)));
+        test::Replay replay;
+        replay.know(circles);
+        Options options;
+        options.method = method;
+        options.observer = [&](const TraceEvent& event) { replay.see(event); };
+        const auto diagram = compute(circles, options);
+        ASSERT_TRUE(diagram.ok());
+        reasons += replay.reasons;
+        replay.expectDiagram(diagram.value(), test::firstIds(circles.size()));
+        if (testing::Test::HasFailure()) FAIL() << test::describe(circles);
+
+        options.observer = {};
+        const auto untold = compute(circles, options);
+        EXPECT_EQ(untold.value().vertices, diagram.value().vertices);
+        EXPECT_EQ(untold.value().stats.counts.filtered, diagram.value().stats.counts.filtered) << "told costs signs";
+      }
+    }
+  }
+  EXPECT_GE(inputs, 1000);
+  EXPECT_GT(reasons, inputs);
+}
+
+TEST(TraceReplay, GivesTheDiagramAfterEachEdit) {
+  const std::uint64_t seed = test::seedOr(1);
+  std::map<TraceKind, int> seen;
+  for (const FamilyInfo& family : families()) {
+    SCOPED_TRACE(std::string(family.name) + ", seed " + std::to_string(seed));
+    Random random(seed);
+    const std::vector<Circle> circles = generate(family.family, 4 + random.below(30), seed);
+    auto made = DiagramEditor::from(circles);
+    ASSERT_TRUE(made.ok());
+    DiagramEditor editor = std::move(made).value();
+    test::Replay replay;
+    replay.know(circles);
+    ASSERT_EQ(editor.observe([&](const TraceEvent& event) {
+      ++seen[event.kind];
+      replay.see(event);
+    }),
+              std::nullopt);
+    for (int k = 0; k < 30; ++k) {
+      const std::vector<CircleId> ids = editor.ids();
+      const CircleId id = ids[random.below(ids.size())];
+      const Circle other = *editor.circle(ids[random.below(ids.size())]);
+      const Circle circle = *editor.circle(id);
+      const Circle between = {(circle.x + other.x) / 2, (circle.y + other.y) / 2, k % 5 == 0 ? other.r * 2 : circle.r};
+      const auto change = k % 3 == 0   ? editor.insert(between)
+                          : k % 3 == 1 ? editor.replace(id, between)
+                                       : editor.remove(id);
+      ASSERT_TRUE(change.ok());
+      replay.expectDiagram(editor.snapshot().value(), editor.ids());
+      if (testing::Test::HasFailure()) FAIL() << "edit " << k << " of " << test::describe(circles);
+    }
+    // What is refused is never told.
+    const std::vector<Edit> refused = {{Edit::Kind::insert, kNone, circles[0]}, {Edit::Kind::remove, 1000000, {}}};
+    const int told = seen[TraceKind::circleInserted];
+    EXPECT_FALSE(editor.apply(refused).ok());
+    EXPECT_EQ(seen[TraceKind::circleInserted], told);
+    ASSERT_TRUE(editor.insert(circles[0]).ok());
+    EXPECT_EQ(seen[TraceKind::circleInserted], told + 1);
+    replay.expectDiagram(editor.snapshot().value(), editor.ids());
+  }
+  for (const TraceKind kind : {TraceKind::circleShrunk, TraceKind::circleReplaced, TraceKind::circleRemoved,
+                               TraceKind::discNotEmpty, TraceKind::hullNotConvex}) {
+    EXPECT_GT(seen[kind], 0) << traceKindName(kind);
+  }
+}
+
+TEST(TraceReplay, TellsWhyAnEditChangesWhat) {
+  auto made = DiagramEditor::from(std::vector<Circle>{{0, 0, 1}, {6, 0, 1}, {0, 8, 1}});
+  DiagramEditor editor = std::move(made).value();
+  std::vector<TraceEvent> events;
+  EXPECT_EQ(editor.observe([&](const TraceEvent& event) { events.push_back(event); }), std::nullopt);
+  EXPECT_EQ(events.at(0).kind, TraceKind::roundBegun);
+  EXPECT_EQ(events.size(), 5U) << "a vertex, and the three ends of its edges";
+  const auto toldOf = [&](TraceKind kind) {
+    const auto found = std::ranges::find(events, kind, [](const TraceEvent& event) { return event.kind; });
+    return found == events.end() ? TraceEvent{} : *found;
+  };
+
+  events.clear();
+  ASSERT_TRUE(editor.insert({10, 10, 1}).ok());
+  EXPECT_EQ(events.at(0).kind, TraceKind::circleInserted);
+  EXPECT_EQ(events.at(0).circles[0], 3);
+  EXPECT_EQ(events.at(0).disc, (Vertex{10, 10, 1}));
+  EXPECT_EQ(toldOf(TraceKind::tangentNotClear).circles, (test::Triple{2, 1, 3}));
+
+  events.clear();
+  ASSERT_TRUE(editor.insert({3, 4, 0.5}).ok());
+  const TraceEvent met = toldOf(TraceKind::discNotEmpty);
+  EXPECT_EQ(met.circles[2], 4) << "the new circle";
+  EXPECT_NEAR(met.disc.r, 4, 1e-12);
+
+  events.clear();
+  ASSERT_TRUE(editor.remove(4).ok());
+  const TraceEvent shrunk = toldOf(TraceKind::circleShrunk);
+  EXPECT_EQ(shrunk.circles[0], 4);
+  EXPECT_LT(shrunk.disc.r, 0.5);
+  EXPECT_NE(toldOf(TraceKind::circleRemoved).circles[0], 0);
+
+  events.clear();
+  ASSERT_TRUE(editor.replace(0, {0, -1, 1}).ok());
+  EXPECT_EQ(toldOf(TraceKind::circleReplaced).disc, (Vertex{0, -1, 1}));
+  EXPECT_EQ(editor.observe({}), std::nullopt);
+  events.clear();
+  ASSERT_TRUE(editor.remove(0).ok());
+  EXPECT_TRUE(events.empty());
+
+  ASSERT_EQ(editor.observe([](const TraceEvent& event) {
+    if (event.kind == TraceKind::circleInserted) throw std::runtime_error("enough");
+  }),
+            std::nullopt);
+  EXPECT_THROW(editor.insert({0, 0, 1}), std::runtime_error);
+  EXPECT_EQ(editor.size(), 4U) << "the edit is done";
+}
+
+}  // namespace
+}  // namespace circle_voronoi
