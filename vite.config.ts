@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { HtmlTagDescriptor } from 'vite'
+import { fileURLToPath } from 'node:url'
+import sirv from 'sirv'
+import type { HtmlTagDescriptor, Plugin } from 'vite'
 import { defineConfig } from 'vitest/config'
 
 const CONTENT_SECURITY_POLICY = [
@@ -13,7 +15,7 @@ const CONTENT_SECURITY_POLICY = [
   "base-uri 'none'",
 ].join('; ')
 
-const headers = { 'Content-Security-Policy': CONTENT_SECURITY_POLICY }
+const SITE = fileURLToPath(new URL('dist/site', import.meta.url))
 
 /** The policy again as a tag in the built page, for servers that send no headers. */
 const policyTag: HtmlTagDescriptor = {
@@ -22,18 +24,77 @@ const policyTag: HtmlTagDescriptor = {
   injectTo: 'head-prepend',
 }
 
+/** What the first diagram needs and the page's own script would ask for late: the painter's thread and WebAssembly. */
+const preloads: Plugin = {
+  name: 'preloads',
+  apply: 'build',
+  transformIndexHtml: {
+    order: 'post',
+    handler(_html, { path, bundle = {} }) {
+      if (path.startsWith('/docs/')) return []
+      const root = path.startsWith('/tutorial/') ? '../' : './'
+      const file = (pattern: RegExp) => root + Object.keys(bundle).find((name) => pattern.test(name))
+      const link = (attrs: Record<string, string | boolean>): HtmlTagDescriptor => ({
+        tag: 'link',
+        attrs,
+        injectTo: 'head',
+      })
+      return [
+        link({
+          rel: 'preload',
+          as: 'fetch',
+          crossorigin: true,
+          href: file(/^assets\/circle-voronoi-[\w-]{8}\.wasm$/),
+        }),
+        link({ rel: 'modulepreload', href: file(/^assets\/start-thread-[\w-]{8}\.js$/) }),
+      ]
+    },
+  },
+}
+
+/** Serves the built files that are compressed as they are; Vite itself would send WebAssembly as it is. */
+const compressedFiles: Plugin = {
+  name: 'compressed-files',
+  configurePreviewServer({ middlewares, config: { base } }) {
+    const files = sirv(SITE, {
+      brotli: true,
+      gzip: true,
+      etag: true,
+      setHeaders(response, path) {
+        response.setHeader('Content-Security-Policy', CONTENT_SECURITY_POLICY)
+        // What is built has its hash in its name.
+        const isLasting = path.startsWith('/assets/')
+        response.setHeader('Cache-Control', isLasting ? 'public, max-age=31536000, immutable' : 'no-cache')
+      },
+    })
+    middlewares.use(base.startsWith('/') ? base : '/', files)
+  },
+}
+
 export default defineConfig({
   root: 'web',
   base: './',
   publicDir: '../public',
-  build: { outDir: '../dist/app', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
+  build: {
+    outDir: SITE,
+    emptyOutDir: true,
+    target: 'es2022',
+    // With `light-dark()`.
+    cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
+    assetsInlineLimit: 0,
+    rolldownOptions: { input: ['web/index.html', 'web/embed.html', 'web/tutorial/page.html', 'web/docs/page.html'] },
+  },
   worker: { format: 'es' },
-  preview: { headers },
   // The limit is for what hangs: on a busy machine a test of many random inputs may take long.
   test: {
     root: '.',
     include: ['tests/{web,scripts}/**/*.test.{ts,mjs}', 'tests/files/*.test.ts'],
     testTimeout: 60_000,
+    maxWorkers: '100%',
   },
-  plugins: [{ name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] }],
+  plugins: [
+    { name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] },
+    preloads,
+    compressedFiles,
+  ],
 })

@@ -9,7 +9,7 @@ import {
   snappedInPlace,
   snappedInSize,
   stepped,
-} from '../../web/app/arranging.ts'
+} from '../../web/editing/arranging.ts'
 import type { Circle } from '../../web/lib/index.ts'
 
 const coordinate = fc.double({ min: -100, max: 100, noNaN: true })
@@ -80,6 +80,17 @@ describe('the next one in a direction', () => {
   it('is none where none lies on that side', () => {
     expect(nextInDirection({ x: 9, y: 0 }, others, [1, 0])).toBeUndefined()
     expect(nextInDirection({ x: 5, y: 0 }, [{ x: 5, y: 0 }], [1, 0])).toBeUndefined()
+  })
+
+  it('is the one ahead that is nearest, and of those to the side, too', () => {
+    const sideways = [
+      { x: 1, y: 9 },
+      { x: 1, y: 3 },
+      { x: 5e-324, y: 2 },
+    ]
+    expect(nextInDirection({ x: 0, y: 0 }, sideways, [1, 0])).toEqual({ x: 1, y: 3 })
+    expect(nextInDirection({ x: 0, y: 0 }, sideways.slice(2), [1, 0])).toEqual({ x: 5e-324, y: 2 })
+    expect(nextInDirection({ x: 0, y: 0 }, [...sideways, { x: 1e200, y: 0 }], [1, 0])).toEqual({ x: 1e200, y: 0 })
   })
 
   it('lies on that side, and from there one comes back to something', () => {

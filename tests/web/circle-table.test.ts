@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { CircleTable } from '../../web/app/circle-table.ts'
-import type { Edit } from '../../web/lib/index.ts'
+import { CircleTable } from '../../web/editing/circle-table.ts'
+import type { Circle, Edit } from '../../web/lib/index.ts'
 import { boundingBox } from '../../web/view/camera.ts'
 
 const NONE = new Int32Array()
@@ -26,29 +26,57 @@ describe('CircleTable', () => {
     expect([table.next(1, 1), table.next(1, -1), table.next(3, 1)]).toEqual([2, 0, undefined])
   })
 
-  it('has the box of its circles after any edits', () => {
-    const edit = fc.oneof(
+  it('knows its circles after any edits', () => {
+    const step = fc.oneof(
       arbitraryCircle.map((circle) => ({ kind: 'insert', circle }) as const),
-      fc.record({ k: fc.nat(), circle: arbitraryCircle }),
-      fc.record({ k: fc.nat() }),
+      fc.record({ kind: fc.constant('replace' as const), k: fc.nat(), circle: arbitraryCircle }),
+      fc.record({ kind: fc.constant('remove' as const), k: fc.nat() }),
     )
+    const bounds = fc.tuple(value, value, value, value)
     fc.assert(
-      fc.property(fc.array(edit, { maxLength: 20 }), (edits) => {
+      fc.property(fc.array(step, { maxLength: 20 }), bounds, arbitraryCircle, (steps, [x0, y0, x1, y1], place) => {
         const table = new CircleTable(Float64Array.of(0, 0, 1, 5, 5, 2))
-        let [count, ids] = [2, [0, 1]]
-        for (const step of edits) {
-          const id = 'k' in step ? ids[step.k % ids.length] : count
+        const model = new Map<number, Circle>([
+          [0, { x: 0, y: 0, r: 1 }],
+          [1, { x: 5, y: 5, r: 2 }],
+        ])
+        let count = 2
+        for (const step of steps) {
+          const ids = [...model.keys()]
+          const id = step.kind === 'insert' ? count++ : ids[step.k % ids.length]
           if (id === undefined) continue
-          if ('kind' in step) ids = [...ids, count++]
-          else if (!('circle' in step)) ids = ids.filter((other) => other !== id)
-          const edit: Edit =
-            'kind' in step ? step : 'circle' in step ? { kind: 'replace', id, ...step } : { kind: 'remove', id }
-          table.apply([edit], Int32Array.of(id))
-          expect(table.box()).toEqual(boundingBox(table.circles()))
-          expect(table.circles()).toHaveLength(3 * ids.length)
+          table.apply([step.kind === 'insert' ? step : ({ ...step, id } as Edit)], Int32Array.of(id))
+          if (step.kind === 'remove') model.delete(id)
+          else model.set(id, step.circle)
         }
+        const all = [...model].sort(([a], [b]) => a - b)
+        expect([...table.ids()]).toEqual(all.map(([id]) => id))
+        expect([...table.circles()]).toEqual(all.flatMap(([, { x, y, r }]) => [x, y, r]))
+        expect(table.box()).toEqual(boundingBox(table.circles()))
+        for (let id = -2; id < count + 2; id++) {
+          expect(table.get(id)).toEqual(model.get(id))
+          expect(table.next(id, 1)).toBe(id < 0 ? undefined : all.find(([other]) => other >= id)?.[0])
+          const before = all.findLast(([other]) => other <= id)?.[0]
+          expect(table.next(id, -1)).toBe(id >= count ? undefined : before)
+        }
+        const box = { minX: Math.min(x0, x1), minY: Math.min(y0, y1), maxX: Math.max(x0, x1), maxY: Math.max(y0, y1) }
+        const isIn = ({ x, y }: Circle) => x >= box.minX && x <= box.maxX && y >= box.minY && y <= box.maxY
+        expect(table.within(box)).toEqual(all.filter(([, circle]) => isIn(circle)).map(([id]) => id))
+        const near = all.some(([, { x, y, r }]) => Math.hypot(x - place.x, y - place.y) <= r + place.r)
+        expect(table.hasAt(place, place.r)).toBe(near)
       }),
     )
+  })
+
+  it('has the circles whose centres are on the rim of a box, and those whose rims are at a point', () => {
+    const table = new CircleTable(Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 0))
+    table.apply([{ kind: 'remove', id: 2 }], NONE)
+    expect(table.within({ minX: 0, minY: 0, maxX: 5, maxY: 5 })).toEqual([0, 1])
+    expect([table.hasAt({ x: 1, y: 0 }, 0), table.hasAt({ x: 2, y: 0 }, 1), table.hasAt({ x: 9, y: 9 }, 1)]).toEqual([
+      true,
+      true,
+      false,
+    ])
   })
 
   it('has a core that outliers do not widen', () => {

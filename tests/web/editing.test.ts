@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { type Computer, Editing } from '../../web/app/editing.ts'
+import { type Computer, Editing } from '../../web/editing/editing.ts'
 import type { Circle, DiagramEditor, Edit } from '../../web/lib/index.ts'
 import { library } from './library.ts'
 
@@ -13,6 +13,7 @@ async function started(circles = TWO) {
   const asked: (readonly Edit[])[] = []
   const problems: string[] = []
   const outcomes: number[] = []
+  let failure: string | undefined
   const computer: Computer = {
     async setCircles(circles) {
       editor = library.edit(circles)
@@ -21,6 +22,9 @@ async function started(circles = TWO) {
     async apply(edits) {
       asked.push(edits)
       await new Promise((resolve) => setTimeout(resolve))
+      const message = failure
+      failure = undefined
+      if (message !== undefined) throw new Error(message)
       return resultOf(editor, editor.apply(edits).inserted)
     },
   }
@@ -30,7 +34,18 @@ async function started(circles = TWO) {
     (problem) => problems.push(problem),
   )
   await editing.open(sceneOf(circles))
-  return { editing, asked, problems, outcomes, circles: () => [...editing.circles.circles()], editor: () => editor }
+  const fail = (message: string) => {
+    failure = message
+  }
+  return {
+    editing,
+    asked,
+    problems,
+    outcomes,
+    fail,
+    circles: () => [...editing.circles.circles()],
+    editor: () => editor,
+  }
 }
 
 function resultOf(editor: DiagramEditor, inserted: Int32Array) {
@@ -109,11 +124,12 @@ describe('Editing', () => {
   })
 
   it('does nothing where there is nothing to undo or to do again', async () => {
-    const { editing, asked, circles } = await started()
+    const { editing, asked, outcomes, circles } = await started()
     await editing.undo()
     await editing.redo()
     expect(asked).toEqual([])
     expect(circles()).toEqual([...TWO])
+    expect(outcomes).toHaveLength(1)
   })
 
   it('leaves out what of a drag has not begun when more comes', async () => {
@@ -123,6 +139,44 @@ describe('Editing', () => {
     await Promise.all(all)
     expect(asked).toEqual([moved(0, 0), moved(0, 49)])
     expect(circles()[0]).toBe(49)
+  })
+
+  it('leaves out no edit of a drag that the next one does not repeat', async () => {
+    const { editing, asked } = await started()
+    const add: Edit[] = [{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }]
+    const drag = [moved(0, 1), moved(0, 2), moved(1, 2), [...moved(1, 3), ...moved(0, 3)], add, add, []]
+    await Promise.all(drag.map((edits) => editing.edit(edits, 5)))
+    expect(asked).toEqual(drag)
+    const remove: Edit[] = [{ kind: 'remove', id: 1 }]
+    await Promise.all([moved(0, 4), remove, moved(0, 5)].map((edits) => editing.edit(edits, 6)))
+    expect(asked.slice(drag.length)).toEqual([moved(0, 4), remove, moved(0, 5)])
+  })
+
+  it('keeps what of two drags waits at once', async () => {
+    const { editing, asked } = await started()
+    await Promise.all([editing.edit(moved(0, 1), 5), editing.edit(moved(0, 2), 5), editing.edit(moved(0, 3), 6)])
+    expect(asked).toEqual([moved(0, 1), moved(0, 2), moved(0, 3)])
+  })
+
+  it('says that nothing has changed where what computes has failed', async () => {
+    const { editing, problems, outcomes, circles, fail } = await started()
+    const before = outcomes.length
+    fail('The thread ended.')
+    expect(await editing.edit(moved(0, 4))).toBeUndefined()
+    expect(problems).toEqual(['The thread ended. Nothing has changed. Try again.'])
+    expect([outcomes.length, circles()]).toEqual([before, [...TWO]])
+    expect(await editing.edit(moved(0, 4))).toBeDefined()
+  })
+
+  it('knows whether the circles that one goes back to are those of their data set', async () => {
+    const { editing } = await started()
+    await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
+    await editing.undo()
+    expect(editing.scene).toEqual({ circles: TWO, dataSet: 'two', isEdited: false })
+    await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])
+    await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
+    await editing.undo()
+    expect(editing.scene?.isEdited).toBe(true)
   })
 
   it('knows that a circle is to go', async () => {

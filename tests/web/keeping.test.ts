@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { CircleTable } from '../../web/app/circle-table.ts'
-import { dataSetOf, loadDataSet, nameOf } from '../../web/app/data-sets.ts'
-import { cameraOf, circlesOfLink, viewOfLink } from '../../web/app/scene-link.ts'
+import { DATA_SETS, dataSetOf, labelOf, loadDataSet, nameFrom, nameOf, sourceOf } from '../../web/app/data-sets.ts'
+import type { Recipe } from '../../web/app/generators/generators.ts'
 import { SceneStorage } from '../../web/app/scene-storage.ts'
+import { CircleTable } from '../../web/editing/circle-table.ts'
+import { cameraOf, circlesOfLink, viewOfLink } from '../../web/editing/scene-link.ts'
+import { LINK_LIMITS } from '../../web/lib/link.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 1)
@@ -72,19 +74,72 @@ it('a view is the same in windows of all sizes', () => {
   })
 })
 
-it('a data set is found by the name of its circles, which are always the same', async () => {
-  const random = dataSetOf('random:17')
-  expect(random?.label).toBe('Random')
-  expect(await loadDataSet('random:17')).toEqual(await loadDataSet('random:17'))
-  expect(await loadDataSet('random:18')).not.toEqual(await loadDataSet('random:17'))
-  expect((await loadDataSet('random:17')).slice(0, 3)).toEqual(
-    Float64Array.of(16.93067694602141, 9.222793535997404, 0.899472125773846),
-  )
-  for (const name of ['', 'random', 'random:', 'random:x', 'random:1e3', 'spruces:1', '../spruces', '__proto__']) {
-    expect(dataSetOf(name), name).toBeUndefined()
-    await expect(loadDataSet(name)).rejects.toThrow('There is no data set of this name.')
-  }
-  expect(dataSetOf(nameOf({ id: 'random', label: '', count: 300 }))?.id).toBe('random')
+describe('names of circles', () => {
+  const nobody = () => Promise.reject(new Error('nothing is to be made'))
+
+  it('those of older links are what they were', async () => {
+    const load = (name: string) => loadDataSet(name, nobody)
+    expect(labelOf('random:17')).toBe('Random, 300')
+    expect(await load('random:17')).toEqual(await load('random:17'))
+    expect(await load('random:18')).not.toEqual(await load('random:17'))
+    expect((await load('random:17')).slice(0, 3)).toEqual(
+      Float64Array.of(16.93067694602141, 9.222793535997404, 0.899472125773846),
+    )
+    expect(await load('random-large:4')).toHaveLength(30_000)
+  })
+
+  it('say how circles are made, and nothing else is a name', async () => {
+    const recipes: Recipe[] = [
+      { kind: 'family', family: 'log-uniform', seed: 0, count: 1 },
+      { kind: 'family', family: 'grid', seed: Number.MAX_SAFE_INTEGER, count: 1_000_000 },
+      { kind: 'figure', figure: '15a' },
+    ]
+    for (const recipe of recipes) {
+      expect(sourceOf(nameOf(recipe))).toEqual(recipe)
+      expect(await loadDataSet(nameOf(recipe), async (asked) => Float64Array.of(JSON.stringify(asked).length))).toEqual(
+        Float64Array.of(JSON.stringify(recipe).length),
+      )
+    }
+    const wrong = [
+      'grid:1:1000001',
+      'grid:1:0',
+      'grid:9007199254740992:5',
+      'grid:1',
+      'grid:1:2:3',
+      'Grid:1:2',
+      'grid:-1:2',
+    ]
+    const others = [
+      '',
+      'random',
+      'random:',
+      'random:x',
+      'random:1e3',
+      'spruces:1',
+      '../spruces',
+      '__proto__',
+      'figure-',
+      'figure-../6',
+    ]
+    for (const name of [...wrong, ...others]) {
+      expect(sourceOf(name), name).toBeUndefined()
+      expect(dataSetOf(name), name).toBeUndefined()
+      expect(labelOf(name), name).toBe('')
+      await expect(loadDataSet(name, nobody)).rejects.toThrow('There is no data set of this name.')
+    }
+  })
+
+  it('each entry of the menu is found by its names', () => {
+    for (const dataSet of DATA_SETS) expect(dataSetOf(nameFrom(dataSet))).toBe(dataSet)
+    expect(labelOf('dense:3:4000')).toBe('dense, 4,000')
+    expect(dataSetOf('dense:3:4001')).toBeUndefined()
+  })
+
+  it('of more circles than a link may have do not stand for them', () => {
+    const circles = new Float64Array(3 * LINK_LIMITS.circles + 3)
+    const scene = { circles, dataSet: 'points:1:100001', isEdited: false }
+    expect(circlesOfLink(scene, new CircleTable(circles)).circles).toHaveLength(circles.length)
+  })
 })
 
 /** A storage with room for so many letters. */

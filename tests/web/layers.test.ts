@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { loadGenerators } from '../../web/app/generators/generators.ts'
+import { saidOf } from '../../web/app/panels/method-found.ts'
 import { at } from '../../web/lib/diagram-data.ts'
 import { type Edit, mergeVertices, neighborPairs } from '../../web/lib/index.ts'
 import { DEFAULT_LAYERS, keptLayers, layersFrom } from '../../web/view/layers.ts'
@@ -11,7 +13,8 @@ import { distributionOf } from '../../web/view/painter/distribution.ts'
 import { found } from '../../web/view/painter/found.ts'
 import { mergedWith } from '../../web/view/painter/layers/vertices.ts'
 import { cellArea, Measures } from '../../web/view/painter/measures.ts'
-import { methodData } from '../../web/view/painter/method-layers.ts'
+import { methodResult } from '../../web/view/painter/method-layers.ts'
+import { methodOutcome } from '../../web/view/painter/method-outcome.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { touchingNear } from '../../web/view/painter/touching.ts'
 import { MAP_COLORS } from '../../web/view/style.ts'
@@ -261,8 +264,9 @@ describe('what depends on all circles', () => {
 describe('what the touching disc method makes on its way', () => {
   it('lies where it says: samples on circles, discs that touch two and meet none, directed edges around the hull', () => {
     const circles = randomCircles(60)
-    const { hull, hidden } = library.compute(circles)
-    const [samples, graph, antipodal, directed] = methodData(library, { circles })
+    const diagram = library.compute(circles)
+    const { hull, hidden } = diagram
+    const [samples, graph, antipodal, directed] = methodResult(library, diagram, DEFAULT_LAYERS).data
     const gapsAt = (x: number, y: number) =>
       Array.from({ length: 60 }, (_, i) => {
         const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y)
@@ -287,6 +291,67 @@ describe('what the touching disc method makes on its way', () => {
   })
 })
 
+describe('what the touching disc method finds', () => {
+  /** A vertex is computed from its circles alone, so that the same one has the same bits. */
+  const discsOf = ({ vertices }: { readonly vertices: Float64Array }) =>
+    Array.from({ length: vertices.length / 3 }, (_, v) => vertices.subarray(3 * v, 3 * v + 3).join())
+  const generators = loadGenerators()
+  const figure = async (figure: string) => library.compute((await generators).make({ kind: 'figure', figure }))
+
+  it('is all of it where its own diagram is certified, ties too', async () => {
+    for (const name of ['6', '9b', '10', '11', '13b', '15b', '15e']) {
+      const diagram = await figure(name)
+      const { found, missed } = methodResult(library, diagram, { ...DEFAULT_LAYERS, sampleCount: 3 })
+      expect(found.vertices, name).toMatchObject({ found: found.vertices.all, wrong: 0 })
+      expect(found.edges, name).toMatchObject({ found: found.edges.all, wrong: 0 })
+      expect(missed.size, name).toBe(0)
+    }
+    const grid = methodResult(library, await figure('15d'), DEFAULT_LAYERS)
+    // A hundred circles on a grid have 81 vertices of four, and no edge of length zero is missed.
+    expect(grid.found.vertices.all).toBe(81)
+    expect(grid.found.edges.all).toBe(180)
+  })
+
+  it('lacks the edges that it misses: too few samples for the neighbours that are far apart among the centres', async () => {
+    const diagram = await figure('5d')
+    const { found, missed } = methodResult(library, diagram, {
+      ...DEFAULT_LAYERS,
+      candidates: 'uniform',
+      sampleCount: 3,
+    })
+    expect(missed.size).toBeGreaterThan(0)
+    expect(found.edges.all - found.edges.found).toBe(missed.size)
+    expect(found.edges.all).toBe(diagram.edges.length / 4)
+    expect(found.vertices.all).toBe(diagram.vertices.length / 3)
+    expect(saidOf(found)).toMatch(/^From \d+ samples the method finds \d+ of \d+ vertices and \d+ of \d+ edges, and /)
+  })
+
+  it('is told apart from what is wrong, by circles and ends', () => {
+    const circles = randomCircles(80)
+    const right = library.compute(circles)
+    const moved = circles.slice()
+    moved.set([25, 25], 30)
+    const other = library.compute(moved)
+    const { vertices, edges, missed } = methodOutcome(right, other)
+    const [known, seen] = [new Set(discsOf(right)), new Set(discsOf(other))]
+    expect(vertices).toEqual({
+      all: known.size,
+      found: [...known].filter((disc) => seen.has(disc)).length,
+      wrong: [...seen].filter((disc) => !known.has(disc)).length,
+    })
+    expect(edges.all - edges.found).toBe(missed.length)
+    expect(edges.wrong).toBe(other.edges.length / 4 - edges.found)
+    // All edges of the cell that has gone are missed, and none far from it.
+    for (const side of right.cells.sides(10)) expect(missed).toContain(side >> 1)
+    expect(edges.found).toBeGreaterThan(0.7 * edges.all)
+    expect(methodOutcome(right, right)).toEqual({
+      vertices: { all: vertices.all, found: vertices.all, wrong: 0 },
+      edges: { all: edges.all, found: edges.all, wrong: 0 },
+      missed: [],
+    })
+  })
+})
+
 describe('layers that are kept', () => {
   it('are what differs, and come back', () => {
     expect(keptLayers(DEFAULT_LAYERS)).toEqual({})
@@ -297,6 +362,8 @@ describe('layers that are kept', () => {
       nearZero: 0.25,
       maxDistance: -1,
       path: { from: { x: 1, y: 2 }, to: { x: 3, y: 4 } },
+      candidates: 'uniform',
+      sampleCount: 1,
     } as const
     expect(layersFrom(JSON.parse(JSON.stringify(keptLayers(layers))))).toEqual(layers)
   })

@@ -2,7 +2,14 @@
 import fc from 'fast-check'
 import { describe, expect, it, vi } from 'vitest'
 import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
-import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput, type LinkState } from '../../web/lib/link.ts'
+import {
+  decodeLink,
+  encodeLink,
+  encodeLinkAtOnce,
+  LINK_LIMITS,
+  type LinkInput,
+  type LinkState,
+} from '../../web/lib/link.ts'
 import { packed } from '../../web/lib/link-text.ts'
 
 const TOO_MUCH = expect.objectContaining({ code: 'tooManyCircles', message: 'This is too much for a link.' })
@@ -27,6 +34,8 @@ const rest = {
   layers: fc.dictionary(name, fc.oneof(value, fc.array(value), fc.dictionary(name, value, { noNullPrototype: true })), {
     noNullPrototype: true,
   }),
+  step: fc.maxSafeNat(),
+  method: fc.string({ maxLength: 200 }),
 }
 const state: fc.Arbitrary<LinkState> = fc.oneof(
   fc.record({ ...rest, dataSet: fc.string({ maxLength: 200 }) }, options),
@@ -70,6 +79,7 @@ describe('a link', () => {
         expect(link).toMatch(/^v1\.[\w-]+$/)
         expect(await decodeLink(link)).toEqual(state)
         expect(await decodeLink(`#${link}`)).toEqual(state)
+        expect(await decodeLink(encodeLinkAtOnce(state))).toEqual(state)
       }),
       { numRuns: 100 },
     )
@@ -77,11 +87,16 @@ describe('a link', () => {
 
   it('takes circles in any form', async () => {
     const link = await encodeLink({ circles: [[0, 0, 1], { x: 6, y: -0, r: 0.1 }] })
-    expect(await decodeLink(link)).toEqual({ circles: Float64Array.of(0, 0, 1, 6, 0, 0.1) })
+    expect(await decodeLink(link)).toStrictEqual({ circles: Float64Array.of(0, 0, 1, 6, 0, 0.1) })
     const edits = [{ kind: 'insert', circle: [1, 2, 3] }] as const
     expect(await decodeLink(await encodeLink({ edits }))).toEqual({
       edits: [{ kind: 'insert', circle: { x: 1, y: 2, r: 3 } }],
     })
+  })
+
+  it('is written at once, too, longer than a block that is stored', async () => {
+    const circles = Float64Array.from({ length: 3 * 3000 }, (_, k) => Math.sin(k))
+    expect((await decodeLink(encodeLinkAtOnce({ circles }))).circles).toEqual(circles)
   })
 
   it('is short', async () => {
@@ -133,11 +148,17 @@ describe('what is no link', () => {
     [{ circles: [1, 2, '3'] }, 'its circles are not three finite numbers each'],
     ['{"circles":[1,2,1e999]}', 'its circles are not three finite numbers each'],
     [{ circles: { length: 3 } }, 'its circles are not three finite numbers each'],
+    [{ step: 1.5 }, 'its step is none'],
+    [{ step: -1 }, 'its step is none'],
+    [{ method: 7 }, 'its method has no name'],
+    [{ method: 'a'.repeat(201) }, 'its method has no name'],
     [{ dataSet: 7 }, 'its data set has no name'],
     [{ dataSet: 'a'.repeat(201) }, 'its data set has no name'],
     [{ dataSet: 'a', circles: [] }, 'it has circles and a data set'],
     [{ edits: {} }, 'its edits are none'],
     [{ edits: [[]] }, 'its edits are none'],
+    [{ edits: [{ 0: '-', 1: 1 }] }, 'its edits are none'],
+    [{ edits: ['-1'] }, 'its edits are none'],
     [{ edits: [['*', 1]] }, 'its edits are none'],
     [{ edits: [['toString', 1]] }, 'its edits are none'],
     [{ edits: [['+', 1, 2]] }, 'its edits are none'],
@@ -147,6 +168,9 @@ describe('what is no link', () => {
     [{ edits: [['=', 1, 2, 3]] }, 'its edits are none'],
     [{ view: [1, 2] }, 'its view is none'],
     [{ view: [1, 2, 0] }, 'its view is none'],
+    [{ view: [1, 2, 3, 4] }, 'its view is none'],
+    [{ view: '123' }, 'its view is none'],
+    [{ view: { length: 3, 2: 1 } }, 'its view is none'],
     [{ layers: [1] }, 'its layers are none'],
     ['{"layers":{"__proto__":{"polluted":true}}}', 'its layers are none'],
     ['{"layers":{"a":{"__proto__":1}}}', 'its layers are none'],
@@ -155,6 +179,13 @@ describe('what is no link', () => {
     await expect(decodeLink(await said(value))).rejects.toThrow(
       expect.objectContaining({ code: 'badInput', message: `The link cannot be read: ${reason}.` }),
     )
+  })
+
+  it('is refused where its bytes are no text', async () => {
+    // One stored block with a byte that no UTF-8 has.
+    await expect(
+      decodeLink(`v1.${btoa('\x01\x04\x00\xfb\xff"\xff"\n').replaceAll('+', '-').replaceAll('/', '_')}`),
+    ).rejects.toThrow('a part of it is missing or wrong')
   })
 
   it.each<[string, () => unknown]>([
@@ -201,9 +232,9 @@ describe('what is no link', () => {
   })
 
   it.each<[unknown, string]>([
-    [null, 'encodeLink takes a state, not null.'],
-    [{ edits: 5 }, 'encodeLink takes edits, not 5.'],
-    [{ edits: [null] }, 'encodeLink takes edits, not null.'],
+    [null, 'A link says a state, not null.'],
+    [{ edits: 5 }, 'A link says edits, not 5.'],
+    [{ edits: [null] }, 'A link says edits, not null.'],
     [{ edits: [{ kind: 'insert' }] }, 'This is no state for a link: its edits are none.'],
     [{ circles: [[Number.NaN, 0, 0]] }, 'This is no state for a link: its circles are not three finite numbers each.'],
     [{ view: {} }, 'This is no state for a link: its view is none.'],

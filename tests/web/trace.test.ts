@@ -68,11 +68,14 @@ function replayedEdges(trace: Trace): string[] {
 function stateByReplay(trace: Trace, end: number): Partial<TraceState> {
   let alive: number[] = []
   let queue: number[] = []
+  let faces: number[] = []
   const numbers = (k: number) => String(trace.event(k).numbers)
   for (let k = 0; k < end; k++) {
     const { kind } = trace.event(k)
     if (kind === 'directedEdgePlaced') alive.push(k)
     if (kind === 'directedEdgeDeleted') alive = alive.filter((other) => numbers(other) !== numbers(k))
+    if (kind === 'faceMade') faces.push(k)
+    if (kind === 'faceRemoved') faces = faces.filter((other) => numbers(other) !== numbers(k))
     if (kind === 'threeTouchDiscFormed') queue.push(k)
     if (kind === 'branchDisc' || kind === 'threeTouchDiscStale') {
       queue = queue.filter((other) => numbers(other) !== numbers(k))
@@ -81,6 +84,7 @@ function stateByReplay(trace: Trace, end: number): Partial<TraceState> {
   const r = (k: number) => trace.event(k).disc?.r as number
   const edge = (k: number, which: number) => trace.event(k).numbers[which] as number
   return {
+    faces: Int32Array.from(faces),
     directedEdges: Int32Array.from(alive),
     queue: Int32Array.from(queue.sort((s, t) => r(s) - r(t) || edge(s, 0) - edge(t, 0) || edge(s, 1) - edge(t, 1))),
   }
@@ -172,14 +176,44 @@ describe('a trace', () => {
       expect(() => trace.at(k)).toThrow(/^at takes/)
       expect(() => trace.event(k)).toThrow(/^event: there is no event/)
     }
-    expect(() => library.trace([], { method: 'flip' as 'touching-disc' })).toThrow(
-      'trace is of the method touching-disc, not "flip".',
+    expect(() => library.trace([], { method: 'flips' as 'flip' })).toThrow('Unknown method')
+    expect(() => library.trace([], { edits: [], method: 'flip' })).toThrow('The option method does not go with edits.')
+    expect(() => library.trace([[0, 0, 1]], { edits: [{ kind: 'remove', id: 7 }] })).toThrow(
+      'There is no circle with id 7',
     )
+    expect(() => library.trace([], { edits: 3 as unknown as [] })).toThrow(/^apply takes a list of edits/)
     expect(() => library.trace([[0, 0, -1]])).toThrow('Circle 0 has a negative radius')
     const stop = new Error('enough')
     const progress = () => {
       throw stop
     }
     expect(() => library.trace([[0, 0, 1]], { progress })).toThrow(stop)
+  })
+
+  it('flips edges and makes edits face by face', () => {
+    const circles = circlesOf(80, 4, 3)
+    const edits = [
+      { kind: 'insert', circle: [9, 9, 1.5] },
+      { kind: 'remove', id: 5 },
+      { kind: 'replace', id: 7, circle: { x: 2, y: 3, r: 0.25 } },
+    ] as const
+    for (const options of [{ method: 'auto' }, { method: 'flip' }, { edits }] as const) {
+      const trace = library.trace(circles, options)
+      const { faces, edits: edited } = trace.at(trace.length)
+      // Where a move in its place does not come out right, it is taken back and done by the longer way.
+      const ids = new Set(Array.from(edited, (k) => trace.event(k).circles[0]))
+      expect([...ids]).toEqual('edits' in options ? [80, 5, 7] : [])
+      const vertices = Array.from(faces, (k) => trace.event(k)).filter((face) => face.circles.length === 3)
+      // Those of the events are ids.
+      const idOf = (index: number) => trace.diagram.numbers?.circles[index] ?? index
+      const triples = Array.from({ length: trace.diagram.vertices.length / 3 }, (_, v) =>
+        tripleOf([0, 1, 2].map((k) => idOf(trace.diagram.vertexCircles[3 * v + k] as number))),
+      )
+      expect(vertices.map((face) => tripleOf(face.circles)).sort()).toEqual(triples.sort())
+      for (const k of [0, 1, trace.length >> 1, trace.length - 3, trace.length]) {
+        expect(trace.at(k).faces.toSorted()).toEqual((stateByReplay(trace, k).faces as Int32Array).toSorted())
+      }
+      expect(trace.kinds.some((kind) => TRACE_KINDS[kind] === 'discNotEmpty')).toBe(true)
+    }
   })
 })

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../lib/index.ts'
 import { parseCircles } from './csv.ts'
-import { randomCircles, randomNumbers } from './random-circles.ts'
+import type { Recipe } from './generators/generators.ts'
+import { wholeNumber } from './whole-number.ts'
 
 /** What the menu offers. */
 export interface DataSet {
   readonly id: string
   readonly label: string
-  /** So many random circles, other ones each time. */
-  readonly count?: number
+  /** Random circles, other ones each time. */
+  readonly random?: { readonly family: string; readonly count: number }
 }
 
 /** The first one is shown at the start. */
@@ -17,30 +18,113 @@ export const DATA_SETS: readonly DataSet[] = [
   { id: 'spruces', label: 'Spruces' },
   { id: 'waka', label: 'Waka trees' },
   { id: 'introduction', label: 'Introduction' },
-  { id: 'random', label: 'Random', count: 300 },
-  { id: 'random-large', label: 'Random, 10,000', count: 10_000 },
+  { id: 'random', label: 'Random', random: { family: 'dense', count: 300 } },
+  { id: 'random-large', label: 'Random, 10,000', random: { family: 'dense', count: 10_000 } },
 ]
 
-/** That of the menu with the circles of this name; `undefined`: there is none. */
+/** Families have at most so many circles. */
+export const MOST_CIRCLES = 1_000_000
+/** Seeds are below; a random one, which somebody may want to type, is far below. */
+const SEEDS = 2 ** 53
+const RANDOM_SEEDS = 1_000_000
+
+/** Where circles of a name come from. `former`: the random circles of links that were made before there were families. */
+export type Source =
+  | { readonly kind: 'file'; readonly id: string }
+  | Recipe
+  | { readonly kind: 'former'; readonly seed: number; readonly count: number }
+
+const FORMER: Readonly<Record<string, number>> = { random: 300, 'random-large': 10_000 }
+
+/** What a name says, which always says the same circles; `undefined`: it is none. */
+export function sourceOf(name: string): Source | undefined {
+  const file = DATA_SETS.find(({ id, random }) => id === name && random === undefined)
+  if (file !== undefined) return { kind: 'file', id: name }
+  const figure = /^figure-([0-9a-z]{1,9})$/.exec(name)?.[1]
+  if (figure !== undefined) return { kind: 'figure', figure }
+  const [, former, formerSeed] = /^(random|random-large):(\d{1,9})$/.exec(name) ?? []
+  if (former !== undefined) return { kind: 'former', seed: Number(formerSeed), count: FORMER[former] as number }
+  const [, family, seed, count] = /^([a-z][a-z-]{0,40}):(\d{1,16}):([1-9]\d{0,6})$/.exec(name) ?? []
+  if (family === undefined || Number(seed) >= SEEDS || Number(count) > MOST_CIRCLES) return undefined
+  return { kind: 'family', family, seed: Number(seed), count: Number(count) }
+}
+
+/** The name of a recipe's circles. */
+export function nameOf(recipe: Recipe): string {
+  return recipe.kind === 'figure' ? `figure-${recipe.figure}` : `${recipe.family}:${recipe.seed}:${recipe.count}`
+}
+
+/** A name of an entry of the menu; of random circles another name each time. */
+export function nameFrom({ id, random }: DataSet): string {
+  return random === undefined ? id : nameOf({ kind: 'family', ...random, seed: randomSeed() })
+}
+
+export function randomSeed(): number {
+  return Math.floor(RANDOM_SEEDS * Math.random())
+}
+
+/** What a name is called; empty, if it is none. */
+export function labelOf(name: string): string {
+  const source = sourceOf(name)
+  switch (source?.kind) {
+    case 'file':
+      return dataSetOf(name)?.label ?? ''
+    case 'figure':
+      return `Figure ${source.figure}`
+    case 'family':
+      return `${source.family}, ${wholeNumber(source.count)}`
+    case 'former':
+      return `Random, ${wholeNumber(source.count)}`
+    case undefined:
+      return ''
+  }
+}
+
+/** The entry of the menu that a name is of. */
 export function dataSetOf(name: string): DataSet | undefined {
-  const [id, seed] = name.split(':') as [string, string | undefined]
-  const dataSet = DATA_SETS.find((dataSet) => dataSet.id === id)
-  const isRight = dataSet?.count === undefined ? seed === undefined : /^\d{1,9}$/.test(seed ?? '')
-  return isRight ? dataSet : undefined
+  const source = sourceOf(name)
+  if (source?.kind === 'file') return DATA_SETS.find(({ id }) => id === name)
+  if (source?.kind !== 'family') return undefined
+  return DATA_SETS.find(({ random }) => random?.family === source.family && random.count === source.count)
 }
 
-/** A name of a data set's circles, which are always the same; of random ones another name each time. */
-export function nameOf({ id, count }: DataSet): string {
-  return count === undefined ? id : `${id}:${Math.floor(1e9 * Math.random())}`
+/** @throws Error, if there are no circles of this name or they cannot be fetched or made */
+export async function loadDataSet(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<Float64s> {
+  const source = sourceOf(name)
+  switch (source?.kind) {
+    case 'file':
+      return fetched(name)
+    case 'figure':
+    case 'family':
+      return make(source)
+    case 'former': {
+      const { randomCircles, randomNumbers } = await import('./random-circles.ts')
+      return randomCircles(source.count, randomNumbers(source.seed))
+    }
+    case undefined:
+      throw new Error('There is no data set of this name.')
+  }
 }
 
-/** @throws Error, if there are no circles of this name or they cannot be fetched */
-export async function loadDataSet(name: string): Promise<Float64s> {
-  const dataSet = dataSetOf(name)
-  if (dataSet === undefined) throw new Error('There is no data set of this name.')
-  if (dataSet.count !== undefined) return randomCircles(dataSet.count, randomNumbers(Number(name.split(':')[1])))
-  const url = new URL(`data/${name}.csv`, document.baseURI)
-  const response = await fetch(url)
-  if (!response.ok) throw new Error(`The data set ${dataSet.label} could not be loaded (${response.status}).`)
+/** What was asked for before it is opened. */
+const ahead = new Map<string, Promise<Response>>()
+
+/** Asks for the circles of a file that is probably opened first, so that they come while the page is being made. */
+export function askAhead(name: string): void {
+  const asked = request(name)
+  // Whoever opens it hears of it.
+  asked.catch(() => {})
+  ahead.set(name, asked)
+}
+
+function request(name: string): Promise<Response> {
+  return fetch(new URL(`data/${name}.csv`, document.baseURI))
+}
+
+async function fetched(name: string): Promise<Float64s> {
+  const asked = ahead.get(name)
+  ahead.delete(name)
+  const response = await (asked ?? request(name))
+  if (!response.ok) throw new Error(`The data set ${labelOf(name)} could not be loaded (${response.status}).`)
   return parseCircles(await response.text())
 }

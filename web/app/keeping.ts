@@ -1,32 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { LinkInput } from '../lib/link.ts'
-import { LinkWriter } from './link-writer.ts'
+import { CircleVoronoiError } from '../lib/index.ts'
+import { encodeLinkAtOnce, type LinkInput } from '../lib/link.ts'
+import type { LinkWriter } from './link-writer.ts'
 import { SceneStorage } from './scene-storage.ts'
 
 /** What changes for so long, in milliseconds, is kept once. */
 const REST = 400
 /** Longer links are kept by the storage alone: addresses have to stay short enough to be copied. */
 const LONGEST_ADDRESS = 100_000
+/** Where a page that goes leaves its link, for itself loaded again: by then its address can no longer change. */
+const LATE = 'circle-voronoi/late'
 
 /** Keeps what is shown: as a link in the address, and in the storage of the browser. */
 export class Keeping {
   readonly #read: () => LinkInput | undefined
-  readonly #links = new LinkWriter()
+  readonly #links: LinkWriter
   #storage: SceneStorage | undefined
   #timer: ReturnType<typeof setTimeout> | undefined
+  /** Whether what is shown is kept, up to the last change. */
+  #isKept = true
+  /** What the address said when it was read or written here last: another one is a link that is about to be opened. */
+  #hash = ''
 
   /** `read`: what is shown, as soon as it is anything. */
-  constructor(read: () => LinkInput | undefined) {
+  constructor(links: LinkWriter, read: () => LinkInput | undefined) {
+    this.#links = links
     this.#read = read
     document.addEventListener('visibilitychange', () => {
-      if (document.hidden && this.#timer !== undefined) this.#write()
+      if (!document.hidden || this.#isKept) return
+      this.#writeAtOnce()
+      this.#write()
     })
   }
 
   /** What was kept: the link of the address, or else what this tab or a closed one showed last. */
   async begin(): Promise<string | undefined> {
-    const link = location.hash.slice(1)
+    this.#hash = location.hash
+    const link = this.#hash.slice(1)
+    let late: string | undefined
     try {
+      late = lateOf(this.#hash)
       const [navigation] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[]
       const isReload = navigation?.type !== 'navigate'
       const surroundings = { all: localStorage, ofTab: sessionStorage, locks: navigator.locks, isReload }
@@ -34,11 +47,12 @@ export class Keeping {
     } catch {
       // A browser may forbid its storage.
     }
-    return link !== '' ? link : this.#storage?.read()
+    return late ?? (link !== '' ? link : this.#storage?.read())
   }
 
   /** To be called after each change. */
   changed(): void {
+    this.#isKept = false
     clearTimeout(this.#timer)
     this.#timer = setTimeout(() => this.#write(), REST)
   }
@@ -48,11 +62,52 @@ export class Keeping {
     this.#timer = undefined
     const state = this.#read()
     if (state === undefined) return
-    const link = await this.#links.linkOf(state)
+    const link = await this.#linkOf(state)
     // Meanwhile there may be something newer.
     if (this.#timer !== undefined) return
     const isShort = link !== undefined && link.length <= LONGEST_ADDRESS
     history.replaceState(null, '', isShort ? `#${link}` : location.pathname + location.search)
+    this.#hash = location.hash
     if (link !== undefined) await this.#storage?.write(link)
+    this.#isKept = this.#timer === undefined
+    if (this.#isKept) keepLate('')
+  }
+
+  /** For a page that is about to go: what ends later is lost. */
+  #writeAtOnce(): void {
+    const state = this.#read()
+    if (state === undefined || location.hash !== this.#hash) return
+    try {
+      const link = encodeLinkAtOnce(state)
+      this.#storage?.put(link)
+      keepLate(`${this.#hash} ${link}`)
+    } catch (error) {
+      if (!(error instanceof CircleVoronoiError)) throw error
+    }
+  }
+
+  /** `undefined`: there is too much for a link. */
+  async #linkOf(state: LinkInput): Promise<string | undefined> {
+    try {
+      return await this.#links.linkOf(state)
+    } catch (error) {
+      if (error instanceof CircleVoronoiError) return undefined
+      throw error
+    }
+  }
+}
+
+/** The link that the page of an address left last, if nothing was kept after it. */
+function lateOf(hash: string): string | undefined {
+  const [of, link] = (sessionStorage.getItem(LATE) ?? '').split(' ')
+  sessionStorage.removeItem(LATE)
+  return of === hash ? link : undefined
+}
+
+function keepLate(text: string): void {
+  try {
+    sessionStorage.setItem(LATE, text)
+  } catch {
+    // There is no room, or it is forbidden.
   }
 }

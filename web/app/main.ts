@@ -1,29 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import { Editing } from '../editing/editing.ts'
+import { listenToKeyboard } from '../editing/keyboard.ts'
+import { mountSaid } from '../editing/said.ts'
+import { INITIAL_STATE, type State } from '../editing/state.ts'
+import { createStore } from '../editing/store.ts'
 import type { Padding } from '../view/camera.ts'
 import { mount } from '../view/mount.ts'
 import { listenToPointer } from '../view/pointer.ts'
-import { Actions } from './actions.ts'
-import { DATA_SETS, type DataSet } from './data-sets.ts'
-import { Editing } from './editing.ts'
+import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
 import { FileActions } from './files/file-actions.ts'
+import { FilesClient } from './files/files-client.ts'
 import { listenToClipboard } from './input/clipboard.ts'
 import { listenToFiles } from './input/dropping.ts'
-import { listenToKeyboard } from './input/keyboard.ts'
 import { Keeping } from './keeping.ts'
+import { LinkWriter } from './link-writer.ts'
+import { workOffline } from './offline.ts'
+import { PageActions } from './page-actions.ts'
 import { byId } from './panels/by-id.ts'
 import { mountFiles } from './panels/files.ts'
+import { mountGenerate } from './panels/generate.ts'
 import { mountGroup } from './panels/group.ts'
 import { mountHelp } from './panels/help.ts'
 import { mountInspector } from './panels/inspector.ts'
 import { mountLayers } from './panels/layers.ts'
+import { mountMethod, playerPadding } from './panels/method.ts'
 import { mountNumbers } from './panels/numbers.ts'
-import { mountSaid } from './panels/said.ts'
 import { mountScale } from './panels/scale.ts'
 import { mountStatus } from './panels/status.ts'
+import { mountTable, tableWidth } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
+import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
-import { INITIAL_STATE, type State } from './state.ts'
-import { createStore } from './store.ts'
 
 // input ──► actions ──► editing ──► view ──► painter's thread
 //              │           │                       │
@@ -31,6 +39,8 @@ import { createStore } from './store.ts'
 //            store ◄───────┴───────────────────────┘
 //              │
 //              └──► panels, and what stands out in the view
+
+if (location.hash === '') askAhead((DATA_SETS[0] as DataSet).id)
 
 const figure = byId('figure', HTMLElement)
 const view = mount(figure, { gestures: 'none' })
@@ -55,11 +65,13 @@ const editing = new Editing(
   (problem) => store.update((state) => ({ ...state, problem })),
 )
 
-/** What the panels at the top and at the bottom cover, and a margin. */
-const padding = (): Padding => ({ top: 72, right: 32, bottom: 64, left: 32 })
-const actions = new Actions(store, editing, view, padding)
+/** What the panels at the top and at the bottom cover, the table and the player beside, and a margin. */
+const padding = (): Padding => ({ top: 72, left: 32 + tableWidth(), ...playerPadding() })
+const files = new FilesClient()
+const actions = new PageActions(store, editing, view, padding, (recipe) => files.make(recipe))
 
-const keeping = new Keeping(() => actions.linkState())
+const links = new LinkWriter(files)
+const keeping = new Keeping(links, () => actions.linkState())
 
 let chosen = store.get().selection
 const choose = () => {
@@ -79,10 +91,13 @@ view.on('layers', (layers) => {
   keeping.changed()
 })
 
-mountToolbar(store, actions)
+const generate = mountGenerate(actions, files)
+store.subscribe(({ dataSet }) => generate.show(dataSet))
+mountToolbar(store, actions, generate.open)
+mountTrial(view)
 mountViewControls(actions)
 mountStatus(store)
-const fileActions = new FileActions(store, editing, actions, view)
+const fileActions = new FileActions(store, editing, actions, view, files, links)
 mountFiles(fileActions)
 // What is copied here is no file: this hears of it first.
 listenToClipboard(actions)
@@ -90,9 +105,11 @@ listenToFiles(fileActions)
 const editNumbers = mountInspector(store, actions)
 const showHelp = mountHelp()
 mountGroup(store, actions)
-mountSaid(store)
+mountSaid(store, byId('said', HTMLParagraphElement))
 mountLayers(store, actions, view)
 mountNumbers(store, view)
+mountTable(store, editing, actions, view)
+mountMethod(store, actions, view)
 mountScale(view)
 const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, { editNumbers, showHelp })
@@ -100,4 +117,10 @@ listenToKeyboard(figure, view, pointer, store, actions, { editNumbers, showHelp 
 const kept = await keeping.begin()
 if (kept === undefined || !(await actions.openLink(kept))) await actions.load((DATA_SETS[0] as DataSet).id)
 view.on('camera', () => keeping.changed())
+let step = store.get().step
+store.subscribe((state) => {
+  if (state.step !== step) keeping.changed()
+  step = state.step
+})
 window.addEventListener('hashchange', () => location.hash !== '' && actions.openLink(location.hash))
+await workOffline()

@@ -44,15 +44,15 @@ export class SceneStorage {
     const held = new Set((await this.#locks?.query())?.held?.map(({ name }) => name))
     const others = newestFirst(this.#all).filter((name) => name !== this.#name && !held.has(PREFIX + name))
     for (const name of others.splice(MOST)) this.#all.removeItem(PREFIX + name)
-    while (!this.#put(link)) {
+    while (!this.put(link)) {
       const oldest = others.pop()
       if (oldest === undefined) return
       this.#all.removeItem(PREFIX + oldest)
     }
   }
 
-  /** Whether there was room. */
-  #put(link: string): boolean {
+  /** Keeps a link if there is room without anything else going: whether there was. */
+  put(link: string): boolean {
     try {
       this.#all.setItem(PREFIX + this.#name, `${Date.now()} ${link}`)
       return true

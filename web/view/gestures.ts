@@ -18,7 +18,7 @@ export interface Hands {
   readonly tool: 'select' | 'pan' | 'add'
   /** Whether what is dragged snaps, without a key. */
   readonly snaps: boolean
-  /** A circle as it is now. */
+  /** A circle as it is now; `undefined`: there is none, or it is not to be changed. */
   circle(id: number): Circle | undefined
   /** Those that are selected. */
   held(): readonly Held[]
@@ -36,7 +36,9 @@ export interface Hands {
   snapped(circle: Circle, within: number, sizes: boolean): Circle
   /** Adds circles and returns their ids; none if they were refused. */
   add(circles: readonly Circle[], gesture: number): Promise<readonly number[]>
-  /** Adds a circle that leaves some room to the nearest other one. */
+  /** A circle that leaves some room to the nearest other one; `undefined`: none can be added. */
+  fitted(center: Point): Promise<Circle | undefined>
+  /** Adds that circle. */
   addFitting(center: Point): Promise<void>
   /** Takes back what a gesture did. */
   cancel(gesture: number): void
@@ -50,7 +52,7 @@ export interface Gesture {
   /** Released without having moved. */
   click?(): void
   /** Released after it has moved. */
-  end?(): void
+  end?(): unknown
   cancel?(): void
 }
 
@@ -168,6 +170,39 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
+  /** Held where nothing is: what a circle would take that is there is shown, and once it is released, it is. */
+  const holdCircle = (from: Point): Gesture => {
+    let last = planeAt(from)
+    let isOver = false
+    let isFollowing = false
+    const follow = async () => {
+      if (isFollowing) return
+      isFollowing = true
+      for (let shown: Point | undefined; shown !== last && !isOver; ) {
+        shown = last
+        const circle = await hands.fitted(shown)
+        if (!isOver) await view.tryCircle(circle)
+      }
+      isFollowing = false
+    }
+    const stop = () => {
+      isOver = true
+      view.tryCircle(undefined)
+    }
+    follow()
+    return {
+      move(to) {
+        last = planeAt(to)
+        follow()
+      },
+      end() {
+        stop()
+        return hands.addFitting(last)
+      },
+      cancel: stop,
+    }
+  }
+
   /** What lies between two corners is selected. */
   const band = (from: Point, click: () => void): Gesture => {
     let last = from
@@ -222,5 +257,5 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  return { pan, moveCircles, resizeCircle, scaleCircles, addCircle, band, movePathEnd, pinch }
+  return { pan, moveCircles, resizeCircle, scaleCircles, addCircle, holdCircle, band, movePathEnd, pinch }
 }

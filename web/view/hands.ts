@@ -79,8 +79,13 @@ export class PlainHands implements Hands {
     return [...(await this.#view.apply(circles.map((circle) => ({ kind: 'insert', circle })))).inserted]
   }
 
-  async addFitting({ x, y }: Point): Promise<void> {
-    await this.add([{ x, y, r: USUAL_RADIUS / this.#view.camera.scale }])
+  async fitted({ x, y }: Point): Promise<Circle | undefined> {
+    return this.#isEditable ? { x, y, r: USUAL_RADIUS / this.#view.camera.scale } : undefined
+  }
+
+  async addFitting(center: Point): Promise<void> {
+    const circle = await this.fitted(center)
+    if (circle !== undefined) await this.add([circle])
   }
 
   cancel(gesture: number): void {

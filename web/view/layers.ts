@@ -4,12 +4,27 @@ import type { LayerValue } from '../lib/link.ts'
 
 /** What the colour of a cell says. `different`: no two neighbours have one colour. `gap`: how near the nearest other circle is. */
 export const CELL_COLORS = ['none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
+/** One of `CELL_COLORS`: what the colour of a cell says. */
 export type CellColors = (typeof CELL_COLORS)[number]
 
 /** What the touching disc method makes on its way, for so many circles at most. */
 export const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
 export type MethodLayer = (typeof METHOD_LAYERS)[number]
 export const MOST_TRACED = 5000
+/** All pairs are many. */
+export const MOST_PAIRED = 1000
+
+/** Which pairs of circles the touching disc method looks at: the option `candidates` of `compute`. */
+export const CANDIDATES = ['dynamic', 'uniform', 'all-pairs'] as const
+export type Candidates = (typeof CANDIDATES)[number]
+/** How many samples these take by default, and at most here. */
+export const SAMPLES: Readonly<
+  Record<Candidates, { readonly least: number; readonly usual: number; readonly most: number }>
+> = {
+  dynamic: { least: 0, usual: 1, most: 20 },
+  uniform: { least: 1, usual: 50, most: 100 },
+  'all-pairs': { least: 0, usual: 0, most: 0 },
+}
 
 /** What a client adds of its own, in the units of the circles. */
 export interface DataLayer {
@@ -22,6 +37,19 @@ export interface DataLayer {
   readonly segments?: Float64Array
   /** x, y, r each, drawn as outlines. */
   readonly discs?: Float64Array
+}
+
+/** What a client has drawn above the picture. */
+export interface AboveLayer extends DataLayer {
+  /** Of lines, in pixels. */
+  readonly width?: number
+  /** Of points: their radius, in pixels. */
+  readonly dot?: number
+  /** Numbers that stand at the points, in place of dots. */
+  readonly numbers?: Int32Array
+  readonly dash?: readonly number[]
+  /** How strongly discs are filled, from 0, not at all, to 1. */
+  readonly fill?: number
 }
 
 /** What is drawn: plain data, as it goes to the painter's thread. */
@@ -59,6 +87,12 @@ export interface Layers {
   readonly antipodalDiscs: boolean
   /** Its directed edges that are left over, those of the hull. */
   readonly directedEdges: boolean
+  /** The edges of the diagram that it misses. */
+  readonly missedEdges: boolean
+  /** How its samples are taken. */
+  readonly candidates: Candidates
+  /** How many: inside each angle of a Delaunay face, or on each circle. `undefined`: as usual. */
+  readonly sampleCount: number | undefined
   readonly data: readonly DataLayer[]
 }
 
@@ -82,7 +116,23 @@ export const DEFAULT_LAYERS: Layers = {
   sampleGraph: false,
   antipodalDiscs: false,
   directedEdges: false,
+  missedEdges: false,
+  candidates: 'dynamic',
+  sampleCount: undefined,
   data: [],
+}
+
+/** The method is played step by step for so many circles at most. */
+export const MOST_PLAYED = 1000
+
+/** The circles, and nothing that gives their diagram away. */
+export function withoutDiagram({ circles, hidden, data }: Layers): Layers {
+  return { ...DEFAULT_LAYERS, circles, hidden, data, cells: 'none', edges: false, vertices: false }
+}
+
+/** Whether something of the touching disc method is drawn. */
+export function isMethodShown(layers: Layers): boolean {
+  return layers.missedEdges || METHOD_LAYERS.some((name) => layers[name])
 }
 
 /** What a cell is measured by. */
@@ -106,7 +156,12 @@ export function layersFrom(kept: unknown): Layers {
   for (const [name, value] of Object.entries(DEFAULT_LAYERS)) {
     if (typeof value === 'boolean' && typeof given[name] === 'boolean') layers[name] = given[name]
   }
-  const { cells, nearZero, maxDistance, path } = given
+  const { cells, nearZero, maxDistance, path, candidates, sampleCount } = given
+  const known = CANDIDATES.find((name) => name === candidates) ?? 'dynamic'
+  layers.candidates = known
+  const { least, most } = SAMPLES[known]
+  const isCount = Number.isInteger(sampleCount) && (sampleCount as number) >= least && (sampleCount as number) <= most
+  if (isCount) layers.sampleCount = sampleCount
   if ((CELL_COLORS as readonly unknown[]).includes(cells)) layers.cells = cells
   if (isNumber(nearZero) && nearZero >= 0) layers.nearZero = nearZero
   if (isNumber(maxDistance)) layers.maxDistance = maxDistance

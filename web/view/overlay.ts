@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/diagram-data.ts'
 import type { Box, PathSink, Point } from '../lib/index.ts'
-import type { Layers } from './layers.ts'
+import type { AboveLayer, Layers } from './layers.ts'
 import { replay } from './painter/commands.ts'
 import { addArc, addDisc } from './painter/disc-path.ts'
 import type { Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
 import { FrameSink } from './painter/frame-sink.ts'
 import { addSegment } from './painter/segment-path.ts'
-import type { Described, Found, Marks, Touching } from './protocol.ts'
+import type { Described, Found, Marks, Touching, Trial } from './protocol.ts'
 import { DISC_OPACITY, DOT_RADIUS, type Style } from './style.ts'
 import type { Band, Chosen } from './view.ts'
 
@@ -25,20 +25,38 @@ const HANDLE_DISTANCE = 7
 /** Browsers fill and stroke long paths in more than linear time. */
 const CHOSEN_PER_PATH = 3 * 500
 
+const NUMBER_SIZE = 12
+const NONE = new Float64Array()
+
 /** Where the handle of selected circles is, in pixels. */
 export function handleOf({ maxX, minY }: Box, toPixel: (point: Point) => Point): Point {
   const { x, y } = toPixel({ x: maxX, y: minY })
   return { x: x + HANDLE_DISTANCE, y: y + HANDLE_DISTANCE }
 }
 
-/** What is drawn above the picture, anew whenever it moves. */
-export interface Above {
+/** What a pointer or a selection has stand out. */
+export interface StandingOut {
   readonly marks: Marks
-  readonly found: Found | undefined
   readonly touching: Touching | undefined
-  readonly layers: Layers
+  readonly trial: Trial | undefined
   readonly chosen: Chosen | undefined
   readonly band: Band | undefined
+}
+
+export const NOTHING_STANDS_OUT: StandingOut = {
+  marks: { selected: undefined, hovered: undefined },
+  touching: undefined,
+  trial: undefined,
+  chosen: undefined,
+  band: undefined,
+}
+
+/** What is drawn above the picture, anew whenever it moves. */
+export interface Above extends StandingOut {
+  /** What a client adds, from the lowest up. */
+  readonly above: readonly AboveLayer[]
+  readonly found: Found | undefined
+  readonly layers: Layers
 }
 
 /** Draws on what has the frame's pixels. `pixelRatio`: device pixels per CSS pixel. */
@@ -47,7 +65,7 @@ export function drawOverlay(
   frame: Frame,
   pixelRatio: number,
   style: Style,
-  { marks, found, touching, layers, chosen, band }: Above,
+  { marks, found, touching, trial, layers, chosen, band, above }: Above,
 ): void {
   const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
@@ -87,10 +105,46 @@ export function drawOverlay(
     fill(dot(end, HANDLE_RADIUS - 1), style.paper)
     stroke(dot(end, HANDLE_RADIUS - 1), style.path, PATH_LINE)
   }
+  for (const layer of above) drawData(layer)
   if (selected !== undefined) drawSelected(selected)
   if (chosen !== undefined) drawChosen(chosen)
+  if (trial !== undefined) drawTrial(trial)
   if (touching !== undefined && layers.disc) drawTouching(touching)
   if (band !== undefined) drawBand(band)
+
+  function drawData(layer: AboveLayer): void {
+    const {
+      color,
+      points = NONE,
+      segments = NONE,
+      discs = NONE,
+      width = 1.25,
+      dot: radius = 2.5,
+      dash,
+      fill: inner,
+    } = layer
+    const lines = drawing.path()
+    for (let k = 0; k < segments.length; k += 4) {
+      const [fromX, fromY] = [to.x(at(segments, k)), to.y(at(segments, k + 1))]
+      addSegment(lines, frame, fromX, fromY, to.x(at(segments, k + 2)), to.y(at(segments, k + 3)))
+    }
+    for (let k = 0; k < discs.length; k += 3) {
+      const [x, y, r] = [at(discs, k), at(discs, k + 1), at(discs, k + 2)]
+      if (inner !== undefined) fill(discOf(x, y, r), color, inner)
+      addDisc(lines, frame, to.x(x), to.y(y), Math.abs(r) * frame.scale)
+    }
+    stroke(lines, color, width, dash)
+    const dots = drawing.path()
+    for (let k = 0; k < points.length; k += 2) {
+      if (layer.numbers !== undefined) {
+        const [x, y] = [to.x(at(points, k)), to.y(at(points, k + 1))]
+        drawing.write(String(at(layer.numbers, k / 2)), x, y, NUMBER_SIZE * pixelRatio, color, style.paper)
+        continue
+      }
+      addDisc(dots, frame, to.x(at(points, k)), to.y(at(points, k + 1)), radius * pixelRatio)
+    }
+    fill(dots, color)
+  }
 
   /** Where circles overlap, the disc has a negative radius, and they reach over its rim. */
   function drawTouching({ disc, points }: Touching): void {
@@ -142,6 +196,15 @@ export function drawOverlay(
     path.lineTo(left, bottom)
     path.closePath()
     return path
+  }
+
+  function drawTrial({ circle: { x, y, r }, outline, hiddenBy }: Trial): void {
+    const cell = pathOf(outline)
+    const rim = discOf(x, y, r, DOT_RADIUS)
+    fill(cell, style.selectedCell)
+    fill(rim, style.selectedDisc, DISC_OPACITY)
+    stroke(cell, style.accent, 2, [6, 4])
+    stroke(rim, style.accent, 2, hiddenBy === undefined ? [] : [4, 4])
   }
 
   function drawSelected({ circle: { x, y, r }, outline, hiddenBy }: Described): void {

@@ -2,19 +2,27 @@
 import { CircleVoronoiError } from '../lib/errors.ts'
 import type { Circle, Edit, Options } from '../lib/index.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/load-options.ts'
+import { startModuleWorker } from '../lib/module-worker.ts'
+import type { TraceOptions } from '../lib/trace.ts'
 import { CircleLog } from './circle-log.ts'
 import type { Layers } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
+import { newPainterWorker, PAINTER_NAME, painterFile } from './painter-file.ts'
 import type {
+  Column,
   Computed,
   Counts,
   Distribution,
+  Facts,
   Found,
   FromPainter,
   Hit,
   Marks,
+  Tabulated,
   ToPainter,
   Touching,
+  Traced,
+  Trial,
   Wish,
 } from './protocol.ts'
 import type { Style } from './style.ts'
@@ -125,7 +133,7 @@ export class Painter {
   }
 
   #start(): void {
-    const worker = new Worker(new URL('./painter/painter-thread.ts', import.meta.url), { type: 'module' })
+    const worker = startModuleWorker(newPainterWorker, painterFile, PAINTER_NAME)
     this.#worker = worker
     this.#hasWorked = false
     const fail = (reason: string) => {
@@ -255,6 +263,11 @@ export class PainterScene {
     return (await this.#line.ask<{ touching: Touching | undefined }>(message))?.touching
   }
 
+  /** What a circle would take; `undefined`: it is none. */
+  async try(circle: Circle): Promise<Trial | undefined> {
+    return (await this.#line.ask<{ trial: Trial | undefined }>({ kind: 'try', scene: this.#scene, circle }))?.trial
+  }
+
   /** A circle as it is after all edits that are done. */
   circle(id: number): Circle | undefined {
     return this.#line.circle(id)
@@ -278,10 +291,37 @@ export class PainterScene {
     return answer?.distribution
   }
 
+  /** What the cells of circles measure: of these ids at once, of all a moment later. */
+  async tabulate(columns: readonly Column[], ids?: Int32Array): Promise<Tabulated | undefined> {
+    const message = { kind: 'tabulate', scene: this.#scene, columns, ids }
+    return (await this.#line.ask<{ table: Tabulated }>(message))?.table
+  }
+
+  /** What is so of the diagram and of the cells of circles. */
+  async tell(ids: readonly number[]): Promise<Facts | undefined> {
+    const answer = await this.#line.ask<{ facts: Facts }>({ kind: 'tell', scene: this.#scene, ids })
+    return answer?.facts
+  }
+
   /** Computes the diagram from nothing, likewise. */
   async compute(options: Options): Promise<Computed | undefined> {
     const message = { kind: 'compute', scene: this.#scene, options }
     return (await this.#line.ask<{ computed: Computed }>(message))?.computed
+  }
+
+  /**
+   * What a method does with the circles, event by event.
+   *
+   * @throws CircleVoronoiError as `trace` of the library, and of too many circles
+   */
+  async trace(options: TraceOptions): Promise<Traced | undefined> {
+    const answer = await this.#line.ask<Extract<FromPainter, { kind: 'traced' | 'notTraced' }>>({
+      kind: 'trace',
+      scene: this.#scene,
+      options,
+    })
+    if (answer?.kind === 'notTraced') throw new CircleVoronoiError(answer.code, answer.circle, answer.message)
+    return answer?.traced
   }
 
   /** What is drawn; the next `look` has it painted. */

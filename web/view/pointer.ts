@@ -12,6 +12,8 @@ const TOUCH_SLACK = 12
 const DISC_SLACK = 14
 /** A pointer that moves less than this was a click. */
 const CLICK_DISTANCE = 4
+/** A press that rests so long where nothing is tries a circle, in milliseconds. */
+const HOLD = 400
 /** Of `MouseEvent.button`. */
 const MAIN = 0
 const MIDDLE = 1
@@ -23,12 +25,30 @@ export interface Listening {
   stop(): void
 }
 
+/** How a view gets on with the page around it. */
+export interface PointerOptions {
+  /**
+   * That page scrolls: by the wheel, unless the view was pressed before or Ctrl is held, and by one finger, unless there is
+   * what can be dragged `within` so many units of that point of the plane. The element's `touch-action` has to let it.
+   */
+  isGrabbed?(point: Point, within: number): boolean
+}
+
 /** Pointer, wheel and double click on the element of a view. */
-export function listenToPointer(element: HTMLElement, view: View, hands: Hands): Listening {
+export function listenToPointer(
+  element: HTMLElement,
+  view: View,
+  hands: Hands,
+  { isGrabbed }: PointerOptions = {},
+): Listening {
   const pressed = new Map<number, Point>()
   let gesture: Gesture | undefined
   let hasMoved = false
   let start: Point = { x: 0, y: 0 }
+  let holding: ReturnType<typeof setTimeout> | undefined
+  const letsPageScroll = isGrabbed !== undefined
+  /** Whether the wheel is the view's. */
+  let isActive = !letsPageScroll
   /** What was pressed and is not known yet. */
   let pending: Promise<unknown> | undefined
 
@@ -75,19 +95,34 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     const hit = await hitAt(point, pointerType)
     const circle = hit === undefined ? undefined : hands.circle(hit.id)
     if (shiftKey) return gestures.band(point, () => hit !== undefined && hands.toggle(hit.id))
-    if (hit === undefined || circle === undefined) return gestures.pan(point, () => hands.select([]))
+    if (hit === undefined) return gestures.pan(point, () => hands.select([]))
     const { id, part } = hit
     const isSelected = hands.isSelected(id)
     // A finger that is to pan may well begin on a circle.
-    const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected)
-    if (isPan) return gestures.pan(point, () => hands.select([id]))
+    const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected && !letsPageScroll)
+    // One that is not for this hand, or is gone, can still be selected.
+    if (isPan || circle === undefined) return gestures.pan(point, () => hands.select([id]))
     if (!isSelected) hands.select([id])
     const isOne = hands.held().length === 1
     return part === 'rim' && isOne ? gestures.resizeCircle(point, id, circle) : gestures.moveCircles(point, id)
   }
 
+  /** Whether a finger is there to drag something, and not to scroll the page. */
+  const isHeld = (point: Point): boolean =>
+    isGrabbed === undefined ||
+    hands.tool === 'add' ||
+    view.pathEndAt(point, TOUCH_SLACK) !== undefined ||
+    view.handleAt(point, TOUCH_SLACK) !== undefined ||
+    isGrabbed(planeAt(point), TOUCH_SLACK / view.camera.scale)
+
+  const select = async (point: Point) => {
+    const hit = await hitAt(point, 'touch')
+    hands.select(hit === undefined ? [] : [hit.id])
+  }
+
   const begin = (point: Point, event: PointerEvent): Gesture => {
     const isTouch = event.pointerType === 'touch'
+    if (isTouch && !isHeld(point)) return { move() {}, click: () => wait(select(point)) }
     const pathEnd = view.pathEndAt(point, isTouch ? TOUCH_SLACK : 0)
     const scaling = view.handleAt(point, isTouch ? TOUCH_SLACK : 0)
     if (event.button === MIDDLE || hands.tool === 'pan') return gestures.pan(point, () => {})
@@ -97,11 +132,33 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     return whenKnown(gestureAt(point, event))
   }
 
+  /** Whether a press that rests is one on nothing: no circle, no handle. */
+  const isEmpty = async (point: Point, { pointerType }: PointerEvent): Promise<boolean> => {
+    if (hands.tool === 'add') return true
+    const slack = pointerType === 'touch' ? TOUCH_SLACK : 0
+    if (hands.tool !== 'select' || view.pathEndAt(point, slack) !== undefined) return false
+    if (view.handleAt(point, slack) !== undefined) return false
+    const hit = await hitAt(point, pointerType)
+    if (hit !== undefined && hit.part !== 'cell') return false
+    return (await hands.fitted(planeAt(point))) !== undefined
+  }
+
+  const hold = async (point: Point, event: PointerEvent) => {
+    const begun = gesture
+    if (hasMoved || event.button !== MAIN || event.shiftKey || !(await isEmpty(point, event))) return
+    // What was pressed may be something else by now.
+    if (hasMoved || begun === undefined || gesture !== begun) return
+    begun.cancel?.()
+    gesture = gestures.holdCircle(point)
+    hasMoved = true
+  }
+
   const showCursor = (hit: Hit | undefined) => {
     element.dataset.cursor = hands.tool === 'select' ? (hit?.part ?? 'cell') : hands.tool
   }
 
   const end = (point: Point | undefined) => {
+    clearTimeout(holding)
     gesture = undefined
     if (point !== undefined) hitAt(point, 'mouse').then(showCursor)
   }
@@ -119,6 +176,7 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
   ) => element.addEventListener(name, listener, { ...options, signal: listeners.signal })
 
   on('pointerdown', (event) => {
+    isActive = true
     if (![MAIN, MIDDLE].includes(event.button) || pressed.size === 2) return
     // The middle button would begin to scroll.
     if (event.button === MIDDLE) event.preventDefault()
@@ -134,6 +192,7 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
     start = point
     hasMoved = false
     gesture = begin(point, event)
+    holding = setTimeout(() => hold(point, event), HOLD)
     if (['cell', 'pan'].includes(element.dataset.cursor ?? '')) element.dataset.cursor = 'panning'
   })
 
@@ -157,7 +216,7 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
 
   on('pointerup', (event) => {
     if (!pressed.delete(event.pointerId)) return
-    if (hasMoved) gesture?.end?.()
+    if (hasMoved) wait(Promise.resolve(gesture?.end?.()))
     else gesture?.click?.()
     end(pointOf(event))
   })
@@ -167,7 +226,12 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
   }
   on('pointercancel', lose)
   on('lostpointercapture', lose)
+  // A finger that rests would open the menu of the browser.
+  on('contextmenu', (event) => {
+    if (pressed.size > 0) event.preventDefault()
+  })
   on('pointerleave', () => {
+    isActive = !letsPageScroll
     hands.hover(undefined)
     view.touch(undefined, 0)
   })
@@ -185,9 +249,20 @@ export function listenToPointer(element: HTMLElement, view: View, hands: Hands):
   }
   on('dblclick', (event) => wait(addAt(pointOf(event))))
 
+  // The page scrolls unless this is prevented as the finger comes down.
+  const keepTouch = (event: TouchEvent) => {
+    const { left, top } = element.getBoundingClientRect()
+    const [first, second] = event.touches
+    const isKept =
+      second !== undefined || (first !== undefined && isHeld({ x: first.clientX - left, y: first.clientY - top }))
+    if (isKept && event.cancelable) event.preventDefault()
+  }
+  if (letsPageScroll) on('touchstart', keepTouch, { passive: false })
+
   on(
     'wheel',
     (event) => {
+      if (!isActive && !event.ctrlKey) return
       event.preventDefault()
       // A pinch on a touchpad arrives as a wheel with the control key and small steps.
       const speed = event.ctrlKey ? 0.01 : 0.0016

@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between a view and the painter's thread. A scene is one view's circles; a thread has many.
-import type { Box, Certificate, Circle, Edit, ErrorCode, Options, Point, Stats, Vertex } from '../lib/index.ts'
+import type {
+  Box,
+  Certificate,
+  Circle,
+  DiagramData,
+  Edit,
+  ErrorCode,
+  Options,
+  Point,
+  Stats,
+  Vertex,
+} from '../lib/index.ts'
+import type { TraceArrays, TraceOptions } from '../lib/trace.ts'
 import type { CompiledWasm } from '../lib/wasm.ts'
 import type { Layers } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
@@ -66,6 +78,8 @@ export type ToPainter =
       readonly y: number
       readonly slack: number
     }
+  /** What a circle would take. */
+  | { readonly kind: 'try'; readonly scene: number; readonly request: number; readonly circle: Circle }
   /** What a frame shows, all at once. */
   | {
       readonly kind: 'draw'
@@ -78,8 +92,20 @@ export type ToPainter =
     }
   /** How cells are distributed. */
   | { readonly kind: 'measure'; readonly scene: number; readonly request: number }
+  /** What circles and their cells measure; all circles, if no ids are named. */
+  | {
+      readonly kind: 'tabulate'
+      readonly scene: number
+      readonly request: number
+      readonly columns: readonly Column[]
+      readonly ids: Int32Array | undefined
+    }
+  /** What is so of the diagram and of the cells of some circles. */
+  | { readonly kind: 'tell'; readonly scene: number; readonly request: number; readonly ids: readonly number[] }
   /** All computed once more from nothing, to see how. */
   | { readonly kind: 'compute'; readonly scene: number; readonly request: number; readonly options: Options }
+  /** What a method does with the circles, event by event. */
+  | { readonly kind: 'trace'; readonly scene: number; readonly request: number; readonly options: TraceOptions }
   /** What is drawn; `isPainted`: not only what is found (`Found`) is another. */
   | { readonly kind: 'layers'; readonly scene: number; readonly layers: Layers; readonly isPainted: boolean }
   /** Which circles stand out; what is known of them comes now and with each edit. */
@@ -140,10 +166,21 @@ export type FromPainter =
     }
   | { readonly kind: 'hit'; readonly request: number; readonly hit: Hit | undefined }
   | { readonly kind: 'touched'; readonly request: number; readonly touching: Touching | undefined }
+  | { readonly kind: 'tried'; readonly request: number; readonly trial: Trial | undefined }
   | { readonly kind: 'drawn'; readonly request: number; readonly svg: string }
   | { readonly kind: 'drawn'; readonly request: number; readonly image: ImageBitmap }
   | { readonly kind: 'measured'; readonly request: number; readonly distribution: Distribution }
+  | { readonly kind: 'tabulated'; readonly request: number; readonly table: Tabulated }
+  | { readonly kind: 'told'; readonly request: number; readonly facts: Facts }
   | { readonly kind: 'computed'; readonly request: number; readonly computed: Computed }
+  | { readonly kind: 'traced'; readonly request: number; readonly traced: Traced }
+  | {
+      readonly kind: 'notTraced'
+      readonly request: number
+      readonly code: ErrorCode
+      readonly circle: number
+      readonly message: string
+    }
   | { readonly kind: 'found'; readonly scene: number; readonly revision: number; readonly found: Found }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
   /** The thread cannot go on. */
@@ -154,6 +191,25 @@ export interface Counts {
   readonly hidden: number
   readonly vertices: number
   readonly edges: number
+}
+
+/** What is so of a circle and its cell. */
+export interface CellFacts extends Circle {
+  /** Whether another circle contains it: then it has no cell. */
+  readonly hidden: boolean
+  readonly bounded: boolean
+  /** How many edges its cell has. */
+  readonly edges: number
+  /** Whose cells these are shared with: the ids, each once. */
+  readonly neighbors: readonly number[]
+  /** Infinite, if the cell is not bounded. */
+  readonly area: number
+}
+
+/** What is so of a diagram. */
+export interface Facts extends Counts {
+  /** Those that were asked for; there is none of circles that are not there. */
+  readonly cells: ReadonlyMap<number, CellFacts>
 }
 
 /** The circle under the pointer, and which part of it: its rim, its disc, or only its cell. */
@@ -180,6 +236,18 @@ export interface Touching {
   readonly points: readonly Point[]
 }
 
+/** What a circle would take that is not there yet. */
+export interface Trial {
+  readonly circle: Circle
+  /** The circle that would hide it; `undefined`: it has a cell. */
+  readonly hiddenBy: number | undefined
+  /** That of its cell (`replay`). */
+  readonly outline: Float64Array
+  readonly area: number
+  /** From whom, the most first; infinite where a part has no end, NaN where that is not known. */
+  readonly taken: readonly { readonly id: number; readonly area: number }[]
+}
+
 /** What the layers show that depends on all circles. */
 export interface Found {
   /** For each arc of the hull its circle's x, y and radius, the angle where it begins, its turn, and the start of the next one. */
@@ -188,6 +256,22 @@ export interface Found {
   readonly largestDisc: (Touching & { readonly circles: readonly number[] }) | undefined
   /** How near the clearest path comes to a circle, and the path (`replay`). */
   readonly path: { readonly clearance: number; readonly outline: Float64Array } | undefined
+  /** What the touching disc method finds of the diagram. */
+  readonly method: MethodFound | undefined
+}
+
+/** How many there are, how many of them are found, and how many others that are none. */
+export interface Counted {
+  readonly all: number
+  readonly found: number
+  readonly wrong: number
+}
+
+export interface MethodFound {
+  readonly vertices: Counted
+  readonly edges: Counted
+  /** Of all circles; 0: all pairs are looked at. */
+  readonly samples: number
 }
 
 /** How many cells there are of each kind. */
@@ -202,8 +286,29 @@ export interface Distribution {
   readonly certificate: Certificate
 }
 
+/** What a cell measures: its area, how many neighbours it has, and how far the circle is from the nearest other one. */
+export type Column = 'area' | 'degree' | 'gap'
+
+/** Numbers of circles: of a hidden one NaN, of an area without end infinity. */
+export interface Tabulated {
+  readonly ids: Int32Array
+  /** For each column that was asked for those of the circles. */
+  readonly columns: readonly Float64Array[]
+}
+
 /** How a diagram was computed, and what came of it; or why it could not be. */
 export type Computed = { readonly stats: Stats; readonly certificate: Certificate } | { readonly problem: string }
+
+/** What a method did with circles. */
+export interface Traced {
+  /** The circles before, x, y, r each, by increasing ids, and these. */
+  readonly circles: Float64Array
+  readonly ids: Int32Array
+  /** What came of it: circle i has the i-th of the ids. */
+  readonly diagram: DiagramData
+  /** Circles are named by their ids. */
+  readonly events: TraceArrays
+}
 
 export interface Marks {
   readonly selected: Described | undefined

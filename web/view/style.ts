@@ -29,6 +29,7 @@ const COLORS = [
   'sampleGraph',
   'antipodalDiscs',
   'directedEdges',
+  'missedEdges',
 ] as const
 
 /** The colours of the drawing: CSS colours. */
@@ -41,14 +42,18 @@ export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
   readonly cellOpacity: number
 }
 
-/** The style that the custom properties of an element say. */
+/**
+ * The style that the custom properties of an element say: for `edge` that of `--circle-voronoi-edge`, which a page may set,
+ * or else that of the theme.
+ */
 export function readStyle(element: Element): Style {
   // As numbers: a worker knows neither the scheme nor the system's colours.
   const probe = element.appendChild(document.createElement('span'))
   // The system's colours are named where they are to be: data keeps its own.
   probe.style.setProperty('forced-color-adjust', 'none')
   const color = (name: string) => {
-    probe.style.color = `var(--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)})`
+    const property = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
+    probe.style.color = `var(--circle-voronoi-${property}, var(--${property}))`
     return getComputedStyle(probe).color
   }
   const list = (name: string, count: number) => Array.from({ length: count }, (_, k) => color(`${name}-${k}`))
@@ -60,8 +65,19 @@ export function readStyle(element: Element): Style {
     ...colors,
     tints: list('tint', TINTS),
     map: list('map', MAP_COLORS),
-    cellOpacity: Number(getComputedStyle(element).getPropertyValue('--cell-opacity')),
+    cellOpacity: opacityOf(color('cellOpacity')),
   }
   probe.remove()
   return style
+}
+
+/** Whether what is drawn is light on dark. */
+export function isDark({ paper }: Style): boolean {
+  const [red = 255, green = 255, blue = 255] = /^rgba?\((\d+), (\d+), (\d+)/.exec(paper)?.slice(1).map(Number) ?? []
+  return red + green + blue < 1.5 * 255
+}
+
+/** Of a computed colour, which says it only if it is not 1. */
+function opacityOf(color: string): number {
+  return Number(/^rgba\(.*, ([\d.e-]+)\)$/.exec(color)?.[1] ?? 1)
 }

@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Circle, Edit, Options, Point } from '../lib/index.ts'
+import type { TraceOptions } from '../lib/trace.ts'
 import { BasePicture } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
-import { DEFAULT_LAYERS, type Layers } from './layers.ts'
-import { drawOverlay, HANDLE_RADIUS, handleOf } from './overlay.ts'
+import { type AboveLayer, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'
+import { drawOverlay, HANDLE_RADIUS, handleOf, NOTHING_STANDS_OUT, type StandingOut } from './overlay.ts'
 import { CanvasDrawing, type Drawing, SvgDrawing, svgOf } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Edited, Painter, PainterScene } from './painter.ts'
-import type { Computed, Distribution, Found, Hit, Marks, Touching } from './protocol.ts'
-import { readStyle, type Style } from './style.ts'
+import type {
+  Column,
+  Computed,
+  Distribution,
+  Facts,
+  Found,
+  Hit,
+  Marks,
+  Tabulated,
+  Touching,
+  Traced,
+  Trial,
+} from './protocol.ts'
+import { isDark, readStyle, type Style } from './style.ts'
 
 /** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
 const REST = 80
@@ -24,6 +37,8 @@ export interface ViewEvents {
   /** Others are shown, or an end of the path was dragged. */
   readonly layers: Layers
   readonly camera: Camera
+  /** What the circle would take that is tried; `undefined`: none is. */
+  readonly tried: Trial | undefined
   /** Circles were set, or edited. */
   readonly changed: Edited
   /** They could not be, and why: a `CircleVoronoiError`, or another one if the computer failed. */
@@ -61,16 +76,22 @@ export class View {
   #touching: Touching | undefined
   /** Where the pointer was when a disc was last asked for; what comes for another place is late. */
   #touchedAt: Point | undefined
+  #trial: Trial | undefined
+  #lastTrial = 0
   #chosen: Chosen | undefined
   #band: Band | undefined
+  #above: readonly AboveLayer[] = []
   #baseChanged = false
   #overlayChanged = false
+  #isShown = true
+  #hasDiagram = true
 
   readonly #listeners: { readonly [Name in keyof ViewEvents]: Set<(event: ViewEvents[Name]) => void> } = {
     marked: new Set(),
     found: new Set(),
     layers: new Set(),
     camera: new Set(),
+    tried: new Set(),
     changed: new Set(),
     refused: new Set(),
   }
@@ -84,7 +105,7 @@ export class View {
     this.#container = container
     this.#base = container.appendChild(document.createElement('canvas'))
     this.#overlay = container.appendChild(document.createElement('canvas'))
-    this.#style = readStyle(container)
+    this.#style = this.#readStyle()
     this.#scene = painter.add({
       painted: (painted) => {
         this.#picture.put(painted)
@@ -121,6 +142,8 @@ export class View {
     this.#found = undefined
     const opened = this.#scene.open(circles)
     this.#see()
+    // What is there stays until there is more, but it is no longer all.
+    this.#schedule()
     return this.#told(opened)
   }
 
@@ -175,39 +198,89 @@ export class View {
     return this.#scene.measure()
   }
 
+  /** What the cells of circles measure; of all, if no ids are given. `undefined`: it could not be found. */
+  tabulate(columns: readonly Column[], ids?: Int32Array): Promise<Tabulated | undefined> {
+    return this.#scene.tabulate(columns, ids)
+  }
+
+  /** What is so of the diagram and of the cells of circles. */
+  tell(ids: readonly number[]): Promise<Facts | undefined> {
+    return this.#scene.tell(ids)
+  }
+
   /** Computes the diagram once more from nothing, to see how. */
   compute(options: Options): Promise<Computed | undefined> {
     return this.#scene.compute(options)
   }
 
+  /**
+   * What a method does with the circles as they are, event by event; `undefined`: it could not be found.
+   *
+   * @throws CircleVoronoiError as `trace` of the library, and of more than `MOST_PLAYED` circles
+   */
+  trace(options: TraceOptions): Promise<Traced | undefined> {
+    return this.#scene.trace(options)
+  }
+
+  /** What is drawn, unless only circles are (`hasDiagram`). */
   get layers(): Layers {
     return this.#layers
+  }
+
+  /** Whether anything of the diagram is drawn, or circles alone. */
+  get hasDiagram(): boolean {
+    return this.#hasDiagram
+  }
+
+  set hasDiagram(hasDiagram: boolean) {
+    if (hasDiagram === this.#hasDiagram) return
+    this.#hasDiagram = hasDiagram
+    this.#drawLayers()
+  }
+
+  get #drawnLayers(): Layers {
+    return this.#hasDiagram ? this.#layers : withoutDiagram(this.#layers)
   }
 
   /** Draws something else, or something more; layers that are not named stay. */
   setLayers(change: Partial<Layers>): void {
     const layers = { ...this.#layers, ...change }
     this.#layers = layers
-    this.#scene.setLayers(layers)
-    const wish = this.#picture.again(this.#camera, this.#size)
+    this.#drawLayers()
+    this.#tell('layers', layers)
+  }
+
+  #drawLayers(): void {
+    this.#scene.setLayers(this.#drawnLayers)
+    const wish = this.#isShown ? this.#picture.again(this.#camera, this.#size) : undefined
     if (wish !== undefined) this.#scene.look(wish, this.#style)
     this.#overlayChanges()
-    this.#tell('layers', layers)
   }
 
   /** Shows the disc of the vertex or the point of an edge next to a point of the plane, if that layer is on. */
   async touch(point: Point | undefined, slack: number): Promise<void> {
     this.#touchedAt = point
     const touching =
-      point === undefined || !this.#layers.disc ? undefined : await this.#scene.touch(point.x, point.y, slack)
+      point === undefined || !this.#drawnLayers.disc ? undefined : await this.#scene.touch(point.x, point.y, slack)
     if (this.#touchedAt !== point || touching === this.#touching) return
     this.#touching = touching
     this.#overlayChanges()
   }
 
+  /** Shows what a circle would take that is not there, or no longer. */
+  async tryCircle(circle: Circle | undefined): Promise<void> {
+    this.#lastTrial += 1
+    const turn = this.#lastTrial
+    const trial = circle === undefined ? undefined : await this.#scene.try(circle)
+    if (turn !== this.#lastTrial || trial === this.#trial) return
+    this.#trial = trial
+    this.#overlayChanges()
+    this.#tell('tried', trial)
+  }
+
   /** The end of the path at a pixel. */
   pathEndAt(point: Point, slack: number): 'from' | 'to' | undefined {
-    const { path } = this.#layers
+    const { path } = this.#drawnLayers
     if (path === undefined) return undefined
     return (['to', 'from'] as const).find((end) => {
       const { x, y } = toScreen(this.#camera, this.#size, path[end])
@@ -225,18 +298,18 @@ export class View {
     this.#tell('layers', this.#layers)
   }
 
-  /** What is seen, as the text of an SVG. */
+  /** What is seen, as the text of an SVG: without what is selected. */
   async toSVG(): Promise<string> {
     const { width, height } = this.#size
     const frame = { ...this.#camera, width, height }
     const elements = await this.#scene.svg(frame, 1, this.#style)
     if (elements === undefined) throw new Error(NOT_DRAWN)
     const above = new SvgDrawing()
-    this.#drawAbove(above, frame, 1)
+    this.#drawAbove(above, frame, 1, NOTHING_STANDS_OUT)
     return svgOf(width, height, [elements, String(above)])
   }
 
-  /** What is seen, as a PNG of `scale` pixels for each CSS pixel. */
+  /** The same as a PNG of `scale` pixels for each CSS pixel. */
   async toPNG(scale = devicePixelRatio): Promise<Blob> {
     const frame = {
       ...this.#camera,
@@ -250,7 +323,7 @@ export class View {
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
     context.drawImage(image, 0, 0)
     image.close()
-    this.#drawAbove(new CanvasDrawing(context), frame, scale)
+    this.#drawAbove(new CanvasDrawing(context), frame, scale, NOTHING_STANDS_OUT)
     return canvas.convertToBlob({ type: 'image/png' })
   }
 
@@ -276,6 +349,12 @@ export class View {
     this.#overlayChanges()
   }
 
+  /** What else is drawn above the picture, from the lowest up: shown with the next frame, as nothing is painted anew. */
+  set above(layers: readonly AboveLayer[]) {
+    this.#above = layers
+    this.#overlayChanges()
+  }
+
   /** What is scaled about, if the handle of the selected circles is at a pixel. */
   handleAt(point: Point, slack: number): Point | undefined {
     if (this.#chosen === undefined) return undefined
@@ -285,13 +364,32 @@ export class View {
     return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 }
   }
 
+  /** Whether it has pixels: one that nobody sees needs none. */
+  get isShown(): boolean {
+    return this.#isShown
+  }
+
+  set isShown(isShown: boolean) {
+    if (isShown === this.#isShown) return
+    this.#isShown = isShown
+    if (!isShown) this.#picture.clear()
+    this.#resize()
+  }
+
   /** Reads the style of the container again, after it has changed. */
   restyle(): void {
-    this.#style = readStyle(this.#container)
+    this.#style = this.#readStyle()
     this.#picture.clear()
     this.#see()
     this.#overlayChanged = true
     this.#schedule()
+  }
+
+  #readStyle(): Style {
+    const style = readStyle(this.#container)
+    // For paper, which is light.
+    this.#container.toggleAttribute('data-dark', isDark(style))
+    return style
   }
 
   dispose(): void {
@@ -307,9 +405,10 @@ export class View {
 
   #resize(): void {
     this.#size = { width: this.#container.clientWidth, height: this.#container.clientHeight }
+    const pixels = this.#isShown ? devicePixelRatio : 0
     for (const canvas of [this.#base, this.#overlay]) {
-      canvas.width = Math.round(this.#size.width * devicePixelRatio)
-      canvas.height = Math.round(this.#size.height * devicePixelRatio)
+      canvas.width = Math.round(this.#size.width * pixels)
+      canvas.height = Math.round(this.#size.height * pixels)
     }
     this.#baseChanged = true
     this.#overlayChanged = true
@@ -318,7 +417,7 @@ export class View {
   }
 
   #see(): void {
-    if (this.#size.width === 0 || this.#size.height === 0) return
+    if (!this.#isShown || this.#size.width === 0 || this.#size.height === 0) return
     const wish = this.#picture.see(this.#camera, this.#size, devicePixelRatio)
     if (wish !== undefined) this.#scene.look(wish, this.#style)
   }
@@ -329,6 +428,7 @@ export class View {
 
   #draw(): void {
     this.#frame = 0
+    if (!this.#isShown) return
     if (this.#baseChanged) {
       const context = this.#base.getContext('2d') as CanvasRenderingContext2D
       this.#picture.draw(context, this.#camera, this.#size, devicePixelRatio)
@@ -344,18 +444,19 @@ export class View {
     const { width, height } = this.#overlay
     const frame = { x: this.#camera.x, y: this.#camera.y, scale: this.#camera.scale * devicePixelRatio, width, height }
     context.clearRect(0, 0, width, height)
-    this.#drawAbove(new CanvasDrawing(context), frame, devicePixelRatio)
-  }
-
-  #drawAbove(drawing: Drawing, frame: Frame, pixelRatio: number): void {
-    drawOverlay(drawing, frame, pixelRatio, this.#style, {
+    this.#drawAbove(new CanvasDrawing(context), frame, devicePixelRatio, {
       marks: this.#marks,
-      found: this.#found,
       touching: this.#touching,
-      layers: this.#layers,
+      trial: this.#trial,
       chosen: this.#chosen,
       band: this.#band,
     })
+  }
+
+  #drawAbove(drawing: Drawing, frame: Frame, pixelRatio: number, standingOut: StandingOut): void {
+    const marks = this.#hasDiagram ? standingOut.marks : withoutCells(standingOut.marks)
+    const above = { found: this.#found, layers: this.#drawnLayers, above: this.#above, ...standingOut, marks }
+    drawOverlay(drawing, frame, pixelRatio, this.#style, above)
   }
 
   #overlayChanges(): void {
@@ -392,4 +493,10 @@ export class View {
     }
     watchPixels()
   }
+}
+
+function withoutCells({ selected, hovered }: Marks): Marks {
+  const circleOf = (described: Marks['selected']) =>
+    described && { ...described, outline: new Float64Array(), neighborhood: new Float64Array() }
+  return { selected: circleOf(selected), hovered: circleOf(hovered) }
 }

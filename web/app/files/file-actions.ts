@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import type { Editing } from '../../editing/editing.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
 import { CircleVoronoiError } from '../../lib/index.ts'
-import { encodeLink } from '../../lib/link.ts'
+import type { LinkInput } from '../../lib/link.ts'
 import type { View } from '../../view/view.ts'
-import type { Actions } from '../actions.ts'
-import { dataSetOf } from '../data-sets.ts'
-import type { Editing } from '../editing.ts'
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
-import { FilesClient } from './files-client.ts'
+import { sourceOf } from '../data-sets.ts'
+import type { LinkWriter } from '../link-writer.ts'
+import type { PageActions } from '../page-actions.ts'
+import type { FilesClient } from './files-client.ts'
 import type { SavedFormat } from './files-protocol.ts'
-import { embedCode, save } from './saving.ts'
+import { elementCode, embedCode, save } from './saving.ts'
 
 /** Larger files are none that a browser could show. */
 const LARGEST_FILE = 2 ** 28
@@ -30,15 +32,25 @@ const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string
 export class FileActions {
   readonly #store: Store<State>
   readonly #editing: Editing
-  readonly #actions: Actions
+  readonly #actions: PageActions
   readonly #view: View
-  readonly #client = new FilesClient()
+  readonly #client: FilesClient
+  readonly #links: LinkWriter
 
-  constructor(store: Store<State>, editing: Editing, actions: Actions, view: View) {
+  constructor(
+    store: Store<State>,
+    editing: Editing,
+    actions: PageActions,
+    view: View,
+    client: FilesClient,
+    links: LinkWriter,
+  ) {
     this.#store = store
     this.#editing = editing
     this.#actions = actions
     this.#view = view
+    this.#client = client
+    this.#links = links
   }
 
   /** Opens a file. One that cannot be read changes nothing. */
@@ -80,27 +92,42 @@ export class FileActions {
 
   /** Reports whether it is in the clipboard. */
   copyLink(): Promise<boolean> {
-    return this.#copy((address) => address)
+    return this.#copy((link) => addressOf(`#${link}`), this.#actions.linkState())
   }
 
   copyEmbedCode(): Promise<boolean> {
-    return this.#copy(embedCode)
+    return this.#copy((link) => embedCode(addressOf(`embed.html#${link}`)), this.#actions.linkState())
   }
 
-  #copy(textOf: (address: string) => string): Promise<boolean> {
+  /** Elsewhere there are no data sets: the circles themselves are in it. */
+  copyElementCode(): Promise<boolean> {
+    const { view, layers, step } = this.#actions.linkState() ?? {}
+    const state = { circles: this.#editing.circles.circles(), view, layers, step }
+    const controls = step === undefined ? 'controls' : 'controls="player"'
+    return this.#copy((link) => elementCode(addressOf('element.js'), link, controls), state)
+  }
+
+  #copy(textOf: (link: string) => string, state: LinkInput | undefined): Promise<boolean> {
     return this.#try(async () => {
-      const link = await this.#link()
-      if (link === '' || link.length > LONGEST_LINK) {
-        throw new Error('These are too many circles for a link: save them as a file.')
-      }
-      await navigator.clipboard.writeText(textOf(`${location.origin}${location.pathname}#${link}`))
+      const text = this.#shortLink(state).then(textOf)
+      // Safari lets only what was asked for within the click into the clipboard, not what comes a moment later.
+      const item = new ClipboardItem({ 'text/plain': text.then((text) => new Blob([text], { type: 'text/plain' })) })
+      await Promise.all([text, navigator.clipboard.write([item])])
     })
   }
 
+  async #shortLink(state: LinkInput | undefined): Promise<string> {
+    const link = await this.#link(state)
+    if (link === '' || link.length > LONGEST_LINK) {
+      throw new Error('These are too many circles for a link: save them as a file.')
+    }
+    return link
+  }
+
   /** Empty, if there is too much for a link. */
-  async #link(): Promise<string> {
+  async #link(state = this.#actions.linkState()): Promise<string> {
     try {
-      return await encodeLink(this.#actions.linkState() ?? {})
+      return await this.#links.linkOf(state ?? {})
     } catch (error) {
       if (error instanceof CircleVoronoiError && error.code === 'tooManyCircles') return ''
       throw error
@@ -108,7 +135,8 @@ export class FileActions {
   }
 
   get #name(): string {
-    return dataSetOf(this.#store.get().dataSet)?.id ?? 'circles'
+    const { dataSet } = this.#store.get()
+    return sourceOf(dataSet) === undefined ? 'circles' : dataSet.replaceAll(':', '-')
   }
 
   /** Reports whether it was done; if not, a sentence says why. */
@@ -121,4 +149,9 @@ export class FileActions {
       return false
     }
   }
+}
+
+/** Where something beside this page is. */
+function addressOf(name: string): string {
+  return new URL(name, `${location.origin}${location.pathname}`).href
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from '../../lib/errors.ts'
 import type { Float64s } from '../../lib/index.ts'
+import type { LinkInput } from '../../lib/link.ts'
+import type { Catalogue, Recipe } from '../generators/generators.ts'
 import type { FilesReply, FilesRequest, Read, SavedFormat } from './files-protocol.ts'
 
-/** Readers and writers, in a thread that begins with the first file. */
+/** Readers, writers and generators, in a thread that begins with the first of them. */
 export class FilesClient {
   readonly #waiting = new Map<number, (reply: FilesReply) => void>()
   #worker: Worker | undefined
@@ -17,6 +19,20 @@ export class FilesClient {
   /** @throws CircleVoronoiError as `compute`, `writeDiagram` */
   write(circles: Float64s, format: SavedFormat, link: string): Promise<string> {
     return this.#ask((request) => ({ kind: 'write', request, circles, format, link }))
+  }
+
+  /** @throws CircleVoronoiError as `encodeLink` */
+  link(state: LinkInput): Promise<string> {
+    return this.#ask((request) => ({ kind: 'link', request, state }))
+  }
+
+  /** @throws CircleVoronoiError `badInput`, if there is no family or figure of this name */
+  make(recipe: Recipe): Promise<Float64s> {
+    return this.#ask((request) => ({ kind: 'make', request, recipe }))
+  }
+
+  catalogue(): Promise<Catalogue> {
+    return this.#ask((request) => ({ kind: 'catalogue', request }))
   }
 
   async #ask<Result>(question: (request: number) => FilesRequest): Promise<Result> {
@@ -39,7 +55,7 @@ export class FilesClient {
       this.#waiting.delete(data.request)
     }
     worker.onerror = () => {
-      const message = 'The part of the page for files could not be loaded. Try again.'
+      const message = 'The part of the page that does this could not be loaded. Try again.'
       for (const [request, answer] of this.#waiting)
         answer({ request, error: { code: 'notLoaded', circle: -1, message } })
       this.#waiting.clear()

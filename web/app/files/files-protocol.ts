@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes between the page and the thread that reads and writes files.
+// What goes between the page and the thread that reads and writes files and links, and makes circles.
 import type { ErrorCode, Float64s } from '../../lib/index.ts'
+import type { LinkInput } from '../../lib/link.ts'
+import type { Recipe } from '../generators/generators.ts'
 
 /** `geojson`: circles as points with a radius; `cells`: cells as polygons, in GeoJSON too. */
 export type SavedFormat = 'svg' | 'csv' | 'json' | 'geojson' | 'cells'
@@ -18,6 +20,9 @@ export type FilesRequest =
       /** What opens the same again; empty: there is too much for a link. */
       readonly link: string
     }
+  | { readonly kind: 'link'; readonly request: number; readonly state: LinkInput }
+  | { readonly kind: 'make'; readonly request: number; readonly recipe: Recipe }
+  | { readonly kind: 'catalogue'; readonly request: number }
 
 export interface FilesReply {
   readonly request: number

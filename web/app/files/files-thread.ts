@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What runs in the worker of `FilesClient`: readers and writers, loaded when they are needed for the first time.
+// What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
 import { CircleVoronoiError, reasonOf } from '../../lib/errors.ts'
-import { loadFiles } from '../../lib/files.ts'
-import { loadCircleVoronoi } from '../../lib/loader.ts'
+import { encodeLink } from '../../lib/link.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
 import { circlesOfSvg, withLink } from './svg-scene.ts'
 
@@ -11,16 +10,32 @@ const port = globalThis as unknown as {
   postMessage(message: FilesReply, transfer?: Transferable[]): void
 }
 
-const files = kept(loadFiles)
-const library = kept(loadCircleVoronoi)
+const files = kept(async () => (await import('../../lib/files.ts')).loadFiles())
+const library = kept(async () => (await import('../../lib/loader.ts')).loadCircleVoronoi())
+const generators = kept(async () => (await import('../generators/generators.ts')).loadGenerators())
 
 port.onmessage = async ({ data }) => {
   const { request } = data
   try {
-    port.postMessage({ request, result: data.kind === 'read' ? await read(data) : await write(data) })
+    port.postMessage({ request, result: await resultOf(data) })
   } catch (error) {
     const { code, circle } = error instanceof CircleVoronoiError ? error : { code: 'internal' as const, circle: -1 }
     port.postMessage({ request, error: { code, circle, message: `${reasonOf(error)}.` } })
+  }
+}
+
+async function resultOf(data: FilesRequest): Promise<unknown> {
+  switch (data.kind) {
+    case 'read':
+      return read(data)
+    case 'write':
+      return write(data)
+    case 'link':
+      return encodeLink(data.state)
+    case 'make':
+      return (await generators()).make(data.recipe)
+    case 'catalogue':
+      return (await generators()).catalogue()
   }
 }
 

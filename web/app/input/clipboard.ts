@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Circles in the clipboard: as lines of numbers for other programs, and so that this page knows its own, in any tab.
 import type { Circle } from '../../lib/index.ts'
-import type { Actions } from '../actions.ts'
+import type { PageActions } from '../page-actions.ts'
 
 const OWN = 'application/x-circle-voronoi'
 
-export function listenToClipboard(actions: Actions): void {
+export function listenToClipboard(actions: PageActions): void {
   /** How often what was copied has been pasted here: each time a little farther aside. */
   let times = 0
   const isWritten = ({ target }: Event) =>

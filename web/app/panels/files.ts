@@ -88,6 +88,13 @@ export function mountFiles(actions: FileActions): void {
             >
               ${CODE}Copy embed code
             </button>
+            <button
+              type="button"
+              title="Copy a script and a tag that show these circles in another page, without a frame"
+              @click=${() => copy(() => actions.copyElementCode(), 'The code')}
+            >
+              ${CODE}Copy element
+            </button>
           </div>
           <p aria-live="polite">${said}</p>
       `,

@@ -6,6 +6,8 @@ const STORAGE = 'circle-voronoi:open-panels'
 /** A panel that folds to its title, and remembers. */
 export interface Folding {
   readonly isOpen: boolean
+  /** If it is not. */
+  open(): void
   render(body: () => TemplateResult): void
 }
 
@@ -27,6 +29,9 @@ export function folding(
   return {
     get isOpen() {
       return isOpen
+    },
+    open() {
+      if (!isOpen) toggle()
     },
     render(body) {
       panel.classList.toggle('open', isOpen)

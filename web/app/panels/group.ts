@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit'
-import type { Actions } from '../actions.ts'
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import type { PageActions } from '../page-actions.ts'
+import { wholeNumber } from '../whole-number.ts'
 import { byId } from './by-id.ts'
 
 /** How many circles are selected, and what can be done with them. */
-export function mountGroup(store: Store<State>, actions: Actions): void {
+export function mountGroup(store: Store<State>, actions: PageActions): void {
   const panel = byId('group', HTMLElement)
   const figure = byId('figure', HTMLElement)
   const act = (action: () => void) => () => {
@@ -19,7 +20,7 @@ export function mountGroup(store: Store<State>, actions: Actions): void {
     render(
       html`
         <header class="row">
-          <h2>${selection.length.toLocaleString('en')} circles</h2>
+          <h2>${wholeNumber(selection.length)} circles</h2>
           <button type="button" class="icon" aria-label="Deselect" title="Deselect (Escape)" @click=${act(() => actions.select([]))}>
             <svg viewBox="0 0 20 20" aria-hidden="true"><path d="m6 6 8 8M14 6l-8 8" /></svg>
           </button>

@@ -25,6 +25,7 @@ const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: st
     'Edit',
     [
       ['double click, A and drag', 'add a circle'],
+      ['press and hold where no circle is', 'what a new one would take; release: it is added'],
       ['drag its disc, its rim, the square', 'move, resize, scale'],
       ['arrows, + −', 'move and resize by a step: Shift ten, Alt a tenth'],
       ['Alt + drag, S', 'snap to neighbours and to a grid'],
@@ -63,6 +64,7 @@ export function mountHelp(): () => void {
             </section>`,
         )}
       </div>
+      <p class="reading"><a href="./tutorial/">Tutorial</a> <a href="./docs/">Documentation</a></p>
     `,
     dialog,
   )

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Described } from '../../view/protocol.ts'
-import type { Actions } from '../actions.ts'
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
+
+import { describeCell } from '../../editing/describe-cell.ts'
+import { shortest } from '../../editing/shortest.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
-import { shortest } from './shortest.ts'
 
 type Field = 'x' | 'y' | 'r'
 const FIELDS: readonly Field[] = ['x', 'y', 'r']
 
 /** The numbers, the cell and the neighbours of the selected circle. Returns how to move the focus there. */
-export function mountInspector(store: Store<State>, actions: Actions): () => void {
+export function mountInspector(store: Store<State>, actions: PageActions): () => void {
   const panel = byId('inspector', HTMLElement)
   const title = byId('inspector-title', HTMLHeadingElement)
   const cell = byId('inspector-cell', HTMLParagraphElement)
@@ -73,16 +74,7 @@ export function mountInspector(store: Store<State>, actions: Actions): () => voi
   return () => (fields[0] as HTMLInputElement).focus()
 }
 
-/** What is known of a circle's cell as a sentence, and the circles that it names. */
-export function describeCell(described: Described): [string, readonly number[]] {
-  const { hiddenBy, isBounded } = described
-  if (hiddenBy !== undefined) return [`Hidden inside circle ${hiddenBy}: it has no cell.`, [hiddenBy]]
-  const neighbors = [...described.neighbors]
-  const kind = isBounded ? 'Bounded cell' : 'Unbounded cell'
-  return [`${kind}, ${neighbors.length} ${neighbors.length === 1 ? 'neighbour' : 'neighbours'}`, neighbors]
-}
-
-function chip(index: number, actions: Actions): HTMLLIElement {
+function chip(index: number, actions: PageActions): HTMLLIElement {
   const button = document.createElement('button')
   button.type = 'button'
   button.textContent = String(index)

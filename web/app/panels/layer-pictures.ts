@@ -25,6 +25,7 @@ const PICTURES = {
   sampleGraph: svg`<path class="sample-graph" d="M3 18 13 12l8-8 8 8-16 0 4 9z" />`,
   antipodalDiscs: svg`${CIRCLES}<circle class="antipodal" cx="17.200" cy="10.700" r="4.300" />`,
   directedEdges: svg`${CIRCLES}<path class="directed" d="M9 15 22 8.500m-5 0 5-.2-2.500 4.300" />`,
+  missedEdges: svg`${CIRCLES}${OTHERS}<path class="missed" d="M12.500 6c1.600 3.500 4 6 6.500 8" />`,
 } as const
 
 export type Pictured = keyof typeof PICTURES

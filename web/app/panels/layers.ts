@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, svg, type TemplateResult } from 'lit'
-import { CELL_COLORS, type CellColors, type Layers, MOST_TRACED } from '../../view/layers.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import {
+  CANDIDATES,
+  type Candidates,
+  CELL_COLORS,
+  type CellColors,
+  isMethodShown,
+  type Layers,
+  MOST_PAIRED,
+  MOST_TRACED,
+  SAMPLES,
+} from '../../view/layers.ts'
+import type { MethodFound } from '../../view/protocol.ts'
 import { MAP_COLORS, TINTS } from '../../view/style.ts'
 import type { View } from '../../view/view.ts'
-import type { Actions } from '../actions.ts'
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
+import type { PageActions } from '../page-actions.ts'
+import { wholeNumber } from '../whole-number.ts'
 import { byId } from './by-id.ts'
 import { folding } from './folding.ts'
 import { type Pictured, pictureOf } from './layer-pictures.ts'
+import { saidOf } from './method-found.ts'
 
 const ICON = svg`<path d="m10 3 7 4-7 4-7-4zM3 10.500l7 4 7-4M3 14l7 4 7-4" />`
 /** In extents of what is seen: where nothing is merged but by rounding, and how far the slider goes. */
@@ -24,6 +37,11 @@ const COLOR_NAMES: Readonly<Record<CellColors, string>> = {
   index: 'by number',
   different: 'neighbours differ',
 }
+const CANDIDATE_NAMES: Readonly<Record<Candidates, string>> = {
+  dynamic: 'dynamic samples',
+  uniform: 'equally spaced samples',
+  'all-pairs': 'all pairs of circles',
+}
 /** What the first and the last of the tints stand for. */
 const ENDS: Readonly<Partial<Record<CellColors, readonly [string, string]>>> = {
   radius: ['small', 'large'],
@@ -34,7 +52,7 @@ const ENDS: Readonly<Partial<Record<CellColors, readonly [string, string]>>> = {
 }
 
 /** What is drawn: a legend in which each layer can be switched. */
-export function mountLayers(store: Store<State>, actions: Actions, view: View): void {
+export function mountLayers(store: Store<State>, actions: PageActions, view: View): void {
   const panel = byId('layers', HTMLElement)
   const draw = () => folded.render(() => body(store.get()))
   const folded = folding(panel, 'Layers', ICON, draw)
@@ -47,13 +65,55 @@ export function mountLayers(store: Store<State>, actions: Actions, view: View): 
 
   const extent = () => Math.max(view.size.width, view.size.height) / view.camera.scale
 
-  const methodLayers = () => html`
+  const methodLayers = (layers: Layers, circles: number, found: MethodFound | undefined) => html`
     <fieldset>
       <legend>Touching disc method</legend>
       ${toggle('samples', 'Samples')} ${toggle('sampleGraph', 'Delaunay of samples')}
       ${toggle('antipodalDiscs', 'Antipodal discs')} ${toggle('directedEdges', 'Directed edges left')}
+      ${toggle('missedEdges', 'Edges that it misses')}
+      ${isMethodShown(layers) ? methodControls(layers, circles, found) : nothing}
     </fieldset>
   `
+
+  const methodControls = ({ candidates, sampleCount }: Layers, circles: number, found: MethodFound | undefined) => {
+    const { least, usual, most } = SAMPLES[candidates]
+    const choose = (event: Event) => {
+      const chosen = (event.target as HTMLSelectElement).value as Candidates
+      actions.setLayers({ candidates: chosen, sampleCount: undefined })
+    }
+    const count = (event: Event) => {
+      const input = event.target as HTMLInputElement
+      if (input.reportValidity()) actions.setLayers({ sampleCount: input.valueAsNumber })
+    }
+    return html`
+      <div class="layer">
+        <label for="candidates">Candidates</label>
+        <select id="candidates" .value=${candidates} @change=${choose}>
+          ${CANDIDATES.map(
+            (name) =>
+              html`<option value=${name} ?selected=${name === candidates} ?disabled=${name === 'all-pairs' && circles > MOST_PAIRED}>
+                ${CANDIDATE_NAMES[name]}
+              </option>`,
+          )}
+        </select>
+      </div>
+      ${
+        candidates === 'all-pairs'
+          ? nothing
+          : html`<div class="layer">
+              <label for="sample-count">${candidates === 'dynamic' ? 'N_s, samples inside an angle' : 'm, samples on a circle'}</label>
+              <input id="sample-count" type="number" min=${least} max=${most} step="1" required .value=${String(sampleCount ?? usual)} @change=${count} />
+            </div>`
+      }
+      <p class="quiet" id="method-found" aria-live="polite">${
+        candidates === 'all-pairs' && circles > MOST_PAIRED
+          ? `All pairs of more than ${wholeNumber(MOST_PAIRED)} circles are too many.`
+          : found === undefined
+            ? '…'
+            : saidOf(found)
+      }</p>
+    `
+  }
 
   const body = ({ layers, found, edited }: State) => html`
     <fieldset>
@@ -85,7 +145,7 @@ export function mountLayers(store: Store<State>, actions: Actions, view: View): 
       ${toggle('dual', 'Dual graph')} ${toggle('delaunay', 'Delaunay of centres')}
       ${toggle('ordinary', 'Voronoi of centres')} ${toggle('power', 'Power diagram')}
     </fieldset>
-    ${(edited?.counts.circles ?? 0) > MOST_TRACED ? nothing : methodLayers()}
+    ${(edited?.counts.circles ?? 0) > MOST_TRACED ? nothing : methodLayers(layers, edited?.counts.circles ?? 0, found?.method)}
   `
 
   const togglePath = (event: Event) => {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, svg, type TemplateResult } from 'lit'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
 import type { Options } from '../../lib/index.ts'
 import type { Edited } from '../../view/painter.ts'
 import type { Computed, Distribution } from '../../view/protocol.ts'
 import type { View } from '../../view/view.ts'
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
+import { wholeNumber } from '../whole-number.ts'
 import { byId } from './by-id.ts'
 import { folding } from './folding.ts'
 import type { Histogram } from './histogram.ts'
@@ -164,7 +165,7 @@ function resultOf(computed: Computed): TemplateResult {
 
 function list(entries: readonly (readonly [string, string | number])[]): TemplateResult {
   return html`<dl>
-    ${entries.map(([name, value]) => html`<div><dt>${name}</dt><dd>${typeof value === 'number' ? value.toLocaleString('en') : value}</dd></div>`)}
+    ${entries.map(([name, value]) => html`<div><dt>${name}</dt><dd>${typeof value === 'number' ? wholeNumber(value) : value}</dd></div>`)}
   </dl>`
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import { wholeNumber } from '../whole-number.ts'
 import { byId } from './by-id.ts'
 
 /** How much there is and how long it took to compute; and what was refused. */
@@ -47,7 +48,7 @@ function count(value: number, one: string, many = `${one}s`): (string | Node)[] 
 
 function bold(value: number | string): Node {
   const element = document.createElement('b')
-  element.textContent = value.toLocaleString('en')
+  element.textContent = typeof value === 'number' ? wholeNumber(value) : value
   return element
 }
 

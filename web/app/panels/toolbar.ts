@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Actions } from '../actions.ts'
-import { DATA_SETS, dataSetOf } from '../data-sets.ts'
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
+
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import { DATA_SETS, dataSetOf, labelOf, sourceOf } from '../data-sets.ts'
+import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
-/** The choice of circles, adding and deleting, undo and redo. */
-export function mountToolbar(store: Store<State>, actions: Actions): void {
+/** What is chosen to see all families and figures. */
+const MORE = 'more'
+
+/** The choice of circles, adding and deleting, undo and redo. `showMore`: shows all families and figures. */
+export function mountToolbar(store: Store<State>, actions: PageActions, showMore: () => void): void {
   const figure = byId('figure', HTMLElement)
   const dataSet = byId('data-set', HTMLSelectElement)
   const again = byId('again', HTMLButtonElement)
@@ -16,9 +20,21 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
 
   const own = new Option('Your circles', '')
   own.hidden = true
-  dataSet.append(own, ...DATA_SETS.map(({ id, label }) => new Option(label, id)))
-  dataSet.addEventListener('change', () => actions.load(dataSet.value))
-  again.addEventListener('click', () => actions.load(dataSet.value))
+  const more = new Option('Families, figures …', MORE)
+  dataSet.append(own, ...DATA_SETS.map(({ id, label }) => new Option(label, id)), more)
+  const showChosen = ({ dataSet: name }: State) => {
+    own.textContent = labelOf(name) || 'Your circles'
+    dataSet.value = dataSetOf(name)?.id ?? ''
+  }
+  dataSet.addEventListener('change', () => {
+    if (dataSet.value !== MORE) {
+      actions.load(dataSet.value)
+      return
+    }
+    showChosen(store.get())
+    showMore()
+  })
+  again.addEventListener('click', () => actions.generateAgain())
   const tools = [
     ['select', byId('select', HTMLButtonElement)],
     ['pan', byId('pan', HTMLButtonElement)],
@@ -38,9 +54,8 @@ export function mountToolbar(store: Store<State>, actions: Actions): void {
   }
 
   store.subscribe((state) => {
-    const chosen = dataSetOf(state.dataSet)
-    dataSet.value = chosen?.id ?? ''
-    again.hidden = chosen?.count === undefined
+    showChosen(state)
+    again.hidden = !['family', 'former'].includes(sourceOf(state.dataSet)?.kind ?? '')
     for (const [tool, button] of tools) button.setAttribute('aria-pressed', String(state.tool === tool))
     disable(remove, state.selection.length === 0)
     disable(undo, state.history.done.length === 0)

@@ -10,6 +10,8 @@ export interface Drawing {
   cover(color: string): void
   fill(path: PathSink, color: string, opacity?: number): void
   stroke(path: PathSink, color: string, width: number, dash?: readonly number[], opacity?: number): void
+  /** A word in the middle of a place, `size` high, with a rim of another colour so that it is read on anything. */
+  write(text: string, x: number, y: number, size: number, color: string, rim: string): void
 }
 
 export class CanvasDrawing implements Drawing {
@@ -45,6 +47,19 @@ export class CanvasDrawing implements Drawing {
     this.#context.stroke(path as Path2D)
     this.#context.globalAlpha = 1
   }
+
+  write(text: string, x: number, y: number, size: number, color: string, rim: string): void {
+    const context = this.#context
+    context.font = `600 ${size}px system-ui, sans-serif`
+    context.textAlign = 'center'
+    context.textBaseline = 'middle'
+    context.lineWidth = size / 4
+    context.setLineDash([])
+    context.strokeStyle = rim
+    context.strokeText(text, x, y)
+    context.fillStyle = color
+    context.fillText(text, x, y)
+  }
 }
 
 /** Digits after the decimal point of pixels. */
@@ -63,6 +78,13 @@ export class SvgDrawing implements Drawing {
 
   fill(path: PathSink, color: string, opacity = 1): void {
     this.#add(path, `fill="${color}"${opacity === 1 ? '' : ` fill-opacity="${opacity}"`}`)
+  }
+
+  write(text: string, x: number, y: number, size: number, color: string, rim: string): void {
+    const place = `x="${x.toFixed(DIGITS)}" y="${y.toFixed(DIGITS)}" text-anchor="middle" dominant-baseline="central"`
+    const font = `font-family="system-ui, sans-serif" font-weight="600" font-size="${size}"`
+    const look = `fill="${color}" stroke="${rim}" stroke-width="${size / 4}" paint-order="stroke"`
+    this.#elements.push(`<text ${place} ${font} ${look}>${text}</text>`)
   }
 
   stroke(path: PathSink, color: string, width: number, dash: readonly number[] = [], opacity = 1): void {

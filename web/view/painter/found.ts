@@ -13,7 +13,7 @@ import {
   type Point,
 } from '../../lib/index.ts'
 import { hypotenuse } from '../../lib/scale.ts'
-import type { Layers } from '../layers.ts'
+import { isMethodShown, type Layers } from '../layers.ts'
 import type { Found } from '../protocol.ts'
 import { idOf } from './cell-boxes.ts'
 import { commandsOf } from './commands.ts'
@@ -21,7 +21,7 @@ import type { Picture } from './picture.ts'
 import { touching } from './touching.ts'
 
 /** What the layers show that depends on all circles. What goes to infinity goes as far as the picture does. */
-export function found({ diagram, reach, layers }: Picture, tolerance: number): Found {
+export function found({ diagram, reach, layers, method }: Picture, tolerance: number): Found {
   const largest = layers.largestDisc && diagram.circles.length > 0 ? largestEmptyDiscCenteredInHull(diagram) : undefined
   return {
     hull: layers.hull ? hullOf(diagram) : undefined,
@@ -36,11 +36,13 @@ export function found({ diagram, reach, layers }: Picture, tolerance: number): F
       layers.path === undefined || diagram.circles.length === 0
         ? undefined
         : pathOf(diagram, layers.path.from, layers.path.to, tolerance, reach),
+    method: method?.found,
   }
 }
 
-export function isAnythingFound({ hull, largestDisc, path }: Layers): boolean {
-  return hull || largestDisc || path !== undefined
+export function isAnythingFound(layers: Layers): boolean {
+  const { hull, largestDisc, path } = layers
+  return hull || largestDisc || path !== undefined || isMethodShown(layers)
 }
 
 /** For each arc its circle's x, y and radius, the angle where it begins, its turn, and the start of the next arc. */

@@ -14,18 +14,18 @@ const MOST_SAMPLES = 2000
 export class Measures {
   readonly measure: Measure
   readonly #diagram: Diagram
-  readonly #bounds: readonly number[]
+  #bounds: readonly number[] | undefined
   /** What takes long to find, by the circles' ids. */
   #known = new Float64Array()
 
   constructor(measure: Measure, diagram: Diagram) {
     this.measure = measure
     this.#diagram = diagram
-    this.#bounds = measure === 'degree' ? [5, 6, 7, 8, 9] : this.#quantiles()
   }
 
   /** From 0 to 5. */
   tintOf(i: number): number {
+    this.#bounds ??= this.measure === 'degree' ? [5, 6, 7, 8, 9] : this.#quantiles()
     const value = this.valueOf(i)
     let tint = 0
     while (tint < TINTS - 1 && (this.#bounds[tint] as number) <= value) tint += 1

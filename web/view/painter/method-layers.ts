@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/diagram-data.ts'
-import type { CircleVoronoi } from '../../lib/index.ts'
-import { type Layers, METHOD_LAYERS, type MethodLayer, MOST_TRACED } from '../layers.ts'
+import type { CircleVoronoi, Diagram } from '../../lib/index.ts'
+import { isMethodShown, type Layers, type MethodLayer, MOST_PAIRED, MOST_TRACED, SAMPLES } from '../layers.ts'
+import type { MethodFound } from '../protocol.ts'
+import { methodOutcome } from './method-outcome.ts'
 
 /** What a layer of the method shows: lists as of `DataLayer`. */
 export interface MethodData {
@@ -11,17 +13,23 @@ export interface MethodData {
   readonly discs?: Float64Array
 }
 
-/** Whether the layers show something of the method, of so many circles. */
-export function isTraced(layers: Layers, circles: number): boolean {
-  return circles <= MOST_TRACED && METHOD_LAYERS.some((name) => layers[name])
+/** What the touching disc method makes of the circles of a diagram. */
+export interface MethodResult {
+  readonly data: readonly MethodData[]
+  readonly found: MethodFound
+  /** Edges of the diagram. */
+  readonly missed: ReadonlySet<number>
 }
 
-/** What the touching disc method makes of circles, with its dynamic samples. */
-export function methodData(
-  library: CircleVoronoi,
-  { circles }: { readonly circles: Float64Array },
-): readonly MethodData[] {
-  const trace = library.trace(circles)
+/** Whether the layers show something of the method, of so many circles. */
+export function isTraced(layers: Layers, circles: number): boolean {
+  return circles <= (layers.candidates === 'all-pairs' ? MOST_PAIRED : MOST_TRACED) && isMethodShown(layers)
+}
+
+export function methodResult(library: CircleVoronoi, diagram: Diagram, layers: Layers): MethodResult {
+  const { circles } = diagram
+  const { candidates, sampleCount = SAMPLES[candidates].usual } = layers
+  const trace = library.trace(circles, { candidates, ...(candidates !== 'all-pairs' && { samples: sampleCount }) })
   const { samples, sampleEdges, antipodalDiscs, directedEdges } = trace.at(trace.length)
   const discOf = (event: number) => [...trace.discs.subarray(3 * event, 3 * event + 3)]
   const pointOf = (event: number) => discOf(event).slice(0, 2)
@@ -29,7 +37,8 @@ export function methodData(
   const centerOf = (circle: number) => [at(circles, 3 * circle), at(circles, 3 * circle + 1)]
   const list = (events: Int32Array, numbersOf: (event: number) => readonly number[]) =>
     Float64Array.from([...events].flatMap(numbersOf))
-  return [
+  const { vertices, edges, missed } = methodOutcome(diagram, trace.diagram)
+  const data: readonly MethodData[] = [
     { name: 'samples', points: list(samples, pointOf) },
     {
       name: 'sampleGraph',
@@ -47,4 +56,5 @@ export function methodData(
       ]),
     },
   ]
+  return { data, found: { vertices, edges, samples: samples.length }, missed: new Set(missed) }
 }

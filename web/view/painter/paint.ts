@@ -2,7 +2,7 @@
 import { cells } from './layers/cells.ts'
 import { discs, rims } from './layers/circles.ts'
 import { data, method } from './layers/data.ts'
-import { edges, ordinary, power } from './layers/edges.ts'
+import { edges, missedEdges, ordinary, power } from './layers/edges.ts'
 import { delaunay, dual } from './layers/graphs.ts'
 import { hiders } from './layers/hiders.ts'
 import { vertices } from './layers/vertices.ts'
@@ -15,6 +15,7 @@ const LAYERS: readonly Layer[] = [
   ordinary,
   power,
   edges,
+  missedEdges,
   dual,
   delaunay,
   vertices,

@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Comparison } from '../../lib/comparison.ts'
-import { at } from '../../lib/diagram-data.ts'
+import { at, NONE } from '../../lib/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/errors.ts'
-import type { Box, CircleVoronoi, Edit, Options } from '../../lib/index.ts'
-import { DEFAULT_LAYERS, type Layers, METHOD_LAYERS } from '../layers.ts'
+import type { Box, Circle, CircleVoronoi, Diagram, Edit, Options } from '../../lib/index.ts'
+import type { TraceOptions } from '../../lib/trace.ts'
+import { DEFAULT_LAYERS, isMethodShown, type Layers } from '../layers.ts'
 import type {
+  Column,
   Computed,
   Counts,
   Described,
   Distribution,
+  Facts,
   Found,
   Hit,
   Marks,
   Patch,
   PixelBox,
+  Tabulated,
   Touching,
+  Traced,
+  Trial,
   Wish,
 } from '../protocol.ts'
 import type { Style } from '../style.ts'
@@ -23,14 +29,18 @@ import { Centres } from './centres.ts'
 import { commandsOf } from './commands.ts'
 import { distributionOf } from './distribution.ts'
 import { CanvasDrawing, type Drawing } from './drawing.ts'
+import { factsOf } from './facts.ts'
 import { found, isAnythingFound } from './found.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
 import { frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
-import { isTraced, methodData } from './method-layers.ts'
+import { isTraced, methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
+import { tabulated, tabulatedAll } from './tabulate.ts'
 import { touchingNear } from './touching.ts'
+import { traced } from './traced.ts'
+import { trialOf } from './trial.ts'
 
 /** What is looked at. */
 interface Look extends Wish {
@@ -88,6 +98,7 @@ export class PaintedScene {
   /** Draws these from now on. */
   setLayers(layers: Layers, isPainted = true): void {
     const picture = this.#picture
+    const { candidates, sampleCount } = this.#layers
     this.#layers = layers
     picture.layers = layers
     if (!layers.delaunay && !layers.ordinary) {
@@ -97,7 +108,8 @@ export class PaintedScene {
       picture.centres ??= new Centres(this.#library, picture.diagram)
     }
     if (!layers.power) picture.power = undefined
-    if (!METHOD_LAYERS.some((name) => layers[name])) picture.method = undefined
+    const isSame = candidates === layers.candidates && sampleCount === layers.sampleCount
+    if (!isMethodShown(layers) || !isSame) picture.method = undefined
     if (isPainted) this.#restart()
   }
 
@@ -120,7 +132,7 @@ export class PaintedScene {
 
   /** What the touching disc method makes of the circles as they are. */
   addMethod(): void {
-    this.#picture.setMethod(methodData(this.#library, this.#picture.diagram))
+    this.#picture.setMethod(methodResult(this.#library, this.#picture.diagram, this.#layers))
     this.#restart()
   }
 
@@ -154,6 +166,20 @@ export class PaintedScene {
     return distributionOf(this.#picture)
   }
 
+  /** What the cells of circles measure. */
+  tabulate(columns: readonly Column[], ids: Int32Array): Tabulated {
+    return tabulated(this.#picture, columns, ids)
+  }
+
+  tabulateAll(columns: readonly Column[]): Generator<void, Tabulated> {
+    return tabulatedAll(this.#picture, columns)
+  }
+
+  /** What is so of the diagram and of the cells of circles. */
+  tell(ids: readonly number[]): Facts {
+    return factsOf(this.#picture.diagram, this.counts(), ids)
+  }
+
   /** All computed from nothing. */
   compute(options: Options): Computed {
     try {
@@ -165,10 +191,32 @@ export class PaintedScene {
     }
   }
 
+  /**
+   * What a method does with the circles, event by event.
+   *
+   * @throws CircleVoronoiError as `trace` of the library, and of too many circles
+   */
+  trace(options: TraceOptions): Traced {
+    return traced(this.#library, this.#picture.diagram, options)
+  }
+
   /** The disc around the vertex or the point of an edge next to a point of the plane. */
   touch(x: number, y: number, slack: number): Touching | undefined {
     const box = { minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack }
     return touchingNear(this.#picture.diagram, this.#picture.circlesIn(box), x, y, slack)
+  }
+
+  /** What a circle would take; `undefined`: it is none. */
+  try(circle: Circle): Trial | undefined {
+    const { editor, diagram } = this.#picture
+    const id = editor.nearest(circle.x, circle.y, this.#hint)
+    const nearest = id < 0 ? NONE : diagram.indexOf(id)
+    try {
+      return trialOf(this.#library, this.#picture, circle, nearest, (local, i) => this.#outlineOf([i], local))
+    } catch (error) {
+      if (error instanceof CircleVoronoiError) return undefined
+      throw error
+    }
   }
 
   counts(): Counts {
@@ -288,12 +336,12 @@ export class PaintedScene {
     }
   }
 
-  #outlineOf(circles: readonly number[]): Float64Array {
+  #outlineOf(circles: readonly number[], diagram: Diagram = this.#picture.diagram): Float64Array {
     if (this.#look === undefined) return new Float64Array()
     const { grid, wanted } = this.#look
     const options = { bounds: regionOf(frameOf(grid, wanted)), tolerance: toleranceOf(grid) }
     return commandsOf((context) => {
-      for (const i of circles) this.#picture.diagram.cellPath(i, { context, ...options })
+      for (const i of circles) diagram.cellPath(i, { context, ...options })
     })
   }
 

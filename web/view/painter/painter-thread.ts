@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What runs in the worker of a view's `Painter`.
-
 import type { Comparison } from '../../lib/comparison.ts'
 import { CircleVoronoiError, reasonOf } from '../../lib/errors.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../../lib/library.ts'
-import type { Distribution, FromPainter, Patch, ToPainter } from '../protocol.ts'
+import type { FromPainter, Patch, ToPainter } from '../protocol.ts'
 import { CanvasDrawing, SvgDrawing } from './drawing.ts'
 import { PaintedScene } from './painted-scene.ts'
 
@@ -23,23 +21,28 @@ const library = new Promise<CircleVoronoi>((resolve) => {
   begin = resolve
 })
 const scenes = new Map<number, { readonly scene: PaintedScene; revision: number }>()
-let measuring: {
+/** What is measured in steps; `begin`: anew, as of a scene that was opened anew. */
+interface Measuring {
   readonly scene: PaintedScene
-  readonly request: number
-  steps: Generator<void, Distribution>
-}[] = []
+  readonly begin: () => Generator<void, FromPainter>
+  steps: Generator<void, FromPainter>
+}
+let measuring: Measuring[] = []
 let comparison: Promise<Comparison> | undefined
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Lets messages that have arrived be heard before more is painted. */
 const pause = new MessageChannel()
-pause.port1.onmessage = paintSlice
 
-// One after the other, though the first ones wait for the library.
-let last: Promise<void> = Promise.resolve()
-port.onmessage = ({ data }) => {
-  if (data.kind === 'start') begin(circleVoronoiOf(data.module))
-  else last = last.then(() => answer(data)).catch((error) => post({ kind: 'failed', message: reasonOf(error) }))
+/** Answers a view's `Painter`, in the thread that this is called in. */
+export function answerViews(): void {
+  pause.port1.onmessage = paintSlice
+  // One after the other, though the first ones wait for the library.
+  let last: Promise<void> = Promise.resolve()
+  port.onmessage = ({ data }) => {
+    if (data.kind === 'start') begin(circleVoronoiOf(data.module))
+    else last = last.then(() => answer(data)).catch((error) => post({ kind: 'failed', message: reasonOf(error) }))
+  }
 }
 
 async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<void> {
@@ -54,7 +57,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'open':
       try {
         scene.open(message.circles)
-        for (const waiting of measuring) if (waiting.scene === scene) waiting.steps = scene.measure()
+        for (const waiting of measuring) if (waiting.scene === scene) waiting.steps = waiting.begin()
         known.revision = message.revision
         post({
           kind: 'opened',
@@ -105,6 +108,9 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'touch':
       post({ kind: 'touched', request: message.request, touching: scene.touch(message.x, message.y, message.slack) })
       return
+    case 'try':
+      post({ kind: 'tried', request: message.request, trial: scene.try(message.circle) })
+      return
     case 'draw': {
       const { request, frame, pixelRatio, style } = message
       if (message.as === 'svg') {
@@ -121,11 +127,35 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     }
     case 'measure':
-      measuring.push({ scene, request: message.request, steps: scene.measure() })
-      schedule()
+      measureInSteps(scene, function* () {
+        return { kind: 'measured', request: message.request, distribution: yield* scene.measure() }
+      })
+      return
+    case 'tabulate': {
+      const { request, columns, ids } = message
+      if (ids !== undefined) {
+        post({ kind: 'tabulated', request, table: scene.tabulate(columns, ids) })
+        return
+      }
+      measureInSteps(scene, function* () {
+        return { kind: 'tabulated', request, table: yield* scene.tabulateAll(columns) }
+      })
+      return
+    }
+    case 'tell':
+      post({ kind: 'told', request: message.request, facts: scene.tell(message.ids) })
       return
     case 'compute':
       post({ kind: 'computed', request: message.request, computed: scene.compute(message.options) })
+      return
+    case 'trace':
+      try {
+        post({ kind: 'traced', request: message.request, traced: scene.trace(message.options) })
+      } catch (error) {
+        if (!(error instanceof CircleVoronoiError)) throw error
+        const { code, circle, message: text } = error
+        post({ kind: 'notTraced', request: message.request, code, circle, message: text })
+      }
       return
     case 'layers':
       scene.setLayers(message.layers, message.isPainted)
@@ -189,6 +219,11 @@ function paintSlice(): void {
   measure(end)
 }
 
+function measureInSteps(scene: PaintedScene, begin: Measuring['begin']): void {
+  measuring.push({ scene, begin, steps: begin() })
+  schedule()
+}
+
 /** What is left of a slice is for what is measured; of a scene that was opened anew it is begun anew. */
 function measure(end: number): void {
   const first = measuring[0]
@@ -197,7 +232,7 @@ function measure(end: number): void {
   while (step.done !== true && performance.now() < end) step = first.steps.next()
   if (step.done === true) {
     measuring.shift()
-    post({ kind: 'measured', request: first.request, distribution: step.value })
+    post(step.value)
   }
   if (measuring.length > 0) schedule()
 }
@@ -210,14 +245,19 @@ function findAtRest(): void {
 
 async function findAll(): Promise<void> {
   for (const [number, { scene, revision }] of scenes) {
-    if (scene.isAnythingFound) post({ kind: 'found', scene: number, revision, found: scene.find() })
     if (scene.isMethodMissing) {
       scene.addMethod()
       schedule()
     }
+    if (scene.isAnythingFound) post({ kind: 'found', scene: number, revision, found: scene.find() })
     if (!scene.isPowerMissing) continue
     comparison ??= import('../../lib/comparison.ts').then(async ({ loadComparison }) => loadComparison(await library))
-    const loaded = await comparison
+    const loaded = await comparison.catch(() => undefined)
+    if (loaded === undefined) {
+      // What cannot be loaded is not drawn; it may be there the next time.
+      comparison = undefined
+      continue
+    }
     // Meanwhile it may have been closed, or changed.
     if (scenes.get(number)?.scene !== scene || !scene.isPowerMissing) continue
     scene.addPower(loaded)

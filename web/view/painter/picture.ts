@@ -10,7 +10,7 @@ import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
 import type { Centres } from './centres.ts'
 import { Coloring } from './coloring.ts'
 import { Measures } from './measures.ts'
-import type { MethodData } from './method-layers.ts'
+import type { MethodResult } from './method-layers.ts'
 
 /** How far, in extents of all circles, edges are taken to go that go to infinity. */
 const HORIZON = 1000
@@ -57,11 +57,12 @@ export class Picture {
   power: Ghost | undefined
   data: readonly IndexedData[] = []
   /** What the touching disc method makes of the circles as they are, likewise. */
-  method: readonly (IndexedData & { readonly color: MethodLayer })[] | undefined
+  method: (MethodResult & { readonly layers: readonly (IndexedData & { readonly color: MethodLayer })[] }) | undefined
   readonly #tintBounds: readonly number[]
   #layers = DEFAULT_LAYERS
   #measures: Measures | undefined
   #areas: Measures | undefined
+  #gaps: Measures | undefined
   #coloring: Coloring | undefined
   /** Boxes around circles' centres and those of their neighbours, by ids, once they are asked for. */
   #stars: BoxIndex | undefined
@@ -91,6 +92,7 @@ export class Picture {
     const { cells } = layers
     if (!isMeasure(cells)) this.#measures = undefined
     else if (cells === 'area') this.#measures = this.areas()
+    else if (cells === 'gap') this.#measures = this.gaps()
     else if (this.#measures?.measure !== cells) this.#measures = new Measures(cells, this.diagram)
     if (cells !== 'different') this.#coloring = undefined
     else this.#coloring ??= new Coloring(this.diagram)
@@ -104,8 +106,8 @@ export class Picture {
     this.power = { diagram, index: new BoxIndex(cellBoxes(diagram, this.reach)) }
   }
 
-  setMethod(data: readonly MethodData[]): void {
-    this.method = data.map((layer) => indexed(layer, layer.name))
+  setMethod(result: MethodResult): void {
+    this.method = { ...result, layers: result.data.map((layer) => indexed(layer, layer.name)) }
   }
 
   /** Which of the tints circles of this radius have: each tint about as many as others, equal radii one. */
@@ -124,6 +126,12 @@ export class Picture {
   areas(): Measures {
     this.#areas ??= new Measures('area', this.diagram)
     return this.#areas
+  }
+
+  /** The distances to the nearest other circle, likewise. */
+  gaps(): Measures {
+    this.#gaps ??= new Measures('gap', this.diagram)
+    return this.#gaps
   }
 
   /** The indices, in increasing order, of the circles that with their cells may meet a box. */
@@ -164,6 +172,7 @@ export class Picture {
     for (const id of changed) this.#place(id)
     this.#measures?.forget(changed)
     this.#areas?.forget(changed)
+    this.#gaps?.forget(changed)
     const isFollowed = this.#coloring?.follow(this.diagram, changed) ?? true
     const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown], cells)]
     boxes.push(...(this.centres?.apply(change).boxes ?? []))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../../lib/diagram-data.ts'
-import { METHOD_LAYERS } from '../../layers.ts'
+import { isMethodShown } from '../../layers.ts'
 import { addDisc } from '../disc-path.ts'
 import type { Layer, Painting } from '../painting.ts'
 import type { IndexedData } from '../picture.ts'
@@ -21,9 +21,9 @@ export const data: Layer = {
 /** What the touching disc method makes on its way. */
 export const method: Layer = {
   id: 'method',
-  isOn: (layers) => METHOD_LAYERS.some((name) => layers[name]),
+  isOn: isMethodShown,
   draw(painting) {
-    for (const own of painting.picture.method ?? []) {
+    for (const own of painting.picture.method?.layers ?? []) {
       if (painting.layers[own.color]) drawData(painting, own, painting.style[own.color])
     }
   },

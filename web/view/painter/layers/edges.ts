@@ -7,6 +7,7 @@ import type { Layer, Painting } from '../painting.ts'
 /** Browsers stroke long paths in more than linear time. */
 const EDGES_PER_PATH = 1000
 const GHOST_LINE = 1.1
+const MISSED_LINE = 3
 
 /** The true arcs. */
 export const edges: Layer = {
@@ -43,6 +44,20 @@ export const power: Layer = {
   },
 }
 
+/** Those that the touching disc method misses. */
+export const missedEdges: Layer = {
+  id: 'missedEdges',
+  isOn: (layers) => layers.missedEdges,
+  draw(painting) {
+    const { picture, style, circles, lineWidth } = painting
+    const missed = picture.method?.missed
+    if (missed === undefined || missed.size === 0) return
+    const isMissed = (edge: number) => missed.has(edge)
+    const width = Math.max(MISSED_LINE * painting.pixelRatio, lineWidth)
+    strokeEdges(painting, picture.diagram, circles, (path) => painting.stroke(path, style.missedEdges, width), isMissed)
+  },
+}
+
 function strokeGhost(painting: Painting, path: PathSink, color: string): void {
   painting.stroke(path, color, Math.min(painting.lineWidth, GHOST_LINE * painting.pixelRatio), [5, 4])
 }
@@ -52,6 +67,7 @@ function strokeEdges(
   diagram: Diagram,
   circles: readonly number[],
   stroke: (path: PathSink) => void,
+  isDrawn: (edge: number) => boolean = () => true,
 ): void {
   const { limits, tolerance, picture } = painting
   const ownLimits = diagram === picture.diagram ? limits : { ...limits, maxDistance: undefined }
@@ -60,7 +76,7 @@ function strokeEdges(
   for (const i of circles) {
     for (const side of diagram.cells.sides(i)) {
       // Each edge once: with its left circle.
-      if (side & 1) continue
+      if (side & 1 || !isDrawn(side >> 1)) continue
       drawEdge(sink, diagram, side >> 1, ownLimits, tolerance)
       count += 1
       if (count % EDGES_PER_PATH !== 0) continue

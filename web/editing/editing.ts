@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { type Circle, CircleVoronoiError, type Edit } from '../lib/index.ts'
+import { CircleVoronoiError } from '../lib/errors.ts'
+import type { Circle, Edit } from '../lib/index.ts'
 import type { Edited } from '../view/painter.ts'
 import { CircleTable, type Step } from './circle-table.ts'
 import { EMPTY_HISTORY, type History, idsOnceOpened, type Opening, record, renamed, type Scene } from './history.ts'
@@ -36,7 +37,7 @@ interface Job {
 export class Editing {
   readonly #computer: Computer
   readonly #onOutcome: (outcome: Outcome) => void
-  readonly #onProblem: (problem: string) => void
+  readonly #onProblem: (problem: string, error: Error) => void
   #table = new CircleTable(new Float64Array())
   #scene: Scene | undefined
   #lastAbsent = 0
@@ -44,7 +45,11 @@ export class Editing {
   #jobs: Job[] = []
   #lastGesture = 0
 
-  constructor(computer: Computer, onOutcome: (outcome: Outcome) => void, onProblem: (problem: string) => void) {
+  constructor(
+    computer: Computer,
+    onOutcome: (outcome: Outcome) => void,
+    onProblem: (problem: string, error: Error) => void,
+  ) {
     this.#computer = computer
     this.#onOutcome = onOutcome
     this.#onProblem = onProblem
@@ -183,6 +188,7 @@ export class Editing {
         if (!(error instanceof Error)) throw error
         this.#onProblem(
           error instanceof CircleVoronoiError ? error.message : `${error.message} Nothing has changed. Try again.`,
+          error,
         )
       }
       this.#jobs.shift()

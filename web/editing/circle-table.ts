@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/diagram-data.ts'
-import type { Box, Circle, Edit, Float64s } from '../lib/index.ts'
+import type { Box, Circle, Edit, Float64s, Point } from '../lib/index.ts'
 import { boundingBox } from '../view/camera.ts'
 
 /** An edit that brings back a circle which had another id. */
@@ -91,6 +91,15 @@ export class CircleTable {
       if (this.#isThere[id] === 1 && x >= minX && x <= maxX && y >= minY && y <= maxY) ids.push(id)
     }
     return ids
+  }
+
+  /** Whether there is a circle at a point, or so near. */
+  hasAt({ x, y }: Point, within: number): boolean {
+    for (let id = 0; id < this.#size; id++) {
+      const [dx, dy] = [at(this.#numbers, 3 * id) - x, at(this.#numbers, 3 * id + 1) - y]
+      if (this.#isThere[id] === 1 && Math.hypot(dx, dy) <= at(this.#numbers, 3 * id + 2) + within) return true
+    }
+    return false
   }
 
   /** The smallest box around all circles, known until the next edit. */

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { Listening } from '../../view/pointer.ts'
-import type { View } from '../../view/view.ts'
-import type { Actions } from '../actions.ts'
-import { roundStep } from '../arranging.ts'
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
+import type { Listening } from '../view/pointer.ts'
+import type { View } from '../view/view.ts'
+import { roundStep } from './arranging.ts'
+import type { EditorActions } from './editor-actions.ts'
+import type { State } from './state.ts'
+import type { Store } from './store.ts'
 
 /** The step of one arrow key, in pixels; Shift makes it bigger, Alt finer. */
 const STEP = 4
@@ -23,21 +23,29 @@ const ARROWS: { readonly [key: string]: readonly [number, number] } = {
   ArrowDown: [0, -1],
 }
 
-/** What the page does beside its actions. */
+/** What there is beside the figure. */
 interface Places {
   /** Moves the focus to the numbers of the selected circle. */
-  editNumbers(): void
-  showHelp(): void
+  editNumbers?(): void
+  showHelp?(): void
 }
 
-/** Keys on the figure; some of them anywhere but in a field. */
+export interface KeyboardOptions {
+  /** Where some keys are heard, wherever the focus is in it. Default: the page. */
+  readonly around?: Document | HTMLElement
+  /** Aborting it ends that. */
+  readonly signal?: AbortSignal
+}
+
+/** Keys on the figure; some of them anywhere in `around` but in a field. */
 export function listenToKeyboard(
   figure: HTMLElement,
   view: View,
   pointer: Listening,
   store: Store<State>,
-  actions: Actions,
+  actions: EditorActions,
   { editNumbers, showHelp }: Places,
+  { around = document, signal }: KeyboardOptions = {},
 ): void {
   // A key that is held down is one gesture.
   let gesture = 0
@@ -51,7 +59,7 @@ export function listenToKeyboard(
     if (!event.repeat) gesture = actions.beginGesture()
 
     if (arrow !== undefined) {
-      if (hasSelection) actions.moveSelected(arrow[0] * step, arrow[1] * step, gesture)
+      if (hasSelection && !actions.isReadonly) actions.moveSelected(arrow[0] * step, arrow[1] * step, gesture)
       else actions.pan(-arrow[0] * PAN_STEP, arrow[1] * PAN_STEP)
       return true
     }
@@ -59,17 +67,17 @@ export function listenToKeyboard(
       case 'Tab':
         return hasSelection && actions.selectNext(event.shiftKey ? -1 : 1)
       case 'Enter':
-        if (hasSelection) editNumbers()
+        if (hasSelection) editNumbers?.()
         else actions.selectNearMiddle()
         return true
       case '+':
       case '=':
-        if (hasSelection) actions.growSelected(step, 1 + SCALE_STEP * times, gesture)
+        if (hasSelection && !actions.isReadonly) actions.growSelected(step, 1 + SCALE_STEP * times, gesture)
         else actions.zoomAtMiddle(ZOOM_STEP)
         return true
       case '-':
       case '_':
-        if (hasSelection) actions.growSelected(-step, 1 / (1 + SCALE_STEP * times), gesture)
+        if (hasSelection && !actions.isReadonly) actions.growSelected(-step, 1 / (1 + SCALE_STEP * times), gesture)
         else actions.zoomAtMiddle(1 / ZOOM_STEP)
         return true
       case '0':
@@ -141,15 +149,18 @@ export function listenToKeyboard(
     if (pending !== undefined || act()) event.preventDefault()
   }
 
-  figure.addEventListener('keydown', (event) => {
+  const listening = signal === undefined ? {} : { signal }
+  const onKey = (event: KeyboardEvent) => {
     if (!(event.ctrlKey || event.metaKey)) afterwards(event, () => onFigureKey(event))
-  })
-  figure.addEventListener('keyup', (event) => {
+  }
+  const onKeyUp = (event: KeyboardEvent) => {
     if (event.key === ' ') actions.holdPanning(false)
-  })
-  figure.addEventListener('blur', () => actions.holdPanning(false))
+  }
+  figure.addEventListener('keydown', onKey, listening)
+  figure.addEventListener('keyup', onKeyUp, listening)
+  figure.addEventListener('blur', () => actions.holdPanning(false), listening)
 
-  document.addEventListener('keydown', (event) => {
+  const onKeyAround = (event: KeyboardEvent) => {
     if (event.target instanceof Element && event.target.closest('input, textarea, select, dialog') !== null) return
     const act = event.ctrlKey || event.metaKey ? commandOf(event) : event.altKey ? undefined : actionOf(event)
     if (act === undefined) return
@@ -157,5 +168,7 @@ export function listenToKeyboard(
       act()
       return true
     })
-  })
+  }
+  // TypeScript does not know that either of the two has these.
+  ;(around as HTMLElement).addEventListener('keydown', onKeyAround, listening)
 }

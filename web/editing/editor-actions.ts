@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Circle, Edit, Point } from '../lib/index.ts'
-import { decodeLink, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
+import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
 import type { Hands, Held } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { View } from '../view/view.ts'
 import { middleOf, nextInDirection, roundStep, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
-import { DATA_SETS, type DataSet, dataSetOf, loadDataSet, nameOf } from './data-sets.ts'
 import type { Editing } from './editing.ts'
-import type { Read } from './files/files-protocol.ts'
 import type { Scene } from './history.ts'
-import { shortest } from './panels/shortest.ts'
 import { cameraOf, circlesOfLink, viewOfLink } from './scene-link.ts'
+import { shortest } from './shortest.ts'
 import type { State, Tool } from './state.ts'
 import type { Store } from './store.ts'
 
@@ -26,15 +24,24 @@ const ASIDE = 16
 /** The distance of the lines of the grid, in pixels. */
 const GRID = 16
 
-/** What a link may say beside its circles. */
-interface Opened {
+/** Circles to be opened, and what a link may say beside them. */
+export interface Opened extends Scene {
   readonly edits?: readonly Edit[] | undefined
   readonly view?: LinkView | undefined
   readonly layers?: LinkState['layers']
+  /** Of the method, which is not played without it. Where nothing is said of it, a player that is there begins anew. */
+  readonly step?: number | undefined
+  /** As usual, where a step is named and no method. */
+  readonly method?: string | undefined
 }
 
-/** All that a user can do. Input and panels call these; nothing else changes the state, but for what was computed. */
-export class Actions implements Hands {
+/**
+ * All that a user can do with circles. Input and panels call these; nothing else changes the state, but for what was
+ * computed.
+ */
+export class EditorActions implements Hands {
+  /** Whether circles are only looked at and selected. */
+  isReadonly = false
   readonly #store: Store<State>
   readonly #editing: Editing
   readonly #view: View
@@ -59,30 +66,11 @@ export class Actions implements Hands {
   }
 
   circle(id: number): Circle | undefined {
-    return this.#editing.circles.get(id)
+    return this.isReadonly ? undefined : this.#editing.circles.get(id)
   }
 
   beginGesture(): number {
     return this.#editing.beginGesture()
-  }
-
-  /** Circles of the menu. */
-  async load(id: string): Promise<void> {
-    const dataSet = DATA_SETS.find((dataSet) => dataSet.id === id)
-    if (dataSet !== undefined) await this.#opening(() => this.#loadNamed(nameOf(dataSet)))
-  }
-
-  /** What a link says; reports whether that could be shown. */
-  openLink(text: string): Promise<boolean> {
-    return this.#opening(() => this.#linked(text))
-  }
-
-  /** What is read somewhere; reports whether that could be shown. */
-  openRead(read: () => Promise<Read>): Promise<boolean> {
-    return this.#opening(async () => {
-      const result = await read()
-      return 'link' in result ? this.#linked(result.link) : { circles: result.circles, dataSet: '', isEdited: false }
-    })
   }
 
   /** What is shown, to be kept or sent; `undefined`: nothing yet. */
@@ -92,33 +80,23 @@ export class Actions implements Hands {
     const { camera, size } = this.#view
     const isWhole = isSame(camera, this.#fitted(circles.box()))
     const layers = keptLayers(this.#view.layers)
+    const { step, method } = this.#store.get()
     return {
       ...circlesOfLink(scene, circles),
       ...(!isWhole && { view: viewOfLink(camera, size) }),
       ...(Object.keys(layers).length > 0 && { layers }),
+      ...(step !== undefined && { step, method }),
     }
   }
 
-  async #linked(text: string): Promise<Scene & Opened> {
-    const { circles, dataSet, edits, view, layers = {} } = await decodeLink(text)
-    const scene =
-      circles === undefined
-        ? await this.#loadNamed(dataSet ?? nameOf(DATA_SETS[0] as DataSet))
-        : { circles, dataSet: '', isEdited: false }
-    return { ...scene, edits, view, layers }
-  }
-
-  async #loadNamed(name: string): Promise<Scene> {
-    return { circles: await loadDataSet(name), dataSet: dataSetOf(name) === undefined ? '' : name, isEdited: false }
-  }
-
   /** Opens what is loaded, unless something else is asked for meanwhile. What cannot be opened changes nothing. */
-  async #opening(load: () => Promise<Scene & Opened>): Promise<boolean> {
+  async open(load: () => Promise<Opened>): Promise<boolean> {
     this.#lastLoad += 1
     const turn = this.#lastLoad
     try {
-      const { edits, view, layers, ...scene } = await load()
+      const opened = await load()
       if (turn !== this.#lastLoad) return false
+      const { edits, view, layers, step, method, ...scene } = opened
       const before = this.#view.camera
       this.#view.setCamera(this.#looking(view, boundingBox(scene.circles)))
       if ((await this.#editing.open(scene)) === undefined) {
@@ -129,6 +107,9 @@ export class Actions implements Hands {
       if (edits !== undefined && edits.length > 0) await this.#editing.edit(edits)
       this.useTool('select')
       this.select([])
+      const isPlayed = this.#store.get().step !== undefined
+      if ('step' in opened) this.#store.update((state) => ({ ...state, step, method }))
+      else this.showStep(isPlayed ? 0 : undefined)
       return true
     } catch (error) {
       this.#store.update((state) => ({ ...state, problem: (error as Error).message }))
@@ -138,6 +119,7 @@ export class Actions implements Hands {
 
   /** Those that are selected, as they will be. */
   held(): Held[] {
+    if (this.isReadonly) return []
     return this.#store.get().selection.flatMap((id) => {
       const circle = this.#editing.latest(id)
       return circle === undefined ? [] : [{ id, circle }]
@@ -154,8 +136,19 @@ export class Actions implements Hands {
       )
   }
 
+  /** All or none of the edits, as one step of undo. `undefined`: refused. */
+  edit(edits: readonly Edit[]): Promise<Edited | undefined> {
+    return this.#editing.edit(edits)
+  }
+
+  /** One sentence about what cannot be done; empty: nothing is wrong any more. */
+  complain(problem: string): void {
+    this.#store.update((state) => ({ ...state, problem }))
+  }
+
   /** Adds circles and selects them; returns their ids, or none if they were refused. */
   async add(circles: readonly Circle[], gesture = this.beginGesture()): Promise<readonly number[]> {
+    if (this.isReadonly) return []
     const edited = await this.#editing.edit(
       circles.map((circle) => ({ kind: 'insert', circle })),
       gesture,
@@ -168,12 +161,19 @@ export class Actions implements Hands {
     return ids
   }
 
-  async addFitting({ x, y }: Point): Promise<void> {
+  async addFitting(center: Point): Promise<void> {
+    const circle = await this.fitted(center)
+    if (circle !== undefined) await this.add([circle])
+  }
+
+  /** A circle that leaves some room to the nearest other one, if one may be added. */
+  async fitted({ x, y }: Point): Promise<Circle | undefined> {
+    if (this.isReadonly) return undefined
     const usual = USUAL_RADIUS / this.#view.camera.scale
     const nearest = await this.#view.hit(x, y, 0)
     const other = nearest === undefined ? undefined : this.circle(nearest.id)
     const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
-    await this.add([{ x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }])
+    return { x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }
   }
 
   /** Adds the selected circles once more, a little aside. */
@@ -194,6 +194,11 @@ export class Actions implements Hands {
 
   cancel(gesture: number): void {
     this.#editing.cancel(gesture)
+  }
+
+  /** Has a method played, from this step on; `undefined`: no longer. */
+  showStep(step: number | undefined, method = this.#store.get().method): void {
+    this.#store.update((state) => (state.step === step && state.method === method ? state : { ...state, step, method }))
   }
 
   useTool(tool: Tool): void {
@@ -255,7 +260,7 @@ export class Actions implements Hands {
     this.#store.update((state) => {
       if (ids.length === state.selection.length && ids.every((id, k) => id === state.selection[k])) return state
       const selected = ids.length === 1 ? ids[0] : undefined
-      const circle = selected === undefined ? undefined : this.circle(selected)
+      const circle = selected === undefined ? undefined : this.#editing.circles.get(selected)
       return { ...state, selection: ids, selected, circle, described: undefined, problem: '' }
     })
   }
@@ -289,10 +294,12 @@ export class Actions implements Hands {
   }
 
   /** Selects the circle nearest to the middle of the view. */
-  async selectNearMiddle(): Promise<void> {
-    const { x, y } = this.#view.camera
-    const hit = await this.#view.hit(x, y, 0)
-    if (hit !== undefined) this.select([hit.id])
+  selectNearMiddle(): Promise<void> {
+    return this.#waitFor(async () => {
+      const { x, y } = this.#view.camera
+      const hit = await this.#view.hit(x, y, 0)
+      if (hit !== undefined) this.select([hit.id])
+    })
   }
 
   /** Selects the next circle by number, or the one before; reports whether there is one. */
@@ -320,7 +327,7 @@ export class Actions implements Hands {
   #neighbors(): (Circle & { id: number })[] {
     const ids = this.#store.get().described?.neighbors ?? []
     return [...ids].flatMap((id) => {
-      const circle = this.circle(id)
+      const circle = this.#editing.circles.get(id)
       return circle === undefined ? [] : [{ ...circle, id }]
     })
   }
@@ -350,27 +357,28 @@ export class Actions implements Hands {
   }
 
   undo(): Promise<void> {
-    return this.#goThroughHistory(() => this.#editing.undo())
+    return this.#waitFor(() => this.#go(() => this.#editing.undo()))
   }
 
   redo(): Promise<void> {
-    return this.#goThroughHistory(() => this.#editing.redo())
+    return this.#waitFor(() => this.#go(() => this.#editing.redo()))
   }
 
-  /** Ends once what was undone or done again is known; `undefined`: it is. */
+  /** Ends once it is known what was undone, done again or selected; `undefined`: it is. */
   get pending(): Promise<unknown> | undefined {
     return this.#pending
   }
 
-  #goThroughHistory(go: () => Promise<Edited | undefined>): Promise<void> {
-    const all = Promise.all([this.#pending, this.#gone(go)]).then(() => {
+  #waitFor(act: () => Promise<void>): Promise<void> {
+    const all = Promise.all([this.#pending, act()]).then(() => {
       if (this.#pending === all) this.#pending = undefined
     })
     this.#pending = all
     return all
   }
 
-  async #gone(go: () => Promise<Edited | undefined>): Promise<void> {
+  async #go(go: () => Promise<Edited | undefined>): Promise<void> {
+    if (this.isReadonly) return
     const { scene } = this.#editing
     const edited = await go()
     const ids = [...(edited?.inserted ?? [])]
@@ -394,6 +402,11 @@ export class Actions implements Hands {
   zoomAtMiddle(factor: number): void {
     const { width, height } = this.#view.size
     this.zoom(factor, { x: width / 2, y: height / 2 })
+  }
+
+  /** Shows what a view says, if it is one of these circles; else, and without one, everything. */
+  look(view: LinkView | undefined): void {
+    this.#view.setCamera(this.#looking(view, this.#editing.circles.box()))
   }
 
   /** Shows everything, or where everything is shown already, all but what lies far outside. */
@@ -425,7 +438,7 @@ export class Actions implements Hands {
 
   /** Has the view show the centre of a circle, where it does not. */
   #reveal(id: number): void {
-    const circle = this.circle(id)
+    const circle = this.#editing.circles.get(id)
     if (circle !== undefined && !this.#shows(circle)) {
       this.#view.setCamera({ ...this.#view.camera, x: circle.x, y: circle.y })
     }

@@ -26,6 +26,10 @@ export interface State {
   readonly layers: Layers
   /** What of it depends on all circles, once it is known. */
   readonly found: Found | undefined
+  /** The step of the method that is shown; `undefined`: it is not played. */
+  readonly step: number | undefined
+  /** Which method that is; `undefined`: as usual. */
+  readonly method: string | undefined
   readonly tool: Tool
   /** Whether what is dragged snaps, without a key. */
   readonly isSnapping: boolean
@@ -48,6 +52,8 @@ export const INITIAL_STATE: State = {
   hovered: undefined,
   layers: DEFAULT_LAYERS,
   found: undefined,
+  step: undefined,
+  method: undefined,
   tool: 'select',
   isSnapping: false,
   said: '',

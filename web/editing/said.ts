@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { State } from '../state.ts'
-import type { Store } from '../store.ts'
-import { byId } from './by-id.ts'
-import { describeCell } from './inspector.ts'
+
+import { describeCell } from './describe-cell.ts'
+import type { State } from './state.ts'
+import type { Store } from './store.ts'
 
 /** So long nothing may change before it is said, in milliseconds: of a drag, the end. */
 const REST = 250
 
 /** Says what was done, and which circle is selected, to who does not see it: each once. */
-export function mountSaid(store: Store<State>): void {
-  const said = byId('said', HTMLParagraphElement)
+export function mountSaid(store: Store<State>, said: HTMLElement): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
 

@@ -54,18 +54,21 @@ export function nextInDirection<Other extends Point>(
   [dx, dy]: readonly [number, number],
 ): Other | undefined {
   let next: Other | undefined
+  let nextIsAhead = false
   let least = Number.POSITIVE_INFINITY
   for (const other of others) {
     const along = (other.x - from.x) * dx + (other.y - from.y) * dy
     const across = Math.abs((other.x - from.x) * dy - (other.y - from.y) * dx)
     if (!(along > 0)) continue
-    const distance = (along * along + across * across) / along
-    // Farther than all that lies within 45 degrees.
-    const rank = across <= along ? distance : Number.MAX_VALUE / 2 + distance
-    if (rank < least) {
-      least = rank
-      next = other
-    }
+    const isAhead = across <= along
+    const length = Math.hypot(along, across)
+    // Longer the more it is to the side; without bound where it is nearly square to the direction.
+    const rank = length * (length / along)
+    const isBetter = isAhead === nextIsAhead ? rank < least : isAhead
+    if (next !== undefined && !isBetter) continue
+    next = other
+    nextIsAhead = isAhead
+    least = rank
   }
   return next
 }

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { describe, expect, it } from 'vitest'
+import { type Circle, Diagram, TRACE_KINDS, Trace } from '../../web/lib/index.ts'
+import { ringOf, testedCircles, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
+import { arcOf } from '../../web/player/finished-arcs.ts'
+import { questionAfter } from '../../web/player/prediction.ts'
+import { PROGRAMS, textOf } from '../../web/player/program.ts'
+import { circlesAt, sceneOf } from '../../web/player/scene.ts'
+import { flipOf, numberOf, sentenceOf } from '../../web/player/sentences.ts'
+import { concerns, kindAt, nextStep, programOf, type Step, sortOf, stepsOf } from '../../web/player/steps.ts'
+import { columnsOf } from '../../web/player/timeline.ts'
+import { MOST_PLAYED } from '../../web/view/layers.ts'
+import { traced } from '../../web/view/painter/traced.ts'
+import { library, seededRandom } from './library.ts'
+
+const SMALL = Float64Array.of(0, 0, 2, 10, 1, 1, 5, 8, 1.5, 2, 6, 0.8, 9, 6, 2.2, 6, 3, 0.6, 12, 10, 1)
+const COLORS = { past: 'a', sample: 'b', current: 'c', good: 'd', bad: 'e', edge: 'f', ink: 'g' }
+
+function randomCircles(count: number, seed: number): Float64Array {
+  const random = seededRandom(seed)
+  const side = Math.sqrt(count) * 2
+  return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? random() : side * random()))
+}
+
+const EDITS = [
+  { kind: 'insert', circle: [5, 5, 0.5] },
+  { kind: 'replace', id: 2, circle: [5, 9, 1] },
+  { kind: 'remove', id: 4 },
+] as const
+
+const ways = [
+  ['touching', {}],
+  ['touching', { candidates: 'all-pairs' }],
+  ['flips', { method: 'auto' }],
+  ['edits', { edits: EDITS }],
+] as const
+
+const circlesOf = (trace: Trace, given: Float64Array, step: Step) => {
+  const circles = circlesAt(trace, given, trace.at(step.end))
+  return (id: number) => circles.get(id)
+}
+
+describe('the steps of a trace', () => {
+  it.each(ways)('are all that happens, in order: %s %o', (program, options) => {
+    for (const circles of [SMALL, randomCircles(16, 3), new Float64Array(), Float64Array.of(0, 0, 1, 4, 0, 1)]) {
+      if (circles.length < 21 && 'edits' in options) continue
+      const trace = library.trace(circles, options)
+      const steps = stepsOf(trace)
+      const lines = PROGRAMS[programOf(trace)].flatMap(({ lines }) => lines.map(([line]) => line))
+      if (circles.length > 6) expect(programOf(trace)).toBe(program)
+      let end = 0
+      for (const [k, step] of steps.entries()) {
+        expect(step.end).toBeGreaterThanOrEqual(end)
+        // What is shown begins where the one before ended.
+        expect(step.event, `step ${k}, ${step.line}`).toBe(end)
+        end = step.end
+        expect([...lines, 'again']).toContain(step.line)
+        const sentence = sentenceOf(trace, step)
+        expect(sentence).toMatch(/^[A-Z0-9].*[.?]$/)
+        expect(sentence).not.toMatch(/undefined|NaN|Infinity|null/)
+        const state = trace.at(step.end)
+        for (const layer of sceneOf(trace, step, state, [], circlesAt(trace, circles, state), COLORS)) {
+          for (const list of [layer.points, layer.segments, layer.discs]) {
+            expect(list?.every(Number.isFinite) ?? true, `${step.line} ${layer.id}`).toBe(true)
+          }
+        }
+      }
+      expect(end).toBe(trace.length)
+    }
+  })
+
+  it('are told in plain sentences with numbers', () => {
+    const trace = library.trace([
+      [0, 0, 1],
+      [6, 0, 1],
+      [0, 8, 1],
+    ])
+    const told = stepsOf(trace).map((step) => sentenceOf(trace, step))
+    expect(told[0]).toBe('There are 3 circles.')
+    expect(told).toContain('The Delaunay graph of the centres has 3 edges.')
+    expect(told).toContain('The smallest disc in the list lies between circles 0 and 1, with radius 2.')
+    expect(told).toContain('The disc of circles 0 and 1 is empty: directed edges 0→1 and 1→0 are placed.')
+    expect(
+      told.some((text) => /is empty: its centre \(3, 4\) is a vertex, at distance 4 from all three/.test(text)),
+    ).toBe(true)
+    expect(told.at(-1)).toBe('The list is empty. The 3 directed edges left are the hull. The judge proves the diagram.')
+    expect([1234567, 0.000012345, 0, -2.34567, 1234.5678].map(numberOf)).toEqual([
+      '1.23e+6',
+      '1.23e-5',
+      '0',
+      '-2.35',
+      '1234.57',
+    ])
+  })
+
+  it('can be looked for by sort and by circle', () => {
+    const trace = library.trace(SMALL)
+    const steps = stepsOf(trace)
+    const vertices = steps.flatMap((step, k) => (sortOf(step) === 'vertex' ? [k] : []))
+    expect(vertices).toHaveLength(trace.diagram.vertices.length / 3)
+    const isVertex = (step: Step) => sortOf(step) === 'vertex'
+    expect(nextStep(steps, 0, 1, isVertex)).toBe(vertices[0])
+    expect(nextStep(steps, vertices[1] as number, -1, isVertex)).toBe(vertices[0])
+    expect(nextStep(steps, vertices[0] as number, -1, isVertex)).toBeUndefined()
+    const of6 = steps.flatMap((_, k) => (concerns(trace, steps, k, 6) ? [k] : []))
+    expect(of6.length).toBeGreaterThan(2)
+    for (const k of of6) expect(sentenceOf(trace, steps[k] as Step)).toMatch(/\b6\b/)
+    expect(columnsOf(steps, 100)).toHaveLength(100)
+    expect(columnsOf(steps, 100)[0]).toContain('stage')
+  })
+})
+
+describe('what is shown beside a step', () => {
+  const seed = 5
+  const circles = randomCircles(40, seed)
+  const trace = library.trace(circles, { samples: 3 })
+  const steps = stepsOf(trace)
+
+  it('begins the list with the disc that is taken next', () => {
+    let taken = 0
+    for (const step of steps) {
+      if (step.line !== 'take') continue
+      const state = trace.at(step.end)
+      const [first] = waitingDiscs(trace, state, step.end, 5)
+      const { disc, circles, numbers } = trace.event(step.event)
+      expect(first?.r).toBe(disc?.r)
+      if (kindAt(trace, step.event) === 'branchDisc') {
+        expect(first?.circles).toEqual(circles)
+        expect(trace.event(first?.event as number).numbers).toEqual(numbers)
+      }
+      taken += 1
+      if (taken === 1) expect(waitingCount(trace, state, step.end)).toBe(state.pairs.length)
+    }
+    expect(taken).toBeGreaterThan(80)
+  })
+
+  it('names the circle that a disc meets among those that it is tested against', () => {
+    let met = 0
+    for (const step of steps) {
+      if (step.line !== 'notEmpty') continue
+      const { circles: ids, disc } = trace.event(step.event)
+      const state = trace.at(step.event)
+      const circleOf = circlesOf(trace, circles, step)
+      expect(testedCircles(trace, state, ids.slice(0, 2), disc as Circle, circleOf)).toContain(ids[2])
+      met += 1
+    }
+    expect(met).toBeGreaterThan(5)
+  })
+
+  it('has arcs of a ring between edges that end and edges that start, and none where all is used', () => {
+    const { hull } = trace.diagram
+    const state = trace.at(trace.length)
+    const circleOf = circlesOf(trace, circles, steps.at(-1) as Step)
+    for (let id = 0; id < 40; id++) {
+      const ring = ringOf(trace, state, id, circleOf(id) as Circle)
+      expect(ring.marks.filter(({ isOut }) => isOut)).toHaveLength(ring.marks.length / 2)
+      // At the end circles of the hull have an arc for each time that the hull comes by.
+      expect(ring.unused).toHaveLength(hull.filter((circle) => circle === id).length)
+    }
+  })
+
+  it('draws bisectors', () => {
+    const [a, b] = [
+      { x: 0, y: 0, r: 2 },
+      { x: 7, y: 1, r: 1 },
+    ] as const
+    const { vertices, vertexCircles } = library.compute([a, b, { x: 3, y: 6, r: 1 }, { x: 4, y: -5, r: 0.5 }])
+    const both = [0, 1].map((v) => ({ x: vertices[3 * v] as number, y: vertices[3 * v + 1] as number, r: 0 }))
+    expect([...vertexCircles].filter((circle) => circle < 2)).toHaveLength(4)
+    const pieces = arcOf(a, b, both[0] as Circle, both[1] as Circle)
+    for (let k = 0; k < pieces.length; k += 2) {
+      const [x, y] = pieces.slice(k, k + 2) as [number, number]
+      expect(Math.hypot(x, y) - 2).toBeCloseTo(Math.hypot(x - 7, y - 1) - 1, 9)
+    }
+  })
+
+  it('draws each segment that is finished, from its antipodal or its branch disc to its vertex', () => {
+    const last = steps.findLast(({ line }) => line === 'placeThird' || line === 'finish') as Step
+    const state = trace.at(last.end)
+    expect(state.segments.length).toBeGreaterThan(100)
+    const layers = sceneOf(trace, last, state, [], circlesAt(trace, circles, state), COLORS)
+    const drawn = layers.flatMap(({ id, segments }) => (/^(segments|finished)$/.test(id) ? [...(segments ?? [])] : []))
+    // Where a piece ends and none begins is a vertex; each is the end of at least one segment.
+    const ends = new Set<string>()
+    for (let k = 0; k < drawn.length; k += 48)
+      ends.add(
+        drawn
+          .slice(k + 46, k + 48)
+          .map((value) => value.toFixed(6))
+          .join(),
+      )
+    const vertices = Array.from(state.segments, (k) => trace.event(k).disc as Circle)
+    for (const { x, y } of vertices) expect(ends).toContain([x.toFixed(6), y.toFixed(6)].join())
+    expect(drawn).toHaveLength(48 * state.segments.length)
+  })
+
+  it('shows circles as edits have left them', () => {
+    const edited = library.trace(SMALL, { edits: EDITS })
+    const before = circlesAt(edited, SMALL, edited.at(1))
+    const after = circlesAt(edited, SMALL, edited.at(edited.length))
+    expect([before.size, after.size]).toEqual([7, 7])
+    expect(after.get(7)).toMatchObject({ x: 5, y: 5, r: 0.5 })
+    expect(after.get(2)).toMatchObject({ x: 5, y: 9, r: 1 })
+    expect(after.has(4)).toBe(false)
+    // Where they are not called 0, 1, and so on.
+    const named = circlesAt(edited, SMALL.subarray(0, 6), edited.at(1), Int32Array.of(3, 8))
+    expect([...named]).toEqual([
+      [3, { x: 0, y: 0, r: 2 }],
+      [8, { x: 10, y: 1, r: 1 }],
+    ])
+  })
+})
+
+describe('a trace of circles that were edited', () => {
+  const editor = library.edit(SMALL)
+  const diagram = editor.snapshot()
+  for (const edits of [
+    [{ kind: 'remove', id: 1 }] as const,
+    [
+      { kind: 'insert', circle: [5, 5, 0.5] },
+      { kind: 'remove', id: 3 },
+    ] as const,
+    [{ kind: 'insert', circle: [15, 5, 0.5] }] as const,
+  ]) {
+    diagram.apply(editor.apply(edits))
+  }
+
+  it('names them by their ids', () => {
+    const { ids, circles, events, diagram: found } = traced(library, diagram, {})
+    expect([...ids]).toEqual([...ids].sort((a, b) => a - b))
+    expect(new Set(ids)).toEqual(new Set(diagram.numbers?.circles))
+    expect([...ids]).not.toEqual([...ids.keys()])
+    for (const [k, id] of ids.entries()) {
+      const i = diagram.indexOf(id)
+      expect([...circles.subarray(3 * k, 3 * k + 3)]).toEqual([...diagram.circles.subarray(3 * i, 3 * i + 3)])
+    }
+    // Where it touches its circles, a disc is as far from them as it is large.
+    const trace = new Trace(new Diagram(found), events)
+    const byId = circlesAt(trace, circles, trace.at(0), ids)
+    let discs = 0
+    for (let k = 0; k < trace.length; k++) {
+      const { kind, disc, circles: three } = trace.event(k)
+      if (kind !== 'branchDisc' || disc === undefined) continue
+      for (const id of three) {
+        const { x, y, r } = byId.get(id) as Circle
+        expect(Math.hypot(disc.x - x, disc.y - y) - r).toBeCloseTo(disc.r, 9)
+      }
+      discs += 1
+    }
+    expect(discs).toBeGreaterThan(4)
+  })
+
+  it('takes edits of them', () => {
+    const { ids } = traced(library, diagram, {})
+    const [second, last] = [ids[1], ids.at(-1)] as [number, number]
+    const edits = [
+      { kind: 'replace', id: second, circle: [1, 7, 1] },
+      { kind: 'insert', circle: [0, 9, 0.2] },
+      { kind: 'remove', id: last + 1 },
+    ] as const
+    const { events } = traced(library, diagram, { edits })
+    const edited = Array.from(events.kinds, (kind, k) => [TRACE_KINDS[kind], events.circles[3 * k]] as const)
+    expect(edited.filter(([kind]) => /^circle(Inserted|Removed|Replaced)$/.test(kind as string))).toEqual([
+      ['circleReplaced', second],
+      ['circleInserted', last + 1],
+      ['circleRemoved', last + 1],
+    ])
+    for (const id of [1, last + 1]) {
+      expect(() => traced(library, diagram, { edits: [{ kind: 'remove', id }] })).toThrow(`no circle with id ${id}`)
+    }
+  })
+
+  it('is refused where there are too many', () => {
+    const many = library.edit(randomCircles(MOST_PLAYED + 1, 4)).snapshot()
+    expect(() => traced(library, many, {})).toThrow('A method is played for 1,000 circles at most; there are 1,001.')
+  })
+})
+
+describe('questions', () => {
+  it('have one right answer, which the next step gives', () => {
+    const trace = library.trace(randomCircles(30, 8))
+    const steps = stepsOf(trace)
+    const asked = new Set<string>()
+    for (const [k, step] of steps.entries()) {
+      const question = questionAfter(trace, steps, k)
+      expect(question !== undefined).toBe(step.line === 'take')
+      if (question === undefined) continue
+      const next = (steps[k + 1] as Step).line
+      const right = question.answers[question.right] as string
+      asked.add(`${next}: ${right}`)
+    }
+    expect([...asked].sort()).toEqual([
+      'branch: Both its edges go, one comes',
+      'branch: Three edges go',
+      'notEmpty: It meets another circle',
+      'place: It is empty',
+      'stale: Nothing: an edge of it is gone',
+      'used: A foot point lies on a used arc',
+    ])
+  })
+
+  it('ask of a flip which edge comes', () => {
+    const trace = library.trace(randomCircles(60, 2), { method: 'auto' })
+    const steps = stepsOf(trace)
+    let asked = 0
+    for (const [k, step] of steps.entries()) {
+      const question = questionAfter(trace, steps, k)
+      if (question === undefined) continue
+      asked += 1
+      expect(step.line).toBe('flipTest')
+      expect(new Set(question.answers).size).toBe(3)
+      expect(sentenceOf(trace, steps[k + 1] as Step)).toContain(`becomes ${question.answers[question.right]}.`)
+    }
+    expect(asked).toBeGreaterThan(5)
+    expect(flipOf([], [])).toBeUndefined()
+    expect(textOf('flip')).toContain('replace')
+  })
+})

@@ -1,0 +1,623 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What mouse and fingers do, on an element without a browser: which hand does what, and in which order.
+import { describe, expect, it } from 'vitest'
+import type { Box, Circle, Point } from '../../web/lib/index.ts'
+import { type Camera, toPlane } from '../../web/view/camera.ts'
+import type { Hands, Held } from '../../web/view/gestures.ts'
+import { listenToPointer } from '../../web/view/pointer.ts'
+import type { Hit } from '../../web/view/protocol.ts'
+import type { Band, View } from '../../web/view/view.ts'
+
+const SIZE = { width: 800, height: 600 }
+/** Ten pixels a unit, the origin in the middle. */
+const CAMERA: Camera = { x: 0, y: 0, scale: 10 }
+const CIRCLES: readonly Circle[] = [
+  { x: 0, y: 0, r: 4 },
+  { x: 10, y: 0, r: 2 },
+  { x: 0, y: 10, r: 1 },
+]
+
+/** Where a point of the plane is, in pixels of the first camera. */
+const pixel = (x: number, y: number): Point => ({ x: 400 + 10 * x, y: 300 - 10 * y })
+
+class Stage {
+  readonly element = Object.assign(new EventTarget(), {
+    dataset: {} as Record<string, string | undefined>,
+    captured: [] as number[],
+    setPointerCapture: (id: number) => {
+      this.element.captured.push(id)
+    },
+  })
+  readonly done: unknown[][] = []
+  camera = CAMERA
+  size = SIZE
+  layers: { path?: { from: Point; to: Point } } = {}
+  band: Band | undefined
+  /** What is under the pointer, and how near it was asked for. */
+  under: Hit | undefined
+  slack = 0
+  /** Whether what is under the pointer is known at once; else when `know` is called. */
+  isKnown = true
+  know = () => {}
+  pathEnd: 'from' | 'to' | undefined
+  handle: Point | undefined
+  handleSlack = 0
+  tool: Hands['tool'] = 'select'
+  snaps = false
+  selection: readonly number[] = []
+  #gestures = 0
+
+  readonly view = this as unknown as View
+  readonly listening = listenToPointer(this.element as unknown as HTMLElement, this.view, this as unknown as Hands)
+
+  // The view.
+  setCamera(camera: Camera): void {
+    this.camera = camera
+  }
+  hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
+    this.slack = slack
+    this.done.push(['hit', x, y])
+    const { under } = this
+    if (this.isKnown) return Promise.resolve(under)
+    return new Promise((resolve) => {
+      this.know = () => resolve(under)
+    })
+  }
+  touch(point: Point | undefined, slack: number): void {
+    this.done.push(['touch', point, slack])
+  }
+  pathEndAt(_: Point, slack: number) {
+    this.handleSlack = slack
+    return this.pathEnd
+  }
+  handleAt() {
+    return this.handle
+  }
+  movePathEnd(end: 'from' | 'to', point: Point): void {
+    this.done.push(['movePathEnd', end, point])
+  }
+
+  // The hands.
+  circle(id: number): Circle | undefined {
+    return CIRCLES[id]
+  }
+  held(): Held[] {
+    return this.selection.map((id) => ({ id, circle: CIRCLES[id] as Circle }))
+  }
+  isSelected(id: number): boolean {
+    return this.selection.includes(id)
+  }
+  select(ids: readonly number[]): void {
+    this.selection = ids
+    this.done.push(['select', ...ids])
+  }
+  toggle(id: number): void {
+    this.done.push(['toggle', id])
+  }
+  selectWithin(box: Box): void {
+    this.done.push(['selectWithin', box])
+  }
+  hover(id: number | undefined): void {
+    this.done.push(['hover', id])
+  }
+  beginGesture(): number {
+    this.#gestures += 1
+    return this.#gestures
+  }
+  set(circles: readonly Held[], gesture: number): void {
+    this.done.push(['set', gesture, ...circles])
+  }
+  snapped(circle: Circle, within: number, sizes: boolean): Circle {
+    this.done.push(['snapped', within, sizes])
+    return { ...circle, [sizes ? 'r' : 'x']: 7 }
+  }
+  async add(circles: readonly Circle[], gesture: number): Promise<readonly number[]> {
+    this.done.push(['add', gesture, ...circles])
+    return [9]
+  }
+  async addFitting(center: Point): Promise<void> {
+    this.done.push(['addFitting', center])
+  }
+  cancel(gesture: number): void {
+    this.done.push(['cancel', gesture])
+  }
+  zoom(factor: number, anchor: Point): void {
+    this.done.push(['zoom', factor, anchor])
+  }
+
+  /** An event of the pointer with the element's pixels; what was asked is answered afterwards. */
+  async send(type: string, { x, y }: Point, more: object = {}): Promise<Event> {
+    const event = Object.assign(new Event(type, { cancelable: true }), {
+      ...{ pointerId: 1, pointerType: 'mouse', button: 0, altKey: false, shiftKey: false, ctrlKey: false },
+      ...{ offsetX: x, offsetY: y, ...more },
+    })
+    this.element.dispatchEvent(event)
+    await settled()
+    return event
+  }
+
+  /** Presses at the first point and moves to the others. */
+  async press(points: readonly Point[], more: object = {}): Promise<void> {
+    const [first, ...others] = points
+    await this.send('pointerdown', first as Point, more)
+    for (const point of others) await this.send('pointermove', point, more)
+  }
+
+  async drag(points: readonly Point[], more: object = {}): Promise<void> {
+    await this.press(points, more)
+    await this.send('pointerup', points.at(-1) as Point, more)
+  }
+
+  /** What was done, by the names. */
+  of(...names: string[]): unknown[][] {
+    return this.done.filter(([name]) => names.includes(name as string))
+  }
+}
+
+/** Until all promises that can go on have done so. */
+const settled = () => new Promise((resolve) => setTimeout(resolve, 0))
+
+const DOING = ['select', 'toggle', 'selectWithin', 'set', 'add', 'addFitting', 'cancel', 'movePathEnd', 'zoom']
+const disc = (id: number): Hit => ({ id, part: 'disc' })
+
+describe('a press', () => {
+  it('on a disc selects it, and moves it once it goes farther than a click', async () => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    await stage.press([pixel(1, 1), pixel(1.3, 1)])
+    expect(stage.of(...DOING)).toEqual([['select', 0]])
+    await stage.send('pointermove', pixel(1.4, 1))
+    await stage.send('pointermove', pixel(1.2, 1))
+    await stage.send('pointerup', pixel(1.2, 1))
+    const moved = (x: number) => ['set', 1, { id: 0, circle: { x: expect.closeTo(x), y: expect.closeTo(0), r: 4 } }]
+    expect(stage.of(...DOING)).toEqual([['select', 0], moved(0.4), moved(0.2)])
+    expect(stage.camera).toBe(CAMERA)
+    expect(stage.element.captured).toEqual([1])
+    expect(stage.slack).toBe(0.5)
+  })
+
+  it('and release without a move selects one, of several too', async () => {
+    const stage = new Stage()
+    stage.under = disc(1)
+    stage.selection = [0, 1]
+    await stage.drag([pixel(10, 0)])
+    expect(stage.of(...DOING)).toEqual([['select', 1]])
+  })
+
+  it('on one of several moves all of them, the grabbed one to where it snaps', async () => {
+    const stage = new Stage()
+    stage.under = disc(1)
+    stage.selection = [0, 1]
+    await stage.press([pixel(10, 0), pixel(12, 3)])
+    await stage.send('pointermove', pixel(12, 3), { altKey: true })
+    expect(stage.of(...DOING, 'snapped')).toEqual([
+      ['set', 1, { id: 0, circle: { x: 2, y: 3, r: 4 } }, { id: 1, circle: { x: 12, y: 3, r: 2 } }],
+      ['snapped', 0.8, false],
+      ['set', 1, { id: 0, circle: { x: -3, y: 3, r: 4 } }, { id: 1, circle: { x: 7, y: 3, r: 2 } }],
+    ])
+    stage.snaps = true
+    await stage.send('pointermove', pixel(12, 3), { altKey: true })
+    expect(stage.of('snapped')).toHaveLength(1)
+    await stage.send('pointermove', pixel(12, 3))
+    expect(stage.of('snapped')).toHaveLength(2)
+  })
+
+  it('on a rim makes one circle as large as the pointer goes, from where it was grabbed', async () => {
+    const stage = new Stage()
+    stage.under = { id: 0, part: 'rim' }
+    await stage.press([pixel(4.5, 0), pixel(6, 0)])
+    await stage.send('pointermove', pixel(0.2, 0))
+    await stage.send('pointermove', pixel(6, 0), { altKey: true })
+    const sized = (r: number) => ['set', 1, { id: 0, circle: { x: 0, y: 0, r: expect.closeTo(r) } }]
+    expect(stage.of('set', 'snapped')).toEqual([sized(5.5), sized(0), ['snapped', 0.8, true], sized(7)])
+    await stage.send('pointerup', pixel(6, 0))
+    // Several are moved by it.
+    stage.selection = [0, 1]
+    await stage.press([pixel(4, 0), pixel(5, 0)])
+    expect(stage.of('set').at(-1)).toMatchObject(['set', 2, { id: 0, circle: { x: 1, r: 4 } }, { id: 1 }])
+  })
+
+  it('on a rim and a release select the circle alone', async () => {
+    const stage = new Stage()
+    stage.under = { id: 0, part: 'rim' }
+    stage.selection = [0]
+    await stage.drag([pixel(4, 0)])
+    expect(stage.of(...DOING)).toEqual([['select', 0]])
+  })
+
+  it('on a cell pans, and a click selects its circle', async () => {
+    const stage = new Stage()
+    stage.under = { id: 2, part: 'cell' }
+    await stage.drag([pixel(5, 5), pixel(7, 4), pixel(8, 4)])
+    expect(stage.of(...DOING)).toEqual([])
+    expect(stage.camera).toEqual({ x: -3, y: 1, scale: 10 })
+    await stage.drag([pixel(5, 5)])
+    expect(stage.of(...DOING)).toEqual([['select', 2]])
+  })
+
+  it('where there is no circle pans and lets go; on one that may not be edited it pans and selects', async () => {
+    const stage = new Stage()
+    stage.selection = [0]
+    await stage.drag([pixel(5, 5)])
+    stage.under = disc(5)
+    await stage.drag([pixel(5, 5)])
+    expect(stage.of(...DOING)).toEqual([['select'], ['select', 5]])
+    await stage.drag([pixel(5, 5), pixel(6, 5)])
+    expect(stage.camera.x).toBe(-1)
+  })
+
+  it('of a finger pans unless the circle is selected, with more room', async () => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    const touch = { pointerType: 'touch' }
+    await stage.drag([pixel(0, 0), pixel(1, 0)], touch)
+    expect(stage.of(...DOING)).toEqual([])
+    expect(stage.camera.x).toBe(-1)
+    await stage.press([pixel(0, 0)], touch)
+    expect([stage.slack, stage.handleSlack]).toEqual([1.2, 12])
+    await stage.send('pointerup', pixel(0, 0), touch)
+    expect(stage.of(...DOING)).toEqual([['select', 0]])
+    await stage.drag([pixel(0, 0), pixel(1, 0)], touch)
+    expect(stage.of('set')).toHaveLength(1)
+  })
+
+  it('of other buttons does nothing; the middle one pans, and does not scroll', async () => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    expect((await stage.send('pointerdown', pixel(0, 0), { button: 2 })).defaultPrevented).toBe(false)
+    expect(stage.element.captured).toEqual([])
+    await stage.send('pointermove', pixel(3, 0))
+    expect(stage.camera).toBe(CAMERA)
+    expect((await stage.send('pointerdown', pixel(0, 0), { button: 1 })).defaultPrevented).toBe(true)
+    await stage.send('pointermove', pixel(1, 0))
+    await stage.send('pointerup', pixel(1, 0))
+    await stage.drag([pixel(0, 0)], { button: 1 })
+    expect(stage.camera.x).toBe(-1)
+    expect(stage.of(...DOING)).toEqual([])
+    expect((await stage.send('pointerdown', pixel(0, 0))).defaultPrevented).toBe(false)
+  })
+
+  it('with the tool to pan pans, also on a circle, and a click does nothing', async () => {
+    const stage = new Stage()
+    stage.tool = 'pan'
+    stage.under = disc(0)
+    stage.pathEnd = 'to'
+    stage.handle = { x: 0, y: 0 }
+    await stage.drag([pixel(0, 0), pixel(0, 1)])
+    await stage.drag([pixel(0, 0)])
+    expect(stage.camera).toEqual({ x: 0, y: -1, scale: 10 })
+    expect(stage.of(...DOING)).toEqual([])
+  })
+})
+
+describe('what is under the pointer and not known yet', () => {
+  it('keeps the last move until it is', async () => {
+    const stage = new Stage()
+    stage.isKnown = false
+    stage.under = disc(0)
+    expect(stage.listening.pending).toBeUndefined()
+    await stage.press([pixel(0, 0), pixel(1, 0), pixel(2, 0)])
+    expect(stage.of(...DOING)).toEqual([])
+    expect(stage.listening.pending).toBeInstanceOf(Promise)
+    stage.know()
+    await settled()
+    expect(stage.of(...DOING)).toMatchObject([
+      ['select', 0],
+      ['set', 1, { circle: { x: 2 } }],
+    ])
+    expect(stage.listening.pending).toBeUndefined()
+    await stage.send('pointermove', pixel(3, 0))
+    expect(stage.of('set')).toHaveLength(2)
+  })
+
+  it('is clicked, or ended, once it is', async () => {
+    const stage = new Stage()
+    stage.isKnown = false
+    stage.under = { id: 1, part: 'cell' }
+    await stage.send('pointerdown', pixel(0, 0))
+    const { know } = stage
+    await stage.send('pointerup', pixel(0, 0))
+    expect(stage.of(...DOING)).toEqual([])
+    know()
+    await settled()
+    expect(stage.of(...DOING)).toEqual([['select', 1]])
+    expect(stage.listening.pending).toBeUndefined()
+
+    await stage.press([pixel(1, 2)], { shiftKey: true })
+    const { know: knowBand } = stage
+    await stage.send('pointermove', pixel(4, 6))
+    await stage.send('pointerup', pixel(4, 6))
+    knowBand()
+    await settled()
+    expect(stage.of('selectWithin')).toEqual([['selectWithin', { minX: 1, minY: 2, maxX: 4, maxY: 6 }]])
+  })
+
+  it('is not moved after Escape', async () => {
+    const stage = new Stage()
+    stage.isKnown = false
+    stage.under = disc(0)
+    await stage.press([pixel(0, 0), pixel(1, 0)])
+    await stage.send('keydown', pixel(0, 0), { key: 'Escape' })
+    stage.know()
+    await settled()
+    expect(stage.of('set')).toEqual([])
+  })
+})
+
+describe('a gesture', () => {
+  it.each(['pointercancel', 'lostpointercapture'])('is taken back at %s', async (name) => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    await stage.press([pixel(0, 0), pixel(1, 0)])
+    await stage.send(name, pixel(1, 0), { pointerId: 2 })
+    expect(stage.of('cancel')).toEqual([])
+    await stage.send(name, pixel(1, 0))
+    expect(stage.of('cancel')).toEqual([['cancel', 1]])
+    await stage.send('pointermove', pixel(2, 0))
+    await stage.send('pointerup', pixel(2, 0))
+    expect(stage.of('set')).toHaveLength(1)
+    await stage.send(name, pixel(1, 0))
+    expect(stage.of('cancel')).toHaveLength(1)
+  })
+
+  it('is taken back at Escape, which nobody else hears of', async () => {
+    const stage = new Stage()
+    let heard = 0
+    stage.element.addEventListener('keydown', () => {
+      heard += 1
+    })
+    stage.under = { id: 0, part: 'rim' }
+    expect((await stage.send('keydown', pixel(0, 0), { key: 'Escape' })).defaultPrevented).toBe(false)
+    await stage.press([pixel(4, 0), pixel(5, 0)])
+    expect((await stage.send('keydown', pixel(0, 0), { key: 'a' })).defaultPrevented).toBe(false)
+    expect(heard).toBe(2)
+    expect((await stage.send('keydown', pixel(0, 0), { key: 'Escape' })).defaultPrevented).toBe(true)
+    expect(heard).toBe(2)
+    expect(stage.of('cancel')).toEqual([['cancel', 1]])
+    await stage.send('pointerup', pixel(5, 0))
+    expect((await stage.send('keydown', pixel(0, 0), { key: 'Escape' })).defaultPrevented).toBe(false)
+  })
+
+  it('with Shift selects within a band, or toggles what is clicked', async () => {
+    const stage = new Stage()
+    stage.under = disc(1)
+    const shift = { shiftKey: true }
+    await stage.press([pixel(1, 2), pixel(-3, 5)], shift)
+    expect(stage.band).toEqual({ from: pixel(1, 2), to: pixel(-3, 5) })
+    await stage.send('pointerup', pixel(-3, 5), shift)
+    expect(stage.band).toBeUndefined()
+    expect(stage.of(...DOING)).toEqual([['selectWithin', { minX: -3, minY: 2, maxX: 1, maxY: 5 }]])
+    await stage.drag([pixel(1, 2)], shift)
+    stage.under = undefined
+    await stage.drag([pixel(1, 2)], shift)
+    expect(stage.of('toggle', 'select')).toEqual([['toggle', 1]])
+    await stage.press([pixel(1, 2), pixel(-3, 5)], shift)
+    await stage.send('pointercancel', pixel(1, 2))
+    expect(stage.band).toBeUndefined()
+    expect(stage.of('selectWithin')).toHaveLength(1)
+  })
+
+  it('with the tool to add makes a circle: a click one that fits, a drag one as large', async () => {
+    const stage = new Stage()
+    stage.tool = 'add'
+    stage.handle = { x: 0, y: 0 }
+    await stage.drag([pixel(3, 4)])
+    expect(stage.of(...DOING)).toEqual([['addFitting', { x: 3, y: 4 }]])
+    await stage.press([pixel(3, 4), pixel(6, 8)])
+    await stage.send('pointermove', pixel(3, 5))
+    await stage.send('pointermove', pixel(3, 6), { altKey: true })
+    const sized = (r: number) => ({ x: 3, y: 4, r: expect.closeTo(r) })
+    expect(stage.of('add', 'set', 'snapped')).toEqual([
+      ['add', 2, sized(5)],
+      ['set', 2, { id: 9, circle: sized(5) }],
+      ['set', 2, { id: 9, circle: sized(1) }],
+      ['snapped', 0.8, true],
+      ['set', 2, { id: 9, circle: sized(7) }],
+    ])
+    await stage.send('pointercancel', pixel(3, 5))
+    expect(stage.of('cancel')).toEqual([['cancel', 2]])
+  })
+
+  it('that adds sets the circle as it was last, once it is there', async () => {
+    const stage = new Stage()
+    stage.tool = 'add'
+    await stage.send('pointerdown', pixel(0, 0))
+    for (const x of [1, 2, 3]) {
+      stage.element.dispatchEvent(
+        Object.assign(new Event('pointermove'), { pointerId: 1, offsetX: 400 + 10 * x, offsetY: 300, altKey: false }),
+      )
+    }
+    await settled()
+    expect(stage.of('add')).toEqual([['add', 1, { x: 0, y: 0, r: 1 }]])
+    expect(stage.of('set')).toEqual(Array(2).fill(['set', 1, { id: 9, circle: { x: 0, y: 0, r: 3 } }]))
+  })
+
+  it('that adds what is refused sets nothing', async () => {
+    const stage = new Stage()
+    stage.tool = 'add'
+    stage.add = async () => []
+    await stage.drag([pixel(0, 0), pixel(1, 0), pixel(2, 0)])
+    expect(stage.of('set')).toEqual([])
+  })
+
+  it('at the handle scales what is selected about its middle', async () => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    stage.selection = [0, 1]
+    stage.handle = { x: 5, y: 0 }
+    await stage.press([pixel(9, 3), pixel(13, 6)])
+    expect(stage.of(...DOING)).toEqual([
+      ['set', 1, { id: 0, circle: { x: -5, y: 0, r: 8 } }, { id: 1, circle: { x: 15, y: 0, r: 4 } }],
+    ])
+    await stage.send('pointercancel', pixel(0, 0))
+    expect(stage.of('cancel')).toEqual([['cancel', 1]])
+    // One grows with its rim; none does nothing.
+    stage.selection = [2]
+    await stage.press([pixel(0, 12), pixel(0, 14)])
+    expect(stage.of('set').at(-1)).toEqual(['set', 2, { id: 2, circle: { x: 0, y: 10, r: expect.closeTo(3) } }])
+    await stage.send('pointerup', pixel(0, 14))
+    stage.selection = []
+    await stage.press([pixel(0, 12), pixel(0, 14)])
+    expect(stage.of('set').at(-1)).toEqual(['set', 3])
+  })
+
+  it('moves an end of the path, and puts it back', async () => {
+    const stage = new Stage()
+    stage.handle = { x: 5, y: 0 }
+    stage.pathEnd = 'to'
+    stage.layers = { path: { from: { x: 0, y: 0 }, to: { x: 8, y: 8 } } }
+    await stage.press([pixel(8, 8), pixel(9, 7)])
+    await stage.send('pointercancel', pixel(9, 7))
+    expect(stage.of(...DOING)).toEqual([
+      ['movePathEnd', 'to', { x: 9, y: 7 }],
+      ['movePathEnd', 'to', { x: 8, y: 8 }],
+    ])
+  })
+
+  it('of two fingers zooms and pans, takes back what one did, and ends with one of them', async () => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    stage.selection = [0]
+    await stage.press([pixel(0, 0), pixel(1, 0)])
+    expect(stage.of('set')).toHaveLength(1)
+    await stage.send('pointerdown', pixel(5, 0), { pointerId: 2 })
+    expect(stage.of('cancel')).toEqual([['cancel', 1]])
+    await stage.send('pointerdown', pixel(9, 9), { pointerId: 3 })
+    await stage.send('pointermove', pixel(9, 0), { pointerId: 2 })
+    // From (1, 0) and (5, 0) to (1, 0) and (9, 0): twice as far apart, with the middle 2 farther right.
+    expect(stage.of('zoom')).toEqual([['zoom', 2, pixel(5, 0)]])
+    expect(stage.camera).toEqual({ x: -2, y: 0, scale: 10 })
+    await stage.send('pointermove', pixel(9, 0), { pointerId: 1 })
+    expect(stage.of('zoom').at(-1)).toEqual(['zoom', 1 / 80, pixel(9, 0)])
+    await stage.send('pointerup', pixel(9, 0), { pointerId: 2 })
+    await stage.send('pointermove', pixel(3, 0), { pointerId: 1 })
+    await stage.send('pointerup', pixel(3, 0), { pointerId: 1 })
+    expect(stage.of('zoom')).toHaveLength(2)
+    expect(stage.of('set')).toHaveLength(1)
+    expect(stage.of('select')).toEqual([])
+    expect(stage.element.captured).toEqual([1, 2])
+  })
+})
+
+describe('a pointer that is not pressed', () => {
+  it('hovers, and its cursor says what a press would do', async () => {
+    const stage = new Stage()
+    for (const [under, cursor] of [
+      [disc(1), 'disc'],
+      [{ id: 1, part: 'rim' }, 'rim'],
+      [{ id: 2, part: 'cell' }, 'cell'],
+      [undefined, 'cell'],
+    ] as const) {
+      stage.under = under
+      await stage.send('pointermove', pixel(1, 2))
+      expect(stage.of('hover').at(-1)).toEqual(['hover', under?.id])
+      expect(stage.element.dataset.cursor).toBe(cursor)
+    }
+    expect(stage.of('touch')[0]).toEqual(['touch', { x: 1, y: 2 }, 1.4])
+    expect(stage.slack).toBe(0.5)
+    stage.handle = { x: 0, y: 0 }
+    await stage.send('pointermove', pixel(1, 2))
+    expect(stage.element.dataset.cursor).toBe('scale')
+    for (const tool of ['add', 'pan'] as const) {
+      stage.tool = tool
+      await stage.send('pointermove', pixel(1, 2))
+      expect(stage.element.dataset.cursor).toBe(tool)
+    }
+  })
+
+  it('of a finger does not, nor what comes after a press', async () => {
+    const stage = new Stage()
+    await stage.send('pointermove', pixel(1, 2), { pointerType: 'touch' })
+    expect(stage.done).toEqual([])
+    stage.isKnown = false
+    await stage.send('pointermove', pixel(1, 2))
+    const { know } = stage
+    await stage.send('pointerdown', pixel(1, 2))
+    know()
+    await settled()
+    expect(stage.of('hover')).toEqual([])
+  })
+
+  it('has left: nothing is hovered', async () => {
+    const stage = new Stage()
+    await stage.send('pointerleave', pixel(0, 0))
+    expect(stage.done).toEqual([
+      ['hover', undefined],
+      ['touch', undefined, 0],
+    ])
+  })
+
+  it('shows that it pans while it does', async () => {
+    const stage = new Stage()
+    stage.under = { id: 0, part: 'cell' }
+    await stage.send('pointermove', pixel(1, 2))
+    await stage.press([pixel(1, 2), pixel(3, 2)])
+    expect(stage.element.dataset.cursor).toBe('panning')
+    await stage.send('pointerup', pixel(3, 2))
+    expect(stage.element.dataset.cursor).toBe('cell')
+    stage.tool = 'pan'
+    await stage.send('pointermove', pixel(1, 2))
+    await stage.press([pixel(1, 2)])
+    expect(stage.element.dataset.cursor).toBe('panning')
+    await stage.send('pointerup', pixel(1, 2))
+    stage.tool = 'select'
+    stage.under = disc(0)
+    await stage.send('pointermove', pixel(1, 2))
+    await stage.press([pixel(1, 2)])
+    expect(stage.element.dataset.cursor).toBe('disc')
+  })
+})
+
+describe('clicks and wheels', () => {
+  it('a double click adds where no circle is', async () => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    await stage.send('dblclick', pixel(1, 2))
+    expect(stage.of('addFitting')).toEqual([])
+    stage.under = { id: 0, part: 'cell' }
+    await stage.send('dblclick', pixel(1, 2))
+    stage.under = undefined
+    await stage.send('dblclick', pixel(3, 2))
+    expect(stage.of('addFitting')).toEqual([
+      ['addFitting', { x: 1, y: 2 }],
+      ['addFitting', { x: 3, y: 2 }],
+    ])
+  })
+
+  it('a wheel zooms at the pointer, by pixels, lines and pinches, and does not scroll', async () => {
+    const before = globalThis.WheelEvent
+    globalThis.WheelEvent = { DOM_DELTA_LINE: 1 } as typeof WheelEvent
+    try {
+      const stage = new Stage()
+      for (const [deltaMode, ctrlKey, power] of [
+        [0, false, -0.16],
+        [0, true, -1],
+        [1, false, -2.56],
+      ] as const) {
+        const event = await stage.send('wheel', pixel(1, 2), { deltaY: 100, deltaMode, ctrlKey })
+        expect(event.defaultPrevented).toBe(true)
+        expect(stage.of('zoom').at(-1)).toEqual(['zoom', expect.closeTo(Math.exp(power), 10), pixel(1, 2)])
+      }
+    } finally {
+      globalThis.WheelEvent = before
+    }
+  })
+
+  it('after the end nothing is heard', async () => {
+    const stage = new Stage()
+    stage.listening.stop()
+    await stage.press([pixel(0, 0), pixel(1, 0)])
+    await stage.send('pointermove', pixel(1, 2), { pointerId: 7 })
+    await stage.send('dblclick', pixel(1, 2))
+    await stage.send('keydown', pixel(1, 2), { key: 'Escape' })
+    expect(stage.done).toEqual([])
+  })
+})
+
+it('points are those of the plane, wherever the camera is', async () => {
+  const stage = new Stage()
+  stage.camera = { x: 3, y: -2, scale: 4 }
+  stage.tool = 'add'
+  await stage.drag([{ x: 100, y: 500 }])
+  expect(stage.of('addFitting')).toEqual([['addFitting', toPlane(stage.camera, SIZE, { x: 100, y: 500 })]])
+})

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import { createStore } from '../../web/editing/store.ts'
+
+let frames: (() => void)[] = []
+const nextFrame = () => {
+  const due = frames
+  frames = []
+  for (const frame of due) frame()
+}
+
+beforeEach(() => {
+  frames = []
+  vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
+})
+afterEach(() => vi.unstubAllGlobals())
+
+it('tells a value at once, and once a frame in which it was replaced', () => {
+  const store = createStore(1)
+  const told: number[] = []
+  const toldToo: number[] = []
+  store.subscribe((value) => told.push(value))
+  expect(told).toEqual([1])
+  store.update((value) => value + 1)
+  store.update((value) => value + 1)
+  expect(store.get()).toBe(3)
+  expect(told).toEqual([1])
+  expect(frames).toHaveLength(1)
+  store.subscribe((value) => toldToo.push(value))
+  nextFrame()
+  expect(told).toEqual([1, 3])
+  expect(toldToo).toEqual([3, 3])
+  store.update((value) => 2 * value)
+  nextFrame()
+  expect(told).toEqual([1, 3, 6])
+})
+
+it('tells nothing where the value stays', () => {
+  const state = { a: 1 }
+  const store = createStore(state)
+  store.update((value) => value)
+  expect(frames).toEqual([])
+  expect(store.get()).toBe(state)
+})

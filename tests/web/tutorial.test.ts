@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tutorial says, where no browser is needed to see whether it is so.
+import { describe, expect, test } from 'vitest'
+import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
+import { readBook } from '../../scripts/texts/tutorial.mjs'
+import { holds, idsOf, parseCheck } from '../../web/element/check.ts'
+import { countSamples, sentenceOf } from '../../web/tutorial/count-samples.ts'
+import { layersFrom } from '../../web/view/layers.ts'
+import { factsOf } from '../../web/view/painter/facts.ts'
+import { library } from './library.ts'
+
+const BOOK = readBook()
+const BLOCKS = BOOK.flatMap(({ file, blocks }) => blocks.map((block) => ({ file, ...block })))
+const figures = BLOCKS.filter(({ spec }) => spec.name !== undefined)
+
+describe('what is to be reached', () => {
+  test.each(figures.filter(({ kind }) => kind === 'try').map(({ spec }) => [spec.name, spec] as const))(
+    '%s is not so at first, and is so of its answer',
+    (_, { circles, solution, check }) => {
+      const asked = parseCheck(JSON.stringify(check))
+      const isSo = (circles: readonly (readonly number[])[]) => {
+        const diagram = library.edit(circles).snapshot()
+        const { hidden, vertices, edges } = diagram
+        const counts = {
+          circles: circles.length,
+          hidden: hidden.length / 2,
+          vertices: vertices.length / 3,
+          edges: edges.length / 4,
+        }
+        const facts = factsOf(diagram, counts, idsOf(asked))
+        return holds(asked, facts)
+      }
+      expect(isSo(circles as number[][])).toBe(false)
+      expect(isSo(solution)).toBe(true)
+    },
+  )
+})
+
+test('every question has one right answer among others, and every chapter has something to try', () => {
+  for (const { file, spec } of BLOCKS.filter(({ kind }) => kind === 'question')) {
+    expect(spec.choices.length, file).toBeGreaterThan(1)
+    expect(spec.choices[spec.right], file).toBeDefined()
+  }
+  const asking = new Set(BLOCKS.filter(({ kind }) => kind === 'question' || kind === 'try').map(({ file }) => file))
+  expect([...asking]).toEqual(BOOK.filter(({ isChapter }) => isChapter).map(({ file }) => file))
+})
+
+test('figures draw what there is to be drawn', () => {
+  for (const { spec } of figures) expect(layersFrom(spec.layers ?? {}), spec.name).toMatchObject(spec.layers ?? {})
+})
+
+test('in chapter 6 the pair is missed without samples between, and found with one', () => {
+  const circles = figures.find(({ spec }) => spec.name === 'missed')?.spec.circles ?? []
+  const found = [0, 1, 2].map((samples) => library.compute(circles, { method: 'touching-disc', samples }))
+  expect(found.map(({ certificate }) => certificate.certified)).toEqual([false, true, true])
+})
+
+test('chapter 4 counts the samples of Table 1', async () => {
+  const circlesOf = await loadFigureCircles()
+  const said = (dataSet: string) =>
+    sentenceOf(countSamples(library, Float64Array.from(circlesOf({ name: dataSet, dataSet }).flat()), 3))
+  expect(said('figure-7a')).toBe('192 samples on the largest circle, 9 on each other one, 12.735 on average.')
+  expect(said('figure-7b')).toBe('792 samples on the largest circle, 9 on each other one, 12.935 on average.')
+})

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The types of what cpp/wasm/families_bindings.cpp exports.
+
+interface FamiliesModule {
+  families(): readonly import('./generators.ts').Family[]
+  figures(): readonly import('./generators.ts').Figure[]
+  /** `undefined`: there is no family of this name. */
+  generate(name: string, count: number, seed: number): Float64Array<ArrayBuffer> | undefined
+  figure(name: string): Float64Array<ArrayBuffer> | undefined
+}
+
+declare module '*/generated/families.js' {
+  export default function createModule(options: import('../../lib/wasm.ts').EmscriptenOptions): Promise<FamiliesModule>
+}

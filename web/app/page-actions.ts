@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import type { Editing } from '../editing/editing.ts'
+import { EditorActions, type Opened } from '../editing/editor-actions.ts'
+import type { Scene } from '../editing/history.ts'
+import type { State } from '../editing/state.ts'
+import type { Store } from '../editing/store.ts'
+import type { Float64s } from '../lib/index.ts'
+import { decodeLink, LINK_LIMITS, type LinkView } from '../lib/link.ts'
+import { boundingBox, type Padding } from '../view/camera.ts'
+import type { View } from '../view/view.ts'
+import { DATA_SETS, type DataSet, loadDataSet, nameFrom, nameOf, randomSeed, sourceOf } from './data-sets.ts'
+import type { Read } from './files/files-protocol.ts'
+import type { Recipe } from './generators/generators.ts'
+import { interestingBox, sizeOf } from './generators/interesting-box.ts'
+
+/** What a user of the page can open beside. */
+export class PageActions extends EditorActions {
+  readonly #make: (recipe: Recipe) => Promise<Float64s>
+  readonly #shown: () => string
+
+  constructor(
+    store: Store<State>,
+    editing: Editing,
+    view: View,
+    padding: () => Padding,
+    make: (recipe: Recipe) => Promise<Float64s>,
+  ) {
+    super(store, editing, view, padding)
+    this.#make = make
+    this.#shown = () => store.get().dataSet
+  }
+
+  /** Circles of the menu. */
+  async load(id: string): Promise<void> {
+    const dataSet = DATA_SETS.find((dataSet) => dataSet.id === id)
+    if (dataSet !== undefined) await this.open(() => this.#loadNamed(nameFrom(dataSet)))
+  }
+
+  /** Circles of a family or of a figure of the paper. */
+  async generate(recipe: Recipe): Promise<void> {
+    await this.open(async () => {
+      const scene = await this.#loadNamed(nameOf(recipe))
+      return recipe.kind === 'figure' ? { ...scene, view: viewOfFigure(scene.circles) } : scene
+    })
+  }
+
+  /** Other random circles of the family that is shown. */
+  async generateAgain(): Promise<void> {
+    const source = sourceOf(this.#shown())
+    if (source?.kind === 'family') await this.generate({ ...source, seed: randomSeed() })
+    if (source?.kind === 'former') await this.load('random')
+  }
+
+  /** What a link says; reports whether that could be shown. */
+  openLink(text: string): Promise<boolean> {
+    return this.open(() => this.#linked(text))
+  }
+
+  /** What is read somewhere; reports whether that could be shown. */
+  openRead(read: () => Promise<Read>): Promise<boolean> {
+    return this.open(async () => {
+      const result = await read()
+      return 'link' in result ? this.#linked(result.link) : { circles: result.circles, dataSet: '', isEdited: false }
+    })
+  }
+
+  async #linked(text: string): Promise<Opened> {
+    const { circles, dataSet, edits, view, layers = {}, step, method } = await decodeLink(text)
+    const scene =
+      circles === undefined
+        ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), LINK_LIMITS.circles)
+        : { circles, dataSet: '', isEdited: false }
+    return { ...scene, edits, view, layers, step, method }
+  }
+
+  /** `most`: of somebody else's link, so that it cannot ask for what takes minutes. */
+  async #loadNamed(name: string, most = Number.POSITIVE_INFINITY): Promise<Scene> {
+    const source = sourceOf(name)
+    if (source?.kind === 'family' && source.count > most) throw new Error('The link is for too many circles.')
+    return { circles: await loadDataSet(name, this.#make), dataSet: name, isEdited: false }
+  }
+}
+
+/** Figures are about the small circles beside a huge one. `undefined`: all of them. */
+function viewOfFigure(circles: Float64s): LinkView | undefined {
+  const [whole, box] = [boundingBox(circles), interestingBox(circles)]
+  if (sizeOf(box) === sizeOf(whole)) return undefined
+  return { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2, span: 1.4 * sizeOf(box) }
+}

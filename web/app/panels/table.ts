@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, svg } from 'lit'
+import type { Editing } from '../../editing/editing.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import type { View } from '../../view/view.ts'
+import type { PageActions } from '../page-actions.ts'
+import type { CircleGrid } from '../table/circle-grid.ts'
+import { byId } from './by-id.ts'
+import { folding } from './folding.ts'
+
+const ICON = svg`<path d="M3 4.500h14v11H3zM3 8.500h14M3 12h14M8 4.500v11" />`
+const PLUS = svg`<path d="M10 5v10M5 10h10" />`
+const MINUS = svg`<path d="M5 10h10" />`
+/** Narrower windows have no room beside the table. */
+const BESIDE = '(min-width: 62.5em)'
+
+/** What the table covers of the picture beside it, in pixels. */
+export function tableWidth(): number {
+  const panel = byId('table', HTMLElement)
+  return panel.classList.contains('open') && matchMedia(BESIDE).matches ? panel.offsetWidth : 0
+}
+
+/** The numbers of all circles, loaded when they are looked at for the first time. */
+export function mountTable(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
+  const panel = byId('table', HTMLElement)
+  let grid: CircleGrid | undefined
+  let problem = ''
+
+  const draw = () => {
+    folded.render(body)
+    if (folded.isOpen) fill()
+    else {
+      grid?.dispose()
+      grid = undefined
+    }
+  }
+  const folded = folding(panel, 'Table', ICON, draw)
+  /** Of the element that is there then. */
+  const fill = async () => {
+    try {
+      const { CircleGrid } = await import('../table/circle-grid.ts')
+      const place = document.getElementById('circle-grid')
+      if (place !== null && grid === undefined) grid = new CircleGrid(place, store, editing, actions, view)
+    } catch {
+      problem = 'The table could not be loaded.'
+      folded.render(body)
+    }
+  }
+
+  const body = () => html`
+    <div id="circle-grid" class="grid"></div>
+    <div class="choices">
+      <button type="button" title="Add a circle in the middle of the view" @click=${() => actions.addFitting(view.camera)}>
+        <svg viewBox="0 0 20 20" aria-hidden="true">${PLUS}</svg>Add
+      </button>
+      <button type="button" title="Delete the selected circles (Delete)" @click=${() => actions.removeSelected()}>
+        <svg viewBox="0 0 20 20" aria-hidden="true">${MINUS}</svg>Delete
+      </button>
+      <p>${problem || 'Enter edits; rows of a spreadsheet can be pasted.'}</p>
+    </div>
+  `
+
+  store.subscribe((state) => grid?.update(state))
+  draw()
+}

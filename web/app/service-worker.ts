@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Has the site work without a network once it was loaded. Each version of the site has a cache with all of its files, checked
+// by their hashes. A page is that of the newest whole version, and names its parts by what is in them, so that no page has
+// parts of two. The version before is kept as well, for pages that are still open: a library that lets the newest version take
+// over either deletes what these have yet to load or has it wait until all of them are closed.
+//
+// `FILES` is written by scripts/site.mjs: the addresses of all files in the site, and their hashes.
+
+declare const FILES: readonly (readonly [url: string, integrity: string])[]
+declare const VERSION: string
+
+/** What of a service worker's global scope is used: the DOM's types know none. */
+interface Scope {
+  readonly registration: ServiceWorkerRegistration
+  readonly clients: { claim(): Promise<void> }
+  skipWaiting(): Promise<void>
+  addEventListener(name: 'install' | 'activate' | 'fetch', listener: (event: Lasting) => void): void
+}
+
+interface Lasting {
+  readonly request: Request
+  waitUntil(done: Promise<unknown>): void
+  respondWith(response: Promise<Response>): void
+}
+
+const worker = self as unknown as Scope
+const { scope } = worker.registration
+// Other sites may have the same origin.
+const CACHE = `${scope} ${VERSION}`
+
+worker.addEventListener('install', (event) => event.waitUntil(install()))
+worker.addEventListener('activate', (event) => event.waitUntil(activate()))
+worker.addEventListener('fetch', (event) => {
+  const { method, url } = event.request
+  if (method === 'GET' && url.startsWith(scope)) event.respondWith(answer(event.request))
+})
+
+async function install(): Promise<void> {
+  const cache = await caches.open(CACHE)
+  try {
+    // What is not that of this version, since another one is just being put there, is an error.
+    await cache.addAll(
+      FILES.map(([url, integrity]) => new Request(new URL(url, scope), { integrity, cache: 'no-cache' })),
+    )
+  } catch (error) {
+    await caches.delete(CACHE)
+    throw error
+  }
+  await worker.skipWaiting()
+}
+
+async function activate(): Promise<void> {
+  const ours = (await caches.keys()).filter((name) => name.startsWith(`${scope} `))
+  const old = ours.filter((name) => name !== CACHE).slice(0, -1)
+  for (const name of old) await caches.delete(name)
+  await worker.clients.claim()
+}
+
+async function answer(request: Request): Promise<Response> {
+  const cache = await caches.open(CACHE)
+  const options = { ignoreSearch: true, ignoreVary: true }
+  return (await cache.match(request, options)) ?? (await caches.match(request, options)) ?? fetch(request)
+}

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Editing } from '../../editing/editing.ts'
+import type { Scene } from '../../editing/history.ts'
+import { shortest } from '../../editing/shortest.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import type { Circle } from '../../lib/index.ts'
+import type { Column as Measured, Tabulated } from '../../view/protocol.ts'
+import type { View } from '../../view/view.ts'
+import type { PageActions } from '../page-actions.ts'
+import './table.css'
+import { type CellText, Grid, type GridContent, type Heading } from './grid.ts'
+import { editsOf, notANumber, numberOf, rowsOf, type Written } from './numbers-written.ts'
+import { BY_ID, COLUMNS, type Column, isMeasured, ordered, placesOf, type Sorting } from './order.ts'
+
+/** How long nothing changes before rows are sorted anew, in milliseconds. */
+const REST = 300
+
+const MEASURED: readonly Measured[] = ['area', 'degree', 'gap']
+const HEADINGS: Readonly<Record<Column, Heading>> = {
+  id: { name: '#', title: 'Number of the circle', isEditable: false },
+  x: { name: 'x', title: 'Centre', isEditable: true },
+  y: { name: 'y', title: 'Centre', isEditable: true },
+  r: { name: 'r', title: 'Radius', isEditable: true },
+  area: { name: 'area', title: 'Area of the cell', isEditable: false },
+  degree: { name: 'nbrs', title: 'Neighbours: how many cells border on this one', isEditable: false },
+  gap: { name: 'nearest', title: 'Distance of the nearest other circle', isEditable: false },
+}
+
+/** The circles of the page as rows of a grid. */
+export class CircleGrid implements GridContent {
+  readonly headings = COLUMNS.map((column) => HEADINGS[column])
+  readonly #store: Store<State>
+  readonly #editing: Editing
+  readonly #actions: PageActions
+  readonly #view: View
+  readonly #grid: Grid
+  #order = new Int32Array()
+  #places = new Int32Array()
+  #sorting = BY_ID
+  #edited: State['edited']
+  #scene: Scene | undefined
+  #selection: readonly number[] = []
+  #selected = new Set<number>()
+  /** The selection that this grid made. */
+  #own: readonly number[] | undefined
+  #anchor = 0
+  /** What cells that are seen measure, by ids. */
+  #measured = new Map<number, readonly number[]>()
+  #seen: readonly [number, number] = [0, -1]
+  #isAsking = false
+  #isStale = false
+  #rest: ReturnType<typeof setTimeout> | undefined
+  #turn = 0
+
+  constructor(element: HTMLElement, store: Store<State>, editing: Editing, actions: PageActions, view: View) {
+    this.#store = store
+    this.#editing = editing
+    this.#actions = actions
+    this.#view = view
+    this.#reorder()
+    this.#grid = new Grid(element, this, 'Circles')
+    this.update(store.get())
+  }
+
+  dispose(): void {
+    clearTimeout(this.#rest)
+    this.#grid.dispose()
+  }
+
+  /** To be called with each new state. */
+  update({ edited, selection }: State): void {
+    if (edited !== this.#edited) this.#follow(edited)
+    if (selection !== this.#selection) {
+      this.#selection = selection
+      this.#selected = new Set(selection)
+      const row = selection.length === 1 ? this.#rowOf(selection[0] as number) : undefined
+      if (selection !== this.#own && row !== undefined && !this.#grid.isEditing) {
+        this.#anchor = row
+        this.#grid.goTo(row)
+      }
+      this.#grid.render()
+    }
+  }
+
+  rows(): number {
+    return this.#order.length
+  }
+
+  isSelected(row: number): boolean {
+    return this.#selected.has(this.#idOf(row))
+  }
+
+  cell(row: number, column: number): CellText {
+    const id = this.#idOf(row)
+    const name = COLUMNS[column] as Column
+    if (name === 'id') return { text: String(id) }
+    if (!isMeasured(name)) {
+      const circle = this.#editing.circles.get(id)
+      return { text: circle === undefined ? '' : shortest(circle[name]) }
+    }
+    const value = this.#measured.get(id)?.[MEASURED.indexOf(name)]
+    if (value === undefined) return { text: '' }
+    if (Number.isNaN(value)) return { text: '–', label: 'hidden' }
+    return value === Number.POSITIVE_INFINITY
+      ? { text: '∞', label: 'without end' }
+      : { text: String(Number(value.toPrecision(4))) }
+  }
+
+  sortOf(column: number): 'ascending' | 'descending' | 'none' {
+    if (COLUMNS[column] !== this.#sorting.column) return 'none'
+    return this.#sorting.isDescending ? 'descending' : 'ascending'
+  }
+
+  async sort(column: number): Promise<void> {
+    const name = COLUMNS[column] as Column
+    const isDescending = this.#sorting.column === name && !this.#sorting.isDescending
+    await this.#sortBy({ column: name, isDescending })
+    this.#grid.scrollToTop()
+  }
+
+  choose(row: number, how: 'only' | 'toggle' | 'through'): void {
+    const id = this.#idOf(row)
+    if (how === 'through') {
+      const [from, to] = [Math.min(this.#anchor, row), Math.max(this.#anchor, row)]
+      this.#actions.select([...this.#order.subarray(from, to + 1)])
+    } else {
+      this.#anchor = row
+      if (how === 'toggle') this.#actions.toggle(id)
+      else this.#actions.goTo(id)
+    }
+    this.#own = this.#store.get().selection
+  }
+
+  written(row: number, column: number): string {
+    return String(this.#editing.circles.get(this.#idOf(row))?.[COLUMNS[column] as Written] ?? '')
+  }
+
+  async write(row: number, column: number, text: string): Promise<boolean> {
+    const id = this.#idOf(row)
+    const circle = this.#editing.circles.get(id)
+    // It was deleted meanwhile.
+    if (circle === undefined) return true
+    const value = numberOf(text)
+    if (value === undefined) {
+      this.#actions.complain(notANumber(text))
+      return false
+    }
+    const changed: Circle = { ...circle, [COLUMNS[column] as Written]: value }
+    return (await this.#actions.edit([{ kind: 'replace', id, circle: changed }])) !== undefined
+  }
+
+  async paste(row: number, column: number, text: string): Promise<void> {
+    const rows = rowsOf(text)
+    if ('problem' in rows) {
+      this.#actions.complain(rows.problem)
+      return
+    }
+    const name = COLUMNS[column] as Column
+    if (isMeasured(name)) {
+      this.#actions.complain('Numbers can be pasted into x, y and r.')
+      return
+    }
+    const ids = [...this.#order.subarray(row, row + rows.length)]
+    const edits = editsOf(rows, name === 'id' ? 'x' : name, ids, (id) => this.#editing.circles.get(id))
+    if ('problem' in edits) {
+      this.#actions.complain(edits.problem)
+      return
+    }
+    const edited = await this.#actions.edit(edits)
+    if (edited === undefined) return
+    this.#actions.select([...ids, ...edited.inserted])
+    this.#own = this.#store.get().selection
+  }
+
+  seen(first: number, last: number): void {
+    this.#seen = [first, last]
+    this.#ask()
+  }
+
+  #idOf(row: number): number {
+    return this.#order[row] ?? -1
+  }
+
+  #rowOf(id: number): number | undefined {
+    const row = this.#places[id] ?? -1
+    return row < 0 ? undefined : row
+  }
+
+  #follow(edited: State['edited']): void {
+    this.#edited = edited
+    const isOther = edited !== undefined && (edited.inserted.length > 0 || edited.counts.circles !== this.#order.length)
+    const isOpened = this.#editing.scene !== this.#scene
+    this.#scene = this.#editing.scene
+    if (isOpened) this.#measured.clear()
+    if (isOther || isOpened) this.#reorder()
+    // While something is dragged, rows stay where they are.
+    clearTimeout(this.#rest)
+    if (this.#sorting.column !== 'id') this.#rest = setTimeout(() => this.#sortAgain(), REST)
+    this.#ask()
+    this.#grid.render()
+  }
+
+  /** Those that are there, in the order that was, and the others at the end. */
+  #reorder(): void {
+    const { circles } = this.#editing
+    if (this.#sorting.column === 'id') {
+      this.#order = new Int32Array(ordered(circles, this.#sorting))
+    } else {
+      const kept = this.#order.filter((id) => circles.get(id) !== undefined)
+      const isKept = placesOf(kept)
+      const others = circles.ids().filter((id) => (isKept[id] ?? -1) < 0)
+      this.#order = new Int32Array(kept.length + others.length)
+      this.#order.set(kept)
+      this.#order.set(others, kept.length)
+    }
+    this.#places = new Int32Array(placesOf(this.#order))
+  }
+
+  /** What is selected stays in sight. */
+  async #sortAgain(): Promise<void> {
+    await this.#sortBy(this.#sorting)
+    const row = this.#selection.length === 1 ? this.#rowOf(this.#selection[0] as number) : undefined
+    if (row !== undefined && !this.#grid.isEditing) this.#grid.goTo(row)
+  }
+
+  async #sortBy(sorting: Sorting): Promise<void> {
+    this.#sorting = sorting
+    this.#turn += 1
+    const turn = this.#turn
+    let measured: Tabulated | undefined
+    if (isMeasured(sorting.column)) {
+      this.#grid.render()
+      measured = await this.#view.tabulate([sorting.column])
+      // Meanwhile something else was asked for.
+      if (turn !== this.#turn) return
+    }
+    this.#order = new Int32Array(ordered(this.#editing.circles, sorting, measured))
+    this.#places = new Int32Array(placesOf(this.#order))
+    this.#ask()
+    this.#grid.render()
+  }
+
+  /** What is seen is measured, one time after the other. */
+  async #ask(): Promise<void> {
+    if (this.#isAsking) {
+      this.#isStale = true
+      return
+    }
+    this.#isAsking = true
+    do {
+      this.#isStale = false
+      const ids = this.#order.slice(this.#seen[0], this.#seen[1] + 1)
+      const table = ids.length === 0 ? undefined : await this.#view.tabulate(MEASURED, ids)
+      this.#measured = new Map(
+        [...(table?.ids ?? [])].map((id, k) => [id, table?.columns.map((column) => column[k] as number) ?? []]),
+      )
+    } while (this.#isStale)
+    this.#isAsking = false
+    this.#grid.render()
+  }
+}

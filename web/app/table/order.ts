@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { CircleTable } from '../../editing/circle-table.ts'
+import type { Column as Measured, Tabulated } from '../../view/protocol.ts'
+
+/** What the table shows of each circle. */
+export const COLUMNS = ['id', 'x', 'y', 'r', 'area', 'degree', 'gap'] as const
+export type Column = (typeof COLUMNS)[number]
+
+/** What rows are sorted by. */
+export interface Sorting {
+  readonly column: Column
+  readonly isDescending: boolean
+}
+
+export const BY_ID: Sorting = { column: 'id', isDescending: false }
+
+export function isMeasured(column: Column): column is Measured {
+  return column === 'area' || column === 'degree' || column === 'gap'
+}
+
+/** The ids of circles as rows. `measured`: numbers of the column, if it is one that the painter's thread finds. */
+export function ordered(circles: CircleTable, { column, isDescending }: Sorting, measured?: Tabulated): Int32Array {
+  const ids = circles.ids()
+  if (column === 'id') return isDescending ? ids.reverse() : ids
+  const keys = new Float64Array((ids.at(-1) ?? -1) + 1).fill(Number.NaN)
+  if (isMeasured(column)) {
+    const values = measured?.columns[0]
+    measured?.ids.forEach((id, k) => {
+      if (id < keys.length) keys[id] = values?.[k] as number
+    })
+  } else {
+    for (const id of ids) keys[id] = circles.get(id)?.[column] as number
+  }
+  const sign = isDescending ? -1 : 1
+  // Those without a number come last, and equal ones by their ids.
+  return ids.sort((one, other) => {
+    const [a, b] = [keys[one] as number, keys[other] as number]
+    if (a < b) return -sign
+    if (a > b) return sign
+    return a === b ? one - other : Number(Number.isNaN(a)) - Number(Number.isNaN(b)) || one - other
+  })
+}
+
+/** Where each id is among rows; -1: nowhere. */
+export function placesOf(order: Int32Array): Int32Array {
+  let last = -1
+  for (const id of order) last = Math.max(last, id)
+  const places = new Int32Array(last + 1).fill(-1)
+  order.forEach((id, row) => {
+    places[id] = row
+  })
+  return places
+}

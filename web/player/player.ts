@@ -1,0 +1,615 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, nothing, render, svg, type TemplateResult } from 'lit/html.js'
+import { Diagram } from '../lib/diagram.ts'
+import type { Circle } from '../lib/index.ts'
+import { Trace, type TraceOptions, type TraceState } from '../lib/trace.ts'
+import type { Traced } from '../view/protocol.ts'
+import type { View } from '../view/view.ts'
+import { type RingMark, ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from './discs.ts'
+import css from './player.css?inline'
+import { type Question, questionAfter } from './prediction.ts'
+import { type Line, PROGRAMS, type Program, textOf } from './program.ts'
+import { type Colors, circlesAt, sceneOf } from './scene.ts'
+import { numberOf, sentenceOf } from './sentences.ts'
+import { concerns, nextStep, programOf, type Sort, type Step, sortOf, stepsOf } from './steps.ts'
+import { drawTimeline } from './timeline.ts'
+
+export interface PlayerOptions {
+  /** Shows the circles that are played; their diagram is hidden until the end, and what happens is drawn above. */
+  readonly view: View
+  /** What is played: the touching disc method, flips (`method: 'auto'`), or `edits`. */
+  readonly options?: TraceOptions | undefined
+  /** Where to begin. */
+  readonly step?: number | undefined
+  /** Called with each step that is shown, and how many there are. */
+  readonly onstep?: ((step: number, steps: number) => void) | undefined
+}
+
+export interface Player {
+  /** Resolves once there is something to play; rejects if the circles or the options are refused. Another one after edits. */
+  readonly ready: Promise<void>
+  readonly step: number
+  /** How many there are; 0: none yet. */
+  readonly steps: number
+  /** From the beginning, if it is at the end. */
+  play(): void
+  pause(): void
+  /** Shows a step, or the nearest one that there is. */
+  stepTo(step: number): void
+  /** Other colours are told of, which the player cannot hear of by itself. */
+  restyle(): void
+  /** Shows the diagram again. */
+  dispose(): void
+}
+
+type Goal = Sort | 'selected' | 'breakpoint'
+
+const GOALS: Readonly<Record<Goal, string>> = {
+  stage: 'stage',
+  vertex: 'vertex',
+  edge: 'edge placed',
+  disc: 'three-touch disc',
+  rejected: 'rejected',
+  circle: 'edit',
+  selected: 'of the selected circle',
+  breakpoint: 'breakpoint',
+}
+
+/** Steps in a second. */
+const SPEEDS = [0.5, 1, 3, 10, 30]
+const MOST_WAITING = 6
+/** So much is seen around the current line, in pixels. */
+const REVEALED = 24
+/** Nothing is edited for so long, in milliseconds, before it is played anew. */
+const REST = 150
+
+const icon = (paths: TemplateResult) => html`<svg class="glyph" viewBox="0 0 20 20" aria-hidden="true">${paths}</svg>`
+const ICONS = {
+  play: icon(svg`<path class="full" d="M6 4l10 6-10 6z" />`),
+  pause: icon(svg`<path d="M7 4v12M13 4v12" />`),
+  back: icon(svg`<path d="M6 4v12" /><path class="full" d="M15 4l-7 6 7 6z" />`),
+  forth: icon(svg`<path d="M14 4v12" /><path class="full" d="M5 4l7 6-7 6z" />`),
+  previous: icon(svg`<path d="M10 4l-6 6 6 6M16 4l-6 6 6 6" />`),
+  next: icon(svg`<path d="M4 4l6 6-6 6M10 4l6 6-6 6" />`),
+  dot: icon(svg`<circle class="full" cx="10" cy="10" r="4.500" />`),
+  ask: icon(svg`<path d="M7 7a3 3 0 1 1 4 3c-1 .6-1 1.200-1 2.500M10 16v.1" />`),
+}
+
+let sheet: CSSStyleSheet | undefined
+
+/** Plays a method step by step: controls and what they tell in `container`, the picture in the view. */
+export function mountPlayer(container: HTMLElement, options: PlayerOptions): Player {
+  return new MethodPlayer(container, options)
+}
+
+class MethodPlayer implements Player {
+  readonly #root: HTMLElement
+  readonly #view: View
+  readonly #options: TraceOptions
+  readonly #onstep: (step: number, steps: number) => void
+  readonly #watching = new AbortController()
+  readonly #unlisten: readonly (() => void)[]
+  readonly #resized: ResizeObserver
+  #run = 0
+  /** The step to be shown once there is a trace; `undefined`: there is one, of the circles as they are. */
+  #wanted: number | Line | undefined
+  ready: Promise<void>
+
+  #given: Pick<Traced, 'circles' | 'ids'> | undefined
+  #trace: Trace | undefined
+  #problem = ''
+  #steps: readonly Step[] = []
+  #program: Program = 'touching'
+  #step = 0
+  #timer: ReturnType<typeof setTimeout> | undefined
+  #isPlaying = false
+  #speed = 1
+  #goal: Goal = 'stage'
+  #selected: number | undefined
+  readonly #breakpoints = new Set<number>()
+  #asks = false
+  #answer: { readonly step: number; readonly question: Question; readonly chosen: number } | undefined
+  #score = { right: 0, asked: 0 }
+
+  constructor(container: HTMLElement, { view, options, step, onstep }: PlayerOptions) {
+    this.#root = container
+    this.#view = view
+    this.#options = options ?? {}
+    this.#onstep = onstep ?? (() => {})
+    container.classList.add('cv-player')
+    // Its texts are English, and its time runs from left to right.
+    container.lang = 'en'
+    container.dir = 'ltr'
+    adopt(container.getRootNode() as Document | ShadowRoot)
+    this.#unlisten = [
+      view.on('changed', () => this.#playAnew()),
+      view.on('marked', ({ selected }) => {
+        if (selected?.id === this.#selected) return
+        this.#selected = selected?.id
+        this.#draw()
+      }),
+    ]
+    container.addEventListener('keydown', (event) => this.#key(event), { signal: this.#watching.signal })
+    for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
+      matchMedia(query).addEventListener('change', () => this.restyle(), { signal: this.#watching.signal })
+    }
+    this.#resized = new ResizeObserver(() => this.#drawTimeline())
+    this.#resized.observe(container)
+    this.#draw()
+    this.ready = this.#load(step ?? 0, 0)
+  }
+
+  get step(): number {
+    return this.#step
+  }
+
+  get steps(): number {
+    return this.#steps.length
+  }
+
+  play(): void {
+    const isLoading = this.#wanted !== undefined
+    if ((this.#steps.length === 0 && !isLoading) || this.#isPlaying) return
+    this.#isPlaying = true
+    if (!isLoading) this.#go()
+    this.#draw()
+  }
+
+  pause(): void {
+    clearTimeout(this.#timer)
+    this.#isPlaying = false
+    this.#draw()
+  }
+
+  stepTo(step: number): void {
+    if (!Number.isFinite(step)) return
+    if (this.#wanted !== undefined) this.#wanted = step
+    if (this.#wanted !== undefined || this.#steps.length === 0) return
+    const last = this.#steps.length - 1
+    const next = Math.min(Math.max(Math.round(step), 0), last)
+    if (next === this.#step) return
+    this.#showsResult(next === last)
+    this.#step = next
+    // An answer is told of beside what then happens.
+    if (this.#answer !== undefined && next !== this.#answer.step + 1) this.#answer = undefined
+    this.#draw()
+    this.#onstep(next, this.#steps.length)
+  }
+
+  restyle(): void {
+    this.#draw()
+  }
+
+  dispose(): void {
+    clearTimeout(this.#timer)
+    this.#run += 1
+    this.#watching.abort()
+    for (const end of this.#unlisten) end()
+    this.#resized.disconnect()
+    this.#view.hasDiagram = true
+    this.#view.above = []
+    render(nothing, this.#root)
+    this.#root.classList.remove('cv-player')
+  }
+
+  /** With circles as they are now, at the same stage: what lies between two stages is not the same any more. */
+  #playAnew(): void {
+    const current = this.#steps[this.#step]
+    const isStage = current !== undefined && sortOf(current) === 'stage'
+    const step = this.#wanted ?? (isStage ? current.line : 0)
+    this.pause()
+    this.ready = this.#load(step, REST)
+  }
+
+  /** Loads what is to be played, once nothing else has been asked for a while. What is told of the old circles stays until then. */
+  #load(step: number | Line, rest: number): Promise<void> {
+    this.#run += 1
+    this.#wanted = step
+    this.#view.above = []
+    const loaded = this.#loaded(this.#run, rest)
+    // Whoever does not wait for it reads why.
+    loaded.catch(() => {})
+    return loaded
+  }
+
+  async #loaded(run: number, rest: number): Promise<void> {
+    try {
+      if (rest > 0) await new Promise((resolve) => setTimeout(resolve, rest))
+      if (run !== this.#run) return
+      const traced = await this.#view.trace(this.#options)
+      if (run !== this.#run) return
+      if (traced === undefined) throw new Error('The method could not be run. Try again.')
+      const trace = new Trace(new Diagram(traced.diagram), traced.events)
+      this.#given = traced
+      this.#trace = trace
+      this.#steps = stepsOf(trace)
+      this.#program = programOf(trace)
+      this.#problem = ''
+      this.#breakpoints.clear()
+      this.#answer = undefined
+      this.#score = { right: 0, asked: 0 }
+      this.#step = this.#stepOf(this.#wanted ?? 0)
+      this.#wanted = undefined
+      this.#showsResult(this.#step === this.#steps.length - 1)
+      if (this.#isPlaying) this.#go()
+    } catch (error) {
+      if (run !== this.#run) return
+      this.#trace = undefined
+      this.#steps = []
+      this.#wanted = undefined
+      this.#isPlaying = false
+      this.#showsResult(true)
+      this.#problem = (error as Error).message
+      throw error
+    } finally {
+      if (run === this.#run) this.#draw()
+    }
+    this.#onstep(this.#step, this.#steps.length)
+  }
+
+  /** The nearest step of a number, or the first one of a line. */
+  #stepOf(wanted: number | Line): number {
+    const step = typeof wanted === 'number' ? wanted : this.#steps.findIndex(({ line }) => line === wanted)
+    return Math.min(Math.max(Math.round(step) || 0, 0), this.#steps.length - 1)
+  }
+
+  /** The diagram itself is shown at the end only, or where there is nothing to be played. */
+  #showsResult(isShown: boolean): void {
+    this.#view.hasDiagram = isShown
+  }
+
+  #go(): void {
+    if (this.#step === this.#steps.length - 1) this.stepTo(0)
+    this.#wait()
+  }
+
+  #wait(): void {
+    this.#timer = setTimeout(() => {
+      if (this.#question() !== undefined) return this.pause()
+      this.stepTo(this.#step + 1)
+      const isStop = this.#step === this.#steps.length - 1 || this.#breakpoints.has(this.#step)
+      if (isStop) return this.pause()
+      this.#wait()
+    }, 1000 / this.#speed)
+  }
+
+  /** What the reader is asked now. */
+  #question(): Question | undefined {
+    const { trace, steps, step } = this.#now()
+    if (!this.#asks || trace === undefined) return undefined
+    return questionAfter(trace, steps, step)
+  }
+
+  #now() {
+    return { trace: this.#trace, steps: this.#steps, step: this.#step }
+  }
+
+  #reply(question: Question, chosen: number): void {
+    this.#answer = { step: this.#step, question, chosen }
+    this.#score = {
+      right: this.#score.right + (chosen === question.right ? 1 : 0),
+      asked: this.#score.asked + 1,
+    }
+    this.stepTo(this.#step + 1)
+    // The button that had the focus is gone.
+    this.#root.querySelector<HTMLElement>('[data-forth]')?.focus()
+  }
+
+  #jump(direction: 1 | -1): void {
+    const target = this.#jumpTarget(direction)
+    if (target === undefined) return
+    this.pause()
+    this.stepTo(target)
+  }
+
+  #jumpTarget(direction: 1 | -1): number | undefined {
+    const { trace, steps, step } = this.#now()
+    if (trace === undefined) return undefined
+    const goal = this.#goal
+    const selected = this.#selected
+    return nextStep(steps, step, direction, (item, k) => {
+      if (goal === 'breakpoint') return this.#breakpoints.has(k)
+      if (goal === 'selected') return selected !== undefined && concerns(trace, steps, k, selected)
+      return sortOf(item) === goal
+    })
+  }
+
+  #key(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement
+    if (event.altKey || event.ctrlKey || event.metaKey) return
+    // Buttons and lists have keys of their own.
+    const isOwn =
+      event.key === ' ' ? target.closest('button, select, summary') !== null : target.closest('select') !== null
+    if (isOwn) return
+    const last = this.#steps.length - 1
+    const moves: Readonly<Record<string, () => void>> = {
+      ' ': () => (this.#isPlaying ? this.pause() : this.play()),
+      ArrowRight: () => this.#user(this.#step + 1),
+      ArrowLeft: () => this.#user(this.#step - 1),
+      Home: () => this.#user(0),
+      End: () => this.#user(last),
+      PageDown: () => this.#jump(1),
+      PageUp: () => this.#jump(-1),
+    }
+    const move = moves[event.key]
+    if (move === undefined) return
+    event.preventDefault()
+    move()
+  }
+
+  /** A step that the reader asks for. */
+  #user(step: number): void {
+    if (this.#isPlaying) this.pause()
+    this.stepTo(step)
+  }
+
+  #color(property: string): string {
+    const probe = this.#root.querySelector<HTMLElement>('[data-probe]')
+    if (probe === null) return 'black'
+    probe.style.setProperty('color', `var(${property})`)
+    return getComputedStyle(probe).color
+  }
+
+  #drawTimeline(): void {
+    const canvas = this.#root.querySelector('canvas')
+    if (canvas !== null && this.#steps.length > 0) {
+      drawTimeline(canvas, this.#steps, this.#step, this.#breakpoints, (property) => this.#color(property))
+    }
+  }
+
+  #draw(): void {
+    const { trace, steps, step } = this.#now()
+    if (trace === undefined) {
+      this.#view.above = []
+      const text = this.#problem || 'The method is being run…'
+      render(html`<p class="sentence" role="status">${text}</p>`, this.#root)
+      return
+    }
+    const { circles: given, ids } = this.#given as Traced
+    const current = steps[step] as Step
+    const state = trace.at(current.end)
+    const circles = circlesAt(trace, given, state, ids)
+    const circleOf = (id: number) => circles.get(id)
+    const tested = this.#tested(trace, current, state, circleOf)
+    render(this.#page(trace, current, state, tested, circleOf), this.#root)
+    this.#drawTimeline()
+    this.#reveal()
+    const colors: Colors = {
+      past: this.#color('--player-past'),
+      sample: this.#color('--player-sample'),
+      current: this.#color('--player-current'),
+      good: this.#color('--player-good'),
+      bad: this.#color('--player-bad'),
+      edge: this.#color('--player-edge'),
+      ink: this.#color('--player-ink'),
+    }
+    // Of circles that are no longer so, nothing is drawn.
+    const isNothing = step === steps.length - 1 || this.#wanted !== undefined
+    this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, colors)
+  }
+
+  /** Scrolls the current line into what is seen of the player, where it has less room than it needs. */
+  #reveal(): void {
+    const root = this.#root
+    const line = root.querySelector('[aria-current]')
+    if (line === null || root.scrollHeight <= root.clientHeight || line.getClientRects().length === 0) return
+    const head = root.querySelector('.head') as HTMLElement
+    const [{ top, bottom }, around] = [line.getBoundingClientRect(), root.getBoundingClientRect()]
+    const above = head.getBoundingClientRect().bottom - top
+    const below = bottom - around.bottom
+    if (above > 0) root.scrollTop -= above + REVEALED
+    else if (below > 0) root.scrollTop += below + REVEALED
+  }
+
+  /** `state`: that after the step. */
+  #tested(
+    trace: Trace,
+    step: Step,
+    state: TraceState,
+    circleOf: (id: number) => Circle | undefined,
+  ): readonly number[] {
+    if (!['take', 'place', 'notEmpty'].includes(step.line) || step.event >= trace.length) return []
+    const { kind, circles, disc } = trace.event(step.event)
+    if (!kind.startsWith('antipodal') || disc === undefined) return []
+    const before = step.end === step.event ? state : trace.at(step.event)
+    return testedCircles(trace, before, circles.slice(0, 2), disc, circleOf)
+  }
+
+  #page(
+    trace: Trace,
+    current: Step,
+    state: TraceState,
+    tested: readonly number[],
+    circleOf: (id: number) => Circle | undefined,
+  ): TemplateResult {
+    const steps = this.#steps
+    const step = this.#step
+    const last = steps.length - 1
+    const isPlaying = this.#isPlaying
+    const sentence = sentenceOf(trace, current, tested)
+    const said = `Step ${step} of ${last}: ${sentence}`
+    return html`
+      <span data-probe hidden></span>
+      <div class="head">
+      <div class="timeline">
+        <canvas aria-hidden="true"></canvas>
+        <input
+          type="range"
+          aria-label="Step"
+          aria-valuetext=${said}
+          min="0"
+          max=${last}
+          .value=${String(step)}
+          @input=${(event: Event) => this.#user(Number((event.target as HTMLInputElement).value))}
+        />
+      </div>
+      <div class="row">
+        ${this.#button('One step back', ICONS.back, () => this.#user(step - 1), step === 0)}
+        ${this.#button(isPlaying ? 'Pause' : 'Play', isPlaying ? ICONS.pause : ICONS.play, () => (isPlaying ? this.pause() : this.play()))}
+        <button
+          type="button"
+          data-forth
+          aria-label="One step"
+          title="One step"
+          ?disabled=${step === last}
+          @click=${() => this.#user(step + 1)}
+        >
+          ${ICONS.forth}
+        </button>
+        <select aria-label="Speed" @change=${(event: Event) => this.#setSpeed(Number((event.target as HTMLSelectElement).value))}>
+          ${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === this.#speed}>${speed} / s</option>`)}
+        </select>
+        <span class="where">${step}<span class="of"> / ${last}</span></span>
+        <span class="jump">
+        ${this.#toggle('Ask me what happens next', ICONS.ask, this.#asks, () => {
+          this.#asks = !this.#asks
+        })}
+        ${this.#toggle('Stop here when playing', ICONS.dot, this.#breakpoints.has(step), () => {
+          if (!this.#breakpoints.delete(step)) this.#breakpoints.add(step)
+        })}
+        ${this.#button('Back to the last one', ICONS.previous, () => this.#jump(-1), this.#jumpTarget(-1) === undefined)}
+        <select
+          aria-label="What to go to"
+          @change=${(event: Event) => {
+            this.#goal = (event.target as HTMLSelectElement).value as Goal
+            this.#draw()
+          }}
+        >
+          ${Object.entries(GOALS).map(([goal, text]) => html`<option value=${goal} ?selected=${goal === this.#goal}>${text}</option>`)}
+        </select>
+        ${this.#button('On to the next one', ICONS.next, () => this.#jump(1), this.#jumpTarget(1) === undefined)}
+        </span>
+      </div>
+      <p class="sentence" aria-live=${isPlaying ? 'off' : 'polite'}>${sentence}</p>
+      ${this.#questionPart()}
+      </div>
+      <div class="parts">
+        <details class="code" open>
+          <summary>How it works</summary>
+          ${this.#code(current)}
+        </details>
+        ${this.#program === 'touching' ? this.#queuePart(trace, current, state) : nothing}
+        ${this.#program === 'touching' ? this.#ringPart(trace, current, state, circleOf) : nothing}
+      </div>
+    `
+  }
+
+  #button(label: string, picture: TemplateResult, act: () => void, isDisabled = false): TemplateResult {
+    return html`<button type="button" aria-label=${label} title=${label} ?disabled=${isDisabled} @click=${act}>${picture}</button>`
+  }
+
+  #toggle(label: string, picture: TemplateResult, isOn: boolean, act: () => void): TemplateResult {
+    const change = () => {
+      act()
+      this.#draw()
+    }
+    return html`<button type="button" aria-label=${label} title=${label} aria-pressed=${isOn} @click=${change}>${picture}</button>`
+  }
+
+  #setSpeed(speed: number): void {
+    this.#speed = speed
+    if (!this.#isPlaying) return
+    clearTimeout(this.#timer)
+    this.#wait()
+  }
+
+  #questionPart(): TemplateResult | typeof nothing {
+    const answered = this.#answer
+    if (answered !== undefined && answered.step + 1 === this.#step) {
+      const { question, chosen } = answered
+      const isRight = chosen === question.right
+      const text = isRight ? 'Right.' : `No: ${question.answers[question.right]}.`
+      return html`<div class="question" role="status">
+        <p>${text} ${this.#score.right} of ${this.#score.asked} right so far.</p>
+      </div>`
+    }
+    const question = this.#question()
+    if (question === undefined) return nothing
+    return html`<div class="question" role="group" aria-label="What happens next?">
+      <p>${question.text}</p>
+      <div class="row">
+        ${question.answers.map((text, k) => html`<button type="button" @click=${() => this.#reply(question, k)}>${text}</button>`)}
+      </div>
+    </div>`
+  }
+
+  #code(current: Step): TemplateResult {
+    return html`${PROGRAMS[this.#program].map(
+      ({ title, lines }) => html`<p class="title">${title}</p>
+        <ol aria-label=${title}>
+          ${lines.map(
+            ([line, depth]) =>
+              html`<li class=${`deep-${depth}`} aria-current=${line === current.line ? 'step' : nothing}>${textOf(line)}</li>`,
+          )}
+        </ol>`,
+    )}`
+  }
+
+  #queuePart(trace: Trace, current: Step, state: TraceState): TemplateResult {
+    const hasBegun = state.pairs.length > 0
+    const waiting = hasBegun ? waitingDiscs(trace, state, current.end, MOST_WAITING) : []
+    const count = hasBegun ? waitingCount(trace, state, current.end) : 0
+    const rest = count - waiting.length
+    return html`<details class="queue" open>
+      <summary>The list L, by radius (${count})</summary>
+      <ol>
+        ${waiting.map(({ r, circles }) => html`<li><span>${circles.join(circles.length === 2 ? '–' : '·')}</span><span>${numberOf(r)}</span></li>`)}
+      </ol>
+      ${rest > 0 ? html`<p class="note">and ${rest} more</p>` : nothing}
+    </details>`
+  }
+
+  /** The ring of the selected circle, or of the first that the step is about, unrolled. */
+  #ringPart(
+    trace: Trace,
+    current: Step,
+    state: TraceState,
+    circleOf: (id: number) => Circle | undefined,
+  ): TemplateResult | typeof nothing {
+    const event = current.event < trace.length ? trace.event(current.event) : undefined
+    const id = this.#selected ?? (sortOf(current) === 'stage' ? undefined : event?.circles[0])
+    const circle = id === undefined ? undefined : circleOf(id)
+    if (id === undefined || circle === undefined) {
+      return html`<details class="ring" open>
+        <summary>Around a circle</summary>
+        <p class="note">Select a circle to see its directed edges in order.</p>
+      </details>`
+    }
+    const { marks, unused } = ringOf(trace, state, id, circle)
+    const x = (turn: number) => `${(3 + 94 * turn).toFixed(2)}%`
+    const arcs = unused.flatMap(({ from, to }) =>
+      to > 1
+        ? [
+            [from, 1],
+            [0, to - 1],
+          ]
+        : [[from, to]],
+    ) as [number, number][]
+    const disc = event?.circles.includes(id) === true ? event.disc : undefined
+    // What starts points away from the circle, what ends points to it.
+    const mark = ({ angle, isOut, other }: RingMark) => svg`<svg x=${x(angle)} overflow="visible">
+      <path class="mark" d=${isOut ? 'M-3 50V24m-4 6l4-6 4 6' : 'M3 24V50m-4-6l4 6 4-6'} />
+      <text y=${isOut ? 18 : 68} text-anchor="middle">${other}</text>
+    </svg>`
+    const text = `Around circle ${id}: ${marks.length === 0 ? 'no directed edge yet' : marks.map(({ isOut, other }) => (isOut ? `to ${other}` : `from ${other}`)).join(', ')}.`
+    return html`<details class="ring" open>
+      <summary>Around circle ${id}${this.#selected === undefined ? '' : ', selected'}</summary>
+      <svg class="ring" role="img" aria-label=${text}>
+        <line class="base" x1="3%" x2="97%" y1="52" y2="52" />
+        ${arcs.map(([from, to]) => svg`<line class="unused" x1=${x(from)} x2=${x(to)} y1="52" y2="52" />`)}
+        ${marks.map(mark)}
+        ${disc === undefined ? nothing : svg`<circle class="foot" cx=${x(turnTo(circle, disc.x, disc.y))} cy="52" r="4" />`}
+      </svg>
+      <p class="note">From the right, counter-clockwise. Green: not used yet.</p>
+    </details>`
+  }
+}
+
+/** A page without inline styles takes it, a shadow root too. */
+function adopt(root: Document | ShadowRoot): void {
+  if (sheet === undefined) {
+    sheet = new CSSStyleSheet()
+    sheet.replaceSync(css)
+  }
+  if (!root.adoptedStyleSheets.includes(sheet)) root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet]
+}

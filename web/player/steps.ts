@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { TRACE_KINDS, type Trace, type TraceKind } from '../lib/trace.ts'
+import type { Line, Program } from './program.ts'
+
+/** One thing that happens, which may be several events. */
+export interface Step {
+  /** How many events have happened after it. */
+  readonly end: number
+  /** The first of those that it is about: which has not happened yet, if it only comes. */
+  readonly event: number
+  readonly line: Line
+}
+
+/** What can be looked for: kinds of steps, as a reader thinks of them. */
+export const SORTS = ['stage', 'disc', 'edge', 'vertex', 'rejected', 'circle'] as const
+export type Sort = (typeof SORTS)[number]
+
+const SORT_OF: Readonly<Record<Line, Sort | undefined>> = {
+  begin: 'stage',
+  centers: 'stage',
+  angles: 'stage',
+  samples: 'stage',
+  sampleGraph: 'stage',
+  pairs: 'stage',
+  take: undefined,
+  used: 'rejected',
+  notEmpty: 'rejected',
+  place: 'edge',
+  form: 'disc',
+  stale: 'rejected',
+  branch: 'vertex',
+  finish: undefined,
+  placeThird: 'edge',
+  formThird: 'disc',
+  again: 'stage',
+  ties: 'stage',
+  hull: 'stage',
+  flipCenters: 'stage',
+  flipDiscs: 'stage',
+  flipTest: 'rejected',
+  flip: 'edge',
+  flipDone: 'stage',
+  editBegin: 'stage',
+  edit: 'circle',
+  editTest: 'rejected',
+  editFlip: 'edge',
+  editDone: 'stage',
+}
+
+export function sortOf(step: Step): Sort | undefined {
+  return SORT_OF[step.line]
+}
+
+/** Events that are one step where they follow one another. */
+const RUNS: Readonly<Partial<Record<TraceKind, readonly TraceKind[]>>> = {
+  centersJoined: ['centersJoined'],
+  sampleTaken: ['sampleTaken'],
+  samplesJoined: ['samplesJoined'],
+  pairFound: ['pairFound'],
+  threeTouchDiscFormed: ['threeTouchDiscFormed'],
+  directedEdgePlaced: ['directedEdgePlaced'],
+  segmentFinished: ['segmentFinished', 'directedEdgeDeleted'],
+  faceMade: ['faceMade'],
+}
+
+const VERDICTS: Readonly<Partial<Record<TraceKind, Line>>> = {
+  antipodalDiscUsed: 'used',
+  antipodalDiscNotEmpty: 'notEmpty',
+  antipodalDiscAccepted: 'place',
+  threeTouchDiscStale: 'stale',
+  branchDisc: 'branch',
+}
+
+const TESTS: readonly TraceKind[] = ['discNotEmpty', 'discMissing', 'tangentNotClear', 'hullNotConvex', 'circleShrunk']
+const EDITS: readonly TraceKind[] = ['circleInserted', 'circleRemoved', 'circleReplaced']
+
+export function kindAt(trace: Trace, k: number): TraceKind | undefined {
+  return TRACE_KINDS[trace.kinds[k] as number]
+}
+
+export function programOf(trace: Trace): Program {
+  const has = (kinds: readonly TraceKind[]) =>
+    trace.kinds.some((kind) => kinds.includes(TRACE_KINDS[kind] as TraceKind))
+  if (has(['pairFound', 'sampleTaken'])) return 'touching'
+  if (has(EDITS)) return 'edits'
+  return has(['centersJoined', 'faceMade']) ? 'flips' : 'touching'
+}
+
+/** All steps, the first one before anything happens, the last one after all of it. */
+export function stepsOf(trace: Trace): readonly Step[] {
+  const program = programOf(trace)
+  const steps: Step[] = []
+  const add = (line: Line, event: number, end: number) => steps.push({ end, event, line })
+  const runFrom = (k: number, kinds: readonly TraceKind[]) => {
+    let end = k
+    while (end < trace.length && kinds.includes(kindAt(trace, end) as TraceKind)) end++
+    return end
+  }
+  /** Whether the faces that come are those that a round begins with. */
+  let isBeginning = true
+  let afterBranch = false
+  for (let k = 0; k < trace.length; ) {
+    const kind = kindAt(trace, k) as TraceKind
+    let end = k + 1
+    if (kind === 'roundBegun') {
+      add(k === 0 ? 'begin' : 'again', k, end)
+      isBeginning = true
+    } else if (kind in VERDICTS) {
+      add('take', k, k)
+      afterBranch = kind === 'branchDisc'
+      if (kind === 'antipodalDiscAccepted') end = runFrom(end, ['directedEdgePlaced'])
+      add(VERDICTS[kind] as Line, k, end)
+    } else if (TESTS.includes(kind)) {
+      add(program === 'edits' ? 'editTest' : 'flipTest', k, end)
+      isBeginning = false
+    } else if (EDITS.includes(kind)) {
+      add('edit', k, end)
+      isBeginning = false
+    } else if (kind === 'faceRemoved' || (kind === 'faceMade' && !isBeginning)) {
+      end = runFrom(runFrom(k, ['faceRemoved']), ['faceMade'])
+      const isReasoned = TESTS.includes(kindAt(trace, k - 1) as TraceKind)
+      add(program === 'edits' ? 'editFlip' : isReasoned ? 'flip' : 'ties', k, end)
+      isBeginning = false
+    } else {
+      end = runFrom(k, RUNS[kind] ?? [kind])
+      const line = lineOfRun(kind, program, afterBranch)
+      add(line, k, end)
+      if (kind === 'centersJoined' && kindAt(trace, end) === 'sampleTaken') add('angles', end, end)
+    }
+    k = end
+  }
+  const last = { touching: 'hull', flips: 'flipDone', edits: 'editDone' } as const
+  add(last[program], trace.length, trace.length)
+  return steps
+}
+
+function lineOfRun(kind: TraceKind, program: Program, afterBranch: boolean): Line {
+  switch (kind) {
+    case 'centersJoined':
+      return program === 'flips' ? 'flipCenters' : 'centers'
+    case 'sampleTaken':
+      return 'samples'
+    case 'samplesJoined':
+      return 'sampleGraph'
+    case 'pairFound':
+      return 'pairs'
+    case 'threeTouchDiscFormed':
+      return afterBranch ? 'formThird' : 'form'
+    case 'directedEdgePlaced':
+      return 'placeThird'
+    case 'faceMade':
+      return program === 'edits' ? 'editBegin' : 'flipDiscs'
+    default:
+      return 'finish'
+  }
+}
+
+/** The next step, or the last one before, of which something holds; `undefined` if there is none. */
+export function nextStep(
+  steps: readonly Step[],
+  from: number,
+  direction: 1 | -1,
+  holds: (step: Step, k: number) => boolean,
+): number | undefined {
+  for (let k = from + direction; k >= 0 && k < steps.length; k += direction) {
+    if (holds(steps[k] as Step, k)) return k
+  }
+  return undefined
+}
+
+/** Whether a step is about a circle; not those that are about all. */
+export function concerns(trace: Trace, steps: readonly Step[], k: number, circle: number): boolean {
+  const step = steps[k] as Step
+  if (sortOf(step) === 'stage' || step.event >= trace.length) return false
+  for (let event = step.event; event < Math.max(step.end, step.event + 1); event++) {
+    if (trace.event(event).circles.includes(circle)) return true
+  }
+  return false
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../../lib/diagram-data.ts'
+import { CircleVoronoiError } from '../../lib/errors.ts'
+import type { CircleVoronoi, Diagram, Edit } from '../../lib/index.ts'
+import type { TraceOptions } from '../../lib/trace.ts'
+import { MOST_PLAYED } from '../layers.ts'
+import type { Traced } from '../protocol.ts'
+
+/**
+ * What a method does with the circles of an editor's diagram, which are in any order there.
+ *
+ * @throws CircleVoronoiError as `trace`; `tooManyCircles`
+ */
+export function traced(library: CircleVoronoi, { circles, numbers }: Diagram, options: TraceOptions): Traced {
+  const count = circles.length / 3
+  if (count > MOST_PLAYED) {
+    const most = MOST_PLAYED.toLocaleString('en')
+    const reason = `A method is played for ${most} circles at most; there are ${count.toLocaleString('en')}.`
+    throw new CircleVoronoiError('tooManyCircles', -1, reason)
+  }
+  const idOf = (i: number) => at(numbers?.circles as Int32Array, i)
+  const order = Int32Array.from({ length: count }, (_, i) => i).sort((i, j) => idOf(i) - idOf(j))
+  const sorted = new Float64Array(3 * count)
+  for (const [k, i] of order.entries()) sorted.set(circles.subarray(3 * i, 3 * i + 3), 3 * k)
+  const ids = order.map(idOf)
+  // What edits insert comes after all circles that there are.
+  const next = (ids.at(-1) ?? -1) + 1
+  const edits = options.edits && renamed(options.edits, ids, next)
+  const { diagram, kinds, discs, vertices, ...trace } = library.trace(sorted, { ...options, edits })
+  const named = trace.circles.map((i) => (i < 0 ? i : i < count ? at(ids, i) : next + i - count))
+  return { circles: sorted, ids, diagram, events: { kinds, discs, vertices, circles: named, numbers: trace.numbers } }
+}
+
+/** Edits of circles with ids, as those of circles at places. */
+function renamed(edits: Iterable<Edit>, ids: Int32Array, next: number): Edit[] {
+  let inserted = 0
+  return Array.from(edits, (edit) => {
+    if (edit.kind === 'insert') {
+      inserted += 1
+      return edit
+    }
+    const { id } = edit
+    const place = id < next ? ids.indexOf(id) : id < next + inserted ? ids.length + id - next : -1
+    if (place < 0) throw new CircleVoronoiError('unknownCircle', id, `There is no circle with id ${id}.`)
+    return { ...edit, id: place }
+  })
+}

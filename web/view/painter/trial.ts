@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at, NONE } from '../../lib/diagram-data.ts'
+import type { Box, Circle, CircleVoronoi, Diagram } from '../../lib/index.ts'
+import type { Trial } from '../protocol.ts'
+import { boxAt, emptyBoxes } from './boxes.ts'
+import { addCell, idOf } from './cell-boxes.ts'
+import { cellArea } from './measures.ts'
+import type { Picture } from './picture.ts'
+
+/** A diagram with a circle that is tried, and what of it is as with all circles. */
+interface Local {
+  readonly diagram: Diagram
+  /** The index of the circle. */
+  readonly tried: number
+  /** Which circles of the picture the others are. */
+  readonly indices: readonly number[]
+}
+
+/** What a circle would take of the cells of others. The diagram stays as it is. */
+export function trialOf(
+  library: CircleVoronoi,
+  picture: Picture,
+  circle: Circle,
+  nearest: number,
+  outlineOf: (diagram: Diagram, i: number) => Float64Array,
+): Trial {
+  const local = localDiagram(library, picture.diagram, circle, nearest)
+  const { diagram, tried, indices } = local
+  const idOfLocal = (k: number) => idOf(picture.diagram, indices[k] as number)
+  if (!diagram.cells.exists(tried)) {
+    const { hidden } = diagram
+    let by = 0
+    for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h) === tried) by = at(hidden, h + 1)
+    return { circle, hiddenBy: idOfLocal(by), outline: new Float64Array(), area: 0, taken: [] }
+  }
+  const taken = robbed(local).map((k) => ({ id: idOfLocal(k), area: takenFrom(picture, local, k) }))
+  taken.sort((one, other) => other.area - one.area || one.id - other.id)
+  return { circle, hiddenBy: undefined, outline: outlineOf(diagram, tried), area: cellArea(diagram, tried), taken }
+}
+
+/**
+ * Only circles near the one that is tried decide about its cell. If each circle that it takes from has all of its neighbours
+ * here, its cell was the one that it has among all: for a cell depends on its neighbours alone. So what is taken here is taken
+ * there, and as nothing else is, the cell is the same.
+ */
+function localDiagram(library: CircleVoronoi, whole: Diagram, { x, y, r }: Circle, nearest: number): Local {
+  const indices: number[] = []
+  const known = new Set<number>()
+  const take = (i: number) => {
+    if (known.has(i)) return
+    known.add(i)
+    indices.push(i)
+  }
+  if (nearest !== NONE) for (const i of [nearest, ...whole.neighbors(nearest)]) take(i)
+  for (;;) {
+    const count = indices.length
+    const circles = new Float64Array(3 * count + 3)
+    indices.forEach((i, k) => {
+      circles.set(whole.circles.subarray(3 * i, 3 * i + 3), 3 * k)
+    })
+    circles.set([x, y, r], 3 * count)
+    const local = { diagram: library.compute(circles), tried: count, indices: indices.slice() }
+    for (const k of robbed(local)) for (const i of whole.neighbors(indices[k] as number)) take(i)
+    if (indices.length === count) return local
+  }
+}
+
+/** Those that lose something to the circle: its neighbours, and those that it hides. */
+function robbed({ diagram, tried }: Local): number[] {
+  const { hidden } = diagram
+  const ks = new Set<number>(diagram.cells.exists(tried) ? diagram.neighbors(tried) : [])
+  for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h + 1) === tried) ks.add(at(hidden, h))
+  return [...ks]
+}
+
+/** Infinity for a part without end; NaN where that is not known. */
+function takenFrom(picture: Picture, { diagram, tried, indices }: Local, k: number): number {
+  const i = indices[k] as number
+  const before = picture.areas().valueOf(i)
+  const after = cellArea(diagram, k)
+  if (before < Number.POSITIVE_INFINITY) return before - after
+  if (after < Number.POSITIVE_INFINITY) return Number.POSITIVE_INFINITY
+  if (!diagram.cells.isBounded(tried)) return Number.NaN
+  // Nothing is taken outside of the cell.
+  const bounds = boxOf(diagram, tried, picture.reach)
+  return picture.diagram.cellArea(i, { bounds }) - diagram.cellArea(k, { bounds })
+}
+
+function boxOf(diagram: Diagram, i: number, reach: number): Box {
+  const boxes = emptyBoxes(1)
+  addCell(boxes, 0, diagram, i, reach)
+  return boxAt(boxes, 0)
+}
