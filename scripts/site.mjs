@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What makes a site of built pages: a service worker that knows all of their files, and these files compressed, for servers
+// that send them as they are.
+import { createHash } from 'node:crypto'
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join, relative } from 'node:path'
+import { promisify } from 'node:util'
+import { brotliCompress, gzip } from 'node:zlib'
+import { ROOT } from './run.mjs'
+
+const SERVICE_WORKER = 'service-worker.js'
+/** What works with a network alone: what is for other pages, and the pictures and the reference of the documentation, which are large. */
+const NOT_KEPT = /^(element\.js|api\/.*|docs\/.*\.(jpg|svg|txt))$/
+/** Compressing other files would gain nothing. */
+const COMPRESSED = /\.(css|csv|html|js|json|md|svg|txt|wasm|webmanifest)$/
+/** Smaller ones fit into one packet as they are. */
+const SMALLEST = 1000
+
+/** To be called when all pages are in the folder. */
+export async function finishSite(folder) {
+  const compressed = filesOf(folder).filter((name) => isCompressed(`${folder}/${name}`))
+  await Promise.all(compressed.map((name) => compress(`${folder}/${name}`)))
+  await writeServiceWorker(folder)
+}
+
+/** Those that were built before all this. */
+function filesOf(folder) {
+  return readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => relative(folder, join(entry.parentPath, entry.name)))
+    .filter((name) => name !== SERVICE_WORKER && !/\.(br|gz)$/.test(name))
+    .sort()
+}
+
+/** Has a site work without a network. */
+export async function writeServiceWorker(folder) {
+  const own = filesOf(folder).filter((name) => !NOT_KEPT.test(name))
+  const list = own.map((name) => {
+    const hash = createHash('sha256')
+      .update(readFileSync(`${folder}/${name}`))
+      .digest('base64')
+    // A page has the address of its folder, from where some servers would send it there.
+    return [name.replace(/(^|\/)index\.html$/, '$1') || './', `sha256-${hash}`]
+  })
+  const version = createHash('sha256').update(JSON.stringify(list)).digest('hex').slice(0, 16)
+  // Installed with the npm packages, so not before setup has run.
+  const { build } = await import('esbuild')
+  await build({
+    absWorkingDir: ROOT,
+    entryPoints: ['web/app/service-worker.ts'],
+    outfile: `${folder}/${SERVICE_WORKER}`,
+    bundle: true,
+    minify: true,
+    target: 'es2022',
+    define: { FILES: JSON.stringify(list), VERSION: JSON.stringify(version) },
+    logLevel: 'warning',
+  })
+}
+
+function isCompressed(path) {
+  return COMPRESSED.test(path) && readFileSync(path).length >= SMALLEST
+}
+
+async function compress(path) {
+  const bytes = readFileSync(path)
+  writeFileSync(`${path}.br`, await promisify(brotliCompress)(bytes))
+  writeFileSync(`${path}.gz`, await promisify(gzip)(bytes, { level: 9 }))
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the blocks of a chapter become in HTML. Without a script a reader sees pictures, questions and their answers.
+import { escaped } from './page.mjs'
+
+/** Where figures are shown by themselves, seen from a chapter. */
+const PLAYGROUND = '../'
+
+/**
+ * @param {ReadonlyMap<string, { circles: number[][], link: string, poster: string }>} made of each figure, by its name, what
+ *   stands after the # of its link, and the file of its picture
+ */
+export function blockRenderer(made) {
+  let questions = 0
+  const renderers = {
+    figure: (spec, inline) => figure(spec, inline),
+    corrupt: (spec, inline) => figure(spec, inline, ' data-corrupt'),
+    try: trial,
+    question,
+    pictures,
+  }
+  return (kind, spec, inline) => renderers[kind](spec, inline)
+
+  function figure(spec, inline, more = '') {
+    const { name, caption, sliders = [], hasCounts } = spec
+    return `<figure id="${name}"${more}>
+${element(spec)}
+${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<p><output class="counts"></output></p>\n' : ''}<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
+</figure>
+`
+  }
+
+  function trial(spec, inline) {
+    const { name, ask, solution } = spec
+    return `<div class="try" role="group" aria-labelledby="${name}-ask">
+<p class="title">Try it</p>
+<p id="${name}-ask">${inline(ask)}</p>
+<figure id="${name}">
+${element(spec)}
+<figcaption><output data-done="Well done."></output> ${links(spec, inline)}</figcaption>
+</figure>
+${help(spec, inline, `<button type="button" class="show" data-circles="${escaped(JSON.stringify(solution))}">Show me</button>`)}</div>
+`
+  }
+
+  function element(spec) {
+    const { layers, controls, method, view, check, alt, isReadonly } = spec
+    const { circles, poster } = made.get(spec.name)
+    const attributes = {
+      circles: JSON.stringify(circles),
+      layers: layers && JSON.stringify(layers),
+      controls,
+      method,
+      view: view?.join(' '),
+      check: check && JSON.stringify(check),
+      readonly: isReadonly ? '' : undefined,
+      alt,
+    }
+    const written = Object.entries(attributes)
+      .filter(([, value]) => value !== undefined)
+      .map(([name, value]) => `${name}="${escaped(String(value))}"`)
+    return `<circle-voronoi ${written.join(' ')}><img slot="poster" src="${poster}" alt="${escaped(alt)}" loading="lazy"></circle-voronoi>`
+  }
+
+  function links({ name, paper }, inline) {
+    const open = `<a class="open" href="${PLAYGROUND}#${made.get(name).link}">Open in the playground</a>`
+    if (paper === undefined) return open
+    return `${open} <span class="paper">${paperFigures(paper)} of the paper: ${inline(paper.note)}</span>`
+  }
+
+  function question(spec, inline) {
+    const { ask, choices, right } = spec
+    const name = `question-${++questions}`
+    const options = choices.map(
+      (choice, k) => `<label><input type="radio" name="${name}" value="${k}"> <span>${inline(choice)}</span></label>`,
+    )
+    return `<form class="question" data-right="${right}">
+<fieldset><legend>${inline(ask)}</legend>
+${options.join('\n')}
+</fieldset>
+<button>Check</button> <output></output>
+${help(spec, inline)}</form>
+`
+  }
+}
+
+/** Figure 5, or figures 5 d and 13 a. */
+export function paperFigures({ figures }) {
+  return figures.length === 1
+    ? `Figure ${figures[0]}`
+    : `Figures ${figures.slice(0, -1).join(', ')} and ${figures.at(-1)}`
+}
+
+function range(name, { label, changes, from, to, at, step = 'any' }, inline) {
+  return `<label class="slider"><span>${inline(label)}</span> <input type="range" data-figure="${name}" data-changes="${changes}" min="${from}" max="${to}" step="${step}" value="${at}"> <output>${at}</output></label>
+`
+}
+
+/** Pictures beside one another, which are looked at only. */
+function pictures({ list }, inline) {
+  return `<div class="pictures">
+${list.map(({ src, alt, caption }) => `<figure><img src="${src}" alt="${escaped(alt)}" loading="lazy"><figcaption>${inline(caption)}</figcaption></figure>`).join('\n')}
+</div>
+`
+}
+
+function help({ hint, answer }, inline, more = '') {
+  return `<details class="hint"><summary>Hint</summary><p>${inline(hint)}</p></details>
+<details class="answer"><summary>Answer</summary><p>${inline(answer)} ${more}</p></details>
+`
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What documents the library: the repository's own texts, its manual page, its examples and its C++ headers.
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs'
+import { basename, dirname, posix } from 'node:path'
+import { ROOT } from '../run.mjs'
+import { renderManualPage } from './manual-page.mjs'
+import { renderMarkdown, slugOf } from './markdown.mjs'
+import { escaped } from './page.mjs'
+
+/** Of the repository, and where they stand in the site. */
+const TEXTS = {
+  'README.md': 'index.html',
+  'docs/element.md': 'element.html',
+  'docs/results.md': 'results.html',
+  'ARCHITECTURE.md': 'architecture.html',
+  'public/data/README.md': 'data.html',
+  'CONTRIBUTING.md': 'contributing.html',
+  'CHANGELOG.md': 'changelog.html',
+}
+const PICTURE = /\.(jpg|svg)$/
+/** Examples are texts, in folders. */
+const EXAMPLE = /(CMakeLists\.txt|(?<!\.d)\.(cpp|css|html|js|jsx|md|mjs|py|sh))$/
+const HEADERS = 'cpp/include/circle_voronoi'
+
+/**
+ * Copies the pictures that these show.
+ *
+ * @param {string} site the folder of the built site
+ * @returns {import('./page.mjs').Text[]}
+ */
+export function documentationTexts(site) {
+  const texts = Object.entries(TEXTS).map(([path, file]) => {
+    const link = (address) => siteAddress(site, path, address)
+    const { title, html, text } = renderMarkdown(readFileSync(ROOT + path, 'utf8'), { link })
+    return { folder: 'docs', file, title, html, text }
+  })
+  const [readme, element, ...others] = texts
+  return [readme, commandLine(), element, cppReference(), examples(), ...others]
+}
+
+/** Where a link of a text of the repository leads in the site. */
+function siteAddress(site, from, address) {
+  if (/^(\w+:|#)/.test(address)) return address
+  const [path, fragment] = address.split('#')
+  const target = posix.normalize(posix.join(dirname(from), path))
+  const page = TEXTS[target]
+  if (page !== undefined) return `${page === 'index.html' ? './' : page}${fragment === undefined ? '' : `#${fragment}`}`
+  if (PICTURE.test(target)) {
+    const copy = target.replace(/^docs\//, '')
+    mkdirSync(dirname(`${site}/docs/${copy}`), { recursive: true })
+    copyFileSync(ROOT + target, `${site}/docs/${copy}`)
+    return copy
+  }
+  if (target === 'LICENSE') {
+    copyFileSync(`${ROOT}LICENSE`, `${site}/docs/licence.txt`)
+    return 'licence.txt'
+  }
+  const chapter = /^web\/tutorial\/chapters\/(.*)\.md$/.exec(target)
+  if (chapter !== null) return `../tutorial/${chapter[1]}.html`
+  const example = /^examples(?:\/(.*))?$/.exec(target)
+  if (example === null || !existsSync(ROOT + target))
+    throw new Error(`${from} links to ${address}, which is not in the site.`)
+  return `examples.html${example[1] === undefined ? '' : `#${slugOf(example[1])}`}`
+}
+
+function commandLine() {
+  const { name, html } = renderManualPage(readFileSync(`${ROOT}cpp/cli/circle-voronoi.1`, 'utf8'))
+  const title = 'The command line'
+  return page('command-line.html', title, `<h1>${title}</h1>\n<p>The manual page of <code>${name}</code>.</p>\n${html}`)
+}
+
+function examples() {
+  const title = 'Examples'
+  const files = readdirSync(`${ROOT}examples`, { recursive: true })
+    .filter((path) => EXAMPLE.test(path))
+    .sort()
+  const folders = [...new Set(files.map(dirname))]
+  const named = new Set()
+  const parts = folders.map((folder) => {
+    // A folder of folders is linked to, too.
+    const parent = dirname(folder)
+    const place = parent === '.' || named.has(parent) ? '' : `<span id="${slugOf(parent)}"></span>`
+    named.add(parent)
+    const paths = files.filter((path) => dirname(path) === folder)
+    const sources = paths.map((path) => {
+      const source = readFileSync(`${ROOT}examples/${path}`, 'utf8')
+      return `<details id="${slugOf(path)}"><summary>${basename(path)}</summary>${code(source)}</details>`
+    })
+    return `${place}<h2 id="${slugOf(folder)}">${folder}</h2>\n<p>${escaped(aboutOf(paths))}</p>\n${sources.join('\n')}`
+  })
+  const about =
+    'Small programs and pages that use the library: they are in the folder <code>examples</code> of the repository.'
+  return page('examples.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`)
+}
+
+/** What an example says of itself: the title of its page, or the first sentence of the comment that a program begins with. */
+function aboutOf(paths) {
+  const said = paths.map((path) => {
+    const source = readFileSync(`${ROOT}examples/${path}`, 'utf8')
+    const [, title] = /<title>(.*)<\/title>/.exec(source) ?? []
+    const [, comment] = /^(?:#!.*\n)?(?:(?:\/\/|#) SPDX.*\n)\n?(?:\/\/|#|""") ?(.*)/.exec(source) ?? []
+    return title ?? comment?.replace(/: \S+ .*$|:$/, '')
+  })
+  return said.find((about) => about !== undefined) ?? ''
+}
+
+function cppReference() {
+  const title = 'The C++ headers'
+  const headers = readdirSync(ROOT + HEADERS).sort()
+  const parts = headers.map((header) => {
+    const [, declared] =
+      /\nnamespace [^{]*\{\n([\s\S]*?)\n\}\s*\/\/ namespace/.exec(
+        readFileSync(`${ROOT}${HEADERS}/${header}`, 'utf8'),
+      ) ?? []
+    if (declared === undefined) return ''
+    return `<h2 id="${slugOf(header)}">${header}</h2>\n${code(withoutPrivate(declared).trim())}`
+  })
+  const about = `What the public headers declare, in the namespace <code>circle_voronoi</code>: each name with what it promises.
+<code>#include &lt;circle_voronoi/compute.h&gt;</code> and so on.`
+  return page('cpp.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`)
+}
+
+/** Nobody can use what is private. */
+function withoutPrivate(source) {
+  return source.replace(/\n+ private:\n[\s\S]*?\n\};/g, '\n};')
+}
+
+function code(source) {
+  return `<pre tabindex="0"><code>${escaped(source)}</code></pre>`
+}
+
+function page(file, title, html) {
+  const text = html
+    .replace(/<[^>]*>/g, ' ')
+    .replace(/&\w+;/g, ' ')
+    .replace(/\s+/g, ' ')
+  return { folder: 'docs', file, title, html, text }
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The circles of a figure of the tutorial: its own, or those that the playground knows by a name (web/app/data-sets.ts): a
+// file, `figure-7a` of the paper, or `ring:1:49`, a family with its seed and number.
+import { readFileSync } from 'node:fs'
+import { ROOT } from '../run.mjs'
+
+/** More would make a page long; these are written as short as will do for a drawing. */
+const DIGITS = 6
+
+/** @returns {Promise<(figure: object) => number[][]>} x, y and r of each circle */
+export async function loadFigureCircles() {
+  const { default: createModule } = await import(`${ROOT}web/app/generated/families.js`)
+  const families = await createModule({ wasmBinary: readFileSync(`${ROOT}web/app/generated/families.wasm`) })
+
+  return ({ name, circles, dataSet }) => {
+    if (circles !== undefined) return circles
+    const made = named(dataSet)
+    if (made === undefined) throw new Error(`The figure ${name} has no circles.`)
+    return triples(made).map((circle) => circle.map((value) => Number(value.toPrecision(DIGITS))))
+  }
+
+  function named(dataSet = '') {
+    const [, figure] = /^figure-(\w+)$/.exec(dataSet) ?? []
+    if (figure !== undefined) return families.figure(figure)
+    const [, family, seed, count] = /^([a-z-]+):(\d+):(\d+)$/.exec(dataSet) ?? []
+    if (family !== undefined) return families.generate(family, Number(count), Number(seed))
+    const lines = readFileSync(`${ROOT}public/data/${dataSet}.csv`, 'utf8').trim().split('\n').slice(1)
+    return lines.flatMap((line) => line.split(',').map(Number))
+  }
+}
+
+function triples(numbers) {
+  return Array.from({ length: numbers.length / 3 }, (_, i) => Array.from(numbers.slice(3 * i, 3 * i + 3)))
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A text of the site from Markdown: mathematics between dollars becomes MathML, headings can be linked to, and in chapters
+// blocks of code called figure, try, question and corrupt, which hold JSON, become what a reader can touch.
+import MarkdownIt from 'markdown-it'
+import definitions from 'markdown-it-deflist'
+import temml from 'temml'
+
+const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'pictures']
+
+/**
+ * @param {string} markdown
+ * @param {object} [options]
+ * @param {(kind: string, spec: object, inline: (text: string) => string) => string} [options.block] what a block becomes;
+ *   without it there are none
+ * @param {(address: string) => string} [options.link] where links and pictures lead
+ * @returns {{ title: string, html: string, text: string, blocks: { kind: string, spec: object }[] }}
+ */
+export function renderMarkdown(markdown, { block, link = (address) => address } = {}) {
+  const blocks = []
+  const md = new MarkdownIt({ html: true }).use(definitions)
+  if (block !== undefined) md.use(mathematics)
+  const inline = (text) => md.renderInline(text)
+  const { fence, link_open: linkOpen = plain, image } = md.renderer.rules
+  md.renderer.rules.fence = (tokens, i, ...rest) => {
+    const { info, content } = tokens[i]
+    const kind = info.trim()
+    if (block === undefined || !BLOCKS.includes(kind)) return scrolled(fence(tokens, i, ...rest))
+    const spec = JSON.parse(content)
+    blocks.push({ kind, spec })
+    return block(kind, spec, inline)
+  }
+  md.renderer.rules.code_block = (tokens, i) =>
+    scrolled(`<pre><code>${md.utils.escapeHtml(tokens[i].content)}</code></pre>\n`)
+  md.renderer.rules.link_open = (tokens, i, ...rest) => {
+    tokens[i].attrSet('href', link(tokens[i].attrGet('href')))
+    return linkOpen(tokens, i, ...rest)
+  }
+  md.renderer.rules.image = (tokens, i, ...rest) => {
+    tokens[i].attrSet('src', link(tokens[i].attrGet('src')))
+    return image(tokens, i, ...rest)
+  }
+  md.renderer.rules.html_block = (tokens, i) => relinked(tokens[i].content, link)
+  md.renderer.rules.html_inline = md.renderer.rules.html_block
+  md.renderer.rules.table_open = () => '<div class="wide" tabindex="0"><table>\n'
+  md.renderer.rules.table_close = () => '</table></div>\n'
+  md.renderer.rules.heading_open = (tokens, i, options, _, self) => {
+    tokens[i].attrSet('id', slugOf(tokens[i + 1].content))
+    return self.renderToken(tokens, i, options)
+  }
+  // A column without a title has no header.
+  const html = md.render(markdown).replaceAll('<th></th>', '<td></td>')
+  const [, title] = /^# (.*)$/m.exec(markdown) ?? []
+  if (title === undefined) throw new Error('A text begins with its title.')
+  return { title, html, text: textOf(markdown, block !== undefined), blocks }
+}
+
+function plain(tokens, i, options, _, self) {
+  return self.renderToken(tokens, i, options)
+}
+
+/** What is wider than a phone can be reached with keys. */
+function scrolled(pre) {
+  return pre.replace('<pre>', '<pre tabindex="0">')
+}
+
+function relinked(html, link) {
+  return html.replace(/ (src|srcset|href)="([^"]*)"/g, (_, name, address) => ` ${name}="${link(address)}"`)
+}
+
+/** As GitHub names headings. */
+export function slugOf(heading) {
+  return heading
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}\s_-]/gu, '')
+    .trim()
+    .replace(/\s/g, '-')
+}
+
+/** What is searched: the words alone. */
+function textOf(markdown, hasBlocks) {
+  return markdown
+    .replace(/```(\w+)\n([\s\S]*?)```/g, (_, kind, content) =>
+      hasBlocks && BLOCKS.includes(kind) ? wordsOf(JSON.parse(content)) : content,
+    )
+    .replace(/<[^>]*>|\]\([^)]*\)/g, ' ')
+    .replace(/[#*_`$>|[\]()]/g, ' ')
+    .replace(/\s+/g, ' ')
+    .trim()
+}
+
+function wordsOf({ ask, caption, hint, answer, choices = [] }) {
+  return [ask, caption, hint, answer, ...choices].filter(Boolean).join(' ')
+}
+
+/** `$...$` within a line, and `$$...$$` as a paragraph of its own. */
+function mathematics(md) {
+  md.inline.ruler.before('escape', 'mathematics', (state, isSilent) => {
+    const match = /^\$(\$?)([^$]+)\1\$/.exec(state.src.slice(state.pos))
+    if (match === null) return false
+    if (!isSilent) {
+      const token = state.push('mathematics', 'math', 0)
+      token.content = match[2]
+      token.markup = match[1]
+    }
+    state.pos += match[0].length
+    return true
+  })
+  md.renderer.rules.mathematics = (tokens, i) => {
+    const displayMode = tokens[i].markup !== ''
+    const math = temml
+      .renderToString(tokens[i].content, { displayMode, throwOnError: true })
+      // The policy of the pages allows no styles in attributes, and this one is what browsers do anyway.
+      .replace(' style="display:block math;"', '')
+    return displayMode ? `<span class="wide formula" tabindex="0">${math}</span>` : math
+  }
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A page of the site around its text: web/tutorial/page.html and web/docs/page.html as Vite has built them, filled in.
+
+/** Of the site, from its folder. */
+const MAIN = [
+  { href: '', title: 'Playground' },
+  { href: 'tutorial/', title: 'Tutorial' },
+  { href: 'docs/', title: 'Documentation' },
+  { href: 'docs/examples.html', title: 'Examples' },
+  { href: 'api/', title: 'Reference' },
+  { href: 'docs/results.html', title: 'Results' },
+]
+
+const NAMES = { tutorial: 'Chapters', docs: 'Documentation', api: 'Modules' }
+
+/** Links to the main parts of the site. `root`: its address from the page; `here`: the page's from there. */
+export function linksTo(root, here) {
+  return MAIN.map(({ href, title }) => link({ href: root + href, title }, href === here)).join(' ')
+}
+
+function link({ href, title }, isCurrent) {
+  return `<a href="${href}"${isCurrent ? ' aria-current="page"' : ''}>${escaped(title)}</a>`
+}
+
+/**
+ * @typedef {object} Text a page before it has one
+ * @property {'tutorial' | 'docs' | 'api'} folder of the site
+ * @property {string} file its name there
+ * @property {string} title
+ * @property {string} html what is read
+ * @property {string} text the same for the search: words alone
+ * @property {boolean} [isListed] whether other pages of its folder name it: by default so
+ * @property {boolean} [isChapter] whether it has a number among those of its folder
+ */
+
+/**
+ * @param {string} template
+ * @param {Text} text
+ * @param {readonly Text[]} all the pages of its folder, in their order
+ */
+export function pageOf(template, text, all) {
+  const { title, html } = text
+  const filled = { title: escaped(title), description: escaped(firstSentence(html)), body: bodyOf(text, all) }
+  return template.replace(/\{\{(\w+)\}\}/g, (_, name) => filled[name])
+}
+
+function bodyOf({ folder, file, html, isChapter }, all) {
+  const here = `${folder}/${file === 'index.html' ? '' : file}`
+  const items = (pages) =>
+    pages.map((page) => `<li>${link({ href: addressOf(page), title: page.title }, page.file === file)}</li>`).join('\n')
+  const chapters = all.filter((page) => page.isChapter)
+  const others = all.filter(({ isChapter, isListed = true }) => !isChapter && isListed)
+  const k = chapters.findIndex((page) => page.file === file)
+  const [previous, next] = isChapter ? [chapters[k - 1] ?? all[0], chapters[k + 1]] : []
+  return `<a class="skip" href="#text">Skip to the text</a>
+<header>
+<nav class="site" aria-label="Site">${linksTo('../', here)}</nav>
+<search><form class="search"><label>Search <input type="search" name="q" autocomplete="off"></label></form><ol class="found" aria-live="polite" hidden></ol></search>
+</header>
+<div class="columns">
+<nav class="pages" aria-label="${NAMES[folder]}">
+${chapters.length === 0 ? '' : `<ol>\n${items(chapters)}\n</ol>\n`}<ul>
+${items(others)}
+</ul>
+</nav>
+<main id="text">
+${html}
+${
+  isChapter
+    ? `<nav class="turn" aria-label="Next and previous chapter">
+<a rel="prev" href="${addressOf(previous)}">← ${escaped(previous.title)}</a>
+${next ? `<a rel="next" href="${addressOf(next)}">${escaped(next.title)} →</a>` : ''}
+</nav>`
+    : ''
+}
+</main>
+</div>`
+}
+
+/** From another page of its folder. A folder has one address, which is what is kept for when there is no network. */
+function addressOf({ file }) {
+  return file === 'index.html' ? './' : file
+}
+
+/** What search engines show. */
+function firstSentence(html) {
+  const [, paragraph = ''] = /<p>([\s\S]*?)<\/p>/.exec(html) ?? []
+  return paragraph
+    .replace(/<[^>]*>/g, '')
+    .replace(/&quot;/g, '"')
+    .replace(/&amp;/g, '&')
+    .replace(/\s+/g, ' ')
+    .split('. ')[0]
+}
+
+export function escaped(text) {
+  return text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c])
+}

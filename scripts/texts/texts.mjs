@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What there is to be read in the site, with one search for all of it.
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import MiniSearch from 'minisearch'
+import { documentationTexts } from './documentation.mjs'
+import { pageOf } from './page.mjs'
+import { referenceTexts } from './reference.mjs'
+import { tutorialTexts } from './tutorial.mjs'
+
+/** What is searched; web/reading/search.ts says the same. */
+const SEARCHED = { fields: ['title', 'text'], storeFields: ['title', 'file'] }
+
+/** Fills the built templates of a site, which are gone then. */
+export async function buildTexts(site) {
+  const texts = [...(await tutorialTexts(site)), ...documentationTexts(site), ...referenceTexts()]
+  const templates = { tutorial: 'tutorial/page.html', docs: 'docs/page.html', api: 'docs/page.html' }
+  for (const [folder, name] of Object.entries(templates)) {
+    const template = readFileSync(`${site}/${name}`, 'utf8')
+    const all = texts.filter((text) => text.folder === folder)
+    mkdirSync(`${site}/${folder}`, { recursive: true })
+    for (const text of all) writeFileSync(`${site}/${folder}/${text.file}`, pageOf(template, text, all))
+  }
+  for (const name of new Set(Object.values(templates))) rmSync(`${site}/${name}`)
+  const search = new MiniSearch(SEARCHED)
+  const found = texts.filter(({ text }) => text !== '')
+  search.addAll(found.map(({ folder, file, title, text }, id) => ({ id, file: `${folder}/${file}`, title, text })))
+  writeFileSync(`${site}/search.json`, JSON.stringify(search))
+}

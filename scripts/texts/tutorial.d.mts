@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/** A block of a chapter, with the names that some kinds of it have. */
+export interface Spec {
+  readonly name: string
+  readonly circles?: readonly (readonly number[])[]
+  readonly dataSet?: string
+  readonly layers?: Readonly<Record<string, unknown>>
+  readonly check?: unknown
+  readonly solution: readonly (readonly number[])[]
+  readonly choices: readonly string[]
+  readonly right: number
+}
+
+export interface Chapter {
+  readonly file: string
+  readonly isChapter: boolean
+  readonly title: string
+  readonly blocks: readonly {
+    readonly kind: 'figure' | 'try' | 'question' | 'corrupt' | 'pictures'
+    readonly spec: Spec
+  }[]
+}
+
+export function readBook(): readonly Chapter[]

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A diagram that the reader may make wrong by hand, and what the judge says of it.
+import type { CircleVoronoiElement } from '../element/index.ts'
+import { type CircleVoronoi, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
+
+/** What of a diagram can be changed: a number of one of its arrays. */
+interface Place {
+  readonly array: 'vertexCircles' | 'edges'
+  readonly index: number
+  readonly name: string
+}
+
+export function letCorrupt(page: Document): void {
+  for (const figure of page.querySelectorAll<HTMLElement>('[data-corrupt]')) new Corruption(page, figure)
+}
+
+class Corruption {
+  readonly #page: Document
+  readonly #figure: CircleVoronoiElement
+  readonly #table: HTMLTableElement
+  readonly #verdict: HTMLOutputElement
+  #library: Promise<CircleVoronoi> | undefined
+  #diagram: Diagram | undefined
+
+  constructor(page: Document, figure: HTMLElement) {
+    this.#page = page
+    this.#figure = figure.querySelector('circle-voronoi') as CircleVoronoiElement
+    this.#table = page.createElement('table')
+    this.#verdict = page.createElement('output')
+    const restore = Object.assign(page.createElement('button'), { type: 'button', textContent: 'Make it right again' })
+    restore.addEventListener('click', () => void this.#begin())
+    const box = Object.assign(page.createElement('div'), { className: 'corrupt' })
+    box.append(this.#table, this.#verdict, restore)
+    figure.querySelector('figcaption')?.before(box)
+    this.#figure.addEventListener('circleschange', () => void this.#begin())
+    void this.#begin()
+  }
+
+  /** The right diagram of the circles that are shown. */
+  async #begin(): Promise<void> {
+    try {
+      this.#library ??= loadCircleVoronoi()
+      const library = await this.#library
+      await this.#figure.ready
+      this.#diagram = library.compute(this.#figure.circles)
+    } catch (error) {
+      this.#library = undefined
+      this.#verdict.value = `${(error as Error).message}`
+      return
+    }
+    this.#show(this.#diagram)
+    await this.#judge()
+  }
+
+  #show(diagram: Diagram): void {
+    const circles = Array.from(diagram.circles.subarray(0, diagram.circles.length / 3), (_, i) => i)
+    const vertices = Array.from(diagram.vertices.subarray(0, diagram.vertices.length / 3), (_, v) => v)
+    const rows = [
+      this.#heading(['Vertex', 'touches these circles']),
+      ...vertices.map((v) =>
+        this.#row(
+          `${v}`,
+          [0, 1, 2].map((k) => ({ array: 'vertexCircles', index: 3 * v + k, name: `vertex ${v}, circle ${k + 1}` })),
+          circles,
+        ),
+      ),
+    ]
+    this.#table.replaceChildren(...rows)
+  }
+
+  #heading(titles: string[]): HTMLTableRowElement {
+    const row = this.#page.createElement('tr')
+    row.append(
+      ...titles.map((textContent, k) =>
+        Object.assign(this.#page.createElement('th'), { textContent, scope: 'col', colSpan: k === 0 ? 1 : 3 }),
+      ),
+    )
+    return row
+  }
+
+  #row(title: string, places: Place[], choices: number[]): HTMLTableRowElement {
+    const row = this.#page.createElement('tr')
+    row.append(Object.assign(this.#page.createElement('th'), { textContent: title, scope: 'row' }))
+    for (const place of places) {
+      const select = this.#page.createElement('select')
+      select.setAttribute('aria-label', place.name)
+      const array = (this.#diagram as Diagram)[place.array]
+      for (const choice of choices) {
+        const isNow = choice === array[place.index]
+        select.append(new Option(`${choice}`, `${choice}`, isNow, isNow))
+      }
+      select.addEventListener('change', () => {
+        array[place.index] = Number(select.value)
+        void this.#judge()
+      })
+      const cell = this.#page.createElement('td')
+      cell.append(select)
+      row.append(cell)
+    }
+    return row
+  }
+
+  async #judge(): Promise<void> {
+    const library = await (this.#library as Promise<CircleVoronoi>)
+    try {
+      const { certified, message } = library.certify(this.#diagram as Diagram)
+      this.#verdict.value = certified ? 'The judge: this diagram is right.' : `The judge: no. ${message}`
+    } catch (error) {
+      this.#verdict.value = `The judge: no. ${(error as Error).message}`
+    }
+  }
+}

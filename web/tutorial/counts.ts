@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { CircleVoronoiElement } from '../element/index.ts'
+import { loadCircleVoronoi } from '../lib/index.ts'
+import { countSamples, sentenceOf } from './count-samples.ts'
+
+/** Has figures say how many samples their circles get, as they are and by what their sliders say. */
+export async function sayCounts(page: ParentNode): Promise<void> {
+  const library = await loadCircleVoronoi()
+  for (const output of page.querySelectorAll<HTMLOutputElement>('output.counts')) {
+    const around = output.closest('figure') as HTMLElement
+    const figure = around.querySelector('circle-voronoi') as CircleVoronoiElement
+    const say = () => {
+      output.value = sentenceOf(countSamples(library, figure.circles, figure.layers.sampleCount ?? 1))
+    }
+    figure.addEventListener('circleschange', say)
+    around.addEventListener('input', say)
+    await figure.ready
+    say()
+  }
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a chapter does beyond being read: its figures live, its questions answer, its search finds, and it knows what was read.
+import { workOffline } from '../app/offline.ts'
+import '../element/index.ts'
+import { offerSearch } from '../reading/search.ts'
+import { linkFigures } from './figure-links.ts'
+import { markRead } from './progress.ts'
+import { askQuestions } from './questions.ts'
+import { slideFigures } from './sliders.ts'
+import { followTrials } from './trials.ts'
+
+askQuestions(document)
+followTrials(document)
+slideFigures(document)
+linkFigures(document)
+markRead(document)
+offerSearch(document)
+if (document.querySelector('[data-corrupt]') !== null) {
+  const { letCorrupt } = await import('./corrupt.ts')
+  letCorrupt(document)
+}
+if (document.querySelector('output.counts') !== null) {
+  const { sayCounts } = await import('./counts.ts')
+  // Figures that are far away are not ready for long.
+  void sayCounts(document)
+}
+if (document.readyState !== 'complete') await new Promise((resolve) => addEventListener('load', resolve))
+await workOffline('../')
