@@ -24,6 +24,9 @@ const EXPECTED = JSON.stringify({
 /** The oldest TypeScript that the declarations are for, which scripts/setup.mjs installs apart from the others. */
 const OLDEST_TSC = join(ROOT, 'tests/pack/typescript-5.0/node_modules/.bin/tsc')
 
+/** The modules of the element. */
+const ELEMENT = ['/element', '/element/define', '/element/bundle']
+
 test.describe.configure({ timeout: 120_000 })
 
 let project: Project
@@ -47,7 +50,17 @@ test('holds the built library and nothing else', () => {
     .map((name) => `dist/cli/${name.replace(/\.ts$/, '.js')}`)
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
-  expect(files.sort()).toEqual([...others, ...built, ...generated, ...program, ...compiled].sort())
+  // The names of what two modules of the element have in common are those of its contents.
+  const shared = /^dist\/element\/(chunk|comparison|player)-[A-Z0-9]+\.js$/
+  expect(files.filter((name) => shared.test(name))).not.toHaveLength(0)
+  const element = [
+    ...['index', 'define', 'painter', 'bundle'].map((name) => `${name}.js`),
+    ...['index', 'define', 'bundle', 'exports', 'circle-voronoi-element', 'check-types'].map((name) => `${name}.d.ts`),
+    ...['element.css', 'custom-elements.json'],
+  ].map((name) => `dist/element/${name}`)
+  expect(files.filter((name) => !shared.test(name)).sort()).toEqual(
+    [...others, ...built, ...generated, ...element, 'dist/view/layers.d.ts', ...program, ...compiled].sort(),
+  )
 
   // The sources are not there, so the maps have them.
   for (const name of files.filter((file) => file.endsWith('.map'))) {
@@ -61,7 +74,7 @@ test('shows the pictures of its README on a registry page', () => {
   const { repository, homepage, bugs } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
   const [place] = /https:\/\/github\.com\/[\w-]+\/[\w-]+(?=\.git$)/.exec(repository.url) as RegExpExecArray
   expect([homepage, bugs]).toEqual([`${place}#readme`, `${place}/issues`])
-  const pictures = [...readFileSync(join(ROOT, 'README.md'), 'utf8').matchAll(/!\[[^\]]+\]\(([^)]+)\)/g)]
+  const pictures = [...readFileSync(join(ROOT, 'README.md'), 'utf8').matchAll(/ (?:src|srcset)="([^"]+\.jpg)"/g)]
   expect(pictures).not.toHaveLength(0)
   for (const [, path] of pictures) expect(run(ROOT, 'git', 'ls-files', path as string)).toBe(`${path}\n`)
 })
@@ -77,15 +90,16 @@ test.describe('is well made', () => {
 
   test('to are-the-types-wrong', () => {
     const wasm = ['', '-comparison', '-files'].map((name) => `circle-voronoi${name}.wasm`)
-    const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...wasm, '--no-emoji']
+    const others = [...wasm, 'element/element.css', 'custom-elements.json']
+    const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/files', '/link', '/bundle'])
+    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/files', '/link', '/bundle', ...ELEMENT])
       expect(judged).toContain(`"circle-voronoi${name}"`)
   })
 
   test('to size-limit', () => {
     const sizes = JSON.parse(run(ROOT, join(BIN, 'size-limit'), '--json'))
-    expect(sizes).toHaveLength(5)
+    expect(sizes).toHaveLength(7)
     for (const { name, passed, size } of sizes) expect(passed, `${name}: ${size} bytes`).toBe(true)
   })
 })
@@ -359,7 +373,8 @@ test.describe('has types', () => {
           noEmit: true,
           typeRoots: [join(ROOT, 'node_modules/@types')],
         }
-        project.write('tsconfig.json', JSON.stringify({ compilerOptions, files: ['types.ts'] }))
+        const files = settings.lib.includes('dom') ? ['types.ts', 'element-types.ts'] : ['types.ts']
+        project.write('tsconfig.json', JSON.stringify({ compilerOptions, files }))
         expect(project.run(resolve(BIN, compiler), '-p', 'tsconfig.json')).toBe('')
       })
     }

@@ -149,7 +149,8 @@ export class EditorClient implements AsyncEditorMethods {
   }
 
   #receive(reply: Reply): void {
-    if (!('results' in reply)) return
+    // What was on its way when it ended has been refused.
+    if (this.#end !== undefined || !('results' in reply)) return
     const answered = this.#sent
     this.#sent = []
     this.#send()

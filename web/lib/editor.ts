@@ -116,7 +116,7 @@ export function editedCircles(circles: Circles | DiagramData): Float64s {
 }
 
 /** An edit that was checked, as plain data. */
-interface CheckedEdit {
+export interface CheckedEdit {
   readonly kind: string
   readonly id?: number
   readonly circle?: Circle

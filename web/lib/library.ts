@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseArgument, refuseOption, shown } from './check.ts'
+import { refuseArgument, refuseOption } from './check.ts'
 import type { Box } from './convex-polygon.ts'
 import {
   type Accessor,
@@ -85,9 +85,10 @@ export interface CircleVoronoi {
     options?: Options,
   ): Diagram
   /**
-   * The diagram of `circles` by the touching disc method, and all that this did.
+   * The diagram of `circles`, and all that was done on the way to it: by the touching disc method, by flips (`method: 'auto'`
+   * or `'flip'`), or by the option `edits` from the diagram before them.
    *
-   * @throws CircleVoronoiError as `compute`; `badOption`, if another method is asked for
+   * @throws CircleVoronoiError as `compute`, and `DiagramEditor.apply`
    */
   trace(circles: Circles, options?: TraceOptions): Trace
   /**
@@ -156,13 +157,23 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       return diagramOf(coordinatesFrom(data, fx, fy, fr), options)
     },
     trace(circles, options = {}) {
-      checkOptions(options, 'trace')
-      const { method }: Options = options
-      if (method !== undefined && method !== 'touching-disc') {
-        refuseOption(`trace is of the method touching-disc, not ${shown(method)}.`)
-      }
+      checkOptions(options, 'trace', ['edits'])
+      const { edits, ...others } = options
       const coordinates = coordinatesOf(circles)
-      const { diagram, events } = unwrap(told(options, (chosen) => module.trace(coordinates, chosen)))
+      if (edits !== undefined) {
+        const unused = Object.entries(others).find(([, value]) => value !== undefined)
+        if (unused !== undefined) refuseOption(`The option ${unused[0]} does not go with edits.`)
+        const editor = edit(coordinates)
+        try {
+          const events = editor.trace(edits)
+          return new Trace(editor.snapshot(), events)
+        } finally {
+          editor.dispose()
+        }
+      }
+      const method = options.method ?? 'touching-disc'
+      const run = (chosen: WasmOptions) => module.trace(coordinates, { ...chosen, method })
+      const { diagram, events } = unwrap(told(others, run))
       return new Trace(new Diagram({ metric: 'circles', circles: coordinates, ...diagram }), events)
     },
     edit: (circles) => edit(editedCircles(circles)),

@@ -4,17 +4,42 @@ import { CircleVoronoiError } from './errors.ts'
 
 /** `String.fromCharCode` takes so many arguments. */
 const PART = 0x8000
+/** The bytes of a stored block, and those before them: whether it is the last, its length, and that length again. */
+const LONGEST_BLOCK = 0xffff
+const BLOCK_HEAD = 5
 
 /** A text, compressed. */
 export async function packed(text: string): Promise<string> {
-  const bytes = await through(new TextEncoder().encode(text), streamOf('CompressionStream'), Number.POSITIVE_INFINITY)
+  return lettersOf(
+    await through(new TextEncoder().encode(text), streamOf('CompressionStream'), Number.POSITIVE_INFINITY),
+  )
+}
+
+/** The same at once, not compressed: blocks of deflate that are stored as they are (RFC 1951, section 3.2.4). */
+export function packedAtOnce(text: string): string {
+  const bytes = new TextEncoder().encode(text)
+  const blocks = Math.max(Math.ceil(bytes.length / LONGEST_BLOCK), 1)
+  const all = new Uint8Array(bytes.length + blocks * BLOCK_HEAD)
+  for (let k = 0; k < blocks; k++) {
+    const block = bytes.subarray(k * LONGEST_BLOCK, (k + 1) * LONGEST_BLOCK)
+    const place = k * (LONGEST_BLOCK + BLOCK_HEAD)
+    const head = new DataView(all.buffer, place, BLOCK_HEAD)
+    head.setUint8(0, k === blocks - 1 ? 1 : 0)
+    head.setUint16(1, block.length, true)
+    head.setUint16(3, ~block.length & 0xffff, true)
+    all.set(block, place + BLOCK_HEAD)
+  }
+  return lettersOf(all)
+}
+
+function lettersOf(bytes: Uint8Array): string {
   let binary = ''
   for (let i = 0; i < bytes.length; i += PART) binary += String.fromCharCode(...bytes.subarray(i, i + PART))
   return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')
 }
 
 /**
- * What `packed` has packed.
+ * What `packed` or `packedAtOnce` has packed.
  *
  * @param most so many bytes it may have
  * @throws whatever is wrong with it; `undefined`: there is more of it

@@ -10,7 +10,7 @@ import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordina
 import type { Float64s } from './diagram-data.ts'
 import type { Edit } from './editor.ts'
 import { CircleVoronoiError } from './errors.ts'
-import { packed, unpacked } from './link-text.ts'
+import { packed, packedAtOnce, unpacked } from './link-text.ts'
 
 /**
  * What a link may have: letters, bytes of JSON once it is unpacked, circles, edits, and values of layers.
@@ -68,6 +68,10 @@ export interface LinkState {
   readonly view?: LinkView | undefined
   /** The settings of layers by their names, whichever there are. */
   readonly layers?: Readonly<Record<string, LayerValue>> | undefined
+  /** A step of the method, where it is played step by step: a whole number from 0. */
+  readonly step?: number | undefined
+  /** Which one, as the option of `trace`. */
+  readonly method?: string | undefined
 }
 
 /**
@@ -82,7 +86,7 @@ export interface LinkInput extends Omit<LinkState, 'circles'> {
 const VERSION = 'v1'
 const LONGEST_NAME = 200
 const DEEPEST_LAYER = 8
-const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers'] as const
+const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers', 'step', 'method'] as const
 
 /**
  * The text that says a state. All numbers are exact; only -0 is 0.
@@ -99,23 +103,46 @@ const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers'] as const
  * view // { x: 3, y: 4, span: 12 }
  */
 export async function encodeLink(state: LinkInput): Promise<string> {
-  if (typeof state !== 'object' || state === null) refuseArgument(`encodeLink takes a state, not ${shown(state)}.`)
-  const { circles, dataSet, edits, view, layers } = state
-  if (edits !== undefined && !Array.isArray(edits)) refuseArgument(`encodeLink takes edits, not ${shown(edits)}.`)
+  return linkFrom(await packed(jsonOf(state)))
+}
+
+/**
+ * The same at once, for a page that is about to go: not compressed, it is several times as long.
+ *
+ * @throws CircleVoronoiError as `encodeLink`, but for `notLoaded`
+ *
+ * @category Links
+ * @example
+ * const { circles } = await decodeLink(encodeLinkAtOnce({ circles: [[0, 0, 1]] }))
+ * circles // Float64Array(3) [ 0, 0, 1 ]
+ */
+export function encodeLinkAtOnce(state: LinkInput): string {
+  return linkFrom(packedAtOnce(jsonOf(state)))
+}
+
+function linkFrom(letters: string): string {
+  if (letters.length > LINK_LIMITS.letters - VERSION.length - 1) tooMuch()
+  return `${VERSION}.${letters}`
+}
+
+function jsonOf(state: LinkInput): string {
+  if (typeof state !== 'object' || state === null) refuseArgument(`A link says a state, not ${shown(state)}.`)
+  const { circles, dataSet, edits, view, layers, step, method } = state
+  if (edits !== undefined && !Array.isArray(edits)) refuseArgument(`A link says edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> = {
     circles: circles && [...coordinatesOf(circles)],
     dataSet,
     edits: edits && Array.from(edits, listOf),
     view: view && [view.x, view.y, view.span],
     layers,
+    step,
+    method,
   }
   const problem = problemOf(said)
   if (problem !== undefined) refuseArgument(`This is no state for a link: ${problem}.`)
   const json = JSON.stringify(said)
   if (json.length > LINK_LIMITS.bytes) tooMuch()
-  const letters = await packed(json)
-  if (letters.length > LINK_LIMITS.letters - VERSION.length - 1) tooMuch()
-  return `${VERSION}.${letters}`
+  return json
 }
 
 /**
@@ -158,15 +185,19 @@ interface Said {
   readonly edits?: readonly (readonly [kind: '+' | '-' | '=', ...numbers: number[]])[] | undefined
   readonly view?: readonly [number, number, number] | undefined
   readonly layers?: Readonly<Record<string, LayerValue>> | undefined
+  readonly step?: number | undefined
+  readonly method?: string | undefined
 }
 
-function stateOf({ circles, dataSet, edits, view, layers }: Said): LinkState {
+function stateOf({ circles, dataSet, edits, view, layers, step, method }: Said): LinkState {
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
     ...(dataSet !== undefined && { dataSet }),
     ...(edits && { edits: edits.map(editOf) }),
     ...(view && { view: { x: view[0], y: view[1], span: view[2] } }),
     ...(layers && { layers }),
+    ...(step !== undefined && { step }),
+    ...(method !== undefined && { method }),
   }
 }
 
@@ -180,7 +211,7 @@ function listOf(edit: Edit): Exclude<Said['edits'], undefined>[number] {
     case 'replace':
       return ['=', edit.id, ...circle(edit.circle)]
     default:
-      refuseArgument(`encodeLink takes edits, not ${shown(edit)}.`)
+      refuseArgument(`A link says edits, not ${shown(edit)}.`)
   }
 }
 
@@ -201,13 +232,15 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
 /** Why this is not `Said`. */
 function problemOf(said: unknown): string | undefined {
   if (!isRecord(said)) return 'it says nothing'
-  const { circles, dataSet, edits, view, layers } = said
+  const { circles, dataSet, edits, view, layers, step, method } = said
+  if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0)) return 'its step is none'
+  if (method !== undefined && !isName(method)) return 'its method has no name'
   if (circles !== undefined) {
     if (!isListOfNumbers(circles) || circles.length % 3 !== 0) return 'its circles are not three finite numbers each'
     if (circles.length > 3 * LINK_LIMITS.circles) tooMuch()
   }
   if (dataSet !== undefined) {
-    if (typeof dataSet !== 'string' || dataSet.length > LONGEST_NAME) return 'its data set has no name'
+    if (!isName(dataSet)) return 'its data set has no name'
     if (circles !== undefined) return 'it has circles and a data set'
   }
   if (edits !== undefined) {
@@ -220,6 +253,10 @@ function problemOf(said: unknown): string | undefined {
   const isRight =
     layers === undefined || (isRecord(layers) && isLayer(layers, DEEPEST_LAYER, { left: LINK_LIMITS.layerValues }))
   return isRight ? undefined : 'its layers are none'
+}
+
+function isName(value: unknown): boolean {
+  return typeof value === 'string' && value.length <= LONGEST_NAME
 }
 
 function isEdit(edit: unknown): boolean {

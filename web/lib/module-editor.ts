@@ -5,15 +5,16 @@ import type { CircleLike } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
 import { type Certificate, type Circle, type Float64s, type Int32s, NONE } from './diagram-data.ts'
 import {
+  type CheckedEdit,
   checkedCircle,
   checkedEdits,
   checkId,
-  type DiagramEditor,
   type Edit,
   type EditorMethods,
   refuse,
 } from './editor.ts'
 import type { ErrorCode } from './errors.ts'
+import type { TraceArrays } from './trace.ts'
 import { unwrap, type WasmError } from './wasm.ts'
 
 /** The functions of the module that an editor needs. */
@@ -23,6 +24,7 @@ type EditorModule = Pick<
   | 'deleteEditor'
   | 'editCircle'
   | 'applyEdits'
+  | 'traceEdits'
   | 'nearestCircle'
   | 'editorSize'
   | 'circleOfEditor'
@@ -32,7 +34,7 @@ type EditorModule = Pick<
 >
 
 /** A function that makes editors in a module; circle i gets id i. */
-export function editorsOf(module: EditorModule): (circles: Float64s) => DiagramEditor {
+export function editorsOf(module: EditorModule): (circles: Float64s) => Editor {
   // Frees what nobody has disposed of.
   const registry = new FinalizationRegistry((address: number) => module.deleteEditor(address))
   return (circles) => new Editor(module, registry, unwrap(module.createEditor(circles)).editor)
@@ -44,7 +46,8 @@ const INSERT = 0
 const REMOVE = 1
 const REPLACE = 2
 
-class Editor implements EditorMethods {
+/** A `DiagramEditor`, which can also be traced. */
+export class Editor implements EditorMethods {
   onchange: ((change: Change) => void) | undefined
   readonly #module: EditorModule
   readonly #registry: FinalizationRegistry<number>
@@ -78,11 +81,17 @@ class Editor implements EditorMethods {
 
   apply(edits: Iterable<Edit>): Change {
     const checked = checkedEdits(edits)
-    const numbers = checked.flatMap(({ kind, id = NONE, circle = NOTHING }) => {
-      return [KINDS.indexOf(kind), id, circle.x, circle.y, circle.r]
-    })
-    const result = this.#module.applyEdits(this.#live(), Float64Array.from(numbers))
+    const result = this.#module.applyEdits(this.#live(), numbersOf(checked))
     return this.#changed('error' in result ? (checked[result.error.circle]?.id ?? NONE) : NONE, result)
+  }
+
+  /** The same, told event by event. */
+  trace(edits: Iterable<Edit>): TraceArrays {
+    const checked = checkedEdits(edits)
+    const result = this.#module.traceEdits(this.#live(), numbersOf(checked))
+    if (!('error' in result)) return result
+    const { code, circle, message } = result.error
+    return refuse(code as ErrorCode, checked[circle]?.id ?? NONE, message)
   }
 
   nearest(x: number, y: number, hint: number = NONE): number {
@@ -148,6 +157,13 @@ class Editor implements EditorMethods {
     this.onchange?.(change)
     return change
   }
+}
+
+/** Of each edit its kind, id, x, y and r. */
+function numbersOf(edits: readonly CheckedEdit[]): Float64Array {
+  return Float64Array.from(
+    edits.flatMap(({ kind, id = NONE, circle: { x, y, r } = NOTHING }) => [KINDS.indexOf(kind), id, x, y, r]),
+  )
 }
 
 const NOTHING: Circle = { x: 0, y: 0, r: 0 }

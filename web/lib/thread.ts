@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Worker as NodeWorker } from 'node:worker_threads'
+import { startModuleWorker } from './module-worker.ts'
 import { newWorker, THREAD_NAME, threadFile } from './thread-file.ts'
 import type { EditorCalls, Reply, Request, Start } from './worker-messages.ts'
 
@@ -26,28 +27,13 @@ export function startThread(events: ThreadEvents): Thread {
 }
 
 function startWebWorker({ onReply, onFailure }: ThreadEvents): Thread {
-  const worker = newWebWorker()
+  const worker = startModuleWorker(newWorker, threadFile, THREAD_NAME)
   worker.onmessage = ({ data }: MessageEvent<Reply>) => onReply(data)
   worker.onerror = (event) => onFailure(event.message ?? 'its file cannot be loaded')
   return {
     post: (message, transfer = []) => worker.postMessage(message, transfer),
     keepAlive: () => {},
     terminate: () => worker.terminate(),
-  }
-}
-
-function newWebWorker(): Worker {
-  try {
-    return newWorker()
-  } catch (error) {
-    if (!(error instanceof DOMException && error.name === 'SecurityError')) throw error
-    // A page takes workers from its own origin alone, but a worker takes modules from anywhere.
-    const script = `import ${JSON.stringify(threadFile().href)}`
-    const url = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }))
-    const worker = new Worker(url, { type: 'module', name: THREAD_NAME })
-    // The worker has read it once its module runs; what it says first is later.
-    worker.addEventListener('message', () => URL.revokeObjectURL(url), { once: true })
-    return worker
   }
 }
 

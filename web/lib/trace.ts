@@ -2,14 +2,15 @@
 import { checkNumber, refuseArgument } from './check.ts'
 import type { Diagram } from './diagram.ts'
 import { at, type Float64s, type Int32s, NONE, type Vertex } from './diagram-data.ts'
+import type { Edit } from './editor.ts'
 import type { Options } from './options.ts'
 
 /**
- * The kinds of events of the touching disc method, in the order of their numbers in `Trace.kinds`: candidates (paper,
- * sections 4.1 and 5), then the event loop (Algorithms 2 and 3).
+ * The kinds of events, in the order of their numbers in `Trace.kinds`.
  *
- * - `roundBegun`: all begins anew (the option `resample`); samples, directed edges and vertices are counted anew. The first
- *   event is one;
+ * Of the touching disc method: candidates (paper, sections 4.1 and 5), then the event loop (Algorithms 2 and 3).
+ *
+ * - `roundBegun`: all begins anew, as by the option `resample`, and is counted anew. The first event is one;
  * - `centersJoined`: an edge of the Delaunay graph of the visible circles' centres;
  * - `sampleTaken`: `disc` is the point, of radius 0, on its circle less the smallest of all radii;
  * - `samplesJoined`: an edge of the Delaunay graph of the samples, of which `numbers` are two;
@@ -20,6 +21,18 @@ import type { Options } from './options.ts'
  *   are gone or no longer adjacent; `branchDisc`: it is empty, and makes a vertex;
  * - `directedEdgePlaced`, `directedEdgeDeleted`: from the first circle to the second; `disc` is its disc of R_min;
  * - `segmentFinished`: the Voronoi segment of a directed edge, which ends at a vertex; `disc` is its disc of R_max.
+ *
+ * Of flips and edits, which change the triangulation that is dual to the diagram: its faces as they are, then of each change
+ * the reason, if one can be named, the faces that go and those that come. The faces that are left are those of the diagram.
+ *
+ * - `faceMade`, `faceRemoved`: a face of three circles, with the disc that touches them if they have one, which is then a
+ *   vertex of the diagram; or of two, an unbounded end. `numbers` is its number, which may be that of another later;
+ * - `discNotEmpty`: the disc of a face meets `circles[2]`, or ties with it: the edge between the first two goes;
+ *   `discMissing`: three circles of a face have no disc, and the edge between the first two goes; `tangentNotClear`: the
+ *   tangent line of two neighbours on the hull meets the third circle; `hullNotConvex`: the first circle lies within the
+ *   tangent line of the others, its neighbours on the hull, and leaves it;
+ * - `circleInserted`, `circleRemoved`, `circleReplaced`: an edit of the first circle, by its id; `disc` is the circle;
+ *   `circleShrunk`: so far, on its way out, where it touches a disc of its neighbours.
  *
  * @category Tracing
  * @example
@@ -40,6 +53,16 @@ export const TRACE_KINDS = [
   'directedEdgePlaced',
   'directedEdgeDeleted',
   'segmentFinished',
+  'faceMade',
+  'faceRemoved',
+  'discNotEmpty',
+  'discMissing',
+  'tangentNotClear',
+  'hullNotConvex',
+  'circleInserted',
+  'circleRemoved',
+  'circleReplaced',
+  'circleShrunk',
 ] as const
 
 /**
@@ -50,12 +73,13 @@ export const TRACE_KINDS = [
 export type TraceKind = (typeof TRACE_KINDS)[number]
 
 /**
- * Those of `compute`; the method is `touching-disc`.
+ * Those of `compute`, but that the method is `touching-disc` by default; or edits.
  *
  * @category Tracing
  */
-export interface TraceOptions extends Omit<Options, 'method'> {
-  readonly method?: 'touching-disc' | undefined
+export interface TraceOptions extends Options {
+  /** Edits of the diagram of `circles`, which is there before: circle i has id i. No other option goes with them. */
+  readonly edits?: Iterable<Edit> | undefined
 }
 
 /**
@@ -66,13 +90,13 @@ export interface TraceOptions extends Omit<Options, 'method'> {
 export interface TraceArrays {
   /** Of each event its index in `TRACE_KINDS`. */
   readonly kinds: Uint8Array
-  /** Three of each: x, y and r of a disc; 0 where there is none. */
+  /** Three of each: x, y and r of a disc; 0 or NaN where there is none. */
   readonly discs: Float64s
   /** Three of each, `NONE` where there is none; of a three-touch disc clockwise, as the directed edges 0 to 1 and 1 to 2. */
   readonly circles: Int32s
   /** Of each the vertex that is made or where a segment ends, or `NONE`. */
   readonly vertices: Int32s
-  /** Two of each, `NONE` where there is none: samples, directed edges or a round, counted from 0. */
+  /** Two of each, `NONE` where there is none: samples, directed edges, a face or a round, counted from 0. */
   readonly numbers: Int32s
 }
 
@@ -111,6 +135,10 @@ export interface TraceState {
   readonly directedEdges: Int32Array
   /** The three-touch discs that wait, the next one first: by radius, then by their directed edges. */
   readonly queue: Int32Array
+  /** The makings of faces that are there. */
+  readonly faces: Int32Array
+  /** The edits of circles so far, of all rounds. */
+  readonly edits: Int32Array
 }
 
 /** What changes back and forth, and the event before which it is so. */
@@ -119,6 +147,7 @@ interface Keyframe {
   readonly round: number
   readonly directedEdges: Int32Array
   readonly queue: Int32Array
+  readonly faces: Int32Array
 }
 
 const kind = (name: TraceKind) => TRACE_KINDS.indexOf(name)
@@ -128,6 +157,9 @@ const STALE = kind('threeTouchDiscStale')
 const BRANCH = kind('branchDisc')
 const PLACED = kind('directedEdgePlaced')
 const DELETED = kind('directedEdgeDeleted')
+const MADE = kind('faceMade')
+const REMOVED = kind('faceRemoved')
+const EDITS = [kind('circleInserted'), kind('circleRemoved'), kind('circleReplaced')]
 const WITHOUT_DISC = ['roundBegun', 'centersJoined', 'samplesJoined', 'pairFound'].map((name) =>
   kind(name as TraceKind),
 )
@@ -136,8 +168,7 @@ const WITHOUT_DISC = ['roundBegun', 'centersJoined', 'samplesJoined', 'pairFound
 const EDGES = 2 ** 26
 
 /**
- * What the touching disc method did, event by event, and the diagram that it made, which may be wrong where its certificate
- * says so.
+ * What was done, event by event, and the diagram that came of it, which may be wrong where its certificate says so.
  *
  * @category Tracing
  * @example
@@ -153,7 +184,9 @@ export class Trace implements TraceArrays {
   readonly circles: Int32s
   readonly vertices: Int32s
   readonly numbers: Int32s
-  readonly #keyframes: Keyframe[] = [{ event: 0, round: 0, directedEdges: new Int32Array(0), queue: new Int32Array(0) }]
+  readonly #keyframes: Keyframe[] = [
+    { event: 0, round: 0, directedEdges: new Int32Array(0), queue: new Int32Array(0), faces: new Int32Array(0) },
+  ]
   readonly #spacing: number
 
   /** Of a diagram and the events that led to it, which are not copied. */
@@ -181,13 +214,14 @@ export class Trace implements TraceArrays {
     }
     const number = at(this.kinds, k)
     const vertex = at(this.vertices, k)
-    const [x, y, r] = this.discs.subarray(3 * k, 3 * k + 3) as unknown as [number, number, number]
+    const r = at(this.discs, 3 * k + 2)
+    const hasDisc = !WITHOUT_DISC.includes(number) && !Number.isNaN(r)
     return {
       kind: TRACE_KINDS[number] as TraceKind,
-      disc: WITHOUT_DISC.includes(number) ? undefined : { x, y, r },
-      circles: [...this.circles.subarray(3 * k, 3 * k + 3)].filter((circle) => circle !== NONE),
+      disc: hasDisc ? { x: at(this.discs, 3 * k), y: at(this.discs, 3 * k + 1), r } : undefined,
+      circles: known(this.circles, 3 * k, 3),
       vertex: vertex === NONE ? undefined : vertex,
-      numbers: [...this.numbers.subarray(2 * k, 2 * k + 2)].filter((item) => item !== NONE),
+      numbers: known(this.numbers, 2 * k, 2),
     }
   }
 
@@ -202,8 +236,9 @@ export class Trace implements TraceArrays {
     if (!(Number.isInteger(k) && 0 <= k && k <= this.length)) {
       refuseArgument(`at takes a number of events from 0 to ${this.length}, not ${k}.`)
     }
-    const { round, directedEdges, queue } = this.#replayedTo(k)
-    const all = (name: TraceKind) => this.#eventsOf(kind(name), round, k)
+    const { round, directedEdges, queue, faces } = this.#replayedTo(k)
+    const events = this.#eventsByKind(round, k)
+    const all = (name: TraceKind) => events[kind(name)] as Int32Array
     return {
       round,
       centerEdges: all('centersJoined'),
@@ -215,14 +250,27 @@ export class Trace implements TraceArrays {
       segments: all('segmentFinished'),
       directedEdges,
       queue: queue.sort((a, b) => this.#compareDiscs(a, b)),
+      faces,
+      edits: this.#editsBefore(k),
     }
   }
 
-  #eventsOf(kind: number, from: number, to: number): Int32Array {
-    let count = 0
-    for (let k = from; k < to; k++) if (this.kinds[k] === kind) count += 1
-    const events = new Int32Array(count)
-    for (let k = to - 1; count > 0; k--) if (this.kinds[k] === kind) events[--count] = k
+  #editsBefore(end: number): Int32Array {
+    const edits: number[] = []
+    for (let k = 0; k < end; k++) if (EDITS.includes(at(this.kinds, k))) edits.push(k)
+    return Int32Array.from(edits)
+  }
+
+  #eventsByKind(from: number, to: number): Int32Array[] {
+    const counts = new Int32Array(TRACE_KINDS.length)
+    for (let k = from; k < to; k++) counts[at(this.kinds, k)] = at(counts, at(this.kinds, k)) + 1
+    const events = Array.from(counts, (count) => new Int32Array(count))
+    for (let k = to - 1; k >= from; k--) {
+      const kind = at(this.kinds, k)
+      const last = at(counts, kind) - 1
+      counts[kind] = last
+      ;(events[kind] as Int32Array)[last] = k
+    }
     return events
   }
 
@@ -239,8 +287,9 @@ export class Trace implements TraceArrays {
   #replayedTo(end: number): Keyframe {
     const spacing = this.#spacing
     const known = Math.min(Math.floor(end / spacing), this.#keyframes.length - 1)
-    const { event, round, directedEdges, queue } = this.#keyframes[known] as Keyframe
-    const replay = new Replay(this, round, directedEdges, queue)
+    const keyframe = this.#keyframes[known] as Keyframe
+    const { event } = keyframe
+    const replay = new Replay(this, keyframe)
     for (let k = event; k < end; k++) {
       if (k > event && k % spacing === 0) this.#keyframes[k / spacing] = replay.keyframe(k)
       replay.step(k)
@@ -249,19 +298,32 @@ export class Trace implements TraceArrays {
   }
 }
 
-/** The directed edges that are there and the discs that wait, while events happen. */
+/** Those of some numbers in a row that are not `NONE`. Players ask for many, and arrays made of parts take several times as long. */
+function known(list: Int32s, first: number, count: number): number[] {
+  const numbers: number[] = []
+  for (let k = first; k < first + count; k++) {
+    const number = at(list, k)
+    if (number !== NONE) numbers.push(number)
+  }
+  return numbers
+}
+
+/** The directed edges and faces that are there and the discs that wait, while events happen. */
 class Replay {
   readonly #trace: TraceArrays
   #round: number
   /** Events by directed edges, and by pairs of them. */
   readonly #placed = new Map<number, number>()
   readonly #formed = new Map<number, number>()
+  /** Events by faces. */
+  readonly #made = new Map<number, number>()
 
-  constructor(trace: TraceArrays, round: number, placed: Int32Array, formed: Int32Array) {
+  constructor(trace: TraceArrays, { round, directedEdges, queue, faces }: Keyframe) {
     this.#trace = trace
     this.#round = round
-    for (const k of placed) this.#placed.set(this.#edgeOf(k), k)
-    for (const k of formed) this.#formed.set(this.#edgesOf(k), k)
+    for (const k of directedEdges) this.#placed.set(this.#numberOf(k), k)
+    for (const k of queue) this.#formed.set(this.#edgesOf(k), k)
+    for (const k of faces) this.#made.set(this.#numberOf(k), k)
   }
 
   step(k: number): void {
@@ -270,12 +332,19 @@ class Replay {
         this.#round = k
         this.#placed.clear()
         this.#formed.clear()
+        this.#made.clear()
         break
       case PLACED:
-        this.#placed.set(this.#edgeOf(k), k)
+        this.#placed.set(this.#numberOf(k), k)
         break
       case DELETED:
-        this.#placed.delete(this.#edgeOf(k))
+        this.#placed.delete(this.#numberOf(k))
+        break
+      case MADE:
+        this.#made.set(this.#numberOf(k), k)
+        break
+      case REMOVED:
+        this.#made.delete(this.#numberOf(k))
         break
       case FORMED:
         this.#formed.set(this.#edgesOf(k), k)
@@ -288,11 +357,17 @@ class Replay {
   }
 
   keyframe(event: number): Keyframe {
-    const [directedEdges, queue] = [this.#placed, this.#formed].map((events) => Int32Array.from(events.values()))
-    return { event, round: this.#round, directedEdges: directedEdges as Int32Array, queue: queue as Int32Array }
+    const listOf = (events: Map<number, number>) => Int32Array.from(events.values())
+    return {
+      event,
+      round: this.#round,
+      directedEdges: listOf(this.#placed),
+      queue: listOf(this.#formed),
+      faces: listOf(this.#made),
+    }
   }
 
-  #edgeOf(k: number): number {
+  #numberOf(k: number): number {
     return at(this.#trace.numbers, 2 * k)
   }
 

@@ -19,7 +19,6 @@ type JudgedArrays = Omit<import('./diagram-data.ts').DiagramData, 'metric' | 'ce
 
 interface WasmModule {
   compute(circles: Float64Array, options: WasmOptions): WasmError | WasmDiagram
-  /** Of the touching disc method, whatever the options say. */
   trace(
     circles: Float64Array,
     options: WasmOptions,
@@ -45,6 +44,8 @@ interface WasmModule {
   ): WasmError | Uint8Array
   /** Of each edit its kind, id, x, y and r. */
   applyEdits(editor: number, edits: Float64Array): WasmError | Uint8Array
+  /** The same, and the events of these edits; the change is not told. */
+  traceEdits(editor: number, edits: Float64Array): WasmError | import('./trace.ts').TraceArrays
   nearestCircle(editor: number, x: number, y: number, hint: number): number
   editorSize(editor: number): number
   /** x, y, r and whether it is hidden. */

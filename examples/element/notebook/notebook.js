@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// As in Observable, and in Jupyter's HTML output: a module that is imported when a cell runs, and an element as its value.
+const { CircleVoronoiElement } = await import('../../../dist/element/bundle.js')
+
+const figure = document.createElement('circle-voronoi')
+figure.circles = Array.from({ length: 12 }, (_, k) => ({ x: (k * 7) % 12, y: (k * 5) % 9, r: 0.2 + (k % 3) / 4 }))
+figure.layers = { dual: true }
+figure.controls = true
+figure.addEventListener('circleschange', ({ detail }) => {
+  const radii = detail.circles.filter((_, k) => k % 3 === 2)
+  document.querySelector('output').textContent = Math.max(...radii)
+})
+document.querySelector('#cell').append(figure)
+console.assert(figure instanceof CircleVoronoiElement)

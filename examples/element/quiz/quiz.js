@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a server would be sent is shown on the page.
+const form = document.querySelector('form')
+form.addEventListener('submit', (event) => {
+  event.preventDefault()
+  const { circles, check } = JSON.parse(new FormData(form).get('answer'))
+  form.querySelector('output').textContent = `Handed in: ${circles.length} circles, ${check ? 'right' : 'wrong'}.`
+})

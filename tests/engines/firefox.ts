@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import puppeteer, { type ElementHandle, type KeyInput } from 'puppeteer-core'
+import type { Point } from '../../web/lib/index.ts'
+import type { Engine } from './engine.ts'
+
+/** Firefox, over WebDriver BiDi. */
+export async function openFirefox(): Promise<Engine> {
+  const downloads = mkdtempSync(`${tmpdir()}/firefox-`)
+  const browser = await puppeteer.launch({
+    browser: 'firefox',
+    executablePath: process.env.FIREFOX_PATH ?? '/usr/bin/firefox-esr',
+    headless: true,
+    defaultViewport: { width: 1280, height: 800 },
+    // In a folder that is named.
+    extraPrefsFirefox: { 'browser.download.folderList': 2, 'browser.download.dir': downloads },
+  })
+  const page = await browser.newPage()
+  return {
+    downloads,
+    async open(url) {
+      await page.goto(url)
+    },
+    // Its types know plain functions alone.
+    evaluate: (call, ...args) => page.evaluate(call as never, ...args),
+    async drag([first, ...others]) {
+      const { x, y } = first as Point
+      await page.mouse.move(x, y)
+      await page.mouse.down()
+      for (const to of others) await page.mouse.move(to.x, to.y)
+      await page.mouse.up()
+    },
+    async press(keys) {
+      const held = keys.split('+') as KeyInput[]
+      const last = held.pop() as KeyInput
+      for (const key of held) await page.keyboard.down(key)
+      await page.keyboard.press(last)
+      for (const key of held.reverse()) await page.keyboard.up(key)
+    },
+    async choose(selector, path) {
+      const input = (await page.$(selector)) as ElementHandle<HTMLInputElement>
+      await input.uploadFile(path)
+    },
+    async close() {
+      await browser.close()
+      rmSync(downloads, { recursive: true, force: true })
+    },
+  }
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page in engines other than Chromium: what of it everybody needs.
+import { existsSync, readFileSync, writeFileSync } from 'node:fs'
+import { expect, test } from '@playwright/test'
+import { parseCircles } from '../../web/app/csv.ts'
+import { loadFiles } from '../../web/lib/files.ts'
+import type { Circle, Edit, Point } from '../../web/lib/index.ts'
+import { decodeLink } from '../../web/lib/link.ts'
+import { loadCircleVoronoi } from '../../web/lib/loader.ts'
+import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
+import { dataSet, PADDING } from '../e2e/page.ts'
+import { type Engine, until } from './engine.ts'
+import { ENGINES } from './engines.ts'
+
+const BRONZE = dataSet('bronzefilter')
+const FIVE = [
+  [0, 0, 1],
+  [6, 0, 1],
+  [0, 8, 1],
+  [9, 9, 2],
+  [3, 3, 0.5],
+] as const
+
+/** The page in an engine. */
+class Page {
+  readonly engine: Engine
+
+  constructor(engine: Engine) {
+    this.engine = engine
+  }
+
+  text(selector: string): Promise<string> {
+    return this.engine.evaluate((selector) => document.querySelector(selector)?.textContent ?? '', selector)
+  }
+
+  async says(selector: string, part: string): Promise<string> {
+    return until(
+      `"${part}" in ${selector}`,
+      () => this.text(selector),
+      (text) => text.includes(part),
+    )
+  }
+
+  /** The value of a field of the inspector. */
+  value(field: 'x' | 'y' | 'r'): Promise<number> {
+    return this.engine.evaluate((id) => Number(document.querySelector<HTMLInputElement>(id)?.value), `#field-${field}`)
+  }
+
+  address(): Promise<string> {
+    return this.engine.evaluate(() => location.href)
+  }
+
+  /** Where a point of the plane is while all of these circles are seen. */
+  async locate(circles: Float64Array, point: Point): Promise<Point> {
+    const size = await this.engine.evaluate(() => ({ width: innerWidth, height: innerHeight }))
+    return toScreen(fitted(boundingBox(circles), size, PADDING), size, point)
+  }
+
+  /** Clicks the button with this name. */
+  async click(name: string): Promise<void> {
+    const middle = await this.engine.evaluate((name) => {
+      const nameOf = (button: Element) => button.getAttribute('aria-label') ?? button.textContent?.trim()
+      const button = [...document.querySelectorAll('button')].find((button) => nameOf(button) === name)
+      if (button === undefined) throw new Error(`There is no button ${name}.`)
+      const { x, y, width, height } = button.getBoundingClientRect()
+      return { x: x + width / 2, y: y + height / 2 }
+    }, name)
+    await this.engine.drag([middle])
+  }
+
+  /** The colours that are painted at these pixels: red, green, blue. */
+  colors(points: readonly Point[]): Promise<readonly (readonly number[])[]> {
+    return this.engine.evaluate((points) => {
+      const canvas = document.querySelector('#figure canvas') as HTMLCanvasElement
+      const context = canvas.getContext('2d') as CanvasRenderingContext2D
+      const [across, down] = [canvas.width / canvas.clientWidth, canvas.height / canvas.clientHeight]
+      return points.map(({ x, y }) => [...context.getImageData(x * across, y * down, 1, 1).data.slice(0, 3)])
+    }, points)
+  }
+}
+
+for (const [name, openEngine] of ENGINES) {
+  test.describe(name, () => {
+    test.setTimeout(90_000)
+    test('loads, drags, undoes, opens, saves and links', async ({ baseURL }, testInfo) => {
+      const engine = await openEngine()
+      try {
+        const page = new Page(engine)
+        await engine.open(`${baseURL}/`)
+        await page.says('#status', '678 circles · 1,339 vertices · 2,016 edges')
+        // It is painted: a circle has another colour than the paper.
+        const center = (i: number) =>
+          page.locate(BRONZE, { x: BRONZE[3 * i] as number, y: BRONZE[3 * i + 1] as number })
+        const from = await center(650)
+        const isPainted = ([disc, paper]: readonly (readonly number[])[]) => String(disc) !== String(paper)
+        await until('painted', () => page.colors([from, { x: 5, y: 200 }]), isPainted)
+
+        await engine.drag([from, { x: from.x + 5, y: from.y }, { x: from.x + 9, y: from.y - 4 }])
+        await page.says('#inspector', 'Circle 650')
+        const isLinked = (address: string) => address.includes('#v1.')
+        const link = await until('linked', () => page.address(), isLinked)
+        const { dataSet, edits } = await decodeLink(new URL(link).hash)
+        expect(dataSet).toBe('bronzefilter')
+        expect(edits).toMatchObject([{ kind: 'replace', id: 650 }])
+        const edit = edits?.[0] as Extract<Edit, { kind: 'replace' }> & { circle: Circle }
+        expect(edit.circle.x).toBeGreaterThan(BRONZE[1950] as number)
+        await engine.press('Control+z')
+        await until(
+          'undone',
+          () => page.value('x'),
+          (x) => x === BRONZE[1950],
+        )
+
+        await page.click('Files')
+        const csv = testInfo.outputPath('five.csv')
+        writeFileSync(csv, FIVE.join('\n'))
+        await engine.choose('#files input[type=file]', csv)
+        await page.says('#status', '5 circles')
+        await page.click('Copy link')
+        await page.says('#files', 'The link is in the clipboard.')
+        await page.click('CSV')
+        const saved = `${engine.downloads}/circles.csv`
+        await until('saved', async () => existsSync(saved) && readFileSync(saved, 'utf8').length > 0, Boolean)
+        expect([...parseCircles(readFileSync(saved, 'utf8'))]).toEqual(FIVE.flat())
+        await page.click('JSON')
+        const json = `${engine.downloads}/circles.json`
+        await until('saved', async () => existsSync(json) && readFileSync(json, 'utf8').endsWith('}\n'), Boolean)
+        const diagram = (await loadFiles()).readDiagram(readFileSync(json, 'utf8'))
+        expect((await loadCircleVoronoi()).certify(diagram).certified).toBe(true)
+
+        // It is where it was dragged to. What was saved may have made the window smaller.
+        await engine.open('about:blank')
+        await engine.open(link)
+        await page.says('#status', '678 circles')
+        await engine.drag([await page.locate(BRONZE, edit.circle)])
+        await page.says('#inspector', 'Circle 650')
+        expect(await page.value('x')).toBeCloseTo(edit.circle.x)
+        expect(await page.text('#problem')).toBe('')
+      } finally {
+        await engine.close()
+      }
+    })
+  })
+}

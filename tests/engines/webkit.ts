@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { type ChildProcess, spawn } from 'node:child_process'
+import { mkdtempSync, readdirSync, rmSync } from 'node:fs'
+import { createServer } from 'node:net'
+import { tmpdir } from 'node:os'
+import type { Engine } from './engine.ts'
+
+/** What the protocol calls the keys that are no letters. */
+const KEYS: Readonly<Record<string, string>> = {
+  Backspace: '\uE003',
+  Tab: '\uE004',
+  Enter: '\uE007',
+  Shift: '\uE008',
+  Control: '\uE009',
+  Alt: '\uE00A',
+  Escape: '\uE00C',
+  ArrowLeft: '\uE012',
+  ArrowUp: '\uE013',
+  ArrowRight: '\uE014',
+  ArrowDown: '\uE015',
+  Delete: '\uE017',
+}
+const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf'
+
+/** WebKitGTK, which is what Safari draws and runs pages with, over WebDriver. */
+export async function openWebKit(): Promise<Engine> {
+  const home = mkdtempSync(`${tmpdir()}/webkit-`)
+  const display = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1400x1000x24', '-nolisten', 'tcp'], {
+    stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
+  })
+  // Also where a test is stopped because it takes too long.
+  process.once('exit', () => display.kill())
+  const number = await firstLine(display)
+  const port = await freePort()
+  const driver = spawn('WebKitWebDriver', [`--port=${port}`], {
+    stdio: 'ignore',
+    env: {
+      ...process.env,
+      HOME: home,
+      XDG_RUNTIME_DIR: home,
+      DISPLAY: `:${number}`,
+      LIBGL_ALWAYS_SOFTWARE: '1',
+      WEBKIT_DISABLE_COMPOSITING_MODE: '1',
+      // Its sandbox needs rights that containers do not give.
+      WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1',
+    },
+  })
+  process.once('exit', () => driver.kill())
+
+  const send = async (method: string, path: string, body?: object): Promise<never> => {
+    const response = await fetch(`http://127.0.0.1:${port}${path}`, {
+      method,
+      ...(body && { body: JSON.stringify(body) }),
+    })
+    const { value } = (await response.json()) as { value: never }
+    if (!response.ok) {
+      const { error, message } = value as { error: string; message: string }
+      throw new Error(`WebKit: ${error}: ${message}`)
+    }
+    return value
+  }
+  const close = async (session?: string) => {
+    if (session !== undefined) await send('DELETE', `/session/${session}`)
+    for (const child of [driver, display]) await ended(child)
+    rmSync(home, { recursive: true, force: true })
+  }
+
+  try {
+    await listening(port)
+    const browserOptions = { binary: miniBrowser(), args: ['--automation'] }
+    const alwaysMatch = { 'webkitgtk:browserOptions': browserOptions }
+    const { sessionId } = await send('POST', '/session', { capabilities: { alwaysMatch } })
+    const session = `/session/${sessionId}`
+    const post = (path: string, body: object) => send('POST', `${session}/${path}`, body)
+    await post('window/rect', { x: 0, y: 0, width: 1280, height: 900 })
+
+    return {
+      downloads: home,
+      open: (url) => post('url', { url }),
+      async evaluate(call, ...args) {
+        const script = `
+          const args = [...arguments]
+          const done = args.pop()
+          Promise.resolve().then(() => (${call})(...args))
+            .then((result) => done({ result }), (error) => done({ error: String(error) }))`
+        const { result, error }: { result: never; error?: string } = await post('execute/async', { script, args })
+        if (error !== undefined) throw new Error(error)
+        return result
+      },
+      async drag(points) {
+        const [first, ...others] = points.map(({ x, y }) => ({
+          type: 'pointerMove',
+          duration: 16,
+          // Whole pixels are all that it takes.
+          x: Math.round(x),
+          y: Math.round(y),
+        }))
+        const actions = [first, { type: 'pointerDown', button: 0 }, ...others, { type: 'pointerUp', button: 0 }]
+        const mouse = { type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions }
+        await post('actions', { actions: [mouse] })
+      },
+      async press(keys) {
+        const values = keys.split('+').map((key) => KEYS[key] ?? key)
+        const actions = [
+          ...values.map((value) => ({ type: 'keyDown', value })),
+          ...values.reverse().map((value) => ({ type: 'keyUp', value })),
+        ]
+        await post('actions', { actions: [{ type: 'key', id: 'keys', actions }] })
+      },
+      async choose(selector, path) {
+        const element = await post('element', { using: 'css selector', value: selector })
+        await post(`element/${element[ELEMENT]}/value`, { text: path })
+      },
+      close: () => close(sessionId),
+    }
+  } catch (error) {
+    await close()
+    throw error
+  }
+}
+
+/** The browser of the package, in a folder named for the machine. */
+function miniBrowser(): string {
+  const folder = readdirSync('/usr/lib').find((name) => name.endsWith('-linux-gnu'))
+  return `/usr/lib/${folder}/webkit2gtk-4.1/MiniBrowser`
+}
+
+/** What a program writes first to its fourth stream. */
+function firstLine(child: ChildProcess): Promise<string> {
+  return new Promise((resolve, reject) => {
+    child.once('error', reject)
+    child.stdio[3]?.once('data', (data: Buffer) => resolve(String(data).trim()))
+  })
+}
+
+function freePort(): Promise<number> {
+  return new Promise((resolve) => {
+    const server = createServer()
+    server.listen(0, '127.0.0.1', () => {
+      const { port } = server.address() as { port: number }
+      server.close(() => resolve(port))
+    })
+  })
+}
+
+async function listening(port: number): Promise<void> {
+  for (let attempt = 0; attempt < 100; attempt++) {
+    const answer = await fetch(`http://127.0.0.1:${port}/status`).catch(() => undefined)
+    if (answer?.ok) return
+    await new Promise((resolve) => setTimeout(resolve, 100))
+  }
+  throw new Error('WebKitWebDriver does not answer.')
+}
+
+function ended(child: ChildProcess): Promise<unknown> {
+  if (child.exitCode !== null) return Promise.resolve()
+  return new Promise((resolve) => {
+    child.once('exit', resolve)
+    child.kill()
+  })
+}

@@ -1,0 +1,714 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// <circle-voronoi> in the pages of examples/element, on the built package.
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { AxeBuilder } from '@axe-core/playwright'
+import { expect, type Page, test, type Worker } from '@playwright/test'
+import { build } from 'vite'
+import { buildSite } from '../../examples/element/markdown/build.mjs'
+import { encodeLink } from '../../web/lib/link.ts'
+import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
+import { type Ask, heapOf, withThread } from '../e2e/thread-session.ts'
+import { ROOT } from './project.ts'
+import { type Server, serve } from './static-server.ts'
+
+/** What an example may do that has a few lines of script or style in itself. */
+const EXAMPLE_POLICY =
+  "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data:"
+
+type Element = HTMLElementTagNameMap['circle-voronoi']
+/** Of WebAssembly, in a thread. */
+type Instances = { readonly instances: readonly WebAssembly.Instance[] }
+
+test.describe.configure({ timeout: 120_000 })
+
+let server: Server
+test.beforeAll(async () => {
+  server = await serve(ROOT, EXAMPLE_POLICY)
+})
+test.afterAll(() => server.close())
+
+/** The page of an example. */
+function exampleOf(name: string): string {
+  return readFileSync(join(ROOT, `examples/element/${name}/index.html`), 'utf8')
+}
+
+/** A page for a test, in build/examples. */
+function writeExample(name: string, html: string): void {
+  mkdirSync(join(ROOT, 'build/examples'), { recursive: true })
+  writeFileSync(join(ROOT, 'build/examples', name), html)
+}
+
+/** What a page complains of, and what it asks for. */
+function watch(page: Page): { readonly problems: string[]; readonly asked: string[] } {
+  const problems: string[] = []
+  const asked: string[] = []
+  page.on('pageerror', ({ message }) => problems.push(message))
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && problems.push(message.text()))
+  page.on('request', (request) => asked.push(request.url()))
+  return { problems, asked }
+}
+
+/** Waits until an element shows its circles. */
+const shown = (page: Page) =>
+  page
+    .locator('circle-voronoi')
+    .first()
+    .evaluate(async (element: Element) => {
+      await element.ready
+      await element.updateComplete
+    })
+
+const circlesOf = (page: Page): Promise<number[]> =>
+  page
+    .locator('circle-voronoi')
+    .first()
+    .evaluate((element: Element) => [...element.circles])
+
+/** Where a circle's centre is on the page, while all of them are seen. */
+async function placeOf(page: Page, i: number): Promise<{ x: number; y: number }> {
+  const { circles, box, controls } = await page
+    .locator('circle-voronoi')
+    .first()
+    .evaluate((element: Element) => {
+      const root = element.shadowRoot as ShadowRoot
+      const { left, top, width, height } = (root.querySelector('.figure') as HTMLElement).getBoundingClientRect()
+      const buttons = (root.querySelector('.controls') as HTMLElement).clientHeight
+      return { circles: [...element.circles], box: { left, top, width, height }, controls: buttons }
+    })
+  const padding = { top: controls === 0 ? 16 : controls + 12, right: 16, bottom: 16, left: 16 }
+  const camera = fitted(boundingBox(Float64Array.from(circles)), box, padding)
+  const { x, y } = toScreen(camera, box, { x: circles[3 * i] as number, y: circles[3 * i + 1] as number })
+  return { x: box.left + x, y: box.top + y }
+}
+
+async function drag(page: Page, i: number, dx: number, dy: number): Promise<void> {
+  const { x, y } = await placeOf(page, i)
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await page.mouse.move(x + dx, y + dy, { steps: 5 })
+  await page.mouse.up()
+}
+
+/** Drags a circle, and moves it back by a key: whatever the page is made of, this works. */
+async function expectToBeLive(page: Page): Promise<void> {
+  await shown(page)
+  const before = await circlesOf(page)
+  await drag(page, 1, -40, 30)
+  await expect.poll(async () => (await circlesOf(page))[3]).toBeLessThan(before[3] as number)
+  await page.keyboard.press('Control+z')
+  await expect.poll(() => circlesOf(page)).toEqual(before)
+}
+
+test('under a strict policy: data that a page without scripts shows, drawn, dragged and edited by keys', async ({
+  page,
+}) => {
+  const { problems, asked } = watch(page)
+  await page.addInitScript(() => {
+    const told: string[] = []
+    for (const name of ['circleschange', 'diagramchange', 'selectionchange', 'error']) {
+      document.addEventListener(name, ({ type, target }) => told.push(`${type} of ${(target as Element).localName}`))
+    }
+    let shift = 0
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) shift += (entry as PerformanceEntry & { value: number }).value
+    }).observe({ type: 'layout-shift', buffered: true })
+    Object.assign(globalThis, { told, shift: () => shift })
+  })
+  await page.goto(`${server.address}examples/element/strict/index.html`)
+  await shown(page)
+  const element = page.locator('circle-voronoi')
+  const figure = element.getByRole('application')
+  const told = () => page.evaluate(() => (globalThis as unknown as { told: string[] }).told.splice(0))
+  expect(await circlesOf(page)).toEqual([0, 0, 2, 10, 0, 1, 5, 8, 1.5, 4, 3, 0.5])
+  expect(await told()).toEqual(['circleschange of circle-voronoi', 'diagramchange of circle-voronoi'])
+  expect(await page.evaluate(() => (globalThis as unknown as { shift: () => number }).shift())).toBe(0)
+  // Its own files, each once but for what two threads have in common.
+  const [wasm, ...more] = asked.filter((url) => url.endsWith('.wasm'))
+  expect(wasm).toMatch(/dist\/lib\/generated\/circle-voronoi\.wasm$/)
+  expect(more).toEqual([])
+  expect(asked.filter((url) => !/\/(examples\/element\/strict|dist\/element|dist\/lib)\//.test(url))).toEqual([])
+  expect(asked.filter((url) => url.includes('/player-'))).toEqual([])
+  await expect(figure).toHaveAccessibleName('Four circles, their diagram and their hull')
+  await expect(figure).toHaveAccessibleDescription(/^4 circles; the diagram has 3 vertices and 6 edges\. Enter selects/)
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+
+  // The page scrolls over it, until it was pressed.
+  await page.setViewportSize({ width: 1280, height: 500 })
+  const { x, y } = await placeOf(page, 3)
+  await page.mouse.move(x, y)
+  await page.mouse.wheel(0, 60)
+  await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(0)
+  await expect(element.locator('.hint')).toHaveText(/^Ctrl and the wheel zoom/)
+  const viewOf = () => element.evaluate((element: Element) => element.getState().view)
+  expect(await viewOf()).toBeUndefined()
+  await page.evaluate(() => scrollTo(0, 0))
+  await page.mouse.click(x, y)
+  await page.mouse.wheel(0, -60)
+  await expect.poll(viewOf).toBeDefined()
+  expect(await page.evaluate(() => scrollY)).toBe(0)
+  await page.keyboard.press('Escape')
+  await page.keyboard.press('0')
+  await expect.poll(viewOf).toBeUndefined()
+  await page.setViewportSize({ width: 1280, height: 800 })
+
+  await told()
+  await expectToBeLive(page)
+  expect(new Set(await told())).toEqual(
+    new Set(['circleschange', 'diagramchange', 'selectionchange'].map((name) => `${name} of circle-voronoi`)),
+  )
+  await figure.focus()
+  await page.keyboard.press('Escape')
+  await page.keyboard.press('Enter')
+  await expect.poll(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
+  const [selected] = await element.evaluate((element: Element) => element.selection)
+  await page.keyboard.press('ArrowRight')
+  const atFirst = [0, 0, 2, 10, 0, 1, 5, 8, 1.5, 4, 3, 0.5]
+  await expect
+    .poll(async () => (await circlesOf(page))[3 * (selected as number)])
+    .toBeGreaterThan(atFirst[3 * (selected as number)] as number)
+  await page.keyboard.press('Delete')
+  await expect.poll(async () => (await circlesOf(page)).length).toBe(9)
+  await element.getByRole('button', { name: 'Undo' }).click()
+  await element.getByRole('button', { name: 'Undo' }).click()
+  await expect.poll(() => circlesOf(page)).toEqual(atFirst)
+
+  // What is kept comes back, also as JSON; a drawing and a computation of what is shown.
+  const kept = await element.evaluate(async (element: Element) => {
+    const state = JSON.parse(JSON.stringify(element.getState()))
+    element.circles = [
+      [0, 0, 1],
+      [5, 0, 1],
+    ] as unknown as number[][]
+    await element.updateComplete
+    const others = [...element.circles]
+    await element.setState(state)
+    element.setAttribute('method', 'touching-disc')
+    const { certificate } = await element.compute()
+    const image = await element.toPNG(2)
+    return { others, svg: await element.toSVG(), certified: certificate.certified, type: image.type }
+  })
+  expect(kept.others).toEqual([0, 0, 1, 5, 0, 1])
+  expect(await circlesOf(page)).toEqual(atFirst)
+  expect(kept).toMatchObject({ certified: true, type: 'image/png' })
+  expect(kept.svg.match(/<path/g)?.length).toBeGreaterThan(5)
+  expect(kept.svg).toContain('rgb(46, 125, 50)')
+
+  // The colours follow those of the page.
+  const corner = () =>
+    element.evaluate(async (element: Element) => {
+      await element.updateComplete
+      const copy = new OffscreenCanvas(1, 1)
+      const context = copy.getContext('2d') as OffscreenCanvasRenderingContext2D
+      context.drawImage(element.shadowRoot?.querySelector('canvas') as HTMLCanvasElement, -5, -200)
+      return [...context.getImageData(0, 0, 1, 1).data].slice(0, 3)
+    })
+  const light = await corner()
+  await page.emulateMedia({ colorScheme: 'dark' })
+  await expect.poll(async () => Math.max(...(await corner()))).toBeLessThan(100)
+  expect(Math.min(...light)).toBeGreaterThan(150)
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  await page.emulateMedia({ colorScheme: 'light' })
+
+  // What is wrong is said, and changes nothing.
+  await told()
+  await element.evaluate((element: Element) => element.setAttribute('layers', 'hull nonsense'))
+  expect(await told()).toEqual(['error of circle-voronoi'])
+  await expect(element.getByRole('alert')).toHaveText('There is no layer nonsense.')
+  const refused = await element.evaluate((element: Element) =>
+    element.setState({ circles: [[0, 0, -1]] }).catch((error: Error) => error.message),
+  )
+  expect(refused).toMatch(/negative/)
+  expect(await circlesOf(page)).toEqual(atFirst)
+
+  // One that is only looked at.
+  await element.evaluate((element: Element) => {
+    element.readonly = true
+  })
+  await expect(element.getByRole('button', { name: 'Undo' })).toHaveCount(0)
+  await drag(page, 1, -40, 30)
+  await page.keyboard.press('0')
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Delete')
+  await expect.poll(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
+  expect(await circlesOf(page)).toEqual(atFirst)
+  expect(problems).toEqual([])
+})
+
+test('in one file from another origin, of which nothing else is asked', async ({ page }) => {
+  const elsewhere = await serve(ROOT, undefined)
+  const { origin } = new URL(elsewhere.address)
+  const here = await serve(
+    ROOT,
+    `default-src 'none'; script-src ${origin} blob: 'wasm-unsafe-eval'; worker-src ${origin} blob:; connect-src 'self'; img-src data:`,
+  )
+  try {
+    const { problems, asked } = watch(page)
+    writeExample('bundle.html', exampleOf('bundle').replaceAll('../../../', elsewhere.address))
+    await page.goto(`${here.address}build/examples/bundle.html`)
+    await expectToBeLive(page)
+    // By the page and by the thread.
+    expect(new Set(asked.filter((url) => url.startsWith(origin)))).toEqual(
+      new Set([`${origin}/dist/element/bundle.js`]),
+    )
+    expect(problems).toEqual([])
+    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  } finally {
+    await elsewhere.close()
+    await here.close()
+  }
+})
+
+test('the module and its thread from another origin', async ({ page }) => {
+  const elsewhere = await serve(ROOT, undefined)
+  const { origin } = new URL(elsewhere.address)
+  const here = await serve(
+    ROOT,
+    `default-src 'none'; script-src ${origin} blob: 'wasm-unsafe-eval'; worker-src ${origin} blob:; connect-src ${origin}; style-src 'self' 'unsafe-inline'; img-src data:`,
+  )
+  try {
+    const { problems } = watch(page)
+    writeExample('plain.html', exampleOf('plain').replaceAll('../../../', elsewhere.address))
+    await page.goto(`${here.address}build/examples/plain.html`)
+    await expectToBeLive(page)
+    expect(problems).toEqual([])
+  } finally {
+    await elsewhere.close()
+    await here.close()
+  }
+})
+
+test('the method step by step, in the figure that plays it and where a text tells of it', async ({ page }) => {
+  const { problems, asked } = watch(page)
+  await page.addInitScript(() => {
+    const told: string[] = []
+    document.addEventListener('stepchange', (event) => {
+      const { detail, target } = event as CustomEvent<{ step: number; steps: number }>
+      told.push(`${(target as Element).id} ${detail.step}/${detail.steps}`)
+    })
+    Object.assign(globalThis, { told })
+  })
+  await page.goto(`${server.address}examples/element/player/index.html`)
+  await shown(page)
+  const played = page.locator('#played')
+  const slider = played.getByRole('slider', { name: 'Step' })
+  const sentence = played.locator('.sentence')
+  const stepOf = (id: string) => page.locator(id).evaluate((element: Element) => element.step)
+  const hasDiagram = (id: string) =>
+    page.locator(id).evaluate((element: Element) => element.toSVG().then((svg) => svg.length))
+  await expect(sentence).toHaveText('There are 7 circles.')
+  const steps = Number(await slider.getAttribute('max')) + 1
+  const told = async (id: string) => {
+    const all = await page.evaluate(() => (globalThis as unknown as { told: string[] }).told.splice(0))
+    return all.filter((text) => text.startsWith(id))
+  }
+  expect((await told('played')).at(-1)).toBe(`played 0/${steps}`)
+  expect(asked.filter((url) => /\/player-\w+\.js$/.test(url))).toHaveLength(1)
+  expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
+  await slider.focus()
+  await page.keyboard.press('ArrowRight')
+  await expect(sentence).toContainText('The Delaunay graph of the centres')
+  expect(await stepOf('#played')).toBe(1)
+  expect(await told('played')).toEqual([`played 1/${steps}`])
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+
+  // By script: it plays until it is told to stay, and a state has the step.
+  const kept = await played.evaluate(async (element: Element) => {
+    await element.stepTo(20)
+    await element.play()
+    await new Promise((resolve) => element.addEventListener('stepchange', resolve, { once: true }))
+    element.pause()
+    const state = element.getState()
+    await element.stepTo(1e6)
+    const last = element.step
+    await element.setState(JSON.parse(JSON.stringify(state)))
+    await element.updateComplete
+    return { state, last, step: element.step }
+  })
+  expect(kept).toMatchObject({ state: { step: 21 }, last: steps - 1, step: 21 })
+  expect(kept.state.layers).toEqual({})
+  const refused = await played.evaluate((element: Element) => element.stepTo(-1).catch((error: Error) => error.message))
+  expect(refused).toBe('A step is a whole number from 0, not -1.')
+
+  // Circles that are edited are played from the start; at its stages, and at its end, it stays there.
+  await played.getByRole('application').focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('ArrowRight')
+  await expect(sentence).toHaveText('There are 7 circles.')
+  await played.evaluate((element: Element) => element.stepTo(3))
+  await page.keyboard.press('Delete')
+  await expect(sentence).toHaveText(/^\d+ samples lie/)
+  await expect.poll(async () => (await circlesOf(page)).length).toBe(18)
+  await played.evaluate((element: Element) => element.stepTo(1e6))
+  await page.keyboard.press('Control+z')
+  await expect(slider).toHaveAttribute('max', String(steps - 1))
+  await expect(sentence).toContainText('The judge proves the diagram.')
+  // By flips, and no longer.
+  await played.evaluate((element: Element) => {
+    element.method = 'auto'
+  })
+  await expect(sentence).toHaveText('There are 7 circles.')
+  await page.keyboard.press('Escape')
+  await played.evaluate((element: Element) => element.stepTo(2))
+  await expect(sentence).toHaveText(/^\d+ triangles, each with the disc/)
+  const withoutDiagram = await hasDiagram('#played')
+  await played.evaluate((element: Element) => {
+    element.controls = false
+  })
+  await expect(sentence).toHaveCount(0)
+  expect(await stepOf('#played')).toBeUndefined()
+  expect(await hasDiagram('#played')).not.toBe(withoutDiagram)
+  await told('')
+
+  // Without the player: as the text says.
+  const other = page.locator('#told')
+  await other.evaluate(async (element: Element) => {
+    element.scrollIntoView()
+    await element.ready
+    await element.updateComplete
+  })
+  expect(await stepOf('#told')).toBe(3)
+  await expect(other.locator('.player')).toBeHidden()
+  await page.getByRole('button', { name: 'pairs' }).click()
+  await expect.poll(async () => (await told('told')).at(-1)).toMatch(/^told 5\//)
+  const pairs = await other.evaluate((element: Element) => element.toSVG())
+  await page.getByRole('button', { name: 'diagram' }).click()
+  await expect.poll(() => stepOf('#told')).toBeUndefined()
+  expect(await other.evaluate((element: Element) => element.toSVG())).not.toBe(pairs)
+  expect(problems).toEqual([])
+})
+
+test('a question in a form: it is sent once the circles are as asked, and begun again', async ({ page }) => {
+  const { problems } = watch(page)
+  await page.goto(`${server.address}examples/element/quiz/index.html`)
+  await shown(page)
+  const element = page.locator('circle-voronoi')
+  const output = page.locator('output')
+  const atFirst = await circlesOf(page)
+  await expect(element.getByRole('application')).toHaveAccessibleDescription(/not yet as they are to be/)
+  await page.getByRole('button', { name: 'Hand in' }).click()
+  await expect(output).toBeEmpty()
+  expect(await element.evaluate((element: Element) => [element.checkValidity(), element.validationMessage])).toEqual([
+    false,
+    'The circles are not yet as they are to be.',
+  ])
+  // Far away, it no longer borders on the small one.
+  await drag(page, 3, 150, 0)
+  await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(true)
+  await page.getByRole('button', { name: 'Hand in' }).click()
+  await expect(output).toHaveText('Handed in: 5 circles, right.')
+  await page.getByRole('button', { name: 'Begin again' }).click()
+  await expect.poll(() => circlesOf(page)).toEqual(atFirst)
+  await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(false)
+  // With the form, it can no longer be changed.
+  await page.evaluate(() => {
+    const fields = document.createElement('fieldset')
+    const form = document.querySelector('form') as HTMLFormElement
+    fields.append(...form.childNodes)
+    fields.disabled = true
+    form.append(fields)
+  })
+  await shown(page)
+  await drag(page, 3, 150, 0)
+  expect(await circlesOf(page)).toEqual(atFirst)
+  expect(problems).toEqual([])
+})
+
+test('in Markdown, from a file', async ({ page }) => {
+  const { problems } = watch(page)
+  buildSite(join(ROOT, 'build/markdown-site'), '../../dist/element/index.js')
+  await page.goto(`${server.address}build/markdown-site/index.html`)
+  await shown(page)
+  expect((await circlesOf(page)).slice(0, 3)).toEqual([1, 1, 0.4])
+  expect(await circlesOf(page)).toHaveLength(27)
+  const fallback = page.locator('circle-voronoi').locator('.fallback')
+  await expect(fallback).toHaveCSS('visibility', 'hidden')
+  const { x, y } = await placeOf(page, 4)
+  await page.mouse.click(x, y)
+  await expect.poll(() => page.locator('circle-voronoi').evaluate((element: Element) => element.selection)).toEqual([4])
+  expect(problems).toEqual([])
+})
+
+for (const name of ['react', 'vue']) {
+  test(`with ${name}, which hears of the circles and sets them`, async ({ page }) => {
+    const outDir = join(ROOT, `build/examples/${name}`)
+    await build({
+      root: join(ROOT, `examples/element/${name}`),
+      configFile: false,
+      logLevel: 'error',
+      base: './',
+      define: {
+        __VUE_OPTIONS_API__: 'true',
+        __VUE_PROD_DEVTOOLS__: 'false',
+        __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: 'false',
+      },
+      build: { outDir, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
+    })
+    const { problems, asked } = watch(page)
+    await page.goto(`${server.address}build/examples/${name}/index.html`)
+    await expect(page.locator('output')).toHaveText('3 circles, 3 edges')
+    await expectToBeLive(page)
+    expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
+    await page.locator('circle-voronoi').evaluate((element: Element) => {
+      element.circles = [...Array(5).keys()].map((k) => ({ x: k * k, y: 3 * k, r: 1 }))
+    })
+    await expect(page.locator('output')).toHaveText(/^5 circles/)
+    await page.getByRole('button', { name: 'As at first' }).click()
+    await expect(page.locator('output')).toHaveText('3 circles, 3 edges')
+    expect(problems).toEqual([])
+  })
+}
+
+test('made by a script that is imported later, as in notebooks', async ({ page }) => {
+  const { problems } = watch(page)
+  await page.goto(`${server.address}examples/element/notebook/index.html`)
+  await expect(page.locator('output')).toHaveText('0.7')
+  await expectToBeLive(page)
+  // It is moved to another place, taken away and put back, as it was left.
+  const { circles, isMoved } = await page.locator('circle-voronoi').evaluate(async (element: Element) => {
+    element.circles = [
+      [0, 0, 1],
+      [4, 0, 1],
+      [0, 5, 1],
+    ]
+    await element.updateComplete
+    const [canvas] = (element.shadowRoot as ShadowRoot).querySelectorAll('canvas')
+    document.body.append(element)
+    await new Promise((resolve) => setTimeout(resolve))
+    const isMoved = canvas === element.shadowRoot?.querySelector('canvas')
+    element.remove()
+    await new Promise((resolve) => setTimeout(resolve))
+    const left = element.shadowRoot?.querySelectorAll('canvas').length
+    if (left !== 0) throw new Error('It still has a view.')
+    document.body.append(element)
+    while (element.shadowRoot?.querySelectorAll('canvas').length === 0)
+      await new Promise((resolve) => setTimeout(resolve, 20))
+    await element.updateComplete
+    return { circles: [...element.circles], isMoved }
+  })
+  expect(circles).toEqual([0, 0, 1, 4, 0, 1, 0, 5, 1])
+  expect(isMoved).toBe(true)
+  expect(problems).toEqual([])
+})
+
+test('given the bytes: by its own name, and the method is played', async ({ page }) => {
+  const { problems, asked } = watch(page)
+  writeExample(
+    'bytes.js',
+    `import { defineCircleVoronoi } from '../../dist/element/define.js'
+    const bytes = fetch('../../dist/lib/generated/circle-voronoi.wasm').then((response) => response.arrayBuffer())
+    defineCircleVoronoi({ wasm: bytes })
+    defineCircleVoronoi({ wasm: bytes, name: 'my-circles' })`,
+  )
+  writeExample(
+    'bytes.html',
+    `<!doctype html><html lang="de"><title>Bytes</title><link rel="icon" href="data:,"><script type="module" src="bytes.js"></script>
+    <circle-voronoi circles="[[0,0,2],[10,0,1],[5,8,1.5]]" controls></circle-voronoi>
+    <my-circles circles="[[0,0,2],[10,0,1],[5,8,1.5]]" step="1"></my-circles>`,
+  )
+  await page.goto(`${server.address}build/examples/bytes.html`)
+  await expectToBeLive(page)
+  const other = page.locator('my-circles')
+  const state = await other.evaluate(async (element: Element) => {
+    await element.ready
+    await element.stepTo(2)
+    return element.getState()
+  })
+  expect(state).toEqual({
+    circles: [
+      [0, 0, 2],
+      [10, 0, 1],
+      [5, 8, 1.5],
+    ],
+    layers: {},
+    step: 2,
+  })
+  expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
+  // In the language of the page.
+  await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible()
+  await expect(page.locator('circle-voronoi').getByRole('application')).toHaveAccessibleDescription(
+    /^3 Kreise; das Diagramm hat 1 Ecke und 3 Kanten\. Enter wählt/,
+  )
+  expect(problems).toEqual([])
+})
+
+test('in a frame, which opens what a link says', async ({ page }) => {
+  const { problems } = watch(page)
+  await page.goto(`${server.address}examples/element/iframe/index.html`)
+  const frame = page.frameLocator('iframe')
+  const element = frame.locator('circle-voronoi')
+  await expect.poll(() => element.evaluate((element: Element) => element.circles.length)).toBe(12)
+  await element.evaluate((element: Element) => element.updateComplete)
+  await expect(frame.getByRole('link', { name: 'Open' })).toHaveAttribute('href', /^\.\/#v1\./)
+  await element.getByRole('application').focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Delete')
+  await expect.poll(() => element.evaluate((element: Element) => element.circles.length)).toBe(9)
+  // A link to a step opens the player there.
+  const link = await encodeLink({ circles: Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5), step: 3 })
+  await page.goto(`${server.address}dist/site/embed.html#${link}`)
+  await expect(page.locator('circle-voronoi').locator('.sentence')).toHaveText(/^\d+ samples lie/)
+  expect(problems).toEqual([])
+})
+
+test('twenty figures share a module and a thread, and give back what is far away', async ({ page }, info) => {
+  const { problems, asked } = watch(page)
+  const figures = Array.from(
+    { length: 20 },
+    (_, k) => `<p>${k}</p><circle-voronoi circles="[[0,0,2],[10,0,1],[5,8,1.5],[${k},3,0.5]]"></circle-voronoi>`,
+  )
+  writeExample(
+    'twenty.html',
+    `<!doctype html><html lang="en"><title>Twenty</title><link rel="icon" href="data:,">
+    <link rel="stylesheet" href="../../dist/element/element.css">
+    <script type="module" src="../../dist/element/index.js"></script>${figures.join('')}`,
+  )
+  // Instances are known to nobody but who made them.
+  await page.route('**/painter.js', async (route) => {
+    const response = await route.fetch()
+    const body = `{
+      const { instantiate } = WebAssembly
+      globalThis.instances = []
+      WebAssembly.instantiate = async (...given) => {
+        const made = await instantiate(...given)
+        instances.push(made.instance ?? made)
+        return made
+      }
+    }
+    ${await response.text()}`
+    await route.fulfill({ response, body })
+  })
+  await page.goto(`${server.address}build/examples/twenty.html`)
+  /** Pixels of canvases, in figures that have some. */
+  const pixels = () =>
+    page
+      .locator('circle-voronoi')
+      .evaluateAll((elements) =>
+        elements
+          .map((element) =>
+            [...(element.shadowRoot?.querySelectorAll('canvas') ?? [])].reduce(
+              (sum, { width, height }) => sum + width * height,
+              0,
+            ),
+          )
+          .flatMap((count, k) => (count > 0 ? [k] : [])),
+      )
+  await expect.poll(async () => (await pixels())[0]).toBe(0)
+  await shown(page)
+  expect((await pixels()).length).toBeLessThan(5)
+  const seen = new Set<number>()
+  const session = await page.context().newCDPSession(page)
+  /** What all of it takes, of the page and of its thread, in MB; WebAssembly is in one place. */
+  const memory = async () => {
+    const own = await heapOf(session.send.bind(session) as Ask)
+    const thread = await withThread(session, /\/painter\.js$/, heapOf)
+    const sizes = await (page.workers()[0] as Worker).evaluate(() =>
+      (globalThis as unknown as Instances).instances.flatMap(({ exports }) =>
+        Object.values(exports).flatMap((value) =>
+          value instanceof WebAssembly.Memory ? [value.buffer.byteLength] : [],
+        ),
+      ),
+    )
+    expect(sizes).toHaveLength(1)
+    return { heaps: (own + thread) / 1e6, wasm: (sizes[0] as number) / 1e6 }
+  }
+  const memories: Awaited<ReturnType<typeof memory>>[] = []
+  for (let k = 0; k < 20; k++) {
+    await page
+      .locator('circle-voronoi')
+      .nth(k)
+      .evaluate(async (element: Element) => {
+        element.scrollIntoView()
+        await element.ready
+        await element.updateComplete
+      })
+    for (const each of await pixels()) seen.add(each)
+    if (k === 9 || k === 19) memories.push(await memory())
+  }
+  const said = memories.map(
+    ({ heaps, wasm }, k) =>
+      `${10 * (k + 1)} figures: ${heaps.toFixed(1)} MB of heaps, ${wasm.toFixed(1)} MB of WebAssembly`,
+  )
+  info.annotations.push({ type: 'memory', description: said.join('; ') })
+  const [ten, twenty] = memories as [(typeof memories)[0], (typeof memories)[0]]
+  expect(twenty.wasm).toBe(ten.wasm)
+  expect(twenty.wasm).toBeLessThan(20)
+  expect(twenty.heaps).toBeLessThan(8)
+  expect(twenty.heaps - ten.heaps).toBeLessThan(1)
+  expect(seen.size).toBe(20)
+  await expect.poll(async () => (await pixels()).length).toBeLessThan(8)
+  expect(await pixels()).not.toContain(0)
+  expect(page.workers()).toHaveLength(1)
+  expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
+  // The first one is still there, and comes back.
+  await page.evaluate(() => scrollTo(0, 0))
+  await expect.poll(pixels).toContain(0)
+  await expectToBeLive(page)
+  // On paper, one without pixels shows what stands between its tags.
+  await page.emulateMedia({ media: 'print' })
+  const visible = await page
+    .locator('circle-voronoi')
+    .evaluateAll((elements) =>
+      elements.map((element) => getComputedStyle(element.shadowRoot?.querySelector('.fallback') as Element).visibility),
+    )
+  expect([visible[0], visible[19]]).toEqual(['hidden', 'visible'])
+  expect(problems).toEqual([])
+})
+
+test.describe('with fingers', () => {
+  test.use({ hasTouch: true, viewport: { width: 360, height: 420 } })
+
+  test('the page scrolls, unless there is a circle to be dragged; two zoom', async ({ page }) => {
+    const { problems } = watch(page)
+    await page.goto(`${server.address}examples/element/strict/index.html`)
+    await shown(page)
+    const session = await page.context().newCDPSession(page)
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly { x: number; y: number }[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map((point, id) => ({ ...point, id })) })
+    const swipe = async ({ x, y }: { x: number; y: number }, dx: number, dy: number) => {
+      await touch('touchStart', [{ x, y }])
+      for (let k = 1; k <= 8; k++) await touch('touchMove', [{ x: x + (dx * k) / 8, y: y + (dy * k) / 8 }])
+      await touch('touchEnd', [])
+    }
+    const scrolled = () => page.evaluate(() => scrollY)
+    await page.locator('circle-voronoi').evaluate((element) => element.scrollIntoView({ block: 'start' }))
+    const before = await scrolled()
+    const atFirst = await circlesOf(page)
+    const small = await placeOf(page, 3)
+    await swipe(small, 30, 24)
+    await expect.poll(async () => (await circlesOf(page))[9]).toBeGreaterThan((atFirst[9] as number) + 4)
+    expect(await scrolled()).toBe(before)
+    await page.evaluate(() => scrollTo(0, 0))
+    const moved = await circlesOf(page)
+    const free = await placeOf(page, 2)
+    await swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90)
+    await expect.poll(scrolled).toBeGreaterThan(40)
+    expect(await circlesOf(page)).toEqual(moved)
+    await page.evaluate(() => scrollTo(0, 0))
+    const { x, y } = await placeOf(page, 3)
+    await touch('touchStart', [
+      { x: x - 20, y },
+      { x: x + 60, y },
+    ])
+    await touch('touchMove', [
+      { x: x - 60, y },
+      { x: x + 90, y },
+    ])
+    await touch('touchEnd', [])
+    await expect
+      .poll(() => page.locator('circle-voronoi').evaluate((element: Element) => element.getState().view))
+      .toBeDefined()
+    expect(problems).toEqual([])
+  })
+})
+
+test.describe('without scripts', () => {
+  test.use({ javaScriptEnabled: false })
+
+  test('its data is what is seen', async ({ page }) => {
+    await page.goto(`${server.address}examples/element/strict/index.html`)
+    await expect(page.getByRole('cell', { name: 'hazel' })).toBeVisible()
+    const [caption, last] = [page.getByText('Each point belongs'), page.getByRole('row', { name: /hazel/ })]
+    expect((await caption.boundingBox())?.y).toBeGreaterThan((await last.boundingBox())?.y as number)
+  })
+})

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Figure } from './figure.ts'
+import { make, type Shell } from './shell.ts'
+import type { Words } from './words.ts'
+
+const ZOOM_STEP = 1.5
+const SVG = 'http://www.w3.org/2000/svg'
+const RING = 'M3 10a7 7 0 1 0 14 0a7 7 0 1 0-14 0'
+
+/** The buttons of a running figure. `isReadonly`: those that change nothing. */
+export function mountControls(
+  { controls, figure }: Shell,
+  { actions, store }: Figure,
+  { buttons }: Words,
+  isReadonly: boolean,
+): void {
+  const button = (label: string, path: string, act: () => void): HTMLButtonElement => {
+    const element = make('button', '')
+    element.type = 'button'
+    element.title = label
+    element.ariaLabel = label
+    const icon = document.createElementNS(SVG, 'svg')
+    icon.setAttribute('viewBox', '0 0 20 20')
+    icon.ariaHidden = 'true'
+    icon.appendChild(document.createElementNS(SVG, 'path')).setAttribute('d', path)
+    element.append(icon)
+    element.addEventListener('click', act)
+    return element
+  }
+  const add = button(buttons.add, `${RING}M10 7v6M7 10h6`, () => actions.toggleAdding())
+  const remove = button(buttons.remove, `${RING}M7 10h6`, () => actions.removeSelected())
+  const undo = button(buttons.undo, 'M7 4 3.5 7.5 7 11M4 7.5h7.5a4 4 0 0 1 0 8H8', () => actions.undo())
+  const redo = button(buttons.redo, 'm13 4 3.500 3.500L13 11M16 7.500H8.500a4 4 0 0 0 0 8H12', () => actions.redo())
+  const zoomOut = button(buttons.zoomOut, 'M5 10h10', () => actions.zoomAtMiddle(1 / ZOOM_STEP))
+  const zoomIn = button(buttons.zoomIn, 'M10 5v10M5 10h10', () => actions.zoomAtMiddle(ZOOM_STEP))
+  const fit = button(buttons.fit, 'M4 8V4h4M12 4h4v4M16 12v4h-4M8 16H4v-4', () => actions.fit())
+  controls.replaceChildren(...(isReadonly ? [] : [add, remove, undo, redo]), zoomOut, zoomIn, fit)
+
+  /** The focus of a button that is disabled would fall to the body. */
+  const disable = (element: HTMLButtonElement, isDisabled: boolean) => {
+    if (isDisabled && element.matches(':focus')) figure.focus()
+    element.disabled = isDisabled
+  }
+  store.subscribe(({ tool, selection, history }) => {
+    add.ariaPressed = String(tool === 'add')
+    disable(remove, selection.length === 0)
+    disable(undo, history.done.length === 0)
+    disable(redo, history.undone.length === 0)
+  })
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Opened } from '../editing/editor-actions.ts'
+import type { Float64s } from '../lib/index.ts'
+import { decodeLink, type LinkState } from '../lib/link.ts'
+import { circlesOfTable, readCircles } from './read-circles.ts'
+
+const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
+
+/** Circles as they are opened. */
+export function opened(
+  circles: Float64s,
+  rest: Pick<LinkState, 'edits' | 'view' | 'layers' | 'step' | 'method'> = {},
+): Opened {
+  return { circles, dataSet: '', isEdited: false, ...rest }
+}
+
+/**
+ * What a state says.
+ *
+ * @throws Error, if it has a data set of the page in place of circles
+ */
+export function openedState({ circles, dataSet, edits, view, layers, step, method }: LinkState): Opened {
+  if (circles === undefined && dataSet !== undefined) {
+    throw new Error(`The link names the data set ${dataSet} of the page it is from, and has no circles of its own.`)
+  }
+  return opened(circles ?? new Float64Array(), { edits, view, layers, step, method })
+}
+
+/**
+ * What is at an address: a file, or where the address is a link of the page, what that says.
+ *
+ * @throws Error, CircleVoronoiError
+ */
+export async function openedFrom(src: string, signal: AbortSignal): Promise<Opened> {
+  const link = LINK.exec(src)?.[1]
+  if (link !== undefined) return openedState(await decodeLink(link))
+  const response = await fetch(src, { signal })
+  if (!response.ok) throw new Error(`${src} cannot be loaded: the answer is ${response.status}.`)
+  const text = await response.text()
+  if (LINK.test(text.trim())) return openedState(await decodeLink(LINK.exec(text.trim())?.[1] as string))
+  try {
+    return opened(readCircles(text))
+  } catch (error) {
+    throw new Error(`${src}: ${(error as Error).message}`, { cause: error })
+  }
+}
+
+/** The circles that stand between an element's tags, if there are any. */
+export function circlesWithin(element: Element): Float64s | undefined {
+  const script = element.querySelector(':scope > script[type="application/json"]')
+  if (script !== null) return readCircles(script.textContent ?? '')
+  const table = element.querySelector('table')
+  return table === null ? undefined : circlesOfTable(table)
+}

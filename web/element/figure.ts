@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Editing, type Outcome } from '../editing/editing.ts'
+import { EditorActions, type Opened } from '../editing/editor-actions.ts'
+import { listenToKeyboard } from '../editing/keyboard.ts'
+import { mountSaid } from '../editing/said.ts'
+import { INITIAL_STATE, type State } from '../editing/state.ts'
+import { createStore, type Store } from '../editing/store.ts'
+import type { LoadOptions } from '../lib/load-options.ts'
+import type { TraceOptions } from '../lib/trace.ts'
+import { Stepping } from '../player/stepping.ts'
+import { mount } from '../view/mount.ts'
+import { type Listening, listenToPointer } from '../view/pointer.ts'
+import type { View } from '../view/view.ts'
+
+/** Around circles that are all seen, in pixels; above them stand buttons, if there are any. */
+const ROOM = 16
+const BELOW_BUTTONS = 12
+
+/** Where a figure is. */
+export interface Places {
+  /** What shows circles, takes the focus and hears keys. */
+  readonly figure: HTMLElement
+  /** The figure and its buttons: some keys are heard anywhere in it. */
+  readonly around: HTMLElement
+  /** Its buttons, which stand above the picture. */
+  readonly controls: HTMLElement
+  /** Where the method is told of while it is played. */
+  readonly player: HTMLElement
+  /** What is read out. */
+  readonly said: HTMLElement
+}
+
+/** What is told of a figure. */
+export interface FigureEvents {
+  onoutcome(outcome: Outcome): void
+  /** What was refused, or failed. */
+  onproblem(error: Error): void
+  /** What is played. `method`: that of a link. */
+  played(method: string | undefined): TraceOptions
+  onstep(step: number, steps: number): void
+}
+
+/** A view with circles that are edited: what there is of an element while it runs. */
+export class Figure {
+  readonly view: View
+  readonly store: Store<State>
+  readonly editing: Editing
+  readonly actions: EditorActions
+  readonly stepping: Stepping
+  readonly #listening: Listening
+  readonly #figure: HTMLElement
+  readonly #keys = new AbortController()
+  #isShown = true
+  #refused: Error | undefined
+
+  constructor(
+    { figure, around, controls, player, said }: Places,
+    load: LoadOptions,
+    { onoutcome, onproblem, played, onstep }: FigureEvents,
+  ) {
+    const view = mount(figure, { ...load, gestures: 'none' })
+    const store = createStore<State>(INITIAL_STATE)
+    const editing = new Editing(
+      view,
+      (outcome) => {
+        const { edited, history } = outcome
+        store.update((state) => {
+          const selection = state.selection.filter((id) => editing.circles.get(id) !== undefined)
+          const selected = selection.length === 1 ? selection[0] : undefined
+          const circle = selected === undefined ? undefined : editing.circles.get(selected)
+          return { ...state, edited, history, selection, selected, circle, problem: '' }
+        })
+        if (store.get().selection.length > 0) this.#choose()
+        onoutcome(outcome)
+      },
+      (problem, error) => {
+        store.update((state) => ({ ...state, problem }))
+        this.#refused = error
+        onproblem(error)
+      },
+    )
+    const actions = new EditorActions(store, editing, view, () => {
+      const { clientHeight } = controls
+      const top = clientHeight === 0 ? ROOM : clientHeight + BELOW_BUTTONS
+      return { top, right: ROOM, bottom: ROOM, left: ROOM }
+    })
+    this.#figure = figure
+    this.view = view
+    this.store = store
+    this.editing = editing
+    this.actions = actions
+    this.stepping = new Stepping({ container: player, view, store, actions, options: played, onstep, onproblem })
+
+    let before = store.get()
+    store.subscribe((state) => {
+      if (state.selection !== before.selection) this.#choose()
+      if (state.selected !== before.selected || state.hovered !== before.hovered)
+        view.mark(state.selected, state.hovered)
+      before = state
+    })
+    view.on('marked', ({ selected }) => store.update((state) => ({ ...state, described: selected })))
+    view.on('found', (found) => store.update((state) => ({ ...state, found })))
+    view.on('layers', (layers) => store.update((state) => ({ ...state, layers })))
+    mountSaid(store, said)
+    this.#listening = listenToPointer(figure, view, actions, {
+      isGrabbed: (point, within) => !actions.isReadonly && editing.circles.hasAt(point, within),
+    })
+    const { signal } = this.#keys
+    listenToKeyboard(figure, view, this.#listening, store, actions, {}, { around, signal })
+  }
+
+  /**
+   * Other circles, and what is said of how they are looked at.
+   *
+   * @throws Error that says why they could not be opened; then all stays as it was
+   */
+  async open(opened: Opened): Promise<void> {
+    this.#refused = undefined
+    const isOpened = await this.actions.open(async () => opened)
+    // Something else may have been opened meanwhile.
+    if (!isOpened && this.#refused !== undefined) throw this.#refused
+  }
+
+  /** Whether an error was told of as a problem. */
+  isTold(error: Error): boolean {
+    return error === this.#refused
+  }
+
+  /** Whether it has pixels. */
+  set isShown(isShown: boolean) {
+    this.#isShown = isShown
+    this.view.isShown = isShown
+  }
+
+  /** The step of the method that is shown, if it is played. */
+  get step(): number | undefined {
+    return this.store.get().step
+  }
+
+  /** Has all drawn in the colours that there are now. */
+  restyle(): void {
+    this.view.restyle()
+    this.stepping.restyle()
+  }
+
+  /** Ends once there is nothing left to be painted. */
+  whenPainted(): Promise<void> {
+    return new Promise((resolve) => {
+      const isPainted = () => !this.#isShown || this.view.size.width === 0 || this.#figure.ariaBusy === 'false'
+      const observer = new MutationObserver(() => {
+        if (!isPainted()) return
+        observer.disconnect()
+        resolve()
+      })
+      // What was set may not have begun.
+      requestAnimationFrame(() => {
+        if (isPainted()) resolve()
+        else observer.observe(this.#figure, { attributeFilter: ['aria-busy'] })
+      })
+    })
+  }
+
+  dispose(): void {
+    this.#listening.stop()
+    this.#keys.abort()
+    this.stepping.dispose()
+    this.view.dispose()
+  }
+
+  #choose(): void {
+    this.view.choose(this.store.get().selection.flatMap((id) => this.editing.circles.get(id) ?? []))
+  }
+}

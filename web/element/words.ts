@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Counts } from '../view/protocol.ts'
+
+/** What an element says by itself. */
+export interface Words {
+  /** Their language, as an attribute `lang` has it. */
+  readonly lang: string
+  /** What a figure is called where its page does not say it. */
+  readonly label: string
+  /** What can be done by keys. */
+  readonly keys: string
+  /** The same where circles are only looked at. */
+  readonly keysToLook: string
+  /** What is said to whoever turns the wheel, or moves a finger, over a figure that leaves it to the page. */
+  readonly wheelHint: string
+  readonly met: string
+  readonly unmet: string
+  readonly buttons: {
+    readonly add: string
+    readonly remove: string
+    readonly undo: string
+    readonly redo: string
+    readonly zoomOut: string
+    readonly zoomIn: string
+    readonly fit: string
+  }
+  /** What is shown, as a sentence. */
+  describe(counts: Counts): string
+}
+
+/** Of a language: where it is none of these, English. */
+export function wordsOf(lang: string): Words {
+  return /^de(-|$)/i.test(lang) ? german(lang) : english(/^en(-|$)/i.test(lang) ? lang : 'en')
+}
+
+function english(lang: string): Words {
+  const number = numbersOf(lang)
+  const count = (value: number, one: string, many = `${one}s`) => `${number(value)} ${value === 1 ? one : many}`
+  return {
+    lang,
+    label: 'Circles and their Voronoi diagram',
+    keys:
+      'Enter selects a circle. Tab goes to the next one, Control and an arrow key to the neighbour on that side, Escape ' +
+      'lets go. The arrow keys move what is selected, plus and minus change its size; Shift makes the step bigger, Alt ' +
+      'finer. Delete removes it. Without a selected circle the arrow keys move the picture, plus and minus zoom and 0 fits it.',
+    keysToLook:
+      'Enter selects a circle. Tab goes to the next one, Control and an arrow key to the neighbour on that side, Escape ' +
+      'lets go. The arrow keys move the picture, plus and minus zoom and 0 fits it.',
+    wheelHint: 'Ctrl and the wheel zoom; so does the wheel alone after a click',
+    met: 'The circles are as they are to be.',
+    unmet: 'The circles are not yet as they are to be.',
+    buttons: {
+      add: 'Add a circle',
+      remove: 'Delete what is selected',
+      undo: 'Undo',
+      redo: 'Redo',
+      zoomOut: 'Zoom out',
+      zoomIn: 'Zoom in',
+      fit: 'Fit',
+    },
+    describe({ circles, hidden, vertices, edges }) {
+      const inside = hidden === 0 ? '' : `, ${number(hidden)} of them hidden inside others`
+      return `${count(circles, 'circle')}${inside}; the diagram has ${count(vertices, 'vertex', 'vertices')} and ${count(edges, 'edge')}.`
+    },
+  }
+}
+
+function german(lang: string): Words {
+  const number = numbersOf(lang)
+  const count = (value: number, one: string, many: string) => `${number(value)} ${value === 1 ? one : many}`
+  return {
+    lang,
+    label: 'Kreise und ihr Voronoi-Diagramm',
+    keys:
+      'Enter wählt einen Kreis aus. Tab geht zum nächsten, Strg und eine Pfeiltaste zum Nachbarn auf dieser Seite, Escape ' +
+      'lässt los. Die Pfeiltasten bewegen, was ausgewählt ist, Plus und Minus ändern seine Größe; mit Umschalt sind die ' +
+      'Schritte größer, mit Alt feiner. Entf löscht es. Ist kein Kreis ausgewählt, bewegen die Pfeiltasten das Bild, Plus ' +
+      'und Minus zoomen, und 0 zeigt alles.',
+    keysToLook:
+      'Enter wählt einen Kreis aus. Tab geht zum nächsten, Strg und eine Pfeiltaste zum Nachbarn auf dieser Seite, Escape ' +
+      'lässt los. Die Pfeiltasten bewegen das Bild, Plus und Minus zoomen, und 0 zeigt alles.',
+    wheelHint: 'Strg und das Mausrad zoomen; nach einem Klick auch das Mausrad allein',
+    met: 'Die Kreise sind, wie sie sein sollen.',
+    unmet: 'Die Kreise sind noch nicht, wie sie sein sollen.',
+    buttons: {
+      add: 'Kreis hinzufügen',
+      remove: 'Auswahl löschen',
+      undo: 'Rückgängig',
+      redo: 'Wiederholen',
+      zoomOut: 'Verkleinern',
+      zoomIn: 'Vergrößern',
+      fit: 'Alles zeigen',
+    },
+    describe({ circles, hidden, vertices, edges }) {
+      const inside = hidden === 0 ? '' : `, ${number(hidden)} davon in anderen verborgen`
+      return `${count(circles, 'Kreis', 'Kreise')}${inside}; das Diagramm hat ${count(vertices, 'Ecke', 'Ecken')} und ${count(edges, 'Kante', 'Kanten')}.`
+    },
+  }
+}
+
+/** Small numbers are written without loading the rules of languages. */
+function numbersOf(lang: string): (value: number) => string {
+  return (value) => (value < 1000 ? String(value) : grouped(value, lang))
+}
+
+/** A page may have any text as its language. */
+function grouped(value: number, lang: string): string {
+  try {
+    return value.toLocaleString(lang)
+  } catch {
+    return value.toLocaleString(lang.slice(0, 2))
+  }
+}
