@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { availableParallelism } from 'node:os'
 import { defineConfig } from '@playwright/test'
 
 const PORT = 4173
@@ -7,14 +8,17 @@ export default defineConfig({
   projects: [
     { name: 'page', testDir: 'tests/e2e' },
     { name: 'package', testDir: 'tests/pack' },
+    { name: 'engines', testDir: 'tests/engines' },
   ],
   outputDir: 'build/playwright',
-  // Two cores: one for the browser, one for its worker.
-  workers: 1,
+  // A browser for each core.
+  workers: availableParallelism(),
   forbidOnly: Boolean(process.env.CI),
   use: {
     baseURL: `http://localhost:${PORT}`,
     viewport: { width: 1280, height: 800 },
+    // Each test would fetch the whole site. What is about it allows it.
+    serviceWorkers: 'block',
     launchOptions: {
       executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium',
       args: [

@@ -23,9 +23,7 @@ await main(async () => {
   const [cities] = realData()
   const isTable = ['--cliffs', '--edits', '--files'].includes(chosen[0])
   const families = isTable || chosen.includes('--families') ? [] : ['--families', `${FAMILIES},${cities}`]
-  const { status, output } = await outcomeOf(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen], {
-    isShown: true,
-  })
+  const { status, output } = await outcomeOf(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen])
   if (status !== 0) throw new Error('The benchmark failed.')
 
   const isOfEdits = chosen[0] === '--edits'

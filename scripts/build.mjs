@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The four builds: native (library, command line, tests), wasm, lib (the npm package) and app (the page).
+// The four builds: native (library, command line, tests), wasm, lib (the npm package) and site (the page).
 import {
   chmodSync,
   copyFileSync,
@@ -11,10 +11,11 @@ import {
   statSync,
   writeFileSync,
 } from 'node:fs'
-import { delimiter } from 'node:path'
+import { delimiter, dirname, join, posix } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import { isMain, main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
+import { finishSite } from './site.mjs'
 
 const NPM_BIN = `${ROOT}node_modules/.bin`
 const WASM_OUTPUT = ['', '-comparison', '-files'].flatMap((name) =>
@@ -27,8 +28,8 @@ export async function buildNative() {
 }
 
 /**
- * web/lib/generated, the WebAssembly modules: those of the page, or those of the npm package and in web/cli/generated its
- * program, for which setup has to install more.
+ * web/lib/generated and web/app/generated, the WebAssembly modules of the package and of the page alone; for the package
+ * web/cli/generated, its program, too, for which setup has to install more.
  */
 export async function buildWasm(purpose) {
   const isPackage = purpose === 'package'
@@ -39,7 +40,7 @@ export async function buildWasm(purpose) {
     // CGAL and Boost are headers of the machine, where a cross build does not look.
     '-DCMAKE_INCLUDE_PATH=/usr/include;/usr/local/include',
   ]
-  const modules = ['', '_comparison', '_files'].map((name) => `circle_voronoi${name}_wasm`)
+  const modules = ['', '_comparison', '_files', '_families'].map((name) => `circle_voronoi${name}_wasm`)
   const targets = isPackage ? ['all'] : modules
   await cmakeBuild('build/wasm', 'emcmake', configure, targets)
 }
@@ -62,6 +63,70 @@ export async function buildLib() {
   await bundle()
 }
 
+/**
+ * dist/element: `<circle-voronoi>`, with its thread beside it (index.js, define.js), and all in one (bundle.js). Its
+ * WebAssembly is that of dist/lib.
+ */
+export async function buildElement() {
+  const outputs = ['index.js', 'define.js', 'painter.js', 'bundle.js', 'index.d.ts'].map(
+    (name) => `dist/element/${name}`,
+  )
+  const inputs = ['lib', 'view', 'editing', 'player', 'element'].map((name) => `web/${name}`)
+  if (isUpToDate(outputs, [...inputs, 'tsconfig.json', 'tsconfig.element.json', 'package-lock.json'])) return
+  for (const folder of ['element', 'view']) rmSync(`${ROOT}dist/${folder}`, { recursive: true, force: true })
+  await buildDeclarations()
+  const { build } = await import('esbuild')
+  await build({
+    ...BUNDLED,
+    outdir: 'dist/element',
+    splitting: true,
+    plugins: [styles, replacing('web/view/painter-file.ts', 'web/element/built/painter-file.ts'), wasmBeside],
+    entryPoints: {
+      index: 'web/element/index.ts',
+      define: 'web/element/define.ts',
+      painter: 'web/view/painter/start-thread.ts',
+    },
+  })
+  await bundleElement('dist/element/bundle.js')
+  for (const name of ['element.css', 'custom-elements.json']) {
+    copyFileSync(`${ROOT}web/element/${name}`, `${ROOT}dist/element/${name}`)
+  }
+}
+
+/** The element in one file. */
+async function bundleElement(outfile) {
+  const { build } = await import('esbuild')
+  await build({
+    ...BUNDLED,
+    entryPoints: ['web/element/bundle.ts'],
+    outfile,
+    plugins: [
+      styles,
+      wasmInside,
+      replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts'),
+      replacing('web/lib/default-wasm.ts', 'web/lib/bundled/default-wasm.ts'),
+      wasmBeside,
+    ],
+  })
+}
+
+/** What of the declarations belongs to the element: those of dist/lib are there. */
+async function buildDeclarations() {
+  const out = 'build/element-types'
+  rmSync(ROOT + out, { recursive: true, force: true })
+  await run(`${NPM_BIN}/tsc`, ['-p', 'tsconfig.element.json', '--outDir', out])
+  const copied = new Set()
+  const copy = (file) => {
+    if (copied.has(file) || file.startsWith('lib/')) return
+    copied.add(file)
+    const text = readFileSync(`${ROOT}${out}/${file}`, 'utf8')
+    mkdirSync(dirname(`${ROOT}dist/${file}`), { recursive: true })
+    writeFileSync(`${ROOT}dist/${file}`, text)
+    for (const [, path] of text.matchAll(/from '(\.[^']+)\.ts'/g)) copy(`${posix.join(dirname(file), path)}.d.ts`)
+  }
+  for (const name of ['index', 'define', 'bundle']) copy(`element/${name}.d.ts`)
+}
+
 /** dist/cli: the program in WebAssembly, for Node. */
 export async function buildCli() {
   const outputs = ['circle-voronoi.js', 'generated/program.cjs', 'generated/program.wasm'].map(
@@ -77,49 +142,130 @@ export async function buildCli() {
   copyFileSync(`${ROOT}web/cli/generated/program.wasm`, `${ROOT}dist/cli/generated/program.wasm`)
 }
 
+/** What all bundles have in common. */
+const BUNDLED = {
+  absWorkingDir: ROOT,
+  bundle: true,
+  minify: true,
+  format: 'esm',
+  target: 'es2022',
+  legalComments: 'none',
+  banner: { js: '// SPDX-License-Identifier: GPL-3.0-or-later' },
+  logLevel: 'warning',
+}
+
+/** Compressed once more by a server, base64 of the bytes themselves would be half as long again. */
+const wasmInside = {
+  name: 'wasm-inside',
+  setup({ onLoad }) {
+    onLoad({ filter: /\.wasm$/ }, ({ path }) => ({
+      contents: gzipSync(readFileSync(path), { level: 9 }),
+      loader: 'base64',
+    }))
+  },
+}
+
+/** Modules find the WebAssembly of dist/lib from dist/element. */
+const wasmBeside = {
+  name: 'wasm-beside',
+  setup({ onLoad }) {
+    onLoad({ filter: /web\/lib\/(default-wasm|comparison)\.ts$/ }, ({ path }) => ({
+      contents: readFileSync(path, 'utf8').replace("'./generated/circle-voronoi", (text) =>
+        text.replace('./', '../lib/'),
+      ),
+      loader: 'ts',
+    }))
+  },
+}
+
+/** Style sheets as texts. */
+const styles = {
+  name: 'styles',
+  setup({ onLoad, onResolve }) {
+    onResolve({ filter: /\.css$/ }, ({ path, resolveDir }) => ({ path: join(resolveDir, path), sideEffects: false }))
+    onResolve({ filter: /\.css\?inline$/ }, ({ path, resolveDir }) => ({
+      path: join(resolveDir, path.replace('?inline', '')),
+      sideEffects: false,
+    }))
+    onLoad({ filter: /\.css$/ }, async ({ path }) => {
+      const { transform } = await import('esbuild')
+      const { code } = await transform(readFileSync(path, 'utf8'), { loader: 'css', minify: true })
+      return { contents: code, loader: 'text' }
+    })
+  },
+}
+
+/** Takes one module in place of another one. */
+function replacing(module, other) {
+  return {
+    name: `replacing-${module}`,
+    setup({ onLoad }) {
+      const filter = new RegExp(`/${module.replaceAll('.', '\\.')}$`)
+      onLoad({ filter }, () => ({
+        contents: readFileSync(ROOT + other, 'utf8'),
+        loader: 'ts',
+        resolveDir: dirname(ROOT + other),
+      }))
+    },
+  }
+}
+
 /** dist/lib/bundle.js, with the files of web/lib/bundled in place of those of their name in web/lib. */
 async function bundle() {
   const replaced = readdirSync(`${ROOT}web/lib/bundled`)
   // Installed with the npm packages, so not before setup has run.
   const { build } = await import('esbuild')
   await build({
-    absWorkingDir: ROOT,
+    ...BUNDLED,
     entryPoints: ['web/lib/bundle.ts'],
     outfile: 'dist/lib/bundle.js',
     allowOverwrite: true,
-    bundle: true,
-    minify: true,
-    format: 'esm',
-    target: 'es2022',
-    legalComments: 'none',
-    banner: { js: '// SPDX-License-Identifier: GPL-3.0-or-later' },
-    logLevel: 'warning',
-    plugins: [
-      {
-        name: 'bundled',
-        setup({ onLoad, onResolve }) {
-          // Compressed once more by a server, base64 of the bytes themselves would be half as long again.
-          onLoad({ filter: /\.wasm$/ }, ({ path }) => ({
-            contents: gzipSync(readFileSync(path), { level: 9 }),
-            loader: 'base64',
-          }))
-          onResolve({ filter: /^\.\/[\w-]+\.ts$/ }, ({ path, resolveDir }) =>
-            replaced.includes(path.slice(2)) && resolveDir === `${ROOT}web/lib`
-              ? { path: `${ROOT}web/lib/bundled/${path.slice(2)}` }
-              : undefined,
-          )
-        },
-      },
-    ],
+    plugins: [wasmInside, ...replaced.map((name) => replacing(`web/lib/${name}`, `web/lib/bundled/${name}`))],
   })
   // That of the module that tsc made.
   rmSync(`${ROOT}dist/lib/bundle.js.map`)
 }
 
-/** dist/app: the page. */
-export async function buildApp() {
-  if (isUpToDate(['dist/app/index.html'], ['web', 'public', 'vite.config.ts', 'package-lock.json'])) return
+/** build/api: the reference of the package. Fails if anything exported is not documented, or a link in a comment is broken. */
+async function buildReference() {
+  const inputs = ['web/lib', 'web/element', 'web/view', 'typedoc.json', 'tsconfig.element.json', 'package-lock.json']
+  if (isUpToDate(['build/api/index.html'], inputs)) return
+  // The site has the README as a page of its own.
+  await run(`${NPM_BIN}/typedoc`, ['--out', 'build/api', '--readme', 'none', '--logLevel', 'Warn'])
+}
+
+/** dist/site: the page, the tutorial and the documentation, static, for any folder of a server. */
+export async function buildSite() {
+  const texts = [
+    'README.md',
+    'ARCHITECTURE.md',
+    'CONTRIBUTING.md',
+    'CHANGELOG.md',
+    'docs',
+    'examples',
+    'cpp/cli',
+    'cpp/include',
+  ]
+  const inputs = [
+    'web',
+    'public',
+    ...texts,
+    'vite.config.ts',
+    'typedoc.json',
+    'package-lock.json',
+    'scripts/site.mjs',
+    'scripts/texts',
+  ]
+  if (isUpToDate(['dist/site/service-worker.js'], inputs)) return
   await run(`${NPM_BIN}/vite`, ['build'])
+  // For who copies the code of an element from the page.
+  await bundleElement('dist/site/element.js')
+  // Its libraries are installed with the npm packages, so not before setup has run.
+  await buildLib()
+  await buildReference()
+  const { buildTexts } = await import('./texts/texts.mjs')
+  await buildTexts(`${ROOT}dist/site`)
+  await finishSite(`${ROOT}dist/site`)
 }
 
 async function cmakeBuild(folder, program, configure, targets = ['all']) {
@@ -154,8 +300,8 @@ if (isMain(import.meta.url)) {
   const builds = {
     native: { purpose: 'tests', steps: [buildNative] },
     wasm: { purpose: 'package', steps: [forPackage] },
-    lib: { purpose: 'package', steps: [forPackage, buildLib, buildCli] },
-    app: { purpose: 'page', steps: [forPage, buildApp] },
+    lib: { purpose: 'package', steps: [forPackage, buildLib, buildElement, buildCli] },
+    site: { purpose: 'page', steps: [forPage, buildSite] },
   }
   const name = process.argv[2]
   await main(async () => {

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run mutate [-- --mutate web/lib/NAME.ts,...]`: StrykerJS changes web/lib in one place at a time, and says which
-// changes the tests in tests/web do not notice (tests/mutants/stryker.config.mjs); all of it takes hours. It fails if fewer
-// than 85 % are noticed. The report is build/mutants/web.html.
+// `npm run mutate [-- --mutate web/lib/NAME.ts,... | --share 0.1 [--seed N]]`: StrykerJS changes web/lib, and what of the page
+// needs no browser, in one place at a time, and says which changes the tests in tests/web do not notice
+// (tests/mutants/stryker.config.mjs); all of it takes hours, a share drawn at random as much of them. It fails if fewer than
+// 85 % are noticed. The report is build/mutants/web.html. Other options are Stryker's.
+import { parseArgs } from 'node:util'
 import { buildWasm } from './build.mjs'
 import { main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
+const { values, tokens } = parseArgs({
+  options: { share: { type: 'string' }, seed: { type: 'string', default: '1' } },
+  strict: false,
+  tokens: true,
+})
+
 await main(async () => {
+  if (values.share !== undefined && !(Number(values.share) > 0 && Number(values.share) <= 1)) {
+    throw new Error('--share is above 0 and at most 1.')
+  }
   await setup('package')
   await buildWasm('package')
-  const options = process.argv.slice(2)
-  await run(`${ROOT}node_modules/.bin/stryker`, ['run', 'tests/mutants/stryker.config.mjs', ...options])
+  const own = tokens.filter(({ kind, name }) => kind === 'option' && (name === 'share' || name === 'seed'))
+  const taken = new Set(own.flatMap(({ index, inlineValue }) => (inlineValue ? [index] : [index, index + 1])))
+  const others = process.argv.slice(2).filter((_, i) => !taken.has(i))
+  const sample =
+    values.share === undefined ? {} : { CIRCLE_VORONOI_MUTANTS: values.share, CIRCLE_VORONOI_SEED: values.seed }
+  await run(`${ROOT}node_modules/.bin/stryker`, ['run', 'tests/mutants/stryker.config.mjs', ...others], sample)
 })

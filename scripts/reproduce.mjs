@@ -2,9 +2,10 @@
 // `npm run reproduce [-- --quick]`: runs the paper's experiments and writes docs/results.md with its pictures, or with
 // --quick, on less of everything, build/results/results.md. The data is in build/results/data.json. Fails if a claim of
 // the paper comes out otherwise than this project knows it (scripts/results/claims.mjs).
-import { execFileSync } from 'node:child_process'
+import { execFile, execFileSync } from 'node:child_process'
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
-import { cpus, loadavg, totalmem } from 'node:os'
+import { availableParallelism, cpus, loadavg, totalmem } from 'node:os'
+import { promisify } from 'node:util'
 import { benchWasm } from './bench-wasm.mjs'
 import { buildLib, buildWasm } from './build.mjs'
 import { claimsOf } from './results/claims.mjs'
@@ -15,6 +16,7 @@ import { plots } from './results/plots.mjs'
 import { main, ROOT, run } from './run.mjs'
 import { setup } from './setup.mjs'
 
+const runFile = promisify(execFile)
 const NATIVE = `${ROOT}build/native/`
 const DATA = `${ROOT}build/results`
 
@@ -76,29 +78,40 @@ async function build() {
 
 async function measure(plan, isQuick, pictures) {
   const { trials } = plan
+  const counted = await experiments({
+    table1: ['table-1'],
+    counts: ['counts', '--sizes', plan.countSizes.join(), '--trials', trials.counts],
+    needed: ['needed-samples', '--trials', trials.needed],
+    correctness: ['correctness', '--trials', trials.correctness],
+    printed: ['printed-rules', '--trials', trials.printed, '--folder', pictures],
+    degenerate: ['degenerate', '--folder', pictures],
+    figures: ['figures', '--sizes', plan.figureCircles, '--folder', pictures],
+  })
+  // What is timed has the machine for itself.
   return {
     machine: machine(isQuick),
     trials,
-    table1: experiment('table-1'),
-    counts: experiment('counts', '--sizes', plan.countSizes.join(), '--trials', trials.counts),
-    needed: experiment('needed-samples', '--trials', trials.needed),
-    correctness: experiment('correctness', '--trials', trials.correctness),
-    printed: experiment('printed-rules', '--trials', trials.printed, '--folder', pictures),
-    degenerate: experiment('degenerate', '--folder', pictures),
-    figures: experiment('figures', '--sizes', plan.figureCircles, '--folder', pictures),
+    ...counted,
     times: bench(Object.keys(METHODS), plan.timeSizes, plan.timeRepetitions),
     large: bench(['auto'], plan.largeSizes, 1).map((row) => ({ ...row, seconds: median(row.repetitions) })),
     wasm: await benchWasm(plan.wasmFamilies, plan.wasmSizes, plan.wasmRepetitions),
   }
 }
 
-function experiment(name, ...options) {
-  console.log(`── ${name}`)
-  const output = execFileSync(`${NATIVE}circle-voronoi-results`, [name, ...options.map(String)], {
-    maxBuffer: 2 ** 28,
-    stdio: ['ignore', 'pipe', 'inherit'],
-  })
-  return JSON.parse(output)
+/** What each prints, by name; as many at a time as there are cores. */
+async function experiments(all) {
+  const results = {}
+  const waiting = Object.entries(all)
+  const work = async () => {
+    for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
+      const [name, options] = next
+      console.log(`── ${options[0]}`)
+      const { stdout } = await runFile(`${NATIVE}circle-voronoi-results`, options.map(String), { maxBuffer: 2 ** 28 })
+      results[name] = JSON.parse(stdout)
+    }
+  }
+  await Promise.all(Array.from({ length: availableParallelism() }, work))
+  return Object.fromEntries(Object.keys(all).map((name) => [name, results[name]]))
 }
 
 /** Rows of the benchmark on random circles; without those that were stopped. */

@@ -13,14 +13,14 @@ export function statusOf(program, args, env = {}) {
   return ended(start(program, args, env, 'inherit'))
 }
 
-/** The same, with what it prints, in the order in which it did; `isShown`: shown as well. */
-export async function outcomeOf(program, args, { env = {}, isShown = false } = {}) {
-  const child = start(program, args, env, 'pipe')
+/** Runs a program likewise and resolves with what it prints, too. */
+export async function outcomeOf(program, args) {
+  const child = start(program, args, {}, 'pipe')
   let output = ''
   for (const stream of [child.stdout, child.stderr]) {
     stream.setEncoding('utf8').on('data', (text) => {
       output += text
-      if (isShown) process.stdout.write(text)
+      process.stdout.write(text)
     })
   }
   return { status: await ended(child), output }

@@ -39,20 +39,28 @@ const PURPOSES = {
   },
 }
 
+/** The browsers that the tests drive, and what these need: programs, the Debian packages that have them, and their names. */
+const BROWSERS = [
+  [chromiumPath(), 'chromium', 'Chromium (set CHROMIUM_PATH to its program)'],
+  [process.env.FIREFOX_PATH ?? '/usr/bin/firefox-esr', 'firefox-esr', 'Firefox (set FIREFOX_PATH to its program)'],
+  ['/usr/bin/WebKitWebDriver', 'webkit2gtk-driver', 'WebKitGTK and its WebDriver (WebKitWebDriver)'],
+  ['/usr/bin/Xvfb', 'xvfb', 'a screen in memory (Xvfb)'],
+]
+
 /** `purpose`: `page`, `package` (the one for npm) or `tests` (the native build and all that is tested). */
 export async function setup(purpose) {
   const names = Object.keys(PURPOSES)
   const wanted = names.slice(0, names.indexOf(purpose) + 1).map((name) => PURPOSES[name])
   const tests = purpose === 'tests'
-  const browser = tests && !existsSync(chromiumPath()) ? ['chromium'] : []
+  const browsers = tests ? BROWSERS.filter(([program]) => !existsSync(program)) : []
   if (isDebian12OrLater()) {
     const packages = wanted.flatMap((part) => part.packages)
-    await installDebianPackages([...packages.filter((name) => !isInstalled(name)), ...browser])
+    await installDebianPackages([...packages.filter((name) => !isInstalled(name)), ...browsers.map(([, name]) => name)])
   } else {
     checkOtherSystem(
       wanted.flatMap((part) => part.libraries),
       tests,
-      browser.length > 0,
+      browsers.map(([, , what]) => what),
     )
   }
   await installNpmPackages('')
@@ -93,7 +101,7 @@ async function installDebianPackages(missing) {
 }
 
 /** On a system whose package manager this script does not know it changes nothing and says what is missing. */
-function checkOtherSystem(libraries, tests, browserMissing) {
+function checkOtherSystem(libraries, tests, missingBrowsers) {
   const missing = Object.entries({
     emcmake: 'Emscripten 3.1.6 or later',
     cmake: 'CMake 3.25 or later',
@@ -102,7 +110,7 @@ function checkOtherSystem(libraries, tests, browserMissing) {
   })
     .filter(([program]) => spawnSync(program, ['--version']).error !== undefined)
     .map(([program, what]) => `  ${what} (${program})`)
-  if (browserMissing) missing.push('  Chromium (set CHROMIUM_PATH to its program)')
+  missing.push(...missingBrowsers.map((what) => `  ${what}`))
   if (missing.length > 0) {
     throw new Error(
       `This script installs packages on Debian 12 only. Install on this system:\n${missing.join('\n')}\n` +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `npm start`: installs what is missing, builds what has changed, and serves the page until interrupted.
-import { buildApp, buildWasm } from './build.mjs'
+import { buildSite, buildWasm } from './build.mjs'
 import { main, ROOT } from './run.mjs'
 import { setup } from './setup.mjs'
 
@@ -9,7 +9,7 @@ const DEFAULT_PORT = 8080
 await main(async () => {
   await setup('page')
   await buildWasm('page')
-  await buildApp()
+  await buildSite()
 
   const { preview } = await import('vite')
   const chosen = process.env.PORT

@@ -2,7 +2,8 @@
 // `npm test`: installs what is missing, builds everything, runs every check and test, and counts the tests.
 // The last line is `N passed, M failed`; the exit status is 0 only if something ran and nothing failed.
 import { mkdirSync, rmSync } from 'node:fs'
-import { buildApp, buildCli, buildLib, buildNative, buildWasm } from './build.mjs'
+import { availableParallelism } from 'node:os'
+import { buildCli, buildElement, buildLib, buildNative, buildSite, buildWasm } from './build.mjs'
 import { countTests, NO_TESTS, summary } from './count-tests.mjs'
 import { ROOT, run, statusOf } from './run.mjs'
 import { chromiumPath, setup } from './setup.mjs'
@@ -14,8 +15,9 @@ const ENV = { CI: 'true', NO_COLOR: '1', CHROMIUM_PATH: chromiumPath() }
 
 /** The options of Node's test runner that writes a report. */
 function testing(report) {
+  const each = ['--test', `--test-concurrency=${availableParallelism()}`]
   const reporters = ['--test-reporter=spec', '--test-reporter-destination=stdout', '--test-reporter=junit']
-  return ['--test', ...reporters, `--test-reporter-destination=${report}`]
+  return [...each, ...reporters, `--test-reporter-destination=${report}`]
 }
 
 /** In this order; each of them writes a JUnit report. */
@@ -85,8 +87,9 @@ try {
   await buildWasm('package')
   await buildNative()
   await buildLib()
+  await buildElement()
   await buildCli()
-  await buildApp()
+  await buildSite()
   await run('npm', ['run', '--silent', 'check'], ENV)
 
   rmSync(RESULTS, { recursive: true, force: true })

@@ -202,8 +202,17 @@ test('copies a link and the code of a frame, which show the same', async ({ app 
   await app.page.getByRole('button', { name: 'Copy embed code' }).click()
   await expect(app.page.locator('#files')).toContainText('The code is in the clipboard.')
   expect(await clipboard()).toBe(
-    `<iframe src="${link}" title="Voronoi diagram of circles" width="800" height="500" style="border: 0"></iframe>`,
+    `<iframe src="${link.replace('#', 'embed.html#')}" title="Voronoi diagram of circles" width="800" height="500" style="border: 0"></iframe>`,
   )
+  // The circles themselves, wherever the lines are put.
+  await app.page.getByRole('button', { name: 'Copy element' }).click()
+  const lines =
+    /^<script type="module" src="([^"]+)"><\/script>\n<circle-voronoi src="#(v1\.[\w-]+)" controls><\/circle-voronoi>$/
+  await expect.poll(clipboard).toMatch(lines)
+  const [, module, said] = lines.exec(await clipboard()) as RegExpExecArray
+  expect(module).toBe(new URL('element.js', link).href)
+  expect((await app.page.request.get(module as string)).status()).toBe(200)
+  expect((await decodeLink(said as string)).circles).toEqual((await decodeLink(new URL(link).hash)).circles)
   expect((await decodeLink(new URL(link).hash)).circles).toEqual(Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1))
 })
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the focus and the selection go, and which keys work where.
-import { CircleTable } from '../../web/app/circle-table.ts'
+import { CircleTable } from '../../web/editing/circle-table.ts'
 import { fitted, toScreen } from '../../web/view/camera.ts'
 import { dataSet, expect, PADDING, test } from './page.ts'
 

@@ -34,6 +34,19 @@ test('the address is that of what is shown, and another page shows the same', as
   await context.close()
 })
 
+test('what was changed is there after a reload at once', async ({ app }) => {
+  await app.choose('Introduction')
+  // The address that is loaded again is from before the change.
+  await expect.poll(() => hashOf(app)).not.toBe('')
+  await app.canvas.focus()
+  // Enter selects the circle in the middle, and Delete waits for that.
+  await app.page.keyboard.press('Enter')
+  await app.page.keyboard.press('Delete')
+  await expect(app.status).toContainText('13 circles')
+  await app.page.reload()
+  await expect(app.status).toContainText('13 circles')
+})
+
 test('the view is in the address unless everything is shown', async ({ app }) => {
   await app.page.mouse.move(640, 400)
   await app.page.mouse.wheel(0, -300)

@@ -12,7 +12,7 @@ async function boxOf(locator: Locator) {
 
 async function expectApart(app: App): Promise<void> {
   const { width, height } = app.page.viewportSize() as { width: number; height: number }
-  const boxes = await Promise.all((await app.page.locator('.panel:visible').all()).map(boxOf))
+  const boxes = await Promise.all((await app.page.locator('.panel:visible, #scale:visible').all()).map(boxOf))
   expect(boxes.length).toBeGreaterThan(3)
   for (const [k, { x, y, width: w, height: h }] of boxes.entries()) {
     expect(Math.min(x, y)).toBeGreaterThanOrEqual(0)
@@ -26,16 +26,23 @@ async function expectApart(app: App): Promise<void> {
 }
 
 // 320 x 200 is 1280 x 800 at 400 %.
-for (const [width, height] of [
-  [1280, 800],
-  [800, 600],
-  [568, 320],
-  [390, 844],
-  [320, 200],
+for (const [width, height, text] of [
+  [1280, 800, 100],
+  [1280, 800, 200],
+  [800, 600, 100],
+  [568, 320, 100],
+  [390, 844, 100],
+  [320, 200, 100],
 ] as const) {
-  test(`no panel covers another at ${width} x ${height}`, async ({ app }) => {
+  test(`no panel covers another at ${width} x ${height} with text of ${text} %`, async ({ app }) => {
     await app.page.setViewportSize({ width, height })
+    const before = await boxOf(app.status)
+    await app.page.evaluate((percent) => {
+      document.documentElement.style.fontSize = `${percent}%`
+    }, text)
+    expect((await boxOf(app.status)).height / before.height).toBeCloseTo(text === 100 ? 1 : 1.8, 0)
     await app.page.getByRole('button', { name: 'Fit' }).click()
+    await expectApart(app)
     const at = app.center(BRONZE, 600)
     await app.page.mouse.click(at.x, at.y)
     await expect(app.inspector).toBeVisible()
@@ -44,11 +51,17 @@ for (const [width, height] of [
     await app.field('r').press('Enter')
     await expect(app.page.getByRole('alert')).toBeVisible()
     await expectApart(app)
+    if (height < 600) return
+    await app.page.getByRole('button', { name: 'Layers', exact: true }).click()
+    await expectApart(app)
   })
 }
 
 for (const colorScheme of ['light', 'dark'] as const) {
-  test(`files, several circles and help have no serious accessibility violation, ${colorScheme}`, async ({ app }) => {
+  test(`all panels, several circles and help have no serious accessibility violation, ${colorScheme}`, async ({
+    app,
+  }) => {
+    test.slow()
     await app.page.emulateMedia({ colorScheme })
     const expectNone = async () => {
       const { violations } = await new AxeBuilder({ page: app.page }).analyze()
@@ -58,6 +71,15 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await app.page.keyboard.press('Control+a')
     await expect(app.page.getByRole('region', { name: 'Selected circles' })).toBeVisible()
     await app.page.getByRole('button', { name: 'Files' }).click()
+    await expectNone()
+    await app.page.getByRole('button', { name: 'Files' }).click()
+    await app.page.getByRole('button', { name: 'Layers' }).click()
+    await app.page.getByLabel('Edges that it misses').check()
+    await expect(app.page.locator('#method-found')).toContainText('certified')
+    await app.page.getByRole('button', { name: 'Generate' }).click()
+    await expect(app.page.getByRole('button', { name: /^uniform/ })).toBeVisible()
+    await app.page.getByRole('button', { name: 'Table' }).click()
+    await expect(app.page.getByRole('row').nth(3)).toBeVisible()
     await expectNone()
     await app.page.getByRole('button', { name: 'Help' }).click()
     await expectNone()
@@ -84,6 +106,10 @@ test('a page that runs from right to left leaves each part of the status as it i
   // The number stands at the left of its part.
   expect((await boxOf(part.locator('b'))).x).toBe((await boxOf(part)).x)
   expect((await boxOf(part)).x).toBeGreaterThan((await boxOf(app.status.locator('bdi').nth(1))).x)
+  // The colours of a key go with its words.
+  await app.page.getByRole('button', { name: 'Layers', exact: true }).click()
+  const key = app.page.locator('.key').first()
+  expect((await boxOf(key.getByText('small'))).x).toBeLessThan((await boxOf(key.locator('svg'))).x)
 })
 
 test.describe('with fingers', () => {

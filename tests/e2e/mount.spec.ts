@@ -1,34 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { fileURLToPath } from 'node:url'
-import { test as base, expect, type Page } from '@playwright/test'
-import { build, type PreviewServer, preview } from 'vite'
+import { expect, type Page } from '@playwright/test'
+import type { Circle } from '../../web/lib/index.ts'
+import { testOf } from './built-page.ts'
 import type { TwoViews } from './two-views/two-views.ts'
-
-const ROOT = fileURLToPath(new URL('two-views', import.meta.url))
-const OUT = fileURLToPath(new URL('../../build/two-views', import.meta.url))
 
 declare const views: TwoViews
 
-let server: PreviewServer
-
-base.beforeAll(async () => {
-  const options = { root: ROOT, configFile: false, logLevel: 'error' } as const
-  await build({ ...options, worker: { format: 'es' }, build: { outDir: OUT, emptyOutDir: true, target: 'es2022' } })
-  server = await preview({ ...options, build: { outDir: OUT }, preview: { port: 0 } })
-})
-base.afterAll(() => server.close())
-
-const test = base.extend<{ opened: Page }>({
-  opened: async ({ page }, use) => {
-    const errors: string[] = []
-    page.on('pageerror', (error) => errors.push(error.message))
-    page.on('console', (message) => message.type() === 'error' && errors.push(message.text()))
-    await page.goto(server.resolvedUrls?.local[0] as string)
-    await expect(page.locator('#one[aria-busy="false"]')).toBeVisible()
-    await expect(page.locator('#other[aria-busy="false"]')).toBeVisible()
-    await use(page)
-    expect(errors).toEqual([])
-  },
+const test = testOf('two-views', async (page) => {
+  await expect(page.locator('#one[aria-busy="false"]')).toBeVisible()
+  await expect(page.locator('#other[aria-busy="false"]')).toBeVisible()
 })
 
 const circleOf = (page: Page, name: 'one' | 'other', id: number) =>
@@ -107,13 +87,21 @@ test('a view is written as an SVG and as a PNG that look alike', async ({ opened
       if (Math.abs((svg.pixels[k] as number) - (png.pixels[k] as number)) > 60) different += 1
     }
     const colors = new Set(Array.from({ length: 3000 }, (_, k) => png.pixels.slice(160 * k, 160 * k + 3).join()))
+    // What is selected is none of the picture.
+    const before = await views.one.toSVG()
+    const marked = new Promise<void>((resolve) => views.one.on('marked', ({ selected }) => selected && resolve()))
+    views.one.select(0)
+    views.one.choose([views.one.circle(0) as Circle, views.one.circle(1) as Circle])
+    await marked
     return {
+      isUnmarked: before === (await views.one.toSVG()),
       share: different / svg.pixels.length,
       colors: colors.size,
       width: (await draw(large)).width,
       type: large.type,
     }
   })
+  expect(alike.isUnmarked).toBe(true)
   expect(alike.share).toBeLessThan(0.01)
   expect(alike.colors).toBeGreaterThan(8)
   expect(alike.width).toBe(1200)

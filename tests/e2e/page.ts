@@ -29,7 +29,7 @@ export class App {
   }
 
   get status() {
-    return this.page.getByRole('status')
+    return this.page.locator('#status')
   }
 
   get canvas() {
@@ -103,7 +103,8 @@ export const test = base.extend<{ app: App }>({
     const errors: string[] = []
     page.on('pageerror', (error) => errors.push(error.message))
     page.on('console', (message) => {
-      if (message.type() === 'error' || message.type() === 'warning') errors.push(message.text())
+      const isBlocked = message.text() === 'Service Worker registration blocked by Playwright'
+      if ((message.type() === 'error' || message.type() === 'warning') && !isBlocked) errors.push(message.text())
     })
     const app = new App(page)
     await app.open()

@@ -156,3 +156,29 @@ test('says where the pointer is and how long a length is, also after a zoom', as
   await app.page.mouse.move(5, 5)
   await expect.poll(async () => (await numbers())[0]).not.toBeCloseTo(INTRODUCTION[12] as number, 1)
 })
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`is printed as it is seen, dark on light, without panels: ${colorScheme}`, async ({ app }) => {
+    await app.page.emulateMedia({ colorScheme })
+    await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+    await app.page.emulateMedia({ colorScheme, media: 'print' })
+    for (const panel of await app.page.locator('.panel, #corner').all()) await expect(panel).toBeHidden()
+    const shot = (await app.page.screenshot()).toString('base64')
+    const { mean, darkest } = await app.page.evaluate(async (text) => {
+      const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0))
+      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }))
+      const context = new OffscreenCanvas(image.width, image.height).getContext(
+        '2d',
+      ) as OffscreenCanvasRenderingContext2D
+      context.drawImage(image, 0, 0)
+      const { data } = context.getImageData(0, 0, image.width, image.height)
+      const greens = Array.from({ length: data.length / 4 }, (_, k) => data[4 * k + 1] as number)
+      const mean = greens.reduce((sum, green) => sum + green, 0) / greens.length
+      return { mean, darkest: greens.reduce((least, green) => Math.min(least, green)) }
+    }, shot)
+    expect(mean).toBeGreaterThan(180)
+    expect(darkest).toBeLessThan(110)
+    // A page without a picture has less than 2,000 bytes.
+    expect((await app.page.pdf()).length).toBeGreaterThan(20_000)
+  })
+}

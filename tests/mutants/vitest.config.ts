@@ -5,6 +5,9 @@ export default defineConfig({
   test: {
     include: ['tests/web/**/*.test.ts'],
     setupFiles: ['tests/mutants/same-random-numbers.ts'],
-    testTimeout: 60_000,
+    // Each file for itself would load everything anew, for each change.
+    isolate: false,
+    // Counting what runs takes time.
+    testTimeout: 300_000,
   },
 })

@@ -31,9 +31,19 @@ async function both(args, input = '') {
   return native
 }
 
-/** The tests of the program by their full names; those of its documents ask nothing of it but what --help prints. */
+/**
+ * The tests of the program by their full names; those of its documents ask nothing of it but what --help prints, and what
+ * only reads the command line, or converts, is the same code (`what is wrong` and `what is converted` below show it).
+ */
 function namesOfTests() {
-  const list = execFileSync(NATIVE_TESTS, ['--gtest_list_tests', '--gtest_filter=Cli*-CliDocumentation.*'], {
+  const without = [
+    'CliDocumentation.*',
+    'CliConvert.*',
+    'Cli.AnOptionThatIsNotUsedIsAnError',
+    'Cli.BadUsage',
+    '*.Refuses*',
+  ]
+  const list = execFileSync(NATIVE_TESTS, ['--gtest_list_tests', `--gtest_filter=Cli*-${without.join(':')}`], {
     encoding: 'utf8',
   })
   return [...list.matchAll(/^(\w+\.)\n((?: {2}.*\n)+)/gm)].flatMap(([, suite, tests]) =>
@@ -79,6 +89,13 @@ describe('prints the same as the native program', AT_ONCE, () => {
       await both(['compute', '-', '--format', format, ...options], circles)
   })
 
+  it('what is converted', async () => {
+    const diagram = execFileSync(NATIVE, ['compute', `${ROOT}tests/fixtures/waka.csv`])
+    for (const format of FORMATS.filter((name) => name !== 'stats'))
+      assert.equal((await both(['convert', '-', '--format', format], diagram)).status, 0)
+    await both(['convert', '-', '--format', 'csv'], diagram.subarray(0, 5000))
+  })
+
   for (const command of ['compute', 'convert', 'generate', 'tile', 'certify']) {
     it(`the help of ${command}`, async () => assert.equal((await both([command, '--help'])).status, 0))
   }
@@ -87,6 +104,9 @@ describe('prints the same as the native program', AT_ONCE, () => {
     await both(['certify', `${ROOT}tests/fixtures`])
     await both(['compute', `${ROOT}none`])
     await both(['compute', '-', '--tolerance', 'nan'], '0,0,1\n')
+    await both(['compute', '-', '--format', 'csv', '--bounds=0,0,1,1', '--weights=no'], '0,0,1\n')
+    await both(['compute', '-', '--samples', '-1'], '0,0,1\n')
+    await both(['paint'])
     await both(['tile', '-', '--size', '1', '--halo', '0', '-o', 'none'], '0,0,1\n')
   })
 })

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg.
+import { withBuiltPage } from './built-page.mjs'
+import { main, ROOT } from './run.mjs'
+
+/** A circle that is shown selected, with its neighbours, and where the pointer is out of the way. */
+const SELECTED = { x: 873, y: 378 }
+const ASIDE = { x: 40, y: 30 }
+
+await main(() =>
+  withBuiltPage(async (browser, address) => {
+    for (const colorScheme of ['light', 'dark']) {
+      const page = await browser.newPage({
+        viewport: { width: 1280, height: 800 },
+        deviceScaleFactor: 1.5,
+        colorScheme,
+      })
+      await page.goto(address)
+      await page.getByRole('status').getByText('678 circles').waitFor()
+      await page.mouse.click(SELECTED.x, SELECTED.y)
+      await page.getByRole('region', { name: 'Selected circle', exact: true }).waitFor()
+      await page.mouse.move(ASIDE.x, ASIDE.y)
+      await page.locator('#figure[aria-busy="false"]').waitFor()
+      await page.screenshot({ path: `${ROOT}docs/page-${colorScheme}.jpg`, type: 'jpeg', quality: 88 })
+      await page.close()
+    }
+  }),
+)

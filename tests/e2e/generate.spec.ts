@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Families of random circles and figures of the paper.
+import { readFileSync } from 'node:fs'
+import type { Page } from '@playwright/test'
+import { parseCircles } from '../../web/app/csv.ts'
+import { loadGenerators } from '../../web/app/generators/generators.ts'
+import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { type App, expect, test } from './page.ts'
+
+const generators = await loadGenerators()
+const stateOf = (app: App) => decodeLink(new URL(app.page.url()).hash).catch(() => undefined)
+
+async function saved(page: Page): Promise<Float64Array> {
+  const download = page.waitForEvent('download')
+  await page.getByRole('button', { name: 'CSV' }).click()
+  return parseCircles(readFileSync(await (await download).path(), 'utf8'))
+}
+
+test('a family with a number and a seed, again, edited, and the same after a reload', async ({ app }) => {
+  const { page } = app
+  await page.getByLabel('Data set').selectOption({ label: 'Families, figures …' })
+  const panel = page.getByRole('region', { name: 'Generate' })
+  await expect(panel.getByRole('button', { name: 'Generate' })).toBeFocused()
+  await expect(page.getByLabel('Data set')).toHaveValue('bronzefilter')
+  await panel.getByLabel('n', { exact: true }).fill('50')
+  await panel.getByLabel('seed', { exact: true }).fill('7')
+  await panel.getByRole('button', { name: /^clustered/ }).click()
+  await expect(app.status).toContainText('50 circles')
+  await page.getByRole('button', { name: 'Files' }).click()
+  expect(await saved(page)).toEqual(generators.make({ kind: 'family', family: 'clustered', seed: 7, count: 50 }))
+  await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:50' })
+
+  // What the browser refuses changes nothing; what it takes, at once.
+  await panel.getByLabel('n', { exact: true }).fill('0')
+  await panel.getByLabel('n', { exact: true }).press('Enter')
+  await expect(app.status).toContainText('50 circles')
+  await panel.getByLabel('n', { exact: true }).fill('60')
+  await panel.getByLabel('n', { exact: true }).press('Enter')
+  await expect(app.status).toContainText('60 circles')
+  await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:60' })
+
+  await page.getByRole('button', { name: 'Another random sample' }).click()
+  await expect.poll(async () => (await stateOf(app))?.dataSet).toMatch(/^clustered:(?!7:)\d+:60$/)
+  const name = (await stateOf(app))?.dataSet as string
+  await expect(panel.getByLabel('seed', { exact: true })).toHaveValue(name.split(':')[1] as string)
+
+  await page.locator('#figure').focus()
+  await page.keyboard.press('Enter')
+  await expect(app.inspector).toBeVisible()
+  await page.keyboard.press('Delete')
+  await expect(app.status).toContainText('59 circles')
+  await expect.poll(async () => (await stateOf(app))?.edits?.length).toBe(1)
+  const edited = await saved(page)
+  await page.reload()
+  await expect(app.status).toContainText('59 circles')
+  await expect(panel.getByRole('button', { name: /^clustered/ })).toHaveAttribute('aria-current', 'true')
+  expect(await saved(page)).toEqual(edited)
+})
+
+test('a figure of the paper, and links to what is none', async ({ app }) => {
+  const { page } = app
+  await page.getByRole('button', { name: 'Generate' }).click()
+  await page.getByRole('button', { name: /^Figure 13b/ }).click()
+  await expect(app.status).toContainText('14 circles')
+  await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 13b')
+  await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'figure-13b' })
+  for (const [dataSet, problem] of [
+    ['nonsense:1:5', 'There is no family "nonsense".'],
+    ['figure-99', 'There is no figure "99".'],
+    ['grid:1:100001', 'The link is for too many circles.'],
+  ] as const) {
+    const link = await encodeLink({ dataSet })
+    await page.evaluate((link) => {
+      location.hash = link
+    }, link)
+    await expect(page.getByRole('alert')).toHaveText(problem)
+    await expect(app.status).toContainText('14 circles')
+  }
+  // Those of links from before there were families are the same as they were.
+  const former = await encodeLink({ dataSet: 'random:17' })
+  await page.evaluate((link) => {
+    location.hash = link
+  }, former)
+  await expect(app.status).toContainText('300 circles')
+  await page.getByRole('button', { name: 'Files' }).click()
+  expect((await saved(page)).slice(0, 3)).toEqual(
+    Float64Array.of(16.93067694602141, 9.222793535997404, 0.899472125773846),
+  )
+})

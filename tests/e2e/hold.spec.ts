@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Press and hold: what a circle would take, before it is there.
+import { readFileSync } from 'node:fs'
+import { parseCircles } from '../../web/app/csv.ts'
+import { at } from '../../web/lib/diagram-data.ts'
+import { type App, dataSet, expect, test } from './page.ts'
+
+const INTRODUCTION = dataSet('introduction')
+
+/** A point of the plane in the middle of a cell, outside of its circle. */
+const EMPTY = { x: -2.2, y: 0.9 }
+
+function isEmpty({ x, y }: { x: number; y: number }): boolean {
+  return Array.from({ length: INTRODUCTION.length / 3 }, (_, i) => i).every(
+    (i) => Math.hypot(at(INTRODUCTION, 3 * i) - x, at(INTRODUCTION, 3 * i + 1) - y) > at(INTRODUCTION, 3 * i + 2) + 0.2,
+  )
+}
+
+const panelOf = (app: App) => app.page.getByRole('region', { name: 'A new circle' })
+
+async function saved({ page }: App): Promise<Float64Array> {
+  const download = page.waitForEvent('download')
+  await page.getByRole('button', { name: 'CSV' }).click()
+  return parseCircles(readFileSync(await (await download).path(), 'utf8'))
+}
+
+test('held, it shows what would be taken from whom; Escape leaves all as it was, release adds it', async ({ app }) => {
+  test.slow()
+  const { page } = app
+  await app.choose('Introduction')
+  await page.getByRole('button', { name: 'Files' }).click()
+  expect(isEmpty(EMPTY)).toBe(true)
+  const place = app.locate(INTRODUCTION, EMPTY)
+  const panel = panelOf(app)
+  await page.mouse.move(place.x, place.y)
+  await page.mouse.down()
+  await expect(panel).toContainText('Its cell would have the area')
+  const first = await panel.textContent()
+  // It moves with the pointer, and the circles stay.
+  await page.mouse.move(place.x + 12, place.y - 9)
+  await expect.poll(() => panel.textContent()).not.toBe(first)
+  await expect(app.status).toContainText('14 circles')
+  const numbers = (await panel.locator('dd').allTextContents()).map(Number)
+  const total = Number(/area ([\d.]+)/.exec((await panel.textContent()) as string)?.[1])
+  expect(numbers.every((area, k) => k === 0 || area <= (numbers[k - 1] as number))).toBe(true)
+  expect(Math.abs(numbers.reduce((sum, area) => sum + area, 0) - total)).toBeLessThan(0.02 * total)
+  await page.keyboard.press('Escape')
+  await expect(panel).toBeHidden()
+  await page.mouse.up()
+  await expect(app.status).toContainText('14 circles')
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled()
+  expect(await saved(app)).toEqual(INTRODUCTION)
+
+  // The tool for adding does so, too, wherever it is pressed.
+  for (const key of ['v', 'a']) {
+    await page.locator('#figure').focus()
+    await page.keyboard.press('Escape')
+    await page.keyboard.press(key)
+    await page.mouse.move(place.x, place.y)
+    await page.mouse.down()
+    await expect(panel).toBeVisible()
+    await page.mouse.up()
+    await expect(panel).toBeHidden()
+    await expect(app.status).toContainText('15 circles')
+    const circles = await saved(app)
+    const [x, y, r] = circles.slice(42) as unknown as [number, number, number]
+    expect(Math.hypot(x - EMPTY.x, y - EMPTY.y)).toBeLessThan(0.05)
+    expect(r).toBeGreaterThan(0)
+    await page.locator('#figure').focus()
+    await page.keyboard.press('Control+z')
+    await expect(app.status).toContainText('14 circles')
+  }
+  // On a circle, and where it is moved at once, a press is what it was.
+  const center = app.center(INTRODUCTION, 0)
+  await page.mouse.move(center.x, center.y)
+  await page.mouse.down()
+  await page.waitForTimeout(600)
+  await expect(panel).toBeHidden()
+  await page.mouse.up()
+  await expect(app.status).toContainText('14 circles')
+})
+
+test.describe('with fingers', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true })
+
+  test('a finger that rests does the same', async ({ app }) => {
+    test.slow()
+    const { page } = app
+    await app.choose('Introduction')
+    const place = app.locate(INTRODUCTION, EMPTY)
+    const session = await page.context().newCDPSession(page)
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly { x: number; y: number }[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: [...points] })
+    await touch('touchStart', [place])
+    await expect(panelOf(app)).toContainText('area')
+    await touch('touchMove', [{ x: place.x + 8, y: place.y }])
+    await touch('touchEnd', [])
+    await expect(app.status).toContainText('15 circles')
+    await expect(panelOf(app)).toBeHidden()
+  })
+})

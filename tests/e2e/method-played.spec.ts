@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The method played on the circles of the page.
+import { AxeBuilder } from '@axe-core/playwright'
+import { decodeLink } from '../../web/lib/link.ts'
+import { type App, expect, test } from './page.ts'
+
+const stepOfAddress = async (app: App) => (await decodeLink(new URL(app.page.url()).hash).catch(() => undefined))?.step
+
+test('is one button away, follows what is edited, and a link opens it at its step', async ({ app }) => {
+  const { page } = app
+  const button = page.getByRole('button', { name: 'Play the method' })
+  const player = page.getByRole('region', { name: 'The method, step by step' })
+  const slider = player.getByRole('slider', { name: 'Step' })
+  const sentence = player.locator('.sentence')
+  await button.click()
+  await expect(sentence).toHaveText('There are 678 circles.')
+  await expect(button).toHaveAttribute('aria-expanded', 'true')
+  // It goes on with other circles.
+  await app.choose('Introduction')
+  await expect(sentence).toHaveText('There are 14 circles, 1 of them inside others and left out.')
+  await slider.focus()
+  for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight')
+  await expect(sentence).toHaveText(/^\d+ samples lie/)
+  await expect.poll(() => stepOfAddress(app)).toBe(3)
+  const link = new URL(page.url()).hash
+  expect((await decodeLink(link)).view).toBeUndefined()
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+
+  // At a stage it stays there, with the circles as they are then.
+  const before = await sentence.textContent()
+  await app.canvas.focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Delete')
+  await expect(app.status).toContainText('13 circles')
+  await expect(sentence).toHaveText(/^\d+ samples lie/)
+  await expect(sentence).not.toHaveText(before as string)
+  await page.keyboard.press('Control+z')
+  await expect(sentence).toHaveText(before as string)
+  await player.getByLabel('Method').selectOption('Edge flips')
+  await expect(sentence).toContainText('There are 14 circles')
+  await slider.press('End')
+  await expect(sentence).toContainText('No edge is left to flip. The judge proves the diagram.')
+  await expect.poll(async () => (await decodeLink(new URL(page.url()).hash)).method).toBe('auto')
+
+  await player.getByRole('button', { name: 'Close the player' }).click()
+  await expect(player).toBeHidden()
+  await expect(button).toBeFocused()
+  await expect.poll(() => stepOfAddress(app)).toBeUndefined()
+  // Too many are refused; a link of those before is opened at its step.
+  await app.choose('Random, 10,000')
+  await button.click()
+  await expect(sentence).toHaveText('A method is played for 1,000 circles at most; there are 10,000.')
+  await page.evaluate((link) => {
+    location.hash = link
+  }, link)
+  await expect(sentence).toHaveText(/^\d+ samples lie/)
+  await expect(app.status).toContainText('14 circles')
+})
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 320, height: 640 }, hasTouch: true, colorScheme: 'dark' })
+
+  test('has a sheet of its own, and leaves the picture its room', async ({ app }) => {
+    const { page } = app
+    const player = page.getByRole('region', { name: 'The method, step by step' })
+    await page.getByRole('button', { name: 'Play the method' }).tap()
+    await expect(player.locator('.sentence')).toHaveText('There are 678 circles.')
+    await player.getByRole('button', { name: 'One step', exact: true }).tap()
+    await expect(player.locator('.sentence')).toContainText('The Delaunay graph of the centres')
+    const { x, y, width, height } = (await player.boundingBox()) as {
+      x: number
+      y: number
+      width: number
+      height: number
+    }
+    expect([x >= 0, x + width <= 320, y > 240, y + height <= 640]).toEqual([true, true, true, true])
+    const cut = await player.evaluate((element) => {
+      const buttons = [...element.querySelectorAll('button, select')].map((item) => item.getBoundingClientRect())
+      return buttons.filter(({ left, right }) => left < 8 || right > 312).length
+    })
+    expect(cut).toBe(0)
+    await player.getByRole('button', { name: 'Close the player' }).tap()
+    await expect(page.getByRole('button', { name: 'Layers' })).toBeVisible()
+  })
+})

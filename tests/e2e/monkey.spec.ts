@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page after some time in the hands of a monkey: 20 seconds here, more by `npm run monkey`.
+import { writeFileSync } from 'node:fs'
+import type { CDPSession, JSHandle, Page, Worker } from '@playwright/test'
+import { Monkey } from './monkey.ts'
+import { App, expect as expectSoon, test } from './page.ts'
+import { heapOf, withThread } from './thread-session.ts'
+
+/** What a monkey has asked for may take a while. */
+const expect = expectSoon.configure({ timeout: 30_000 })
+const SECONDS = Number(process.env.MONKEY_SECONDS ?? 20)
+const SEED = Number(process.env.CIRCLE_VORONOI_SEED ?? Math.floor(2 ** 31 * Math.random()))
+/** At least so many things are done, however slow the machine. */
+const FEWEST = 60
+/** So often the picture is checked, in seconds. */
+const CHECKED = 8
+/** What heaps may grow by, in bytes, and the document: the history is kept without limit. */
+const GROWTH = { page: 12e6, thread: 24e6, nodes: 3000 }
+
+test.use({ hasTouch: true, permissions: ['clipboard-read', 'clipboard-write'] })
+
+/** What is shown at a time, to see whether it is still changing. */
+function shown({ page }: App): Promise<string> {
+  return page.evaluate(async () => {
+    const hashes = [...document.querySelectorAll<HTMLCanvasElement>('#figure canvas')].map(async (canvas) => {
+      const copy = new OffscreenCanvas(canvas.width, canvas.height)
+      const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+      context.drawImage(canvas, 0, 0)
+      const { data } = context.getImageData(0, 0, canvas.width, canvas.height)
+      return String(new Uint8Array(await crypto.subtle.digest('SHA-256', data)))
+    })
+    const status = document.querySelector('#status')?.textContent
+    return [status, location.href, ...(await Promise.all(hashes))].join()
+  })
+}
+
+/** The file of the painter's thread. */
+const THREAD = /start-thread/
+
+function threadOf(page: Page): Worker {
+  return page.workers().find((worker) => THREAD.test(worker.url())) as Worker
+}
+
+/** Waits until all that was asked is done and painted: also what the thread does once nothing has been edited for a while. */
+async function rest(app: App): Promise<void> {
+  const thread = async () => {
+    await threadOf(app.page).evaluate(() => new Promise((resolve) => setTimeout(resolve, 300)))
+  }
+  let last: string | undefined
+  await expect(async () => {
+    const before = last
+    await thread()
+    await expect(app.canvas).toHaveAttribute('aria-busy', 'false', { timeout: 100 })
+    last = await shown(app)
+    expect(last).toBe(before)
+  }).toPass({ intervals: [100], timeout: 120_000 })
+}
+
+/** Has all of the picture painted once more, on the same pixels. */
+async function paintAnew(app: App): Promise<void> {
+  const toggle = app.page.locator('#layers').getByLabel('Edges', { exact: true })
+  for (let k = 0; k < 2; k++) {
+    await toggle.evaluate((box: HTMLInputElement) => box.click())
+    await rest(app)
+  }
+}
+
+/** What edits have painted, part by part, is what is painted anew. */
+async function expectPaintedRight(app: App): Promise<void> {
+  await rest(app)
+  const before = await painted(app.page)
+  await paintAnew(app)
+  await expectSame(app, before, await painted(app.page))
+}
+
+/** A thread that knows nothing but the circles as they were opened and as they are paints the same. */
+async function expectSameInNewThread(app: App): Promise<void> {
+  await paintAnew(app)
+  const before = await painted(app.page)
+  const next = app.page.waitForEvent('worker')
+  await threadOf(app.page).evaluate(() => postMessage({ kind: 'failed', message: 'the test has ended it' }))
+  await next
+  await paintAnew(app)
+  await expectSame(app, before, await painted(app.page))
+}
+
+async function expectSame({ page }: App, before: Painted, after: Painted): Promise<void> {
+  const difference = await page.evaluate(differenceOf, [before, after] as const)
+  if (difference.squares > 0) {
+    console.log(page.url())
+    for (const [name, picture] of Object.entries({ before, after })) {
+      const path = test.info().outputPath(`${name}.png`)
+      writeFileSync(path, Buffer.from(await page.evaluate(pngOf, picture)))
+      console.log(path)
+    }
+  }
+  expect(difference).toEqual({ squares: 0 })
+}
+
+async function pngOf(picture: ImageData): Promise<number[]> {
+  const canvas = new OffscreenCanvas(picture.width, picture.height)
+  canvas.getContext('2d')?.putImageData(picture, 0, 0)
+  return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())]
+}
+
+type Painted = JSHandle<ImageData>
+
+function painted(page: Page): Promise<Painted> {
+  return page.evaluateHandle(() => {
+    const canvas = document.querySelector('#figure canvas') as HTMLCanvasElement
+    const copy = new OffscreenCanvas(canvas.width, canvas.height)
+    const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+    context.drawImage(canvas, 0, 0)
+    return context.getImageData(0, 0, canvas.width, canvas.height)
+  })
+}
+
+/**
+ * How many squares of pixels have another colour, and where. Lines that are cut elsewhere are drawn by other chords, up to a
+ * tenth of a pixel away, so that single pixels differ.
+ */
+function differenceOf([one, other]: readonly [ImageData, ImageData]) {
+  const side = 3
+  const most = 24 * side * side
+  if (one.width !== other.width || one.height !== other.height) return { squares: Number.POSITIVE_INFINITY }
+  let squares = 0
+  let [left, top, right, bottom] = [one.width, one.height, 0, 0]
+  for (let y = 0; y + side <= one.height; y += side) {
+    for (let x = 0; x + side <= one.width; x += side) {
+      const sums = [0, 0, 0]
+      for (let k = 0; k < side * side; k++) {
+        const first = 4 * ((y + Math.floor(k / side)) * one.width + x + (k % side))
+        for (const c of [0, 1, 2]) {
+          sums[c] = (sums[c] as number) + (one.data[first + c] as number) - (other.data[first + c] as number)
+        }
+      }
+      if (sums.every((sum) => Math.abs(sum) <= most)) continue
+      squares += 1
+      ;[left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x), Math.max(bottom, y)]
+    }
+  }
+  return squares === 0 ? { squares } : { squares, left, top, right, bottom }
+}
+
+async function fold(page: Page, name: string, isOpen: boolean): Promise<void> {
+  const button = page.getByRole('button', { name, exact: true })
+  if ((await button.getAttribute('aria-expanded')) !== String(isOpen)) {
+    await button.evaluate((button: HTMLButtonElement) => button.click())
+  }
+}
+
+/** Bytes of the page's and of the painter's thread, once the same few circles are shown and what is not needed is gone. */
+async function heaps(app: App, session: CDPSession): Promise<{ page: number; thread: number; nodes: number }> {
+  await app.page.getByLabel('Data set').selectOption('introduction')
+  await expect(app.status).toContainText('14 circles')
+  await rest(app)
+  await session.send('HeapProfiler.collectGarbage')
+  const { usedSize } = await session.send('Runtime.getHeapUsage')
+  const { nodes } = await session.send('Memory.getDOMCounters')
+  return { page: usedSize, thread: await withThread(session, THREAD, heapOf), nodes }
+}
+
+test(`whatever a monkey does for ${SECONDS} seconds, the page is as a new one would be`, async ({
+  app,
+  browser,
+}, info) => {
+  test.setTimeout(10 * SECONDS * 1000 + 600_000)
+  console.log(`CIRCLE_VORONOI_SEED=${SEED}`)
+  const { page } = app
+  const session = await page.context().newCDPSession(page)
+  const monkey = new Monkey(app, session, SEED)
+  try {
+    await fold(page, 'Layers', true)
+    const start = performance.now()
+    const seconds = () => (performance.now() - start) / 1000
+    let early: Awaited<ReturnType<typeof heaps>> | undefined
+    let checked = 0
+    while (seconds() < SECONDS || monkey.done.length < FEWEST) {
+      await monkey.act()
+      if (seconds() - checked < CHECKED) continue
+      await fold(page, 'Layers', true)
+      await expectPaintedRight(app)
+      await expect(page.locator('#problem')).not.toContainText('could not be')
+      if (seconds() > SECONDS / 4) early ??= await heaps(app, session)
+      checked = seconds()
+    }
+    early ??= await heaps(app, session)
+    // Something is left to be undone.
+    for (let k = 0; k < 10; k++) await monkey.act()
+
+    // All circles are seen and nothing stands out. Which tints cells have depends on the circles when they were asked for.
+    await page.setViewportSize({ width: 1280, height: 800 })
+    await page.emulateMedia({ colorScheme: 'light' })
+    await fold(page, 'Layers', true)
+    await page.locator('#cell-colors').selectOption({ index: 0 })
+    await page.getByRole('button', { name: 'Select and move' }).click()
+    await app.canvas.press('Escape')
+    await page.getByRole('button', { name: 'Fit', exact: true }).click()
+    await expectPaintedRight(app)
+    await fold(page, 'Numbers', true)
+    await expect(page.locator('#numbers .certificate').first()).toContainText('Proven')
+    await fold(page, 'Numbers', false)
+    await expectSameInNewThread(app)
+
+    // So is another page.
+    await rest(app)
+    const context = await browser.newContext()
+    const fresh = new App(await context.newPage())
+    await fresh.page.goto(page.url())
+    const counts = async ({ status }: App) => (await status.textContent())?.replace(/ · [^·]* m?s$/, '')
+    await expect.poll(() => counts(fresh)).toBe(await counts(app))
+    await context.close()
+
+    const late = await heaps(app, session)
+    console.log(JSON.stringify({ actions: monkey.done.length, early, late }))
+    expect(late.page - early.page).toBeLessThan(GROWTH.page)
+    expect(late.thread - early.thread).toBeLessThan(GROWTH.thread)
+    expect(late.nodes - early.nodes).toBeLessThan(GROWTH.nodes)
+  } finally {
+    writeFileSync(info.outputPath('done.txt'), `${monkey.done.join('\n')}\n`)
+  }
+})

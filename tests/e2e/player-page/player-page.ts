@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { mountPlayer, type Player } from '../../../web/player/player.ts'
+import { mount } from '../../../web/view/mount.ts'
+import type { View } from '../../../web/view/view.ts'
+
+const circles = Float64Array.of(0, 0, 2, 10, 1, 1, 5, 8, 1.5, 2, 6, 0.8, 9, 6, 2.2, 6, 3, 0.6, 12, 10, 1)
+const by = (id: string) => document.getElementById(id) as HTMLElement
+const view = mount(by('figure'), { circles, gestures: 'look' })
+const seen: number[] = []
+const play = (options = {}, step?: number) =>
+  mountPlayer(by('player'), { view, options, step, onstep: (k) => seen.push(k) })
+
+/** What the test talks to. */
+export interface PlayerPage {
+  view: View
+  player: Player
+  seen: number[]
+  play: typeof play
+}
+
+Object.assign(globalThis, { playing: { view, seen, play, player: play() } })

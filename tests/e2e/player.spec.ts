@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { AxeBuilder } from '@axe-core/playwright'
+import { expect, type Page } from '@playwright/test'
+import { testOf } from './built-page.ts'
+import type { PlayerPage } from './player-page/player-page.ts'
+
+declare const playing: PlayerPage
+
+const test = testOf('player-page', (page) => expect(page.getByRole('slider', { name: 'Step' })).toBeVisible())
+
+const stepOf = (page: Page) => page.evaluate(() => playing.player.step)
+
+test('plays the method by keys and by mouse', async ({ opened: page }) => {
+  const slider = page.getByRole('slider', { name: 'Step' })
+  const sentence = page.locator('.sentence')
+  const current = page.locator('[aria-current="step"]')
+  await expect(sentence).toHaveText('There are 7 circles.')
+  await slider.focus()
+  await page.keyboard.press('ArrowRight')
+  await expect(sentence).toHaveText(/^The Delaunay graph of the centres has \d+ edges\.$/)
+  await expect(current).toHaveText('T ← Delaunay graph of the centres')
+  await expect(slider).toHaveAttribute('aria-valuetext', /^Step 1 of \d+: The Delaunay graph/)
+  await page.keyboard.press('End')
+  await expect(sentence).toContainText('The judge proves the diagram.')
+  expect(await page.evaluate(() => playing.view.hasDiagram)).toBe(true)
+  await page.keyboard.press('ArrowLeft')
+  expect(await page.evaluate(() => playing.view.hasDiagram)).toBe(false)
+  await page.keyboard.press('Home')
+  expect(await stepOf(page)).toBe(0)
+
+  // To the next vertex and back; the list begins with the disc that is taken.
+  await page.getByRole('combobox', { name: 'What to go to' }).selectOption('vertex')
+  await page.getByRole('button', { name: 'On to the next one' }).click()
+  await expect(sentence).toContainText('is a vertex')
+  const vertex = await stepOf(page)
+  await page.getByRole('button', { name: 'One step back' }).click()
+  await expect(sentence).toContainText('Are its directed edges still there?')
+
+  // A breakpoint ends playing.
+  await page.getByRole('button', { name: 'Stop here when playing' }).click()
+  await page.evaluate((step) => playing.player.stepTo(step - 4), vertex)
+  await page.getByRole('combobox', { name: 'Speed' }).selectOption('30 / s')
+  await page.getByRole('button', { name: 'Play', exact: true }).click()
+  await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible()
+  expect(await stepOf(page)).toBe(vertex - 1)
+
+  // The reader predicts: an answer is followed by what happens.
+  await page.getByRole('button', { name: 'Ask me what happens next' }).click()
+  await expect(page.getByRole('group', { name: 'What happens next?' })).toContainText('Which directed edges')
+  await page
+    .getByRole('button', { name: /edge.* go, one comes|Three edges go/ })
+    .first()
+    .click()
+  await expect(page.locator('.question')).toContainText(/^\s*(Right\.|No: .*\.) [01] of 1 right so far\./)
+  await expect(sentence).toContainText('is a vertex')
+
+  // The ring of the selected circle, and its steps.
+  await page.evaluate(() => playing.view.select(4))
+  await expect(page.getByRole('img', { name: /^Around circle 4: / })).toBeVisible()
+  await page.getByRole('combobox', { name: 'What to go to' }).selectOption('selected')
+  await page.getByRole('button', { name: 'Back to the last one' }).click()
+  await expect(sentence).toContainText('4')
+  const { violations } = await new AxeBuilder({ page }).include('#player').analyze()
+  expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([])
+})
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 320, height: 640 }, hasTouch: true, colorScheme: 'dark' })
+
+  test('plays flips and edits by touch, and nothing is wider than the screen', async ({ opened: page }) => {
+    const sentence = page.locator('.sentence')
+    await page.getByRole('button', { name: 'One step', exact: true }).tap()
+    await expect(sentence).toContainText('Delaunay graph')
+    for (const [options, step, said] of [
+      [{ method: 'auto' }, 3, /the edge is wrong|No edge is left to flip/],
+      [{ edits: [{ kind: 'insert', circle: [5, 4, 0.5] }] }, 2, /^Circle 7 comes at \(5, 4\) with radius 0\.5\.$/],
+    ] as const) {
+      await page.evaluate(
+        async ([options, step]) => {
+          playing.player.dispose()
+          playing.player = playing.play(options, step)
+          await playing.player.ready
+        },
+        [options, step] as const,
+      )
+      await expect(sentence).toHaveText(said)
+    }
+    const slider = await page.getByRole('slider', { name: 'Step' }).boundingBox()
+    await page.touchscreen.tap((slider?.x ?? 0) + (slider?.width ?? 0) - 3, (slider?.y ?? 0) + 20)
+    await expect(sentence).toContainText('The judge proves the diagram.')
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320)
+    const refused = await page.evaluate(async () => {
+      playing.player.dispose()
+      playing.player = playing.play({ edits: [{ kind: 'remove', id: 70 }] })
+      return playing.player.ready.catch((error) => error.message)
+    })
+    expect(refused).toBe('There is no circle with id 70.')
+    await expect(sentence).toHaveText(refused)
+  })
+})

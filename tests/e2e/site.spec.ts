@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The built site: in any folder of any server, compressed, without a network, and while another version takes its place.
+import { cpSync, existsSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs'
+import { createServer, type Server } from 'node:http'
+import type { AddressInfo } from 'node:net'
+import { tmpdir } from 'node:os'
+import { fileURLToPath } from 'node:url'
+import { expect, type Page, test } from '@playwright/test'
+import sirv from 'sirv'
+import { writeServiceWorker } from '../../scripts/site.mjs'
+import { App, dataSet, test as testOfApp } from './page.ts'
+
+const SITE = fileURLToPath(new URL('../../dist/site', import.meta.url))
+const FOLDER = '/some/sub/path/'
+const INTRODUCTION = dataSet('introduction')
+/** What the first diagram may need, in bytes as they are sent. */
+const MOST_BYTES = 260_000
+
+/** Serves the files of a folder as plain servers do, below `FOLDER`. */
+async function serve(files: string): Promise<{ server: Server; url: string }> {
+  const send = sirv(files, { dev: true, etag: true })
+  const server = createServer((request, response) => {
+    const notFound = () => {
+      response.statusCode = 404
+      response.end()
+    }
+    if (!request.url?.startsWith(FOLDER)) return notFound()
+    request.url = request.url.slice(FOLDER.length - 1)
+    send(request, response, notFound)
+  })
+  await new Promise<void>((resolve) => server.listen(0, 'localhost', resolve))
+  return { server, url: `http://localhost:${(server.address() as AddressInfo).port}${FOLDER}` }
+}
+
+async function stop(server: Server): Promise<void> {
+  server.closeAllConnections()
+  await new Promise((resolve) => server.close(resolve))
+}
+
+/** The page at an address, once it would work without a network. */
+async function kept(page: Page, url: string): Promise<App> {
+  const app = new App(page)
+  await page.goto(url)
+  await expect(app.status).toContainText('678 circles')
+  await page.evaluate(async () => {
+    await navigator.serviceWorker.ready
+    if (navigator.serviceWorker.controller !== null) return
+    await new Promise((resolve) => navigator.serviceWorker.addEventListener('controllerchange', resolve))
+  })
+  return app
+}
+
+async function openFile({ page }: App, name: string, text: string): Promise<void> {
+  const files = page.getByRole('button', { name: 'Files' })
+  if ((await files.getAttribute('aria-expanded')) === 'false') await files.click()
+  await page.getByLabel('Open …').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })
+}
+
+test.describe('kept by the browser', () => {
+  test.use({ serviceWorkers: 'allow' })
+
+  test('works in a folder, and there without its server', async ({ page }) => {
+    const errors: string[] = []
+    page.on('pageerror', (error) => errors.push(error.message))
+    page.on('console', (message) => message.type() !== 'log' && errors.push(message.text()))
+    const { server, url } = await serve(SITE)
+    let app: App
+    try {
+      app = await kept(page, url)
+    } finally {
+      await stop(server)
+    }
+    expect(await page.request.get(url).catch(() => undefined)).toBeUndefined()
+    await page.reload()
+    await expect(app.status).toContainText('678 circles')
+    await app.choose('Introduction')
+    const at = app.center(INTRODUCTION, 4)
+    await page.mouse.click(at.x, at.y)
+    await page.keyboard.press('Delete')
+    await expect(app.status).toContainText('13 circles')
+    // What is loaded when it is asked for: readers and writers, charts, power diagrams.
+    await openFile(app, 'three.csv', '0,0,1\n6,0,1\n0,8,1\n')
+    await expect(app.status).toContainText('3 circles')
+    await page.getByRole('button', { name: 'Numbers' }).click()
+    await expect(page.locator('#numbers .chart canvas').first()).toBeVisible()
+    await page.getByRole('button', { name: 'Layers' }).click()
+    const picture = await app.canvas.screenshot()
+    await page.getByLabel('Power diagram').check()
+    await expect.poll(() => app.canvas.screenshot()).not.toEqual(picture)
+    // The tutorial, and its search.
+    await page.goto(`${url}tutorial/`)
+    await page.getByRole('main').getByRole('link', { name: 'Which circle is nearest?' }).click()
+    await expect(page.locator('circle-voronoi').first().getByRole('application')).toHaveAccessibleDescription(
+      /^5 circles/,
+    )
+    await page.getByLabel('Search').fill('hyperbola')
+    await expect(page.locator('.found a').first()).toBeVisible()
+    expect(errors).toEqual([])
+  })
+
+  test('a page keeps its version while the next one takes its place', async ({ page }) => {
+    const folder = mkdtempSync(`${tmpdir()}/site-`)
+    cpSync(SITE, folder, { recursive: true })
+    const { server, url } = await serve(folder)
+    try {
+      const app = await kept(page, url)
+      // The next version has a part of another name, and no longer the one that this page has not loaded yet.
+      const name = (pattern: RegExp) => readdirSync(`${folder}/assets`).find((name) => pattern.test(name)) as string
+      const thread = name(/^files-thread-.*\.js$/)
+      const replace = (path: string, before: string, after: string) => {
+        const text = readFileSync(path, 'utf8')
+        expect(text).toContain(before)
+        writeFileSync(path, text.replaceAll(before, after))
+      }
+      // Its name changes, and so do those of the files that name it.
+      const rename = (before: string) => {
+        const after = before.replace(/\.js$/, '-next.js')
+        renameSync(`${folder}/assets/${before}`, `${folder}/assets/${after}`)
+        for (const path of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
+          // Some have had their turn, under another name.
+          if (!/\.(html|js)$/.test(path) || !existsSync(`${folder}/${path}`)) continue
+          if (!readFileSync(`${folder}/${path}`, 'utf8').includes(before)) continue
+          replace(`${folder}/${path}`, before, after)
+          if (/^assets\/.*(?<!-next)\.js$/.test(path)) rename(path.slice('assets/'.length))
+        }
+      }
+      rename(thread)
+      replace(`${folder}/index.html`, '<title>', '<title>Next: ')
+      await writeServiceWorker(folder)
+      await page.evaluate(async () => {
+        const changed = new Promise((resolve) => navigator.serviceWorker.addEventListener('controllerchange', resolve))
+        await (await navigator.serviceWorker.ready).update()
+        await changed
+      })
+      await openFile(app, 'three.csv', '0,0,1\n6,0,1\n0,8,1\n')
+      await expect(app.status).toContainText('3 circles')
+      expect(await page.title()).not.toContain('Next')
+      await page.reload()
+      await expect(page).toHaveTitle(/^Next/)
+      await expect(app.status).toContainText('edges')
+      await openFile(app, 'two.csv', '0,0,1\n6,0,1\n')
+      await expect(app.status).toContainText('2 circles')
+
+      // One that is being put there, with a file that is not yet that of its list, changes nothing.
+      replace(`${folder}/index.html`, '<title>', '<title>After ')
+      await writeServiceWorker(folder)
+      replace(`${folder}/index.html`, '<title>After ', '<title>Half ')
+      await page.evaluate(async () => {
+        const registration = await navigator.serviceWorker.ready
+        const installing = new Promise<ServiceWorker>((resolve) => {
+          registration.addEventListener('updatefound', () => resolve(registration.installing as ServiceWorker))
+        })
+        await registration.update()
+        const worker = await installing
+        if (worker.state === 'redundant') return
+        await new Promise<void>((resolve) => {
+          worker.addEventListener('statechange', () => worker.state === 'redundant' && resolve())
+        })
+      })
+      await page.reload()
+      await expect(page).toHaveTitle(/^Next/)
+    } finally {
+      await stop(server)
+      rmSync(folder, { recursive: true, force: true })
+    }
+  })
+})
+
+testOfApp('the first diagram needs few bytes, and all of them are sent compressed', async ({ app }) => {
+  const sent = await app.page.evaluate(() =>
+    [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')].map((entry) => {
+      const { name, encodedBodySize, decodedBodySize } = entry as PerformanceResourceTiming
+      return { name: name.replace(/[?#].*/, ''), encodedBodySize, decodedBodySize }
+    }),
+  )
+  const files = new Map(sent.filter(({ encodedBodySize }) => encodedBodySize > 0).map((file) => [file.name, file]))
+  const names = [...files.keys()].join(' ')
+  for (const part of [/index-[\w-]+\.js/, /start-thread-[\w-]+\.js/, /circle-voronoi-[\w-]+\.wasm/, /bronzefilter/]) {
+    expect(names).toMatch(part)
+  }
+  const large = [...files.values()].filter(({ decodedBodySize }) => decodedBodySize >= 1000)
+  for (const { name, encodedBodySize, decodedBodySize } of large) {
+    expect(encodedBodySize, name).toBeLessThan(0.6 * decodedBodySize)
+  }
+  const bytes = [...files.values()].reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0)
+  expect(bytes).toBeLessThan(MOST_BYTES)
+})

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of numbers: keyboard, mouse and fingers, pasted rows, and what is selected.
+import { readFileSync } from 'node:fs'
+import { parseCircles } from '../../web/app/csv.ts'
+import { type App, dataSet, expect, test } from './page.ts'
+
+const INTRODUCTION = dataSet('introduction')
+
+class Table {
+  readonly app: App
+  constructor(app: App) {
+    this.app = app
+  }
+
+  get grid() {
+    return this.app.page.getByRole('grid', { name: 'Circles' })
+  }
+
+  async open(): Promise<void> {
+    await this.app.page.getByRole('button', { name: 'Table' }).click()
+    await expect(this.grid.getByRole('row').nth(1)).toBeVisible()
+  }
+
+  /** The cell of a row and a column, both from 1 on, the heading not counted. */
+  cell(row: number, column: number) {
+    return this.grid.locator(`[role=row][aria-rowindex="${row + 1}"] > [aria-colindex="${column}"]`)
+  }
+
+  async saved(): Promise<Float64Array> {
+    const { page } = this.app
+    const download = page.waitForEvent('download')
+    await page.getByRole('button', { name: 'CSV' }).click()
+    return parseCircles(readFileSync(await (await download).path(), 'utf8'))
+  }
+
+  /** As a spreadsheet has it in the clipboard. */
+  async paste(text: string): Promise<void> {
+    await this.grid.evaluate((element, text) => {
+      const data = new DataTransfer()
+      data.setData('text/plain', text)
+      ;(document.activeElement ?? element).dispatchEvent(
+        new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }),
+      )
+    }, text)
+  }
+}
+
+test('cells are edited by keys, what is wrong is said and changes nothing, and rows are pasted as one step', async ({
+  app,
+}) => {
+  test.slow()
+  const { page } = app
+  await app.choose('Introduction')
+  await page.getByRole('button', { name: 'Files' }).click()
+  const table = new Table(app)
+  await table.open()
+  await expect(table.grid).toHaveAttribute('aria-rowcount', '15')
+  await table.grid.focus()
+  await page.keyboard.press('ArrowDown')
+  await page.keyboard.press('Enter')
+  await page.keyboard.type('-3.25')
+  await page.keyboard.press('Tab')
+  await expect(table.grid).toBeFocused()
+  await expect(table.cell(2, 2)).toHaveText('-3.25')
+  await expect(app.field('x')).toHaveValue('-3.25')
+  // In y now: a digit begins to write.
+  await page.keyboard.type('1.5')
+  await page.keyboard.press('Escape')
+  await expect(table.grid).toBeFocused()
+  await page.keyboard.type('2,5')
+  await page.keyboard.press('Tab')
+  await expect(table.cell(2, 3)).toHaveText('2.5')
+  const expected = INTRODUCTION.slice()
+  expected.set([-3.25, 2.5], 3)
+  expect(await table.saved()).toEqual(expected)
+
+  // Refused by the table, and by the diagram.
+  await table.grid.focus()
+  await page.keyboard.press('Enter')
+  const input = table.grid.getByRole('textbox', { name: 'r of row 2' })
+  await input.fill('small')
+  await input.press('Enter')
+  await expect(page.getByRole('alert')).toHaveText('“small” is not a number. Nothing has changed.')
+  await expect(input).toHaveAttribute('aria-invalid', 'true')
+  await input.fill('-1')
+  await input.press('Enter')
+  await expect(page.getByRole('alert')).toContainText('radius')
+  await expect(input).toBeFocused()
+  await input.press('Escape')
+  expect(await table.saved()).toEqual(expected)
+
+  // Three rows, of which the last ones are new.
+  await table.grid.focus()
+  await page.keyboard.press('Control+End')
+  await page.keyboard.press('Home')
+  await table.paste('x\ty\tr\n7\t7\t0,25\n8\t7\t0,5\n9\t7\t0,75\n')
+  await expect(app.status).toContainText('16 circles')
+  await expect(page.getByRole('region', { name: 'Selected circles' })).toContainText('3 circles')
+  const pasted = new Float64Array(48)
+  pasted.set(expected)
+  pasted.set([7, 7, 0.25, 8, 7, 0.5, 9, 7, 0.75], 39)
+  expect(await table.saved()).toEqual(pasted)
+  await table.grid.focus()
+  await table.paste('1\t2\tthree')
+  await expect(page.getByRole('alert')).toHaveText('“three” is not a number. Nothing has changed.')
+  await page.keyboard.press('Control+z')
+  await expect(app.status).toContainText('14 circles')
+  expect(await table.saved()).toEqual(expected)
+
+  // Rows come and go.
+  await page.getByRole('button', { name: 'Add', exact: true }).click()
+  await expect(app.status).toContainText('15 circles')
+  await expect(table.grid.locator('[aria-selected=true] > [aria-colindex="1"]')).toHaveText(/^1[4-9]$/)
+  await page.getByTitle('Delete the selected circles (Delete)').click()
+  await expect(app.status).toContainText('14 circles')
+
+  // It is there again.
+  await page.reload()
+  await expect(table.cell(2, 2)).toHaveText('-3.25')
+})
+
+test('rows are sorted by any column, and what is selected here is selected there', async ({ app }) => {
+  test.slow()
+  const { page } = app
+  const table = new Table(app)
+  await table.open()
+  await expect(table.grid).toHaveAttribute('aria-rowcount', '679')
+  const columnOf = async (column: number, rows: number) => {
+    const texts = await Promise.all(Array.from({ length: rows }, (_, k) => table.cell(k + 1, column).textContent()))
+    return texts.map((text) => (text === '∞' ? Number.POSITIVE_INFINITY : text === '–' ? Number.NaN : Number(text)))
+  }
+  const heading = (name: string) => table.grid.getByRole('columnheader', { name, exact: true })
+  const isSorted = (values: number[], sign: number) =>
+    values.every((value, k) => k === 0 || sign * (values[k - 1] as number) <= sign * value)
+  for (const [column, name] of Object.entries({ 4: 'r', 5: 'area', 6: 'nbrs', 7: 'nearest' })) {
+    for (const [sort, sign] of [
+      ['ascending', 1],
+      ['descending', -1],
+    ] as const) {
+      await heading(name).click()
+      await expect(heading(name)).toHaveAttribute('aria-sort', sort)
+      await expect
+        .poll(async () =>
+          isSorted(
+            (await columnOf(Number(column), 8)).filter((value) => !Number.isNaN(value)),
+            sign,
+          ),
+        )
+        .toBe(true)
+    }
+  }
+  // By keys: up from the first row is the heading.
+  await table.cell(1, 1).click()
+  await page.keyboard.press('ArrowUp')
+  await page.keyboard.press('Enter')
+  await expect(heading('#')).toHaveAttribute('aria-sort', 'ascending')
+
+  await table.cell(3, 1).click()
+  await expect(page.getByRole('region', { name: 'Selected circle', exact: true })).toContainText('Circle 2')
+  await page.keyboard.press('Shift+ArrowDown')
+  await page.keyboard.press('Shift+ArrowDown')
+  await expect(page.getByRole('region', { name: 'Selected circles' })).toContainText('3 circles')
+  await table.cell(4, 1).click({ modifiers: ['ControlOrMeta'] })
+  await expect(page.getByRole('region', { name: 'Selected circles' })).toContainText('2 circles')
+
+  // From the picture to the row, which scrolls into sight and is the current one.
+  await page.locator('#figure').focus()
+  await page.keyboard.press('Escape')
+  await page.keyboard.press('Enter')
+  await expect(app.inspector).toBeVisible()
+  const id = Number((await app.inspector.locator('h2').textContent())?.replace('Circle ', ''))
+  await expect(table.cell(id + 1, 1)).toBeInViewport()
+  await expect(table.grid).toHaveAttribute(
+    'aria-activedescendant',
+    (await table.cell(id + 1, 1).getAttribute('id')) as string,
+  )
+  const results = await new (await import('@axe-core/playwright')).default({ page }).include('#table').analyze()
+  expect(results.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([])
+})
+
+test('of a hundred thousand rows only those that are seen are elements', async ({ app }) => {
+  test.slow()
+  const { page } = app
+  await page.getByRole('button', { name: 'Generate' }).click()
+  await page.getByRole('button', { name: /^Figure 14/ }).click()
+  await expect(app.status).toContainText('100,000 circles', { timeout: 60_000 })
+  await page.getByRole('button', { name: 'Generate' }).click()
+  const table = new Table(app)
+  await table.open()
+  await expect(table.grid).toHaveAttribute('aria-rowcount', '100001')
+  const elements = await table.grid.evaluate(async (grid) => {
+    let most = 0
+    for (let k = 0; k < 12; k++) {
+      grid.scrollTop += grid.scrollHeight / 12
+      await new Promise(requestAnimationFrame)
+      most = Math.max(most, grid.querySelectorAll('[role=row]').length)
+    }
+    return most
+  })
+  // Only what is seen is there.
+  expect(elements).toBeLessThan(80)
+  await expect(table.cell(100_000, 1)).toHaveText('99999')
+  await expect(table.cell(100_000, 5)).not.toHaveText('')
+})
+
+test.describe('with fingers', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true })
+
+  test('the table is a sheet', async ({ app }) => {
+    const { page } = app
+    const table = new Table(app)
+    await page.getByRole('button', { name: 'Table' }).tap()
+    await table.cell(2, 4).tap()
+    await expect(table.grid.locator('[aria-selected=true]')).toHaveCount(1)
+    const box = await page.locator('#table').boundingBox()
+    expect(box?.width).toBeGreaterThan(360)
+    expect((await table.cell(2, 4).boundingBox())?.height).toBeGreaterThanOrEqual(44)
+    expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0)
+  })
+})
