@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../lib/index.ts'
+import { wholeNumber } from '../view/whole-number.ts'
 import { parseCircles } from './csv.ts'
 import type { Recipe } from './generators/generators.ts'
-import { wholeNumber } from './whole-number.ts'
 
 /** What the menu offers. */
 export interface DataSet {

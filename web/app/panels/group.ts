@@ -2,8 +2,8 @@
 import { html, render } from 'lit'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
-import { wholeNumber } from '../whole-number.ts'
 import { byId } from './by-id.ts'
 
 /** How many circles are selected, and what can be done with them. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Counted, MethodFound } from '../../view/protocol.ts'
-import { wholeNumber } from '../whole-number.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
 
 /** What the method finds and what not. */
 export function saidOf({ vertices, edges, samples }: MethodFound): string {

@@ -68,7 +68,8 @@ export function mountMethod(store: Store<State>, actions: PageActions, view: Vie
 
   const show = (isOpen: boolean) => {
     // Where all circles are seen, they are seen beside the player, too.
-    const isWhole = actions.linkState() !== undefined && actions.linkState()?.view === undefined
+    const state = actions.linkState()
+    const isWhole = state !== undefined && state.view === undefined
     player.hidden = !isOpen
     if (isWhole) actions.look(undefined)
     render(

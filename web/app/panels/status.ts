@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
-import { wholeNumber } from '../whole-number.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
 
 /** How much there is and how long it took to compute; and what was refused. */

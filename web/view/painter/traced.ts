@@ -5,6 +5,7 @@ import type { CircleVoronoi, Diagram, Edit } from '../../lib/index.ts'
 import type { TraceOptions } from '../../lib/trace.ts'
 import { MOST_PLAYED } from '../layers.ts'
 import type { Traced } from '../protocol.ts'
+import { wholeNumber } from '../whole-number.ts'
 
 /**
  * What a method does with the circles of an editor's diagram, which are in any order there.
@@ -14,8 +15,7 @@ import type { Traced } from '../protocol.ts'
 export function traced(library: CircleVoronoi, { circles, numbers }: Diagram, options: TraceOptions): Traced {
   const count = circles.length / 3
   if (count > MOST_PLAYED) {
-    const most = MOST_PLAYED.toLocaleString('en')
-    const reason = `A method is played for ${most} circles at most; there are ${count.toLocaleString('en')}.`
+    const reason = `A method is played for ${wholeNumber(MOST_PLAYED)} circles at most; there are ${wholeNumber(count)}.`
     throw new CircleVoronoiError('tooManyCircles', -1, reason)
   }
   const idOf = (i: number) => at(numbers?.circles as Int32Array, i)
