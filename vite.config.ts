@@ -89,6 +89,7 @@ export default defineConfig({
   test: {
     root: '.',
     include: ['tests/{web,scripts}/**/*.test.{ts,mjs}', 'tests/files/*.test.ts'],
+    setupFiles: ['tests/random-inputs.ts'],
     testTimeout: 60_000,
     maxWorkers: '100%',
   },

@@ -14,10 +14,10 @@ await main(async () => {
   await setup('tests')
   await buildWasm('page')
   await buildSite()
-  const seed = option('seed')
+  const seed = option('seed') ?? Math.floor(2 ** 31 * Math.random())
   await run(`${ROOT}node_modules/.bin/playwright`, ['test', '--project=page', '--reporter=list', 'monkey.spec.ts'], {
     CHROMIUM_PATH: chromiumPath(),
     MONKEY_SECONDS: String(60 * (option('minutes') ?? MINUTES)),
-    ...(seed !== undefined && { CIRCLE_VORONOI_SEED: String(seed) }),
+    CIRCLE_VORONOI_SEED: String(seed),
   })
 })
