@@ -14,6 +14,9 @@ export default defineConfig({
   // A browser for each core.
   workers: availableParallelism(),
   forbidOnly: Boolean(process.env.CI),
+  // Browsers for all cores leave none idle: what is waited for may take a while, and no test is about how long.
+  timeout: 120_000,
+  expect: { timeout: 15_000 },
   use: {
     baseURL: `http://localhost:${PORT}`,
     viewport: { width: 1280, height: 800 },

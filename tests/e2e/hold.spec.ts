@@ -25,7 +25,6 @@ async function saved({ page }: App): Promise<Float64Array> {
 }
 
 test('held, it shows what would be taken from whom; Escape leaves all as it was, release adds it', async ({ app }) => {
-  test.slow()
   const { page } = app
   await app.choose('Introduction')
   await page.getByRole('button', { name: 'Files' }).click()
@@ -84,7 +83,6 @@ test.describe('with fingers', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true })
 
   test('a finger that rests does the same', async ({ app }) => {
-    test.slow()
     const { page } = app
     await app.choose('Introduction')
     const place = app.locate(INTRODUCTION, EMPTY)

@@ -61,7 +61,6 @@ for (const colorScheme of ['light', 'dark'] as const) {
   test(`all panels, several circles and help have no serious accessibility violation, ${colorScheme}`, async ({
     app,
   }) => {
-    test.slow()
     await app.page.emulateMedia({ colorScheme })
     const expectNone = async () => {
       const { violations } = await new AxeBuilder({ page: app.page }).analyze()

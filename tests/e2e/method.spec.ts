@@ -4,7 +4,6 @@ import { decodeLink } from '../../web/lib/link.ts'
 import { expect, test } from './page.ts'
 
 test('candidates and samples change what the method finds, and not the diagram', async ({ app }) => {
-  test.slow()
   const { page } = app
   await page.getByRole('button', { name: 'Generate' }).click()
   await page.getByRole('button', { name: /^Figure 5d/ }).click()

@@ -48,7 +48,6 @@ class Table {
 test('cells are edited by keys, what is wrong is said and changes nothing, and rows are pasted as one step', async ({
   app,
 }) => {
-  test.slow()
   const { page } = app
   await app.choose('Introduction')
   await page.getByRole('button', { name: 'Files' }).click()
@@ -120,7 +119,6 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
 })
 
 test('rows are sorted by any column, and what is selected here is selected there', async ({ app }) => {
-  test.slow()
   const { page } = app
   const table = new Table(app)
   await table.open()
@@ -179,7 +177,6 @@ test('rows are sorted by any column, and what is selected here is selected there
 })
 
 test('of a hundred thousand rows only those that are seen are elements', async ({ app }) => {
-  test.slow()
   const { page } = app
   await page.getByRole('button', { name: 'Generate' }).click()
   await page.getByRole('button', { name: /^Figure 14/ }).click()

@@ -208,7 +208,6 @@ async function read(page: Page, { file, blocks }: Chapter): Promise<void> {
 
 for (const chapter of readBook().filter(({ isChapter }) => isChapter)) {
   test(`${chapter.file}: figures and questions`, async ({ page }) => {
-    test.setTimeout(120_000)
     await read(page, chapter)
   })
 }
@@ -259,7 +258,6 @@ test('every link in the texts leads somewhere', () => {
 })
 
 test('the documentation reads well, and its search finds', async ({ page }) => {
-  test.setTimeout(60_000)
   const problems = watch(page)
   await page.goto('/docs/')
   for (const name of ['The command line', 'A live figure in a page']) {
@@ -307,7 +305,6 @@ test.describe('without scripts', () => {
 test('on a slow line the first chapter can be read within a second, and its first figure lives within two and a half', async ({
   browser,
 }) => {
-  test.setTimeout(60_000)
   const open = async () => {
     const context = await browser.newContext({ viewport: { width: 390, height: 844 }, serviceWorkers: 'block' })
     const page = await context.newPage()

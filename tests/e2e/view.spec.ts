@@ -63,7 +63,7 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
     'Directed edges left',
   ]) {
     await layer(name).check()
-    await expect.poll(isBlank, { timeout: 10_000 }).toBe(false)
+    await expect.poll(isBlank).toBe(false)
     await layer(name).uncheck()
     await expect.poll(isBlank).toBe(true)
   }
@@ -135,7 +135,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await app.page.getByRole('checkbox', { name }).check()
     }
     await app.page.getByRole('button', { name: 'Numbers', exact: true }).click()
-    await expect(app.page.getByText('Proven by')).toBeAttached({ timeout: 15_000 })
+    await expect(app.page.getByText('Proven by')).toBeAttached()
     const { violations } = await new AxeBuilder({ page: app.page }).analyze()
     expect(violations).toEqual([])
   })

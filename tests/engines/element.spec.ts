@@ -55,7 +55,6 @@ async function expectToBeLive(engine: Engine): Promise<void> {
 
 for (const [name, openEngine] of ENGINES) {
   test(`in ${name}: a figure is dragged, also that of the one file, and the method is played`, async () => {
-    test.setTimeout(90_000)
     const engine = await openEngine()
     try {
       for (const page of ['plain', 'bundle']) {

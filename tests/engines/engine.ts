@@ -24,7 +24,7 @@ export interface Engine {
 
 /** An attempt is made so often, in milliseconds. */
 const PAUSE = 50
-const PATIENCE = 10_000
+const PATIENCE = 30_000
 
 /** Waits until something that the page says is as it should be, and returns it. */
 export async function until<Said>(what: string, say: () => Promise<Said>, isRight: (said: Said) => boolean) {

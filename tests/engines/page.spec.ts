@@ -81,7 +81,6 @@ class Page {
 
 for (const [name, openEngine] of ENGINES) {
   test.describe(name, () => {
-    test.setTimeout(90_000)
     test('loads, drags, undoes, opens, saves and links', async ({ baseURL }, testInfo) => {
       const engine = await openEngine()
       try {

@@ -5,7 +5,6 @@ import { ROOT } from './project.ts'
 import { serve } from './static-server.ts'
 
 test('the discs bounce, and their diagram follows', async ({ page }) => {
-  test.setTimeout(120_000)
   const server = await serve(ROOT)
   try {
     const problems: string[] = []

@@ -20,8 +20,6 @@ type Element = HTMLElementTagNameMap['circle-voronoi']
 /** Of WebAssembly, in a thread. */
 type Instances = { readonly instances: readonly WebAssembly.Instance[] }
 
-test.describe.configure({ timeout: 120_000 })
-
 let server: Server
 test.beforeAll(async () => {
   server = await serve(ROOT, EXAMPLE_POLICY)

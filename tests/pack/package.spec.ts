@@ -27,8 +27,6 @@ const OLDEST_TSC = join(ROOT, 'tests/pack/typescript-5.0/node_modules/.bin/tsc')
 /** The modules of the element. */
 const ELEMENT = ['/element', '/element/define', '/element/bundle']
 
-test.describe.configure({ timeout: 120_000 })
-
 let project: Project
 test.beforeAll(() => {
   project = new Project()

@@ -10,8 +10,6 @@ import { INLINE_POLICY, serve } from './static-server.ts'
 const SNIPPETS = readmeSnippets('From JavaScript')
 const inLanguage = (name: string) => SNIPPETS.filter(({ language }) => language === name)
 
-test.describe.configure({ timeout: 120_000 })
-
 let project: Project
 test.beforeAll(() => {
   project = new Project()
