@@ -106,13 +106,15 @@ for (const [what, link, says] of [
       what === 'to what no page has'
         ? await encodeLink({ dataSet: '../../etc/passwd' })
         : await encodeLink({ circles: [[0, 0, -1]], view: { x: 1e300, y: 0, span: 1e-300 } })
-    await app.page.goto(`/#${link ?? made}`)
-    await app.page.reload()
-    await expect(app.page.getByRole('alert')).toContainText(says)
-    await expect(app.status).toContainText('678 circles')
-    await app.choose('Introduction')
-    await expect(app.status).toContainText('14 circles')
-    await expect(app.page.getByRole('alert')).toBeHidden()
+    const opened = new App(await app.page.context().newPage())
+    for (const { page, status } of [app, opened]) {
+      await page.goto(`/#${link ?? made}`)
+      await expect(page.getByRole('alert')).toContainText(says)
+      await expect(status).toContainText('678 circles')
+    }
+    await opened.choose('Introduction')
+    await expect(opened.status).toContainText('14 circles')
+    await expect(opened.page.getByRole('alert')).toBeHidden()
   })
 }
 

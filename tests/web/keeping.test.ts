@@ -218,13 +218,13 @@ describe('the storage of scenes', () => {
     // One that is loaded again.
     first.close()
     expect((await browser.open(true, first.ofTab, true)).storage.read()).toBe('v1.a')
-    // One that is duplicated.
+    // One that is duplicated, or loaded again before what was there has gone.
     const copy = new Room()
     copy.setItem('circle-voronoi/', second.ofTab.getItem('circle-voronoi/') as string)
     const third = await browser.open(true, copy)
-    expect(third.storage.read()).toBeUndefined()
+    expect(third.storage.read()).toBe('v1.b')
     await third.storage.write('v1.c')
-    expect(second.storage.read()).toBe('v1.b')
+    expect([second.storage.read(), third.storage.read()]).toEqual(['v1.b', 'v1.c'])
   })
 
   it('leaves what a closed tab kept where a tab is opened by a link', async () => {

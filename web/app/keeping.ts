@@ -57,6 +57,11 @@ export class Keeping {
     this.#timer = setTimeout(() => this.#write(), REST)
   }
 
+  /** To be called once the link of a changed address was opened, or could not be: till then it is not written over. */
+  wasOpened(hash: string): void {
+    this.#hash = hash
+  }
+
   async #write(): Promise<void> {
     clearTimeout(this.#timer)
     this.#timer = undefined
@@ -65,6 +70,7 @@ export class Keeping {
     const link = await this.#linkOf(state)
     // Meanwhile there may be something newer.
     if (this.#timer !== undefined) return
+    if (location.hash !== this.#hash) return this.changed()
     const isShort = link !== undefined && link.length <= LONGEST_ADDRESS
     history.replaceState(null, '', isShort ? `#${link}` : location.pathname + location.search)
     this.#hash = location.hash

@@ -122,5 +122,9 @@ store.subscribe((state) => {
   if (state.step !== step) keeping.changed()
   step = state.step
 })
-window.addEventListener('hashchange', () => location.hash !== '' && actions.openLink(location.hash))
+window.addEventListener('hashchange', async () => {
+  const { hash } = location
+  if (hash !== '') await actions.openLink(hash)
+  keeping.wasOpened(hash)
+})
 await workOffline()

@@ -5,7 +5,7 @@
 const PREFIX = 'circle-voronoi/'
 /** So many of closed tabs are kept. */
 const MOST = 10
-/** A tab that is loaded again has its name as soon as it is gone, in milliseconds. */
+/** A tab that is loaded again mostly has its name as soon as it is gone, in milliseconds. */
 const PATIENCE = 1000
 
 /** What of the browser this needs. `locks` are missing where a page is not served securely. */
@@ -21,22 +21,26 @@ export class SceneStorage {
   readonly #all: Storage
   readonly #locks: LockManager | undefined
   readonly #name: string
+  /** Whose scene it shows until it has written one: also that of a tab that has its name, or has not given it back yet. */
+  #from: string
 
-  private constructor({ all, locks }: Surroundings, name: string) {
+  private constructor({ all, locks }: Surroundings, name: string, from: string) {
     this.#all = all
     this.#locks = locks
     this.#name = name
+    this.#from = from
   }
 
   /** `goesOn`: whether a tab that has nothing yet takes what a closed one has left. */
   static async claim(surroundings: Surroundings, goesOn: boolean): Promise<SceneStorage> {
+    const own = surroundings.ofTab.getItem(PREFIX)
     const name = await claimedName(surroundings, goesOn)
     surroundings.ofTab.setItem(PREFIX, name)
-    return new SceneStorage(surroundings, name)
+    return new SceneStorage(surroundings, name, own ?? name)
   }
 
   read(): string | undefined {
-    return this.#all.getItem(PREFIX + this.#name)?.split(' ')[1]
+    return this.#all.getItem(PREFIX + this.#from)?.split(' ')[1]
   }
 
   /** Keeps a link. Where there is no room, those of closed tabs go, the oldest first; if that is not enough, it is not kept. */
@@ -55,6 +59,7 @@ export class SceneStorage {
   put(link: string): boolean {
     try {
       this.#all.setItem(PREFIX + this.#name, `${Date.now()} ${link}`)
+      this.#from = this.#name
       return true
     } catch {
       return false

@@ -36,6 +36,8 @@ export interface ViewEvents {
   readonly found: Found | undefined
   /** Others are shown, or an end of the path was dragged. */
   readonly layers: Layers
+  /** Whether anything of the diagram is drawn. */
+  readonly diagram: boolean
   readonly camera: Camera
   /** What the circle would take that is tried; `undefined`: none is. */
   readonly tried: Trial | undefined
@@ -90,6 +92,7 @@ export class View {
     marked: new Set(),
     found: new Set(),
     layers: new Set(),
+    diagram: new Set(),
     camera: new Set(),
     tried: new Set(),
     changed: new Set(),
@@ -236,6 +239,7 @@ export class View {
     if (hasDiagram === this.#hasDiagram) return
     this.#hasDiagram = hasDiagram
     this.#drawLayers()
+    this.#tell('diagram', hasDiagram)
   }
 
   get #drawnLayers(): Layers {

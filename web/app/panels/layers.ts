@@ -54,7 +54,8 @@ const ENDS: Readonly<Partial<Record<CellColors, readonly [string, string]>>> = {
 /** What is drawn: a legend in which each layer can be switched. */
 export function mountLayers(store: Store<State>, actions: PageActions, view: View): void {
   const panel = byId('layers', HTMLElement)
-  const draw = () => folded.render(() => body(store.get()))
+  const draw = () => folded.render(() => html`${waiting()} ${body(store.get())}`)
+  view.on('diagram', () => draw())
   const folded = folding(panel, 'Layers', ICON, draw)
 
   const toggle = (name: keyof Layers & Pictured, label: string, note: unknown = nothing): TemplateResult => {
@@ -62,6 +63,9 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
     const change = (event: Event) => actions.setLayers({ [name]: (event.target as HTMLInputElement).checked })
     return row(name, label, layers[name] === true, change, note)
   }
+
+  const waiting = () =>
+    view.hasDiagram ? nothing : html`<p class="quiet">The method is played: layers are seen at its end.</p>`
 
   const extent = () => Math.max(view.size.width, view.size.height) / view.camera.scale
 
