@@ -67,7 +67,10 @@ async function follow(around: HTMLElement, load: () => Promise<Tools>): Promise<
         output.value = found.sentence
       }
       const size = { width: figure.clientWidth, height: figure.clientHeight }
-      const { viewBox, content } = pictureOf(circles, comparison, lookAt(circles, figure.getState().view, size), size)
+      const { view } = figure.getState()
+      // Far out of sight the figure has no size, and so no view.
+      if (view?.span === 0) return
+      const { viewBox, content } = pictureOf(circles, comparison, lookAt(circles, view, size), size)
       svg.setAttribute('viewBox', viewBox)
       svg.innerHTML = content
       if (!svg.isConnected) picture.replaceChildren(svg)
