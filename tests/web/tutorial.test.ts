@@ -8,7 +8,7 @@ import { countSamples, sentenceOf } from '../../web/tutorial/count-samples.ts'
 import { compare, loadPrintedRules, RULES, type Rule, sentenceOf as whatOf } from '../../web/tutorial/printed-rules.ts'
 import { layersFrom } from '../../web/view/layers.ts'
 import { factsOf } from '../../web/view/painter/facts.ts'
-import { library } from './library.ts'
+import { library, seededRandom } from './library.ts'
 
 const BOOK = readBook()
 const BLOCKS = BOOK.flatMap(({ file, blocks }) => blocks.map((block) => ({ file, ...block })))
@@ -64,6 +64,17 @@ describe('rules as printed', async () => {
     expect(said(circles, spec.rules)).not.toBe(SAME)
     expect(said(circles, [])).toBe(SAME)
     expect(said(circles, RULES)).not.toBe(SAME)
+  })
+
+  test('of random circles that cross many go wrong as printed, and hardly any once all rules are corrected', () => {
+    const random = seededRandom(1)
+    const inputs = Array.from({ length: 1000 }, () =>
+      Array.from({ length: 4 }, () => [6 * random(), 4 * random(), 0.4 + 1.6 * random()]),
+    ).filter((circles) => library.compute(circles).hidden.length === 0)
+    const wrong = (asPrinted: readonly Rule[]) => inputs.filter((circles) => said(circles, asPrinted) !== SAME).length
+    expect(inputs.length).toBeGreaterThan(500)
+    expect(wrong(RULES) / inputs.length).toBeGreaterThan(0.3)
+    expect(wrong([]) / inputs.length).toBeLessThan(0.01)
   })
 
   test('what goes wrong is counted', () => {
