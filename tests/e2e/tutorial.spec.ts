@@ -348,6 +348,16 @@ test.describe('without scripts', () => {
     await expect(page.getByText('the first is nearer', { exact: false })).toBeVisible()
     await expect(page.getByRole('button', { name: 'Check' }).first()).toBeHidden()
   })
+
+  test('what rules find as printed is pictured and said', async ({ page }) => {
+    await page.goto('/tutorial/06-where-rules-fail.html')
+    for (const figure of await page.locator('figure.printed').all()) {
+      await figure.scrollIntoViewIfNeeded()
+      const picture = figure.locator('.picture img')
+      await soon(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(0)
+      await expect(figure.locator('output')).toHaveText(/^As printed: \d+ of \d+ borders found/)
+    }
+  })
 })
 
 test('on a slow line the first chapter can be read within a second, and its first figure lives within two and a half', async ({
