@@ -28,8 +28,8 @@ export async function buildNative() {
 }
 
 /**
- * web/lib/generated and web/app/generated, the WebAssembly modules of the package and of the page alone; for the package
- * web/cli/generated, its program, too, for which setup has to install more.
+ * web/lib/generated, web/app/generated and web/tutorial/generated, the WebAssembly modules of the package and of the page
+ * alone; for the package web/cli/generated, its program, too, for which setup has to install more.
  */
 export async function buildWasm(purpose) {
   const isPackage = purpose === 'package'
@@ -40,7 +40,7 @@ export async function buildWasm(purpose) {
     // CGAL and Boost are headers of the machine, where a cross build does not look.
     '-DCMAKE_INCLUDE_PATH=/usr/include;/usr/local/include',
   ]
-  const modules = ['', '_comparison', '_files', '_families'].map((name) => `circle_voronoi${name}_wasm`)
+  const modules = ['', '_comparison', '_files', '_families', '_printed'].map((name) => `circle_voronoi${name}_wasm`)
   const targets = isPackage ? ['all'] : modules
   await cmakeBuild('build/wasm', 'emcmake', configure, targets)
 }

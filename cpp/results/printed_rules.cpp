@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "compare.h"
@@ -8,6 +9,7 @@
 #include "method.h"
 #include "mismatches.h"
 #include "oracle.h"
+#include "three_touch_disc.h"
 #include "trial.h"
 
 namespace circle_voronoi::results {
@@ -52,6 +54,32 @@ void drawCounterexample(const std::filesystem::path& folder, const Counterexampl
   figure.groups = {"circles"};
   figure.layers = {segmentsLayer(circles, printed, *figure.frame.bounds), leftoverLayer(circles, printed)};
   draw(folder, "counterexample-printed", circles, diagram, figure);
+}
+
+using Triple = std::array<CircleIndex, 3>;
+
+/// The vertices outside all circles, each from its smallest circle on, sorted.
+std::vector<Triple> outerVertices(std::span<const Circle> circles, const Diagram& diagram) {
+  const auto circle = [&](std::int32_t i) { return circles[i]; };
+  std::vector<Triple> triples;
+  for (Triple triple : diagram.vertexCircles) {
+    const auto disc = threeTouchDisc(circle(triple[0]), circle(triple[1]), circle(triple[2]));
+    if (disc && disc->disc.r < 0) continue;
+    std::ranges::rotate(triple, std::ranges::min_element(triple));
+    triples.push_back(triple);
+  }
+  std::ranges::sort(triples);
+  return triples;
+}
+
+/// Whether the result differs from the exact diagram. Of circles that may overlap only vertices outside all circles
+/// count: inside them the paper claims nothing.
+bool isPrintedWrong(std::span<const Circle> circles, const PrintedResult& printed, const Diagram& exact,
+                    const FamilyInfo& family) {
+  if (!family.isDisjoint) return outerVertices(circles, printed.diagram) != outerVertices(circles, exact);
+  return !(family.isDegenerate ? test::differenceAfterMerging(printed.diagram, exact, circles)
+                               : test::difference(printed.diagram, exact))
+              .empty();
 }
 
 }  // namespace

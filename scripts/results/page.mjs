@@ -209,7 +209,7 @@ The smallest counterexample of this run, of the family ${family}: ${circles.leng
 circle has a cell of its own between the two others, whose edge therefore has two parts that go to infinity. The printed rules
 take the directed edge of the one for that of the other, and join the two vertices by a segment that is none.
 
-Where the text of the algorithms leaves a choice, it was made in their favour: \`cpp/results/printed_algorithm.h\` says how.
+Where the text of the algorithms leaves a choice, it was made in their favour: \`cpp/printed/printed_algorithm.h\` says how.
 
 ${block(claims.exactness)}
 

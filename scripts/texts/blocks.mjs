@@ -6,14 +6,15 @@ import { escaped } from './page.mjs'
 const PLAYGROUND = '../'
 
 /**
- * @param {ReadonlyMap<string, { circles: number[][], link: string, poster: string }>} made of each figure, by its name, what
- *   stands after the # of its link, and the file of its picture
+ * @param {ReadonlyMap<string, import('./tutorial.mjs').Made>} made of each figure, by its name, what
+ *   stands after the # of its link, and the file of its picture; with rules as printed also what these find
  */
 export function blockRenderer(made) {
   let questions = 0
   const renderers = {
     figure: (spec, inline) => figure(spec, inline),
     corrupt: (spec, inline) => figure(spec, inline, ' data-corrupt'),
+    printed,
     try: trial,
     question,
     pictures,
@@ -25,6 +26,24 @@ export function blockRenderer(made) {
     return `<figure id="${name}"${more}>
 ${element(spec)}
 ${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<p><output class="counts"></output></p>\n' : ''}<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
+</figure>
+`
+  }
+
+  /** Two pictures: by the rules as they have to be, and as printed. */
+  function printed(spec, inline) {
+    const { name, rules, caption } = spec
+    const { poster, sentence } = made.get(name).printed
+    const what = rules.length === 1 ? 'rule' : 'rules'
+    return `<figure id="${name}" class="printed" data-rules="${rules.join(' ')}">
+<div class="pair">
+<div><p class="title">With the corrected ${what}</p>
+${element(spec)}</div>
+<div><p class="title">With the ${what} as printed</p>
+<div class="picture"><img src="${poster}" alt="The same circles, with what the ${what} as printed find." loading="lazy"></div></div>
+</div>
+<p><output>${escaped(sentence)}</output></p>
+<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>
 `
   }

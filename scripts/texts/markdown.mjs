@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A text of the site from Markdown: mathematics between dollars becomes MathML, headings can be linked to, and in chapters
-// blocks of code called figure, try, question and corrupt, which hold JSON, become what a reader can touch.
+// blocks of code called figure, try, question and so on, which hold JSON, become what a reader can touch.
 import MarkdownIt from 'markdown-it'
 import definitions from 'markdown-it-deflist'
 import temml from 'temml'
 
-const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'pictures']
+const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed', 'pictures']
 
 /**
  * @param {string} markdown

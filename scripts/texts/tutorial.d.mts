@@ -6,6 +6,8 @@ export interface Spec {
   readonly dataSet?: string
   readonly layers?: Readonly<Record<string, unknown>>
   readonly check?: unknown
+  /** Of a figure of the kind `printed` the rules that are as printed. */
+  readonly rules: readonly ('side' | 'third' | 'crossing' | 'inside')[]
   readonly solution: readonly (readonly number[])[]
   readonly choices: readonly string[]
   readonly right: number
@@ -16,7 +18,7 @@ export interface Chapter {
   readonly isChapter: boolean
   readonly title: string
   readonly blocks: readonly {
-    readonly kind: 'figure' | 'try' | 'question' | 'corrupt' | 'pictures'
+    readonly kind: 'figure' | 'try' | 'question' | 'corrupt' | 'printed' | 'pictures'
     readonly spec: Spec
   }[]
 }

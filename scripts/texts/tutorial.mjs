@@ -6,12 +6,21 @@ import { blockRenderer, paperFigures } from './blocks.mjs'
 import { loadFigureCircles } from './figure-circles.mjs'
 import { renderMarkdown } from './markdown.mjs'
 import { posterOf } from './poster.mjs'
+import { loadPrinted } from './printed.mjs'
 
 const CHAPTERS = `${ROOT}web/tutorial/chapters`
 /** A link that a text has into the playground: `playground:figure-14`. */
 const PLAYGROUND_LINK = /playground:([\w:-]+)/g
 /** Of the paper. */
 const FIGURES = 16
+
+/**
+ * @typedef {object} Made what there is of a figure
+ * @property {number[][]} circles
+ * @property {string} link what stands after the # of its link
+ * @property {string} poster the file of its picture
+ * @property {{ poster: string, sentence: string }} [printed] what the rules as printed find
+ */
 
 /** The chapters in their order, then what is not one of them, each with its figures and questions. */
 export function readBook() {
@@ -35,6 +44,7 @@ export async function tutorialTexts(folder) {
   const { loadFiles } = await import(`${ROOT}dist/lib/files.js`)
   const { encodeLink } = await import(`${ROOT}dist/lib/link.js`)
   const [library, files, circlesOf] = [await loadCircleVoronoi(), await loadFiles(), await loadFigureCircles()]
+  const printedOf = await loadPrinted(library)
   const book = readBook()
   mkdirSync(`${folder}/tutorial/pictures`, { recursive: true })
 
@@ -44,6 +54,12 @@ export async function tutorialTexts(folder) {
     const tolerance = Math.max(maxX - minX, maxY - minY) / 2000
     const digits = Math.max(0, Math.ceil(-Math.log10(tolerance)))
     return files.writeDiagram(diagram, { format: 'svg', tolerance, digits })
+  }
+  const printed = ({ name, rules }, circles) => {
+    const { svg, sentence } = printedOf(circles, rules)
+    const poster = `pictures/${name}-printed.svg`
+    writeFileSync(`${folder}/tutorial/${poster}`, svg)
+    return { poster, sentence }
   }
   const made = new Map()
   for (const { spec } of book.flatMap(({ blocks }) => blocks).filter(({ spec }) => spec.name !== undefined)) {
@@ -59,7 +75,7 @@ export async function tutorialTexts(folder) {
       view: view && { x, y, span },
       ...(controls === 'player' && { step: 0, method }),
     })
-    made.set(spec.name, { circles, poster, link })
+    made.set(spec.name, { circles, poster, link, ...(spec.rules && { printed: printed(spec, circles) }) })
   }
   const links = new Map()
   for (const [, dataSet] of book.flatMap(({ markdown }) => [...markdown.matchAll(PLAYGROUND_LINK)])) {

@@ -212,6 +212,54 @@ for (const chapter of readBook().filter(({ isChapter }) => isChapter)) {
   })
 }
 
+test('what rules find as printed follows the circles', async ({ page }) => {
+  const problems = watch(page)
+  await page.goto('/tutorial/06-where-rules-fail.html')
+  const around = page.locator('#third-edge')
+  const figure = around.locator('circle-voronoi')
+  const pathOf = (name: string) => around.locator(`svg .${name}`).getAttribute('d')
+  await show(figure)
+  await expect(around.locator('output')).toHaveText(
+    'As printed: 2 of 4 borders found, and 1 line where there is no border.',
+  )
+  const [discs, wrong] = [await pathOf('discs'), await pathOf('wrong')]
+  expect(wrong).not.toBe('')
+
+  // The small circle, out from between the others.
+  const { view, box } = await figure.evaluate((element: Element) => {
+    const { left, top, width, height } = element.getBoundingClientRect()
+    return { view: element.view as NonNullable<typeof element.view>, box: { left, top, width, height } }
+  })
+  const camera = { x: view.x, y: view.y, scale: Math.min(box.width, box.height) / view.span }
+  const circle = (await circlesOf(figure)).slice(6)
+  const from = toScreen(camera, box, { x: circle[0] as number, y: circle[1] as number })
+  const to = toScreen(camera, box, { x: 6, y: 0 })
+  await page.mouse.move(box.left + from.x, box.top + from.y)
+  await page.mouse.down()
+  await page.mouse.move(box.left + (from.x + to.x) / 2, box.top + (from.y + to.y) / 2)
+  // While it is held.
+  await soon(() => pathOf('discs')).not.toBe(discs)
+  await page.mouse.move(box.left + to.x, box.top + to.y)
+  await page.mouse.up()
+  await expect(around.locator('output')).toHaveText('As printed: the same diagram here.')
+  expect(await pathOf('wrong')).toBe('')
+
+  // The same part of the plane is seen.
+  const viewBox = () => around.locator('svg').getAttribute('viewBox')
+  const seen = await viewBox()
+  await figure.getByRole('application').focus()
+  await page.keyboard.press('Escape')
+  await page.keyboard.press('+')
+  await soon(viewBox).not.toBe(seen)
+
+  // What takes long is not tried.
+  await figure.evaluate((element: Element) => {
+    element.circles = Array.from({ length: 41 }, (_, i) => [3 * i, i % 3, 1])
+  })
+  await expect(around.locator('output')).toHaveText('Here the rules are tried on 40 circles at most.')
+  expect(problems).toEqual([])
+})
+
 test('the two lines for teachers are a live figure', async ({ page }) => {
   const problems = watch(page)
   await page.goto('/tutorial/teachers.html')
@@ -299,6 +347,16 @@ test.describe('without scripts', () => {
     await page.getByText('Answer', { exact: true }).first().click()
     await expect(page.getByText('the first is nearer', { exact: false })).toBeVisible()
     await expect(page.getByRole('button', { name: 'Check' }).first()).toBeHidden()
+  })
+
+  test('what rules find as printed is pictured and said', async ({ page }) => {
+    await page.goto('/tutorial/06-where-rules-fail.html')
+    for (const figure of await page.locator('figure.printed').all()) {
+      await figure.scrollIntoViewIfNeeded()
+      const picture = figure.locator('.picture img')
+      await soon(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(0)
+      await expect(figure.locator('output')).toHaveText(/^As printed: \d+ of \d+ borders found/)
+    }
   })
 })
 

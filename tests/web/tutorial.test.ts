@@ -5,9 +5,10 @@ import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { holds, idsOf, parseCheck } from '../../web/element/check.ts'
 import { countSamples, sentenceOf } from '../../web/tutorial/count-samples.ts'
+import { compare, loadPrintedRules, RULES, type Rule, sentenceOf as whatOf } from '../../web/tutorial/printed-rules.ts'
 import { layersFrom } from '../../web/view/layers.ts'
 import { factsOf } from '../../web/view/painter/facts.ts'
-import { library } from './library.ts'
+import { library, seededRandom } from './library.ts'
 
 const BOOK = readBook()
 const BLOCKS = BOOK.flatMap(({ file, blocks }) => blocks.map((block) => ({ file, ...block })))
@@ -47,6 +48,47 @@ test('every question has one right answer among others, and every chapter has so
 
 test('figures draw what there is to be drawn', () => {
   for (const { spec } of figures) expect(layersFrom(spec.layers ?? {}), spec.name).toMatchObject(spec.layers ?? {})
+})
+
+describe('rules as printed', async () => {
+  const [rules, circlesOf] = [await loadPrintedRules(), await loadFigureCircles()]
+  const said = (circles: readonly (readonly number[])[], asPrinted: readonly Rule[]) => {
+    const coordinates = Float64Array.from(circles.flat())
+    return whatOf(compare(library.compute(coordinates), rules.run(coordinates, asPrinted)))
+  }
+  const SAME = 'As printed: the same diagram here.'
+  const printed = figures.filter(({ kind }) => kind === 'printed').map(({ spec }) => [spec.name, spec] as const)
+
+  test.each(printed)('%s goes wrong by the rules it names, and is right without them', (_, spec) => {
+    const circles = spec.circles ?? circlesOf(spec as typeof spec & { dataSet: string })
+    expect(said(circles, spec.rules)).not.toBe(SAME)
+    expect(said(circles, [])).toBe(SAME)
+    expect(said(circles, RULES)).not.toBe(SAME)
+  })
+
+  test('of random circles that cross many go wrong as printed, and hardly any once all rules are corrected', () => {
+    const random = seededRandom(1)
+    const inputs = Array.from({ length: 1000 }, () =>
+      Array.from({ length: 4 }, () => [6 * random(), 4 * random(), 0.4 + 1.6 * random()]),
+    ).filter((circles) => library.compute(circles).hidden.length === 0)
+    const wrong = (asPrinted: readonly Rule[]) => inputs.filter((circles) => said(circles, asPrinted) !== SAME).length
+    expect(inputs.length).toBeGreaterThan(500)
+    expect(wrong(RULES) / inputs.length).toBeGreaterThan(0.3)
+    expect(wrong([]) / inputs.length).toBeLessThan(0.01)
+  })
+
+  test('what goes wrong is counted', () => {
+    const [, { circles = [] }] = printed.find(([name]) => name === 'third-edge') as (typeof printed)[number]
+    expect(said(circles, ['third'])).toBe('As printed: 2 of 4 borders found, and 1 line where there is no border.')
+  })
+
+  test('the changes that the captions ask for lead to the right diagram', () => {
+    const circlesIn = (name: string) => (printed.find(([its]) => its === name)?.[1].circles ?? []).map((c) => [...c])
+    const [smallest, ...others] = circlesIn('forward') as [number[], ...number[][]]
+    expect(said([[6, 5, smallest[2] as number], ...others], ['side'])).toBe(SAME)
+    const [first, second, third] = circlesIn('third-edge') as [number[], number[], number[]]
+    expect(said([first, second, [6, 0, third[2] as number]], ['third'])).toBe(SAME)
+  })
 })
 
 test('in chapter 6 the pair is missed without samples between, and found with one', () => {

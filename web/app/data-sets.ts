@@ -17,6 +17,7 @@ export const DATA_SETS: readonly DataSet[] = [
   { id: 'bronzefilter', label: 'Bronze filter' },
   { id: 'spruces', label: 'Spruces' },
   { id: 'waka', label: 'Waka trees' },
+  { id: 'cities', label: 'Cities of Europe' },
   { id: 'introduction', label: 'Introduction' },
   { id: 'random', label: 'Random', random: { family: 'dense', count: 300 } },
   { id: 'random-large', label: 'Random, 10,000', random: { family: 'dense', count: 10_000 } },

@@ -24,5 +24,9 @@ if (document.querySelector('output.counts') !== null) {
   // Figures that are far away are not ready for long.
   void sayCounts(document)
 }
+if (document.querySelector('figure.printed') !== null) {
+  const { followPrinted } = await import('./printed.ts')
+  followPrinted(document)
+}
 if (document.readyState !== 'complete') await new Promise((resolve) => addEventListener('load', resolve))
 await workOffline('../')

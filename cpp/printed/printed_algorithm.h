@@ -6,11 +6,10 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
-#include "circle_voronoi/families.h"
 #include "pair.h"
 #include "vectors.h"
 
-namespace circle_voronoi::results {
+namespace circle_voronoi {
 
 /// A directed edge of the paper's method: from circle a to circle b, its Voronoi segment to its right.
 struct PrintedEdge {
@@ -39,6 +38,19 @@ struct PrintedResult {
   std::vector<PrintedEdge> leftover;
 };
 
+/// Which rules are as printed; the others are as they have to be. Each alone makes a difference.
+struct AsPrinted {
+  /// A three-touch disc continues a directed edge if its centre lies on the right side, not if it comes later along the
+  /// border than where the edge begins.
+  bool side = true;
+  /// The third directed edge of a three-touch disc is any between its circles, not the last one behind the disc.
+  bool third = true;
+  /// The antipodal disc of intersecting circles is empty, whatever reaches into it.
+  bool crossing = true;
+  /// Three-touch discs inside circles are none.
+  bool inside = true;
+};
+
 /// Algorithms 2 to 4 of the paper as they are printed, on the candidates given, to be compared with `touch`. Where the
 /// text leaves a choice, it is made so that more comes out right:
 /// - antipodal discs have half the gap for radius (section 9 prints the gap); those of intersecting circles are empty
@@ -47,11 +59,6 @@ struct PrintedResult {
 /// name;
 /// - angles within rounding are equal, and an endpoint is covered only inside an arc that is used;
 /// - directed edges with a covered endpoint are no leftover ones.
-PrintedResult runPrinted(std::span<const Circle> circles, std::span<const Pair> pairs);
+PrintedResult runPrinted(std::span<const Circle> circles, std::span<const Pair> pairs, const AsPrinted& rules = {});
 
-/// Whether the result differs from the exact diagram. Of circles that may overlap only vertices outside all circles
-/// count: inside them the paper claims nothing.
-bool isPrintedWrong(std::span<const Circle> circles, const PrintedResult& printed, const Diagram& exact,
-                    const FamilyInfo& family);
-
-}  // namespace circle_voronoi::results
+}  // namespace circle_voronoi

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <queue>
 
 #include "angle.h"
-#include "compare.h"
+#include "circle_voronoi/curve.h"
 #include "three_touch_disc.h"
 
-namespace circle_voronoi::results {
+namespace circle_voronoi {
 namespace {
 
 /// A full turn of `pseudoAngle`, and how near two angles or lengths count as the same.
@@ -41,8 +42,8 @@ struct Listed {
 
 class Printed {
  public:
-  Printed(std::span<const Circle> circles, std::span<const Pair> pairs)
-      : circles_(circles), used_(circles.size()), around_(circles.size()) {
+  Printed(std::span<const Circle> circles, std::span<const Pair> pairs, const AsPrinted& rules)
+      : circles_(circles), rules_(rules), used_(circles.size()), around_(circles.size()) {
     for (const auto& [a, b] : pairs) listAntipodalDisc(a, b);
   }
 
@@ -118,13 +119,14 @@ class Printed {
   }
 
   bool isEmpty(const Listed& antipodal, Vector v) {
-    if (antipodal.disc.r < 0) return true;
+    if (rules_.crossing && antipodal.disc.r < 0) return true;
+    const double reach = antipodal.disc.r - kNear * std::abs(antipodal.disc.r);
     for (const auto& [i, direction] : {std::pair{antipodal.circles[0], v}, std::pair{antipodal.circles[1], minus(v)}}) {
       for (const int index : closeTo(i, direction, kNothing)) {
         const int near = edge(index).a == i ? edge(index).b : edge(index).a;
         if (near == antipodal.circles[0] || near == antipodal.circles[1]) continue;
         const double distance = length({antipodal.disc.x - circle(near).x, antipodal.disc.y - circle(near).y});
-        if (distance - circle(near).r < antipodal.disc.r * (1 - kNear)) return false;
+        if (distance - circle(near).r < reach) return false;
       }
     }
     return true;
@@ -167,6 +169,19 @@ class Printed {
     return cross(along, to) <= kNear * length(along) * length(to);
   }
 
+  /// How far along the border on the right of a directed edge the centre of a disc lies.
+  double along(const PrintedEdge& de, const Vertex& disc) const {
+    return parameterAt(bisector(circle(de.b), circle(de.a)), {disc.x, disc.y});
+  }
+
+  bool isAhead(const PrintedEdge& de, const Vertex& disc) const {
+    return along(de, disc) >= along(de, de.disc) * (1 - kNear);
+  }
+
+  bool continues(const PrintedEdge& de, const Vertex& disc) const {
+    return rules_.side ? isRight(de, disc) : isAhead(de, disc);
+  }
+
   void formThreeTouchDiscs(int index) {
     const PrintedEdge placed = edge(index);
     for (const int close : closeTo(placed.b, placed.fromB, index)) {
@@ -181,8 +196,8 @@ class Printed {
     const auto [a, b, c] = std::array{edge(first).a, edge(first).b, edge(second).b};
     if (c == a) return;
     const auto disc = threeTouchDisc(circle(a), circle(c), circle(b));
-    if (!disc || disc->disc.r < 0) return;
-    if (isRight(edge(first), disc->disc) && isRight(edge(second), disc->disc)) {
+    if (!disc || (rules_.inside && disc->disc.r < 0)) return;
+    if (continues(edge(first), disc->disc) && continues(edge(second), disc->disc)) {
       list({disc->disc, {a, b, c}, {first, second, kNothing}});
     }
   }
@@ -194,6 +209,17 @@ class Printed {
       if (edge(index).isAlive && edge(index).a == a && edge(index).b == b) return index;
     }
     return kNothing;
+  }
+
+  /// The directed edge from circle a to circle b whose border comes to that disc first.
+  int findBehind(int a, int b, const Vertex& disc) {
+    int last = kNothing;
+    for (const int index : around_[a]) {
+      const PrintedEdge& de = edge(index);
+      if (!de.isAlive || de.a != a || de.b != b || !isAhead(de, disc)) continue;
+      if (last == kNothing || along(de, de.disc) > along(de, edge(last).disc)) last = index;
+    }
+    return last;
   }
 
   bool isInsideUsed(int i, Vector direction) const {
@@ -226,7 +252,8 @@ class Printed {
 
   void processThreeTouchDisc(const Listed& listed) {
     const auto [a, b, c] = listed.circles;
-    std::array<int, 3> own = {find(listed.edges[0], a, b), find(listed.edges[1], b, c), find(kNothing, c, a)};
+    const int third = rules_.third ? find(kNothing, c, a) : findBehind(c, a, listed.disc);
+    std::array<int, 3> own = {find(listed.edges[0], a, b), find(listed.edges[1], b, c), third};
     for (int& index : own) {
       if (index == kNothing || !isCovered(edge(index))) continue;
       edge(index).isAlive = false;
@@ -270,6 +297,7 @@ class Printed {
   }
 
   std::span<const Circle> circles_;
+  AsPrinted rules_;
   std::vector<std::vector<Arc>> used_;
   std::vector<std::vector<int>> around_;  ///< the directed edges that were placed at each circle
   std::vector<PrintedEdge> edges_;
@@ -278,34 +306,10 @@ class Printed {
   PrintedResult result_;
 };
 
-using Triple = std::array<CircleIndex, 3>;
-
-/// The vertices outside all circles, each from its smallest circle on, sorted.
-std::vector<Triple> outerVertices(std::span<const Circle> circles, const Diagram& diagram) {
-  const auto circle = [&](std::int32_t i) { return circles[i]; };
-  std::vector<Triple> triples;
-  for (Triple triple : diagram.vertexCircles) {
-    const auto disc = threeTouchDisc(circle(triple[0]), circle(triple[1]), circle(triple[2]));
-    if (disc && disc->disc.r < 0) continue;
-    std::ranges::rotate(triple, std::ranges::min_element(triple));
-    triples.push_back(triple);
-  }
-  std::ranges::sort(triples);
-  return triples;
-}
-
 }  // namespace
 
-PrintedResult runPrinted(std::span<const Circle> circles, std::span<const Pair> pairs) {
-  return Printed(circles, pairs).run();
+PrintedResult runPrinted(std::span<const Circle> circles, std::span<const Pair> pairs, const AsPrinted& rules) {
+  return Printed(circles, pairs, rules).run();
 }
 
-bool isPrintedWrong(std::span<const Circle> circles, const PrintedResult& printed, const Diagram& exact,
-                    const FamilyInfo& family) {
-  if (!family.isDisjoint) return outerVertices(circles, printed.diagram) != outerVertices(circles, exact);
-  return !(family.isDegenerate ? test::differenceAfterMerging(printed.diagram, exact, circles)
-                               : test::difference(printed.diagram, exact))
-              .empty();
-}
-
-}  // namespace circle_voronoi::results
+}  // namespace circle_voronoi

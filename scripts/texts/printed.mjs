@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pictures of what the paper's rules find as printed, until they live: drawn by the page's own code.
+import { readFileSync } from 'node:fs'
+import { pathToFileURL } from 'node:url'
+import { build } from 'esbuild'
+import { ROOT } from '../run.mjs'
+
+const SIZE = { width: 360, height: 360 }
+const BUNDLE = `${ROOT}build/printed-picture.mjs`
+
+/** @returns {Promise<(circles: number[][], rules: string[]) => { svg: string, sentence: string }>} */
+export async function loadPrinted(library) {
+  await build({
+    entryPoints: [`${ROOT}web/tutorial/printed-picture.ts`],
+    outfile: BUNDLE,
+    bundle: true,
+    format: 'esm',
+    platform: 'node',
+    logLevel: 'warning',
+  })
+  const { loadPrintedRules, compare, sentenceOf, lookAt, pictureOf } = await import(pathToFileURL(BUNDLE).href)
+  const printed = await loadPrintedRules(readFileSync(`${ROOT}web/tutorial/generated/printed.wasm`))
+  const style = readFileSync(`${ROOT}web/tutorial/printed.css`, 'utf8')
+
+  return (circles, rules) => {
+    const coordinates = Float64Array.from(circles.flat())
+    const comparison = compare(library.compute(coordinates), printed.run(coordinates, rules))
+    const { viewBox, content } = pictureOf(coordinates, comparison, lookAt(coordinates, undefined, SIZE), SIZE)
+    const svg = `<svg xmlns="http://www.w3.org/2000/svg" class="printed" viewBox="${viewBox}"><style>
+svg { color-scheme: light dark; }
+${style}</style>${content}</svg>
+`
+    return { svg, sentence: sentenceOf(comparison) }
+  }
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { readFileSync } from 'node:fs'
+import { expect, it } from 'vitest'
+import { citiesCsv } from '../../scripts/cities.mjs'
+
+const FILE = readFileSync(new URL('../../public/data/cities.csv', import.meta.url), 'utf8')
+
+it('makes the file of cities that is there', () => expect(citiesCsv()).toBe(FILE))
+
+it('has as many of them as the chapter says, London first, 932 km from Berlin', () => {
+  const cities = FILE.trim()
+    .split('\n')
+    .slice(1)
+    .map((line) => line.split(',').map(Number))
+  expect(cities).toHaveLength(580)
+  const [[x, y], [u, v]] = cities
+  // On a map of true areas distances are right to some thousandths here.
+  expect(Math.hypot(x - u, y - v) / 932).toBeCloseTo(1, 2)
+})
