@@ -61,7 +61,8 @@ const compressedFiles: Plugin = {
       gzip: true,
       etag: true,
       setHeaders(response, path) {
-        response.setHeader('Content-Security-Policy', CONTENT_SECURITY_POLICY)
+        // Examples have policies of their own, or none.
+        if (!path.startsWith('/examples/')) response.setHeader('Content-Security-Policy', CONTENT_SECURITY_POLICY)
         // What is built has its hash in its name.
         const isLasting = path.startsWith('/assets/')
         response.setHeader('Cache-Control', isLasting ? 'public, max-age=31536000, immutable' : 'no-cache')

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg.
+// `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg, and those of the examples,
+// docs/examples.
 import { withBuiltPage } from './built-page.mjs'
 import { main, ROOT } from './run.mjs'
+import { pictureOf, readGallery } from './texts/gallery.mjs'
 
 /** A circle that is shown selected, with its neighbours, and where the pointer is out of the way. */
 const SELECTED = { x: 873, y: 378 }
@@ -24,5 +26,23 @@ await main(() =>
       await page.screenshot({ path: `${ROOT}docs/page-${colorScheme}.jpg`, type: 'jpeg', quality: 88 })
       await page.close()
     }
+    for (const { folder } of readGallery().filter(({ isLive }) => isLive)) {
+      // As it is shown in the documentation.
+      const page = await browser.newPage({ viewport: { width: 736, height: 589 } })
+      await page.goto(`${address}examples/${folder}/`, { waitUntil: 'networkidle' })
+      for (const frame of page.frames()) await frame.evaluate(settled)
+      await page.screenshot({ path: `${ROOT}docs/${pictureOf(folder)}`, type: 'jpeg', quality: 70 })
+      await page.close()
+    }
   }),
 )
+
+/** In a page: once its figures are painted, or its frames counted. */
+async function settled() {
+  const figures = [...document.querySelectorAll('circle-voronoi')].slice(0, 1)
+  for (const figure of figures) {
+    await figure.ready
+    await figure.updateComplete
+  }
+  while (document.querySelector('output')?.textContent === 'loading') await new Promise(requestAnimationFrame)
+}

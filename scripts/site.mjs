@@ -9,8 +9,8 @@ import { brotliCompress, gzip } from 'node:zlib'
 import { ROOT } from './run.mjs'
 
 const SERVICE_WORKER = 'service-worker.js'
-/** What works with a network alone: what is for other pages, and the pictures and the reference of the documentation, which are large. */
-const NOT_KEPT = /^(element\.js|api\/.*|docs\/.*\.(jpg|svg|txt))$/
+/** What works with a network alone: what is for other pages, examples among these, and the pictures and the reference of the documentation, which are large. */
+const NOT_KEPT = /^(element\.(css|js)|library\.js|(api|examples)\/.*|docs\/.*\.(jpg|svg|txt))$/
 /** Compressing other files would gain nothing. */
 const COMPRESSED = /\.(css|csv|html|js|json|md|svg|txt|wasm|webmanifest)$/
 /** Smaller ones fit into one packet as they are. */

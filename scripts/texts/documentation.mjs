@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What documents the library: the repository's own texts, its manual page, its examples and its C++ headers.
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs'
-import { basename, dirname, posix } from 'node:path'
+import { dirname, posix } from 'node:path'
 import { ROOT } from '../run.mjs'
+import { buildGallery } from './gallery.mjs'
 import { renderManualPage } from './manual-page.mjs'
 import { renderMarkdown, slugOf } from './markdown.mjs'
 import { escaped } from './page.mjs'
@@ -18,24 +19,22 @@ const TEXTS = {
   'CHANGELOG.md': 'changelog.html',
 }
 const PICTURE = /\.(jpg|svg)$/
-/** Examples are texts, in folders. */
-const EXAMPLE = /(CMakeLists\.txt|(?<!\.d)\.(cpp|css|html|js|jsx|md|mjs|py|sh))$/
 const HEADERS = 'cpp/include/circle_voronoi'
 
 /**
- * Copies the pictures that these show.
+ * Copies the pictures that these show, and examples that are pages.
  *
  * @param {string} site the folder of the built site
- * @returns {import('./page.mjs').Text[]}
+ * @returns {Promise<import('./page.mjs').Text[]>}
  */
-export function documentationTexts(site) {
+export async function documentationTexts(site) {
   const texts = Object.entries(TEXTS).map(([path, file]) => {
     const link = (address) => siteAddress(site, path, address)
     const { title, html, text } = renderMarkdown(readFileSync(ROOT + path, 'utf8'), { link })
     return { folder: 'docs', file, title, html, text }
   })
   const [readme, element, ...others] = texts
-  return [readme, commandLine(), element, cppReference(), examples(), ...others]
+  return [readme, commandLine(), element, cppReference(), await examples(site), ...others]
 }
 
 /** Where a link of a text of the repository leads in the site. */
@@ -69,39 +68,8 @@ function commandLine() {
   return page('command-line.html', title, `<h1>${title}</h1>\n<p>The manual page of <code>${name}</code>.</p>\n${html}`)
 }
 
-function examples() {
-  const title = 'Examples'
-  const files = readdirSync(`${ROOT}examples`, { recursive: true })
-    .filter((path) => EXAMPLE.test(path))
-    .sort()
-  const folders = [...new Set(files.map(dirname))]
-  const named = new Set()
-  const parts = folders.map((folder) => {
-    // A folder of folders is linked to, too.
-    const parent = dirname(folder)
-    const place = parent === '.' || named.has(parent) ? '' : `<span id="${slugOf(parent)}"></span>`
-    named.add(parent)
-    const paths = files.filter((path) => dirname(path) === folder)
-    const sources = paths.map((path) => {
-      const source = readFileSync(`${ROOT}examples/${path}`, 'utf8')
-      return `<details id="${slugOf(path)}"><summary>${basename(path)}</summary>${code(source)}</details>`
-    })
-    return `${place}<h2 id="${slugOf(folder)}">${folder}</h2>\n<p>${escaped(aboutOf(paths))}</p>\n${sources.join('\n')}`
-  })
-  const about =
-    'Small programs and pages that use the library: they are in the folder <code>examples</code> of the repository.'
-  return page('examples.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`)
-}
-
-/** What an example says of itself: the title of its page, or the first sentence of the comment that a program begins with. */
-function aboutOf(paths) {
-  const said = paths.map((path) => {
-    const source = readFileSync(`${ROOT}examples/${path}`, 'utf8')
-    const [, title] = /<title>(.*)<\/title>/.exec(source) ?? []
-    const [, comment] = /^(?:#!.*\n)?(?:(?:\/\/|#) SPDX.*\n)\n?(?:\/\/|#|""") ?(.*)/.exec(source) ?? []
-    return title ?? comment?.replace(/: \S+ .*$|:$/, '')
-  })
-  return said.find((about) => about !== undefined) ?? ''
+async function examples(site) {
+  return page('examples.html', 'Examples', await buildGallery(site))
 }
 
 function cppReference() {

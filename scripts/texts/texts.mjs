@@ -12,7 +12,7 @@ const SEARCHED = { fields: ['title', 'text'], storeFields: ['title', 'file'] }
 
 /** Fills the built templates of a site, which are gone then. */
 export async function buildTexts(site) {
-  const texts = [...(await tutorialTexts(site)), ...documentationTexts(site), ...referenceTexts()]
+  const texts = [...(await tutorialTexts(site)), ...(await documentationTexts(site)), ...referenceTexts()]
   const templates = { tutorial: 'tutorial/page.html', docs: 'docs/page.html', api: 'docs/page.html' }
   for (const [folder, name] of Object.entries(templates)) {
     const template = readFileSync(`${site}/${name}`, 'utf8')

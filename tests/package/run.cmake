@@ -13,6 +13,16 @@ function(expect pattern)
   endif()
 endfunction()
 
+# Runs a program; its output must begin with what stands in the file.
+function(expect_to_begin file)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+  file(READ ${file} expected)
+  string(FIND "${output}" "${expected}" place)
+  if(NOT place EQUAL 0)
+    message(FATAL_ERROR "Expected ${expected}, not\n${output}")
+  endif()
+endfunction()
+
 # Runs a program that must fail with an error that matches the pattern.
 function(expect_error pattern)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)

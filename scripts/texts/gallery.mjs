@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The examples: a page that shows the source of each, and where an example is a page itself, that page in the site.
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { basename, dirname, posix } from 'node:path'
+import { buildSite as buildMarkdown } from '../../examples/element/markdown/build.mjs'
+import { ROOT } from '../run.mjs'
+import { slugOf } from './markdown.mjs'
+import { escaped } from './page.mjs'
+
+const EXAMPLES = `${ROOT}examples`
+/** The sources of examples. What a program prints stands in a text of its name, with which tests compare it. */
+const SOURCE = /(CMakeLists\.txt|(?<!\.d)\.(cpp|css|csv|html|js|jsx|md|mjs|py|sh))$/
+/** What examples take from dist/, and the files of the site, seen from its folder, that are the same. */
+const IN_SITE = {
+  'dist/element/index.js': 'element.js',
+  'dist/element/bundle.js': 'element.js',
+  'dist/element/element.css': 'element.css',
+  'dist/lib/index.js': 'library.js',
+  'dist/site/': '',
+}
+const IN_DIST = new RegExp(`(?:\\.\\./)+(${Object.keys(IN_SITE).join('|')})`, 'g')
+
+/**
+ * The folders of the examples in their order. Those that are pages come first.
+ *
+ * @returns {{ folder: string, files: string[], about: string, isLive: boolean }[]}
+ */
+export function readGallery() {
+  const all = readdirSync(EXAMPLES, { recursive: true })
+    .filter((path) => SOURCE.test(path))
+    .sort()
+  const folders = [...new Set(all.map(dirname))].map((folder) => {
+    const files = all.filter((path) => dirname(path) === folder)
+    const isLive = files.some((path) => /(index\.html|page\.md)$/.test(path))
+    return { folder, files, about: aboutOf(files), isLive }
+  })
+  return [...folders.filter(({ isLive }) => isLive), ...folders.filter(({ isLive }) => !isLive)]
+}
+
+/** What an example says of itself: the title of its page, or the first sentence of the comment that a program begins with. */
+function aboutOf(files) {
+  const said = files.map((path) => {
+    const source = readFileSync(`${EXAMPLES}/${path}`, 'utf8')
+    const [, title] = /<title>(.*)<\/title>/.exec(source) ?? []
+    const [, comment] = /^(?:#!.*\n)?(?:(?:\/\/|#) SPDX.*\n)\n?(?:\/\/|#|""") ?(.*)/.exec(source) ?? []
+    return title ?? comment?.replace(/: \S+ .*$|:$/, '')
+  })
+  return said.find((about) => about !== undefined) ?? ''
+}
+
+/**
+ * Puts the examples that are pages into the site's folder `examples`, with the scripts and pictures that they need.
+ *
+ * @param {string} site the folder of the built site
+ * @returns {Promise<string>} the page of all examples
+ */
+export async function buildGallery(site) {
+  copyFileSync(`${ROOT}web/element/element.css`, `${site}/element.css`)
+  copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/library.js`)
+  const examples = readGallery()
+  for (const { folder, files } of examples.filter(({ isLive }) => isLive)) {
+    await putPage(folder, files, `${site}/examples/${folder}`)
+  }
+  mkdirSync(`${site}/docs/examples`, { recursive: true })
+  const parts = examples.map((example, k) => `${placeOfParent(examples, k)}${partOf(example, site)}`)
+  return `<h1>Examples</h1>
+<p>Small pages and programs that use the library: they are in the folder <code>examples</code> of the repository. Pages can be
+tried here; below each stands its source.</p>
+${parts.join('\n')}`
+}
+
+async function putPage(folder, files, target) {
+  const root = posix.relative(`/examples/${folder}`, '/')
+  mkdirSync(target, { recursive: true })
+  const script = files.find((path) => /main\.jsx?$/.test(path))
+  if (folder.endsWith('markdown')) buildMarkdown(target, `${root}/element.js`)
+  else if (script !== undefined) await bundle(script, `${target}/main.js`, `${root}/element.js`)
+  for (const path of files.filter((path) => /\.(css|html|js)$/.test(path) && path !== script)) {
+    const source = readFileSync(`${EXAMPLES}/${path}`, 'utf8')
+      .replace(IN_DIST, (_, name) => `${root}/${IN_SITE[name]}`)
+      .replace('main.jsx', 'main.js')
+    writeFileSync(`${target}/${basename(path)}`, source)
+  }
+}
+
+/** What a bundler makes of an example with a framework, but for the element itself, which the site has. */
+async function bundle(script, outfile, element) {
+  const { build } = await import('esbuild')
+  await build({
+    absWorkingDir: ROOT,
+    entryPoints: [`examples/${script}`],
+    outfile,
+    bundle: true,
+    minify: true,
+    format: 'esm',
+    target: 'es2022',
+    jsx: 'automatic',
+    legalComments: 'none',
+    define: {
+      'process.env.NODE_ENV': '"production"',
+      __VUE_OPTIONS_API__: 'true',
+      __VUE_PROD_DEVTOOLS__: 'false',
+      __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: 'false',
+    },
+    plugins: [
+      {
+        name: 'element-of-the-site',
+        setup: ({ onResolve }) =>
+          onResolve({ filter: /^circle-voronoi\/element$/ }, () => ({ path: element, external: true })),
+      },
+    ],
+    logLevel: 'warning',
+  })
+}
+
+/** A folder of folders is linked to, too. */
+function placeOfParent(examples, k) {
+  const parent = dirname(examples[k].folder)
+  const isFirst = examples.findIndex(({ folder }) => dirname(folder) === parent) === k
+  return parent === '.' || !isFirst ? '' : `<span id="${slugOf(parent)}"></span>`
+}
+
+function partOf({ folder, files, about, isLive }, site) {
+  const sources = files.map(
+    (path) =>
+      `<details id="${slugOf(path)}"><summary>${basename(path)}</summary>${code(`${EXAMPLES}/${path}`)}</details>`,
+  )
+  const prints = files
+    .map((path) => path.replace(/\.\w+$/, '.txt'))
+    .filter((path) => path !== `${folder}/CMakeLists.txt` && existsSync(`${EXAMPLES}/${path}`))
+    .map(
+      (path) =>
+        `<p>What <code>${basename(path, '.txt')}</code> prints begins with:</p>\n${code(`${EXAMPLES}/${path}`)}`,
+    )
+  return `<h2 id="${slugOf(folder)}">${folder}</h2>
+<p>${escaped(about)}</p>
+${[...(isLive ? [preview(folder, about, site)] : []), ...prints, ...sources].join('\n')}`
+}
+
+/** A picture, in whose place web/docs/gallery.ts puts the page itself. */
+function preview(folder, about, site) {
+  const picture = pictureOf(folder)
+  // `npm run picture` takes it from the built page.
+  if (existsSync(`${ROOT}docs/${picture}`)) copyFileSync(`${ROOT}docs/${picture}`, `${site}/docs/${picture}`)
+  const address = `../examples/${folder}/`
+  return `<figure class="example" data-page="${address}">
+<img src="${picture}" alt="The page of this example" width="736" height="589" loading="lazy">
+<figcaption><button type="button" hidden>Run it here<span class="hidden">: ${escaped(about)}</span></button> <a href="${address}">Open the page<span class="hidden">: ${escaped(about)}</span></a></figcaption>
+</figure>`
+}
+
+/** Of an example that is a page; seen from docs/. */
+export function pictureOf(folder) {
+  return `examples/${basename(folder)}.jpg`
+}
+
+function code(path) {
+  return `<pre tabindex="0"><code>${escaped(readFileSync(path, 'utf8'))}</code></pre>`
+}
