@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Spec } from './tutorial.d.mts'
+
 export function loadFigureCircles(): Promise<
-  (figure: { readonly name: string; readonly dataSet: string }) => number[][]
+  (figure: Pick<Spec, 'name' | 'circles' | 'dataSet'>) => readonly (readonly number[])[]
 >

@@ -2,6 +2,8 @@
 /** A block of a chapter, with the names that some kinds of it have. */
 export interface Spec {
   readonly name: string
+  readonly caption?: string
+  readonly ask?: string
   readonly circles?: readonly (readonly number[])[]
   readonly dataSet?: string
   readonly layers?: Readonly<Record<string, unknown>>
@@ -17,6 +19,7 @@ export interface Chapter {
   readonly file: string
   readonly isChapter: boolean
   readonly title: string
+  readonly markdown: string
   readonly blocks: readonly {
     readonly kind: 'figure' | 'try' | 'question' | 'corrupt' | 'printed' | 'pictures'
     readonly spec: Spec

@@ -2,6 +2,7 @@
 // A diagram that the reader may make wrong by hand, and what the judge says of it.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { type CircleVoronoi, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
+import type { DataLayer } from '../view/layers.ts'
 
 /** What of a diagram can be changed: a number of one of its arrays. */
 interface Place {
@@ -9,6 +10,9 @@ interface Place {
   readonly index: number
   readonly name: string
 }
+
+/** Of what is marked in the picture; it is seen on light paper and on dark. */
+const MARK = '#d2491b'
 
 export function letCorrupt(page: Document): void {
   for (const figure of page.querySelectorAll<HTMLElement>('[data-corrupt]')) new Corruption(page, figure)
@@ -33,6 +37,7 @@ class Corruption {
     box.append(this.#table, this.#verdict, restore)
     figure.querySelector('figcaption')?.before(box)
     this.#figure.addEventListener('circleschange', () => void this.#begin())
+    for (const leave of ['focusout', 'pointerleave']) this.#table.addEventListener(leave, () => this.#mark(undefined))
     void this.#begin()
   }
 
@@ -62,6 +67,7 @@ class Corruption {
           `${v}`,
           [0, 1, 2].map((k) => ({ array: 'vertexCircles', index: 3 * v + k, name: `vertex ${v}, circle ${k + 1}` })),
           circles,
+          v,
         ),
       ),
     ]
@@ -78,8 +84,9 @@ class Corruption {
     return row
   }
 
-  #row(title: string, places: Place[], choices: number[]): HTMLTableRowElement {
+  #row(title: string, places: Place[], choices: number[], vertex: number): HTMLTableRowElement {
     const row = this.#page.createElement('tr')
+    for (const come of ['focusin', 'pointerenter']) row.addEventListener(come, () => this.#mark(vertex))
     row.append(Object.assign(this.#page.createElement('th'), { textContent: title, scope: 'row' }))
     for (const place of places) {
       const select = this.#page.createElement('select')
@@ -91,6 +98,7 @@ class Corruption {
       }
       select.addEventListener('change', () => {
         array[place.index] = Number(select.value)
+        this.#mark(vertex)
         void this.#judge()
       })
       const cell = this.#page.createElement('td')
@@ -98,6 +106,18 @@ class Corruption {
       row.append(cell)
     }
     return row
+  }
+
+  /** Shows in the picture which vertex is meant, and which circles it is said to touch. */
+  #mark(vertex: number | undefined): void {
+    const { vertices, vertexCircles, circles } = this.#diagram as Diagram
+    const data: DataLayer[] = []
+    if (vertex !== undefined) {
+      const touched = [...vertexCircles.subarray(3 * vertex, 3 * vertex + 3)]
+      const discs = Float64Array.from(touched.flatMap((i) => [...circles.subarray(3 * i, 3 * i + 3)]))
+      data.push({ id: 'vertex', color: MARK, points: vertices.slice(3 * vertex, 3 * vertex + 2), discs })
+    }
+    this.#figure.layers = { ...this.#figure.layers, data }
   }
 
   async #judge(): Promise<void> {

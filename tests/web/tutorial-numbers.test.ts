@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers in the chapters: each is one that `npm run reproduce` has written into docs/results.md, or is counted here.
+import { readFileSync } from 'node:fs'
+import { describe, expect, test } from 'vitest'
+import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
+import { readBook } from '../../scripts/texts/tutorial.mjs'
+import { type BoundedCurve, edgeCurve, rationalBezier } from '../../web/lib/index.ts'
+import { library } from './library.ts'
+
+const RESULTS = readFileSync(new URL('../../docs/results.md', import.meta.url), 'utf8')
+const BOOK = readBook()
+const FIGURES = BOOK.flatMap(({ blocks }) => blocks.map(({ spec }) => spec)).filter(({ name }) => name !== undefined)
+const circlesOf = await loadFigureCircles()
+
+/** The chapter says this, its line breaks aside. */
+function expectSaid(number: number, words: string): void {
+  expect(BOOK[number - 1]?.markdown.replace(/\s+/g, ' ')).toContain(words)
+}
+
+function figure(name: string) {
+  const spec = FIGURES.find((each) => each.name === name)
+  if (spec === undefined) throw new Error(`There is no figure ${name}.`)
+  return spec
+}
+
+/** What a pattern finds in the results, as numbers. */
+function measured(pattern: RegExp): number[] {
+  const found = pattern.exec(RESULTS)
+  if (found === null) throw new Error(`docs/results.md has nothing like ${pattern}.`)
+  return found.slice(1).map((text) => Number(text.replaceAll(',', '')))
+}
+
+/** The first row of a table whose first cell begins so: its other cells. */
+function row(start: string, text = RESULTS): string[] {
+  const line = text.split('\n').find((each) => each.startsWith(`| ${start}`))
+  if (line === undefined) throw new Error(`docs/results.md has no row ${start}.`)
+  return line
+    .split('|')
+    .slice(2, -1)
+    .map((cell) => cell.trim())
+}
+
+const seconds = (time: string) => Number.parseFloat(time) * (/µs/.test(time) ? 1e-6 : /ms/.test(time) ? 1e-3 : 1)
+
+test('chapter 2: a shorter piece of a hyperbola has a weight nearer to 1, and none less', () => {
+  expectSaid(2, 'for hyperbolas $w$ is above 1, and the shorter a piece of the same hyperbola, the nearer to 1')
+  const curve = edgeCurve(
+    library.compute([
+      [0, 0, 3],
+      [10, 1, 1],
+      [4, 9, 2],
+    ]),
+    0,
+  )
+  const weights = [8, 4, 2, 1.1].map((to) => rationalBezier({ ...curve, from: 1, to } as BoundedCurve).weight)
+  expect(weights).toEqual(weights.toSorted((a, b) => b - a))
+  expect(weights.at(-1)).toBeGreaterThan(1)
+  expect(weights.at(-1)).toBeLessThan(1.01)
+})
+
+describe('chapter 4', () => {
+  test('of a thousand random circles some three thousand pairs of half a million have a border', () => {
+    expectSaid(4, 'a thousand circles have half a million pairs, and only some three thousand borders')
+    const borders = library.compute(circlesOf({ name: '', dataSet: 'uniform:1:1000' })).edges.length / 4
+    expect(borders).toBeGreaterThan(2900)
+    expect(borders).toBeLessThan(3000)
+  })
+
+  test('2 or 4 equally spaced samples join the two largest circles, 3 or 5 do not', () => {
+    expect(figure('uniform-samples').caption).toContain('With 2 of them or 4 the two largest')
+    const circles = circlesOf(figure('uniform-samples'))
+    const areJoined = (samples: number) => {
+      const trace = library.trace(circles, { candidates: 'uniform', samples })
+      const pairs = [...trace.at(trace.length).pairs].map((k) => [...trace.event(k).circles].sort().join())
+      return pairs.includes('0,1')
+    }
+    expect([2, 3, 4, 5].map(areJoined)).toEqual([true, false, true, false])
+  })
+
+  test('two neighbours are six steps apart among the centres', () => {
+    expect(figure('layers-between').caption).toContain('from centre to centre it takes six steps')
+    expect(measured(/its neighbour is (\d+) steps away/)).toEqual([6])
+  })
+})
+
+describe('chapter 6', () => {
+  test('how many samples miss', () => {
+    expectSaid(
+      6,
+      'more than half come out wrong with $N_s = 0$, about one in a hundred with $N_s = 1$, and a few in a thousand with $N_s = 3$',
+    )
+    const table = RESULTS.slice(RESULTS.indexOf('| family | as printed'))
+    const [, none, one, three] = row('one-huge', table).map(Number.parseFloat) as [number, number, number, number]
+    expect(none).toBeGreaterThan(50)
+    expect(none).toBeLessThan(100)
+    expect(one).toBeGreaterThanOrEqual(0.5)
+    expect(one).toBeLessThan(2)
+    expect(three).toBeGreaterThan(0)
+    expect(three).toBeLessThan(0.5)
+    // It is the worst of all.
+    const others = table.split('\n').filter((line) => /^\| [a-z-]+ \|( [^|]*\|){7}$/.test(line))
+    expect(others.length).toBeGreaterThan(30)
+    for (const line of others) expect(Number.parseFloat(line.split('|')[3] as string) || 0).toBeLessThanOrEqual(none)
+  })
+
+  test('the printed rules were tried on thousands of inputs, and a ring does not prove', () => {
+    expectSaid(6, 'were tried on thousands of random inputs')
+    const [inputs = 0, families = 0] = [
+      ...measured(/, (\d+) for the printed rules/),
+      ...measured(/in \d+ of (\d+) families; in/),
+    ]
+    expect(inputs * families).toBeGreaterThan(2000)
+    expectSaid(6, 'most of the wrong diagrams that were tried pass it')
+    const [wrong = 0, passing = 0] = measured(/of (\d+) wrong diagrams (\d+) pass that check/)
+    expect(passing).toBeGreaterThan(wrong / 2)
+    expect(passing).toBeLessThan(wrong)
+    expect(RESULTS).toContain('the certificate of this library accepts none of them')
+  })
+
+  test('the counterexample of three circles is that of the results', () => {
+    expectSaid(6, 'goes wrong with three circles already')
+    const [, list = ''] = /smallest counterexample of this run[^:]*: 3 circles, (.*)\. The small/.exec(RESULTS) ?? []
+    const circles = [...list.matchAll(/\(([^)]*)\)/g)].map(([, circle]) => (circle as string).split(', ').map(Number))
+    expect(circles).toHaveLength(3)
+    expect(figure('third-edge').circles).toEqual(circles)
+  })
+})
+
+describe('chapter 8', () => {
+  const ways = {
+    auto: row('auto (this library'),
+    dynamic: row('dynamic sampling, N_s = 1'),
+    pairs: row('all pairs |'),
+  }
+  const exponent = (cells: readonly string[]) => Number(/^n\^([\d.]+)/.exec(cells.at(-1) as string)?.[1])
+
+  test('how the times grow', () => {
+    expectSaid(
+      8,
+      'The time grows with the number of circles, and hardly faster; only trying all pairs is another matter.',
+    )
+    expect(exponent(ways.auto)).toBeLessThan(1.12)
+    expectSaid(8, 'Twice as many circles, more than four times the time')
+    expect(2 ** exponent(ways.pairs)).toBeGreaterThan(4)
+    expectSaid(8, 'some twelve samples a circle with $N_s = 1$; twice as many circles, about twice the time')
+    expect(measured(/([\d.]+) a circle; n\^1\.0/)[0]).toBeCloseTo(12, 0)
+    expect(2 ** exponent(ways.dynamic)).toBeCloseTo(2, 0)
+  })
+
+  test('flips take about a tenth of what samples take, and a hundred thousand circles a fraction of a second', () => {
+    expectSaid(8, '| flips | about a tenth of what samples take |')
+    for (const [k, time] of ways.auto.slice(0, -1).entries()) {
+      const ratio = seconds(ways.dynamic[k] as string) / seconds(time)
+      expect(ratio).toBeGreaterThan(7)
+      expect(ratio).toBeLessThan(16)
+    }
+    expectSaid(8, '(figure 14 of the paper) take a fraction of a second')
+    expect(seconds(ways.auto.at(-2) as string)).toBeLessThan(1)
+  })
+
+  test('an edit changes some seven cells, however many circles there are', () => {
+    expectSaid(8, 'some seven cells change: among a hundred circles, and among ten thousand')
+    for (const count of [100, 10_000]) {
+      const circles = circlesOf({ name: '', dataSet: `uniform:1:${count}` })
+      const editor = library.edit(circles)
+      const changes = Array.from({ length: 50 }, (_, k) => {
+        const id = (k * count) / 50
+        const [x, y, r] = circles[id] as [number, number, number]
+        return editor.replace(id, { x: x + 0.3, y, r }).cells.length
+      })
+      editor.dispose()
+      expect(changes.reduce((sum, n) => sum + n) / changes.length, `${count}`).toBeCloseTo(7, 0)
+    }
+  })
+})
+
+test('chapter 9: how many circles the data have', () => {
+  for (const [name, count] of [
+    ['bronze', 678],
+    ['spruces', 134],
+    ['waka', 504],
+  ] as const) {
+    expect(figure(name).caption).toContain(`${count} `)
+    expect(circlesOf(figure(name))).toHaveLength(count)
+  }
+})
+
+test('chapter 10: ten thousand million circles take more than a million megabytes', () => {
+  expectSaid(10, 'they would take more than a million megabytes')
+  const [, , , bytes] = row('10,000,000 |')
+  expect(Number(bytes) * 1e10).toBeGreaterThan(1e12)
+})
+
+test('chapter 11: the middle cell of the honeycomb', () => {
+  expect(figure('exercise-area').ask).toContain('has an area of 31.2.')
+  expect(library.compute(circlesOf(figure('exercise-area'))).cellArea(0)).toBeCloseTo(31.2, 6)
+})
