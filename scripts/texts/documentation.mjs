@@ -9,7 +9,7 @@ import { renderMarkdown, slugOf } from './markdown.mjs'
 import { escaped } from './page.mjs'
 
 /** Of the repository, and where they stand in the site. */
-const TEXTS = {
+export const TEXTS = {
   'README.md': 'index.html',
   'docs/element.md': 'element.html',
   'docs/results.md': 'results.html',

@@ -8,6 +8,7 @@ import { type Chapter, readBook } from '../../scripts/texts/tutorial.mjs'
 import { decodeLink } from '../../web/lib/link.ts'
 import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
 import { layersFrom } from '../../web/view/layers.ts'
+import { blocksRunBy } from '../readme/blocks.mjs'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
 
@@ -264,6 +265,7 @@ test('the two lines for teachers are a live figure', async ({ page }) => {
   const problems = watch(page)
   await page.goto('/tutorial/teachers.html')
   const lines = (await page.locator('pre').first().textContent()) as string
+  expect(blocksRunBy('tests/e2e/tutorial.spec.ts').map(({ code }) => code)).toEqual([lines])
   expect(lines).toContain('https://example.org/circle-voronoi/element.js')
   // On another page, without a policy of its own, where the address is that of this site.
   const own = lines.replace('https://example.org/circle-voronoi/element.js', '/element.js')

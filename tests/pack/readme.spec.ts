@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code under "From JavaScript" in README.md, run as a reader would.
+// The code for JavaScript and for pages in the documentation, run as a reader would.
 import { existsSync, rmSync } from 'node:fs'
 import { basename } from 'node:path'
 import { expect, test } from '@playwright/test'
-import { readmeSnippets } from '../readme/snippets.mjs'
+import { blocksRunBy } from '../readme/blocks.mjs'
 import { Project } from './project.ts'
 import { INLINE_POLICY, serve } from './static-server.ts'
 
-const SNIPPETS = readmeSnippets('From JavaScript')
-const inLanguage = (name: string) => SNIPPETS.filter(({ language }) => language === name)
+const BLOCKS = blocksRunBy('tests/pack/readme.spec.ts')
+const inLanguage = (name: string) => BLOCKS.filter(({ language }) => language === name)
+/** Where the documentation of the element has the package; and what it shows is of a page that has the element. */
+const ELSEWHERE = 'https://example.com/circle-voronoi/'
+const ELEMENT = '<script type="module" src="node_modules/circle-voronoi/dist/element/index.js"></script>\n'
 
 let project: Project
 test.beforeAll(() => {
@@ -17,19 +20,8 @@ test.beforeAll(() => {
 test.afterAll(() => project.remove())
 
 test('all of it is run', () => {
-  expect(SNIPPETS.map(({ language }) => language)).toEqual([
-    'sh',
-    'js',
-    'js',
-    'js',
-    'js',
-    'js',
-    'js',
-    'html',
-    'html',
-    'js',
-    'js',
-  ])
+  expect(new Set(BLOCKS.map(({ language }) => language))).toEqual(new Set(['sh', 'js', 'html']))
+  expect(inLanguage('sh')).toHaveLength(1)
 })
 
 test('install', () => {
@@ -41,8 +33,8 @@ test('install', () => {
   expect(existsSync(project.path('node_modules/circle-voronoi/package.json'))).toBe(true)
 })
 
-for (const [i, { code, line }] of inLanguage('js').entries()) {
-  test(`line ${line}, in Node`, () => {
+for (const [i, { file, code, line }] of inLanguage('js').entries()) {
+  test(`${file}:${line}, in Node`, () => {
     // What it prints stands behind each call, as a comment.
     const expected = [...code.matchAll(/^console\.log\(.*\) \/\/ (.*)$/gm)].map(([, text]) => `${text}\n`)
     expect(expected).not.toHaveLength(0)
@@ -51,9 +43,11 @@ for (const [i, { code, line }] of inLanguage('js').entries()) {
   })
 }
 
-for (const { code, line } of inLanguage('html')) {
-  test(`line ${line}, in a page`, async ({ page }) => {
-    project.write('index.html', `<!doctype html>\n${code}`)
+for (const { file, code, line } of inLanguage('html')) {
+  test(`${file}:${line}, in a page`, async ({ page }) => {
+    const own = code.includes('<script') ? code.replace(ELSEWHERE, 'node_modules/circle-voronoi/') : ELEMENT + code
+    project.write('index.html', `<!doctype html>\n${own}`)
+    project.write('circles.csv', 'x,y,r\n0,0,2\n10,0,1\n5,8,1.5\n')
     const complaints: string[] = []
     page.on('pageerror', (error) => complaints.push(error.message))
     // That its pixels are read often is of this test's making.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code under "From the shell" and "From C++" in README.md, run as a reader would, with the program and the library
-// installed from build/native.
+// The code for the shell and for C++ in README.md and in the manual page, run as a reader would, with the program and the
+// library installed from build/native.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
@@ -8,9 +8,12 @@ import { tmpdir } from 'node:os'
 import { delimiter, join } from 'node:path'
 import { after, before, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { readmeSnippets } from './snippets.mjs'
+import { blocksRunBy } from './blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
+
+const BLOCKS = blocksRunBy('tests/readme/native.test.mjs')
+const below = (heading) => BLOCKS.filter(({ headings }) => headings.includes(heading))
 
 let folder
 let prefix
@@ -31,32 +34,35 @@ before(() => {
 })
 after(() => rmSync(folder, { recursive: true, force: true }))
 
-describe('From the shell', () => {
-  const snippets = readmeSnippets('From the shell')
+for (const heading of ['From the shell', 'EXAMPLES']) {
+  describe(heading, () => {
+    for (const { code, language } of below(heading)) {
+      for (const command of code.trim().split('\n')) {
+        it(command, () => {
+          assert.equal(language, 'sh')
+          check(command, run('sh', '-c', command))
+        })
+      }
+    }
+  })
+}
 
-  it('is one block', () =>
-    assert.deepEqual(
-      snippets.map(({ language }) => language),
-      ['sh'],
-    ))
-
-  for (const command of snippets[0].code.trim().split('\n')) {
-    it(command, () => {
-      const printed = run('sh', '-c', command)
-      const output = / -o (\S+)/.exec(command)?.[1]
-      const text = output === undefined ? printed : readFileSync(join(folder, output), 'utf8')
-      if (command.includes('stats')) assert.equal(JSON.parse(text).certificate.certified, true)
-      else if (command.includes('certify')) assert.match(text, /^certified: 1000 circles/)
-      else if (output.endsWith('.geojson')) assert.equal(JSON.parse(text).features.length, 1000)
-      else if (output.endsWith('.json')) assert.equal(JSON.parse(text).circles.length, 1000)
-      else if (output.endsWith('.csv')) assert.equal(text.trim().split('\n').length, 1001)
-      else assert.match(text, /^<svg [^>]*viewBox="0 -50 50 50"/)
-    })
-  }
-})
+/** What a command prints, or what it writes, is what it should be. */
+function check(command, printed) {
+  const output = / -o (\S+)/.exec(command)?.[1]
+  if (command.includes(' tile ')) return assert.ok(readdirSync(join(folder, output)).length > 2)
+  const text = output === undefined ? printed : readFileSync(join(folder, output), 'utf8')
+  if (command.includes('stats')) assert.equal(JSON.parse(text).certificate.certified, true)
+  else if (command.includes('certify')) assert.match(text, /^certified: 1000 circles/)
+  else if (output.endsWith('.geojson')) assert.equal(JSON.parse(text).features.length, 1000)
+  else if (output.endsWith('.json')) assert.equal(JSON.parse(text).circles.length, 1000)
+  else if (command.includes('--core')) assert.match(text, /^vertex,/m)
+  else if (output.endsWith('.csv')) assert.equal(text.trim().split('\n').length, 1001)
+  else assert.match(text, command.includes('--bounds') ? /^<svg [^>]*viewBox="0 -50 50 50"/ : /^<svg /)
+}
 
 describe('Beyond one machine', () => {
-  const [{ code }] = readmeSnippets('Beyond one machine')
+  const [{ code }] = below('Beyond one machine')
 
   it('has a driver that puts the tiles together', () => {
     symlinkSync(join(ROOT, 'examples'), join(folder, 'examples'))
@@ -69,12 +75,11 @@ describe('Beyond one machine', () => {
 })
 
 describe('From C++', () => {
-  const snippets = readmeSnippets('From C++')
-  const codeOf = (name) => snippets.find(({ language }) => language === name).code
+  const codeOf = (name) => below('From C++').find(({ language }) => language === name).code
 
   it('builds and prints what the comment says', () => {
     assert.deepEqual(
-      snippets.map(({ language }) => language),
+      below('From C++').map(({ language }) => language),
       ['cmake', 'cpp'],
     )
     const preamble = 'cmake_minimum_required(VERSION 3.25)\nproject(readme LANGUAGES CXX)\n'

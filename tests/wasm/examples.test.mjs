@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The examples in the doc comments of web/lib, on the built package: each function, class and constant has one, and it gives
-// what stands behind it.
+// what stands behind it; those of methods run.
 import assert from 'node:assert/strict'
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { inspect } from 'node:util'
+import { blocksRunBy } from '../readme/blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const MODULES = ['index', 'worker', 'comparison', 'files', 'link']
@@ -63,3 +64,52 @@ for (const module of MODULES) {
     }
   })
 }
+
+describe('the code in a comment', () => {
+  for (const { file, line, code } of blocksRunBy('tests/wasm/examples.test.mjs')) {
+    it(`${file}:${line} runs, and what it asks to be told it is told`, async () => {
+      const module = `${folder}/${file.replaceAll('/', '-')}-${line}.mjs`
+      const given = ['library', 'editor', 'worker', 'circles', 'redraw', 'canvas']
+      // Names that it makes itself are other ones, of an inner block.
+      const made = [...code.matchAll(/^const (?:\[id\]|(\w+)) = /gm)].map(([, name]) => name).filter(Boolean)
+      assert.notEqual(made.length, 0)
+      const source = `export async function run({ ${given.join(', ')} }) {\n{\n${code}\nreturn { ${made.join(', ')} }\n}\n}\n`
+      writeFileSync(module, imports + source)
+      const { run } = await import(module)
+      const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
+      const { createWorker } = await import(`${ROOT}dist/lib/worker.js`)
+      const circles = [
+        [0, 0, 1],
+        [6, 0, 1],
+        [0, 8, 1],
+      ]
+      const library = await loadCircleVoronoi()
+      const redrawn = []
+      const canvas = {}
+      const worker = createWorker()
+      const editor = library.edit(circles)
+      try {
+        const { diagram, editor: used = editor } = await run({
+          library,
+          editor,
+          worker,
+          circles,
+          redraw: (path) => redrawn.push(path),
+          canvas,
+        })
+        assert.equal(diagram.vertices.length, 3)
+        if (code.includes('redraw')) {
+          used.insert({ x: 3, y: 4, r: 1 })
+          assert.equal(redrawn.length, 4)
+        }
+        if (code.includes('onpointermove')) {
+          await canvas.onpointermove({ offsetX: 1, offsetY: 2 })
+          assert.deepEqual([...diagram.circles.subarray(0, 3)], [1, 2, 5])
+        }
+      } finally {
+        worker.dispose()
+        editor.dispose()
+      }
+    })
+  }
+})

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All code that the site shows, block by block, and which test runs each: a test takes its blocks from here.
+import { readdirSync, readFileSync } from 'node:fs'
+import MarkdownIt from 'markdown-it'
+
+const ROOT = new URL('../../', import.meta.url)
+const CHAPTERS = 'web/tutorial/chapters'
+const MANUAL_PAGE = 'cpp/cli/circle-voronoi.1'
+/** Of Markdown in the site: the texts that scripts/texts/documentation.mjs takes, and the chapters. */
+const MARKDOWN = [
+  ...['README.md', 'docs/element.md', 'docs/results.md', 'ARCHITECTURE.md', 'public/data/README.md'],
+  ...['CONTRIBUTING.md', 'CHANGELOG.md'],
+  ...readdirSync(new URL(CHAPTERS, ROOT)).map((name) => `${CHAPTERS}/${name}`),
+]
+/** What blocks of JSON in chapters are called; tests/web/tutorial.test.ts and tests/e2e/tutorial.spec.ts use these. */
+const FIGURES = ['figure', 'try', 'question', 'corrupt', 'pictures']
+
+const LISTED = 'tests/scripts/blocks.test.mjs'
+const NATIVE = 'tests/readme/native.test.mjs'
+const PACKAGE = 'tests/pack/readme.spec.ts'
+const COMMENTS = 'tests/wasm/examples.test.mjs'
+
+/** Who runs the blocks of a file, below a heading if one is named. `what`, where it is not code to be run as it stands. */
+const RUN_BY = [
+  { by: LISTED, file: 'README.md', heading: 'Start', what: 'commands' },
+  { by: NATIVE, file: 'README.md', heading: 'From the shell', language: 'sh' },
+  { by: LISTED, file: 'README.md', heading: 'From the shell', language: '', what: 'file' },
+  { by: NATIVE, file: 'README.md', heading: 'From C++' },
+  { by: PACKAGE, file: 'README.md', heading: 'From JavaScript' },
+  { by: NATIVE, file: 'README.md', heading: 'Beyond one machine' },
+  { by: LISTED, file: 'README.md', heading: 'Speed', what: 'commands' },
+  { by: PACKAGE, file: 'docs/element.md' },
+  { by: LISTED, file: 'docs/results.md', what: 'commands' },
+  { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
+  { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },
+  ...['The way of the data', 'The ways to a diagram', 'Editing', 'The page', 'What is read', 'Tiles'].map(
+    (heading) => ({
+      by: LISTED,
+      file: 'ARCHITECTURE.md',
+      heading,
+      what: 'drawing',
+    }),
+  ),
+  { by: 'tests/e2e/tutorial.spec.ts', file: `${CHAPTERS}/teachers.md` },
+  { by: NATIVE, file: MANUAL_PAGE },
+  ...['index', 'diagram', 'editor', 'worker'].map((name) => ({ by: COMMENTS, file: `web/lib/${name}.ts` })),
+  { by: PACKAGE, file: 'web/element/index.ts' },
+]
+
+/**
+ * @typedef {object} Block
+ * @property {string} file of the repository
+ * @property {number} line on which it begins, from 1
+ * @property {string} language after its fence; '' without one
+ * @property {string} code
+ * @property {readonly string[]} headings that it stands below, from the title on
+ */
+
+/** @returns {Block[]} all that the site shows */
+export function blocks() {
+  const comments = ['lib', 'element', 'view'].flatMap((folder) =>
+    readdirSync(new URL(`web/${folder}`, ROOT))
+      .filter((name) => name.endsWith('.ts'))
+      .map((name) => `web/${folder}/${name}`),
+  )
+  const headers = readdirSync(new URL('cpp/include/circle_voronoi', ROOT)).map(
+    (name) => `cpp/include/circle_voronoi/${name}`,
+  )
+  return [
+    ...MARKDOWN.flatMap((file) => blocksOfMarkdown(file, read(file))),
+    ...blocksOfManual(read(MANUAL_PAGE)),
+    ...[...comments, ...headers].flatMap((file) => blocksOfComments(file, read(file))),
+  ]
+}
+
+/** Who runs it: of `RUN_BY` all that fit. */
+export function runnersOf({ file, language, headings }) {
+  return RUN_BY.filter(
+    (runner) =>
+      runner.file === file &&
+      (runner.heading === undefined || headings.includes(runner.heading)) &&
+      (runner.language === undefined || runner.language === language),
+  )
+}
+
+/** The blocks that a test has to run, each with `what` it is. Throws if there are none. */
+export function blocksRunBy(test) {
+  const own = blocks().flatMap((block) => {
+    const runner = runnersOf(block).find(({ by }) => by === test)
+    return runner === undefined ? [] : [{ ...block, what: runner.what }]
+  })
+  if (own.length === 0) throw new Error(`There are no blocks for ${test}.`)
+  return own
+}
+
+export { MARKDOWN, RUN_BY }
+
+function read(file) {
+  return readFileSync(new URL(file, ROOT), 'utf8')
+}
+
+/** As the site reads it. */
+export function blocksOfMarkdown(file, text) {
+  const tokens = new MarkdownIt({ html: true }).parse(text, {})
+  const found = []
+  let headings = []
+  for (const [i, { type, tag, info, content, map }] of tokens.entries()) {
+    if (type === 'heading_open') {
+      const level = Number(tag.slice(1))
+      headings = [...headings.slice(0, level - 1), tokens[i + 1].content]
+    }
+    const language = info.trim()
+    if ((type === 'fence' && !FIGURES.includes(language)) || type === 'code_block')
+      found.push({ file, line: map[0] + (type === 'fence' ? 2 : 1), language, code: content, headings })
+  }
+  return found
+}
+
+/** Lines that are shown together are one block. */
+function blocksOfManual(mdoc) {
+  const found = []
+  for (const [i, line] of mdoc.split('\n').entries()) {
+    const [, command] = /^\.Dl (.*)$/.exec(line) ?? []
+    if (command === undefined) continue
+    const last = found.at(-1)
+    const isNext = last !== undefined && last.line + last.code.split('\n').length - 1 === i + 1
+    if (isNext) last.code += `${command}\n`
+    else found.push({ file: MANUAL_PAGE, line: i + 1, language: 'sh', code: `${command}\n`, headings: ['EXAMPLES'] })
+  }
+  return found
+}
+
+/** Fenced blocks in doc comments. What follows `@example` without a fence is found by its name (tests/wasm/examples.test.mjs). */
+function blocksOfComments(file, source) {
+  const fenced = /^( *(?:\*|\/\/\/?) ?)(?:```(\w*)|@code)\n((?:\1?.*\n)*?)\1(?:```|@endcode)$/gm
+  return [...source.matchAll(fenced)].map(({ index, 2: language = '', 3: code }) => ({
+    file,
+    line: source.slice(0, index).split('\n').length + 1,
+    language,
+    code: code.replace(/^ *(?:\*|\/\/\/?) ?/gm, ''),
+    headings: [],
+  }))
+}
