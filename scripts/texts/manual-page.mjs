@@ -4,7 +4,7 @@ import { slugOf } from './markdown.mjs'
 import { escaped } from './page.mjs'
 
 const WORDS = {
-  Fl: (word) => `<code>-${word}</code>`,
+  Fl: (word) => `<code class="flag">-${word}</code>`,
   Ar: (word) => `<var>${word}</var>`,
   Cm: (word) => `<code>${word}</code>`,
   Li: (word) => `<code>${word}</code>`,

@@ -5,7 +5,8 @@ import MarkdownIt from 'markdown-it'
 import definitions from 'markdown-it-deflist'
 import temml from 'temml'
 
-const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed', 'pictures']
+/** What is no code to be shown, but something to be touched or looked at. */
+export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed', 'pictures']
 
 /**
  * @param {string} markdown

@@ -48,12 +48,13 @@ export async function tutorialTexts(folder) {
   const book = readBook()
   mkdirSync(`${folder}/tutorial/pictures`, { recursive: true })
 
-  const picture = (diagram) => {
+  const picture = (diagram, view) => {
+    const bounds = view && frameOf(view)
     // As exactly as can be seen.
-    const [minX, minY, maxX, maxY] = boundsOf(diagram.circles)
+    const [minX, minY, maxX, maxY] = bounds ?? boundsOf(diagram.circles)
     const tolerance = Math.max(maxX - minX, maxY - minY) / 2000
     const digits = Math.max(0, Math.ceil(-Math.log10(tolerance)))
-    return files.writeDiagram(diagram, { format: 'svg', tolerance, digits })
+    return files.writeDiagram(diagram, { format: 'svg', tolerance, digits, bounds })
   }
   const printed = ({ name, rules }, circles) => {
     const { svg, sentence } = printedOf(circles, rules)
@@ -66,7 +67,7 @@ export async function tutorialTexts(folder) {
     if (made.has(spec.name)) throw new Error(`Two figures are called ${spec.name}.`)
     const circles = circlesOf(spec)
     const poster = `pictures/${spec.name}.svg`
-    writeFileSync(`${folder}/tutorial/${poster}`, posterOf(picture(library.compute(circles)), spec.layers))
+    writeFileSync(`${folder}/tutorial/${poster}`, posterOf(picture(library.compute(circles), spec.view), spec.layers))
     const { view, layers, controls, method } = spec
     const [x, y, span] = view ?? []
     const link = await encodeLink({
@@ -89,6 +90,11 @@ export async function tutorialTexts(folder) {
     return { folder: 'tutorial', file, isChapter, title, html, text }
   })
   return [contents(book), ...pages, paperPage(book)]
+}
+
+/** What a figure shows at first: it is 8 : 5 (web/tutorial/tutorial.css). */
+function frameOf([x, y, span]) {
+  return [x - 0.8 * span, y - span / 2, x + 0.8 * span, y + span / 2]
 }
 
 function boundsOf(circles) {

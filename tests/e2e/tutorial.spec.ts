@@ -192,6 +192,11 @@ async function read(page: Page, { file, blocks }: Chapter): Promise<void> {
       index: ((await choice.evaluate((select: HTMLSelectElement) => select.selectedIndex)) + 1) % 5,
     })
     await expect(verdict).toHaveText(/^The judge: no\. \w/)
+    // The vertex and the circles that it is said to touch are marked.
+    const marked = await page
+      .locator('[data-corrupt] circle-voronoi')
+      .evaluate((element: Element) => element.layers.data)
+    expect(marked?.map(({ points = [], discs = [] }) => [points.length, discs.length])).toEqual([[2, 9]])
     await page.getByRole('button', { name: 'Make it right again' }).click()
     await expect(verdict).toHaveText('The judge: this diagram is right.')
   }
@@ -259,6 +264,33 @@ test('what rules find as printed follows the circles', async ({ page }) => {
   })
   await expect(around.locator('output')).toHaveText('Here the rules are tried on 40 circles at most.')
   expect(problems).toEqual([])
+})
+
+test('on paper a figure is as it was on the screen, and what asks has no answer', async ({ page }) => {
+  await page.goto('/tutorial/01-nearest-circle.html')
+  await show(page.locator('#four-circles circle-voronoi'))
+  // Its pixels stay, and are scaled.
+  await page.evaluate(() => {
+    const printed: number[] = []
+    addEventListener('afterprint', () => {
+      const canvas = document.querySelector('circle-voronoi')?.shadowRoot?.querySelector('canvas') as HTMLCanvasElement
+      const { width, height } = canvas
+      const { data } = (canvas.getContext('2d') as CanvasRenderingContext2D).getImageData(0, 0, width, height)
+      printed.push(width, data.filter((value, k) => k % 4 === 3 && value > 0).length / (width * height))
+    })
+    Object.assign(globalThis, { printed })
+  })
+  const width = await page
+    .locator('#four-circles canvas')
+    .first()
+    .evaluate(({ width }: HTMLCanvasElement) => width)
+  await page.pdf({ format: 'A4' })
+  const [printedWidth, ink] = await page.evaluate(() => (globalThis as unknown as { printed: number[] }).printed)
+  expect(printedWidth).toBe(width)
+  expect(ink).toBeGreaterThan(0.9)
+  await page.emulateMedia({ media: 'print' })
+  await expect(page.locator('.question').first()).toBeVisible()
+  await expect(page.getByText('Answer', { exact: true }).first()).toBeHidden()
 })
 
 test('the two lines for teachers are a live figure', async ({ page }) => {

@@ -2,6 +2,7 @@
 // All code that the site shows, block by block, and which test runs each: a test takes its blocks from here.
 import { readdirSync, readFileSync } from 'node:fs'
 import MarkdownIt from 'markdown-it'
+import { BLOCKS as FIGURES } from '../../scripts/texts/markdown.mjs'
 
 const ROOT = new URL('../../', import.meta.url)
 const CHAPTERS = 'web/tutorial/chapters'
@@ -12,9 +13,6 @@ const MARKDOWN = [
   ...['CONTRIBUTING.md', 'CHANGELOG.md'],
   ...readdirSync(new URL(CHAPTERS, ROOT)).map((name) => `${CHAPTERS}/${name}`),
 ]
-/** What blocks of JSON in chapters are called; tests/web/tutorial.test.ts and tests/e2e/tutorial.spec.ts use these. */
-const FIGURES = ['figure', 'try', 'question', 'corrupt', 'pictures']
-
 const LISTED = 'tests/scripts/blocks.test.mjs'
 const NATIVE = 'tests/readme/native.test.mjs'
 const PACKAGE = 'tests/pack/readme.spec.ts'

@@ -128,7 +128,7 @@ export class View {
         this.#tell('found', found)
       },
     })
-    this.#observer = new ResizeObserver(() => this.#resize())
+    this.#observer = new ResizeObserver(() => this.#sizeChanges())
     this.#observer.observe(container)
     this.#watchSurroundings()
     this.#resize()
@@ -407,6 +407,11 @@ export class View {
     this.#overlay.remove()
   }
 
+  /** Paper has a size and a resolution of its own, and does not wait for a picture: it shows the screen's, scaled (theme.css). */
+  #sizeChanges(): void {
+    if (!matchMedia('print').matches) this.#resize()
+  }
+
   #resize(): void {
     this.#size = { width: this.#container.clientWidth, height: this.#container.clientHeight }
     const pixels = this.#isShown ? devicePixelRatio : 0
@@ -490,7 +495,7 @@ export class View {
     const watchPixels = () => {
       const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
       const change = () => {
-        this.#resize()
+        this.#sizeChanges()
         watchPixels()
       }
       query.addEventListener('change', change, { signal, once: true })
