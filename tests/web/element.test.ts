@@ -8,7 +8,7 @@ import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.t
 import { readCircles } from '../../web/element/read-circles.ts'
 import { wordsOf } from '../../web/element/words.ts'
 import { loadFiles } from '../../web/lib/files.ts'
-import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { CELL_COLORS, DEFAULT_LAYERS, keptLayers } from '../../web/view/layers.ts'
 import type { CellFacts, Facts } from '../../web/view/protocol.ts'
 
 const read = (path: string) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8')
@@ -213,5 +213,23 @@ describe('the manifest', () => {
     for (const { name } of [...attributes, ...members, ...events, ...slots, ...cssParts]) {
       if (name !== '') expect(page, name).toMatch(new RegExp(`\`${name}[\`(]`))
     }
+  })
+
+  test('has all layers in docs/element.md, and no others', () => {
+    const row = read('docs/element.md')
+      .split('\n')
+      .find((line) => line.startsWith('| `layers` |'))
+    const [words = '', more = ''] = (row as string).split('Or an object in JSON')
+    const said = [...words.matchAll(/`([\w=.-]+)`/g)].map(([, word]) => word as string).slice(1)
+    const colours = said.filter((word) => (CELL_COLORS as readonly string[]).includes(word))
+    const layers = said.filter((word) => !colours.includes(word))
+    const meant = layers.flatMap((word) => Object.keys(keptLayers(parseLayers(word))))
+    const inJson = [...more.matchAll(/`(\w+)`/g)].map(([, name]) => name as string)
+    expect([...new Set([...meant, ...inJson])].sort()).toEqual(
+      Object.keys(DEFAULT_LAYERS)
+        .filter((name) => name !== 'data')
+        .sort(),
+    )
+    expect(['none', ...colours].sort()).toEqual([...CELL_COLORS].sort())
   })
 })
