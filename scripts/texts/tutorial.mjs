@@ -13,6 +13,8 @@ const CHAPTERS = `${ROOT}web/tutorial/chapters`
 const PLAYGROUND_LINK = /playground:([\w:-]+)/g
 /** Of the paper. */
 const FIGURES = 16
+/** Of figures; those beside what rules find as printed are squares (web/tutorial/tutorial.css). */
+const ASPECT = 8 / 5
 
 /**
  * @typedef {object} Made what there is of a figure
@@ -48,8 +50,8 @@ export async function tutorialTexts(folder) {
   const book = readBook()
   mkdirSync(`${folder}/tutorial/pictures`, { recursive: true })
 
-  const picture = (diagram, view) => {
-    const bounds = view && frameOf(view)
+  const picture = (diagram, { view, rules }) => {
+    const bounds = view && frameOf(view, rules === undefined ? ASPECT : 1)
     // As exactly as can be seen.
     const [minX, minY, maxX, maxY] = bounds ?? boundsOf(diagram.circles)
     const tolerance = Math.max(maxX - minX, maxY - minY) / 2000
@@ -67,7 +69,7 @@ export async function tutorialTexts(folder) {
     if (made.has(spec.name)) throw new Error(`Two figures are called ${spec.name}.`)
     const circles = circlesOf(spec)
     const poster = `pictures/${spec.name}.svg`
-    writeFileSync(`${folder}/tutorial/${poster}`, posterOf(picture(library.compute(circles), spec.view), spec.layers))
+    writeFileSync(`${folder}/tutorial/${poster}`, posterOf(picture(library.compute(circles), spec), spec.layers))
     const { view, layers, controls, method } = spec
     const [x, y, span] = view ?? []
     const link = await encodeLink({
@@ -92,9 +94,10 @@ export async function tutorialTexts(folder) {
   return [contents(book), ...pages, paperPage(book)]
 }
 
-/** What a figure shows at first: it is 8 : 5 (web/tutorial/tutorial.css). */
-function frameOf([x, y, span]) {
-  return [x - 0.8 * span, y - span / 2, x + 0.8 * span, y + span / 2]
+/** What a figure shows at first. */
+function frameOf([x, y, span], aspect) {
+  const half = { x: (aspect * span) / 2, y: span / 2 }
+  return [x - half.x, y - half.y, x + half.x, y + half.y]
 }
 
 function boundsOf(circles) {
