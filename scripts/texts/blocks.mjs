@@ -27,7 +27,7 @@ export function blockRenderer(made) {
 ${element(spec)}
 ${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<p><output class="counts"></output></p>\n' : ''}<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>
-`
+${asked(spec, inline)}`
   }
 
   /** Two pictures: by the rules as they have to be, and as printed. */
@@ -45,7 +45,7 @@ ${element(spec)}</div>
 <p><output>${escaped(sentence)}</output></p>
 <figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>
-`
+${asked(spec, inline)}`
   }
 
   function trial(spec, inline) {
@@ -119,6 +119,14 @@ function pictures({ list }, inline) {
   return `<div class="pictures">
 ${list.map(({ src, alt, caption }) => `<figure><img src="${src}" alt="${escaped(alt)}" loading="lazy"><figcaption>${inline(caption)}</figcaption></figure>`).join('\n')}
 </div>
+`
+}
+
+/** What there is to find out with the figure above. */
+function asked(spec, inline) {
+  if (spec.ask === undefined) return ''
+  return `<div class="asked"><p>${inline(spec.ask)}</p>
+${help(spec, inline)}</div>
 `
 }
 

@@ -4,6 +4,8 @@ export interface Spec {
   readonly name: string
   readonly caption?: string
   readonly ask?: string
+  readonly hint?: string
+  readonly answer?: string
   readonly circles?: readonly (readonly number[])[]
   readonly dataSet?: string
   readonly layers?: Readonly<Record<string, unknown>>

@@ -67,7 +67,7 @@ describe('chapter 4', () => {
   })
 
   test('2 or 4 equally spaced samples join the two largest circles, 3 or 5 do not', () => {
-    expect(figure('uniform-samples').caption).toContain('With 2 of them or 4 the two largest')
+    expect(figure('uniform-samples').ask).toContain('With 2 samples or 4 the two largest')
     const circles = circlesOf(figure('uniform-samples'))
     const areJoined = (samples: number) => {
       const trace = library.trace(circles, { candidates: 'uniform', samples })

@@ -46,6 +46,16 @@ test('every question has one right answer among others, and every chapter has so
   expect([...asking]).toEqual(BOOK.filter(({ isChapter }) => isChapter).map(({ file }) => file))
 })
 
+test('every figure comes with a question, a hint and an answer', () => {
+  const unasked = BOOK.flatMap(({ blocks }) =>
+    blocks.filter(({ spec: { name, ask, hint, answer } }, k) => {
+      const isAsked = [ask, hint, answer].every((text) => text !== undefined) || blocks[k + 1]?.kind === 'question'
+      return name !== undefined && !isAsked
+    }),
+  )
+  expect(unasked.map(({ spec }) => spec.name)).toEqual([])
+})
+
 test('figures draw what there is to be drawn', () => {
   for (const { spec } of figures) expect(layersFrom(spec.layers ?? {}), spec.name).toMatchObject(spec.layers ?? {})
 })
