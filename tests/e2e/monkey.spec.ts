@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page after some time in the hands of a monkey: 10 seconds here, more by `npm run monkey`.
+// The page after some time in the hands of a monkey: 20 seconds here, more by `npm run monkey`.
 import { writeFileSync } from 'node:fs'
 import type { CDPSession, JSHandle, Page, Worker } from '@playwright/test'
 import { Monkey } from './monkey.ts'
@@ -8,7 +8,7 @@ import { heapOf, withThread } from './thread-session.ts'
 
 /** What a monkey has asked for may take a while. */
 const expect = expectSoon.configure({ timeout: 30_000 })
-const SECONDS = Number(process.env.MONKEY_SECONDS ?? 10)
+const SECONDS = Number(process.env.MONKEY_SECONDS ?? 20)
 const SEED = Number(process.env.CIRCLE_VORONOI_SEED ?? 1)
 /** At least so many things are done, however slow the machine. */
 const FEWEST = 60
