@@ -7,6 +7,8 @@ const TURNS = 7
 const ENOUGH = 50
 /** More cells or edges would only take longer. */
 const MOST_PATHS = 100_000
+/** From one place to the next d3-delaunay walks through a good part of all circles. */
+const MOST_WALKS = 10_000
 
 /** A row for each task and size: the package and d3-delaunay take turns; the ratio is the median of those of each turn. */
 export function benchJs(library, sizes) {
@@ -63,7 +65,7 @@ function tasksOf(library, size) {
   const raster = Float64Array.from({ length: 2 * count * count }, (_, k) =>
     k & 1 ? Math.floor((k >> 1) / count) + 0.5 : ((k >> 1) % count) + 0.5,
   )
-  const anywhere = Float64Array.from(raster, () => side * random())
+  const anywhere = Float64Array.from({ length: Math.min(raster.length, 2 * MOST_WALKS) }, () => side * random())
   const findChained = (find) => (where) => {
     let last = 0
     let sum = 0
