@@ -109,8 +109,8 @@ for (const [what, link, says] of [
     const opened = new App(await app.page.context().newPage())
     for (const { page, status } of [app, opened]) {
       await page.goto(`/#${link ?? made}`)
-      await expect(page.getByRole('alert')).toContainText(says)
       await expect(status).toContainText('678 circles')
+      await expect(page.getByRole('alert')).toContainText(says)
     }
     await opened.choose('Introduction')
     await expect(opened.status).toContainText('14 circles')

@@ -57,6 +57,11 @@ export class Keeping {
     this.#timer = setTimeout(() => this.#write(), REST)
   }
 
+  /** Whether the address has a link that is still to be opened. */
+  get isAddressNew(): boolean {
+    return location.hash !== this.#hash
+  }
+
   /** To be called once the link of a changed address was opened, or could not be: till then it is not written over. */
   wasOpened(hash: string): void {
     this.#hash = hash
@@ -70,7 +75,7 @@ export class Keeping {
     const link = await this.#linkOf(state)
     // Meanwhile there may be something newer.
     if (this.#timer !== undefined) return
-    if (location.hash !== this.#hash) return this.changed()
+    if (this.isAddressNew) return this.changed()
     const isShort = link !== undefined && link.length <= LONGEST_ADDRESS
     history.replaceState(null, '', isShort ? `#${link}` : location.pathname + location.search)
     this.#hash = location.hash
@@ -82,7 +87,7 @@ export class Keeping {
   /** For a page that is about to go: what ends later is lost. */
   #writeAtOnce(): void {
     const state = this.#read()
-    if (state === undefined || location.hash !== this.#hash) return
+    if (state === undefined || this.isAddressNew) return
     try {
       const link = encodeLinkAtOnce(state)
       this.#storage?.put(link)

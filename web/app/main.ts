@@ -115,16 +115,24 @@ const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, { editNumbers, showHelp })
 
 const kept = await keeping.begin()
-if (kept === undefined || !(await actions.openLink(kept))) await actions.load((DATA_SETS[0] as DataSet).id)
+if (kept === undefined || !(await actions.openLink(kept))) {
+  const { problem } = store.get()
+  await actions.load((DATA_SETS[0] as DataSet).id)
+  // Of the link, for which these circles stand in.
+  actions.complain(problem)
+}
 view.on('camera', () => keeping.changed())
 let step = store.get().step
 store.subscribe((state) => {
   if (state.step !== step) keeping.changed()
   step = state.step
 })
-window.addEventListener('hashchange', async () => {
+const openAddress = async () => {
   const { hash } = location
   if (hash !== '') await actions.openLink(hash)
   keeping.wasOpened(hash)
-})
+}
+window.addEventListener('hashchange', openAddress)
+// It may have changed while the page began.
+if (keeping.isAddressNew) await openAddress()
 await workOffline()
