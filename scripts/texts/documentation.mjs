@@ -6,7 +6,7 @@ import { ROOT } from '../run.mjs'
 import { buildGallery } from './gallery.mjs'
 import { renderManualPage } from './manual-page.mjs'
 import { renderMarkdown, slugOf } from './markdown.mjs'
-import { escaped } from './page.mjs'
+import { codeBlock } from './page.mjs'
 
 /** Of the repository, and where they stand in the site. */
 export const TEXTS = {
@@ -81,7 +81,7 @@ function cppReference() {
         readFileSync(`${ROOT}${HEADERS}/${header}`, 'utf8'),
       ) ?? []
     if (declared === undefined) return ''
-    return `<h2 id="${slugOf(header)}">${header}</h2>\n${code(withoutPrivate(declared).trim())}`
+    return `<h2 id="${slugOf(header)}">${header}</h2>\n${codeBlock(withoutPrivate(declared).trim())}`
   })
   const about = `What the public headers declare, in the namespace <code>circle_voronoi</code>: each name with what it promises.
 <code>#include &lt;circle_voronoi/compute.h&gt;</code> and so on.`
@@ -91,10 +91,6 @@ function cppReference() {
 /** Nobody can use what is private. */
 function withoutPrivate(source) {
   return source.replace(/\n+ private:\n[\s\S]*?\n\};/g, '\n};')
-}
-
-function code(source) {
-  return `<pre tabindex="0"><code>${escaped(source)}</code></pre>`
 }
 
 function page(file, title, html) {

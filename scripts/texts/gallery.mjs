@@ -5,7 +5,7 @@ import { basename, dirname, posix } from 'node:path'
 import { buildSite as buildMarkdown } from '../../examples/element/markdown/build.mjs'
 import { ROOT } from '../run.mjs'
 import { slugOf } from './markdown.mjs'
-import { escaped } from './page.mjs'
+import { codeBlock, escaped } from './page.mjs'
 
 const EXAMPLES = `${ROOT}examples`
 /** The sources of examples. What a program prints stands in a text of its name, with which tests compare it. */
@@ -155,5 +155,5 @@ export function pictureOf(folder) {
 }
 
 function code(path) {
-  return `<pre tabindex="0"><code>${escaped(readFileSync(path, 'utf8'))}</code></pre>`
+  return codeBlock(readFileSync(path, 'utf8'))
 }

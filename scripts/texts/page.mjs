@@ -96,3 +96,8 @@ function firstSentence(html) {
 export function escaped(text) {
   return text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c])
 }
+
+/** A source as it stands in a text; it can be scrolled by keys. */
+export function codeBlock(source) {
+  return `<pre tabindex="0"><code>${escaped(source)}</code></pre>`
+}
