@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What mouse and fingers do, on an element without a browser: which hand does what, and in which order.
-import { describe, expect, it } from 'vitest'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Box, Circle, Point } from '../../web/lib/index.ts'
 import { type Camera, toPlane } from '../../web/view/camera.ts'
 import type { Hands, Held } from '../../web/view/gestures.ts'
@@ -73,6 +73,9 @@ class Stage {
   handleAt() {
     return this.handle
   }
+  async tryCircle(circle: Circle | undefined): Promise<void> {
+    this.done.push(['tryCircle', circle])
+  }
   movePathEnd(end: 'from' | 'to', point: Point): void {
     this.done.push(['movePathEnd', end, point])
   }
@@ -118,6 +121,9 @@ class Stage {
   async addFitting(center: Point): Promise<void> {
     this.done.push(['addFitting', center])
   }
+  async fitted({ x, y }: Point): Promise<Circle> {
+    return { x, y, r: 1 }
+  }
   cancel(gesture: number): void {
     this.done.push(['cancel', gesture])
   }
@@ -153,6 +159,15 @@ class Stage {
     return this.done.filter(([name]) => names.includes(name as string))
   }
 }
+
+/** Shows the next frame. Browsers tell of moves before it. */
+let showFrame = () => {}
+beforeEach(() => {
+  showFrame = () => {}
+  vi.stubGlobal('requestAnimationFrame', (callback: () => void) => {
+    showFrame = callback
+  })
+})
 
 /** Until all promises that can go on have done so. */
 const settled = () => new Promise((resolve) => setTimeout(resolve, 0))
@@ -496,6 +511,61 @@ describe('a gesture', () => {
     expect(stage.of('set')).toHaveLength(1)
     expect(stage.of('select')).toEqual([])
     expect(stage.element.captured).toEqual([1, 2])
+  })
+})
+
+describe('a press that rests where nothing is', () => {
+  beforeEach(() => {
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
+  })
+  afterEach(() => {
+    vi.useRealTimers()
+  })
+
+  const send = async (stage: Stage, type: string, point: Point) => {
+    stage.send(type, point)
+    await vi.advanceTimersByTimeAsync(0)
+  }
+
+  it('tries a circle, and adds it where it is released', async () => {
+    const stage = new Stage()
+    await send(stage, 'pointerdown', pixel(1, 2))
+    await vi.advanceTimersByTimeAsync(399)
+    showFrame()
+    await vi.advanceTimersByTimeAsync(1)
+    expect(stage.of('tryCircle')).toEqual([])
+    showFrame()
+    await vi.advanceTimersByTimeAsync(0)
+    expect(stage.of('tryCircle')).toEqual([['tryCircle', { x: 1, y: 2, r: 1 }]])
+    await send(stage, 'pointermove', pixel(3, 2))
+    await send(stage, 'pointerup', pixel(3, 2))
+    expect(stage.of('tryCircle').slice(1)).toEqual([
+      ['tryCircle', { x: 3, y: 2, r: 1 }],
+      ['tryCircle', undefined],
+    ])
+    expect(stage.of(...DOING)).toEqual([['addFitting', { x: 3, y: 2 }]])
+  })
+
+  it('pans, if the move that came first is told of late, with a slow frame', async () => {
+    const stage = new Stage()
+    await send(stage, 'pointerdown', pixel(1, 2))
+    await vi.advanceTimersByTimeAsync(900)
+    await send(stage, 'pointermove', pixel(3, 2))
+    showFrame()
+    await send(stage, 'pointerup', pixel(3, 2))
+    expect(stage.of('tryCircle', ...DOING)).toEqual([])
+    expect(stage.camera.x).toBe(-2)
+  })
+
+  it('is none any more once another one has begun', async () => {
+    const stage = new Stage()
+    await send(stage, 'pointerdown', pixel(1, 2))
+    await vi.advanceTimersByTimeAsync(900)
+    await send(stage, 'pointerup', pixel(1, 2))
+    await send(stage, 'pointerdown', pixel(5, 2))
+    showFrame()
+    await vi.advanceTimersByTimeAsync(0)
+    expect(stage.of('tryCircle')).toEqual([])
   })
 })
 

@@ -143,11 +143,10 @@ export function listenToPointer(
     return (await hands.fitted(planeAt(point))) !== undefined
   }
 
-  const hold = async (point: Point, event: PointerEvent) => {
-    const begun = gesture
-    if (hasMoved || event.button !== MAIN || event.shiftKey || !(await isEmpty(point, event))) return
+  const hold = async (point: Point, event: PointerEvent, begun: Gesture) => {
     // What was pressed may be something else by now.
-    if (hasMoved || begun === undefined || gesture !== begun) return
+    const isOver = () => hasMoved || gesture !== begun
+    if (isOver() || event.button !== MAIN || event.shiftKey || !(await isEmpty(point, event)) || isOver()) return
     begun.cancel?.()
     gesture = gestures.holdCircle(point)
     hasMoved = true
@@ -191,8 +190,10 @@ export function listenToPointer(
     }
     start = point
     hasMoved = false
-    gesture = begin(point, event)
-    holding = setTimeout(() => hold(point, event), HOLD)
+    const begun = begin(point, event)
+    gesture = begun
+    // Browsers tell of moves with the next frame: where that is late, what is dragged does not rest.
+    holding = setTimeout(() => requestAnimationFrame(() => hold(point, event, begun)), HOLD)
     if (['cell', 'pan'].includes(element.dataset.cursor ?? '')) element.dataset.cursor = 'panning'
   })
 
