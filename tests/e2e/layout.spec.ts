@@ -2,7 +2,7 @@
 // Panels in windows of all sizes, forced colours, and pages that run from right to left.
 import AxeBuilder from '@axe-core/playwright'
 import type { Locator } from '@playwright/test'
-import { type App, dataSet, expect, test } from './page.ts'
+import { App, dataSet, expect, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')
 
@@ -10,10 +10,11 @@ async function boxOf(locator: Locator) {
   return (await locator.boundingBox()) as { x: number; y: number; width: number; height: number }
 }
 
+const panelsOf = (app: App) => app.page.locator('.panel:visible, #scale:visible')
+
 async function expectApart(app: App): Promise<void> {
   const { width, height } = app.page.viewportSize() as { width: number; height: number }
-  const boxes = await Promise.all((await app.page.locator('.panel:visible, #scale:visible').all()).map(boxOf))
-  expect(boxes.length).toBeGreaterThan(3)
+  const boxes = await Promise.all((await panelsOf(app).all()).map(boxOf))
   for (const [k, { x, y, width: w, height: h }] of boxes.entries()) {
     expect(Math.min(x, y)).toBeGreaterThanOrEqual(0)
     expect(x + w).toBeLessThanOrEqual(width)
@@ -25,14 +26,35 @@ async function expectApart(app: App): Promise<void> {
   }
 }
 
+/** None covers another, whatever is open; `layers`: so high is what is seen of that panel at least, in pixels. */
+async function expectAlwaysApart(app: App, layers: number): Promise<void> {
+  await app.page.getByRole('button', { name: 'Fit' }).click()
+  await expectApart(app)
+  const at = app.center(BRONZE, 600)
+  await app.page.mouse.click(at.x, at.y)
+  await expect(app.inspector).toBeVisible()
+  await expectApart(app)
+  await app.field('r').fill('-1')
+  await app.field('r').press('Enter')
+  await expect(app.page.getByRole('alert')).toBeVisible()
+  await expectApart(app)
+  expect(await panelsOf(app).count()).toBeGreaterThan(3)
+  const button = app.page.getByRole('button', { name: 'Layers', exact: true })
+  await button.click()
+  await expectApart(app)
+  expect((await boxOf(app.page.locator('#layers'))).height).toBeGreaterThan(layers)
+  await button.click()
+  await expect(app.status).toBeVisible()
+}
+
 // 320 x 200 is 1280 x 800 at 400 %.
-for (const [width, height, text] of [
-  [1280, 800, 100],
-  [1280, 800, 200],
-  [800, 600, 100],
-  [568, 320, 100],
-  [390, 844, 100],
-  [320, 200, 100],
+for (const [width, height, text, layers] of [
+  [1280, 800, 100, 300],
+  [1280, 800, 200, 150],
+  [800, 600, 100, 300],
+  [568, 320, 100, 150],
+  [390, 844, 100, 300],
+  [320, 200, 100, 90],
 ] as const) {
   test(`no panel covers another at ${width} x ${height} with text of ${text} %`, async ({ app }) => {
     await app.page.setViewportSize({ width, height })
@@ -41,21 +63,24 @@ for (const [width, height, text] of [
       document.documentElement.style.fontSize = `${percent}%`
     }, text)
     expect((await boxOf(app.status)).height / before.height).toBeCloseTo(text === 100 ? 1 : 1.8, 0)
-    await app.page.getByRole('button', { name: 'Fit' }).click()
-    await expectApart(app)
-    const at = app.center(BRONZE, 600)
-    await app.page.mouse.click(at.x, at.y)
-    await expect(app.inspector).toBeVisible()
-    await expectApart(app)
-    await app.field('r').fill('-1')
-    await app.field('r').press('Enter')
-    await expect(app.page.getByRole('alert')).toBeVisible()
-    await expectApart(app)
-    if (height < 600) return
-    await app.page.getByRole('button', { name: 'Layers', exact: true }).click()
-    await expectApart(app)
+    await expectAlwaysApart(app, layers)
   })
 }
+
+test('no panel covers another on a phone whose browser has text of 200 %', async ({
+  playwright,
+  launchOptions,
+  baseURL,
+}) => {
+  const args = [...(launchOptions.args ?? []), '--blink-settings=defaultFontSize=32']
+  const browser = await playwright.chromium.launch({ ...launchOptions, args })
+  const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, serviceWorkers: 'block' } as const
+  const page = await browser.newPage({ baseURL: baseURL as string, ...phone })
+  const app = new App(page)
+  await app.open()
+  await expectAlwaysApart(app, 500)
+  await browser.close()
+})
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`all panels, several circles and help have no serious accessibility violation, ${colorScheme}`, async ({

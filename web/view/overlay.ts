@@ -10,6 +10,7 @@ import { FrameSink } from './painter/frame-sink.ts'
 import { addSegment } from './painter/segment-path.ts'
 import type { Described, Found, Marks, Touching, Trial } from './protocol.ts'
 import { DISC_OPACITY, DOT_RADIUS, type Style } from './style.ts'
+import { areaText, namedOf } from './taken-text.ts'
 import type { Band, Chosen } from './view.ts'
 
 const HOVER_OPACITY = 0.55
@@ -26,6 +27,8 @@ const HANDLE_DISTANCE = 7
 const CHOSEN_PER_PATH = 3 * 500
 
 const NUMBER_SIZE = 12
+/** What an area takes that is written, in pixels. */
+const AREA_ROOM = { width: 60, height: 14 }
 const NONE = new Float64Array()
 
 /** Where the handle of selected circles is, in pixels. */
@@ -198,13 +201,33 @@ export function drawOverlay(
     return path
   }
 
-  function drawTrial({ circle: { x, y, r }, outline, hiddenBy }: Trial): void {
+  /** At the circles from which it takes most stands how much. */
+  function drawTrial(trial: Trial): void {
+    const {
+      circle: { x, y, r },
+      outline,
+      hiddenBy,
+    } = trial
     const cell = pathOf(outline)
     const rim = discOf(x, y, r, DOT_RADIUS)
     fill(cell, style.selectedCell)
     fill(rim, style.selectedDisc, DISC_OPACITY)
     stroke(cell, style.accent, 2, [6, 4])
     stroke(rim, style.accent, 2, hiddenBy === undefined ? [] : [4, 4])
+    // What the panel tells of anyway is left out where there is no room.
+    const written: Point[] = []
+    for (const taken of namedOf(trial)) {
+      const place = { x: to.x(taken.x), y: to.y(taken.y) }
+      const isInside = Math.hypot(place.x - to.x(x), place.y - to.y(y)) < r * frame.scale
+      const isTaken = written.some(
+        (other) =>
+          Math.abs(place.x - other.x) < AREA_ROOM.width * pixelRatio &&
+          Math.abs(place.y - other.y) < AREA_ROOM.height * pixelRatio,
+      )
+      if (isInside || isTaken) continue
+      written.push(place)
+      drawing.write(`−${areaText(taken.area)}`, place.x, place.y, NUMBER_SIZE * pixelRatio, style.accent, style.paper)
+    }
   }
 
   function drawSelected({ circle: { x, y, r }, outline, hiddenBy }: Described): void {

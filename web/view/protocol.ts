@@ -244,8 +244,15 @@ export interface Trial {
   /** That of its cell (`replay`). */
   readonly outline: Float64Array
   readonly area: number
-  /** From whom, the most first; infinite where a part has no end, NaN where that is not known. */
-  readonly taken: readonly { readonly id: number; readonly area: number }[]
+  /** From whom, the most first. */
+  readonly taken: readonly Taken[]
+}
+
+/** What a circle would take from another one, whose centre is x, y. */
+export interface Taken extends Point {
+  readonly id: number
+  /** Infinite where a part has no end, NaN where that is not known. */
+  readonly area: number
 }
 
 /** What the layers show that depends on all circles. */

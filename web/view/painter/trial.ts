@@ -33,7 +33,12 @@ export function trialOf(
     for (let h = 0; h < hidden.length; h += 2) if (at(hidden, h) === tried) by = at(hidden, h + 1)
     return { circle, hiddenBy: idOfLocal(by), outline: new Float64Array(), area: 0, taken: [] }
   }
-  const taken = robbed(local).map((k) => ({ id: idOfLocal(k), area: takenFrom(picture, local, k) }))
+  const taken = robbed(local).map((k) => ({
+    id: idOfLocal(k),
+    x: at(diagram.circles, 3 * k),
+    y: at(diagram.circles, 3 * k + 1),
+    area: takenFrom(picture, local, k),
+  }))
   taken.sort((one, other) => other.area - one.area || one.id - other.id)
   return { circle, hiddenBy: undefined, outline: outlineOf(diagram, tried), area: cellArea(diagram, tried), taken }
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Taken, Trial } from './protocol.ts'
+
+/** So many circles are named from which most is taken. */
+const MOST_NAMED = 8
+
+export function namedOf({ taken }: Trial): readonly Taken[] {
+  return taken.slice(0, MOST_NAMED)
+}
+
+export function areaText(area: number): string {
+  if (Number.isNaN(area)) return '…'
+  return area === Number.POSITIVE_INFINITY ? '∞' : String(Number(area.toPrecision(3)))
+}
