@@ -179,6 +179,38 @@ describe('Editing', () => {
     expect(editing.scene?.isEdited).toBe(true)
   })
 
+  it('edits what it opens before anything else that is asked', async () => {
+    const { editing, circles } = await started()
+    const first = editing.open(sceneOf(Float64Array.of(7, 7, 7, 8, 8, 1), 'seven'), [{ kind: 'remove', id: 0 }])
+    const second = editing.open(sceneOf(Float64Array.of(1, 1, 1, 2, 2, 2, 3, 3, 3), 'six'))
+    expect([await first, await second]).not.toContain(undefined)
+    expect(circles()).toEqual([1, 1, 1, 2, 2, 2, 3, 3, 3])
+    await editing.undo()
+    expect(circles()).toEqual([8, 8, 1])
+    await editing.undo()
+    expect(circles()).toEqual([8, 8, 1, 7, 7, 7])
+  })
+
+  it('edits nothing where what it opens is refused', async () => {
+    const { editing, circles, asked } = await started()
+    expect(await editing.open(sceneOf(Float64Array.of(0, 0, -1)), [{ kind: 'remove', id: 0 }])).toBeUndefined()
+    expect([circles(), asked]).toEqual([[...TWO], []])
+  })
+
+  it('calls a circle that came back by the number that it had', async () => {
+    const { editing } = await started()
+    const number = (id: number) => [editing.idOf(id), editing.numberOf(editing.idOf(id))]
+    for (let k = 0; k < 2; k++) {
+      await editing.edit([{ kind: 'remove', id: editing.idOf(1) }])
+      await editing.undo()
+    }
+    expect(editing.circles.get(1)).toBeUndefined()
+    expect(editing.circles.get(editing.idOf(1))).toEqual({ x: 5, y: 5, r: 2 })
+    expect([number(0), number(1)[1]]).toEqual([[0, 0], 1])
+    await editing.open(sceneOf(TWO))
+    expect([editing.idOf(1), editing.numberOf(1)]).toEqual([1, 1])
+  })
+
   it('knows that a circle is to go', async () => {
     const { editing } = await started()
     const removed = editing.edit([{ kind: 'remove', id: 0 }])

@@ -64,7 +64,8 @@ export class Keeping {
 
   /** To be called once the link of a changed address was opened, or could not be: till then it is not written over. */
   wasOpened(hash: string): void {
-    this.#hash = hash
+    // Meanwhile there may be another one, which may even have been opened first.
+    if (hash === location.hash) this.#hash = hash
   }
 
   async #write(): Promise<void> {

@@ -48,12 +48,12 @@ const store = createStore<State>(INITIAL_STATE)
 
 const editing = new Editing(
   view,
-  ({ edited, history }) => {
+  ({ edited, history, isOpened }) => {
     // What is shown at first is there without being kept.
     if (store.get().edited !== undefined) keeping.changed()
     store.update((state) => {
-      // What was selected may be gone.
-      const selection = state.selection.filter((id) => editing.circles.get(id) !== undefined)
+      // What was selected may be gone, and other circles have other ids.
+      const selection = isOpened ? [] : state.selection.filter((id) => editing.circles.get(id) !== undefined)
       const selected = selection.length === 1 ? selection[0] : undefined
       const circle = selected === undefined ? undefined : editing.circles.get(selected)
       const dataSet = editing.scene?.dataSet ?? ''
@@ -115,7 +115,8 @@ const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, { editNumbers, showHelp })
 
 const kept = await keeping.begin()
-if (kept === undefined || !(await actions.openLink(kept))) {
+// Somebody may have chosen something meanwhile.
+if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) === 'refused')) {
   const { problem } = store.get()
   await actions.load((DATA_SETS[0] as DataSet).id)
   // Of the link, for which these circles stand in.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Editing } from '../editing/editing.ts'
-import { EditorActions, type Opened } from '../editing/editor-actions.ts'
+import { EditorActions, type HowOpened, type Opened } from '../editing/editor-actions.ts'
 import type { Scene } from '../editing/history.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
@@ -52,13 +52,13 @@ export class PageActions extends EditorActions {
     if (source?.kind === 'former') await this.load('random')
   }
 
-  /** What a link says; reports whether that could be shown. */
-  openLink(text: string): Promise<boolean> {
+  /** What a link says. */
+  openLink(text: string): Promise<HowOpened> {
     return this.open(() => this.#linked(text))
   }
 
-  /** What is read somewhere; reports whether that could be shown. */
-  openRead(read: () => Promise<Read>): Promise<boolean> {
+  /** What is read somewhere. */
+  openRead(read: () => Promise<Read>): Promise<HowOpened> {
     return this.open(async () => {
       const result = await read()
       return 'link' in result ? this.#linked(result.link) : { circles: result.circles, dataSet: '', isEdited: false }

@@ -40,6 +40,9 @@ export class Editing {
   readonly #onProblem: (problem: string, error: Error) => void
   #table = new CircleTable(new Float64Array())
   #scene: Scene | undefined
+  /** Where they are not the same: the ids by the numbers of circles, and the numbers by the ids. */
+  readonly #ids = new Map<number, number>()
+  readonly #numbers = new Map<number, number>()
   #lastAbsent = 0
   #history = EMPTY_HISTORY
   #jobs: Job[] = []
@@ -64,29 +67,54 @@ export class Editing {
     return this.#scene
   }
 
+  /** The id of a circle by its number: the id that it had first. One that comes back by undo has another id. */
+  idOf(number: number): number {
+    return this.#ids.get(number) ?? number
+  }
+
+  /** The number of a circle, which stays the same when it comes back by undo. */
+  numberOf(id: number): number {
+    return this.#numbers.get(id) ?? id
+  }
+
+  #rename(formerId: number, id: number): void {
+    const number = this.numberOf(formerId)
+    this.#ids.set(number, id)
+    this.#numbers.set(id, number)
+  }
+
   /** A number for the edits of one gesture: they become one entry of the history. */
   beginGesture(): number {
     this.#lastGesture += 1
     return this.#lastGesture
   }
 
-  /** Other circles. Undo goes back to those that were there. */
-  open(scene: Scene): Promise<Edited | undefined> {
-    return this.#ask(-1, [], async () => {
+  /** Other circles, and edits of them, before anything else is asked. Undo goes back to those that were there. `undefined`: refused. */
+  async open(scene: Scene, edits: readonly Edit[] = []): Promise<Edited | undefined> {
+    let isOpened = false
+    const opened = this.#ask(-1, [], async () => {
       const before = this.#before()
       const edited = await this.#become(scene)
       this.#history = { done: [...this.#history.done, ...before], undone: [] }
+      isOpened = true
       return edited
     })
+    if (edits.length > 0) {
+      const gesture = this.beginGesture()
+      await this.#ask(gesture, [], async () => (isOpened ? this.#apply(edits, gesture) : undefined))
+    }
+    return opened
   }
 
   /** All or none of the edits. `undefined`: refused. */
   edit(edits: readonly Edit[], gesture = this.beginGesture()): Promise<Edited | undefined> {
-    return this.#ask(gesture, edits, async () => {
-      const edited = await this.#computer.apply(edits)
-      this.#history = record(this.#history, this.#table.apply(edits, edited.inserted), gesture)
-      return edited
-    })
+    return this.#ask(gesture, edits, () => this.#apply(edits, gesture))
+  }
+
+  async #apply(edits: readonly Edit[], gesture: number): Promise<Edited> {
+    const edited = await this.#computer.apply(edits)
+    this.#history = record(this.#history, this.#table.apply(edits, edited.inserted), gesture)
+    return edited
   }
 
   undo(): Promise<Edited | undefined> {
@@ -120,6 +148,7 @@ export class Editing {
     const steps = this.#table.apply(entry.steps, edited.inserted)
     const former = entry.steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
+    for (const [formerId, id] of ids) this.#rename(formerId, id)
     const back = { ...entry, steps }
     const history = {
       ...this.#history,
@@ -146,6 +175,8 @@ export class Editing {
     const edited = await this.#computer.setCircles(scene.circles)
     this.#table = new CircleTable(scene.circles.slice())
     this.#scene = scene
+    this.#ids.clear()
+    this.#numbers.clear()
     return edited
   }
 

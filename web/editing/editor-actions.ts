@@ -35,6 +35,9 @@ export interface Opened extends Scene {
   readonly method?: string | undefined
 }
 
+/** `superseded`: something else was asked for meanwhile. */
+export type HowOpened = 'opened' | 'refused' | 'superseded'
+
 /**
  * All that a user can do with circles. Input and panels call these; nothing else changes the state, but for what was
  * computed.
@@ -89,31 +92,39 @@ export class EditorActions implements Hands {
     }
   }
 
-  /** Opens what is loaded, unless something else is asked for meanwhile. What cannot be opened changes nothing. */
-  async open(load: () => Promise<Opened>): Promise<boolean> {
+  /** Whether anything was opened, or is about to be. */
+  get hasOpened(): boolean {
+    return this.#lastLoad > 0
+  }
+
+  /** Opens what is loaded, unless something else is asked for meanwhile. What is refused changes nothing. */
+  async open(load: () => Promise<Opened>): Promise<HowOpened> {
     this.#lastLoad += 1
     const turn = this.#lastLoad
+    const isSuperseded = () => turn !== this.#lastLoad
     try {
       const opened = await load()
-      if (turn !== this.#lastLoad) return false
+      if (isSuperseded()) return 'superseded'
       const { edits, view, layers, step, method, ...scene } = opened
       const before = this.#view.camera
       this.#view.setCamera(this.#looking(view, boundingBox(scene.circles)))
-      if ((await this.#editing.open(scene)) === undefined) {
+      const edited = await this.#editing.open(scene, edits)
+      if (isSuperseded()) return 'superseded'
+      if (edited === undefined) {
         this.#view.setCamera(before)
-        return false
+        return 'refused'
       }
       if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
-      if (edits !== undefined && edits.length > 0) await this.#editing.edit(edits)
       this.useTool('select')
       this.select([])
       const isPlayed = this.#store.get().step !== undefined
       if ('step' in opened) this.#store.update((state) => ({ ...state, step, method }))
       else this.showStep(isPlayed ? 0 : undefined)
-      return true
+      return 'opened'
     } catch (error) {
-      this.#store.update((state) => ({ ...state, problem: (error as Error).message }))
-      return false
+      if (isSuperseded()) return 'superseded'
+      this.complain((error as Error).message)
+      return 'refused'
     }
   }
 

@@ -24,6 +24,20 @@ export function parseCheck(text: string): Check {
   return given as Check
 }
 
+/** The same check, which calls circles otherwise. */
+export function withIds(check: Check, idOf: (number: number) => number): Check {
+  const partsWithIds = (parts: readonly Check[]) => parts.map((part) => withIds(part, idOf))
+  if ('all' in check) return { all: partsWithIds(check.all) }
+  if ('any' in check) return { any: partsWithIds(check.any) }
+  if ('not' in check) return { not: withIds(check.not, idOf) }
+  if (!('cell' in check)) return check
+  return {
+    ...check,
+    cell: idOf(check.cell),
+    ...(check.neighbor !== undefined && { neighbor: idOf(check.neighbor) }),
+  }
+}
+
 /** The circles that a check is about. */
 export function idsOf(check: Check): number[] {
   if ('all' in check) return check.all.flatMap(idsOf)

@@ -8,7 +8,7 @@ import type { LoadOptions } from '../lib/load-options.ts'
 import type { Options } from '../lib/options.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { parseControls, parseLayers, parseStep, parseView } from './attributes.ts'
-import { holds, idsOf, parseCheck } from './check.ts'
+import { holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
 import { mountControls } from './controls.ts'
 import { circlesWithin, opened, openedFrom, openedState } from './data-of.ts'
@@ -42,12 +42,14 @@ export interface FigureState {
   readonly layers: Readonly<Record<string, LayerValue>>
   /** The step of the method, if it is played. */
   readonly step?: number | undefined
+  /** That method, where it is not the usual one. */
+  readonly method?: string | undefined
 }
 
 /** The events of an element, by their names. All bubble and leave shadow roots. */
 export interface CircleVoronoiEventMap {
-  /** The circles are others: set, moved, added, deleted. `circles`: x, y and r of each. */
-  circleschange: CustomEvent<{ readonly circles: Float64s }>
+  /** The circles are others: set, moved, added, deleted. `circles`: x, y and r of each; `numbers`: as of the element. */
+  circleschange: CustomEvent<{ readonly circles: Float64s; readonly numbers: Int32Array }>
   /** The diagram is another, and how long that took. */
   diagramchange: CustomEvent<DiagramCounts & { readonly seconds: number }>
   /** What `check` asks for is reached, or no longer so. */
@@ -110,7 +112,7 @@ export class CircleVoronoiElement extends Base {
   #children: MutationObserver | undefined
   #loading: AbortController | undefined
   #update: Promise<void> = Promise.resolve()
-  /** The arrays that were given away: who sets one again has not changed it. */
+  /** The arrays that came with events: who sets one again has not changed it. */
   readonly #given = new WeakSet<object>()
   #isReady: () => void = () => {}
 
@@ -220,7 +222,7 @@ export class CircleVoronoiElement extends Base {
 
   /** x, y and r of each circle, as it is. It may be set in any form that `compute` takes. */
   get circles(): Float64s {
-    if (this.#figure?.editing.scene !== undefined) return this.#give(this.#figure.editing.circles.circles())
+    if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.circles.circles()
     return this.#own?.circles.slice() ?? new Float64Array()
   }
 
@@ -228,6 +230,16 @@ export class CircleVoronoiElement extends Base {
     if (typeof circles === 'object' && circles !== null && this.#given.has(circles)) return
     this.#own = opened(coordinatesOf(circles))
     if (this.#figure !== undefined) this.#reload()
+  }
+
+  /**
+   * The number of each of `circles`, by which `selection` and `check` call it: its index when they were set, for one that is
+   * added the next number. It keeps it when others are deleted, and when it comes back by undo.
+   */
+  get numbers(): Int32Array {
+    const editing = this.#figure?.editing
+    if (editing?.scene === undefined) return Int32Array.from({ length: this.circles.length / 3 }, (_, i) => i)
+    return editing.circles.ids().map((id) => editing.numberOf(id))
   }
 
   /** Where the circles are: CSV, JSON or GeoJSON, or a link of the playground. */
@@ -368,7 +380,8 @@ export class CircleVoronoiElement extends Base {
   }
 
   set selection(selection: readonly number[]) {
-    this.#figure?.actions.select([...selection])
+    const figure = this.#figure
+    figure?.actions.select(selection.map((number) => figure.editing.idOf(number)))
   }
 
   /** Settled once all that was set is computed and painted. */
@@ -399,8 +412,15 @@ export class CircleVoronoiElement extends Base {
   /** What is shown, to be kept: plain data, which `JSON.stringify` and `encodeLink` take. */
   getState(): FigureState {
     const circles = listOf(this.circles)
-    const { view, layers = keptLayers(this.layers), step = this.step } = this.#figure?.actions.linkState() ?? {}
-    return { circles, ...(view && { view }), layers, ...(step !== undefined && { step }) }
+    const shown = this.#figure?.actions.linkState() ?? { layers: keptLayers(this.layers), step: this.step }
+    const { view, layers = {}, step, method } = shown as LinkInput
+    return {
+      circles,
+      ...(view && { view }),
+      layers,
+      ...(step !== undefined && { step }),
+      ...(method !== undefined && { method }),
+    }
   }
 
   /**
@@ -482,9 +502,10 @@ export class CircleVoronoiElement extends Base {
   }
 
   async #started(): Promise<Figure> {
-    this.#start()
+    if (this.isConnected) this.#start()
     await this.#update
-    return this.#figure as Figure
+    if (this.#figure === undefined) throw new Error('The figure is in no page, or no longer.')
+    return this.#figure
   }
 
   async #settled(): Promise<void> {
@@ -514,12 +535,15 @@ export class CircleVoronoiElement extends Base {
       },
       onstep: (step, steps) => this.#tell('stepchange', { step, steps }),
     })
-    this.#figure.store.subscribe(({ selection, problem }) => {
+    const { store, editing } = this.#figure
+    let before: readonly number[] = []
+    store.subscribe(({ selection, problem }) => {
       this.#shell.problem = problem
-      if (selection === this.#selection) return
+      if (selection === before) return
+      before = selection
       const isSame = selection.length === 0 && this.#selection.length === 0
-      this.#selection = selection
-      if (!isSame) this.#tell('selectionchange', { selection })
+      this.#selection = selection.map((id) => editing.numberOf(id))
+      if (!isSame) this.#tell('selectionchange', { selection: this.#selection })
     })
     this.#try(() => this.#figure?.view.setLayers(this.layers))
     this.#applyControls()
@@ -530,7 +554,10 @@ export class CircleVoronoiElement extends Base {
   #stop(): void {
     const figure = this.#figure
     if (figure === undefined) return
-    if (figure.editing.scene !== undefined) this.#own = opened(figure.editing.circles.circles(), { step: figure.step })
+    if (figure.editing.scene !== undefined) {
+      const { view, layers = {}, step, method } = figure.actions.linkState() ?? {}
+      this.#own = opened(figure.editing.circles.circles(), { view, layers, step, method })
+    }
     this.#loading?.abort()
     figure.dispose()
     this.#figure = undefined
@@ -562,10 +589,8 @@ export class CircleVoronoiElement extends Base {
       await figure.open({ ...opened, view, layers, step })
       figure.view.setLayers({ data: this.#layers?.data ?? [] })
     } catch (error) {
-      if (signal.aborted) return
       // What was refused is told already.
-      if (!figure.isTold(error as Error)) this.#fail(error as Error)
-      this.#shell.problem = (error as Error).message
+      if (!signal.aborted && !figure.isTold(error as Error)) this.#fail(error as Error)
     }
   }
 
@@ -622,10 +647,12 @@ export class CircleVoronoiElement extends Base {
   async #tellForm(): Promise<void> {
     const figure = this.#figure
     const check = this.#check
-    const facts = check === undefined ? undefined : await figure?.view.tell(idsOf(check))
+    // It calls circles by their numbers.
+    const asked = check && figure && withIds(check, (number) => figure.editing.idOf(number))
+    const facts = asked && (await figure?.view.tell(idsOf(asked)))
     // Meanwhile there may be others.
     if (figure !== this.#figure || check !== this.#check) return
-    const isMet = check === undefined ? undefined : facts !== undefined && holds(check, facts)
+    const isMet = check && (facts === undefined || asked === undefined ? false : holds(asked, facts))
     const isOther = isMet !== this.#isMet
     if (isOther) {
       this.#isMet = isMet
@@ -661,23 +688,22 @@ export class CircleVoronoiElement extends Base {
   }
 
   /** The circles are copied for whoever looks at them. */
-  #detail(): { readonly circles: Float64s } {
-    const { editing } = this.#figure as Figure
+  #detail(): CircleVoronoiEventMap['circleschange']['detail'] {
     let circles: Float64s | undefined
+    const numbers = () => this.numbers
     const give = () => {
-      circles ??= this.#give(editing.circles.circles())
+      circles ??= this.circles
+      this.#given.add(circles)
       return circles
     }
     return {
       get circles() {
         return give()
       },
+      get numbers() {
+        return numbers()
+      },
     }
-  }
-
-  #give(circles: Float64s): Float64s {
-    this.#given.add(circles)
-    return circles
   }
 
   #try(act: () => void): void {
@@ -689,7 +715,8 @@ export class CircleVoronoiElement extends Base {
   }
 
   #fail(error: Error): void {
-    this.#shell.problem = error.message
+    if (this.#figure === undefined) this.#shell.problem = error.message
+    else this.#figure.actions.complain(error.message)
     this.#tell('error', { error })
   }
 

@@ -63,9 +63,9 @@ export class Figure {
     const editing = new Editing(
       view,
       (outcome) => {
-        const { edited, history } = outcome
+        const { edited, history, isOpened } = outcome
         store.update((state) => {
-          const selection = state.selection.filter((id) => editing.circles.get(id) !== undefined)
+          const selection = isOpened ? [] : state.selection.filter((id) => editing.circles.get(id) !== undefined)
           const selected = selection.length === 1 ? selection[0] : undefined
           const circle = selected === undefined ? undefined : editing.circles.get(selected)
           return { ...state, edited, history, selection, selected, circle, problem: '' }
@@ -116,9 +116,8 @@ export class Figure {
    */
   async open(opened: Opened): Promise<void> {
     this.#refused = undefined
-    const isOpened = await this.actions.open(async () => opened)
-    // Something else may have been opened meanwhile.
-    if (!isOpened && this.#refused !== undefined) throw this.#refused
+    const how = await this.actions.open(async () => opened)
+    if (how === 'refused' && this.#refused !== undefined) throw this.#refused
   }
 
   /** Whether an error was told of as a problem. */

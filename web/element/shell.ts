@@ -90,7 +90,8 @@ export class Shell {
 
   /** One sentence about what cannot be shown, or none. */
   set problem(problem: string) {
-    this.#problem.textContent = problem
+    // It is read out whenever it is set.
+    if (this.#problem.textContent !== problem) this.#problem.textContent = problem
     this.#problem.hidden = problem === ''
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import type { Editing } from '../../editing/editing.ts'
+import type { HowOpened } from '../../editing/editor-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { CircleVoronoiError } from '../../lib/index.ts'
@@ -54,7 +55,7 @@ export class FileActions {
   }
 
   /** Opens a file. One that cannot be read changes nothing. */
-  openFile(file: File): Promise<boolean> {
+  openFile(file: File): Promise<HowOpened> {
     return this.#actions.openRead(async () => {
       if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
       return this.#client.read(new Uint8Array(await file.arrayBuffer()), file.name)
@@ -62,7 +63,7 @@ export class FileActions {
   }
 
   /** Opens a text as if it were a file, or a link. */
-  openText(text: string): Promise<boolean> {
+  openText(text: string): Promise<HowOpened> {
     const link = /^\S*#(v\d+\.[\w-]+)$/.exec(text.trim())?.[1]
     if (link !== undefined) return this.#actions.openLink(link)
     return this.#actions.openRead(() => this.#client.read(new TextEncoder().encode(text), 'The pasted text'))
@@ -101,8 +102,8 @@ export class FileActions {
 
   /** Elsewhere there are no data sets: the circles themselves are in it. */
   copyElementCode(): Promise<boolean> {
-    const { view, layers, step } = this.#actions.linkState() ?? {}
-    const state = { circles: this.#editing.circles.circles(), view, layers, step }
+    const { view, layers, step, method } = this.#actions.linkState() ?? {}
+    const state = { circles: this.#editing.circles.circles(), view, layers, step, method }
     const controls = step === undefined ? 'controls' : 'controls="player"'
     return this.#copy((link) => elementCode(addressOf('element.js'), link, controls), state)
   }

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Circles that are opened while others are about to be.
+import { beforeEach, describe, expect, it, vi } from 'vitest'
+import { Editing } from '../../web/editing/editing.ts'
+import { EditorActions, type Opened } from '../../web/editing/editor-actions.ts'
+import { INITIAL_STATE } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
+import type { DiagramEditor } from '../../web/lib/index.ts'
+import type { Camera } from '../../web/view/camera.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import type { View } from '../../web/view/view.ts'
+import { library } from './library.ts'
+
+const FIRST = { ...opened(0, 0, 1, 5, 5, 2), edits: [{ kind: 'remove' as const, id: 0 }], layers: { hull: true } }
+const SECOND = opened(1, 1, 1, 2, 2, 2, 3, 3, 3)
+const REFUSED = opened(0, 0, -1)
+
+function opened(...circles: number[]): Opened {
+  return { circles: Float64Array.from(circles), dataSet: '', isEdited: false }
+}
+
+/** Actions on a view that computes a turn later. */
+function started() {
+  let editor: DiagramEditor = library.edit([])
+  const later = () => new Promise((resolve) => setTimeout(resolve))
+  const view = {
+    camera: { x: 0, y: 0, scale: 1 } as Camera,
+    size: { width: 100, height: 100 },
+    layers: DEFAULT_LAYERS,
+    setCamera(camera: Camera) {
+      view.camera = camera
+    },
+    setLayers(layers: object) {
+      view.layers = { ...view.layers, ...layers }
+    },
+  }
+  const result = (inserted: Int32Array = new Int32Array()) => ({
+    counts: { circles: editor.size(), hidden: 0, vertices: 0, edges: 0 },
+    inserted,
+    seconds: 0,
+  })
+  const store = createStore(INITIAL_STATE)
+  const editing = new Editing(
+    {
+      async setCircles(circles) {
+        await later()
+        editor = library.edit(circles)
+        return result()
+      },
+      async apply(edits) {
+        await later()
+        return result(editor.apply(edits).inserted)
+      },
+    },
+    () => {},
+    (problem) => store.update((state) => ({ ...state, problem })),
+  )
+  const actions = new EditorActions(store, editing, view as unknown as View, () => ({
+    ...{ top: 0, right: 0, bottom: 0, left: 0 },
+  }))
+  return { actions, editing, store, view, circles: () => [...editing.circles.circles()] }
+}
+
+beforeEach(() => {
+  vi.stubGlobal('requestAnimationFrame', () => {})
+})
+
+describe('what is opened', () => {
+  it('has its edits and layers', async () => {
+    const { actions, view, circles } = started()
+    expect(actions.hasOpened).toBe(false)
+    expect(await actions.open(async () => FIRST)).toBe('opened')
+    expect([actions.hasOpened, circles(), view.layers.hull]).toEqual([true, [5, 5, 2], true])
+  })
+
+  it('keeps its edits and layers from what is opened after it', async () => {
+    const { actions, store, view, circles } = started()
+    const [first, second] = await Promise.all([actions.open(async () => FIRST), actions.open(async () => SECOND)])
+    expect([first, second]).toEqual(['superseded', 'opened'])
+    expect([circles(), view.layers.hull, store.get().problem]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], false, ''])
+  })
+
+  it('keeps its edits from what is opened while it is computed', async () => {
+    const { actions, editing, view, circles } = started()
+    const first = actions.open(async () => FIRST)
+    await Promise.resolve()
+    await Promise.resolve()
+    const second = actions.open(async () => SECOND)
+    expect([await first, await second]).toEqual(['superseded', 'opened'])
+    expect([circles(), view.layers.hull]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], false])
+    await editing.undo()
+    expect(circles()).toEqual([5, 5, 2])
+  })
+
+  it('changes nothing where it is refused, not even what is looked at', async () => {
+    const { actions, store, view, circles } = started()
+    await actions.open(async () => SECOND)
+    const before = view.camera
+    expect(await actions.open(async () => REFUSED)).toBe('refused')
+    expect([circles(), view.camera]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], before])
+    expect(store.get().problem).toMatch(/Circle 0 .*radius/)
+  })
+
+  it('that fails too late is not told of', async () => {
+    const { actions, store } = started()
+    const failing = Promise.reject(new Error('It could not be loaded.'))
+    const [first, second] = await Promise.all([actions.open(() => failing), actions.open(async () => SECOND)])
+    expect([first, second, store.get().problem]).toEqual(['superseded', 'opened', ''])
+  })
+})
