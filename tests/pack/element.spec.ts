@@ -6,6 +6,7 @@ import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Page, test, type Worker } from '@playwright/test'
 import { build } from 'vite'
 import { buildSite } from '../../examples/element/markdown/build.mjs'
+import type { FigureState } from '../../web/element/circle-voronoi-element.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { type Ask, heapOf, withThread } from '../e2e/thread-session.ts'
@@ -486,6 +487,91 @@ test('made by a script that is imported later, as in notebooks', async ({ page }
   })
   expect(circles).toEqual([0, 0, 1, 4, 0, 1, 0, 5, 1])
   expect(isMoved).toBe(true)
+  expect(problems).toEqual([])
+})
+
+test('what it says stays: numbers, a check that undo meets again, states, and what is wrong', async ({ page }) => {
+  const { problems } = watch(page)
+  writeExample(
+    'staying.html',
+    `<!doctype html><html lang="en"><title>Staying</title><link rel="icon" href="data:,">
+    <script type="module" src="../../dist/element/index.js"></script>
+    <circle-voronoi circles="[[0,0,2],[10,0,1],[5,8,1.5],[5,3,1]]" check='{"cell": 3, "neighbor": 2}' controls></circle-voronoi>`,
+  )
+  await page.goto(`${server.address}build/examples/staying.html`)
+  await shown(page)
+  const element = page.locator('circle-voronoi')
+  const told = () =>
+    element.evaluate((element: Element) => [[...element.numbers], [...element.selection], element.checkValidity()])
+  // Of circle 3 and of circle 2, which are deleted and come back: with other numbers inside, and in another order.
+  await element.evaluate((element: Element) => {
+    element.focus()
+    element.selection = [2, 3]
+  })
+  await expect.poll(told).toEqual([[0, 1, 2, 3], [2, 3], true])
+  await page.keyboard.press('Delete')
+  await expect.poll(told).toEqual([[0, 1], [], false])
+  await page.keyboard.press('Control+z')
+  await expect.poll(async () => ((await told()) as number[][])[1]?.toSorted()).toEqual([2, 3])
+  await expect.poll(async () => (await told())[2]).toBe(true)
+  const [numbers] = await told()
+  expect((numbers as number[]).toSorted()).toEqual([0, 1, 2, 3])
+  await element.evaluate((element: Element) => {
+    element.selection = [3]
+  })
+  await expect.poll(() => element.evaluate((element: Element) => element.selection)).toEqual([3])
+  const y = await element.evaluate(
+    (element: Element) => element.circles[3 * [...element.numbers].indexOf(element.selection[0] as number) + 1],
+  )
+  expect(y).toBe(3)
+  // What was read is no sign that nothing has changed.
+  const set = await element.evaluate(async (element: Element) => {
+    const { circles } = element
+    circles[2] = 1
+    element.circles = circles
+    await element.updateComplete
+    return element.circles[2]
+  })
+  expect(set).toBe(1)
+
+  const problem = element.locator('[part~="problem"]')
+  await element.evaluate((element: Element) => element.setAttribute('layers', 'nonsense'))
+  await expect(problem).toHaveText('There is no layer nonsense.')
+  const { x, y: above } = (await element.boundingBox()) as { x: number; y: number }
+  for (const step of [20, 60, 100, 140]) await page.mouse.move(x + step, above + step)
+  await expect(problem).toHaveText('There is no layer nonsense.')
+  await element.evaluate((element: Element) => element.setAttribute('layers', ''))
+
+  const states = await element.evaluate(async (element: Element) => {
+    const circles = [
+      [0, 0, 1],
+      [4, 0, 1],
+      [0, 5, 1],
+    ]
+    await element.setState({ circles, view: { x: 1, y: 1, span: 9 }, layers: { hull: true }, step: 1, method: 'auto' })
+    await element.updateComplete
+    const before = element.getState()
+    const place = element.parentElement as HTMLElement
+    element.remove()
+    await new Promise((resolve) => setTimeout(resolve))
+    const away = element.getState()
+    place.append(element)
+    await element.toSVG()
+    return [before, away, element.getState()]
+  })
+  expect(states[0]).toMatchObject({ layers: { hull: true }, step: 1, method: 'auto' })
+  const { view, ...rest } = states[0] as FigureState
+  for (const state of states.slice(1)) {
+    expect(state).toMatchObject(rest)
+    expect(state.view?.span).toBeCloseTo(view?.span as number, 9)
+  }
+
+  const gone = await element.evaluate(async (element: Element) => {
+    element.remove()
+    await new Promise((resolve) => setTimeout(resolve))
+    return element.toSVG().catch(({ message }: Error) => message)
+  })
+  expect(gone).toBe('The figure is in no page, or no longer.')
   expect(problems).toEqual([])
 })
 

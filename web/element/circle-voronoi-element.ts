@@ -412,12 +412,17 @@ export class CircleVoronoiElement extends Base {
   /** What is shown, to be kept: plain data, which `JSON.stringify` and `encodeLink` take. */
   getState(): FigureState {
     const circles = listOf(this.circles)
-    const shown = this.#figure?.actions.linkState() ?? { layers: keptLayers(this.layers), step: this.step }
-    const { view, layers = {}, step, method } = shown as LinkInput
+    const own = this.#own
+    const { view, layers, step, method } = this.#figure?.actions.linkState() ?? {
+      view: own?.view,
+      layers: own?.layers ?? keptLayers(this.layers),
+      step: this.step ?? own?.step,
+      method: own?.method,
+    }
     return {
       circles,
       ...(view && { view }),
-      layers,
+      layers: layers ?? {},
       ...(step !== undefined && { step }),
       ...(method !== undefined && { method }),
     }
