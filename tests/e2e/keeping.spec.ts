@@ -118,6 +118,46 @@ for (const [what, link, says] of [
   })
 }
 
+test('what is chosen while a slow link is loaded stays, and is kept', async ({ app }) => {
+  const { page } = app
+  const slow = await encodeLink({ dataSet: 'spruces', edits: [{ kind: 'remove', id: 0 }] })
+  const quick = await encodeLink({ circles: [[0, 0, 1]] })
+  let answer = () => {}
+  const answered = new Promise<void>((resolve) => {
+    answer = resolve
+  })
+  await page.route('**/spruces.csv', async (route) => {
+    await answered
+    await route.continue()
+  })
+  const opened = new App(await page.context().newPage())
+  await opened.page.route('**/spruces.csv', async (route) => {
+    await answered
+    await route.continue()
+  })
+  // As the page begins, and later by its address.
+  await opened.page.goto(`/#${slow}`)
+  await opened.page.getByLabel('Data set').selectOption({ label: 'Introduction' })
+  await expect(opened.status).toContainText('14 circles')
+  const go = (link: string) =>
+    page.evaluate((link) => {
+      location.hash = link
+    }, link)
+  await go(slow)
+  await go(quick)
+  await expect(app.status).toContainText('1 circle')
+  answer()
+  await page.waitForTimeout(600)
+  await expect(opened.status).toContainText('14 circles')
+  await expect(app.status).toContainText('1 circle')
+  for (const { page } of [opened, app]) await expect(page.getByRole('alert')).toBeHidden()
+  await app.canvas.focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Delete')
+  await expect(app.status).toContainText('0 circles')
+  await expect.poll(async () => (await decodeLink(hashOf(app))).circles).toHaveLength(0)
+})
+
 test('a tab that was closed loses nothing, and two tabs do not destroy each other’s', async ({ app }) => {
   const context = app.page.context()
   await app.choose('Introduction')
