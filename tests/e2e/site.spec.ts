@@ -86,7 +86,7 @@ test.describe('kept by the browser', () => {
     await page.getByRole('button', { name: 'Layers' }).click()
     const picture = await app.canvas.screenshot()
     await page.getByLabel('Power diagram').check()
-    await expect.poll(() => app.canvas.screenshot()).not.toEqual(picture)
+    await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
     // The tutorial, and its search.
     await page.goto(`${url}tutorial/`)
     await page.getByRole('main').getByRole('link', { name: 'Which circle is nearest?' }).click()
