@@ -254,8 +254,11 @@ test('what is done is said once', async ({ app }) => {
   await app.page.evaluate(() => {
     const said = document.querySelector('#said') as HTMLElement
     const texts: string[] = []
-    Object.assign(window, { texts })
+    const status = document.querySelector('#status') as HTMLElement
+    const statuses: string[] = []
+    Object.assign(window, { texts, statuses })
     new MutationObserver(() => texts.push(said.textContent ?? '')).observe(said, { childList: true })
+    new MutationObserver(() => statuses.push(status.textContent ?? '')).observe(status, { childList: true })
   })
   const texts = () => app.page.evaluate(() => (window as unknown as { texts: string[] }).texts)
   await app.canvas.focus()
@@ -267,6 +270,8 @@ test('what is done is said once', async ({ app }) => {
   await expect.poll(texts).toEqual([expect.anything(), expect.anything(), expect.stringMatching(/^Circle \d deleted$/)])
   await app.page.waitForTimeout(400)
   expect(await texts()).toHaveLength(3)
+  // Two edits; what is selected is none.
+  expect(await app.page.evaluate(() => (window as unknown as { statuses: string[] }).statuses)).toHaveLength(2)
 })
 
 test.describe('with fingers', () => {

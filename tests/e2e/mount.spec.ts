@@ -107,3 +107,52 @@ test('a view is written as an SVG and as a PNG that look alike', async ({ opened
   expect(alike.width).toBe(1200)
   expect(alike.type).toBe('image/png')
 })
+
+test('what cannot be drawn is refused where it is asked for, and all views go on', async ({ opened: page }) => {
+  const refused = await page.evaluate(async () => {
+    const told: string[] = []
+    const reason = (error: Error) => told.push(`${error.name}: ${error.message}`)
+    for (const scale of [0, Number.NaN, 1000]) await views.one.toPNG(scale).catch(reason)
+    try {
+      views.one.setLayers({ data: 5 as never })
+    } catch (error) {
+      reason(error as Error)
+    }
+    await views.other.apply([{ kind: 'remove', id: 1 }])
+    return { told, data: views.one.layers.data, type: (await views.one.toPNG(1)).type }
+  })
+  expect(refused.told).toEqual([
+    'CircleVoronoiError: The scale of a picture is a positive number, not 0.',
+    'CircleVoronoiError: The scale of a picture is a positive number, not NaN.',
+    'CircleVoronoiError: A picture 1000 times as large as this one is too large.',
+    'CircleVoronoiError: The layer data is an array of objects whose points, segments and discs are arrays of numbers.',
+  ])
+  expect(refused.data).toEqual([])
+  expect(refused.type).toBe('image/png')
+  expect(await circleOf(page, 'other', 1)).toBeUndefined()
+})
+
+test('what is found stays where circles are refused, and is told to be gone once others are there', async ({
+  opened: page,
+}) => {
+  const outcome = await page.evaluate(async () => {
+    const { one } = views
+    const told: (number | undefined)[] = []
+    const isFound = () => new Promise<void>((resolve) => one.on('found', (found) => found?.hull && resolve()))
+    const before = isFound()
+    one.setLayers({ hull: true })
+    await before
+    one.on('found', (found) => told.push(found?.hull?.length))
+    const picture = await one.toSVG()
+    await one.setCircles(Float64Array.of(0, 0, -1)).catch(() => {})
+    const isSame = picture === (await one.toSVG())
+    const toldMeanwhile = [...told]
+    const after = isFound()
+    await one.setCircles(Float64Array.of(0, 0, 1, 5, 0, 1))
+    const toldAtOnce = [...told]
+    await after
+    return { isSame, toldMeanwhile, toldAtOnce, told }
+  })
+  // The hull of two circles has two arcs, of seven numbers each.
+  expect(outcome).toEqual({ isSame: true, toldMeanwhile: [], toldAtOnce: [undefined], told: [undefined, 14] })
+})

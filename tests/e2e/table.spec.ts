@@ -118,6 +118,46 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await expect(table.cell(2, 2)).toHaveText('-3.25')
 })
 
+test('what is written goes into the circle it was begun for, and rows are sorted anew once nothing is edited', async ({
+  app,
+}) => {
+  const { page } = app
+  await app.choose('Introduction')
+  await page.getByRole('button', { name: 'Files' }).click()
+  const table = new Table(app)
+  await table.open()
+  const x = table.grid.getByRole('columnheader', { name: 'x', exact: true })
+  await x.click()
+  await expect(x).toHaveAttribute('aria-sort', 'ascending')
+  // The circles with the least x are 13, 10, 4 and 3.
+  await expect(table.cell(2, 1)).toHaveText('10')
+  await table.cell(1, 2).click()
+  await page.keyboard.type('7')
+  await page.keyboard.press('Enter')
+  await expect(table.grid).toBeFocused()
+  await page.keyboard.type('6')
+  const input = table.grid.getByRole('textbox')
+  await expect(input).toHaveValue('6')
+  await page.waitForTimeout(600)
+  await expect(table.cell(1, 1)).toHaveText('13')
+  await input.press('Enter')
+  await expect(input).toHaveCount(0)
+  await expect(table.cell(1, 1)).toHaveText('4')
+  const expected = INTRODUCTION.slice()
+  expected[39] = 7
+  expected[30] = 6
+  expect(await table.saved()).toEqual(expected)
+
+  // A heading is no cell to be edited, and a word of what is written can be chosen.
+  await table.cell(1, 3).click()
+  await x.dblclick()
+  await expect(input).toHaveCount(0)
+  await table.cell(1, 3).dblclick()
+  await input.fill('12')
+  await input.dblclick()
+  await expect(input).toHaveValue('12')
+})
+
 test('rows are sorted by any column, and what is selected here is selected there', async ({ app }) => {
   const { page } = app
   const table = new Table(app)

@@ -108,6 +108,37 @@ test('numbers are those of the circles, and say by which way a diagram is right'
   await expect(panel).not.toContainText('This one')
 })
 
+test('charts of the numbers before an edit are gone, with what they listened to', async ({ app }) => {
+  const { page } = app
+  await page.evaluate(() => {
+    const listeners = new Set<unknown>()
+    const { addEventListener, removeEventListener } = window
+    Object.assign(window, {
+      listeners,
+      addEventListener(...parts: Parameters<typeof addEventListener>) {
+        listeners.add(parts[1])
+        addEventListener.apply(window, parts)
+      },
+      removeEventListener(...parts: Parameters<typeof removeEventListener>) {
+        listeners.delete(parts[1])
+        removeEventListener.apply(window, parts)
+      },
+    })
+  })
+  const listeners = () => page.evaluate(() => (window as unknown as { listeners: Set<unknown> }).listeners.size)
+  const panel = page.getByRole('region', { name: 'Numbers' })
+  await page.getByRole('button', { name: 'Numbers', exact: true }).click()
+  await expect(panel.locator('canvas')).toHaveCount(2)
+  const before = await listeners()
+  await app.choose('Introduction')
+  await expect(panel).toContainText('4.46 on average')
+  await expect(panel.locator('canvas')).toHaveCount(2)
+  expect(await listeners()).toBe(before)
+  // Folded, it has none.
+  await page.getByRole('button', { name: 'Numbers', exact: true }).click()
+  expect(await listeners()).toBeLessThan(before)
+})
+
 test('panels that fold remember it, and layers stay in the address', async ({ app }) => {
   const { page } = app
   const layers = page.getByRole('button', { name: 'Layers', exact: true })

@@ -5,7 +5,7 @@ import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { saidOf } from '../../web/app/panels/method-found.ts'
 import { at } from '../../web/lib/diagram-data.ts'
 import { type Edit, mergeVertices, neighborPairs } from '../../web/lib/index.ts'
-import { DEFAULT_LAYERS, keptLayers, layersFrom } from '../../web/view/layers.ts'
+import { checkLayers, DEFAULT_LAYERS, keptLayers, type Layers, layersFrom } from '../../web/view/layers.ts'
 import { idOf } from '../../web/view/painter/cell-boxes.ts'
 import { Centres } from '../../web/view/painter/centres.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
@@ -349,6 +349,38 @@ describe('what the touching disc method finds', () => {
       edges: { all: edges.all, found: edges.all, wrong: 0 },
       missed: [],
     })
+  })
+})
+
+describe('layers that are set', () => {
+  const refusal = (change: object) => {
+    try {
+      checkLayers({ ...DEFAULT_LAYERS, ...change } as Layers)
+      return undefined
+    } catch (error) {
+      expect(error).toMatchObject({ name: 'CircleVoronoiError', code: 'badArgument' })
+      return (error as Error).message
+    }
+  }
+
+  it('are refused, if there is nothing that could be drawn of one', () => {
+    const ofData = 'The layer data is an array of objects whose points, segments and discs are arrays of numbers.'
+    for (const data of [undefined, null, 5, {}, 'data', [5], [null], [{ points: 5 }], [{ discs: null }]]) {
+      expect(refusal({ data })).toBe(ofData)
+    }
+    expect(refusal({ path: { from: { x: 0, y: 0 } } })).toBe(
+      'The layer path goes from a point { x, y } to another one.',
+    )
+    expect(refusal({ cells: 'red' })).toBe('The layer cells cannot be "red".')
+    expect(refusal({ sampleCount: -1 })).toBe('The layer sampleCount cannot be -1.')
+    expect(refusal({ maxDistance: Number.NaN })).toBe('The layer maxDistance cannot be NaN.')
+  })
+
+  it('are taken, if they can be drawn', () => {
+    const path = { from: { x: 0, y: 0 }, to: { x: 1, y: 1 } }
+    const data = [{ id: 'own', color: 'red', points: Float64Array.of(1, 2), discs: [1, 2, 3], segments: undefined }]
+    expect(refusal({})).toBeUndefined()
+    expect(refusal({ data, path, nearZero: 0, maxDistance: -1, candidates: 'uniform', sampleCount: 5 })).toBeUndefined()
   })
 })
 

@@ -76,7 +76,7 @@ describe('the painter', () => {
     FakeWorker.all = []
     vi.stubGlobal('Worker', FakeWorker)
     painter = new Painter({ wasm: WASM })
-    scene = painter.add({ painted() {}, marked() {}, found() {} })
+    scene = painter.add({ painted() {}, marked() {}, outlined() {}, found() {} })
   })
   afterEach(() => vi.unstubAllGlobals())
 
@@ -140,6 +140,43 @@ describe('the painter', () => {
     expect(FakeWorker.all.length).toBe(2)
     worker().answer(opened(2))
     expect((await again).counts).toEqual(COUNTS)
+  })
+
+  it('replaces a thread that has answered anything', async () => {
+    const hit = scene.hit(0, 0, 1)
+    worker().answer({ kind: 'hit', request: 1, hit: undefined })
+    expect(await hit).toBeUndefined()
+    worker().onerror?.({ message: 'it broke' })
+    expect(FakeWorker.all.length).toBe(2)
+    expect(
+      worker()
+        .of('add')
+        .map((message) => message.scene),
+    ).toEqual([1])
+    // One that fails over what it is told again is not replaced over and over.
+    worker().answer({ ...opened(0) })
+    worker().onerror?.({ message: 'it broke' })
+    expect(FakeWorker.all.length).toBe(2)
+  })
+
+  it('leaves nothing open of a scene that is closed, and hears nothing more of it', async () => {
+    const other = painter.add({ painted() {}, marked() {}, outlined() {}, found() {} })
+    const open = scene.open(new Float64Array())
+    const hit = scene.hit(0, 0, 1)
+    const otherOpen = other.open(new Float64Array())
+    scene.close()
+    await expect(open).rejects.toThrow('The diagram could not be computed: it was disposed of.')
+    expect(await hit).toBeUndefined()
+    const { length } = worker().got
+    scene.mark(1, undefined)
+    scene.look(wish, {} as never)
+    scene.close()
+    expect(await scene.hit(0, 0, 1)).toBeUndefined()
+    await expect(scene.edit([])).rejects.toThrow(/disposed/)
+    expect(worker().got).toHaveLength(length)
+    worker().answer(opened(1))
+    worker().answer({ ...opened(1), scene: 2 } as FromPainter)
+    expect((await otherOpen).counts).toEqual(COUNTS)
   })
 
   it('is refused an edit without any harm', async () => {
@@ -216,7 +253,7 @@ describe('the base picture', () => {
     const second = picture.see({ x: 900, y: 0, scale: 1 }, size, 1) as Wish
     expect(second.grid).toBe(first.grid)
     const painted = ({ wish, grid }: Wish) =>
-      picture.put({ kind: 'painted', scene: 1, revision: 0, grid: grid.id, patches: [], wish, isWhole: true })
+      picture.put({ kind: 'painted', scene: 1, grid: grid.id, patches: [], wish, isWhole: true })
     painted(first)
     expect(picture.isWhole).toBe(false)
     painted(second)

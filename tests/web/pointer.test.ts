@@ -447,6 +447,23 @@ describe('a gesture', () => {
     expect(stage.of('set')).toEqual(Array(2).fill(['set', 1, { id: 9, circle: { x: 0, y: 0, r: 3 } }]))
   })
 
+  it('that adds and is taken back before the circle is there sets nothing', async () => {
+    for (const takenBack of ['pointercancel', 'keydown']) {
+      const stage = new Stage()
+      stage.tool = 'add'
+      let confirm = () => {}
+      stage.add = () =>
+        new Promise((resolve) => {
+          confirm = () => resolve([9])
+        })
+      await stage.press([pixel(0, 0), pixel(1, 0), pixel(2, 0)])
+      await stage.send(takenBack, pixel(2, 0), { key: 'Escape' })
+      confirm()
+      await settled()
+      expect(stage.of('set', 'cancel')).toEqual([['cancel', 1]])
+    }
+  })
+
   it('that adds what is refused sets nothing', async () => {
     const stage = new Stage()
     stage.tool = 'add'
@@ -557,6 +574,17 @@ describe('a press that rests where nothing is', () => {
     expect(stage.camera.x).toBe(-2)
   })
 
+  it('is none once nothing is listened to', async () => {
+    const stage = new Stage()
+    await send(stage, 'pointerdown', pixel(1, 2))
+    stage.listening.stop()
+    await vi.advanceTimersByTimeAsync(900)
+    showFrame()
+    await vi.advanceTimersByTimeAsync(0)
+    expect(stage.of('hit')).toEqual([['hit', 1, 2]])
+    expect(stage.of('tryCircle')).toEqual([])
+  })
+
   it('is none any more once another one has begun', async () => {
     const stage = new Stage()
     await send(stage, 'pointerdown', pixel(1, 2))
@@ -615,6 +643,18 @@ describe('a pointer that is not pressed', () => {
       ['hover', undefined],
       ['touch', undefined, 0],
     ])
+  })
+
+  it('has left before what was under it is known: nothing is hovered', async () => {
+    const stage = new Stage()
+    stage.under = disc(0)
+    stage.isKnown = false
+    await stage.send('pointermove', pixel(1, 2))
+    const { know } = stage
+    await stage.send('pointerleave', pixel(0, 0))
+    know()
+    await settled()
+    expect(stage.of('hover')).toEqual([['hover', undefined]])
   })
 
   it('shows that it pans while it does', async () => {

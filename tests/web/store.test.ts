@@ -35,6 +35,19 @@ it('tells a value at once, and once a frame in which it was replaced', () => {
   expect(told).toEqual([1, 3, 6])
 })
 
+it('tells nothing more to whoever has ended that', () => {
+  const store = createStore(1)
+  const told: number[] = []
+  const toldToo: number[] = []
+  const end = store.subscribe((value) => told.push(value))
+  store.subscribe((value) => toldToo.push(value))
+  end()
+  store.update((value) => value + 1)
+  nextFrame()
+  expect(told).toEqual([1])
+  expect(toldToo).toEqual([1, 2])
+})
+
 it('tells nothing where the value stays', () => {
   const state = { a: 1 }
   const store = createStore(state)

@@ -9,6 +9,7 @@ import { BoxIndex } from '../../web/view/painter/box-index.ts'
 import { addAround } from '../../web/view/painter/boxes.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
+import { pictureFrame } from '../../web/view/picture-frame.ts'
 import { library, seededRandom } from './library.ts'
 
 const SIZE = { width: 800, height: 600 }
@@ -67,6 +68,34 @@ describe('camera', () => {
     expect(boundingBox(new Float64Array(0))).toEqual({ minX: -1, minY: -1, maxX: 1, maxY: 1 })
     expect(boundingBox(Float64Array.of(5, 5, 0))).toEqual({ minX: 4, minY: 4, maxX: 6, maxY: 6 })
     expect(boundingBox(Float64Array.of(5, 5, 2, 0, 0, 1))).toEqual({ minX: -1, minY: -1, maxX: 7, maxY: 7 })
+  })
+})
+
+describe('the frame of a picture', () => {
+  const camera = { x: 1, y: 2, scale: 3 }
+
+  it('has so many pixels for each that is seen, one at least', () => {
+    expect(pictureFrame(camera, SIZE, 1.5)).toEqual({ x: 1, y: 2, scale: 4.5, width: 1200, height: 900 })
+    expect(pictureFrame(camera, { width: 0, height: 0 }, 1)).toMatchObject({ width: 1, height: 1 })
+  })
+
+  it.each([0, -1, Number.NaN, '2', undefined])('is not %j times as large', (scale) => {
+    expect(() => pictureFrame(camera, SIZE, scale as number)).toThrow(
+      /^The scale of a picture is a positive number, not /,
+    )
+  })
+
+  it.each([
+    [SIZE, 21],
+    [{ width: 10_000, height: 10_000 }, 1.2],
+    [SIZE, Number.POSITIVE_INFINITY],
+  ])('is none that no browser draws: %j times %d', (size, scale) => {
+    expect(() => pictureFrame(camera, size, scale)).toThrow(
+      expect.objectContaining({
+        code: 'badArgument',
+        message: `A picture ${scale} times as large as this one is too large.`,
+      }),
+    )
   })
 })
 

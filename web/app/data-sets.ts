@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../lib/index.ts'
+import { LINK_LIMITS } from '../lib/link.ts'
 import { wholeNumber } from '../view/whole-number.ts'
 import { parseCircles } from './csv.ts'
 import type { Recipe } from './generators/generators.ts'
@@ -105,6 +106,19 @@ export async function loadDataSet(name: string, make: (recipe: Recipe) => Promis
     case undefined:
       throw new Error('There is no data set of this name.')
   }
+}
+
+/**
+ * The circles that somebody else's link names: it cannot ask for what takes minutes.
+ *
+ * @throws Error, as `loadDataSet`, and if there are too many
+ */
+export async function loadLinked(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<Float64s> {
+  const source = sourceOf(name)
+  if (source?.kind === 'family' && source.count > LINK_LIMITS.circles) {
+    throw new Error('The link is for too many circles.')
+  }
+  return loadDataSet(name, make)
 }
 
 /** What was asked for before it is opened. */

@@ -6,10 +6,19 @@ import type { Scene } from '../editing/history.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Float64s } from '../lib/index.ts'
-import { decodeLink, LINK_LIMITS, type LinkView } from '../lib/link.ts'
+import { decodeLink, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { View } from '../view/view.ts'
-import { DATA_SETS, type DataSet, loadDataSet, nameFrom, nameOf, randomSeed, sourceOf } from './data-sets.ts'
+import {
+  DATA_SETS,
+  type DataSet,
+  loadDataSet,
+  loadLinked,
+  nameFrom,
+  nameOf,
+  randomSeed,
+  sourceOf,
+} from './data-sets.ts'
 import type { Read } from './files/files-protocol.ts'
 import type { Recipe } from './generators/generators.ts'
 import { interestingBox, sizeOf } from './generators/interesting-box.ts'
@@ -69,16 +78,13 @@ export class PageActions extends EditorActions {
     const { circles, dataSet, edits, view, layers = {}, step, method } = await decodeLink(text)
     const scene =
       circles === undefined
-        ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), LINK_LIMITS.circles)
+        ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)
         : { circles, dataSet: '', isEdited: false }
     return { ...scene, edits, view, layers, step, method }
   }
 
-  /** `most`: of somebody else's link, so that it cannot ask for what takes minutes. */
-  async #loadNamed(name: string, most = Number.POSITIVE_INFINITY): Promise<Scene> {
-    const source = sourceOf(name)
-    if (source?.kind === 'family' && source.count > most) throw new Error('The link is for too many circles.')
-    return { circles: await loadDataSet(name, this.#make), dataSet: name, isEdited: false }
+  async #loadNamed(name: string, load = loadDataSet): Promise<Scene> {
+    return { circles: await load(name, this.#make), dataSet: name, isEdited: false }
   }
 }
 

@@ -4,11 +4,12 @@
 export interface Store<Value> {
   get(): Value
   update(change: (value: Value) => Value): void
-  subscribe(listener: (value: Value) => void): void
+  /** Returns what ends that. */
+  subscribe(listener: (value: Value) => void): () => void
 }
 
 export function createStore<Value>(initial: Value): Store<Value> {
-  const listeners: ((value: Value) => void)[] = []
+  const listeners = new Set<(value: Value) => void>()
   let value = initial
   let isScheduled = false
   const tell = () => {
@@ -25,8 +26,9 @@ export function createStore<Value>(initial: Value): Store<Value> {
       isScheduled = true
     },
     subscribe(listener) {
-      listeners.push(listener)
+      listeners.add(listener)
       listener(value)
+      return () => listeners.delete(listener)
     },
   }
 }

@@ -41,7 +41,9 @@ export function mountControls(
     if (isDisabled && element.matches(':focus')) figure.focus()
     element.disabled = isDisabled
   }
-  store.subscribe(({ tool, selection, history }) => {
+  const unsubscribe = store.subscribe(({ tool, selection, history }) => {
+    // Others stand there now, or none.
+    if (fit.parentElement !== controls) return unsubscribe()
     add.ariaPressed = String(tool === 'add')
     disable(remove, selection.length === 0)
     disable(undo, history.done.length === 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { loadDataSet } from '../app/data-sets.ts'
+import { loadLinked } from '../app/data-sets.ts'
 import { FilesClient } from '../app/files/files-client.ts'
 import '../element/index.ts'
 import { decodeLink } from '../lib/link.ts'
@@ -10,14 +10,22 @@ const link = document.querySelector('#open') as HTMLAnchorElement
 const files = new FilesClient()
 const problem = document.querySelector('#problem') as HTMLElement
 
+/** Which address is shown: what comes of another one is late. */
+let lastTurn = 0
+
 async function show(): Promise<void> {
+  lastTurn += 1
+  const turn = lastTurn
   link.href = `./${location.hash}`
   try {
-    const { circles, dataSet = '', ...rest } = await decodeLink(location.hash)
+    const { circles: own, dataSet = '', ...rest } = await decodeLink(location.hash)
+    const circles = own ?? (await loadLinked(dataSet, (recipe) => files.make(recipe)))
+    if (turn !== lastTurn) return
     figure.controls = rest.step === undefined ? '' : 'player'
-    await figure.setState({ ...rest, circles: circles ?? (await loadDataSet(dataSet, (recipe) => files.make(recipe))) })
-    problem.hidden = true
+    await figure.setState({ ...rest, circles })
+    if (turn === lastTurn) problem.hidden = true
   } catch (error) {
+    if (turn !== lastTurn) return
     problem.textContent = (error as Error).message
     problem.hidden = false
   }

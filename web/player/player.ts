@@ -358,6 +358,14 @@ class MethodPlayer implements Player {
   }
 
   #draw(): void {
+    const focused = this.#root.querySelector(':focus')
+    this.#drawParts()
+    // The focus of a button that is disabled or gone would fall to the body.
+    const isLost = focused !== null && (!focused.isConnected || focused.matches(':disabled'))
+    if (isLost) this.#root.querySelector('input')?.focus()
+  }
+
+  #drawParts(): void {
     const { trace, steps, step } = this.#now()
     if (trace === undefined) {
       this.#view.above = []
@@ -427,7 +435,6 @@ class MethodPlayer implements Player {
     const last = steps.length - 1
     const isPlaying = this.#isPlaying
     const sentence = sentenceOf(trace, current, tested)
-    const said = `Step ${step} of ${last}: ${sentence}`
     return html`
       <span data-probe hidden></span>
       <div class="head">
@@ -436,7 +443,7 @@ class MethodPlayer implements Player {
         <input
           type="range"
           aria-label="Step"
-          aria-valuetext=${said}
+          aria-valuetext=${`Step ${step} of ${last}`}
           min="0"
           max=${last}
           .value=${String(step)}

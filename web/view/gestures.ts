@@ -150,6 +150,7 @@ export function gesturesOf(view: View, hands: Hands) {
     const { x, y } = planeAt(from)
     let added: Promise<readonly number[]> | undefined
     let last: Circle = { x, y, r: 0 }
+    let isCancelled = false
     const circleTo = (to: Point, snaps: boolean): Circle => {
       const point = planeAt(to)
       const circle = { x, y, r: Math.hypot(point.x - x, point.y - y) }
@@ -162,11 +163,15 @@ export function gesturesOf(view: View, hands: Hands) {
         const isFirst = added === undefined
         added ??= hands.add([circle], gesture)
         added.then(([id]) => {
-          if (id !== undefined && (isFirst || circle === last)) hands.set([{ id, circle: last }], gesture)
+          const isWanted = !isCancelled && (isFirst || circle === last)
+          if (id !== undefined && isWanted) hands.set([{ id, circle: last }], gesture)
         })
       },
       click: () => hands.addFitting({ x, y }),
-      cancel: () => hands.cancel(gesture),
+      cancel() {
+        isCancelled = true
+        hands.cancel(gesture)
+      },
     }
   }
 

@@ -76,7 +76,9 @@ export class PlainHands implements Hands {
 
   async add(circles: readonly Circle[]): Promise<readonly number[]> {
     if (!this.#isEditable) return []
-    return [...(await this.#view.apply(circles.map((circle) => ({ kind: 'insert', circle })))).inserted]
+    // What is refused is told as an event.
+    const edited = await this.#view.apply(circles.map((circle) => ({ kind: 'insert', circle }))).catch(() => undefined)
+    return [...(edited?.inserted ?? [])]
   }
 
   async fitted({ x, y }: Point): Promise<Circle | undefined> {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { refuseArgument, shown } from '../lib/check.ts'
 import type { Point } from '../lib/index.ts'
 import type { LayerValue } from '../lib/link.ts'
 
@@ -168,6 +169,28 @@ export function layersFrom(kept: unknown): Layers {
   const { from, to } = (path ?? {}) as Readonly<Record<string, unknown>>
   if (isPoint(from) && isPoint(to)) layers.path = { from: { x: from.x, y: from.y }, to: { x: to.x, y: to.y } }
   return layers as unknown as Layers
+}
+
+/** @throws CircleVoronoiError `badArgument`, of what could not be drawn, which would end the thread that draws */
+export function checkLayers(layers: Layers): void {
+  const known = layersFrom(layers)
+  for (const name of ['cells', 'nearZero', 'maxDistance', 'candidates', 'sampleCount'] as const) {
+    if (layers[name] !== known[name]) refuseArgument(`The layer ${name} cannot be ${shown(layers[name])}.`)
+  }
+  if (layers.path !== undefined && known.path === undefined) {
+    refuseArgument(`The layer path goes from a point { x, y } to another one.`)
+  }
+  if (!Array.isArray(layers.data) || !layers.data.every(isData)) {
+    refuseArgument('The layer data is an array of objects whose points, segments and discs are arrays of numbers.')
+  }
+}
+
+function isData(layer: unknown): boolean {
+  if (typeof layer !== 'object' || layer === null) return false
+  const { points, segments, discs } = layer as Partial<DataLayer>
+  return [points, segments, discs].every(
+    (list) => list === undefined || Array.isArray(list) || ArrayBuffer.isView(list),
+  )
 }
 
 function isNumber(value: unknown): value is number {

@@ -4,7 +4,7 @@ import type { LoadOptions } from '../lib/load-options.ts'
 import { boundingBox, type Camera, fitted } from './camera.ts'
 import type { Hands } from './gestures.ts'
 import { PlainHands } from './hands.ts'
-import type { Layers } from './layers.ts'
+import { checkLayers, DEFAULT_LAYERS, type Layers } from './layers.ts'
 import { Painter } from './painter.ts'
 import { type Listening, listenToPointer } from './pointer.ts'
 import { View } from './view.ts'
@@ -31,9 +31,12 @@ let shared: { painter: Painter; views: number } | undefined
 /**
  * Shows circles and their diagram in an element, which keeps its own size. Many may be on one page: nothing is shared but the
  * thread that computes and paints, and nothing outside of the element is touched or listened to but the colour scheme.
+ *
+ * @throws CircleVoronoiError `badArgument`, as `View.setLayers`
  */
 export function mount(container: HTMLElement, options: MountOptions = {}): View {
   const { circles, layers, camera, gestures = 'edit', ...load } = options
+  checkLayers({ ...DEFAULT_LAYERS, ...layers })
   shared ??= { painter: new Painter(load), views: 0 }
   const { painter } = shared
   shared.views += 1

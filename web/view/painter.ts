@@ -40,6 +40,8 @@ export interface Edited {
 export interface PictureEvents {
   painted(painted: Painted): void
   marked(marks: Marks): void
+  /** Nothing else is known of them, but their outlines are those of what is looked at now. */
+  outlined(marks: Marks): void
   /** `undefined`: what was found is that of other circles, and something else will be. */
   found(found: Found | undefined): void
 }
@@ -51,6 +53,12 @@ interface Waiting {
   readonly message: Extract<ToPainter, { kind: 'open' | 'edit' }>
   resolve(edited: Edited): void
   reject(error: unknown): void
+}
+
+/** What was asked without a change of circles. */
+interface Asked {
+  readonly scene: Scene
+  resolve(answer: undefined): void
 }
 
 interface Scene {
@@ -71,7 +79,7 @@ interface Scene {
 export class Painter {
   readonly #options: LoadOptions
   readonly #scenes = new Map<number, Scene>()
-  readonly #asked = new Map<number, (answer: undefined) => void>()
+  readonly #asked = new Map<number, Asked>()
   #worker: Worker | undefined
   /** Whether the thread has done something that was asked. */
   #hasWorked = false
@@ -97,30 +105,39 @@ export class Painter {
       layers: undefined,
     }
     this.#scenes.set(number, scene)
+    this.#worker?.postMessage({ kind: 'add', scene: number } satisfies ToPainter)
+    const isClosed = () => !this.#scenes.has(number)
     return new PainterScene(number, {
       circle: (id) => scene.log.circle(id),
       post: (message) => {
+        if (isClosed()) return
         if (message.kind === 'look') scene.look = message
         if (message.kind === 'mark') scene.mark = message
         if (message.kind === 'layers') scene.layers = message
-        if (message.kind === 'close') this.#scenes.delete(number)
+        if (message.kind === 'close') {
+          this.#scenes.delete(number)
+          this.#leave(scene, DISPOSED)
+        }
         this.#worker?.postMessage(message)
       },
       edited: (message) =>
         new Promise((resolve, reject) => {
-          if (this.#worker === undefined && !this.#isDisposed) this.#start()
           scene.waiting.set(message.revision, { message, resolve, reject })
-          if (this.#worker === undefined) this.#rejectAll('it was disposed of')
-          else this.#worker.postMessage(message)
+          if (isClosed() || this.#isDisposed) {
+            this.#leave(scene, DISPOSED)
+            return
+          }
+          if (this.#worker === undefined) this.#start()
+          this.#worker?.postMessage(message)
         }),
       ask: (message) =>
         new Promise((resolve) => {
-          if (this.#worker === undefined) {
+          if (this.#worker === undefined || isClosed()) {
             resolve(undefined)
             return
           }
           this.#lastRequest += 1
-          this.#asked.set(this.#lastRequest, resolve as (answer: undefined) => void)
+          this.#asked.set(this.#lastRequest, { scene, resolve: resolve as (answer: undefined) => void })
           this.#worker.postMessage({ ...message, request: this.#lastRequest })
         }),
     })
@@ -129,7 +146,7 @@ export class Painter {
   /** Ends the thread, and with it all views. */
   dispose(): void {
     this.#isDisposed = true
-    this.#stop('it was disposed of')
+    this.#stop(DISPOSED)
   }
 
   #start(): void {
@@ -150,6 +167,7 @@ export class Painter {
     )
     for (const [scene, { log, look, mark, layers }] of this.#scenes) {
       const known = { scene, revision: RESTORED }
+      worker.postMessage({ kind: 'add', scene } satisfies ToPainter)
       if (layers !== undefined) worker.postMessage(layers)
       worker.postMessage({ kind: 'open', circles: log.opened, ...known } satisfies ToPainter)
       worker.postMessage({ kind: 'edit', edits: log.edits(), ...known } satisfies ToPainter)
@@ -160,16 +178,18 @@ export class Painter {
 
   #receive(message: Exclude<FromPainter, { kind: 'failed' }>): void {
     if ('request' in message) {
-      this.#asked.get(message.request)?.(message as never)
+      this.#hasWorked = true
+      this.#asked.get(message.request)?.resolve(message as never)
       this.#asked.delete(message.request)
       return
     }
     const scene = this.#scenes.get(message.scene)
     if (scene === undefined) return
     if (message.kind === 'marked' || message.kind === 'edited') scene.events.marked(message.marks)
+    if (message.kind === 'outlined') scene.events.outlined(message.marks)
     if (message.kind === 'painted' || message.kind === 'edited') scene.events.painted(message)
     if (message.kind === 'edited' || message.kind === 'found') scene.events.found(message.found)
-    if (message.kind === 'painted' || message.kind === 'marked' || message.kind === 'found') return
+    if (!('revision' in message)) return
     const waiting = scene.waiting.get(message.revision)
     if (waiting === undefined) return
     this.#hasWorked = true
@@ -193,19 +213,23 @@ export class Painter {
   #stop(reason: string): void {
     this.#worker?.terminate()
     this.#worker = undefined
-    for (const resolve of this.#asked.values()) resolve(undefined)
-    this.#asked.clear()
-    this.#rejectAll(reason)
+    for (const scene of this.#scenes.values()) this.#leave(scene, reason)
   }
 
-  #rejectAll(reason: string): void {
-    const failure = new Error(`The diagram could not be computed: ${reason}.`)
-    for (const { waiting } of this.#scenes.values()) {
-      for (const { reject } of waiting.values()) reject(failure)
-      waiting.clear()
+  /** There will be no answers for a scene. */
+  #leave(scene: Scene, reason: string): void {
+    for (const [request, asked] of this.#asked) {
+      if (asked.scene !== scene) continue
+      this.#asked.delete(request)
+      asked.resolve(undefined)
     }
+    const failure = new Error(`The diagram could not be computed: ${reason}.`)
+    for (const { reject } of scene.waiting.values()) reject(failure)
+    scene.waiting.clear()
   }
 }
+
+const DISPOSED = 'it was disposed of'
 
 /** The revision of what a new thread is told of old circles. */
 const RESTORED = 0
@@ -273,16 +297,16 @@ export class PainterScene {
     return this.#line.circle(id)
   }
 
-  /** What a frame shows, without what stands out: the elements of an SVG. */
+  /** What a frame shows, without what stands out: the elements of an SVG. `undefined`: it could not be drawn. */
   async svg(frame: Frame, pixelRatio: number, style: Style): Promise<string | undefined> {
     const message = { kind: 'draw', scene: this.#scene, as: 'svg', frame, pixelRatio, style }
-    return (await this.#line.ask<{ svg: string }>(message))?.svg
+    return (await this.#line.ask<{ drawing: string | undefined }>(message))?.drawing
   }
 
   /** The same in pixels. */
   async image(frame: Frame, pixelRatio: number, style: Style): Promise<ImageBitmap | undefined> {
     const message = { kind: 'draw', scene: this.#scene, as: 'image', frame, pixelRatio, style }
-    return (await this.#line.ask<{ image: ImageBitmap }>(message))?.image
+    return (await this.#line.ask<{ drawing: ImageBitmap | undefined }>(message))?.drawing
   }
 
   /** How cells are distributed: a moment later, where there are many. `undefined`: the thread has failed. */
@@ -339,6 +363,7 @@ export class PainterScene {
     this.#line.post({ kind: 'mark', scene: this.#scene, selected, hovered })
   }
 
+  /** Ends what is asked of it, and all that is asked later. */
   close(): void {
     this.#line.post({ kind: 'close', scene: this.#scene })
   }

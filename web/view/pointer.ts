@@ -49,6 +49,8 @@ export function listenToPointer(
   const letsPageScroll = isGrabbed !== undefined
   /** Whether the wheel is the view's. */
   let isActive = !letsPageScroll
+  /** Whether the pointer is above the element, without a press. */
+  let isHovering = false
   /** What was pressed and is not known yet. */
   let pending: Promise<unknown> | undefined
 
@@ -201,9 +203,11 @@ export function listenToPointer(
     const point = pointOf(event)
     if (!pressed.has(event.pointerId)) {
       if (event.pointerType === 'touch') return
+      isHovering = true
       view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
       hitAt(point, event.pointerType).then((hit) => {
-        if (pressed.size > 0) return
+        // It may come after the pointer has left.
+        if (pressed.size > 0 || !isHovering) return
         hands.hover(hit?.id)
         if (hands.tool === 'select' && view.handleAt(point, 0) !== undefined) element.dataset.cursor = 'scale'
         else showCursor(hit)
@@ -233,6 +237,7 @@ export function listenToPointer(
   })
   on('pointerleave', () => {
     isActive = !letsPageScroll
+    isHovering = false
     hands.hover(undefined)
     view.touch(undefined, 0)
   })
@@ -276,7 +281,11 @@ export function listenToPointer(
     get pending() {
       return pending
     },
-    stop: () => listeners.abort(),
+    stop() {
+      listeners.abort()
+      isHovering = false
+      end(undefined)
+    },
   }
 }
 

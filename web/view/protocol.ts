@@ -55,6 +55,8 @@ export interface Wish {
 
 export type ToPainter =
   | { readonly kind: 'start'; readonly module: CompiledWasm }
+  /** A scene without circles. What is for none that is there is not heard. */
+  | { readonly kind: 'add'; readonly scene: number }
   /** Other circles; circle i gets id i. */
   | { readonly kind: 'open'; readonly scene: number; readonly revision: number; readonly circles: Float64Array }
   /** All or none. */
@@ -156,7 +158,6 @@ export type FromPainter =
   | {
       readonly kind: 'painted'
       readonly scene: number
-      readonly revision: number
       readonly grid: number
       readonly patches: readonly Patch[]
       /** The wish that is painted. */
@@ -167,8 +168,8 @@ export type FromPainter =
   | { readonly kind: 'hit'; readonly request: number; readonly hit: Hit | undefined }
   | { readonly kind: 'touched'; readonly request: number; readonly touching: Touching | undefined }
   | { readonly kind: 'tried'; readonly request: number; readonly trial: Trial | undefined }
-  | { readonly kind: 'drawn'; readonly request: number; readonly svg: string }
-  | { readonly kind: 'drawn'; readonly request: number; readonly image: ImageBitmap }
+  /** The elements of an SVG, or an image; `undefined`: it could not be drawn. */
+  | { readonly kind: 'drawn'; readonly request: number; readonly drawing: string | ImageBitmap | undefined }
   | { readonly kind: 'measured'; readonly request: number; readonly distribution: Distribution }
   | { readonly kind: 'tabulated'; readonly request: number; readonly table: Tabulated }
   | { readonly kind: 'told'; readonly request: number; readonly facts: Facts }
@@ -181,8 +182,10 @@ export type FromPainter =
       readonly circle: number
       readonly message: string
     }
-  | { readonly kind: 'found'; readonly scene: number; readonly revision: number; readonly found: Found }
+  | { readonly kind: 'found'; readonly scene: number; readonly found: Found }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
+  /** The same, with outlines for what is looked at now. */
+  | { readonly kind: 'outlined'; readonly scene: number; readonly marks: Marks }
   /** The thread cannot go on. */
   | { readonly kind: 'failed'; readonly message: string }
 

@@ -3,11 +3,12 @@ import type { Box, Circle, Edit, Options, Point } from '../lib/index.ts'
 import type { TraceOptions } from '../lib/trace.ts'
 import { BasePicture } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
-import { type AboveLayer, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'
+import { type AboveLayer, checkLayers, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'
 import { drawOverlay, HANDLE_RADIUS, handleOf, NOTHING_STANDS_OUT, type StandingOut } from './overlay.ts'
 import { CanvasDrawing, type Drawing, SvgDrawing, svgOf } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Edited, Painter, PainterScene } from './painter.ts'
+import { pictureFrame } from './picture-frame.ts'
 import type {
   Column,
   Computed,
@@ -112,6 +113,8 @@ export class View {
     this.#scene = painter.add({
       painted: (painted) => {
         this.#picture.put(painted)
+        // It was that of the circles before.
+        if (painted.kind === 'edited') this.#touching = undefined
         this.#baseChanged = true
         this.#schedule()
       },
@@ -120,13 +123,11 @@ export class View {
         this.#overlayChanges()
         this.#tell('marked', marks)
       },
-      found: (found) => {
-        this.#found = found
-        // It was that of the circles before.
-        this.#touching = undefined
+      outlined: (marks) => {
+        this.#marks = marks
         this.#overlayChanges()
-        this.#tell('found', found)
       },
+      found: (found) => this.#findingChanges(found),
     })
     this.#observer = new ResizeObserver(() => this.#sizeChanges())
     this.#observer.observe(container)
@@ -141,9 +142,11 @@ export class View {
    */
   setCircles(circles: Float64Array): Promise<Edited> {
     this.#picture.clear()
-    this.#touching = undefined
-    this.#found = undefined
-    const opened = this.#scene.open(circles)
+    const opened = this.#scene.open(circles).then((edited) => {
+      this.#touching = undefined
+      this.#findingChanges(undefined)
+      return edited
+    })
     this.#see()
     // What is there stays until there is more, but it is no longer all.
     this.#schedule()
@@ -246,9 +249,14 @@ export class View {
     return this.#hasDiagram ? this.#layers : withoutDiagram(this.#layers)
   }
 
-  /** Draws something else, or something more; layers that are not named stay. */
+  /**
+   * Draws something else, or something more; layers that are not named stay.
+   *
+   * @throws CircleVoronoiError `badArgument`, if there is nothing that could be drawn of one; then all stays as it was
+   */
   setLayers(change: Partial<Layers>): void {
     const layers = { ...this.#layers, ...change }
+    checkLayers(layers)
     this.#layers = layers
     this.#drawLayers()
     this.#tell('layers', layers)
@@ -313,14 +321,13 @@ export class View {
     return svgOf(width, height, [elements, String(above)])
   }
 
-  /** The same as a PNG of `scale` pixels for each CSS pixel. */
+  /**
+   * The same as a PNG of `scale` pixels for each CSS pixel.
+   *
+   * @throws CircleVoronoiError `badArgument`, if no browser could draw it
+   */
   async toPNG(scale = devicePixelRatio): Promise<Blob> {
-    const frame = {
-      ...this.#camera,
-      scale: this.#camera.scale * scale,
-      width: Math.max(Math.round(this.#size.width * scale), 1),
-      height: Math.max(Math.round(this.#size.height * scale), 1),
-    }
+    const frame = pictureFrame(this.#camera, this.#size, scale)
     const image = await this.#scene.image(frame, scale, this.#style)
     if (image === undefined) throw new Error(NOT_DRAWN)
     const canvas = new OffscreenCanvas(frame.width, frame.height)
@@ -396,7 +403,9 @@ export class View {
     return style
   }
 
+  /** Ends all that was asked; nothing is told of that, nor anything else. */
   dispose(): void {
+    for (const listeners of Object.values(this.#listeners)) listeners.clear()
     this.#observer.disconnect()
     cancelAnimationFrame(this.#frame)
     clearTimeout(this.#rest)
@@ -432,7 +441,8 @@ export class View {
   }
 
   #schedule(): void {
-    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#draw())
+    const isDisposed = this.#watching.signal.aborted
+    if (this.#frame === 0 && !isDisposed) this.#frame = requestAnimationFrame(() => this.#draw())
   }
 
   #draw(): void {
@@ -466,6 +476,12 @@ export class View {
     const marks = this.#hasDiagram ? standingOut.marks : withoutCells(standingOut.marks)
     const above = { found: this.#found, layers: this.#drawnLayers, above: this.#above, ...standingOut, marks }
     drawOverlay(drawing, frame, pixelRatio, this.#style, above)
+  }
+
+  #findingChanges(found: Found | undefined): void {
+    this.#found = found
+    this.#overlayChanges()
+    this.#tell('found', found)
   }
 
   #overlayChanges(): void {

@@ -13,6 +13,10 @@ export class Histogram {
     this.place = place
   }
 
+  dispose(): void {
+    this.#plot?.destroy()
+  }
+
   /** The bar of class k is in the middle between k + `first` and k + 1 + `first` times `step`. */
   show(counts: Int32Array, step: number, first: number): void {
     const style = getComputedStyle(this.place)

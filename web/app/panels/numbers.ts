@@ -37,6 +37,11 @@ export function mountNumbers(store: Store<State>, view: View): void {
 
   const draw = () => {
     folded.render(body)
+    const place = panel.querySelector('.chart')
+    if (charts !== undefined && charts[0].place !== place) {
+      for (const chart of charts) chart.dispose()
+      charts = undefined
+    }
     if (folded.isOpen && distribution !== undefined) drawCharts(distribution)
   }
   const measureAtRest = () => {
@@ -59,9 +64,9 @@ export function mountNumbers(store: Store<State>, view: View): void {
     if (!folded.isOpen) return
     const [areaPlace, degreePlace] = [...panel.querySelectorAll<HTMLElement>('.chart')]
     if (areaPlace === undefined || degreePlace === undefined) return
-    if (charts?.[0].place !== areaPlace) charts = [new Histogram(areaPlace), new Histogram(degreePlace)]
-    charts?.[0].show(areas, areaStep, 0)
-    charts?.[1].show(degrees, 1, -0.5)
+    charts ??= [new Histogram(areaPlace), new Histogram(degreePlace)]
+    charts[0].show(areas, areaStep, 0)
+    charts[1].show(degrees, 1, -0.5)
   }
 
   const compute = async () => {
@@ -110,10 +115,10 @@ function countsOf({ counts }: Edited): TemplateResult {
   ])
 }
 
-function distributionOf({ certificate, medianArea, areaStep, degrees }: Distribution): TemplateResult {
+function distributionOf({ certificate, medianArea, areas, areaStep, degrees }: Distribution): TemplateResult {
   const cells = degrees.reduce((sum, count) => sum + count, 0)
   const mean = cells === 0 ? 0 : degrees.reduce((sum, count, degree) => sum + degree * count, 0) / cells
-  const largest = areaStep * 31
+  const largest = areaStep * (areas.length - 1)
   return html`
     <figure>
       <figcaption>Areas of bounded cells: half are below ${text(medianArea)}</figcaption>

@@ -10,20 +10,24 @@ export function mountStatus(store: Store<State>): void {
   const problem = byId('problem', HTMLParagraphElement)
 
   const hint = byId('hint', HTMLParagraphElement)
+  let edited: State['edited']
+  status.replaceChildren(...statusParts(edited))
 
   store.subscribe((state) => {
     // Whoever has done something knows.
     hint.hidden =
       state.edited === undefined || state.history.done.length > 0 || state.selection.length > 0 || state.problem !== ''
-    status.replaceChildren(...statusParts(state))
+    // It is read out each time.
+    if (state.edited !== edited) status.replaceChildren(...statusParts(state.edited))
+    edited = state.edited
     problem.hidden = state.problem === ''
     if (problem.textContent !== state.problem) problem.textContent = state.problem
   })
 }
 
-function statusParts(state: State): (string | Node)[] {
-  if (state.edited === undefined) return ['Loading …']
-  const { counts, seconds } = state.edited
+function statusParts(edited: State['edited']): (string | Node)[] {
+  if (edited === undefined) return ['Loading …']
+  const { counts, seconds } = edited
   const parts = [
     count(counts.circles, 'circle'),
     count(counts.vertices, 'vertex', 'vertices'),

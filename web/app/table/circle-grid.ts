@@ -13,7 +13,7 @@ import { type CellText, Grid, type GridContent, type Heading } from './grid.ts'
 import { editsOf, notANumber, numberOf, rowsOf, type Written } from './numbers-written.ts'
 import { BY_ID, COLUMNS, type Column, isMeasured, ordered, placesOf, type Sorting } from './order.ts'
 
-/** How long nothing changes before rows are sorted anew, in milliseconds. */
+/** How long nothing changes or is edited before rows are sorted anew, in milliseconds. */
 const REST = 300
 
 const MEASURED: readonly Measured[] = ['area', 'degree', 'gap']
@@ -64,6 +64,7 @@ export class CircleGrid implements GridContent {
   }
 
   dispose(): void {
+    this.#turn += 1
     clearTimeout(this.#rest)
     this.#grid.dispose()
   }
@@ -88,11 +89,11 @@ export class CircleGrid implements GridContent {
   }
 
   isSelected(row: number): boolean {
-    return this.#selected.has(this.#idOf(row))
+    return this.#selected.has(this.idOf(row))
   }
 
   cell(row: number, column: number): CellText {
-    const id = this.#idOf(row)
+    const id = this.idOf(row)
     const name = COLUMNS[column] as Column
     if (name === 'id') return { text: String(id) }
     if (!isMeasured(name)) {
@@ -120,7 +121,7 @@ export class CircleGrid implements GridContent {
   }
 
   choose(row: number, how: 'only' | 'toggle' | 'through'): void {
-    const id = this.#idOf(row)
+    const id = this.idOf(row)
     if (how === 'through') {
       const [from, to] = [Math.min(this.#anchor, row), Math.max(this.#anchor, row)]
       this.#actions.select([...this.#order.subarray(from, to + 1)])
@@ -132,12 +133,15 @@ export class CircleGrid implements GridContent {
     this.#own = this.#store.get().selection
   }
 
-  written(row: number, column: number): string {
-    return String(this.#editing.circles.get(this.#idOf(row))?.[COLUMNS[column] as Written] ?? '')
+  idOf(row: number): number {
+    return this.#order[row] ?? -1
   }
 
-  async write(row: number, column: number, text: string): Promise<boolean> {
-    const id = this.#idOf(row)
+  written(id: number, column: number): string {
+    return String(this.#editing.circles.get(id)?.[COLUMNS[column] as Written] ?? '')
+  }
+
+  async write(id: number, column: number, text: string): Promise<boolean> {
     const circle = this.#editing.circles.get(id)
     // It was deleted meanwhile.
     if (circle === undefined) return true
@@ -178,10 +182,6 @@ export class CircleGrid implements GridContent {
     this.#ask()
   }
 
-  #idOf(row: number): number {
-    return this.#order[row] ?? -1
-  }
-
   #rowOf(id: number): number | undefined {
     const row = this.#places[id] ?? -1
     return row < 0 ? undefined : row
@@ -194,9 +194,8 @@ export class CircleGrid implements GridContent {
     this.#scene = this.#editing.scene
     if (isOpened) this.#measured.clear()
     if (isOther || isOpened) this.#reorder()
-    // While something is dragged, rows stay where they are.
     clearTimeout(this.#rest)
-    if (this.#sorting.column !== 'id') this.#rest = setTimeout(() => this.#sortAgain(), REST)
+    if (this.#sorting.column !== 'id') this.#sortAtRest()
     this.#ask()
     this.#grid.render()
   }
@@ -217,6 +216,12 @@ export class CircleGrid implements GridContent {
     this.#places = new Int32Array(placesOf(this.#order))
   }
 
+  /** While something is dragged or written, rows stay where they are. */
+  #sortAtRest(): void {
+    clearTimeout(this.#rest)
+    this.#rest = setTimeout(() => (this.#grid.isEditing ? this.#sortAtRest() : this.#sortAgain()), REST)
+  }
+
   /** What is selected stays in sight. */
   async #sortAgain(): Promise<void> {
     await this.#sortBy(this.#sorting)
@@ -234,6 +239,10 @@ export class CircleGrid implements GridContent {
       measured = await this.#view.tabulate([sorting.column])
       // Meanwhile something else was asked for.
       if (turn !== this.#turn) return
+    }
+    if (this.#grid.isEditing) {
+      this.#sortAtRest()
+      return
     }
     this.#order = new Int32Array(ordered(this.#editing.circles, sorting, measured))
     this.#places = new Int32Array(placesOf(this.#order))

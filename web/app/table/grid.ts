@@ -25,10 +25,12 @@ export interface GridContent {
   sort(column: number): void
   /** The row became the current one; `how`: as the only one selected, beside others, or all from the last such one on. */
   choose(row: number, how: 'only' | 'toggle' | 'through'): void
+  /** Whose row it is: rows may be others while one is edited. */
+  idOf(row: number): number
   /** What a cell is to be edited as. */
-  written(row: number, column: number): string
+  written(id: number, column: number): string
   /** Reports whether the text was taken. */
-  write(row: number, column: number, text: string): Promise<boolean>
+  write(id: number, column: number, text: string): Promise<boolean>
   paste(row: number, column: number, text: string): void
   /** The rows that are seen are others. */
   seen(first: number, last: number): void
@@ -81,7 +83,7 @@ export class Grid {
       const cell = this.#head.children[column] as HTMLElement
       cell.textContent = name
       cell.title = title
-      cell.id = this.#idOf(HEADING, column)
+      cell.id = this.#elementIdOf(HEADING, column)
     }
     this.#rowHeight = this.#head.offsetHeight
     this.#virtualizer = new Virtualizer<HTMLElement, HTMLElement>({
@@ -98,7 +100,7 @@ export class Grid {
     this.#unmount = this.#virtualizer._didMount()
     this.#virtualizer._willUpdate()
     element.addEventListener('click', (event) => this.#click(event))
-    element.addEventListener('dblclick', () => this.#edit())
+    element.addEventListener('dblclick', (event) => this.#cellAt(event)?.role === 'gridcell' && this.#edit())
     element.addEventListener('keydown', (event) => this.#key(event))
     element.addEventListener('paste', (event) => this.#paste(event))
     this.render()
@@ -159,7 +161,7 @@ export class Grid {
     // What is current has to be there to be read out, and what is edited to be edited.
     if (this.#row >= 0 && !rows.includes(this.#row)) rows.push(this.#row)
     this.#drawRows(rows)
-    this.#element.setAttribute('aria-activedescendant', this.#idOf(this.#row, this.#column))
+    this.#element.setAttribute('aria-activedescendant', this.#elementIdOf(this.#row, this.#column))
     const [first, last] = [items[0]?.index ?? 0, items.at(-1)?.index ?? -1]
     if (first !== this.#seen[0] || last !== this.#seen[1]) this.#content.seen(first, last)
     this.#seen = [first, last]
@@ -181,7 +183,7 @@ export class Grid {
       element.ariaSelected = String(isSelected)
       for (const [column, cell] of [...element.children].entries() as Iterable<[number, HTMLElement]>) {
         const isCurrent = row === this.#row && column === this.#column
-        cell.id = this.#idOf(row, column)
+        cell.id = this.#elementIdOf(row, column)
         cell.classList.toggle('current', isCurrent)
         if (isCurrent && this.#input?.parentElement === cell) continue
         const { text, label } = this.#content.cell(row, column)
@@ -218,13 +220,19 @@ export class Grid {
     return row
   }
 
-  #idOf(row: number, column: number): string {
+  #elementIdOf(row: number, column: number): string {
     return `${this.#prefix}${row}-${column}`
   }
 
-  #click(event: MouseEvent): void {
+  /** Where it is, unless that is edited. */
+  #cellAt(event: MouseEvent): HTMLElement | undefined {
     const cell = (event.target as Element).closest<HTMLElement>('[role=gridcell], [role=columnheader]')
-    if (cell === null || this.#input?.parentElement === cell) return
+    return cell === null || this.#input?.parentElement === cell ? undefined : cell
+  }
+
+  #click(event: MouseEvent): void {
+    const cell = this.#cellAt(event)
+    if (cell === undefined) return
     this.#column = Number(cell.ariaColIndex) - 1
     this.#element.focus()
     if (cell.role === 'columnheader') {
@@ -288,17 +296,18 @@ export class Grid {
     if (this.#row < 0 || this.#row >= this.#content.rows() || headings[this.#column]?.isEditable !== true) return
     this.#virtualizer.scrollToIndex(this.#row, { align: 'auto' })
     this.#draw()
-    const cell = document.getElementById(this.#idOf(this.#row, this.#column)) as HTMLElement
+    const cell = document.getElementById(this.#elementIdOf(this.#row, this.#column)) as HTMLElement
     const input = document.createElement('input')
     input.inputMode = 'decimal'
     input.autocomplete = 'off'
     input.ariaLabel = `${headings[this.#column]?.name} of row ${this.#row + 1}`
-    input.value = typed ?? this.#content.written(this.#row, this.#column)
+    const column = this.#column
+    const id = this.#content.idOf(this.#row)
+    input.value = typed ?? this.#content.written(id, column)
     this.#input = input
     cell.replaceChildren(input)
     input.focus()
     if (typed === undefined) input.select()
-    const [row, column] = [this.#row, this.#column]
     let isWriting = false
     const close = () => {
       if (this.#input === input) this.#input = undefined
@@ -310,7 +319,7 @@ export class Grid {
       if (isWriting || this.#input !== input) return false
       isWriting = true
       const isTaken =
-        input.value === this.#content.written(row, column) || (await this.#content.write(row, column, input.value))
+        input.value === this.#content.written(id, column) || (await this.#content.write(id, column, input.value))
       isWriting = false
       if (isTaken) close()
       else input.ariaInvalid = 'true'

@@ -141,6 +141,11 @@ export class PaintedScene {
     return isAnythingFound(this.#layers)
   }
 
+  /** Whether that has a path, which is as fine as what is looked at. */
+  get isPathFound(): boolean {
+    return this.#layers.path !== undefined
+  }
+
   /** Whether to find that takes no longer than an edit may. */
   get isFoundQuickly(): boolean {
     return this.#findingSeconds < QUICK
@@ -247,12 +252,15 @@ export class PaintedScene {
     return { patches, boxes, inserted: change.inserted, found: this.isFoundQuickly ? this.find() : undefined }
   }
 
-  /** Whether there is anything to paint now. */
-  look({ wish, grid, seen, wanted }: Wish, style: Style): void {
+  /** Looks at something from now on, and says whether that is another box, or of another scale. */
+  look({ wish, grid, seen, wanted }: Wish, style: Style): { isElsewhere: boolean; isOtherScale: boolean } {
     const before = this.#look
     this.#look = { wish, grid, seen, wanted, style }
-    if (before?.grid.id !== grid.id) this.#painted.clear()
+    const isOtherGrid = before?.grid.id !== grid.id
+    if (isOtherGrid) this.#painted.clear()
     this.#queue(seen, wanted)
+    const isElsewhere = isOtherGrid || !isSameBox(before.wanted, wanted)
+    return { isElsewhere, isOtherScale: before?.grid.scale !== grid.scale }
   }
 
   get isWaiting(): boolean {
@@ -309,6 +317,10 @@ export class PaintedScene {
     this.#selected = selected
     this.#hovered = hovered
     return this.marks()
+  }
+
+  get isAnythingMarked(): boolean {
+    return this.#selected !== undefined || this.#hovered !== undefined
   }
 
   /** What is known of the circles that stand out. */
@@ -387,6 +399,10 @@ export class PaintedScene {
 function leastFirst(ring: readonly number[]): number[] {
   const start = ring.indexOf(Math.min(...ring))
   return [...ring.slice(start), ...ring.slice(0, start)]
+}
+
+function isSameBox(one: PixelBox, other: PixelBox): boolean {
+  return keyOf(one) === keyOf(other) && one.width === other.width && one.height === other.height
 }
 
 function keyOf({ left, top }: PixelBox): string {

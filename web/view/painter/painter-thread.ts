@@ -20,7 +20,7 @@ let begin: (library: CircleVoronoi | Promise<CircleVoronoi>) => void
 const library = new Promise<CircleVoronoi>((resolve) => {
   begin = resolve
 })
-const scenes = new Map<number, { readonly scene: PaintedScene; revision: number }>()
+const scenes = new Map<number, PaintedScene>()
 /** What is measured in steps; `begin`: anew, as of a scene that was opened anew. */
 interface Measuring {
   readonly scene: PaintedScene
@@ -46,19 +46,18 @@ export function answerViews(): void {
 }
 
 async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<void> {
-  const known = scenes.get(message.scene) ?? {
-    scene: new PaintedScene(await library),
-    revision: 0,
+  if (message.kind === 'add') {
+    scenes.set(message.scene, new PaintedScene(await library))
+    return
   }
-  scenes.set(message.scene, known)
-  const { scene } = known
+  const scene = scenes.get(message.scene)
+  if (scene === undefined) return
   const start = performance.now()
   switch (message.kind) {
     case 'open':
       try {
         scene.open(message.circles)
         for (const waiting of measuring) if (waiting.scene === scene) waiting.steps = waiting.begin()
-        known.revision = message.revision
         post({
           kind: 'opened',
           scene: message.scene,
@@ -75,7 +74,6 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
     case 'edit':
       try {
         const { patches, boxes, inserted, found } = scene.edit(message.edits)
-        known.revision = message.revision
         post(
           {
             kind: 'edited',
@@ -98,10 +96,16 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
         refuse(message.scene, message.revision, error)
       }
       return
-    case 'look':
-      scene.look(message, message.style)
+    case 'look': {
+      const { isElsewhere, isOtherScale } = scene.look(message, message.style)
       schedule()
+      // What stands out is cut to what is looked at, and as fine as that needs.
+      if (isElsewhere && scene.isAnythingMarked) {
+        post({ kind: 'outlined', scene: message.scene, marks: scene.marks() })
+      }
+      if (isOtherScale && scene.isPathFound) tellFound(message.scene, scene)
       return
+    }
     case 'hit':
       post({ kind: 'hit', request: message.request, hit: scene.hit(message.x, message.y, message.slack) })
       return
@@ -112,18 +116,9 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       post({ kind: 'tried', request: message.request, trial: scene.try(message.circle) })
       return
     case 'draw': {
-      const { request, frame, pixelRatio, style } = message
-      if (message.as === 'svg') {
-        const drawing = new SvgDrawing()
-        scene.draw(drawing, frame, pixelRatio, style)
-        post({ kind: 'drawn', request, svg: String(drawing) })
-        return
-      }
-      const canvas = new OffscreenCanvas(frame.width, frame.height)
-      const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-      scene.draw(new CanvasDrawing(context), frame, pixelRatio, style)
-      const image = canvas.transferToImageBitmap()
-      post({ kind: 'drawn', request, image }, [image])
+      const drawing = drawn(scene, message)
+      const transfer = typeof drawing === 'object' ? [drawing] : []
+      post({ kind: 'drawn', request: message.request, drawing }, transfer)
       return
     }
     case 'measure':
@@ -159,12 +154,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     case 'layers':
       scene.setLayers(message.layers, message.isPainted)
-      // While an end of the path is dragged, what is quick follows.
-      if (scene.isFoundQuickly && !scene.isPowerMissing && !scene.isMethodMissing) {
-        post({ kind: 'found', scene: message.scene, revision: known.revision, found: scene.find() })
-      } else {
-        findAtRest()
-      }
+      tellFound(message.scene, scene)
       return
     case 'mark':
       post({ kind: 'marked', scene: message.scene, marks: scene.mark(message.selected, message.hovered) })
@@ -173,6 +163,35 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       scene.dispose()
       scenes.delete(message.scene)
       measuring = measuring.filter((waiting) => waiting.scene !== scene)
+  }
+}
+
+/** `undefined`: it is too large for a canvas, or for the memory; other scenes go on. */
+function drawn(
+  scene: PaintedScene,
+  { as, frame, pixelRatio, style }: Extract<ToPainter, { kind: 'draw' }>,
+): string | ImageBitmap | undefined {
+  try {
+    if (as === 'svg') {
+      const drawing = new SvgDrawing()
+      scene.draw(drawing, frame, pixelRatio, style)
+      return String(drawing)
+    }
+    const canvas = new OffscreenCanvas(frame.width, frame.height)
+    const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
+    scene.draw(new CanvasDrawing(context), frame, pixelRatio, style)
+    return canvas.transferToImageBitmap()
+  } catch {
+    return undefined
+  }
+}
+
+/** While an end of the path is dragged, what is quick follows. */
+function tellFound(number: number, scene: PaintedScene): void {
+  if (scene.isFoundQuickly && !scene.isPowerMissing && !scene.isMethodMissing) {
+    post({ kind: 'found', scene: number, found: scene.find() })
+  } else {
+    findAtRest()
   }
 }
 
@@ -194,7 +213,7 @@ function schedule(): void {
 function paintSlice(): void {
   isPainting = false
   const end = performance.now() + SLICE
-  for (const [number, { scene, revision }] of scenes) {
+  for (const [number, scene] of scenes) {
     const patches: Patch[] = []
     while (scene.isWaiting && performance.now() < end) {
       const patch = scene.paintNext()
@@ -205,7 +224,6 @@ function paintSlice(): void {
       {
         kind: 'painted',
         scene: number,
-        revision,
         grid: scene.grid,
         patches,
         wish: scene.wish,
@@ -215,7 +233,7 @@ function paintSlice(): void {
     )
   }
   // One scene may have used the time of all.
-  if ([...scenes.values()].some(({ scene }) => scene.isWaiting)) schedule()
+  if ([...scenes.values()].some(({ isWaiting }) => isWaiting)) schedule()
   measure(end)
 }
 
@@ -244,12 +262,12 @@ function findAtRest(): void {
 }
 
 async function findAll(): Promise<void> {
-  for (const [number, { scene, revision }] of scenes) {
+  for (const [number, scene] of scenes) {
     if (scene.isMethodMissing) {
       scene.addMethod()
       schedule()
     }
-    if (scene.isAnythingFound) post({ kind: 'found', scene: number, revision, found: scene.find() })
+    if (scene.isAnythingFound) post({ kind: 'found', scene: number, found: scene.find() })
     if (!scene.isPowerMissing) continue
     comparison ??= import('../../lib/comparison.ts').then(async ({ loadComparison }) => loadComparison(await library))
     const loaded = await comparison.catch(() => undefined)
@@ -259,7 +277,7 @@ async function findAll(): Promise<void> {
       continue
     }
     // Meanwhile it may have been closed, or changed.
-    if (scenes.get(number)?.scene !== scene || !scene.isPowerMissing) continue
+    if (scenes.get(number) !== scene || !scene.isPowerMissing) continue
     scene.addPower(loaded)
     schedule()
   }

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the thread that paints answers, without a browser: its canvases have no pixels.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { compileCircleVoronoi } from '../../web/lib/load-options.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { answerViews } from '../../web/view/painter/painter-thread.ts'
+import type { FromPainter, ToPainter, Wish } from '../../web/view/protocol.ts'
+import { type Style, TINTS } from '../../web/view/style.ts'
+
+const CIRCLES = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
+const LARGEST = 16_384
+/** On a busy machine the thread may take long to start. */
+const SOON = { timeout: 8_000 }
+
+/** Takes whatever is drawn on it. */
+const context: unknown = new Proxy({}, { get: () => () => {}, set: () => true })
+
+class FakeCanvas {
+  readonly width: number
+  constructor(width: number) {
+    if (!(width > 0 && width <= LARGEST)) throw new RangeError('no such canvas')
+    this.width = width
+  }
+  getContext() {
+    return context
+  }
+  transferToImageBitmap() {
+    return { width: this.width }
+  }
+}
+
+class FakePath {
+  moveTo() {}
+  lineTo() {}
+  bezierCurveTo() {}
+  arc() {}
+  closePath() {}
+  addPath() {}
+}
+
+const said: FromPainter[] = []
+const send = (message: ToPainter) => (globalThis as unknown as Worker).onmessage?.({ data: message } as MessageEvent)
+const saidOf = <Kind extends FromPainter['kind']>(kind: Kind) =>
+  said.filter((message) => message.kind === kind) as Extract<FromPainter, { kind: Kind }>[]
+let lastRequest = 0
+const nextRequest = () => ++lastRequest
+/** Until all that was sent is answered. */
+const heard = async (scene: number) => {
+  const request = nextRequest()
+  send({ kind: 'hit', scene, request, x: 0, y: 0, slack: 1 })
+  await vi.waitFor(() => expect(saidOf('hit').some((hit) => hit.request === request)).toBe(true), SOON)
+}
+
+/** What is seen of a square of so many tiles. */
+function wishOf(wish: number, id: number, scale: number, tiles: number): Wish {
+  const size = 256 * tiles
+  const box = { left: -size / 2, top: -size / 2, width: size, height: size }
+  return { wish, grid: { id, x: 0, y: 0, scale, pixelRatio: 1 }, seen: box, wanted: box }
+}
+
+vi.stubGlobal('postMessage', (message: FromPainter) => said.push(message))
+answerViews()
+send({ kind: 'start', module: await compileCircleVoronoi({}) })
+
+beforeEach(() => {
+  vi.stubGlobal('postMessage', (message: FromPainter) => said.push(message))
+  vi.stubGlobal('OffscreenCanvas', FakeCanvas)
+  vi.stubGlobal('Path2D', FakePath)
+  said.length = 0
+})
+afterEach(() => {
+  expect(saidOf('failed')).toEqual([])
+  vi.unstubAllGlobals()
+})
+
+const tints = Array.from({ length: TINTS }, () => 'white')
+const style = new Proxy({}, { get: (_, name) => (name === 'tints' ? tints : 'black') }) as Style
+
+/** Adds a scene and opens circles in it. */
+async function openScene(scene: number): Promise<void> {
+  send({ kind: 'add', scene })
+  send({ kind: 'open', scene, revision: 1, circles: CIRCLES })
+  await heard(scene)
+}
+
+describe('what stands out', () => {
+  it('has other outlines where another box, or another scale, is looked at', async () => {
+    await openScene(1)
+    send({ kind: 'look', scene: 1, style, ...wishOf(1, 1, 10, 1) })
+    send({ kind: 'mark', scene: 1, selected: 0, hovered: undefined })
+    await heard(1)
+    const [first] = saidOf('marked')
+    // The same once more, for other layers.
+    send({ kind: 'look', scene: 1, style, ...wishOf(2, 1, 10, 1) })
+    await heard(1)
+    expect(saidOf('outlined')).toEqual([])
+    send({ kind: 'look', scene: 1, style, ...wishOf(3, 1, 10, 3) })
+    send({ kind: 'look', scene: 1, style, ...wishOf(4, 2, 2, 1) })
+    await heard(1)
+    const told = [first, ...saidOf('outlined')]
+    const reach = told.map((message) => Math.max(...(message?.marks.selected?.outline ?? [])))
+    expect(reach).toHaveLength(3)
+    expect(reach[1]).toBeGreaterThan(reach[0] as number)
+    expect(reach[2]).toBeGreaterThan(reach[1] as number)
+    send({ kind: 'mark', scene: 1, selected: undefined, hovered: undefined })
+    send({ kind: 'look', scene: 1, style, ...wishOf(5, 3, 1, 1) })
+    await heard(1)
+    expect([saidOf('marked').length, saidOf('outlined').length]).toEqual([2, 2])
+    send({ kind: 'close', scene: 1 })
+  })
+
+  it('is as fine as the scale that is looked at: the clearest path, too', async () => {
+    await openScene(2)
+    send({ kind: 'look', scene: 2, style, ...wishOf(1, 1, 1, 1) })
+    const path = { from: { x: -5, y: 8 }, to: { x: 12, y: 8 } }
+    send({ kind: 'layers', scene: 2, layers: { ...DEFAULT_LAYERS, path }, isPainted: true })
+    const pieces = () => saidOf('found').map(({ found }) => found.path?.outline.length ?? 0)
+    // Once for the layers, and once more a moment after the circles came.
+    await vi.waitFor(() => expect(pieces()).toHaveLength(2), SOON)
+    send({ kind: 'look', scene: 2, style, ...wishOf(2, 2, 1e5, 1) })
+    await vi.waitFor(() => expect(pieces()).toHaveLength(3), SOON)
+    expect(pieces()[2]).toBeGreaterThan(pieces()[1] as number)
+    send({ kind: 'close', scene: 2 })
+  })
+})
+
+describe('one scene', () => {
+  it('that cannot be drawn as it was asked for is answered with nothing, and all go on', async () => {
+    await openScene(3)
+    const draw = (width: number, as: 'image' | 'svg') => {
+      const frame = { x: 0, y: 0, scale: 1, width, height: 100 }
+      send({ kind: 'draw', scene: 3, request: nextRequest(), as, frame, pixelRatio: 1, style })
+    }
+    draw(2 * LARGEST, 'image')
+    draw(Number.NaN, 'svg')
+    draw(100, 'image')
+    draw(100, 'svg')
+    await heard(3)
+    expect(saidOf('drawn').map(({ drawing }) => drawing)).toEqual([
+      undefined,
+      undefined,
+      { width: 100 },
+      expect.stringContaining('<'),
+    ])
+    send({ kind: 'close', scene: 3 })
+  })
+
+  it('is there from when it is added to when it is closed: what is for it before or after that is not heard', async () => {
+    const other = 5
+    await openScene(other)
+    const open = () => send({ kind: 'open', scene: 4, revision: 1, circles: CIRCLES })
+    const isOpened = () => saidOf('opened').some(({ scene }) => scene === 4)
+    open()
+    await heard(other)
+    expect(isOpened()).toBe(false)
+    send({ kind: 'add', scene: 4 })
+    send({ kind: 'close', scene: 4 })
+    open()
+    send({ kind: 'mark', scene: 4, selected: 0, hovered: undefined })
+    await heard(other)
+    expect(isOpened()).toBe(false)
+    expect(saidOf('marked')).toEqual([])
+    send({ kind: 'close', scene: other })
+  })
+})

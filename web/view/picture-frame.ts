@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { refuseArgument, shown } from '../lib/check.ts'
+import type { Camera, Size } from './camera.ts'
+import type { Frame } from './painter/frame.ts'
+
+/** Browsers draw no larger pictures: pixels of a side, and all of them. */
+const LONGEST_SIDE = 16_384
+const MOST_PIXELS = 2 ** 27
+
+/**
+ * What a camera sees, in a picture of `scale` pixels for each CSS pixel.
+ *
+ * @throws CircleVoronoiError `badArgument`, if no browser could draw it
+ */
+export function pictureFrame(camera: Camera, { width, height }: Size, scale: number): Frame {
+  if (typeof scale !== 'number' || !(scale > 0)) {
+    refuseArgument(`The scale of a picture is a positive number, not ${shown(scale)}.`)
+  }
+  if (scale * Math.max(width, height) > LONGEST_SIDE || scale * scale * width * height > MOST_PIXELS) {
+    refuseArgument(`A picture ${scale} times as large as this one is too large.`)
+  }
+  const pixels = (length: number) => Math.max(Math.round(length * scale), 1)
+  return { ...camera, scale: camera.scale * scale, width: pixels(width), height: pixels(height) }
+}
