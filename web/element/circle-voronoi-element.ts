@@ -6,7 +6,7 @@ import { CircleVoronoiError } from '../lib/errors.ts'
 import { decodeLink, type LayerValue, type LinkInput, type LinkView } from '../lib/link.ts'
 import type { LoadOptions } from '../lib/load-options.ts'
 import type { Options } from '../lib/options.ts'
-import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
+import { checkLayers, keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import { parseControls, parseLayers, parseStep, parseView } from './attributes.ts'
 import { holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
@@ -268,8 +268,10 @@ export class CircleVoronoiElement extends Base {
   }
 
   set layers(layers: Partial<Layers>) {
-    this.#layers = { ...layersFrom(layers), data: layers.data ?? [] }
-    this.#figure?.view.setLayers(this.#layers)
+    const next = { ...layersFrom(layers), data: layers.data ?? [] }
+    checkLayers(next)
+    this.#layers = next
+    this.#figure?.view.setLayers(next)
   }
 
   /**

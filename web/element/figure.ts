@@ -52,6 +52,7 @@ export class Figure {
   readonly #keys = new AbortController()
   #isShown = true
   #refused: Error | undefined
+  #isDisposed = false
 
   constructor(
     { figure, around, controls, player, said }: Places,
@@ -74,6 +75,8 @@ export class Figure {
         onoutcome(outcome)
       },
       (problem, error) => {
+        // What was asked of a figure that goes is not missed.
+        if (this.#isDisposed) return
         store.update((state) => ({ ...state, problem }))
         this.#refused = error
         onproblem(error)
@@ -160,6 +163,7 @@ export class Figure {
   }
 
   dispose(): void {
+    this.#isDisposed = true
     this.#listening.stop()
     this.#keys.abort()
     this.stepping.dispose()

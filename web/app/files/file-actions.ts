@@ -16,9 +16,6 @@ import { elementCode, embedCode, save } from './saving.ts'
 
 /** Larger files are none that a browser could show. */
 const LARGEST_FILE = 2 ** 28
-/** Browsers draw no larger pictures: pixels of a side, and all of them. */
-const LONGEST_SIDE = 16_384
-const MOST_PIXELS = 2 ** 27
 /** A longer address is none that browsers open. */
 const LONGEST_LINK = 2_000_000
 const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string]>> = {
@@ -80,15 +77,7 @@ export class FileActions {
 
   /** The picture that is seen, so many times as large. */
   async savePicture(scale: number): Promise<void> {
-    await this.#try(async () => {
-      const { width, height } = this.#view.size
-      if (
-        !(scale > 0 && scale * Math.max(width, height) <= LONGEST_SIDE && scale * scale * width * height <= MOST_PIXELS)
-      ) {
-        throw new Error(`A picture ${scale} times as large as this one is too large.`)
-      }
-      save(await this.#view.toPNG(scale), `${this.#name}.png`)
-    })
+    await this.#try(async () => save(await this.#view.toPNG(scale), `${this.#name}.png`))
   }
 
   /** Reports whether it is in the clipboard. */
