@@ -17,7 +17,6 @@ export function blockRenderer(made) {
     printed,
     try: trial,
     question,
-    pictures,
   }
   return (kind, spec, inline) => renderers[kind](spec, inline)
 
@@ -62,7 +61,7 @@ ${help(spec, inline, `<button type="button" class="show" data-circles="${escaped
   }
 
   function element(spec) {
-    const { layers, controls, method, view, check, alt, isReadonly } = spec
+    const { layers, controls, method, view, check, alt } = spec
     const { circles, poster } = made.get(spec.name)
     const attributes = {
       circles: JSON.stringify(circles),
@@ -71,7 +70,6 @@ ${help(spec, inline, `<button type="button" class="show" data-circles="${escaped
       method,
       view: view?.join(' '),
       check: check && JSON.stringify(check),
-      readonly: isReadonly ? '' : undefined,
       alt,
     }
     const written = Object.entries(attributes)
@@ -111,14 +109,6 @@ export function paperFigures({ figures }) {
 
 function range(name, { label, changes, from, to, at, step = 'any' }, inline) {
   return `<label class="slider"><span>${inline(label)}</span> <input type="range" data-figure="${name}" data-changes="${changes}" min="${from}" max="${to}" step="${step}" value="${at}"> <output>${at}</output></label>
-`
-}
-
-/** Pictures beside one another, which are looked at only. */
-function pictures({ list }, inline) {
-  return `<div class="pictures">
-${list.map(({ src, alt, caption }) => `<figure><img src="${src}" alt="${escaped(alt)}" loading="lazy"><figcaption>${inline(caption)}</figcaption></figure>`).join('\n')}
-</div>
 `
 }
 

@@ -5,8 +5,8 @@ import MarkdownIt from 'markdown-it'
 import definitions from 'markdown-it-deflist'
 import temml from 'temml'
 
-/** What is no code to be shown, but something to be touched or looked at. */
-export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed', 'pictures']
+/** What is no code to be shown, but something to be touched. */
+export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed']
 
 /**
  * @param {string} markdown

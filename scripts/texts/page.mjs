@@ -14,7 +14,7 @@ const MAIN = [
 const NAMES = { tutorial: 'Chapters', docs: 'Documentation', api: 'Modules' }
 
 /** Links to the main parts of the site. `root`: its address from the page; `here`: the page's from there. */
-export function linksTo(root, here) {
+function linksTo(root, here) {
   return MAIN.map(({ href, title }) => link({ href: root + href, title }, href === here)).join(' ')
 }
 

@@ -8,7 +8,10 @@ import { ROOT } from '../run.mjs'
 const SIZE = { width: 360, height: 360 }
 const BUNDLE = `${ROOT}build/printed-picture.mjs`
 
-/** @returns {Promise<(circles: number[][], rules: string[]) => { svg: string, sentence: string }>} */
+/**
+ * @returns {Promise<(circles: number[][], figure: { rules: string[], view?: number[] }) => { svg: string, sentence: string }>}
+ *   of the circles of a figure
+ */
 export async function loadPrinted(library) {
   await build({
     entryPoints: [`${ROOT}web/tutorial/printed-picture.ts`],
@@ -22,10 +25,12 @@ export async function loadPrinted(library) {
   const printed = await loadPrintedRules(readFileSync(`${ROOT}web/tutorial/generated/printed.wasm`))
   const style = readFileSync(`${ROOT}web/tutorial/printed.css`, 'utf8')
 
-  return (circles, rules) => {
+  return (circles, { rules, view }) => {
     const coordinates = Float64Array.from(circles.flat())
     const comparison = compare(library.compute(coordinates), printed.run(coordinates, rules))
-    const { viewBox, content } = pictureOf(coordinates, comparison, lookAt(coordinates, undefined, SIZE), SIZE)
+    const [x, y, span] = view ?? []
+    const camera = lookAt(coordinates, view && { x, y, span }, SIZE)
+    const { viewBox, content } = pictureOf(coordinates, comparison, camera, SIZE)
     const svg = `<svg xmlns="http://www.w3.org/2000/svg" class="printed" viewBox="${viewBox}"><style>
 svg { color-scheme: light dark; }
 ${style}</style>${content}</svg>

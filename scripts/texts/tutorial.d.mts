@@ -23,7 +23,7 @@ export interface Chapter {
   readonly title: string
   readonly markdown: string
   readonly blocks: readonly {
-    readonly kind: 'figure' | 'try' | 'question' | 'corrupt' | 'printed' | 'pictures'
+    readonly kind: 'figure' | 'try' | 'question' | 'corrupt' | 'printed'
     readonly spec: Spec
   }[]
 }

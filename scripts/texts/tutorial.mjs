@@ -58,9 +58,9 @@ export async function tutorialTexts(folder) {
     const digits = Math.max(0, Math.ceil(-Math.log10(tolerance)))
     return files.writeDiagram(diagram, { format: 'svg', tolerance, digits, bounds })
   }
-  const printed = ({ name, rules }, circles) => {
-    const { svg, sentence } = printedOf(circles, rules)
-    const poster = `pictures/${name}-printed.svg`
+  const printed = (spec, circles) => {
+    const { svg, sentence } = printedOf(circles, spec)
+    const poster = `pictures/${spec.name}-printed.svg`
     writeFileSync(`${folder}/tutorial/${poster}`, svg)
     return { poster, sentence }
   }

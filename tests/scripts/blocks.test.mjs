@@ -105,7 +105,7 @@ it.each(ownOf('file'))('the file at %s is as the library writes it', (_, { code 
       : [...(Array.isArray(value) ? [] : Object.keys(value)), ...Object.values(value).flatMap(keysOf)]
   const shown = [...code.matchAll(/"(\w+)":/g)].map(([, key]) => key)
   for (const key of shown) expect(keysOf(file), key).toContain(key)
-  for (const key of Object.keys(file)) expect(shown).toContain(key)
+  for (const key of Object.keys({ ...file, ...file.stats })) expect(shown).toContain(key)
 })
 
 it.each(ownOf('folders'))('the folders at %s are there', (_, { code }) => {

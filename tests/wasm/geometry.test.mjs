@@ -82,6 +82,12 @@ for (const { name, circles } of [...fixtures, ...scaled]) {
       const weights = circles.map((value, k) => (k % 3 === 2 ? value - most / 2 : value))
       compare(library.compute(weights, { weights: true }), 'weights')
     })
+
+    it('has the geometry of C++ with one weight far below zero', () => {
+      const size = circles.reduce((most, value) => Math.max(most, Math.abs(value)), 0)
+      const weights = circles.map((value, k) => (k % 3 === 2 ? -(2 ** 52) * size : value))
+      compare(library.compute(weights, { weights: true }), 'weights')
+    })
   })
 }
 

@@ -199,16 +199,25 @@ describe('the outline of a cell', () => {
     expect([area([]), perimeter([]), centroid([])]).toEqual([0, 0, { x: 0, y: 0 }])
   })
 
-  it('is empty for what is no circle', () => {
+  it('is none of what is no circle, and of a hidden one empty', () => {
     const diagram = library.compute(Float64Array.of(0, 0, 1, 5, 0, 1, 2, 7, 1))
     for (const i of [-1, 3, 99]) {
       expect(diagram.cell(i)).toBeUndefined()
-      expect(diagram.neighbors(i)).toHaveLength(0)
-      expect(diagram.contains(i, 0, 0)).toBe(false)
-      for (const ask of [() => diagram.cellPath(i), () => diagram.cellPolygon(i), () => diagram.cellArea(i)]) {
+      const asks = [
+        () => diagram.neighbors(i),
+        () => diagram.contains(i, 0, 0),
+        () => diagram.cellPath(i),
+        () => diagram.cellPolygon(i),
+        () => diagram.cellArea(i),
+      ]
+      for (const ask of asks) {
         expect(ask).toThrow(expect.objectContaining({ code: 'badArgument' }))
       }
     }
+    const nested = library.compute(Float64Array.of(0, 0, 5, 1, 0, 1))
+    expect(nested.neighbors(1)).toHaveLength(0)
+    expect(nested.contains(1, 1, 0)).toBe(false)
+    expect([nested.cellPath(1), nested.cellPolygon(1), nested.cellArea(1)]).toEqual(['', undefined, 0])
   })
 
   it('has two loops where a box cuts the cell apart', () => {

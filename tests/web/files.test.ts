@@ -76,6 +76,13 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     () => f.writeCircles([], { digits: 3 }),
   ],
   ['badInput', 'circles is no Float64Array of 3 numbers each.', () => f.writeDiagram({})],
+  ['badInput', 'circles is no Float64Array of 3 numbers each.', () => f.writeDiagram()],
+  [
+    'badInput',
+    'circles is no Float64Array of 3 numbers each.',
+    () => f.writeDiagram(undefined, { format: 'svg', maxDistance: 1 }),
+  ],
+  ['badInput', 'weights is not true or false, but "no".', () => f.writeDiagram({ ...diagram, weights: 'no' })],
   [
     'badOption',
     'There is no format "xml" for this: the choice is json, csv, stats, svg, geojson, geojsonl, wkt, obj.',
@@ -104,7 +111,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     (tolerance) =>
       [
         'badOption',
-        `The tolerance is a number above 0, not ${tolerance}.`,
+        `The tolerance is a finite number above 0, not ${tolerance}.`,
         () => f.writeDiagram(diagram, { format: 'svg', tolerance }),
       ] as const,
   ),

@@ -41,6 +41,19 @@ describe('find', () => {
     }
   })
 
+  it('finds the nearest centre where all weights are the same and far below zero', () => {
+    const random = seededRandom(5)
+    const weight = -1e15
+    const circles = Float64Array.from({ length: 600 }, (_, k) => (k % 3 === 2 ? weight : 10 * random()))
+    const centres = circles.map((value, k) => (k % 3 === 2 ? 0 : value))
+    const diagram = library.compute(circles, { weights: true })
+    for (let k = 0; k < 2000; k++) {
+      const point = { x: 10 * random(), y: 10 * random() }
+      const found = diagram.find(point.x, point.y)
+      expect(signedDistance(centres, found, point) - leastDistance(centres, point)).toBeLessThanOrEqual(1e-13)
+    }
+  })
+
   it.each([
     ['one circle', [0, 0, 1]],
     ['two circles', [0, 0, 1, 9, 0, 1]],

@@ -3,19 +3,39 @@
 import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import {
+  arcLength,
+  area,
+  bezierPointAt,
+  bisector,
   CircleVoronoiError,
   ConvexPolygon,
+  centroid,
   circleAt,
   clearestPath,
+  clip,
   closestPair,
-  type Diagram,
+  convexHull,
+  cubicBeziers,
+  Diagram,
+  distance,
   edgeAt,
   edgeCurve,
+  exportBox,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscCenteredInHull,
   largestEmptyDiscInside,
   loadCircleVoronoi,
+  mergeVertices,
+  NONE,
+  neighborPairs,
   outline,
+  parameterAt,
+  perimeter,
+  pointAt,
+  polyline,
+  rationalBezier,
+  SvgPath,
+  traceArc,
   vertexAt,
 } from '../../web/lib/index.ts'
 import { createWorker } from '../../web/lib/worker.ts'
@@ -60,6 +80,10 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badArgument', 'contains takes a number as x, not an object.', () => d.contains?.(0, { x: 1, y: 2 })],
   ['badArgument', 'cell takes a number as the index of a circle, not "0".', () => d.cell?.('0')],
   ['badArgument', 'neighbors takes a number as the index of a circle, not "0".', () => d.neighbors?.('0')],
+  ['badArgument', 'neighbors: there is no circle 99; the diagram has 3.', () => diagram.neighbors(99)],
+  ['badArgument', 'neighbors: there is no circle 1.5; the diagram has 3.', () => diagram.neighbors(1.5)],
+  ['badArgument', 'contains: there is no circle 99; the diagram has 3.', () => diagram.contains(99, 0, 0)],
+  ['badArgument', 'contains: there is no circle -1; the diagram has 3.', () => diagram.contains(NONE, 0, 0)],
   ['badArgument', 'cellPath takes a number as the index of a circle, not "0".', () => d.cellPath?.('0')],
   ['badArgument', 'cellArea: there is no circle 3; the diagram has 3.', () => diagram.cellArea(3)],
   ['badArgument', 'edgePath: there is no edge 0.5; the diagram has 3.', () => diagram.edgePath(0.5)],
@@ -67,6 +91,114 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badArgument', 'edgeCurve: there is no edge 9; the diagram has 3.', () => edgeCurve(diagram, 9)],
   ['badArgument', 'vertexAt: there is no vertex -1; the diagram has 1.', () => vertexAt(diagram, -1)],
   ['badArgument', 'circleAt: there is no circle 3; the diagram has 3.', () => circleAt(CIRCLES, 3)],
+  ['badArgument', 'distance: there is no circle 99; the diagram has 3.', () => distance(diagram, 99, 0, 0)],
+  ['badArgument', 'distance takes a number as x, not "0".', () => untyped(distance)(diagram, 0, '0', 0)],
+  ['badArgument', 'distance takes a number as y, not undefined.', () => untyped(distance)(diagram, 0, 0)],
+  ['badArgument', 'bisector: there is no circle 99; the diagram has 3.', () => bisector(CIRCLES, 0, 99)],
+  ['badArgument', 'bisector takes two circles with different centres.', () => bisector(CIRCLES, 0, 0)],
+  [
+    'badArgument',
+    'bisector takes two circles with different centres.',
+    () => bisector(Float64Array.of(1, 2, 3, 1, 2, 4), 0, 1),
+  ],
+  ['badArgument', 'There is no metric "foo".', () => untyped(bisector)(CIRCLES, 0, 1, 'foo')],
+  [
+    'badArgument',
+    'bisector takes a Float64Array of x, y and r for each circle, not an array.',
+    () => untyped(bisector)([0, 0, 1, 6, 0, 1], 0, 1),
+  ],
+  ...[0, -1, Number.POSITIVE_INFINITY, Number.NaN].map(
+    (s) =>
+      [
+        'badArgument',
+        `pointAt takes a finite number above 0 as parameter, not ${s}.`,
+        () => pointAt(bisector(CIRCLES, 0, 1), s),
+      ] as const,
+  ),
+  [
+    'badArgument',
+    'parameterAt takes a number as y, not undefined.',
+    () => untyped(parameterAt)(bisector(CIRCLES, 0, 1), 3),
+  ],
+  ...Object.entries({ rationalBezier, cubicBeziers, polyline, arcLength }).map(
+    ([name, f]) =>
+      [
+        'badArgument',
+        `${name} takes a curve with two ends; clip makes some of one that goes to infinity.`,
+        () => untyped(f)(edgeCurve(diagram, 0), 0.1),
+      ] as const,
+  ),
+  [
+    'badArgument',
+    'traceArc takes a curve with two ends; clip makes some of one that goes to infinity.',
+    () => untyped(traceArc)(new SvgPath(), edgeCurve(diagram, 0), 0.1),
+  ],
+  ...Object.entries({ cubicBeziers, polyline }).flatMap(([name, f]) =>
+    [undefined, Number.NaN, '1'].map(
+      (tolerance) =>
+        [
+          'badArgument',
+          `${name} takes a number as tolerance, not ${JSON.stringify(tolerance)?.replace('null', 'NaN')}.`,
+          () => untyped(f)(clip(edgeCurve(diagram, 0), box)[0], tolerance),
+        ] as const,
+    ),
+  ),
+  [
+    'badArgument',
+    'exportBox takes a Float64Array of x, y and r for each circle, not an array.',
+    () => untyped(exportBox)([[0, 0, 1]]),
+  ],
+  [
+    'badArgument',
+    'exportBox takes three numbers for each circle, but there are 4.',
+    () => exportBox(new Float64Array(4)),
+  ],
+  ['badOption', 'The maximum distance is a number up to 1e152, not NaN.', () => exportBox(CIRCLES, Number.NaN)],
+  ['badArgument', 'mergeVertices takes a number as nearZero, not NaN.', () => mergeVertices(diagram, Number.NaN)],
+  ['badArgument', 'mergeVertices takes a number as nearZero, not "x".', () => untyped(mergeVertices)(diagram, 'x')],
+  ...Object.entries({
+    neighborPairs,
+    closestPair,
+    mergeVertices,
+    convexHull,
+    distance,
+    edgeCurve,
+    edgeAt,
+    vertexAt,
+  }).flatMap(
+    ([name, f]) =>
+      [
+        ['badArgument', `${name} takes a diagram, not undefined.`, () => untyped(f)()],
+        ['badArgument', `${name} takes a diagram, not an object.`, () => untyped(f)({}, 0)],
+      ] as const,
+  ),
+  ['badArgument', 'new Diagram takes a diagram, not undefined.', () => new Diagram(undefined as unknown as Diagram)],
+  ['badInput', 'circles is no Float64Array of 3 numbers each.', () => l.certify?.()],
+  ['badInput', 'circles is no Float64Array of 3 numbers each.', () => l.finalCells?.(undefined, { box, maxRadius: 1 })],
+  ['badInput', 'weights is not true or false, but "no".', () => l.certify?.({ ...diagram, weights: 'no' })],
+  ['badArgument', 'clip takes a curve, not undefined.', () => untyped(clip)(undefined, box)],
+  ['badArgument', 'polyline takes a curve, not undefined.', () => untyped(polyline)()],
+  ['badArgument', 'pointAt takes a bisector, not undefined.', () => untyped(pointAt)()],
+  [
+    'badArgument',
+    'bezierPointAt takes a rational Bezier curve, not undefined.',
+    () => untyped(bezierPointAt)(undefined, 0.5),
+  ],
+  ...Object.entries({ area, centroid, perimeter }).flatMap(([name, f]) =>
+    (
+      [
+        ['undefined', undefined],
+        ['an array', [1]],
+      ] as const
+    ).map(
+      ([said, outline]) =>
+        [
+          'badArgument',
+          `${name} takes an outline, a list of closed loops, not ${said}.`,
+          () => untyped(f)(outline),
+        ] as const,
+    ),
+  ),
   [
     'badArgument',
     'clearestPath takes points { x, y } of finite numbers, not an array.',
@@ -144,7 +276,12 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     'The box is empty, or a coordinate is not finite, or beyond 1e152.',
     () => diagram.render({ bounds: [0, 0, 0, 9] }),
   ],
-  ['badOption', 'The tolerance is a number above 0, not 0.', () => diagram.render({ tolerance: 0 })],
+  ['badOption', 'The tolerance is a finite number above 0, not 0.', () => diagram.render({ tolerance: 0 })],
+  [
+    'badOption',
+    'The tolerance is a finite number above 0, not Infinity.',
+    () => diagram.render({ tolerance: Number.POSITIVE_INFINITY }),
+  ],
   ['badOption', 'The number of digits is a whole number from 0, not -1.', () => diagram.render({ digits: -1 })],
   ['badOption', 'The corners of a polygon are an array of points, not undefined.', () => untyped(ConvexPolygon.from)()],
   [
@@ -210,6 +347,7 @@ describe('is refused with a sentence', () => {
       await expect(loadCircleVoronoi(options as object)).rejects.toThrow(refusal)
       await expect(loadComparison(library, options as object)).rejects.toThrow(refusal)
     }
+    await expect(untyped(loadComparison)()).rejects.toThrow('loadComparison takes a loaded library, not undefined.')
     using worker = createWorker()
     await expect(worker.computeAsync(CIRCLES, { sample: 1 } as object)).rejects.toThrow(refusal)
     await expect(worker.computeAsync(CIRCLES, { signal: 'now' } as object)).rejects.toThrow(refusal)

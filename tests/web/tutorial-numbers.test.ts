@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
-import { type BoundedCurve, edgeCurve, rationalBezier } from '../../web/lib/index.ts'
+import { edgeCurve, pointAt, rationalBezier } from '../../web/lib/index.ts'
 import { library } from './library.ts'
 
 const RESULTS = readFileSync(new URL('../../docs/results.md', import.meta.url), 'utf8')
@@ -44,7 +44,7 @@ const seconds = (time: string) => Number.parseFloat(time) * (/µs/.test(time) ? 
 
 test('chapter 2: a shorter piece of a hyperbola has a weight nearer to 1, and none less', () => {
   expectSaid(2, 'for hyperbolas $w$ is above 1, and the shorter a piece of the same hyperbola, the nearer to 1')
-  const curve = edgeCurve(
+  const { bisector } = edgeCurve(
     library.compute([
       [0, 0, 3],
       [10, 1, 1],
@@ -52,7 +52,10 @@ test('chapter 2: a shorter piece of a hyperbola has a weight nearer to 1, and no
     ]),
     0,
   )
-  const weights = [8, 4, 2, 1.1].map((to) => rationalBezier({ ...curve, from: 1, to } as BoundedCurve).weight)
+  const start = pointAt(bisector, 1)
+  const weights = [8, 4, 2, 1.1].map(
+    (to) => rationalBezier({ bisector, from: 1, to, start, end: pointAt(bisector, to) }).weight,
+  )
   expect(weights).toEqual(weights.toSorted((a, b) => b - a))
   expect(weights.at(-1)).toBeGreaterThan(1)
   expect(weights.at(-1)).toBeLessThan(1.01)
@@ -80,6 +83,13 @@ describe('chapter 4', () => {
   test('two neighbours are six steps apart among the centres', () => {
     expect(figure('layers-between').caption).toContain('from centre to centre it takes six steps')
     expect(measured(/its neighbour is (\d+) steps away/)).toEqual([6])
+  })
+
+  test('one pair of circles has several borders', () => {
+    expectSaid(4, 'a pair of circles with several borders')
+    const { edges } = library.compute(circlesOf(figure('several-edges')))
+    const pairs = Array.from({ length: edges.length / 4 }, (_, e) => `${edges.slice(4 * e, 4 * e + 2).sort()}`)
+    expect(new Set(pairs.filter((pair, e) => pairs.indexOf(pair) < e)).size).toBe(1)
   })
 })
 
@@ -121,6 +131,15 @@ describe('chapter 6', () => {
     expectSaid(6, 'taking the wrong one goes wrong with three circles already')
     expect(measured(/smallest counterexample of this run[^:]*: (\d+) circles/)).toEqual([3])
     expect(figure('third-edge').circles).toHaveLength(3)
+  })
+})
+
+describe('chapter 7', () => {
+  test('how many edges there must be', () => {
+    const { vertices, edges, hull } = library.compute(figure('corrupt').circles as number[][])
+    expectSaid(7, 'these are $2n - 2 - h$ and $3n - 3 - h$')
+    expect([5, hull.length, vertices.length / 3, edges.length / 4]).toEqual([5, 4, 2 * 5 - 2 - 4, 3 * 5 - 3 - 4])
+    expectSaid(7, 'five circles with four edges that go on for ever, as those above, have 3 · 5 − 3 − 4 = 8 edges')
   })
 })
 

@@ -4,6 +4,7 @@ import { describe, expect, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { holds, idsOf, parseCheck } from '../../web/element/check.ts'
+import { distance, edgeCurve, isBoundedCurve } from '../../web/lib/index.ts'
 import { countSamples, sentenceOf } from '../../web/tutorial/count-samples.ts'
 import { compare, loadPrintedRules, RULES, type Rule, sentenceOf as whatOf } from '../../web/tutorial/printed-rules.ts'
 import { layersFrom } from '../../web/view/layers.ts'
@@ -92,10 +93,38 @@ describe('rules as printed', async () => {
     expect(said(circles, ['third'])).toBe('As printed: 2 of 4 borders found, and 1 line where there is no border.')
   })
 
+  test('of the four circles that cross, the first gets an edge with two others in places that the second covers', () => {
+    const { circles = [], caption, answer } = printed.find(([name]) => name === 'crossing-antipodal')?.[1] ?? {}
+    const diagram = library.compute(circles)
+    const found = rules.run(diagram.circles, ['crossing'])
+    const pairs = [...found.segmentCircles, ...found.leftoverCircles]
+    // Two discs for each segment, where it begins and where it ends.
+    const begins = found.segmentDiscs.filter((_, k) => k % 6 < 3)
+    const discs = [...begins, ...found.leftoverDiscs]
+    const covered = Array.from({ length: pairs.length / 2 }, (_, k) => {
+      const [x, y, r] = discs.slice(3 * k, 3 * k + 3) as [number, number, number]
+      const by = [0, 1, 2, 3].filter((i) => distance(diagram, i, x, y) < r - 1e-9)
+      return by.length === 0 ? '' : `${pairs.slice(2 * k, 2 * k + 2).sort()} by ${by}`
+    })
+    expect(new Set(covered)).toEqual(new Set(['', '0,3 by 1', '0,2 by 1']))
+    expect(caption).toContain('Two pairs get an edge')
+    expect(answer).toContain('with the one at the lower left and with the one at the right')
+  })
+
   test('the changes that the captions ask for lead to the right diagram', () => {
     const circlesIn = (name: string) => (printed.find(([its]) => its === name)?.[1].circles ?? []).map((c) => [...c])
-    const [smallest, ...others] = circlesIn('forward') as [number[], ...number[][]]
-    expect(said([[6, 5, smallest[2] as number], ...others], ['side'])).toBe(SAME)
+    const [[x, y, r], ...others] = circlesIn('forward') as [[number, number, number], ...number[][]]
+    for (const distance of [3, 6, 30]) {
+      for (let angle = 0; angle < 2 * Math.PI; angle += 0.05) {
+        const circles = [[x + distance * Math.cos(angle), y + distance * Math.sin(angle), r], ...others]
+        expect(said(circles, ['side'])).toBe(SAME)
+        // A border that begins elsewhere than at an antipodal disc, which is at parameter 1, leads to no vertex.
+        const diagram = library.compute(circles)
+        const curves = Array.from({ length: diagram.edges.length / 4 }, (_, e) => edgeCurve(diagram, e))
+        const late = curves.filter(({ from, to }) => from < to && (from > 1 || to < 1))
+        expect(late.filter(isBoundedCurve)).toEqual([])
+      }
+    }
     const [first, second, third] = circlesIn('third-edge') as [number[], number[], number[]]
     expect(said([first, second, [6, 0, third[2] as number]], ['third'])).toBe(SAME)
   })

@@ -6,6 +6,7 @@
 //
 //     w = (sqrt(to / from) + sqrt(from / to)) / 2.
 import { type Bisector, inPlane, pointAt } from './bisector.ts'
+import { checkBoundedCurve, checkLength, checkNumber, checkThing } from './check.ts'
 import type { BoundedCurve } from './curve.ts'
 import type { PathSink } from './path-sink.ts'
 import { between, type Point } from './point.ts'
@@ -38,24 +39,33 @@ export interface CubicBezier {
 /**
  * A bounded arc exactly.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Curves
  * @example
  * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
  * rationalBezier(arc).weight > 1 // true
  */
-export function rationalBezier({ bisector, from, to, start, end }: BoundedCurve): RationalBezier {
+export function rationalBezier(curve: BoundedCurve): RationalBezier {
+  checkBoundedCurve(curve, 'rationalBezier')
+  const { bisector, from, to, start, end } = curve
   return { start, control: controlPoint(bisector, from, to), end, weight: 1 + excessOf(from, to) }
 }
 
 /**
  * The point at 0 <= u <= 1 of a rational Bezier curve.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Curves
  * @example
  * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
  * bezierPointAt(rationalBezier(arc), 0.5).x.toFixed(6) // '2.000000'
  */
-export function bezierPointAt({ start, control, end, weight }: RationalBezier, u: number): Point {
+export function bezierPointAt(bezier: RationalBezier, u: number): Point {
+  checkThing(bezier, 'weight', 'bezierPointAt', 'a rational Bezier curve')
+  checkNumber(u, 'bezierPointAt', 'u')
+  const { start, control, end, weight } = bezier
   const first = (1 - u) * (1 - u)
   const second = 2 * u * (1 - u) * weight
   const third = u * u
@@ -71,12 +81,16 @@ export function bezierPointAt({ start, control, end, weight }: RationalBezier, u
  * meets it in the middle, or is straight, and is as long as the tolerance allows. A tolerance below 1e-12 of the arc's
  * extent counts as that.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Curves
  * @example
  * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
  * cubicBeziers(arc, 0.1).length // 1
  */
 export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezier[] {
+  checkBoundedCurve(curve, 'cubicBeziers')
+  checkLength(tolerance, 'cubicBeziers', 'tolerance')
   const pieces: CubicBezier[] = []
   let start = curve.start
   const add = (control1: Point, control2: Point, end: Point) => {
@@ -99,6 +113,8 @@ export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezie
 /**
  * Draws a bounded arc, from its start, where the path already is, as the curves of `cubicBeziers`.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Curves
  * @example
  * const [arc] = clip(edgeCurve(diagram, 0), [-5, -5, 10, 10])
@@ -112,6 +128,8 @@ export function traceArc(
   curve: BoundedCurve,
   tolerance: number,
 ): void {
+  checkBoundedCurve(curve, 'traceArc')
+  checkLength(tolerance, 'traceArc', 'tolerance')
   const { bisector, to: last } = curve
   let { from, start } = curve
   if (isNearlyStraight(bisector, from, last, tolerance)) {
@@ -146,9 +164,16 @@ export function traceArc(
  * A bounded arc as the points of a polyline that keeps within `tolerance` of it, two at least, with chords as long as the
  * tolerance allows. A tolerance below 1e-9 of the arc's extent counts as that.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * polyline(arc, 0.1).length > polyline(arc, 1).length // true
  */
 export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
+  checkBoundedCurve(curve, 'polyline')
+  checkLength(tolerance, 'polyline', 'tolerance')
   const { bisector, to } = curve
   const limit = atLeast(1e-9, curve, tolerance)
   const points = [curve.start]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { checkCircles, checkIndex, checkNumber, checkThing, refuseArgument, shown } from './check.ts'
 import { at } from './diagram-data.ts'
-import type { Metric } from './metric.ts'
+import { METRICS, type Metric } from './metric.ts'
 import { between, dot, length, type Point, type Vector } from './point.ts'
 import { largestOf, lengthOf, measuredIn, powerOfTwoIn, unitFor } from './scale.ts'
 
@@ -60,11 +61,24 @@ const FARTHEST_APEX = 1e300
 /**
  * The bisector of two circles with cells; `circles`: x, y, r each.
  *
+ * @throws CircleVoronoiError `badArgument`, if there are no such circles, or they have one centre, or of an unknown metric
+ *
  * @category Curves
  * @example
  * bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1).apex // 1.5
  */
 export function bisector(circles: Float64Array, left: number, right: number, metric: Metric = 'circles'): Bisector {
+  checkCircles(circles, 'bisector')
+  checkIndex(left, circles.length / 3, 'bisector', 'circle')
+  checkIndex(right, circles.length / 3, 'bisector', 'circle')
+  if (!METRICS.includes(metric)) refuseArgument(`There is no metric ${shown(metric)}.`)
+  const isSame = (k: number) => circles[3 * left + k] === circles[3 * right + k]
+  if (isSame(0) && isSame(1)) refuseArgument('bisector takes two circles with different centres.')
+  return bisectorOf(circles, left, right, metric)
+}
+
+/** The same of checked arguments. */
+export function bisectorOf(circles: Float64Array, left: number, right: number, metric: Metric): Bisector {
   const leftCentre = { x: at(circles, 3 * left), y: at(circles, 3 * left + 1) }
   const rightCentre = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
   const leftRadius = at(circles, 3 * left + 2)
@@ -97,11 +111,17 @@ export function bisector(circles: Float64Array, left: number, right: number, met
 /**
  * The point of the bisector with parameter 0 < s < infinity.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Curves
  * @example
  * pointAt(bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1), 1) // { x: 0.5, y: 0 }
  */
 export function pointAt(bisector: Bisector, s: number): Point {
+  checkThing(bisector, 'apex', 'pointAt', 'a bisector')
+  if (!(typeof s === 'number' && s > 0 && s < Number.POSITIVE_INFINITY)) {
+    refuseArgument(`pointAt takes a finite number above 0 as parameter, not ${shown(s)}.`)
+  }
   const { apex, a, b } = bisector
   return inPlane(bisector, apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)), (b * (s - 1 / s)) / 2)
 }
@@ -114,11 +134,17 @@ export function inPlane({ origin, unit, along, across }: Bisector, u: number, v:
 /**
  * The parameter of the point of the bisector next to (x, y), a point on it but for rounding.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Curves
  * @example
  * parameterAt(bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1), 0.5, 0) // 1
  */
-export function parameterAt({ origin, unit, across, apex, a, b }: Bisector, x: number, y: number): number {
+export function parameterAt(bisector: Bisector, x: number, y: number): number {
+  checkThing(bisector, 'apex', 'parameterAt', 'a bisector')
+  checkNumber(x, 'parameterAt', 'x')
+  checkNumber(y, 'parameterAt', 'y')
+  const { origin, unit, across, apex, a, b } = bisector
   const toPoint = measuredIn(unit, between(origin, { x, y }))
   const sine = dot(toPoint, across) / b
   const c = apex + Math.abs(a)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What callers of JavaScript may give in place of what the types ask for: it is refused, in one sentence.
+import { REGION_LIMIT } from './coordinate-limits.ts'
+import type { EdgeCurve } from './curve.ts'
 import type { Diagram } from './diagram.ts'
 import type { DiagramData } from './diagram-data.ts'
 import { CircleVoronoiError } from './errors.ts'
@@ -39,6 +41,12 @@ export function checkNumber(value: unknown, caller: string, name: string): void 
   if (typeof value !== 'number') refuseArgument(`${caller} takes a number as ${name}, not ${shown(value)}.`)
 }
 
+/** @throws CircleVoronoiError `badArgument`, if `length` is no number, or NaN */
+export function checkLength(length: unknown, caller: string, name: string): void {
+  if (Number.isNaN(length)) refuseArgument(`${caller} takes a number as ${name}, not NaN.`)
+  checkNumber(length, caller, name)
+}
+
 /** @throws CircleVoronoiError `badArgument`, if `index` is not one of `count` things */
 export function checkIndex(index: unknown, count: number, caller: string, thing: string): void {
   checkNumber(index, caller, `the index of ${thing === 'edge' ? 'an' : 'a'} ${thing}`)
@@ -51,6 +59,44 @@ export function checkIndex(index: unknown, count: number, caller: string, thing:
 export function checkDiagram(diagram: unknown, caller: string): void {
   if (typeof (diagram as Partial<Diagram> | null | undefined)?.find !== 'function') {
     refuseArgument(`${caller} takes a Diagram, not ${shown(diagram)}; new Diagram(data) makes one of plain data.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `value` is nothing that has a `part`, by which a `thing` is known */
+export function checkThing(value: unknown, part: string, caller: string, thing: string): void {
+  if (typeof value !== 'object' || value === null || !(part in value)) {
+    refuseArgument(`${caller} takes ${thing}, not ${shown(value)}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `data` is no diagram, with or without methods */
+export function checkData(data: unknown, caller: string): void {
+  checkThing(data, 'vertexCircles', caller, 'a diagram')
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `circles` are not x, y and r of each in one array */
+export function checkCircles(circles: unknown, caller: string): void {
+  if (!(circles instanceof Float64Array)) {
+    refuseArgument(`${caller} takes a Float64Array of x, y and r for each circle, not ${shown(circles)}.`)
+  }
+  if (circles.length % 3 !== 0) {
+    refuseArgument(`${caller} takes three numbers for each circle, but there are ${circles.length}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `curve` has no two ends */
+export function checkBoundedCurve(curve: unknown, caller: string): void {
+  checkThing(curve, 'bisector', caller, 'a curve')
+  const { start, end } = curve as EdgeCurve
+  if (start === undefined || end === undefined) {
+    refuseArgument(`${caller} takes a curve with two ends; clip makes some of one that goes to infinity.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `outline` is no list of loops */
+export function checkOutline(outline: unknown, caller: string): void {
+  if (!(Array.isArray(outline) && outline.every(Array.isArray))) {
+    refuseArgument(`${caller} takes an outline, a list of closed loops, not ${shown(outline)}.`)
   }
 }
 
@@ -69,14 +115,27 @@ export function checkMetric({ metric }: DiagramData, caller: string, ...known: r
   }
 }
 
-/** @throws CircleVoronoiError `badOption`, if there is a distance that is no number or that the metric does not measure */
-export function checkMaxDistance({ metric }: DiagramData, caller: string, distance: unknown): void {
+/** @throws CircleVoronoiError `badOption`, if there is a distance that is no number, or beyond those of regions */
+export function checkDistance(distance: unknown): void {
   if (distance === undefined) return
-  if (typeof distance !== 'number' || !(Math.abs(distance) <= 1e152)) {
+  if (typeof distance !== 'number' || !(Math.abs(distance) <= REGION_LIMIT)) {
     refuseOption(`The maximum distance is a number up to 1e152, not ${shown(distance)}.`)
   }
+}
+
+/** @throws CircleVoronoiError `badOption`, if there is such a distance, or one that the metric does not measure */
+export function checkMaxDistance({ metric }: DiagramData, caller: string, distance: unknown): void {
+  if (distance === undefined) return
+  checkDistance(distance)
   if (metric === 'power')
     refuseOption(`${caller} takes no maximum distance of a power diagram, which has no distances.`)
+}
+
+/** @throws CircleVoronoiError `badOption`, if `tolerance` is not finite and above 0 */
+export function checkTolerance(tolerance: unknown): asserts tolerance is number {
+  if (!(Number.isFinite(tolerance) && (tolerance as number) > 0)) {
+    refuseOption(`The tolerance is a finite number above 0, not ${shown(tolerance)}.`)
+  }
 }
 
 /** @throws CircleVoronoiError `badOption`, if there are digits that are no number of them */

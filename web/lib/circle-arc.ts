@@ -40,14 +40,7 @@ export function momentsOverChord({ curve, r }: OutlinePiece, reference: Point, u
   }
 }
 
-/**
- * The points of a polyline that keeps within a tolerance of an arc, two at least: those that divide it evenly.
- *
- * @category Curves
- * @example
- * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
- * polyline(arc, 0.1).length > polyline(arc, 1).length // true
- */
+/** The points of a polyline that keeps within a tolerance of an arc, two at least: those that divide it evenly. */
 export function polyline({ curve, r }: OutlinePiece, tolerance: number): Point[] {
   const least = Math.max(tolerance, FINEST_POLYLINE * r)
   let points: Point[] = [curve.start, curve.end]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { controlPoint } from './bezier.ts'
 import { type Bisector, parameterAtRise, pointAt } from './bisector.ts'
+import { checkThing } from './check.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from './curve.ts'
 import { NONE } from './diagram-data.ts'
@@ -29,11 +30,14 @@ interface Span {
 /**
  * The pieces of an arc inside a region, in order: bounded, and several if the arc leaves the region and comes back.
  *
+ * @throws CircleVoronoiError `badArgument`, `badOption`
+ *
  * @category Curves
  * @example
  * clip(edgeCurve(diagram, 0), [-5, -5, 10, 10]).length // 1
  */
 export function clip(curve: EdgeCurve, bounds: Bounds): BoundedCurve[] {
+  checkThing(curve, 'bisector', 'clip', 'a curve')
   return partsInside(curve, ConvexPolygon.of(bounds)).map((part) => part.curve)
 }
 

@@ -4,6 +4,8 @@
  *
  * @module circle-voronoi/comparison
  */
+import { checkThing } from './check.ts'
+import { COORDINATE_LIMIT } from './coordinate-limits.ts'
 import { type Circles, coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
 import { CircleVoronoiError } from './errors.ts'
@@ -12,9 +14,6 @@ import type { CircleVoronoi } from './library.ts'
 import { checkLoadOptions, type LoadOptions } from './load-options.ts'
 import type { Metric } from './metric.ts'
 import { compileWasm, instantiate, unwrap } from './wasm.ts'
-
-/** The largest coordinate or radius that is accepted (kCoordinateLimit of circle_voronoi/compute.h). */
-const COORDINATE_LIMIT = 1e150
 
 /**
  * Diagrams of the same circles by other distances, to show how they differ.
@@ -41,7 +40,7 @@ export interface Comparison {
  * Loads what makes power diagrams, a WebAssembly module of its own, beside a loaded library.
  *
  * @param options `wasm`: `circle-voronoi-comparison.wasm`. Default: the file beside this module.
- * @throws CircleVoronoiError `notLoaded`
+ * @throws CircleVoronoiError `notLoaded`, `badArgument`, `badOption`
  *
  * @category Comparison
  * @example
@@ -49,6 +48,7 @@ export interface Comparison {
  * computeComparison([[0, 0, 3], [10, 0, 1]], 'power').find(5.2, 0) // 0
  */
 export async function loadComparison(library: CircleVoronoi, options: LoadOptions = {}): Promise<Comparison> {
+  checkThing(library, 'compute', 'loadComparison', 'a loaded library')
   checkLoadOptions(options, 'loadComparison')
   const beside = () => new URL('./generated/circle-voronoi-comparison.wasm', import.meta.url)
   const module = await instantiate(createModule, await compileWasm(options.wasm, beside))

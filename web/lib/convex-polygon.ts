@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { refuseOption, shown } from './check.ts'
+import { REGION_LIMIT } from './coordinate-limits.ts'
 import { between, cross, type Point, type Vector } from './point.ts'
 import { facing, largestOf, turn } from './scale.ts'
 
@@ -14,15 +15,6 @@ export interface Box {
   readonly maxX: number
   readonly maxY: number
 }
-
-/**
- * The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers.
- *
- * @category Cells
- * @example
- * REGION_LIMIT // 1e+152
- */
-export const REGION_LIMIT = 1e152
 
 /**
  * What curves and cells are clipped to: a box, also as `[minX, minY, maxX, maxY]`, or a convex polygon.

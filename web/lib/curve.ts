@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { type Bisector, bisector, exponentialOf, movedApart, parameterAt } from './bisector.ts'
-import { checkIndex } from './check.ts'
+import { type Bisector, bisectorOf, exponentialOf, movedApart, parameterAt } from './bisector.ts'
+import { checkData, checkIndex } from './check.ts'
 import { at, type DiagramData, NONE } from './diagram-data.ts'
 import { between, length, type Point } from './point.ts'
 import { largestOf, lengthOf, measuredIn, unitFor } from './scale.ts'
@@ -57,13 +57,15 @@ export function isBoundedCurve(curve: EdgeCurve): curve is BoundedCurve {
  * curve.bisector.a // 0
  * curve.from < curve.to // true
  */
-export function edgeCurve({ circles, metric, vertices, edges }: DiagramData, edge: number): EdgeCurve {
+export function edgeCurve(diagram: DiagramData, edge: number): EdgeCurve {
+  checkData(diagram, 'edgeCurve')
+  const { circles, metric, vertices, edges } = diagram
   checkIndex(edge, edges.length / 4, 'edgeCurve', 'edge')
   const start = at(edges, 4 * edge + 2)
   const end = at(edges, 4 * edge + 3)
   const startPoint = start === NONE ? undefined : { x: at(vertices, 3 * start), y: at(vertices, 3 * start + 1) }
   const endPoint = end === NONE ? undefined : { x: at(vertices, 3 * end), y: at(vertices, 3 * end + 1) }
-  const whole = bisector(circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
+  const whole = bisectorOf(circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
   const reachOf = (p: Point | undefined) => (p === undefined ? 0 : largestOf(between(whole.origin, p)))
   return arcBetween(movedApart(whole, Math.max(reachOf(startPoint), reachOf(endPoint))), startPoint, endPoint)
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkIndex } from './check.ts'
+import { checkCircles, checkData, checkIndex } from './check.ts'
 import type { Metric } from './metric.ts'
 
 /**
@@ -43,7 +43,7 @@ export interface Circle {
 }
 
 /**
- * A Voronoi vertex: the centre of the disc that touches its three circles from outside. `radius` is signed: it is
+ * A Voronoi vertex: the centre of the disc that touches its three circles from outside. `r` is signed: it is
  * negative where the three circles overlap.
  *
  * @category Diagrams
@@ -241,6 +241,7 @@ export interface SnapshotNumbers {
  * circleAt(diagram.circles, 1) // { x: 6, y: 0, r: 1 }
  */
 export function circleAt(circles: Float64Array, i: number): Circle {
+  checkCircles(circles, 'circleAt')
   checkIndex(i, circles.length / 3, 'circleAt', 'circle')
   return { x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) }
 }
@@ -254,7 +255,9 @@ export function circleAt(circles: Float64Array, i: number): Circle {
  * @example
  * vertexAt(diagram, 0) // { x: 3, y: 4, r: 4 }
  */
-export function vertexAt({ vertices }: DiagramData, v: number): Vertex {
+export function vertexAt(diagram: DiagramData, v: number): Vertex {
+  checkData(diagram, 'vertexAt')
+  const { vertices } = diagram
   checkIndex(v, vertices.length / 3, 'vertexAt', 'vertex')
   return { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1), r: at(vertices, 3 * v + 2) }
 }
@@ -269,7 +272,9 @@ export function vertexAt({ vertices }: DiagramData, v: number): Vertex {
  * const { left, right } = edgeAt(diagram, 0)
  * diagram.neighbors(left).includes(right) // true
  */
-export function edgeAt({ edges }: DiagramData, e: number): Edge {
+export function edgeAt(diagram: DiagramData, e: number): Edge {
+  checkData(diagram, 'edgeAt')
+  const { edges } = diagram
   checkIndex(e, edges.length / 4, 'edgeAt', 'edge')
   return {
     left: at(edges, 4 * e),

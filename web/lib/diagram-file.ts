@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The JSON format of the command line (circle_voronoi/io.h), as values of JavaScript.
 import { shown } from './check.ts'
+import { COORDINATE_LIMIT } from './coordinate-limits.ts'
 import {
   at,
   type Certificate,
@@ -18,8 +19,6 @@ import { METRICS, type Metric } from './metric.ts'
 
 const FORMAT = 'circle-voronoi'
 const VERSION = 1
-/** The largest coordinate or radius that is accepted (kCoordinateLimit of circle_voronoi/compute.h). */
-const COORDINATE_LIMIT = 1e150
 
 /**
  * A diagram as the command line writes and reads it. `metric` is there where it is not `circles`, `weights` where radii are

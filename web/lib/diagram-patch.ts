@@ -2,6 +2,7 @@
 import type { Change } from './change.ts'
 import { refuseArgument } from './check.ts'
 import { at, type DiagramData, type Float64s, type Int32s, NONE, type SnapshotNumbers } from './diagram-data.ts'
+import { before } from './link-sides.ts'
 
 /** What a change leaves of a diagram's arrays. */
 export type PatchedArrays = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats' | 'numbers'> & {
@@ -416,10 +417,7 @@ class Places {
   }
 }
 
-/** The places before and after one of the three of a vertex. */
-function before(slot: number): number {
-  return slot % 3 === 0 ? slot + 2 : slot - 1
-}
+/** The place after one of the three of a vertex, around it. */
 function after(slot: number): number {
   return slot % 3 === 2 ? slot - 2 : slot + 1
 }

@@ -2,7 +2,7 @@
 import type { Limits } from './cell-limits.ts'
 import { Cells } from './cells.ts'
 import type { Change } from './change.ts'
-import { checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from './check.ts'
+import { checkData, checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from './check.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import {
   at,
@@ -31,6 +31,7 @@ import {
 } from './draw-options.ts'
 import { exportBox } from './export-box.ts'
 import { Finder } from './finder.ts'
+import { before } from './link-sides.ts'
 import { area, centroid, perimeter } from './measure.ts'
 import type { Metric } from './metric.ts'
 import { type Outline, outlineOf } from './outline.ts'
@@ -103,6 +104,7 @@ export class Diagram implements DiagramData {
 
   /** Around the arrays of `data`, which are not copied. `recompute`: what `update` calls. */
   constructor(data: DiagramData, recompute?: (circles: Float64s) => DiagramData) {
+    checkData(data, 'new Diagram')
     this.metric = data.metric
     this.weights = data.weights
     this.circles = data.circles
@@ -238,15 +240,16 @@ export class Diagram implements DiagramData {
 
   /**
    * The circles whose cells share an edge with that of circle `i`, counter-clockwise: one recurs if they share several.
+   * None if `i` is hidden.
    */
   neighbors(i: number): Int32Array {
-    checkNumber(i, 'neighbors', 'the index of a circle')
+    this.#checkCircle(i, 'neighbors')
     return this.cells.neighbors(i)
   }
 
   /** Whether (x, y) is in the cell of circle `i`: no circle is nearer, up to rounding. False if `i` is hidden. */
   contains(i: number, x: number, y: number): boolean {
-    checkNumber(i, 'contains', 'the index of a circle')
+    this.#checkCircle(i, 'contains')
     checkNumber(x, 'contains', 'x')
     checkNumber(y, 'contains', 'y')
     return this.cells.contains(i, x, y)
@@ -473,7 +476,7 @@ function halfedgesOf({ vertexCircles, edges, vertexSides }: DiagramData): Int32A
   // Of each side the half-edge that crosses it where it begins: towards its own circle from the one before.
   const crossing = new Int32Array(edges.length / 2).fill(NONE)
   vertexSides.forEach((side, slot) => {
-    crossing[side] = slot % 3 === 0 ? slot + 2 : slot - 1
+    crossing[side] = before(slot)
   })
   const opposite = new Int32Array(vertexCircles.length)
   crossing.forEach((halfedge, side) => {

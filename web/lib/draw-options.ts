@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkDigits, checkOptionNames, refuseOption, shown } from './check.ts'
+import { checkDigits, checkOptionNames, checkTolerance, refuseOption, shown } from './check.ts'
 import type { Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { exportTolerance } from './export-box.ts'
 import type { PathSink } from './path-sink.ts'
@@ -63,12 +63,10 @@ export interface ContextOptions {
  */
 export type DrawOptions = PolygonOptions & (TextOptions | ContextOptions)
 
-/** @throws CircleVoronoiError `badOption`, if the tolerance is not above 0 */
+/** @throws CircleVoronoiError `badOption`, if there is a tolerance that is none */
 export function toleranceOf({ tolerance }: PolygonOptions, region: ConvexPolygon): number {
   if (tolerance === undefined) return exportTolerance(region.box)
-  if (!(typeof tolerance === 'number' && tolerance > 0)) {
-    refuseOption(`The tolerance is a number above 0, not ${shown(tolerance)}.`)
-  }
+  checkTolerance(tolerance)
   return tolerance
 }
 

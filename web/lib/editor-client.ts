@@ -5,7 +5,7 @@ import type { CircleLike } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
 import { type Certificate, type Circle, type DiagramData, type Float64s, type Int32s, NONE } from './diagram-data.ts'
 import { checkedCircle, checkedEdits, checkId, type Edit } from './editor.ts'
-import { CircleVoronoiError, reasonOf } from './errors.ts'
+import { CircleVoronoiError, workerFailure } from './errors.ts'
 import { startThread, type Thread } from './thread.ts'
 import type { CompiledWasm } from './wasm.ts'
 import type { AsyncEditorMethods } from './worker-editor.ts'
@@ -34,7 +34,7 @@ export class EditorClient implements AsyncEditorMethods {
     this.#onEnd = onEnd
     this.#thread = startThread({
       onReply: (reply) => this.#receive(reply),
-      onFailure: (cause) => this.#stop(failed(cause)),
+      onFailure: (cause) => this.#stop(workerFailure(cause)),
     })
     this.#thread.post({ module })
   }
@@ -187,7 +187,3 @@ export class EditorClient implements AsyncEditorMethods {
 
 /** The methods that make a change. */
 const EDITS = ['insert', 'remove', 'replace', 'apply']
-
-function failed(cause: unknown): CircleVoronoiError {
-  return new CircleVoronoiError('internal', -1, `The worker failed: ${reasonOf(cause)}.`, { cause })
-}

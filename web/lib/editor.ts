@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Change } from './change.ts'
 import { checkMetric, checkNumber, refuseArgument, shown } from './check.ts'
+import { COORDINATE_LIMIT } from './coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './coordinates.ts'
 import type { Diagram } from './diagram.ts'
 import { type Certificate, type Circle, type DiagramData, type Float64s, type Int32s, NONE } from './diagram-data.ts'
@@ -157,7 +158,7 @@ export function checkedCircle(circle: CircleLike, id: number): Circle {
     refuse('nonFinite', id, `${who} has a number that is not finite.`)
   }
   if (r < 0) refuse('negativeRadius', id, `${who} has a negative radius.`)
-  if (Math.max(Math.abs(x), Math.abs(y), r) > 1e150) {
+  if (Math.max(Math.abs(x), Math.abs(y), r) > COORDINATE_LIMIT) {
     refuse('coordinateTooLarge', id, `${who} has a coordinate or a radius beyond 1e150.`)
   }
   return { x, y, r }

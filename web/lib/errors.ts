@@ -70,3 +70,8 @@ export class CircleVoronoiError extends Error {
 export function reasonOf(cause: unknown): string {
   return (cause instanceof Error ? cause.message : String(cause)).replace(/\.$/, '')
 }
+
+/** The error of what could not be done because a worker failed. */
+export function workerFailure(cause: unknown): CircleVoronoiError {
+  return new CircleVoronoiError('internal', -1, `The worker failed: ${reasonOf(cause)}.`, { cause })
+}

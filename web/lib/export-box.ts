@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
+import { checkCircles, checkDistance } from './check.ts'
 import type { Box } from './convex-polygon.ts'
 import { at } from './diagram-data.ts'
 
@@ -7,13 +7,18 @@ const MARGIN = 0.05
 const TOLERANCE = 1e-5
 
 /**
- * The box that drawings are clipped to by default: with room for a twentieth of the circles' extent around them.
+ * The box that drawings are clipped to by default: with room for a twentieth of the circles' extent around them, and
+ * before that for a maximum distance around each; `circles`: x, y, r each.
+ *
+ * @throws CircleVoronoiError `badArgument`, `badOption`
  *
  * @category Cells
  * @example
  * exportBox(diagram.circles) // { minX: -1.5, minY: -1.5, maxX: 7.5, maxY: 9.5 }
  */
 export function exportBox(circles: Float64Array, maxDistance = 0): Box {
+  checkCircles(circles, 'exportBox')
+  checkDistance(maxDistance)
   if (circles.length === 0) return { minX: 0, minY: 0, maxX: 1, maxY: 1 }
   let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
   for (let i = 0; i < circles.length; i += 3) {

@@ -4,7 +4,15 @@
  *
  * @module circle-voronoi/files
  */
-import { checkDigits, checkMaxDistance, checkOptionNames, refuseArgument, refuseOption, shown } from './check.ts'
+import {
+  checkDigits,
+  checkMaxDistance,
+  checkOptionNames,
+  checkTolerance,
+  refuseArgument,
+  refuseOption,
+  shown,
+} from './check.ts'
 import { type Box, ConvexPolygon } from './convex-polygon.ts'
 import { type Circles, coordinatesOf } from './coordinates.ts'
 import { Diagram } from './diagram.ts'
@@ -169,13 +177,12 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       const { bounds, maxDistance, tolerance, digits } = options
       if (format === 'stats' && digits !== undefined) refuseOption('The format stats takes no digits.')
       checkDigits(digits)
-      checkMaxDistance(diagram, 'writeDiagram', maxDistance)
-      if (tolerance !== undefined && !(Number.isFinite(tolerance) && tolerance > 0)) {
-        refuseOption(`The tolerance is a number above 0, not ${shown(tolerance)}.`)
-      }
+      if (tolerance !== undefined) checkTolerance(tolerance)
       const sides = bounds === undefined ? undefined : sidesOf(bounds)
+      const arrays = judgedArrays(diagram)
+      checkMaxDistance(diagram, 'writeDiagram', maxDistance)
       const { metric, stats } = diagram
-      const data = { metric, ...judgedArrays(diagram), stats: statsOf(stats) }
+      const data = { metric, ...arrays, stats: statsOf(stats) }
       return decoder.decode(
         unwrap(module.writeDiagram(data, format, { bounds: sides, maxDistance, tolerance, digits })).text,
       )

@@ -210,9 +210,7 @@ export class Finder {
       const toOther = plainDistance(circles, neighbor, x, y)
       const otherR = at(circles, 3 * neighbor + 2)
       let lead = metric === 'centers' ? toCentre - toOther : toCentre - r - (toOther - otherR)
-      // What rounding may decide, here or beyond the range of squares, is asked with care.
-      const isClear = Math.abs(lead) > ROUNDING * (toCentre + toOther + r + otherR) + SMALL
-      if (!isClear || metric === 'power') lead = cells.lead(neighbor, circle, x, y)
+      if (metric === 'power' || !isClear(lead, toCentre, r, toOther, otherR)) lead = cells.lead(neighbor, circle, x, y)
       if (lead > most) {
         most = lead
         nearest = neighbor
@@ -229,7 +227,7 @@ export class Finder {
       const toCentre = plainDistance(circles, circle, x, y)
       const toOther = plainDistance(circles, other, x, y)
       const lead = toOther - otherR - (toCentre - r)
-      if (Math.abs(lead) > ROUNDING * (toCentre + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL) return lead
+      if (isClear(lead, toCentre, r, toOther, otherR)) return lead
     }
     return this.#cells.lead(circle, other, x, y)
   }
@@ -286,6 +284,14 @@ function plainDistance(circles: Float64Array, circle: number, x: number, y: numb
   const dx = x - at(circles, 3 * circle)
   const dy = y - at(circles, 3 * circle + 1)
   return Math.sqrt(dx * dx + dy * dy)
+}
+
+/**
+ * Whether a lead that was found by plain distances is right in its sign. What rounding may decide, here or beyond the range of
+ * squares, is to be asked with care.
+ */
+function isClear(lead: number, toCentre: number, r: number, toOther: number, otherR: number): boolean {
+  return Math.abs(lead) > ROUNDING * (toCentre + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL
 }
 
 /** Whether turning counter-clockwise from `reference` one meets v no later than w. */

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { checkData } from './check.ts'
 import { at, type Circle, circleAt, type DiagramData } from './diagram-data.ts'
 import { between, cross, dot, type Point } from './point.ts'
 import { lengthOf } from './scale.ts'
@@ -40,12 +41,15 @@ const THREE_QUARTER_TURN = 1.5 * Math.PI
  * For the metrics `centers` and `power` it is the hull of the centres. Where weights on the hull are negative, it is that of
  * all circles grown by the amount that makes the least of these a point.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Questions
  * @example
  * convexHull(diagram).arcs.length // 3
  * convexHull(diagram).length.toFixed(4) // '30.2832'
  */
 export function convexHull(diagram: DiagramData): Hull {
+  checkData(diagram, 'convexHull')
   const growth = hullGrowth(diagram)
   const circles = Array.from(diagram.hull, (circle) => hullCircleAt(diagram, circle, growth))
   const count = circles.length

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { shown } from './check.ts'
 import type { DiagramData } from './diagram-data.ts'
 import { CircleVoronoiError } from './errors.ts'
 
@@ -14,10 +15,13 @@ export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' 
 /**
  * The arrays of a diagram as the core takes them: embind would convert whatever it is given.
  *
- * @throws CircleVoronoiError `badInput`, if one has another type or length
+ * @throws CircleVoronoiError `badInput`, if one of them, or `weights`, has another type or length
  */
-export function judgedArrays({ weights = false, circles, ...arrays }: Verifiable) {
+export function judgedArrays(diagram: Verifiable) {
+  // Of what is no object no array is one.
+  const { weights = false, circles, ...arrays }: Verifiable = Object(diagram)
   const { vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = arrays
+  if (typeof weights !== 'boolean') refuse(`weights is not true or false, but ${shown(weights)}.`)
   checkArray('circles', circles, Float64Array, 3)
   checkArray('vertices', vertices, Float64Array, 3)
   checkArray('vertexCircles', vertexCircles, Int32Array, 3)
@@ -37,5 +41,9 @@ function checkArray(
   size: number,
 ): void {
   if (array instanceof type && array.length % size === 0) return
-  throw new CircleVoronoiError('badInput', -1, `${name} is no ${type.name} of ${size} numbers each.`)
+  refuse(`${name} is no ${type.name} of ${size} numbers each.`)
+}
+
+function refuse(message: string): never {
+  throw new CircleVoronoiError('badInput', -1, message)
 }

@@ -109,8 +109,8 @@ export interface CircleVoronoi {
    * there are outside. A cell is final if it is bounded and the discs of its vertices, widened by `maxRadius`, lie within
    * the box.
    *
-   * @throws CircleVoronoiError `badArgument` if the box or the radius is none, or an array has the wrong type or length;
-   *   `badOption` if the box is empty or the radius negative or not finite.
+   * @throws CircleVoronoiError `badArgument` if the box or the radius is none; `badInput` if an array has the wrong type or
+   *   length; `badOption` if the box is empty or the radius negative or not finite.
    */
   finalCells(diagram: Verifiable, known: Known): FinalCells
 }

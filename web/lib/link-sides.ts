@@ -31,8 +31,8 @@ function originOf({ edges }: Parts, side: number): number {
   return at(edges, 4 * (side >> 1) + 2 + (side & 1))
 }
 
-/** The place in front of one of the three of a vertex. */
-function before(slot: number): number {
+/** The place before one of the three of a vertex, around it. */
+export function before(slot: number): number {
   return slot % 3 === 0 ? slot + 2 : slot - 1
 }
 

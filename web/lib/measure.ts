@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Bisector } from './bisector.ts'
 import { carlson } from './carlson.ts'
+import { checkBoundedCurve, checkOutline } from './check.ts'
 import { arcLength as circleArcLength, momentsOverChord as circleMoments, isCircleArc } from './circle-arc.ts'
 import type { BoundedCurve } from './curve.ts'
 import type { Outline, OutlinePiece } from './outline.ts'
@@ -13,11 +14,14 @@ const ROUNDING_OF_AREA = 2 ** -44
 /**
  * Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Cells
  * @example
  * area(outline(diagram, 0, [-5, -5, 10, 10])) // 72
  */
 export function area(outline: Outline): number {
+  checkOutline(outline, 'area')
   const unit = unitFor(extentOf(outline))
   return momentsOf(outline, unit).area * unit * unit
 }
@@ -26,11 +30,14 @@ export function area(outline: Outline): number {
  * The centre of mass, likewise. Of an outline without area but for rounding it is that of its end points; (0, 0) if it is
  * empty.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Cells
  * @example
  * centroid(outline(diagram, 0, [-5, -5, 10, 10])) // { x: -1, y: -0.5 }
  */
 export function centroid(outline: Outline): Point {
+  checkOutline(outline, 'centroid')
   const reference = referenceOf(outline)
   const extent = extentOf(outline)
   const unit = unitFor(extent)
@@ -49,11 +56,14 @@ export function centroid(outline: Outline): Point {
 /**
  * The length of all pieces, likewise (`arcLength`).
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Cells
  * @example
  * perimeter(outline(diagram, 0, [-5, -5, 10, 10])) // 34
  */
 export function perimeter(outline: Outline): number {
+  checkOutline(outline, 'perimeter')
   return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
 }
 
@@ -65,12 +75,16 @@ function lengthOfPiece(piece: OutlinePiece): number {
  * The length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which takes some
  * tens of square roots whatever the arc.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Curves
  * @example
  * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
  * arcLength(arc).toFixed(3) // '18.662'
  */
-export function arcLength({ bisector, from, to, start, end }: BoundedCurve): number {
+export function arcLength(curve: BoundedCurve): number {
+  checkBoundedCurve(curve, 'arcLength')
+  const { bisector, from, to, start, end } = curve
   const { unit, a, b } = bisector
   const chord = lengthOf(between(start, end))
   if (a === 0 || !(to > from)) return chord

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { checkData, checkLength } from './check.ts'
 import { at, type DiagramData, edgeAt, NONE, vertexAt } from './diagram-data.ts'
 import { between } from './point.ts'
 import { lengthOf } from './scale.ts'
@@ -30,6 +31,8 @@ export interface MergedDiagram {
  * each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as long as
  * `nearZero`.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Questions
  * @example
  * const square = library.compute([[0, 0, 1], [4, 0, 1], [4, 4, 1], [0, 4, 1]])
@@ -37,6 +40,8 @@ export interface MergedDiagram {
  * mergeVertices(square).circles // Int32Array(4) [ 0, 1, 2, 3 ]
  */
 export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagram {
+  checkData(diagram, 'mergeVertices')
+  checkLength(nearZero, 'mergeVertices', 'nearZero')
   const { vertices, vertexSides, edges, nextSide } = diagram
   const count = vertices.length / 3
   const edgeCount = edges.length / 4

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the diagram of the metric `circles` tells about its circles, each in linear time but for sorting. The dual's
 // triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
-import { checkMetric } from './check.ts'
+import { checkData, checkMetric } from './check.ts'
 import { at, circleAt, type DiagramData } from './diagram-data.ts'
 import { between } from './point.ts'
 import { lengthOf } from './scale.ts'
@@ -10,11 +10,15 @@ import { lengthOf } from './scale.ts'
  * The pairs of circles whose cells share an edge, the smaller index first, in increasing order, each once: two indices
  * each.
  *
+ * @throws CircleVoronoiError `badArgument`
+ *
  * @category Questions
  * @example
  * neighborPairs(diagram) // Int32Array(6) [ 0, 1, 0, 2, 1, 2 ]
  */
-export function neighborPairs({ circles, edges }: DiagramData): Int32Array {
+export function neighborPairs(diagram: DiagramData): Int32Array {
+  checkData(diagram, 'neighborPairs')
+  const { circles, edges } = diagram
   const count = circles.length / 3
   // As numbers i n + j, which doubles hold exactly.
   const keys = new Float64Array(edges.length / 4).map((_, e) => {
@@ -54,6 +58,7 @@ export interface ClosestPair {
  * closestPair(diagram) // { first: 0, second: 1, gap: 4 }
  */
 export function closestPair(diagram: DiagramData): ClosestPair | undefined {
+  checkData(diagram, 'closestPair')
   checkMetric(diagram, 'closestPair', 'circles')
   const pairs = neighborPairs(diagram)
   let closest: ClosestPair | undefined

@@ -11,7 +11,7 @@ import type { DiagramData } from './diagram-data.ts'
 import type { Disposal } from './disposal.ts'
 import { editedCircles } from './editor.ts'
 import { EditorClient } from './editor-client.ts'
-import { CircleVoronoiError, reasonOf } from './errors.ts'
+import { CircleVoronoiError, workerFailure } from './errors.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load-options.ts'
 import { checkOptions, type Options } from './options.ts'
 import { startThread, type Thread } from './thread.ts'
@@ -173,7 +173,7 @@ class Client implements CircleVoronoiWorker {
     try {
       this.#thread ??= this.#startThread(module)
     } catch (cause) {
-      throw failed(cause)
+      throw workerFailure(cause)
     }
     this.#thread.keepAlive(true)
     this.#thread.post(job.request, [job.request.circles.buffer])
@@ -214,7 +214,7 @@ class Client implements CircleVoronoiWorker {
     const job = this.#running
     this.#stopThread()
     if (job === undefined) return
-    this.#settle(job, () => job.reject(failed(cause)))
+    this.#settle(job, () => job.reject(workerFailure(cause)))
   }
 
   #cancel(job: Job, reason: unknown): void {
@@ -239,10 +239,6 @@ class Client implements CircleVoronoiWorker {
     this.#thread = undefined
     this.#running = undefined
   }
-}
-
-function failed(cause: unknown): CircleVoronoiError {
-  return new CircleVoronoiError('internal', -1, `The worker failed: ${reasonOf(cause)}.`, { cause })
 }
 
 function disposed(): DOMException {

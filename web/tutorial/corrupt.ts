@@ -4,9 +4,9 @@ import type { CircleVoronoiElement } from '../element/index.ts'
 import { type CircleVoronoi, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
 import type { DataLayer } from '../view/layers.ts'
 
-/** What of a diagram can be changed: a number of one of its arrays. */
+/** What of a diagram can be changed: a circle of a vertex. */
 interface Place {
-  readonly array: 'vertexCircles' | 'edges'
+  /** Of `vertexCircles`. */
   readonly index: number
   readonly name: string
 }
@@ -65,7 +65,7 @@ class Corruption {
       ...vertices.map((v) =>
         this.#row(
           `${v}`,
-          [0, 1, 2].map((k) => ({ array: 'vertexCircles', index: 3 * v + k, name: `vertex ${v}, circle ${k + 1}` })),
+          [0, 1, 2].map((k) => ({ index: 3 * v + k, name: `vertex ${v}, circle ${k + 1}` })),
           circles,
           v,
         ),
@@ -91,13 +91,13 @@ class Corruption {
     for (const place of places) {
       const select = this.#page.createElement('select')
       select.setAttribute('aria-label', place.name)
-      const array = (this.#diagram as Diagram)[place.array]
+      const { vertexCircles } = this.#diagram as Diagram
       for (const choice of choices) {
-        const isNow = choice === array[place.index]
+        const isNow = choice === vertexCircles[place.index]
         select.append(new Option(`${choice}`, `${choice}`, isNow, isNow))
       }
       select.addEventListener('change', () => {
-        array[place.index] = Number(select.value)
+        vertexCircles[place.index] = Number(select.value)
         this.#mark(vertex)
         void this.#judge()
       })

@@ -28,7 +28,7 @@ export function slideFigures(page: Document): void {
     const layersAt = LAYERS[changes]
     const slide =
       layersAt === undefined
-        ? radiiOf(figure, SCALES[changes as keyof typeof SCALES], slider.valueAsNumber)
+        ? radiiOf(figure, changes as keyof typeof SCALES, slider.valueAsNumber)
         : (value: number) => {
             figure.layers = { ...figure.layers, ...layersAt(value) }
           }
@@ -40,17 +40,39 @@ export function slideFigures(page: Document): void {
   }
 }
 
-/** Has a slider change all radii. */
-function radiiOf(figure: CircleVoronoiElement, { at, back }: (typeof SCALES)['scale' | 'sum'], start: number) {
+/** Has a slider change all radii: what to do when it comes to a place, from `start`. */
+export function radiiOf(
+  figure: Pick<CircleVoronoiElement, 'circles' | 'updateComplete'>,
+  changes: keyof typeof SCALES,
+  start: number,
+): (value: number) => Promise<void> {
+  const { at, back } = SCALES[changes]
   /** Where the slider changes nothing. */
-  let base: Float64Array | undefined
+  let base = new Float64Array()
   let before = start
-  return (value: number) => {
-    const next = figure.circles.map((number, k) =>
-      k % 3 === 2 ? (back(number, before) ?? base?.[k] ?? number) : number,
-    )
-    base = next
+  let underWay = 0
+  return async (value) => {
+    // A figure that does not have its circles yet tells of older ones, from another place of the slider.
+    if (underWay === 0) {
+      const circles = figure.circles
+      base = circles.map((number, k) =>
+        k % 3 === 2 ? (back(number, before) ?? radiusIn(base, circles, k - 2) ?? number) : number,
+      )
+    }
     before = value
-    figure.circles = next.map((number, k) => (k % 3 === 2 ? at(number, value) : number))
+    figure.circles = base.map((number, k) => (k % 3 === 2 ? at(number, value) : number))
+    underWay += 1
+    await figure.updateComplete
+    underWay -= 1
   }
+}
+
+/**
+ * The radius that a circle had: that of the one with its centre, for places in the list change when others go; where it was
+ * moved and none came or went, that of the one at its place.
+ */
+function radiusIn(base: Float64Array, circles: Float64Array, first: number): number | undefined {
+  const isSame = (k: number) => base[k] === circles[first] && base[k + 1] === circles[first + 1]
+  for (let k = 0; k < base.length; k += 3) if (isSame(k)) return base[k + 2]
+  return base.length === circles.length ? base[first + 2] : undefined
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** The largest coordinate or radius of a circle, in absolute value (kCoordinateLimit of circle_voronoi/compute.h). */
+export const COORDINATE_LIMIT = 1e150
+
+/**
+ * The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers.
+ *
+ * @category Cells
+ * @example
+ * REGION_LIMIT // 1e+152
+ */
+export const REGION_LIMIT = 1e152
