@@ -5,7 +5,7 @@
 // affine map. Let w = cosh h, the weight of the arc as a rational Bezier curve, be
 //
 //     w = (sqrt(to / from) + sqrt(from / to)) / 2.
-import { type Bisector, inPlane, pointAt } from './bisector.ts'
+import { type Bisector, inPlane, pointOf } from './bisector.ts'
 import { checkBoundedCurve, checkLength, checkNumber, checkThing } from './check.ts'
 import type { BoundedCurve } from './curve.ts'
 import type { PathSink } from './path-sink.ts'
@@ -130,6 +130,11 @@ export function traceArc(
 ): void {
   checkBoundedCurve(curve, 'traceArc')
   checkLength(tolerance, 'traceArc', 'tolerance')
+  addArc(sink, curve, tolerance)
+}
+
+/** The same of checked arguments. */
+export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: BoundedCurve, tolerance: number): void {
   const { bisector, to: last } = curve
   let { from, start } = curve
   if (isNearlyStraight(bisector, from, last, tolerance)) {
@@ -144,7 +149,7 @@ export function traceArc(
     const byCubic = byOneCubic || byLine === last ? last : farthest(bisector, from, last, limit, cubicError)
     const to = Math.max(byLine, byCubic)
     isLast = !(to < last)
-    const end = isLast ? curve.end : pointAt(bisector, to)
+    const end = isLast ? curve.end : pointOf(bisector, to)
     if (!(byCubic > byLine)) {
       sink.lineTo(end.x, end.y)
     } else {
@@ -179,7 +184,7 @@ export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
   const points = [curve.start]
   let from = farthest(bisector, curve.from, to, limit, chordError)
   while (from < to) {
-    points.push(pointAt(bisector, from))
+    points.push(pointOf(bisector, from))
     from = farthest(bisector, from, to, limit, chordError)
   }
   points.push(curve.end)

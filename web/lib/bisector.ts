@@ -122,6 +122,11 @@ export function pointAt(bisector: Bisector, s: number): Point {
   if (!(typeof s === 'number' && s > 0 && s < Number.POSITIVE_INFINITY)) {
     refuseArgument(`pointAt takes a finite number above 0 as parameter, not ${shown(s)}.`)
   }
+  return pointOf(bisector, s)
+}
+
+/** The same of checked arguments. */
+export function pointOf(bisector: Bisector, s: number): Point {
   const { apex, a, b } = bisector
   return inPlane(bisector, apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)), (b * (s - 1 / s)) / 2)
 }
@@ -144,6 +149,11 @@ export function parameterAt(bisector: Bisector, x: number, y: number): number {
   checkThing(bisector, 'apex', 'parameterAt', 'a bisector')
   checkNumber(x, 'parameterAt', 'x')
   checkNumber(y, 'parameterAt', 'y')
+  return parameterOf(bisector, x, y)
+}
+
+/** The same of checked arguments. */
+export function parameterOf(bisector: Bisector, x: number, y: number): number {
   const { origin, unit, across, apex, a, b } = bisector
   const toPoint = measuredIn(unit, between(origin, { x, y }))
   const sine = dot(toPoint, across) / b

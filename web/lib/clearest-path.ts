@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { pointAt } from './bisector.ts'
+import { pointOf } from './bisector.ts'
 import { checkDiagram, checkMetric, checkPoint, refuseArgument } from './check.ts'
 import { LineCrossing } from './clip.ts'
 import { type EdgeCurve, edgeCurve } from './curve.ts'
@@ -87,7 +87,7 @@ function exitOf(diagram: Diagram, circle: number, p: Point): Exit | undefined {
   for (const side of diagram.cells.sides(circle)) {
     const { bisector, from, to } = edgeCurve(diagram, side >> 1)
     for (const s of new LineCrossing(bisector, c, direction).parameters) {
-      const point = pointAt(bisector, s)
+      const point = pointOf(bisector, s)
       const miss = s < from ? from / s : s > to ? s / to : 1
       if (!(facing(direction, between(c, point)) > 0) || miss >= leastMiss) continue
       leastMiss = miss
@@ -121,7 +121,7 @@ function endOf(diagram: Diagram, edge: number): number {
 
 /** The least distance from its circles along a part of an edge: at the apex if that is inside, else at an end. */
 function clearanceOf(diagram: Diagram, { bisector }: EdgeCurve, edge: number, from: number, to: number): number {
-  const { x, y } = pointAt(bisector, Math.min(Math.max(1, from), to))
+  const { x, y } = pointOf(bisector, Math.min(Math.max(1, from), to))
   return distance(diagram, at(diagram.edges, 4 * edge), x, y)
 }
 

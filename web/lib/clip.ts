@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { controlPoint } from './bezier.ts'
-import { type Bisector, parameterAtRise, pointAt } from './bisector.ts'
+import { type Bisector, parameterAtRise, pointOf } from './bisector.ts'
 import { checkThing } from './check.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
 import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from './curve.ts'
@@ -47,8 +47,8 @@ export function partsInside(whole: EdgeCurve, region: ConvexPolygon): Part[] {
   const parts: Part[] = []
   for (const { from, to, cutFrom, cutTo } of spansInside(curve, region)) {
     const { bisector } = curve
-    const start = cutFrom === NONE ? curve.start : onSide(region, cutFrom, pointAt(bisector, from))
-    const end = cutTo === NONE ? curve.end : onSide(region, cutTo, pointAt(bisector, to))
+    const start = cutFrom === NONE ? curve.start : onSide(region, cutFrom, pointOf(bisector, from))
+    const end = cutTo === NONE ? curve.end : onSide(region, cutTo, pointOf(bisector, to))
     const part = { bisector, from, to, start, end }
     if (isBoundedCurve(part)) parts.push({ curve: part, cutFrom, cutTo })
   }
@@ -70,8 +70,8 @@ export function partNear(whole: EdgeCurve, reach: number): Part | undefined {
   const from = isCutFrom ? 1 / most : curve.from
   const to = isCutTo ? most : curve.to
   if (from > to) return undefined
-  const start = isCutFrom ? pointAt(bisector, from) : (curve.start as Point)
-  const end = isCutTo ? pointAt(bisector, to) : (curve.end as Point)
+  const start = isCutFrom ? pointOf(bisector, from) : (curve.start as Point)
+  const end = isCutTo ? pointOf(bisector, to) : (curve.end as Point)
   return {
     curve: { bisector, from, to, start, end },
     cutFrom: isCutFrom ? CIRCLE_OF_RING : NONE,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { traceArc } from './bezier.ts'
+import { addArc, controlPoint } from './bezier.ts'
 import { keptParts, type Limits, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
 import { isCircleArc, traceCircleArc } from './circle-arc.ts'
-import type { ConvexPolygon } from './convex-polygon.ts'
-import type { BoundedCurve } from './curve.ts'
+import type { Box, ConvexPolygon } from './convex-polygon.ts'
+import { type BoundedCurve, edgeCurve } from './curve.ts'
 import { at, circleAt, type DiagramData, NONE } from './diagram-data.ts'
 import { convexHull } from './hull.ts'
 import { outlineOf } from './outline.ts'
@@ -14,17 +14,27 @@ import { hypotenuse, lengthOf } from './scale.ts'
 
 /** Draws what is kept of edge `e`, no farther than `tolerance` from the true curve. */
 export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits: Limits, tolerance: number): void {
-  if (isBeyondEdge(diagram, e, limits.region)) return
-  if (isPlainSegment(diagram, e, limits, tolerance)) {
+  if (hasEndsInside(diagram, e, limits, tolerance)) {
     const { vertices, edges } = diagram
     const [start, end] = [at(edges, 4 * e + 2), at(edges, 4 * e + 3)]
-    sink.moveTo(at(vertices, 3 * start), at(vertices, 3 * start + 1))
-    sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
-    return
+    // An edge that is its chord cannot leave the region between its ends.
+    if (isNearChord(diagram, e, tolerance)) {
+      sink.moveTo(at(vertices, 3 * start), at(vertices, 3 * start + 1))
+      sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
+      return
+    }
+    const curve = edgeCurve(diagram, e) as BoundedCurve
+    // An arc lies in the triangle of its Bezier points.
+    if (isWithin(limits.region.box, controlPoint(curve.bisector, curve.from, curve.to), 0)) {
+      sink.moveTo(curve.start.x, curve.start.y)
+      addArc(sink, curve, tolerance)
+      return
+    }
   }
+  if (isBeyondEdge(diagram, e, limits.region)) return
   for (const { curve } of keptParts(diagram, e, limits)) {
     sink.moveTo(curve.start.x, curve.start.y)
-    traceArc(sink, curve, tolerance)
+    addArc(sink, curve, tolerance)
   }
 }
 
@@ -43,7 +53,7 @@ export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: L
       const { curve } = piece
       if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
       if (isCircleArc(piece)) traceCircleArc(sink, piece)
-      else traceArc(sink, curve, tolerance)
+      else addArc(sink, curve, tolerance)
     })
     sink.closePath()
   }
@@ -61,7 +71,7 @@ function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: 
       const end = cells.targetOf(side)
       sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
     } else {
-      traceArc(sink, cells.curveOf(side) as BoundedCurve, tolerance)
+      addArc(sink, cells.curveOf(side) as BoundedCurve, tolerance)
     }
     side = at(nextSide, side)
   } while (side !== first)
@@ -92,19 +102,28 @@ function isNearChord({ circles, edges, vertices, metric }: DiagramData, e: numbe
   return Math.abs(difference) * (x * x + y * y) <= most
 }
 
-/** Whether all of an edge is kept, and drawn as its chord: it has two ends so far inside the region that it cannot leave. */
-function isPlainSegment(diagram: DiagramData, e: number, { region, maxDistance }: Limits, tolerance: number): boolean {
-  const start = at(diagram.edges, 4 * e + 2)
-  const end = at(diagram.edges, 4 * e + 3)
+/** Whether an edge has two ends, which lie inside a region that is a box, farther than drawing may err. */
+function hasEndsInside(
+  { edges, vertices }: DiagramData,
+  e: number,
+  { region, maxDistance }: Limits,
+  tolerance: number,
+): boolean {
+  const start = at(edges, 4 * e + 2)
+  const end = at(edges, 4 * e + 3)
   if (maxDistance !== undefined || !region.isBox || start === NONE || end === NONE) return false
-  const { minX, minY, maxX, maxY } = region.box
-  const margin = 4 * tolerance
-  const isInside = (vertex: number) => {
-    const x = at(diagram.vertices, 3 * vertex)
-    const y = at(diagram.vertices, 3 * vertex + 1)
-    return minX + margin < x && x < maxX - margin && minY + margin < y && y < maxY - margin
-  }
-  return isInside(start) && isInside(end) && isNearChord(diagram, e, tolerance)
+  return (
+    isVertexWithin(region.box, vertices, start, 4 * tolerance) &&
+    isVertexWithin(region.box, vertices, end, 4 * tolerance)
+  )
+}
+
+function isVertexWithin(box: Box, vertices: Float64Array, v: number, margin: number): boolean {
+  return isWithin(box, { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1) }, margin)
+}
+
+function isWithin({ minX, minY, maxX, maxY }: Box, { x, y }: Point, margin: number): boolean {
+  return minX + margin < x && x < maxX - margin && minY + margin < y && y < maxY - margin
 }
 
 /** Draws the convex hull: arcs of circles and the tangent segments between them. */

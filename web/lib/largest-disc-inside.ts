@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { pointAt } from './bisector.ts'
+import { pointOf } from './bisector.ts'
 import { checkDiagram, checkMetric } from './check.ts'
 import { partsInside } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
@@ -175,7 +175,7 @@ function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sid
       const discriminant = (reach / unit) * ((reach + 2 * bend) / unit)
       return rootsOf((p - q) / unit, (reach + bend) / unit, (p + q) / unit, discriminant)
         .filter((s) => s >= from * (1 - ROUNDING) && s <= to * (1 + ROUNDING))
-        .map((s) => pointAt(bisector, s))
+        .map((s) => pointOf(bisector, s))
     }),
   )
 }

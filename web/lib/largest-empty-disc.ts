@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { pointAt } from './bisector.ts'
+import { pointOf } from './bisector.ts'
 import { checkDiagram, checkMetric } from './check.ts'
 import { LineCrossing, partsInside } from './clip.ts'
 import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
@@ -118,7 +118,7 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | un
             if (next !== (side ^ 1)) pending.push(next)
         }
       } else if (crossings[0] !== undefined) {
-        largest.offerAround(pointAt(bisector, crossings[0]), cells.circleOf(side), cells.neighborOf(side))
+        largest.offerAround(pointOf(bisector, crossings[0]), cells.circleOf(side), cells.neighborOf(side))
       }
     }
   }
