@@ -37,14 +37,14 @@ export default [
   },
   {
     name: 'The element in one file',
-    limit: '283 kB',
+    limit: '285 kB',
     path: 'dist/element/bundle.js',
     gzip: true,
   },
   {
     name: 'The element with its thread and WebAssembly',
     // Of it 174 kB for the WebAssembly, 30 for what draws and edits, in two languages, the rest for geometry and the painting thread.
-    limit: '257 kB',
+    limit: '259 kB',
     path: ['dist/element/index.js', 'dist/element/painter.js', `${LIB}/generated/circle-voronoi.wasm`],
     // Power diagrams and the player are fetched when asked for.
     ignore: ['./comparison-*', './player-*'],
@@ -53,11 +53,11 @@ export default [
   },
   {
     name: 'TypeScript layer',
-    // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 2 kB for
+    // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 3 kB for
     // sentences that say what is wrong with an argument, half a one for quick decimal texts, another for edges that are
     // drawn as chords without their curves, 1 kB each for JSON, files and links, 1.5 for traces, and 4.7 kB for editors, here and in a worker,
     // and diagrams that follow them.
-    limit: '33.3 kB',
+    limit: '34.3 kB',
     path: `${LIB}/index.js`,
     ignore: ['./generated/*'],
     gzip: true,
