@@ -41,6 +41,11 @@ std::vector<Circle> readEditedCircles(const std::string& input) {
   auto diagram = readDiagram(text, name);
   if (!diagram) fail(diagram.error(), "");
   if (diagram.value().weights) throw Failure{kBadInput, name + ": weights cannot be edited, only circles."};
+  const Metric metric = diagram.value().metric;
+  if (metric != Metric::circles) {
+    throw Failure{kBadInput, name + ": the metric " + std::string(metricName(metric)) +
+                                 " cannot be edited, only that of circles."};
+  }
   return std::move(diagram).value().circles;
 }
 

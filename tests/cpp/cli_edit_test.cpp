@@ -123,6 +123,12 @@ TEST_F(CliEdit, RefusesWhatMakesNoSense) {
   textOf("compute - --weights -o " + path("weights.json"), "0,0,-1\n5,0,1\n");
   expectFailure(run("edit " + path("weights.json") + " --script -", ""), 2,
                 path("weights.json") + ": weights cannot be edited, only circles.");
+  Json others = Json::parse(textOf("compute " + circles_));
+  for (const std::string metric : {"centers", "power"}) {
+    others["metric"] = metric;
+    expectFailure(run("edit " + write("others.json", others.dump()) + " --script -", ""), 2,
+                  path("others.json") + ": the metric " + metric + " cannot be edited, only that of circles.");
+  }
   const std::string script = write("edits.csv", "remove,0\n");
   expectFailure(run("edit " + circles_ + " --script " + script + " --format csv -o " + script), 2,
                 script + " would be overwritten: it is the output as well.");
