@@ -55,19 +55,13 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
   refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
 }
 
-void checkTrace(const ComputeArguments& arguments) {
-  if (arguments.trace.empty()) return;
-  if (arguments.trace == kStandardStream && arguments.output.file == kStandardStream) {
-    throw Failure{kBadInput, "The trace and the diagram cannot both be standard output."};
-  }
-  for (const std::string& file : {arguments.input, arguments.output.file}) refuseOneFile(file, arguments.trace);
-}
-
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   refuseUnused(command, arguments);
-  settle(arguments.output, arguments.input);
+  settle(arguments.output);
   check(arguments.tile, arguments.output);
-  checkTrace(arguments);
+  refuseSharedFiles(
+      {arguments.input},
+      {{"--output", arguments.output.file}, {"--trace", arguments.trace}, {"--open", arguments.tile.open}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
   if (arguments.tile.isAsked()) {

@@ -47,7 +47,8 @@ void convertDiagram(const ConvertArguments& arguments, const std::string& text, 
 }
 
 void runConvert(ConvertArguments& arguments) {
-  settle(arguments.output, arguments.input);
+  settle(arguments.output);
+  refuseSharedFiles({arguments.input}, {{"--output", arguments.output.file}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
   const std::string text = readText(arguments.input);

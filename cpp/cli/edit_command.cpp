@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -63,22 +62,13 @@ void makeEdits(DiagramEditor& editor, const std::string& script, std::ostream* c
 }
 
 void runEdit(EditArguments& arguments) {
-  settle(arguments.output, arguments.input);
-  refuseOneFile(arguments.script, arguments.output.file);
+  settle(arguments.output);
   if (arguments.input == kStandardStream && arguments.script == kStandardStream) {
     throw Failure{kBadInput, "The circles and the script cannot both be standard input."};
   }
-  const std::array results = {std::pair(&arguments.changes, "The changes"), std::pair(&arguments.trace, "The trace")};
-  for (const auto& [file, name] : results) {
-    if (*file == kStandardStream && arguments.output.file == kStandardStream) {
-      throw Failure{kBadInput, std::string(name) + " and the diagram cannot both be standard output."};
-    }
-    if (file->empty()) continue;
-    for (const std::string& other : {arguments.input, arguments.script, arguments.output.file}) {
-      refuseOneFile(other, *file);
-    }
-  }
-  if (!arguments.changes.empty()) refuseOneFile(arguments.changes, arguments.trace);
+  refuseSharedFiles(
+      {arguments.input, arguments.script},
+      {{"--output", arguments.output.file}, {"--changes", arguments.changes}, {"--trace", arguments.trace}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
   auto made = DiagramEditor::from(readEditedCircles(arguments.input));

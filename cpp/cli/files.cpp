@@ -64,6 +64,19 @@ std::optional<struct stat> statusOf(const std::string& file, int standardStream)
   return exists ? std::optional(status) : std::nullopt;
 }
 
+bool isOneFile(const std::optional<struct stat>& a, const std::optional<struct stat>& b) {
+  return a && b && S_ISREG(a->st_mode) && a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+bool areOneOutput(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  if (a == kStandardStream && b == kStandardStream) return true;
+  const auto statusOfA = statusOf(a, STDOUT_FILENO);
+  const auto statusOfB = statusOf(b, STDOUT_FILENO);
+  if (statusOfA || statusOfB) return isOneFile(statusOfA, statusOfB);
+  return pathToWrite(a) == pathToWrite(b);
+}
+
 void writeTo(int descriptor, const std::string& file, const std::function<void(std::ostream&)>& write) {
   DescriptorBuffer buffer(descriptor);
   std::ostream out(&buffer);
@@ -93,12 +106,18 @@ void readPieces(const std::string& file, const std::function<void(std::string_vi
   }
 }
 
-void refuseOneFile(const std::string& input, const std::string& output) {
-  const auto in = statusOf(input, STDIN_FILENO);
-  const auto out = statusOf(output, STDOUT_FILENO);
-  if (!in || !out || !S_ISREG(in->st_mode)) return;
-  if (in->st_dev == out->st_dev && in->st_ino == out->st_ino) {
-    throw Failure{kBadInput, inputName(input) + " would be overwritten: it is the output as well."};
+void refuseSharedFiles(std::initializer_list<std::string> inputs, std::initializer_list<NamedOutput> outputs) {
+  for (const NamedOutput& output : outputs) {
+    for (const std::string& input : inputs) {
+      if (isOneFile(statusOf(input, STDIN_FILENO), statusOf(output.file, STDOUT_FILENO))) {
+        throw Failure{kBadInput, inputName(input) + " would be overwritten: it is the output as well."};
+      }
+    }
+    for (const NamedOutput* other = outputs.begin(); other != &output; ++other) {
+      if (!areOneOutput(other->file, output.file)) continue;
+      const std::string name = output.file == kStandardStream ? "standard output" : output.file;
+      throw Failure{kBadInput, output.option + " and " + other->option + " cannot both be " + name + "."};
+    }
   }
 }
 

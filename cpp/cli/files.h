@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <iosfwd>
 #include <string>
 #include <string_view>
@@ -21,8 +22,15 @@ std::string readText(const std::string& file);
 /// is not known. Throws Failure.
 void readPieces(const std::string& file, const std::function<void(std::string_view piece, double done)>& take);
 
-/// Throws Failure if the output is the input, by whatever names: to write it would destroy what is read.
-void refuseOneFile(const std::string& input, const std::string& output);
+/// A file that is written, and the option that names it; empty: it is not asked for.
+struct NamedOutput {
+  std::string option;
+  std::string file;
+};
+
+/// Throws Failure if an output is an input or another output, by whatever names: to write it would destroy what is read
+/// or written. What is no regular file can be both; standard output can be one output.
+void refuseSharedFiles(std::initializer_list<std::string> inputs, std::initializer_list<NamedOutput> outputs);
 
 /// Has `write` write to standard output, or to a file, which is replaced once all is written (output_file.h). Throws
 /// Failure if anything could not be written.

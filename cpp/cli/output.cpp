@@ -96,8 +96,7 @@ std::string endingOf(const std::string& file) {
   return ending.empty() ? "" : ending.substr(1);
 }
 
-void settle(Output& output, const std::string& input) {
-  refuseOneFile(input, output.file);
+void settle(Output& output) {
   if (output.format.empty()) {
     const std::string ending = endingOf(output.file);
     if (!ending.empty() && std::ranges::find(kFormats, ending) == kFormats.end()) {

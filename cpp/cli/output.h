@@ -32,8 +32,8 @@ void addOutputOptions(CLI::App& command, Output& output);
 std::string endingOf(const std::string& file);
 
 /// Chooses the format if the user has not, before any work is done. Throws Failure if the file's ending is that of no
-/// format, if an option is given that the format does not use, or if the output is the input.
-void settle(Output& output, const std::string& input);
+/// format, or if an option is given that the format does not use.
+void settle(Output& output);
 
 /// The box, the tolerance, the maximum distance and the digits that the user gave.
 ExportOptions exportOptions(const Output& output);

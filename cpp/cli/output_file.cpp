@@ -64,6 +64,13 @@ mode_t permissionsOfNewFiles() {
 
 }  // namespace
 
+fs::path pathToWrite(const std::string& file) {
+  const fs::path path = fs::absolute(followed(file).path);
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(path, error);
+  return error ? path : canonical;
+}
+
 std::streamsize DescriptorBuffer::xsputn(const char* text, std::streamsize size) {
   std::streamsize done = 0;
   while (done < size && error_ == 0) {

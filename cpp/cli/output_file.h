@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <streambuf>
 #include <string>
@@ -26,6 +27,9 @@ class DescriptorBuffer : public std::streambuf {
   int descriptor_;
   int error_ = 0;
 };
+
+/// Where a name leads, as one path for all names of a file, which need not be there yet.
+std::filesystem::path pathToWrite(const std::string& file);
 
 /// A file to be written as a whole or not at all: the text goes to another file beside it, which takes its place, with
 /// its permissions, in `finish`. Without that, or if the program is interrupted, the other file is removed, and what

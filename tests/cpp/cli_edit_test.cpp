@@ -119,7 +119,7 @@ TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {
 TEST_F(CliEdit, RefusesWhatMakesNoSense) {
   expectFailure(run("edit - --script -", ""), 2, "The circles and the script cannot both be standard input.");
   expectFailure(run("edit " + circles_ + " --script - --changes -", ""), 2,
-                "The changes and the diagram cannot both be standard output.");
+                "--changes and --output cannot both be standard output.");
   textOf("compute - --weights -o " + path("weights.json"), "0,0,-1\n5,0,1\n");
   expectFailure(run("edit " + path("weights.json") + " --script -", ""), 2,
                 path("weights.json") + ": weights cannot be edited, only circles.");

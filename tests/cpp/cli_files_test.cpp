@@ -91,6 +91,36 @@ TEST_F(CliFiles, TheOutputIsNotTheInput) {
   EXPECT_EQ(readFile(file), circles_);
 }
 
+TEST_F(CliFiles, AnOutputIsNoOtherOutput) {
+  fs::create_directory(path("sub"));
+  fs::create_symlink("new.csv", path("dangling.csv"));
+  const std::string edit = "edit " + write("circles.csv", circles_) + " --script " + write("edits.csv", "remove,0\n");
+  const std::string compute = "compute " + path("circles.csv") + " --format csv";
+  const std::string tile = compute + " --known=-9,-9,9,9 --core=-5,-5,8,8.5 --max-radius 0";
+  const auto refuses = [&](const std::string& arguments, const std::string& options, const std::string& name) {
+    expectFailure(run(arguments), 2, options + " cannot both be " + name + ".");
+    EXPECT_FALSE(fs::exists(path("new.csv"))) << arguments;
+  };
+  for (const char* name : {"new.csv", "./new.csv", "sub/../new.csv", "dangling.csv"}) {
+    const std::string file = path(name);
+    const std::string output = " -o " + path("new.csv");
+    refuses(compute + output + " --trace " + file, "--trace and --output", file);
+    refuses(edit + output + " --changes " + file, "--changes and --output", file);
+    refuses(edit + output + " --trace " + file, "--trace and --output", file);
+    refuses(edit + " --changes " + path("new.csv") + " --trace " + file, "--trace and --changes", file);
+    refuses(tile + output + " --open " + file, "--open and --output", file);
+  }
+  refuses(edit + " --trace -", "--trace and --output", "standard output");
+  refuses(edit + " -o " + path("new.csv") + " --changes - --trace -", "--trace and --changes", "standard output");
+  refuses(tile + " --open -", "--open and --output", "standard output");
+  const std::string trace = program_ + " " + compute + " --trace " + path("new.csv") + " >" + path("new.csv");
+  EXPECT_EQ(shell(trace).status, 2);
+  EXPECT_EQ(readFile(path("new.csv")), "");
+  expectFailure(run(tile + " --open " + path("circles.csv")), 2, "circles.csv would be overwritten");
+  EXPECT_EQ(readFile(path("circles.csv")), circles_);
+  EXPECT_EQ(run(edit + " -o /dev/null --format csv --changes /dev/null --trace /dev/null").status, 0);
+}
+
 TEST_F(CliFiles, ALinkIsWrittenThrough) {
   const std::string file = write("target.csv", "before");
   fs::create_directory(path("sub"));

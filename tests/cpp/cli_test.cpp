@@ -195,7 +195,7 @@ TEST_F(Cli, TracesTheTouchingDiscMethod) {
   EXPECT_NE(flips.find("{\"kind\": \"centersJoined\", \"circles\": [0, 1]}\n"), std::string::npos);
   EXPECT_NE(flips.find("{\"kind\": \"faceMade\", \"circles\": [1, 0], \"numbers\": ["), std::string::npos) << flips;
 
-  expectFailure(run(compute + "- --trace -", circles), 2, "The trace and the diagram cannot both be standard output.");
+  expectFailure(run(compute + "- --trace -", circles), 2, "--trace and --output cannot both be standard output.");
   const std::string file = write("circles.csv", circles);
   expectFailure(run(compute + file + " --trace " + file), 2, "would be overwritten");
   EXPECT_EQ(readFile(file), circles);
