@@ -39,11 +39,11 @@ std::string readBox(std::string_view text, Box& box, Sides sides) {
     const std::string min = kBoxNames[i];
     const std::string max = kBoxNames[i + 2];
     if (!(values[i] < values[i + 2])) return max + " has to be above " + min + ".";
-    if (sides == Sides::finite && !std::isfinite(values[i + 2] - values[i]))
-      return max + " - " + min + " is beyond the range of a double.";
   }
   box = {values[0], values[1], values[2], values[3]};
-  return "";
+  if (sides == Sides::maybeInfinite) return "";
+  const auto region = ConvexPolygon::from(box);
+  return region ? "" : region.error().message;
 }
 
 }  // namespace circle_voronoi::cli

@@ -15,7 +15,7 @@ enum class Sides { finite, maybeInfinite };
 /// All of the text as a number; nothing if it is none.
 std::optional<double> readNumber(std::string_view text, Sides sides = Sides::finite);
 
-/// Reads MINX,MINY,MAXX,MAXY, or says what is wrong with it; empty: nothing.
+/// Reads MINX,MINY,MAXX,MAXY, or says what is wrong with it; empty: nothing. A finite box is one to clip to.
 std::string readBox(std::string_view text, Box& box, Sides sides = Sides::finite);
 
 }  // namespace circle_voronoi::cli
