@@ -16,6 +16,7 @@
 #include "tile_part.h"
 #include "trace_lines.h"
 #include "weights_option.h"
+#include "whole_number.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -120,7 +121,7 @@ void addComputeCommand(CLI::App& program) {
                    "dynamic: samples inside each angle of a Delaunay face (" + std::to_string(kDefaultDynamicSamples) +
                        "); uniform: samples on each circle (" + std::to_string(kDefaultUniformSamples) + ")")
       ->type_name("COUNT")
-      ->check(CLI::Range(0, kMaxSamples).description("0 to " + std::to_string(kMaxSamples)));
+      ->transform(wholeNumber(kMaxSamples).description("0 to " + std::to_string(kMaxSamples)));
   command->add_flag(flagOf(&Options::resample), arguments->resample,
                     "dynamic: take more samples where the certificate failed and try again");
   command->add_option("--trace", arguments->trace, "Write what happens to this file, a line of JSON an event")

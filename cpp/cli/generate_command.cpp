@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <charconv>
 #include <cstdint>
 #include <iomanip>
+#include <limits>
 #include <memory>
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <system_error>
 
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
@@ -14,6 +13,7 @@
 #include "failure.h"
 #include "files.h"
 #include "output.h"
+#include "whole_number.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -59,15 +59,10 @@ void addGenerateCommand(CLI::App& program) {
   command->add_option("N", arguments->count, "How many circles, at most " + std::to_string(kMostCircles))
       ->type_name("")
       ->required()
-      ->check(CLI::Range(std::int64_t{0}, kMostCircles).description(""));
+      ->transform(wholeNumber(kMostCircles));
   command->add_option("--seed", arguments->seed, "The same seed gives the same circles")
       ->type_name("SEED")
-      ->check([](const std::string& text) {
-        std::uint64_t seed = 0;
-        const char* end = text.data() + text.size();
-        const auto [stop, code] = std::from_chars(text.data(), end, seed);
-        return code == std::errc() && stop == end ? "" : "expected a whole number from 0 to 18446744073709551615.";
-      })
+      ->transform(wholeNumber(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   addOutputFile(*command, arguments->output);
   command->add_flag_callback(

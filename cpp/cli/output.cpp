@@ -13,6 +13,7 @@
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
 #include "failure.h"
+#include "whole_number.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -86,7 +87,7 @@ void addOutputOptions(CLI::App& command, Output& output) {
           "of a diagram: how many digits coordinates and areas have after the decimal point at most; by default "
           "as many as the tolerance asks for, in json and csv all")
       ->type_name("COUNT")
-      ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""));
+      ->transform(wholeNumber(std::numeric_limits<int>::max()));
 }
 
 std::string endingOf(const std::string& file) {

@@ -254,6 +254,25 @@ TEST_F(Cli, BadUsage) {
   EXPECT_EQ(run("generate uniform 5 --seed 18446744073709551615").status, 0);
 }
 
+TEST_F(Cli, WholeNumbersAreDecimal) {
+  const auto textOf = [&](const std::string& arguments) {
+    const Outcome result = run(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out;
+  };
+  const std::string digits = "compute " + kFixture + " --format csv --digits ";
+  const std::string samples = "compute " + kFixture + " --format csv --method touching-disc --samples ";
+  EXPECT_EQ(textOf("generate uniform 010 --seed 010"), textOf("generate uniform 10 --seed 10"));
+  EXPECT_EQ(textOf(digits + "010"), textOf(digits + "10"));
+  EXPECT_EQ(textOf(samples + "010"), textOf(samples + "10"));
+  for (const std::string number : {"0x10", "0b1", "1_0", "+1", "1.5"}) {
+    expectFailure(run("generate uniform " + number), 2, "N: expected a whole number from 0 to 100000000.");
+    expectFailure(run("generate uniform 5 --seed " + number), 2, "--seed: expected a whole number from 0 to ");
+    expectFailure(run(digits + number), 2, "--digits: expected a whole number from 0 to 2147483647.");
+    expectFailure(run(samples + number), 2, "--samples: expected a whole number from 0 to 1000.");
+  }
+}
+
 TEST_F(Cli, FilesThatCannotBeReadOrWritten) {
   expectFailure(run("compute " + path("missing.csv")), 1, "missing.csv");
   expectFailure(run("compute " + path("")), 1, "Cannot read");

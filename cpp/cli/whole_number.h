@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <system_error>
+
+namespace circle_voronoi::cli {
+
+/// Transforms what an option is given: a whole number from 0 to `most` in decimal digits. Leading zeros are taken away,
+/// since CLI11 reads a number that has them as octal.
+inline CLI::Validator wholeNumber(std::uint64_t most) {
+  const auto read = [most](std::string& text) -> std::string {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, code] = std::from_chars(text.data(), end, value);
+    if (code != std::errc() || stop != end || value > most) {
+      return "expected a whole number from 0 to " + std::to_string(most) + ".";
+    }
+    text = std::to_string(value);
+    return "";
+  };
+  return {read, ""};
+}
+
+}  // namespace circle_voronoi::cli
