@@ -54,6 +54,7 @@ void refuseUnused(const CLI::App& command, const ComputeArguments& arguments) {
          needed(&Options::candidates, Candidates::dynamic) + " or " + std::string(nameOf(Candidates::uniform)));
   refuse(resample, candidates == Candidates::dynamic, needed(&Options::candidates, Candidates::dynamic));
   refuse("--known", method == Method::automatic, needed(&Options::method, Method::automatic));
+  if (arguments.tile.isAsked() && !arguments.trace.empty()) throw Failure{kBadInput, "--known takes no --trace."};
 }
 
 void runCompute(const CLI::App& command, ComputeArguments& arguments) {

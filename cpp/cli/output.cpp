@@ -30,6 +30,14 @@ using WriteExport = void (*)(std::ostream&, const Diagram&, const ExportOptions&
 const std::map<std::string, WriteExport> kExports = {
     {"svg", writeSvg}, {"geojson", writeGeoJson}, {"geojsonl", writeAllLines}, {"wkt", writeWkt}, {"obj", writeObj}};
 
+/// An option that is given and that only drawings of a diagram use, or null.
+const char* drawingOption(const Output& output) {
+  return !output.bounds.empty() ? "--bounds"
+         : output.tolerance > 0 ? "--tolerance"
+         : output.maxDistance   ? "--max-distance"
+                                : nullptr;
+}
+
 using WriteCircles = void (*)(std::ostream&, std::span<const Circle>);
 const std::map<std::string, WriteCircles> kCircleFormats = {
     {"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}};
@@ -107,11 +115,7 @@ void settle(Output& output) {
   }
   if (output.format == "stats" && output.digits) throw Failure{kBadInput, "--digits is not for --format stats."};
   if (kExports.contains(output.format)) return;
-  const char* unused = !output.bounds.empty() ? "--bounds"
-                       : output.tolerance > 0 ? "--tolerance"
-                       : output.maxDistance   ? "--max-distance"
-                                              : nullptr;
-  if (unused != nullptr)
+  if (const char* unused = drawingOption(output))
     throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
 }
 
@@ -139,6 +143,8 @@ void writeDiagram(const Output& output, const std::string& name, const Diagram& 
 
 void writeCircles(const Output& output, std::span<const Circle> circles, ProgressLine& progress) {
   if (output.digits) throw Failure{kBadInput, "--digits is for diagrams; circles keep the digits that they have."};
+  if (const char* unused = drawingOption(output))
+    throw Failure{kBadInput, std::string(unused) + " is for diagrams; circles are written as they are."};
   const auto found = kCircleFormats.find(output.format);
   if (found == kCircleFormats.end()) {
     throw Failure{kBadInput,

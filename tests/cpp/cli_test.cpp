@@ -170,6 +170,13 @@ TEST_F(Cli, AnOptionThatIsNotUsedIsAnError) {
   }
   expectFailure(run(compute + " --digits 2 --format stats"), 2, "--digits is not for --format stats.");
   expectFailure(run("convert " + kFixture + " --digits 2"), 2, "--digits is for diagrams; circles keep the digits");
+  ASSERT_EQ(run(compute + " -o " + path("diagram.json")).status, 0);
+  for (const std::string option : {"--bounds 0,0,1,1", "--tolerance 1", "--max-distance 1"}) {
+    for (const std::string& circles : {kFixture, path("diagram.json") + " --circles"}) {
+      expectFailure(run("convert " + circles + " --format geojson " + option), 2,
+                    option.substr(0, option.find(' ')) + " is for diagrams; circles are written as they are.");
+    }
+  }
   for (const std::string digits : {"-1", "2.5", "two", "1e1", "''"}) {
     expectFailure(run(compute + " --digits " + digits), 2, "--digits");
   }
