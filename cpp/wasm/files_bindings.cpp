@@ -15,6 +15,7 @@
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
 #include "stats.h"
+#include "validate.h"
 #include "values.h"
 
 namespace {
@@ -136,8 +137,11 @@ val writeCirclesValue(const val& coordinates, const std::string& format) {
   return valueOf([&] {
     const auto found = named(kCircleFormats, format);
     if (found == kCircleFormats.end()) return errorValue(unknownFormat(format));
+    const std::vector<Circle> circles = itemsFrom<double, Circle>(coordinates);
+    // What is written can be read.
+    if (const auto valid = validate(circles, true); !valid) return errorValue(valid.error());
     std::ostringstream out;
-    found->second(out, itemsFrom<double, Circle>(coordinates));
+    found->second(out, circles);
     return textValue(out);
   });
 }
@@ -146,6 +150,9 @@ val writeCirclesValue(const val& coordinates, const std::string& format) {
 val writeDiagramValue(const val& value, const std::string& format, const val& options) {
   return valueOf([&] {
     Diagram diagram = diagramFrom(value);
+    if (diagram.vertexCircles.size() != diagram.vertices.size()) {
+      return errorValue({ErrorCode::badInput, kNone, "There are not as many vertexCircles as vertices."});
+    }
     diagram.metric = metricFrom(value["metric"].as<std::string>());
     const auto found = named(kExports, format);
     const bool isDrawn = found != kExports.end();

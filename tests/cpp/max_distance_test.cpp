@@ -517,12 +517,36 @@ TEST(MaxDistance, FilesHaveTheCutCells) {
   EXPECT_EQ(count("data-vertex="), static_cast<std::size_t>(std::ranges::count_if(diagram.vertices, isNear)));
 }
 
+// A coordinate may have few digits left for a circle; between two points that are next to each other there is none.
+TEST(MaxDistance, FilesEndWhereCirclesAreHardlySeenFromTheOrigin) {
+  ExportOptions options;
+  options.maxDistance = 0;
+  for (const double radius : {0.3, 1.0, 3.3, 5.0, 40.0, 3000.0}) {
+    const Diagram diagram = diagramOf({{1000000000000000.125, 1000000000000000.125, radius}});
+    for (const double tolerance : {1e-9, 1e-5, 1.0}) {
+      options.tolerance = tolerance * radius;
+      std::ostringstream out;
+      writeWkt(out, diagram, options);
+      // Of one that is hardly a digit large, nothing is left.
+      EXPECT_TRUE(out.str().starts_with(radius > 1 ? "POLYGON ((" : "POLYGON ")) << radius;
+      EXPECT_LT(out.str().size(), 20'000'000U) << radius;
+    }
+  }
+}
+
 // By default the box has room for what is drawn.
 TEST(MaxDistance, TheBoxGrowsWithIt) {
   const Circles circles = {{0, 0, 1}, {9, 0, 0}};
   EXPECT_EQ(exportBox(circles, 1).minX, exportBox(Circles{{0, 0, 2}, {9, 0, 1}}).minX);
   EXPECT_EQ(exportBox(circles, 1).maxX, exportBox(Circles{{0, 0, 2}, {9, 0, 1}}).maxX);
   EXPECT_EQ(exportBox(circles, -0.5).maxY, exportBox(circles).maxY);
+  // Also far from the origin, where a twentieth may be less than rounding leaves.
+  for (const Circles& far : {Circles{{1e17, 1e17, 0}}, Circles{{1e20, 5, 1}}, Circles{{-1e17, 0, 1}, {-1e17, 9, 2}}}) {
+    const Box box = exportBox(far);
+    EXPECT_LT(box.minX, far[0].x);
+    EXPECT_GT(box.maxX, far[0].x);
+    EXPECT_TRUE(ConvexPolygon::from(box).ok());
+  }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -111,6 +113,21 @@ TEST(Trace, OfEveryFamilyIsConsistent) {
     EXPECT_TRUE(waiting.empty());
     EXPECT_EQ(static_cast<std::size_t>(made), diagram.vertices.size());
   }
+}
+
+// One beyond the doubles is none.
+TEST(Trace, DiscsAreFiniteOrNone) {
+  const std::vector<Circle> circles = {{-1e150, 0, 0}, {1e150, 0, 0}, {5e149, 1e-10, 0}, {-5e149, 3e149, 4e149}};
+  std::size_t missing = 0;
+  Options options;
+  options.observer = [&](const TraceEvent& event) {
+    const auto& [x, y, r] = event.disc;
+    EXPECT_FALSE(std::isinf(x) || std::isinf(y) || std::isinf(r));
+    EXPECT_EQ(std::isnan(x) || std::isnan(y), std::isnan(r));
+    if (event.kind == TraceKind::faceMade && std::isnan(r)) ++missing;
+  };
+  EXPECT_TRUE(compute(circles, options).value().certificate.certified());
+  EXPECT_GT(missing, 0U);
 }
 
 TEST(Trace, EachKindHasAName) {

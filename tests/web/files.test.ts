@@ -82,6 +82,21 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     'circles is no Float64Array of 3 numbers each.',
     () => f.writeDiagram(undefined, { format: 'svg', maxDistance: 1 }),
   ],
+  [
+    'badInput',
+    'There are not as many vertexCircles as vertices.',
+    () => f.writeDiagram({ ...diagram, vertexCircles: new Int32Array(0) }, { format: 'csv' }),
+  ],
+  ['nonFinite', 'Circle 0 has an x that is not a finite number.', () => f.writeCircles([[Number.NaN, 0, 1]])],
+  [
+    'coordinateTooLarge',
+    'Circle 1 has a coordinate or a radius beyond 1e150.',
+    () =>
+      f.writeCircles([
+        [0, 0, 1],
+        [0, 1e160, 1],
+      ]),
+  ],
   ['badInput', 'weights is not true or false, but "no".', () => f.writeDiagram({ ...diagram, weights: 'no' })],
   [
     'badOption',
@@ -156,5 +171,20 @@ describe('misuse is one clear error', () => {
   it('where the module cannot be loaded', async () => {
     await expect(loadFiles({ wasm: new Uint8Array(8) })).rejects.toThrow(expect.objectContaining({ code: 'notLoaded' }))
     await expect(loadFiles({ url: 'x' } as object)).rejects.toThrow('There is no option url of loadFiles')
+  })
+})
+
+it('statistics that make no sense are written as if there were none', () => {
+  const stats = {
+    ...diagram.stats,
+    method: 'a"b',
+    counts: { ...diagram.stats.counts, exact: Number.NaN, flips: -1, samples: 0.5, filtered: 7 },
+    seconds: { ...diagram.stats.seconds, total: Number.NaN },
+  }
+  const written = JSON.parse(files.writeDiagram({ ...diagram, stats } as unknown as typeof diagram, { format: 'json' }))
+  expect(written.stats).toMatchObject({
+    method: '',
+    counts: { exact: 0, flips: 0, samples: 0, filtered: 7 },
+    seconds: { total: 0 },
   })
 })

@@ -10,6 +10,8 @@ import { lengthOf, measuredIn } from './scale.ts'
 
 /** Of a radius: the least tolerance of a polyline. */
 const FINEST_POLYLINE = 1e-9
+/** They make that of any arc, of half a turn at most. */
+const MOST_HALVINGS = 16
 
 /** Whether a piece of an outline is such an arc; its `curve` is the chord then. */
 export function isCircleArc({ r }: OutlinePiece): boolean {
@@ -49,7 +51,10 @@ export function polyline({ curve, r }: OutlinePiece, tolerance: number): Point[]
     const { sine, cosine } = halfAngleOf(points[0] as Point, points[1] as Point, r)
     return r * sine * (sine / (1 + cosine)) > least
   }
-  while (isCoarse()) {
+  for (let round = 0; round < MOST_HALVINGS && isCoarse(); round++) {
+    const middle = middleOf(points[0] as Point, points[1] as Point, r)
+    // Nothing lies between points that are next to each other.
+    if (points.slice(0, 2).some(({ x, y }) => x === middle.x && y === middle.y)) break
     points = points.flatMap((point, k) => (k === 0 ? [point] : [middleOf(points[k - 1] as Point, point, r), point]))
   }
   return points

@@ -199,25 +199,24 @@ function indicesOf(value: unknown, size: number | undefined, first: number, coun
   return list as number[]
 }
 
-/** As far as they are there: what is missing or of another type is empty, as on the command line. */
+/** As far as they are there: what is missing or makes no sense is empty, as on the command line. */
 export function statsOf(value: unknown): Stats {
   const part = (item: unknown, name: string): unknown => Object(item)[name]
   const text = (name: string) => {
     const given = part(value, name)
-    return typeof given === 'string' ? given : ''
+    return typeof given === 'string' && /^[a-z-]*$/.test(given) ? given : ''
   }
-  const numbers = <Numbers extends object>(list: string, none: Numbers): Numbers => {
-    const given = Object.entries(Object(part(value, list))).filter(
-      ([name, item]) => name in none && typeof item === 'number',
-    )
+  const numbers = <Numbers extends object>(list: string, none: Numbers, fits: (item: unknown) => boolean): Numbers => {
+    const given = Object.entries(Object(part(value, list))).filter(([name, item]) => name in none && fits(item))
     return { ...none, ...Object.fromEntries(given) }
   }
+  const isCount = (item: unknown) => Number.isSafeInteger(item) && (item as number) >= 0
   return {
     method: text('method'),
     way: text('way'),
     candidates: text('candidates'),
-    counts: numbers('counts', NO_COUNTS),
-    seconds: numbers('seconds', NO_SECONDS),
+    counts: numbers('counts', NO_COUNTS, isCount),
+    seconds: numbers('seconds', NO_SECONDS, Number.isFinite),
   }
 }
 

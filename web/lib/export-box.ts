@@ -4,6 +4,8 @@ import type { Box } from './convex-polygon.ts'
 import { at } from './diagram-data.ts'
 
 const MARGIN = 0.05
+/** Of the farthest coordinate. */
+const LEAST_MARGIN = 2 ** -50
 const TOLERANCE = 1e-5
 
 /**
@@ -34,7 +36,9 @@ export function exportBox(circles: Float64Array, maxDistance = 0): Box {
     maxY = Math.max(maxY, y + r)
   }
   const size = Math.max(maxX - minX, maxY - minY)
-  const margin = size > 0 ? MARGIN * size : 1
+  const farthest = Math.max(-minX, -minY, maxX, maxY)
+  // So that rounding leaves something of it.
+  const margin = Math.max(size > 0 ? MARGIN * size : 1, LEAST_MARGIN * farthest)
   return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
 }
 

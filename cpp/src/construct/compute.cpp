@@ -46,7 +46,7 @@ std::optional<Error> checkOptions(const Options& options, std::size_t circleCoun
 Observer observerOfInput(const Observer& observer, const std::vector<int>& visible, double unit) {
   if (!observer) return {};
   return [&observer, &visible, unit](TraceEvent event) {
-    event.disc = {event.disc.x * unit, event.disc.y * unit, event.disc.r * unit};
+    event.disc = discOfInput(event.disc, unit);
     for (CircleIndex& circle : event.circles) {
       if (circle != kNone) circle = visible[circle];
     }

@@ -275,8 +275,7 @@ class DiagramEditor::Editor {
   std::vector<TraceEvent> events_;  ///< what is to be told once the edit is done
   /// By ids, in the unit of the input.
   const Observer sink_ = [this](TraceEvent event) {
-    const double unit = state_->unit;
-    event.disc = {event.disc.x * unit, event.disc.y * unit, event.disc.r * unit};
+    event.disc = discOfInput(event.disc, state_->unit);
     for (CircleIndex& circle : event.circles) circle = state_->idOf(circle);
     events_.push_back(event);
   };

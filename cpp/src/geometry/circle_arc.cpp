@@ -10,6 +10,9 @@
 namespace circle_voronoi {
 namespace {
 
+/// They make kFinestPolyline of any arc, of half a turn at most.
+constexpr int kMostHalvings = 16;
+
 /// An arc by half its angle h: sin h and cos h, and R_F and R_D of (cos^2 h, 1, 1). With these
 ///
 ///     h = sin h R_F,        h - sin h cos h = 2 / 3 sin^3 h R_D,
@@ -62,11 +65,15 @@ std::vector<Point> polyline(const CircleArc& arc, double tolerance) {
     const HalfAngle half({p, q, arc.r});
     return arc.r * half.sine * (half.sine / (1 + half.cosine)) > least;
   };
-  while (isCoarse(points[0], points[1])) {
+  for (int k = 0; k < kMostHalvings && isCoarse(points[0], points[1]); ++k) {
+    const Point middle = middleOf({points[0], points[1], arc.r});
+    // Nothing lies between points that are next to each other.
+    const auto isMiddle = [&](Point p) { return p.x == middle.x && p.y == middle.y; };
+    if (isMiddle(points[0]) || isMiddle(points[1])) break;
     std::vector<Point> finer = {points.front()};
-    for (std::size_t k = 1; k < points.size(); ++k) {
-      finer.push_back(middleOf({points[k - 1], points[k], arc.r}));
-      finer.push_back(points[k]);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      finer.push_back(middleOf({points[i - 1], points[i], arc.r}));
+      finer.push_back(points[i]);
     }
     points = std::move(finer);
   }

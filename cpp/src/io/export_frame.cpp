@@ -6,6 +6,8 @@
 namespace circle_voronoi {
 namespace {
 
+/// Of the farthest coordinate.
+constexpr double kLeastMargin = 0x1p-50;
 constexpr double kMargin = 0.05;
 constexpr double kTolerance = 1e-5;
 /// What rounding may take of the tolerance, in each coordinate.
@@ -47,7 +49,9 @@ Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance
   const auto top = [&](const Circle& c) { return c.y + size(c); };
   const auto bottom = [&](const Circle& c) { return -(c.y - size(c)); };
   Box box = {-left(reach(left)), -bottom(reach(bottom)), right(reach(right)), top(reach(top))};
-  const double margin = sizeOf(box) > 0 ? kMargin * sizeOf(box) : 1;
+  const double farthest = std::max({-box.minX, -box.minY, box.maxX, box.maxY});
+  // So that rounding leaves something of it.
+  const double margin = std::max(sizeOf(box) > 0 ? kMargin * sizeOf(box) : 1, kLeastMargin * farthest);
   return {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "arithmetic.h"
@@ -60,6 +61,13 @@ Result<ScaledCircles> validate(std::span<const Circle> circles, bool weights, st
   for (const Circle& c : circles)
     scaled.circles.push_back({c.x * factor + 0.0, c.y * factor + 0.0, c.r * factor + 0.0});
   return scaled;
+}
+
+Vertex discOfInput(const Vertex& disc, double unit) {
+  const Vertex result = {disc.x * unit, disc.y * unit, disc.r * unit};
+  if (std::isfinite(result.x) && std::isfinite(result.y) && std::isfinite(result.r)) return result;
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  return {kNaN, kNaN, kNaN};
 }
 
 std::vector<Circle> pointsOf(std::span<const Circle> circles) {

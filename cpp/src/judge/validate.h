@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 
 namespace circle_voronoi {
@@ -25,6 +26,9 @@ CIRCLE_VORONOI_API Result<ScaledCircles> validate(std::span<const Circle> circle
                                                   std::size_t first = 0);
 /// A number is no `weights`.
 void validate(std::span<const Circle> circles, std::size_t first) = delete;
+
+/// A disc of scaled circles in the unit of the input: none, which is NaN, if it is beyond the doubles.
+Vertex discOfInput(const Vertex& disc, double unit);
 
 /// The centres as circles of radius 0.
 std::vector<Circle> pointsOf(std::span<const Circle> circles);
