@@ -213,15 +213,16 @@ test('tools: pan moves no circle, Space and the middle button pan, keys choose',
   await started(app)
   const from = at(app, 4, 0)
   const view = async () => (await decodeLink(new URL(app.page.url()).hash)).view
-  const pressed = (name: string) => app.page.getByRole('button', { name }).getAttribute('aria-pressed')
+  const expectPressed = (name: string) =>
+    expect(app.page.getByRole('button', { name })).toHaveAttribute('aria-pressed', 'true')
   await app.page.keyboard.press('h')
-  expect(await pressed('Pan')).toBe('true')
+  await expectPressed('Pan')
   await app.drag(from, { x: from.x + 50, y: from.y })
   await app.page.mouse.up()
   await expect.poll(async () => (await view())?.x).toBeLessThan(4)
   const first = (await view())?.x as number
   await app.page.keyboard.press('v')
-  expect(await pressed('Select and move')).toBe('true')
+  await expectPressed('Select and move')
   await app.page.mouse.move(from.x + 50, from.y)
   await app.page.mouse.down({ button: 'middle' })
   await app.page.mouse.move(from.x + 90, from.y, { steps: 3 })
