@@ -133,10 +133,10 @@ test('charts of the numbers before an edit are gone, with what they listened to'
   await app.choose('Introduction')
   await expect(panel).toContainText('4.46 on average')
   await expect(panel.locator('canvas')).toHaveCount(2)
-  expect(await listeners()).toBe(before)
+  await expect.poll(listeners).toBe(before)
   // Folded, it has none.
   await page.getByRole('button', { name: 'Numbers', exact: true }).click()
-  expect(await listeners()).toBeLessThan(before)
+  await expect.poll(listeners).toBeLessThan(before)
 })
 
 test('panels that fold remember it, and layers stay in the address', async ({ app }) => {
