@@ -2,6 +2,7 @@
 // The page for a frame in another page, which shows what the link after the # of its address says.
 import { expect, type Page, test } from '@playwright/test'
 import { encodeLink } from '../../web/lib/link.ts'
+import { heldBack } from './held-back.ts'
 
 const WAKA = 504
 
@@ -16,14 +17,7 @@ test('refuses a link that asks for more circles than links may', async ({ page }
 })
 
 test('shows the link that its address has last, though the one before is slower', async ({ page }) => {
-  let answer = () => {}
-  const slow = new Promise<void>((resolve) => {
-    answer = resolve
-  })
-  await page.route('**/data/spruces.csv', async (route) => {
-    await slow
-    await route.continue()
-  })
+  const answer = await heldBack('**/data/spruces.csv', page)
   const asked = page.waitForRequest('**/data/spruces.csv')
   await page.goto(`/embed.html#${await encodeLink({ dataSet: 'spruces' })}`)
   await asked

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Links, what is there again after a reload or in the next tab, and other circles that throw nothing away.
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -122,19 +123,8 @@ test('what is chosen while a slow link is loaded stays, and is kept', async ({ a
   const { page } = app
   const slow = await encodeLink({ dataSet: 'spruces', edits: [{ kind: 'remove', id: 0 }] })
   const quick = await encodeLink({ circles: [[0, 0, 1]] })
-  let answer = () => {}
-  const answered = new Promise<void>((resolve) => {
-    answer = resolve
-  })
-  await page.route('**/spruces.csv', async (route) => {
-    await answered
-    await route.continue()
-  })
   const opened = new App(await page.context().newPage())
-  await opened.page.route('**/spruces.csv', async (route) => {
-    await answered
-    await route.continue()
-  })
+  const answer = await heldBack('**/spruces.csv', page, opened.page)
   // As the page begins, and later by its address.
   await opened.page.goto(`/#${slow}`)
   await opened.page.getByLabel('Data set').selectOption({ label: 'Introduction' })

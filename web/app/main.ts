@@ -3,7 +3,7 @@
 import { Editing } from '../editing/editing.ts'
 import { listenToKeyboard } from '../editing/keyboard.ts'
 import { mountSaid } from '../editing/said.ts'
-import { INITIAL_STATE, type State } from '../editing/state.ts'
+import { INITIAL_STATE, type State, stateAfter } from '../editing/state.ts'
 import { createStore } from '../editing/store.ts'
 import type { Padding } from '../view/camera.ts'
 import { mount } from '../view/mount.ts'
@@ -48,17 +48,11 @@ const store = createStore<State>(INITIAL_STATE)
 
 const editing = new Editing(
   view,
-  ({ edited, history, isOpened }) => {
+  (outcome) => {
     // What is shown at first is there without being kept.
     if (store.get().edited !== undefined) keeping.changed()
-    store.update((state) => {
-      // What was selected may be gone, and other circles have other ids.
-      const selection = isOpened ? [] : state.selection.filter((id) => editing.circles.get(id) !== undefined)
-      const selected = selection.length === 1 ? selection[0] : undefined
-      const circle = selected === undefined ? undefined : editing.circles.get(selected)
-      const dataSet = editing.scene?.dataSet ?? ''
-      return { ...state, dataSet, edited, history, selection, selected, circle, problem: '' }
-    })
+    const dataSet = editing.scene?.dataSet ?? ''
+    store.update((state) => ({ ...stateAfter(state, outcome, editing.circles), dataSet }))
     // With the picture of the same edit.
     if (store.get().selection.length > 0) choose()
   },

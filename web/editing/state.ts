@@ -3,6 +3,8 @@ import type { Circle } from '../lib/index.ts'
 import { DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { Described, Found } from '../view/protocol.ts'
+import type { CircleTable } from './circle-table.ts'
+import type { Outcome } from './editing.ts'
 import { EMPTY_HISTORY, type History } from './history.ts'
 
 /** What the panels show. It is never changed, only replaced; the circles themselves are in a `CircleTable`. */
@@ -57,4 +59,12 @@ export const INITIAL_STATE: State = {
   tool: 'select',
   isSnapping: false,
   said: '',
+}
+
+/** The state once circles were opened or edited: those that were selected may be gone, and other circles have other ids. */
+export function stateAfter(state: State, { edited, history, isOpened }: Outcome, circles: CircleTable): State {
+  const selection = isOpened ? [] : state.selection.filter((id) => circles.get(id) !== undefined)
+  const selected = selection.length === 1 ? selection[0] : undefined
+  const circle = selected === undefined ? undefined : circles.get(selected)
+  return { ...state, edited, history, selection, selected, circle, problem: '' }
 }

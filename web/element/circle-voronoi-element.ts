@@ -659,7 +659,7 @@ export class CircleVoronoiElement extends Base {
     const facts = asked && (await figure?.view.tell(idsOf(asked)))
     // Meanwhile there may be others.
     if (figure !== this.#figure || check !== this.#check) return
-    const isMet = check && (facts === undefined || asked === undefined ? false : holds(asked, facts))
+    const isMet = check && asked !== undefined && facts !== undefined && holds(asked, facts)
     const isOther = isMet !== this.#isMet
     if (isOther) {
       this.#isMet = isMet

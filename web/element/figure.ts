@@ -3,7 +3,7 @@ import { Editing, type Outcome } from '../editing/editing.ts'
 import { EditorActions, type Opened } from '../editing/editor-actions.ts'
 import { listenToKeyboard } from '../editing/keyboard.ts'
 import { mountSaid } from '../editing/said.ts'
-import { INITIAL_STATE, type State } from '../editing/state.ts'
+import { INITIAL_STATE, type State, stateAfter } from '../editing/state.ts'
 import { createStore, type Store } from '../editing/store.ts'
 import type { LoadOptions } from '../lib/load-options.ts'
 import type { TraceOptions } from '../lib/trace.ts'
@@ -52,7 +52,6 @@ export class Figure {
   readonly #keys = new AbortController()
   #isShown = true
   #refused: Error | undefined
-  #isDisposed = false
 
   constructor(
     { figure, around, controls, player, said }: Places,
@@ -64,19 +63,13 @@ export class Figure {
     const editing = new Editing(
       view,
       (outcome) => {
-        const { edited, history, isOpened } = outcome
-        store.update((state) => {
-          const selection = isOpened ? [] : state.selection.filter((id) => editing.circles.get(id) !== undefined)
-          const selected = selection.length === 1 ? selection[0] : undefined
-          const circle = selected === undefined ? undefined : editing.circles.get(selected)
-          return { ...state, edited, history, selection, selected, circle, problem: '' }
-        })
+        store.update((state) => stateAfter(state, outcome, editing.circles))
         if (store.get().selection.length > 0) this.#choose()
         onoutcome(outcome)
       },
       (problem, error) => {
         // What was asked of a figure that goes is not missed.
-        if (this.#isDisposed) return
+        if (this.#keys.signal.aborted) return
         store.update((state) => ({ ...state, problem }))
         this.#refused = error
         onproblem(error)
@@ -163,7 +156,6 @@ export class Figure {
   }
 
   dispose(): void {
-    this.#isDisposed = true
     this.#listening.stop()
     this.#keys.abort()
     this.stepping.dispose()

@@ -106,7 +106,7 @@ export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezie
       add({ x: x1, y: y1 }, { x: x2, y: y2 }, { x, y })
     },
   }
-  traceArc(sink, curve, tolerance)
+  addArc(sink, curve, tolerance)
   return pieces
 }
 

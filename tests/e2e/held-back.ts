@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Page } from '@playwright/test'
+
+/** Has what pages ask for at an address wait until the function that this returns is called. */
+export async function heldBack(address: string, ...pages: Page[]): Promise<() => void> {
+  let answer = () => {}
+  const answered = new Promise<void>((resolve) => {
+    answer = resolve
+  })
+  for (const page of pages) {
+    await page.route(address, async (route) => {
+      await answered
+      await route.continue()
+    })
+  }
+  return answer
+}
