@@ -3,6 +3,7 @@
 add_executable(circle_voronoi_proof_tests
   arithmetic_test.cpp
   automatic_test.cpp
+  brute_force.cpp
   certificate_mutation_test.cpp
   certificate_test.cpp
   compare.cpp

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "certificate_message.h"
 #include "construct.h"
 #include "diagram_of.h"
 #include "edge_turns.h"
@@ -113,6 +114,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   const Progress silent;
   Journal journal(silent);
   Sites sites = triangulate(hide(order(scaled.circles)));
+  if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) return *std::move(error);
   const Construction construction = constructAutomatically(sites, {}, journal);
   if (!construction.certificate.certified()) {
     return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
