@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "judge.h"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -81,11 +82,14 @@ class Judge {
   Verdict checkVisibility(int face) {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       if (dual_.twin[h] < h) continue;
-      int outer = dual_.origin[h];
-      int inner = dual_.target(h);
-      if (outer == kInfinity || inner == kInfinity) continue;
-      if (circles_[outer].r < circles_[inner].r) std::swap(outer, inner);
-      if (predicates_.contains(circles_[outer], circles_[inner])) return {Flaw::cellNotClosed, inner};
+      const int a = dual_.origin[h];
+      const int b = dual_.target(h);
+      if (a == kInfinity || b == kInfinity) continue;
+      const Circle& one = circles_[a];
+      const Circle& other = circles_[b];
+      if (isLonger(between(one, other), std::abs(one.r - other.r))) continue;
+      if (predicates_.contains(one, other)) return {Flaw::cellNotClosed, b};
+      if (predicates_.contains(other, one)) return {Flaw::cellNotClosed, a};
     }
     return {};
   }

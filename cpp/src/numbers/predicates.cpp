@@ -26,8 +26,8 @@ int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
   return distanceOf(*smallest, placed.disc, *face[placed.corner]).sign();
 }
 
-/// Of circles one of which nearly contains the other.
-HomogeneousDisc exactDiscAtInfinity(const Circle& a, const Circle& b) {
+/// Of circles one of which nearly contains the other: rare, so not inlined.
+[[gnu::noinline, gnu::cold]] HomogeneousDisc exactDiscAtInfinity(const Circle& a, const Circle& b) {
   const auto normal = exact::tangentNormal(a, b);
   if (!normal) return {};
   return {normal->x, normal->y, 0, 0, 0x1p-48};
@@ -39,7 +39,8 @@ FaceDisc Predicates::disc(const Triple& face) {
   const exact::Face circles = facing(circles_, face);
   if (circles[2] == nullptr) {
     HomogeneousDisc line = discAtInfinity(*circles[0], *circles[1]);
-    if (line.error == kUnknownError) line = exactDiscAtInfinity(*circles[0], *circles[1]);
+    if (line.error == kUnknownError) [[unlikely]]
+      line = exactDiscAtInfinity(*circles[0], *circles[1]);
     return faceDisc(circles, {line, 0}, true);
   }
   const CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
