@@ -285,6 +285,34 @@ TEST(Editor, GrowsBeyondTheScaleAtTheStart) {
   EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
 }
 
+TEST(Editor, ChangesHaveTheBitsOfTheSnapshotAtAnyScale) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (std::uint64_t trial = 0; trial < 40; ++trial) {
+    Random random(seed + trial);
+    const auto any = [&](double size) {
+      return Circle{size * random.unit(), size * random.unit(), 0.05 * size * random.unit()};
+    };
+    std::vector<Circle> circles;
+    for (int i = 0; i < 12; ++i) circles.push_back(any(1));
+    DiagramEditor editor = editorOf(circles);
+    test::Mirror mirror;
+    mirror.apply(editor.all().value());
+    for (int i = 0; i < 30; ++i) {
+      // The scale of the diagram jumps, and later goes back.
+      const Circle circle = any(random.below(2) == 0 ? 1 : random.logUniform(-130, 130));
+      const std::vector<CircleId> ids = editor.ids();
+      const CircleId id = ids[random.below(ids.size())];
+      const auto change = ids.size() < 12        ? editor.insert(circle)
+                          : random.below(2) == 0 ? editor.remove(id)
+                                                 : editor.replace(id, circle);
+      ASSERT_EQ(mirror.apply(changeOf(change)), "");
+      ASSERT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "")
+          << "seed " << seed + trial << ", edit " << i;
+    }
+    expectRight(editor);
+  }
+}
+
 TEST(Editor, KeepsNumbersThatNoScaleHoldsTogether) {
   // 1e150 and 3e-323: any power of two that brings the first near 2^80 rounds the second.
   const Circle tiny = {3e-323, 1e-300, 5e-324};

@@ -89,7 +89,7 @@ std::optional<Circle> scaledExactly(const Circle& circle, double unit) {
   const double factor = 1 / unit;
   // Adding zero turns -0 into +0, as in validate.
   const Circle scaled = {circle.x * factor + 0.0, circle.y * factor + 0.0, circle.r * factor + 0.0};
-  if (std::max({std::abs(scaled.x), std::abs(scaled.y), scaled.r}) > kLargestScaled) return std::nullopt;
+  if (std::max({std::abs(scaled.x), std::abs(scaled.y), scaled.r}) >= kLargestScaled) return std::nullopt;
   if (Circle{scaled.x * unit, scaled.y * unit, scaled.r * unit} != circle) return std::nullopt;
   return scaled;
 }
