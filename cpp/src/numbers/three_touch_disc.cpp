@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "bit_cast.h"
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "refined.h"
@@ -24,6 +26,9 @@ Vector3 cross(const Vector3& u, const Vector3& v) {
 double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
 
 Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
+
+/// std::ldexp, but for the numbers whose exponents have no place of their own.
+double powerOfTwo(int exponent) { return bitCast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52); }
 
 /// The center and the radius of a disc, if its error bound is small enough.
 std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles) {
@@ -90,16 +95,17 @@ std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c
   // Underflow depends on the scale, so the circles get one of their own, as in validate.
   int exponent = 0;
   std::frexp(largest, &exponent);
-  const int scaling = std::min(80 - exponent, 1000 + std::ilogb(unit));
+  const int unitExponent = std::ilogb(unit);
+  const int scaling = std::min(80 - exponent, 1000 + unitExponent);
   // Two factors: their product may be beyond the doubles.
-  const double half = std::ldexp(1.0, scaling / 2);
-  const double rest = std::ldexp(1.0, scaling - scaling / 2);
+  const double half = powerOfTwo(scaling / 2);
+  const double rest = powerOfTwo(scaling - scaling / 2);
   const auto scaled = [&](const Circle& circle) {
     return Circle{circle.x * half * rest, circle.y * half * rest, circle.r * half * rest};
   };
   const std::array circles = {scaled(a), scaled(b), scaled(c)};
   const exact::Face face = {&circles[0], &circles[1], &circles[2]};
-  const double ownUnit = std::ldexp(unit, -scaling);
+  const double ownUnit = powerOfTwo(unitExponent - scaling);
   auto vertex = vertexAt(discOf(circles[0], circles[1], circles[2]), face);
   if (!vertex) vertex = vertexAt(refinedDiscOf(circles[0], circles[1], circles[2]), face);
   if (!vertex) return exact::disc(face, ownUnit);
