@@ -110,13 +110,13 @@ TEST(Editor, BringsBackWhatAHugeCircleHid) {
   for (const Circle& c : circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y)});
   test::Mirror mirror;
   mirror.apply(editor.all().value());
-  const Change hiding = changeOf(editor.insert({0.4 * reach, 0.5 * reach, 0.55 * reach}));
+  const Change hiding = changeOf(editor.insert({0.4 * reach, 0.5 * reach, 0.26 * reach}));
   EXPECT_EQ(hiding.way, EditWay::local);
-  EXPECT_GT(hiding.hidden.size(), 8'000U);
+  EXPECT_GT(hiding.hidden.size(), 2'000U);
   EXPECT_EQ(mirror.apply(hiding), "");
   expectRight(editor);
   // It moves, and hides others.
-  const Change moving = changeOf(editor.replace(12'000, {0.6 * reach, 0.5 * reach, 0.5 * reach}));
+  const Change moving = changeOf(editor.replace(12'000, {0.6 * reach, 0.5 * reach, 0.25 * reach}));
   EXPECT_FALSE(moving.hidden.empty());
   EXPECT_FALSE(moving.shown.empty());
   EXPECT_EQ(moving.way, EditWay::local);
@@ -129,6 +129,43 @@ TEST(Editor, BringsBackWhatAHugeCircleHid) {
   EXPECT_EQ(editor.circles(), circles);
   expectRight(editor);
   EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+}
+
+TEST(Editor, ComputesEverythingWhereMostIsHiddenOrShown) {
+  const std::vector<Circle> circles = generate(Family::uniform, 2'000, 1);
+  DiagramEditor editor = editorOf(circles);
+  double reach = 0;
+  for (const Circle& c : circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y)});
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  const auto expectWhole = [&](const Change& change) {
+    EXPECT_EQ(change.way, EditWay::whole);
+    EXPECT_GT(change.hidden.size() + change.shown.size(), 1'000U);
+    EXPECT_EQ(mirror.apply(change), "");
+    EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+    expectRight(editor);
+  };
+  const Circle hider = {0.5 * reach, 0.5 * reach, 0.5 * reach};
+  expectWhole(changeOf(editor.insert(hider)));
+  expectWhole(changeOf(editor.remove(2'000)));
+  expectWhole(changeOf(editor.replace(7, hider)));
+  expectWhole(changeOf(editor.replace(7, circles[7])));
+}
+
+TEST(Editor, HandsOverWhatACircleHid) {
+  // 0 hides 3 and 4, and then comes to lie in 1, with 3.
+  DiagramEditor editor =
+      editorOf({{-2, 0, 4}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 4}));
+  const Change change = changeOf(editor.replace(0, {5, 0, 3.9}));
+  EXPECT_EQ(change.hidden, std::vector<CircleId>{0});
+  EXPECT_EQ(change.shown, std::vector<CircleId>{4});
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{0, 3}));
+  expectRight(editor);
+  // It comes to be identical with 1, and takes its place.
+  changeOf(editor.replace(0, {11, 0, 10}));
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{1, 3}));
+  expectRight(editor);
 }
 
 TEST(Editor, OfIdenticalCirclesShowsTheFirst) {
