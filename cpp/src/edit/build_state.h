@@ -12,7 +12,8 @@
 
 namespace circle_voronoi {
 
-/// The state of an editor with these circles, whose ids increase. Errors are those of `compute`, by index.
+/// The state of an editor with these circles, whose ids increase. Errors are those of `compute`, by index, but for
+/// vertices (vertexError).
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const std::int32_t> ids);
 
 /// A circle in the unit of a state; nothing if it is too large there, or would be rounded.
@@ -23,5 +24,8 @@ std::array<int, 3> slotsOfVertex(const EditState& state, int face);
 
 /// The disc of a vertex in the units of the input; nothing if it is beyond the doubles.
 std::optional<Vertex> vertexOfFace(const EditState& state, int face);
+
+/// Returns the error of the first vertex that is beyond the doubles, if there is one.
+std::optional<Error> vertexError(const EditState& state);
 
 }  // namespace circle_voronoi

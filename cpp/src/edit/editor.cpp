@@ -295,6 +295,7 @@ Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles) {
     std::iota(ids.begin(), ids.end(), 0);
     auto state = buildState(circles, ids);
     if (!state) return state.error();
+    if (auto error = vertexError(*state.value())) return *std::move(error);
     return DiagramEditor(std::make_unique<Editor>(std::move(state).value()));
   });
 }
