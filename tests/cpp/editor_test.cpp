@@ -322,6 +322,30 @@ TEST(Editor, GrowsBeyondTheScaleAtTheStart) {
   EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
 }
 
+TEST(Editor, APointFarAwayIsALocalEdit) {
+  DiagramEditor editor = editorOf(generate(Family::uniform, 300, 1));
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  for (const double x : {1e20, 1e60, 1e150}) {
+    const Change change = changeOf(editor.insert({x, 0, 0}));
+    EXPECT_EQ(change.way, EditWay::local);
+    ASSERT_EQ(mirror.apply(change), "");
+    expectRight(editor);
+  }
+  // The circles that were there are edited in the new unit.
+  for (CircleId id = 0; id < 100; ++id) {
+    Circle moved = *editor.circle(id);
+    moved.r *= 1.5;
+    ASSERT_EQ(mirror.apply(changeOf(editor.replace(id, moved))), "");
+    ASSERT_EQ(mirror.apply(changeOf(editor.remove(id + 100))), "");
+  }
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  expectRight(editor);
+  for (CircleId id = 300; id < 303; ++id) ASSERT_EQ(mirror.apply(changeOf(editor.remove(id))), "");
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  expectRight(editor);
+}
+
 TEST(Editor, ChangesHaveTheBitsOfTheSnapshotAtAnyScale) {
   const std::uint64_t seed = test::seedOr(1);
   for (std::uint64_t trial = 0; trial < 40; ++trial) {

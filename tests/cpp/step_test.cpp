@@ -74,5 +74,32 @@ TEST(Step, ThatHidesOrShowsMostIsLeftToTheWhole) {
   EXPECT_EQ(shrinking.stepper.replace(shrinking.state->ids.slotOf(3000), shrinking.scaled(small)), std::nullopt);
 }
 
+TEST(Step, ALargerUnitKeepsTheBitsOfDirections) {
+  Steps steps(generate(Family::logUniform, 200, 1));
+  EditState& state = *steps.state;
+  const auto directions = [&] {
+    std::vector<Vector> all;
+    for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
+      if (state.dual.origin[h] != kInfinity) all.push_back(state.discs.direction(h));
+    }
+    return all;
+  };
+  const std::vector<Vector> before = directions();
+  const Circle first = state.inputOf(0);
+  EXPECT_TRUE(rescale(state, state.unit * 0x1p500));
+  EXPECT_EQ(state.inputOf(0), first);
+  const std::vector<Vector> after = directions();
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(after[i].x, before[i].x);
+    EXPECT_EQ(after[i].y, before[i].y);
+  }
+  // The smallest double would round them.
+  const double unit = state.unit;
+  EXPECT_FALSE(rescale(state, unit * 0x1p600));
+  EXPECT_EQ(state.unit, unit);
+  EXPECT_EQ(state.inputOf(0), first);
+}
+
 }  // namespace
 }  // namespace circle_voronoi

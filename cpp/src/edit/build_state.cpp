@@ -94,6 +94,36 @@ std::optional<Circle> scaledExactly(const Circle& circle, double unit) {
   return scaled;
 }
 
+bool rescale(EditState& state, double unit) {
+  std::vector<Circle> circles(state.circles.size());
+  for (int slot = 0; slot < static_cast<int>(circles.size()); ++slot) {
+    if (state.sites[slot].id == kNone) continue;
+    const auto exact = scaledExactly(state.inputOf(slot), unit);
+    if (!exact) return false;
+    circles[slot] = *exact;
+  }
+  // A disc is a homogeneous point: with this weight all directions to it keep their bits.
+  const double growth = unit / state.unit;
+  for (int face = 0; face < state.dual.faceCount(); ++face) {
+    if (state.isInUse(face) && !std::isfinite(state.discs[face].w * growth)) return false;
+  }
+  std::copy(circles.begin(), circles.end(), state.circles.begin());
+  for (int face = 0; face < state.dual.faceCount(); ++face) {
+    if (!state.isInUse(face)) continue;
+    FaceDisc disc = state.discs[face];
+    disc.w *= growth;
+    state.discs.set(face, disc);
+  }
+  state.unit = unit;
+  return true;
+}
+
+bool makeRoom(EditState& state, std::span<const Circle> circles) {
+  const auto validated = validate(circles);
+  if (!validated || validated.value().unit <= state.unit) return false;
+  return rescale(state, validated.value().unit * kRoom) || rescale(state, validated.value().unit);
+}
+
 std::array<int, 3> slotsOfVertex(const EditState& state, int face) {
   auto slots = cornersOf(state.dual, 3 * face);
   const auto isBefore = [&](int a, int b) { return state.sites[a].id < state.sites[b].id; };

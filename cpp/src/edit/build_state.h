@@ -19,6 +19,13 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
 /// A circle in the unit of a state; nothing if it is too large there, or would be rounded.
 std::optional<Circle> scaledExactly(const Circle& circle, double unit);
 
+/// Gives a state that has no changes to keep a larger unit. Its signs are proven in any unit, so that nothing is judged
+/// again. Returns false, and changes nothing, if the unit would round a circle.
+bool rescale(EditState& state, double unit);
+
+/// Rescales a state so that these circles, which are larger than it can hold, have room. Returns whether it did.
+bool makeRoom(EditState& state, std::span<const Circle> circles);
+
 /// The circles of a vertex, the one with the least id first, so that its disc has the same bits however it was found.
 std::array<int, 3> slotsOfVertex(const EditState& state, int face);
 
