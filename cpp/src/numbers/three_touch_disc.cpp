@@ -31,14 +31,21 @@ Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.
 double powerOfTwo(int exponent) { return bitCast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52); }
 
 /// The center and the radius of a disc, if its error bound is small enough.
-std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles) {
+std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit) {
   const auto& [disc, corner] = placed;
   const Circle& o = *circles[corner];
   // The error of w times the longer side is part of the bound, so w is right to as many bits.
   const double side =
       std::max(length(between(o, *circles[(corner + 1) % 3])), length(between(o, *circles[(corner + 2) % 3])));
   if (!(disc.error <= 0x1p-36 * disc.w * side)) return std::nullopt;
-  return Vertex{o.x + disc.x / disc.w, o.y + disc.y / disc.w, disc.rho / disc.w - o.r};
+  return Vertex{(o.x + disc.x / disc.w) * unit, (o.y + disc.y / disc.w) * unit, (disc.rho / disc.w - o.r) * unit};
+}
+
+std::optional<Vertex> vertexIn(const exact::Face& circles, double unit) {
+  const auto& [a, b, c] = circles;
+  if (const auto vertex = vertexAt(discOf(*a, *b, *c), circles, unit)) return vertex;
+  if (const auto vertex = vertexAt(refinedDiscOf(*a, *b, *c), circles, unit)) return vertex;
+  return exact::disc(circles, unit);
 }
 
 }  // namespace
@@ -87,9 +94,8 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 }
 
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit) {
-  const std::array given = {&a, &b, &c};
   double largest = 0;
-  for (const Circle* circle : given) {
+  for (const Circle* circle : {&a, &b, &c}) {
     largest = std::max({largest, std::abs(circle->x), std::abs(circle->y), std::abs(circle->r)});
   }
   // Underflow depends on the scale, so the circles get one of their own, as in validate.
@@ -97,6 +103,7 @@ std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c
   std::frexp(largest, &exponent);
   const int unitExponent = std::ilogb(unit);
   const int scaling = std::min(80 - exponent, 1000 + unitExponent);
+  if (scaling == 0) return vertexIn({&a, &b, &c}, unit);
   // Two factors: their product may be beyond the doubles.
   const double half = powerOfTwo(scaling / 2);
   const double rest = powerOfTwo(scaling - scaling / 2);
@@ -104,12 +111,7 @@ std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c
     return Circle{circle.x * half * rest, circle.y * half * rest, circle.r * half * rest};
   };
   const std::array circles = {scaled(a), scaled(b), scaled(c)};
-  const exact::Face face = {&circles[0], &circles[1], &circles[2]};
-  const double ownUnit = powerOfTwo(unitExponent - scaling);
-  auto vertex = vertexAt(discOf(circles[0], circles[1], circles[2]), face);
-  if (!vertex) vertex = vertexAt(refinedDiscOf(circles[0], circles[1], circles[2]), face);
-  if (!vertex) return exact::disc(face, ownUnit);
-  return Vertex{vertex->x * ownUnit, vertex->y * ownUnit, vertex->r * ownUnit};
+  return vertexIn({&circles[0], &circles[1], &circles[2]}, powerOfTwo(unitExponent - scaling));
 }
 
 }  // namespace circle_voronoi
