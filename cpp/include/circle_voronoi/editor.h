@@ -64,8 +64,8 @@ struct EditedSide {
 /// While an editor lives, each vertex and each edge has a number, which stays its own until it goes, and may then be
 /// that of another: an edge with another end is another edge, and so is a vertex whose circle has moved. Numbers stay
 /// below the most vertices and edges that there ever were at a time, and a few for the hull. Who takes away what goes,
-/// then puts what comes into its place, has the diagram as it is now, unbounded edges and the hull included. Its circles
-/// and vertices equal those of `snapshot` to the bit, at any scale.
+/// then puts what comes into its place, has the diagram as it is now, unbounded edges and the hull included. Its
+/// circles and vertices equal those of `snapshot` to the bit, at any scale.
 struct Change {
   EditWay way = EditWay::local;
 
