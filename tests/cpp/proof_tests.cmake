@@ -31,6 +31,7 @@ add_executable(circle_voronoi_proof_tests
   report.cpp
   settle_ties_test.cpp
   small_duals.cpp
+  step_test.cpp
   tie_inputs.cpp
   topology_test.cpp
   trial.cpp
