@@ -4,6 +4,7 @@ import { pointAt } from '../../web/lib/bisector.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { loadCircleVoronoi } from '../../web/lib/loader.ts'
+import { got, heldBack } from './held-back.ts'
 import { dataSet, expect, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')
@@ -147,15 +148,19 @@ test('takes a drag back at Escape', async ({ app }) => {
 })
 
 test('shows the data set that was chosen last', async ({ app }) => {
-  await app.page.route('**/data/spruces.csv', async (route) => {
-    await new Promise((resolve) => setTimeout(resolve, 600))
-    await route.continue()
-  })
+  const answer = await heldBack('**/data/spruces.csv', app.page)
   const menu = app.page.getByLabel('Data set')
   await menu.selectOption({ label: 'Spruces' })
   await menu.selectOption({ label: 'Waka trees' })
   await expect(app.status).toContainText('504 circles')
-  await app.page.waitForTimeout(900)
+  const answered = app.page.waitForResponse('**/data/spruces.csv')
+  answer()
+  await (await answered).finished()
+  await got(app.page, 'data/spruces.csv')
+  // What was opened late would be what is undone.
+  await app.page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('678 circles')
+  await app.page.getByRole('button', { name: 'Redo' }).click()
   await expect(app.status).toContainText('504 circles')
 })
 

@@ -2,7 +2,7 @@
 // The page for a frame in another page, which shows what the link after the # of its address says.
 import { expect, type Page, test } from '@playwright/test'
 import { encodeLink } from '../../web/lib/link.ts'
-import { heldBack } from './held-back.ts'
+import { got, heldBack } from './held-back.ts'
 
 const WAKA = 504
 
@@ -29,7 +29,9 @@ test('shows the link that its address has last, though the one before is slower'
   const answered = page.waitForResponse('**/data/spruces.csv')
   answer()
   await (await answered).finished()
-  await page.waitForTimeout(300)
+  await got(page, 'data/spruces.csv')
+  // Its thread draws after whatever was asked of it before.
+  await page.evaluate(() => document.querySelector('circle-voronoi')?.toSVG())
   expect(await circlesOf(page)).toBe(WAKA)
   await expect(page.locator('#problem')).toBeHidden()
 })

@@ -51,12 +51,14 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   expect(await saved(app)).toEqual(INTRODUCTION)
 
   // The tool for adding does so, too, wherever it is pressed.
+  await page.clock.install()
   for (const key of ['v', 'a']) {
     await page.locator('#figure').focus()
     await page.keyboard.press('Escape')
     await page.keyboard.press(key)
     await page.mouse.move(place.x, place.y)
     await page.mouse.down()
+    await page.clock.fastForward(5000)
     await expect(panel).toBeVisible()
     await page.mouse.up()
     await expect(panel).toBeHidden()
@@ -73,7 +75,9 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   const center = app.center(INTRODUCTION, 0)
   await page.mouse.move(center.x, center.y)
   await page.mouse.down()
-  await page.waitForTimeout(600)
+  await page.clock.fastForward(5000)
+  // It would be there with the frame after the next one.
+  for (let k = 0; k < 2; k++) await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
   await expect(panel).toBeHidden()
   await page.mouse.up()
   await expect(app.status).toContainText('14 circles')

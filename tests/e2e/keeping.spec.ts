@@ -2,7 +2,7 @@
 // Links, what is there again after a reload or in the next tab, and other circles that throw nothing away.
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { packed } from '../../web/lib/link-text.ts'
-import { heldBack } from './held-back.ts'
+import { got, heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -138,9 +138,15 @@ test('what is chosen while a slow link is loaded stays, and is kept', async ({ a
   await go(slow)
   await go(quick)
   await expect(app.status).toContainText('1 circle')
+  const answered = [page, opened.page].map((page) => page.waitForResponse('**/spruces.csv'))
   answer()
-  await page.waitForTimeout(600)
-  await expect(opened.status).toContainText('14 circles')
+  for (const response of answered) await (await response).finished()
+  for (const { page } of [app, opened]) await got(page, 'data/spruces.csv')
+  // An edit comes after whatever would have been opened.
+  await opened.canvas.focus()
+  await opened.page.keyboard.press('Enter')
+  await opened.page.keyboard.press('Delete')
+  await expect(opened.status).toContainText('13 circles')
   await expect(app.status).toContainText('1 circle')
   for (const { page } of [opened, app]) await expect(page.getByRole('alert')).toBeHidden()
   await app.canvas.focus()

@@ -66,7 +66,6 @@ test('two views on one page know nothing of each other', async ({ opened: page }
 })
 
 test('a view is written as an SVG and as a PNG that look alike', async ({ opened: page }) => {
-  await page.evaluate(() => views.one.setLayers({ hull: true, dual: true }))
   const alike = await page.evaluate(async () => {
     const draw = async (blob: Blob) => {
       const image = new Image()
@@ -77,8 +76,9 @@ test('a view is written as an SVG and as a PNG that look alike', async ({ opened
       context.drawImage(image, 0, 0, 400, 300)
       return { pixels: context.getImageData(0, 0, 400, 300).data, width: image.naturalWidth }
     }
-    // The hull is found a moment later.
-    await new Promise((resolve) => setTimeout(resolve, 500))
+    const found = new Promise<void>((resolve) => views.one.on('found', (found) => found?.hull && resolve()))
+    views.one.setLayers({ hull: true, dual: true })
+    await found
     const svg = await draw(new Blob([await views.one.toSVG()], { type: 'image/svg+xml' }))
     const png = await draw(await views.one.toPNG(1))
     const large = await views.one.toPNG(3)

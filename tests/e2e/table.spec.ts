@@ -131,6 +131,7 @@ test('what is written goes into the circle it was begun for, and rows are sorted
   await expect(x).toHaveAttribute('aria-sort', 'ascending')
   // The circles with the least x are 13, 10, 4 and 3.
   await expect(table.cell(2, 1)).toHaveText('10')
+  await page.clock.install()
   await table.cell(1, 2).click()
   await page.keyboard.type('7')
   await page.keyboard.press('Enter')
@@ -138,7 +139,8 @@ test('what is written goes into the circle it was begun for, and rows are sorted
   await page.keyboard.type('6')
   const input = table.grid.getByRole('textbox')
   await expect(input).toHaveValue('6')
-  await page.waitForTimeout(600)
+  // The rest after which rows are sorted is over.
+  await page.clock.fastForward(5000)
   await expect(table.cell(1, 1)).toHaveText('13')
   await input.press('Enter')
   await expect(input).toHaveCount(0)

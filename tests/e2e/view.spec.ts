@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import AxeBuilder from '@axe-core/playwright'
+import { decodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/loader.ts'
 import { dataSet, expect, test } from './page.ts'
 
@@ -146,8 +147,8 @@ test('panels that fold remember it, and layers stay in the address', async ({ ap
   await layers.click()
   await page.getByLabel('Cells', { exact: true }).selectOption('by area')
   await page.getByRole('checkbox', { name: 'Convex hull' }).check()
-  await expect.poll(() => page.url()).toContain('#')
-  await page.waitForTimeout(600)
+  const linked = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers
+  await expect.poll(linked).toMatchObject({ cells: 'area', hull: true })
   await page.reload()
   await expect(layers).toHaveAttribute('aria-expanded', 'true')
   await expect(page.getByRole('checkbox', { name: 'Convex hull' })).toBeChecked()

@@ -3,7 +3,17 @@
 // line, whatever is killed on the way.
 import assert from 'node:assert/strict'
 import { execFileSync, spawn } from 'node:child_process'
-import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs'
+import {
+  closeSync,
+  mkdtempSync,
+  openSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+  writeSync,
+} from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, describe, it } from 'node:test'
@@ -65,11 +75,25 @@ function assertWhole(files) {
   assert.ok(rows.every((row, i) => row === whole[i]))
 }
 
-/** A program in place of circle-voronoi that waits before it computes. */
-function slowly(seconds) {
-  const program = join(folder, `slow-${seconds}`)
-  writeFileSync(program, `#!/bin/sh\n[ "$1" = compute ] && sleep ${seconds}\nexec "${NATIVE}" "$@"\n`, { mode: 0o755 })
-  return program
+/** A program in place of circle-voronoi that waits before it computes, once some parts are there, until it is let go on. */
+function waiting(output) {
+  const [program, gate, isOpen] = ['waiting', 'gate', 'open'].map((name) => `${output}-${name}`)
+  execFileSync('mkfifo', [gate])
+  const lines = [
+    '#!/bin/sh',
+    `parts=0; for part in "${join(output, '0', 'parts')}"/*; do parts=$((parts + 1)); done`,
+    `if [ "$1" = compute ] && [ $parts -gt 5 ] && [ ! -e "${isOpen}" ]; then read line <"${gate}"; fi`,
+    `exec "${NATIVE}" "$@"`,
+  ]
+  writeFileSync(program, `${lines.join('\n')}\n`, { mode: 0o755 })
+  const goOn = () => {
+    writeFileSync(isOpen, '')
+    // It stays open, with a line for each that waits or is about to.
+    const end = openSync(gate, 'r+')
+    writeSync(end, '\n'.repeat(100))
+    return () => closeSync(end)
+  }
+  return { program, goOn }
 }
 
 function dask(output, ...options) {
@@ -176,7 +200,7 @@ describe('tiles of ten thousand circles', () => {
 
   it('are the same if a worker is killed in the middle', async () => {
     const output = join(folder, 'killed-worker')
-    const program = slowly(0.1)
+    const { program, goOn } = waiting(output)
     const child = dask(output, '--program', program)
     const ended = end(child)
     await until(() => doneOf(output).length > 5)
@@ -186,14 +210,16 @@ describe('tiles of ten thousand circles', () => {
       return workers.length > 0
     })
     process.kill(workers[0], 'SIGKILL')
+    const close = goOn()
     const { status, said } = await ended
+    close()
     assert.equal(status, 0, said)
     assertWhole(partsOf(output))
   })
 
   it('go on where they were if all is killed', async () => {
     const output = join(folder, 'killed')
-    const child = dask(output, '--program', slowly(0.1))
+    const child = dask(output, '--program', waiting(output).program)
     const ended = end(child)
     await until(() => doneOf(output).length > 5)
     process.kill(-child.pid, 'SIGKILL')

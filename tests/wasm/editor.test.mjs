@@ -81,12 +81,19 @@ describe('the memory of editors', () => {
     const collectGarbage = runInNewContext('gc')
     const { library, memory } = await loadWithMemory()
     const circles = Float64Array.from({ length: 6000 }, randomNumbers(3))
+    let forgotten = 0
+    const registry = new FinalizationRegistry(() => {
+      forgotten += 1
+    })
     let grown
     for (let i = 0; i < 60; i++) {
-      library.edit(circles)
-      collectGarbage()
-      // Finalizers run in turns of the event loop.
-      await new Promise((resolve) => setTimeout(resolve, 5))
+      registry.register(library.edit(circles))
+      // Finalizers run in turns of the event loop, that of the editor next to this one.
+      while (forgotten <= i) {
+        collectGarbage()
+        await new Promise(setImmediate)
+      }
+      await new Promise(setImmediate)
       if (i === 20) grown = memory()
     }
     assert.equal(memory(), grown)

@@ -242,12 +242,13 @@ describe('the storage of scenes', () => {
     const browser = new Browser(400)
     const open = await browser.open()
     await open.storage.write('v1.open')
-    for (const link of ['v1.older', 'v1.newer']) {
+    for (const [time, link] of ['v1.older', 'v1.newer'].entries()) {
+      vi.spyOn(Date, 'now').mockReturnValue(time)
       const tab = await browser.open(false)
       await tab.storage.write(link)
       tab.close()
-      await new Promise((resolve) => setTimeout(resolve, 2))
     }
+    vi.restoreAllMocks()
     const large = await browser.open(false)
     await large.storage.write('x'.repeat(150))
     expect(large.storage.read()).toBe('x'.repeat(150))

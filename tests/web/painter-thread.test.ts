@@ -83,6 +83,29 @@ async function openScene(scene: number): Promise<void> {
   await heard(scene)
 }
 
+it('what is found is told once, also where the rest after circles were opened is over later', async () => {
+  await openScene(7)
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] })
+  try {
+    const found = () => saidOf('found').filter(({ scene }) => scene === 7)
+    send({ kind: 'open', scene: 7, revision: 2, circles: CIRCLES })
+    send({ kind: 'layers', scene: 7, layers: { ...DEFAULT_LAYERS, hull: true }, isPainted: true })
+    await vi.advanceTimersByTimeAsync(0)
+    expect(found()).toHaveLength(1)
+    await vi.advanceTimersByTimeAsync(10_000)
+    expect(found()).toHaveLength(1)
+    // Other circles, of which it is found once they rest.
+    send({ kind: 'open', scene: 7, revision: 3, circles: CIRCLES.slice(3) })
+    await vi.advanceTimersByTimeAsync(0)
+    expect(found()).toHaveLength(1)
+    await vi.advanceTimersByTimeAsync(10_000)
+    expect(found()).toHaveLength(2)
+    send({ kind: 'close', scene: 7 })
+  } finally {
+    vi.useRealTimers()
+  }
+})
+
 describe('what stands out', () => {
   it('has other outlines where another box, or another scale, is looked at', async () => {
     await openScene(1)
@@ -115,11 +138,10 @@ describe('what stands out', () => {
     const path = { from: { x: -5, y: 8 }, to: { x: 12, y: 8 } }
     send({ kind: 'layers', scene: 2, layers: { ...DEFAULT_LAYERS, path }, isPainted: true })
     const pieces = () => saidOf('found').map(({ found }) => found.path?.outline.length ?? 0)
-    // Once for the layers, and once more a moment after the circles came.
-    await vi.waitFor(() => expect(pieces()).toHaveLength(2), SOON)
+    await vi.waitFor(() => expect(pieces()).toHaveLength(1), SOON)
     send({ kind: 'look', scene: 2, style, ...wishOf(2, 2, 1e5, 1) })
-    await vi.waitFor(() => expect(pieces()).toHaveLength(3), SOON)
-    expect(pieces()[2]).toBeGreaterThan(pieces()[1] as number)
+    await vi.waitFor(() => expect(pieces()).toHaveLength(2), SOON)
+    expect(pieces()[1]).toBeGreaterThan(pieces()[0] as number)
     send({ kind: 'close', scene: 2 })
   })
 })

@@ -62,6 +62,8 @@ export class PaintedScene {
   #layers = DEFAULT_LAYERS
   /** How long it took last to find what depends on all circles. */
   #findingSeconds = 0
+  /** Whether what depends on all circles has been found as it is now. */
+  #isFound = false
   #look: Look | undefined
   /** Those of the grid that the view has, and those still to be painted, the next one last. */
   readonly #painted = new Set<string>()
@@ -100,6 +102,7 @@ export class PaintedScene {
     const picture = this.#picture
     const { candidates, sampleCount } = this.#layers
     this.#layers = layers
+    this.#isFound = false
     picture.layers = layers
     if (!layers.delaunay && !layers.ordinary) {
       picture.centres?.dispose()
@@ -120,6 +123,7 @@ export class PaintedScene {
 
   /** The power diagram of the circles as they are. */
   addPower({ computeComparison }: Comparison): void {
+    this.#isFound = false
     this.#picture.setPower(computeComparison(this.#picture.diagram.circles, 'power'))
     this.#restart()
   }
@@ -132,13 +136,14 @@ export class PaintedScene {
 
   /** What the touching disc method makes of the circles as they are. */
   addMethod(): void {
+    this.#isFound = false
     this.#picture.setMethod(methodResult(this.#library, this.#picture.diagram, this.#layers))
     this.#restart()
   }
 
-  /** Whether the layers show what depends on all circles. */
-  get isAnythingFound(): boolean {
-    return isAnythingFound(this.#layers)
+  /** Whether the layers show what depends on all circles and has not been found. */
+  get isAnythingToFind(): boolean {
+    return !this.#isFound && isAnythingFound(this.#layers)
   }
 
   /** Whether that has a path, which is as fine as what is looked at. */
@@ -157,6 +162,7 @@ export class PaintedScene {
     const scale = this.#look?.grid.scale
     const tolerance = scale === undefined ? this.#picture.cellWidth / 1000 : toleranceOf({ scale })
     const result = found(this.#picture, tolerance)
+    this.#isFound = true
     this.#findingSeconds = (performance.now() - start) / 1000
     return result
   }
@@ -249,6 +255,7 @@ export class PaintedScene {
     const { boxes, isEverywhere } = this.#picture.apply(change)
     const patches = this.#repaint(boxes)
     if (isEverywhere) this.#restart()
+    this.#isFound = false
     return { patches, boxes, inserted: change.inserted, found: this.isFoundQuickly ? this.find() : undefined }
   }
 
@@ -256,11 +263,13 @@ export class PaintedScene {
   look({ wish, grid, seen, wanted }: Wish, style: Style): { isElsewhere: boolean; isOtherScale: boolean } {
     const before = this.#look
     this.#look = { wish, grid, seen, wanted, style }
+    const isOtherScale = before?.grid.scale !== grid.scale
+    if (isOtherScale) this.#isFound = false
     const isOtherGrid = before?.grid.id !== grid.id
     if (isOtherGrid) this.#painted.clear()
     this.#queue(seen, wanted)
     const isElsewhere = isOtherGrid || !isSameBox(before.wanted, wanted)
-    return { isElsewhere, isOtherScale: before?.grid.scale !== grid.scale }
+    return { isElsewhere, isOtherScale }
   }
 
   get isWaiting(): boolean {

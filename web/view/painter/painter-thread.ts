@@ -267,7 +267,7 @@ async function findAll(): Promise<void> {
       scene.addMethod()
       schedule()
     }
-    if (scene.isAnythingFound) post({ kind: 'found', scene: number, found: scene.find() })
+    if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
     if (!scene.isPowerMissing) continue
     comparison ??= import('../../lib/comparison.ts').then(async ({ loadComparison }) => loadComparison(await library))
     const loaded = await comparison.catch(() => undefined)
