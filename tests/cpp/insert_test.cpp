@@ -10,6 +10,7 @@
 #include "face_discs.h"
 #include "flip.h"
 #include "hide.h"
+#include "insert_cell.h"
 #include "judge.h"
 #include "random.h"
 #include "report.h"
@@ -80,6 +81,35 @@ TEST(Insert, TakesAFewFlipsACircleWhereFlipsFromTheCentresFindNoWay) {
   ASSERT_TRUE(inserted);
   EXPECT_TRUE(judge(circles, inserted->dual, predicates).isRight());
   EXPECT_LT(inserted->flips, 5 * 2000);
+}
+
+/// A few circles at each power of two: from the center of one, all larger ones look equally far away.
+std::vector<Circle> atPowersOfTwo(std::size_t count, Random& random) {
+  std::vector<Circle> circles(count);
+  for (Circle& c : circles) {
+    const double size = std::ldexp(1.0, -static_cast<int>(random.below(900)));
+    const Vector direction = random.direction();
+    c = {size * direction.x, size * direction.y, 0.2 * size};
+  }
+  return circles;
+}
+
+TEST(Insert, FindsTheEdgeThatACellCutsWhereDistancesLookEqual) {
+  const std::uint64_t seed = test::seedOr(1);
+  Random random(seed);
+  for (int trial = 0; trial < 20; ++trial) {
+    EXPECT_TRUE(isInsertedRightly(visibleCircles(atPowersOfTwo(200, random)))) << "seed " << seed;
+  }
+}
+
+TEST(Insert, TheLeadOfANearerCircleIsRightWhereDistancesLookEqual) {
+  // Seen from 1, both are at distance 1 to all digits of a double.
+  const Circle farther = {-1e-30, 0, 1e-31};
+  const Circle nearer = {2e-30, 0, 1e-31};
+  EXPECT_NEAR(leadOf({1, 0}, farther, nearer).value, 3e-30, 1e-44);
+  EXPECT_EQ(leadOf({1, 0}, farther, nearer).sign(), 1);
+  EXPECT_EQ(leadOf({1, 0}, nearer, farther).sign(), -1);
+  EXPECT_EQ(leadOf({1, 0}, nearer, nearer).sign(), 0);
 }
 
 TEST(Insert, IsTheWayWhereCirclesAllButHideOneAnother) {

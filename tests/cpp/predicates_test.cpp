@@ -187,6 +187,41 @@ TEST(Predicates, AgreeWithExactArithmeticOnRandomCircles) {
   }
 }
 
+/// Circles inside the first one, but for 1e-15 of its radius: common tangents are too short for a filter of doubles.
+std::vector<Circle> barelyOut(std::size_t count, Random& random) {
+  const double radius = random.logUniform(-3, 3);
+  std::vector<Circle> circles = {{0, 0, radius}};
+  while (circles.size() < count) {
+    const double r = radius * random.unit();
+    const Vector direction = random.direction();
+    const double distance = (radius - r) * (1 + 1e-15);
+    circles.push_back({distance * direction.x, distance * direction.y, r});
+  }
+  return circles;
+}
+
+TEST(Predicates, AgreeWithExactArithmeticOnCirclesThatBarelyStickOut) {
+  const std::uint64_t seed = test::seedOr(1);
+  Random random(seed);
+  for (int trial = 0; trial < 60; ++trial) {
+    const auto circles = barelyOut(5, random);
+    compare(circles);
+    if (testing::Test::HasFailure()) FAIL() << "seed " << seed << test::describe(circles);
+  }
+}
+
+TEST(Predicates, KnowTheNormalOfATangentHoweverShortItIs) {
+  const std::uint64_t seed = test::seedOr(1);
+  Random random(seed);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto circles = validate(barelyOut(2, random)).value().circles;
+    if (exact::contains(circles[0], circles[1])) continue;
+    Predicates predicates(circles);
+    const FaceDisc line = predicates.disc({0, 1, kInfinity});
+    EXPECT_LE(line.error, 1e-6 * (std::abs(line.v.x) + std::abs(line.v.y))) << test::describe(circles);
+  }
+}
+
 // Directions are told apart by an axis that no short numbers lie along; these do.
 TEST(Predicates, AgreeWithExactArithmeticAlongTheAxisItself) {
   for (const double r : {0.0, 1.0}) {
