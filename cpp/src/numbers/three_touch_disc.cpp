@@ -25,15 +25,30 @@ double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y -
 
 Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
 
-/// The centre and the radius of a disc, if its error bound is small enough.
-std::optional<Vertex> vertexAt(const CornerDisc& placed, const std::array<const Circle*, 3>& circles, double unit) {
+/// The centre and the radius of a disc, if its error bound is small enough. Whether it is does not depend on the scale
+/// of the circles: where sides differ by so much that underflow might decide, there is no vertex.
+[[gnu::always_inline]] inline std::optional<Vertex> vertexAt(const CornerDisc& placed,
+                                                             const std::array<const Circle*, 3>& circles, double unit) {
+  constexpr double kLeastRatio = 0x1p-100;
+  constexpr double kLeastSide = 0x1p-900;
   const auto& [disc, corner] = placed;
   const Circle& o = *circles[corner];
+  const double first = length(between(o, *circles[(corner + 1) % 3]));
+  const double second = length(between(o, *circles[(corner + 2) % 3]));
   // The error of w times the longer side is part of the bound, so w is right to as many bits.
-  const double side =
-      std::max(length(between(o, *circles[(corner + 1) % 3])), length(between(o, *circles[(corner + 2) % 3])));
+  const double side = std::max(first, second);
   if (!(disc.error <= 0x1p-36 * disc.w * side)) return std::nullopt;
+  if (std::min(first, second) < kLeastRatio * side || side < kLeastSide) return std::nullopt;
   return Vertex{(o.x + disc.x / disc.w) * unit, (o.y + disc.y / disc.w) * unit, (disc.rho / disc.w - o.r) * unit};
+}
+
+/// The same of circles near one another, or of which one nearly hides another, or which nearly lie along a line.
+[[gnu::noinline]] std::optional<Vertex> rareVertexOf(const CornerDisc& disc,
+                                                     const std::array<const Circle*, 3>& circles, double unit) {
+  const auto [a, b, c] = circles;
+  if (const auto vertex = vertexAt(scaledIfShort(disc, *a, *b, *c), circles, unit)) return vertex;
+  if (const auto vertex = vertexAt(refinedDiscOf(*a, *b, *c), circles, unit)) return vertex;
+  return exact::disc(circles, unit);
 }
 
 }  // namespace
@@ -82,10 +97,11 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 }
 
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit) {
-  const std::array circles = {&a, &b, &c};
-  if (const auto vertex = vertexAt(discOf(a, b, c), circles, unit)) return vertex;
-  if (const auto vertex = vertexAt(refinedDiscOf(a, b, c), circles, unit)) return vertex;
-  return exact::disc(circles, unit);
+  const CornerDisc disc = discOf(a, b, c);
+  if (!mayBeOfShortSides(disc.disc)) {
+    if (const auto vertex = vertexAt(disc, {&a, &b, &c}, unit)) return vertex;
+  }
+  return rareVertexOf(disc, {&a, &b, &c}, unit);
 }
 
 }  // namespace circle_voronoi
