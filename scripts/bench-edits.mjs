@@ -35,6 +35,84 @@ export async function benchEdits(table) {
   })
 }
 
+/**
+ * Returns a row for each line of the native table about one of the worst edits: milliseconds in WebAssembly, and multiples of a
+ * `compute` of the circles before the edit or after it, whichever takes longer.
+ */
+export async function benchWorstEdits(table) {
+  const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
+  const library = await loadCircleVoronoi()
+  const lines = [
+    ...table.matchAll(/^(\S+) +(\d+) +((?:insert|shrink|nudge|remove) .*?) +([\d.]+) s, ([\d.]+) times compute$/gm),
+  ]
+  const edits = new Map()
+  return lines.flatMap(([, family, count, what, seconds, multiple]) => {
+    const key = `${family} ${count}`
+    if (!edits.has(key)) edits.set(key, worstEdits(inputOf(family, Number(count))?.circles))
+    const worst = edits.get(key)?.[what]
+    if (worst === undefined) return []
+    const { milliseconds, compute } = worstTime(library, worst)
+    return {
+      family,
+      n: Number(count),
+      edit: what,
+      'native, ms': 1000 * Number(seconds),
+      'of a compute': Number(multiple),
+      'wasm, ms': rounded(milliseconds),
+      'of its compute': Number((milliseconds / compute).toFixed(2)),
+    }
+  })
+}
+
+/** As in cpp/bench/edits.cpp. */
+function worstEdits(circles) {
+  if (circles === undefined) return undefined
+  const least = (list) => list.reduce((a, b) => Math.min(a, b))
+  const most = (list) => list.reduce((a, b) => Math.max(a, b))
+  const [xs, ys] = [circles.map(({ x }) => x), circles.map(({ y }) => y)]
+  const side = Math.max(most(xs) - least(xs), most(ys) - least(ys))
+  const middle = { x: (least(xs) + most(xs)) / 2, y: (least(ys) + most(ys)) / 2 }
+  const disc = (radius) => ({ ...middle, r: radius * side })
+  const [ofAll, ofASixth] = [disc(1), disc(0.23)]
+  const moved = { ...ofASixth, x: ofASixth.x + ofASixth.r / 50 }
+  const around = circles.map(({ x, y, r }, i) =>
+    i % 5 === 0
+      ? { x: middle.x + side * Math.cos(i), y: middle.y + side * Math.sin(i), r: 0 }
+      : { x: x + 3 * side, y, r },
+  )
+  const last = circles.length
+  const inserting = (circle) => ({ circles, after: [...circles, circle], edit: (editor) => editor.insert(circle) })
+  const replacing = (circle, by) => ({
+    circles: [...circles, circle],
+    after: [...circles, by],
+    edit: (editor) => editor.replace(last, by),
+  })
+  const removing = (after, circle) => ({ circles: [...after, circle], after, edit: (editor) => editor.remove(last) })
+  return {
+    'insert a point at 1e150': inserting({ x: 1e150, y: 0, r: 0 }),
+    'insert one that hides all': inserting(ofAll),
+    'shrink one that hides all': replacing(ofAll, disc(1e-6)),
+    'insert one that hides a sixth': inserting(ofASixth),
+    'nudge one that hides a sixth': replacing(ofASixth, moved),
+    'remove one that hides a sixth': removing(circles, ofASixth),
+    'remove a neighbor of a fifth': removing(around, disc(0.5)),
+  }
+}
+
+/** The least of three turns, as in the native benchmark. */
+function worstTime(library, { circles, after, edit }) {
+  const turns = [1, 2, 3].map(() => {
+    const editor = library.edit(circles)
+    try {
+      return [() => edit(editor), () => library.compute(circles), () => library.compute(after)].map(microsecondsOf)
+    } finally {
+      editor.dispose()
+    }
+  })
+  const [ours, ...computes] = [0, 1, 2].map((k) => Math.min(...turns.map((times) => times[k])) / 1000)
+  return { milliseconds: ours, compute: Math.max(...computes) }
+}
+
 /** The native benchmark's circles: the even ones are edited, the odd ones come. `undefined` for those of a file. */
 function inputOf(family, count) {
   const file = `${ROOT}build/bench/circles.csv`

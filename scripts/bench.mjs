@@ -3,7 +3,7 @@
 // build/bench/native.json; circle-voronoi-bench explains its options), then the WebAssembly build against the native one
 // on circles of the same kind (build/bench/wasm.json). With `-- --edits` the table of edits, natively and in WebAssembly.
 import { mkdirSync, writeFileSync } from 'node:fs'
-import { benchEdits } from './bench-edits.mjs'
+import { benchEdits, benchWorstEdits } from './bench-edits.mjs'
 import { benchWasm } from './bench-wasm.mjs'
 import { buildLib, buildNative, buildWasm } from './build.mjs'
 import { realData } from './data.mjs'
@@ -32,6 +32,7 @@ await main(async () => {
   await buildLib()
   if (isOfEdits) {
     console.table(await benchEdits(output))
+    console.table(await benchWorstEdits(output))
     return
   }
   const rows = await benchWasm(FAMILIES.split(','), WASM_SIZES, REPETITIONS)

@@ -234,6 +234,74 @@ void printBatches(const EditInput& input, unsigned limit) {
   }
 }
 
+/// An edit that changes much of a diagram at once, or its scale.
+struct WorstEdit {
+  const char* what;
+  Circles circles;
+  Edit edit;
+};
+
+/// As in scripts/bench-edits.mjs.
+std::vector<WorstEdit> worstEdits(const Circles& circles) {
+  Point low = {circles[0].x, circles[0].y};
+  Point high = low;
+  for (const Circle& c : circles) {
+    low = {std::min(low.x, c.x), std::min(low.y, c.y)};
+    high = {std::max(high.x, c.x), std::max(high.y, c.y)};
+  }
+  const double side = std::max(high.x - low.x, high.y - low.y);
+  const Point middle = {(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const auto disc = [&](double radius) { return Circle{middle.x, middle.y, radius * side}; };
+  const auto with = [](Circles list, const Circle& circle) {
+    list.push_back(circle);
+    return list;
+  };
+  const Circle ofAll = disc(1);
+  const Circle ofASixth = disc(0.23);
+  const Circle moved = {ofASixth.x + ofASixth.r / 50, ofASixth.y, ofASixth.r};
+  // A fifth of the circles become points around one, and the others go aside.
+  Circles around = circles;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const auto angle = static_cast<double>(i);
+    if (i % 5 == 0) {
+      around[i] = {middle.x + side * std::cos(angle), middle.y + side * std::sin(angle), 0};
+    } else {
+      around[i].x += 3 * side;
+    }
+  }
+  const auto last = static_cast<CircleId>(circles.size());
+  const auto inserted = [](const Circle& circle) { return Edit{Edit::Kind::insert, kNone, circle}; };
+  const auto replaced = [&](const Circle& circle) { return Edit{Edit::Kind::replace, last, circle}; };
+  const Edit removed = {Edit::Kind::remove, last, {}};
+  return {{"insert a point at 1e150", circles, inserted({1e150, 0, 0})},
+          {"insert one that hides all", circles, inserted(ofAll)},
+          {"shrink one that hides all", with(circles, ofAll), replaced(disc(1e-6))},
+          {"insert one that hides a sixth", circles, inserted(ofASixth)},
+          {"nudge one that hides a sixth", with(circles, ofASixth), replaced(moved)},
+          {"remove one that hides a sixth", with(circles, ofASixth), removed},
+          {"remove a neighbor of a fifth", with(around, disc(0.5)), removed}};
+}
+
+/// `compute` takes what it takes of the circles before the edit or after it, whichever is longer.
+void printWorstEdits(const EditInput& input, unsigned limit) {
+  for (const WorstEdit& worst : worstEdits(input.circles)) {
+    const auto child = runInChild<Seconds>(limit, [&] {
+      Circles after;
+      const Seconds before = inTurns(worst.circles, [&] {
+        DiagramEditor editor = valueOf(DiagramEditor::from(worst.circles));
+        const auto start = Clock::now();
+        valueOf(editor.apply({&worst.edit, 1}));
+        const double seconds = secondsSince(start);
+        after = editor.circles();
+        return seconds;
+      });
+      const Seconds computed = inTurns(after, [] { return 0.0; });
+      return Seconds{before.ours, std::max(before.compute, computed.compute)};
+    });
+    if (child.value) printSeconds(input, worst.what, child.value->ours, child.value->compute, "compute");
+  }
+}
+
 void printMemory(const EditInput& input, unsigned limit) {
   const auto nothing = runInChild<bool>(limit, [] { return true; });
   const auto computing = runInChild<bool>(limit, [&] { return !valueOf(compute(input.circles)).edges.empty(); });
@@ -253,6 +321,7 @@ void printEdits(const EditInput& input, unsigned limitSeconds) {
   printSingleEdits(input, limitSeconds);
   printFromNothing(input, limitSeconds);
   printBatches(input, limitSeconds);
+  printWorstEdits(input, limitSeconds);
   printMemory(input, limitSeconds);
 }
 

@@ -14,8 +14,9 @@ struct EditInput {
   std::vector<Circle> supply;  ///< circles to insert, of the same kind
 };
 
-/// Prints what insertions, removals and small moves of a diagram take, one by one, in batches and from nothing, and the
-/// memory that an editor needs; CGAL's Apollonius hierarchy beside. Each line has a process of its own.
+/// Prints the times of insertions, removals and small moves: one by one, in batches, and from nothing. Prints the times
+/// of the worst single edits and the memory of an editor. CGAL's Apollonius hierarchy stands beside. Each line has a
+/// process of its own.
 void printEdits(const EditInput& input, unsigned limitSeconds);
 
 }  // namespace circle_voronoi::bench

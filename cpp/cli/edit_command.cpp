@@ -50,6 +50,7 @@ std::vector<Circle> readEditedCircles(const std::string& input) {
 
 /// Makes the edits of a script, and tells each change.
 void makeEdits(DiagramEditor& editor, const std::string& script, std::ostream* changes, ProgressLine& progress) {
+  progress.show("read");
   const std::string name = inputName(script);
   const std::vector<ScriptEdit> edits = readScript(readText(script), name);
   double done = 0;
@@ -71,7 +72,9 @@ void runEdit(EditArguments& arguments) {
       {{"--output", arguments.output.file}, {"--changes", arguments.changes}, {"--trace", arguments.trace}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
-  auto made = DiagramEditor::from(readEditedCircles(arguments.input));
+  const std::vector<Circle> circles = readEditedCircles(arguments.input);
+  progress.show("compute");
+  auto made = DiagramEditor::from(circles);
   if (!made) fail(made.error(), inputName(arguments.input) + ": ");
   DiagramEditor editor = std::move(made).value();
   const auto makeAll = [&](std::ostream* changes) { makeEdits(editor, arguments.script, changes, progress); };

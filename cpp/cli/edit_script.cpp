@@ -10,6 +10,7 @@
 #include "box.h"
 #include "circle_voronoi/compute.h"
 #include "failure.h"
+#include "utf8.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -48,7 +49,7 @@ class LineReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { throw Failure{kBadInput, place_ + what}; }
+  [[noreturn]] void fail(const std::string& what) const { throw Failure{kBadInput, place_ + printable(what)}; }
 
   void expectFields(std::size_t count) const {
     if (fields_.size() == count) return;
@@ -90,6 +91,8 @@ class LineReader {
 }  // namespace
 
 std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name) {
+  if (isUtf16(text)) throw Failure{kBadInput, name + ":1: the text is UTF-16; it has to be UTF-8."};
+  text = withoutByteOrderMark(text);
   std::vector<ScriptEdit> edits;
   for (int line = 1; !text.empty(); ++line) {
     const std::string_view content = trimmed(takeUpTo('\n', text));

@@ -15,8 +15,9 @@ struct ScriptEdit {
   int line = 0;
 };
 
-/// The edits of a script, one a line: `insert,x,y,r`, `remove,id` or `replace,id,x,y,r`, with blanks anywhere, blank
-/// lines and lines that begin with #. `name` is what it is called. Throws Failure.
+/// Returns the edits of a script, one a line: `insert,x,y,r`, `remove,id` or `replace,id,x,y,r`. The script is UTF-8,
+/// which may begin with a byte-order mark. It may have blanks anywhere, blank lines and lines that begin with #. Errors
+/// call it `name`. Throws Failure.
 std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name);
 
 }  // namespace circle_voronoi::cli

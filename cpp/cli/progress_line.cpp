@@ -4,25 +4,25 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
 #include <iostream>
 #include <mutex>
 #include <thread>
+
+#include "progress_text.h"
 
 namespace circle_voronoi::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kDelay{1000};
 constexpr std::chrono::milliseconds kPeriod{100};
 
 }  // namespace
 
 class ProgressLine::Shown {
  public:
-  explicit Shown(Clock::duration delay) : delay_(delay), refresher_([this] { refresh(); }) {}
+  explicit Shown(ProgressText::Elapsed delay) : text_(delay), refresher_([this] { refresh(); }) {}
   Shown(const Shown&) = delete;
   Shown& operator=(const Shown&) = delete;
 
@@ -33,54 +33,40 @@ class ProgressLine::Shown {
     }
     ended_.notify_one();
     refresher_.join();
-    replaceLine("");
+    write(text_.end());
   }
 
   void show(std::string_view stage, double done) {
     const std::lock_guard lock(mutex_);
-    const bool isNew = stage_ != stage;
-    stage_ = stage;
-    done_ = done;
-    if (isNew) write();
+    write(text_.show(stage, done, elapsed()));
   }
 
  private:
   void refresh() {
     std::unique_lock lock(mutex_);
-    while (!ended_.wait_for(lock, kPeriod, [this] { return isEnding_; })) write();
+    while (!ended_.wait_for(lock, kPeriod, [this] { return isEnding_; })) write(text_.refresh(elapsed()));
   }
 
-  // Both with the mutex held.
-
-  void write() {
-    const auto elapsed = Clock::now() - begin_;
-    if (stage_.empty() || elapsed < delay_) return;
-    std::string line = stage_;
-    if (done_ > 0) line += " " + std::to_string(std::lround(100 * done_)) + " %";
-    replaceLine(line + ", " + std::to_string(std::chrono::duration_cast<std::chrono::seconds>(elapsed).count()) + " s");
+  ProgressText::Elapsed elapsed() const {
+    return std::chrono::duration_cast<ProgressText::Elapsed>(Clock::now() - begin_);
   }
 
-  void replaceLine(const std::string& line) {
-    const auto blank = [&] { return "\r" + std::string(width_, ' ') + "\r"; };
-    if (width_ > 0) std::cerr << blank();
-    std::cerr << line << std::flush;
-    width_ = line.size();
+  static void write(const std::string& text) {
+    if (!text.empty()) std::cerr << text << std::flush;
   }
 
   const Clock::time_point begin_ = Clock::now();
-  const Clock::duration delay_;  ///< until it is first shown
   std::mutex mutex_;
   std::condition_variable ended_;
   bool isEnding_ = false;
-  std::string stage_;
-  double done_ = 0;
-  std::size_t width_ = 0;  ///< of the line that is shown
+  ProgressText text_;
   std::thread refresher_;
 };
 
 ProgressLine::ProgressLine(const std::string& when) {
-  if (when == "never" || (when == "auto" && isatty(STDERR_FILENO) == 0)) return;
-  shown_ = std::make_unique<Shown>(when == "auto" ? kDelay : Clock::duration{});
+  if (const auto delay = ProgressText::delayOf(when, isatty(STDERR_FILENO) != 0)) {
+    shown_ = std::make_unique<Shown>(*delay);
+  }
 }
 
 ProgressLine::~ProgressLine() = default;

@@ -11,9 +11,9 @@ namespace circle_voronoi::cli {
 /// Adds `--progress` to a command; `when` becomes what the user says.
 void addProgressOption(CLI::App& command, std::string& when);
 
-/// A line on standard error that says what is being done and since when, rewritten in place and erased in the end.
-/// `when`: `auto` shows it for work over a second if standard error is a terminal, `always` at once, `never` not at
-/// all. It has a thread of its own, so that it goes on while a stage has nothing to tell.
+/// A line on standard error that says what is being done and since when (progress_text.h), rewritten in place and
+/// erased in the end. `when`: `auto` shows it for work over a second if standard error is a terminal, `always` at once,
+/// `never` not at all. It has a thread of its own, so that it goes on while a stage has nothing to tell.
 class ProgressLine {
  public:
   explicit ProgressLine(const std::string& when);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "exact.h"
 #include "three_touch_disc.h"
 
 namespace circle_voronoi::test {
@@ -32,6 +33,21 @@ std::vector<std::array<CircleIndex, 3>> bruteForceVertices(std::span<const Circl
     }
   }
   return vertices;
+}
+
+std::vector<HiddenCircle> hiddenByDefinition(std::span<const Circle> circles) {
+  std::vector<HiddenCircle> hidden;
+  const auto count = static_cast<std::int32_t>(circles.size());
+  for (std::int32_t j = 0; j < count; ++j) {
+    std::int32_t by = kNone;
+    for (std::int32_t i = 0; i < count; ++i) {
+      const bool isFirst = circles[i].r > circles[j].r || i < j;
+      if (i == j || !isFirst || !exact::contains(circles[i], circles[j])) continue;
+      if (by == kNone || circles[i].r > circles[by].r) by = i;
+    }
+    if (by != kNone) hidden.push_back({j, by});
+  }
+  return hidden;
 }
 
 }  // namespace circle_voronoi::test

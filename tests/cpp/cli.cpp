@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 namespace circle_voronoi::test {
 
@@ -56,6 +64,87 @@ void Cli::expectFailure(const Outcome& run, int status, const std::string& messa
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
   EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+}
+
+namespace {
+
+/// A pipe that other programs do not hold open.
+std::array<int, 2> newPipe() {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("There is no pipe.");
+  return ends;
+}
+
+}  // namespace
+
+WaitingProgram::WaitingProgram(std::vector<std::string> words, Said said) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const auto [inputOfChild, input] = newPipe();
+  const auto [saidHere, saidByChild] = newPipe();
+  int terminal = -1;
+  child_ = said == Said::toTerminal ? forkpty(&terminal, nullptr, nullptr, nullptr) : fork();
+  if (child_ == 0) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_DFL);
+    dup2(inputOfChild, STDIN_FILENO);
+    if (said == Said::toPipe) dup2(saidByChild, STDERR_FILENO);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  close(inputOfChild);
+  close(saidByChild);
+  input_ = input;
+  said_ = saidHere;
+  if (said == Said::toTerminal) {
+    close(saidHere);
+    said_ = terminal;
+    fcntl(said_, F_SETFD, FD_CLOEXEC);
+  }
+}
+
+WaitingProgram::~WaitingProgram() {
+  if (child_ != -1) kill(SIGKILL);
+  if (input_ != -1) close(input_);
+  close(said_);
+}
+
+bool WaitingProgram::says(const std::string& pattern) {
+  const std::regex regex(pattern);
+  while (!std::regex_search(text_, regex)) {
+    if (!readMore()) return false;
+  }
+  return true;
+}
+
+std::string WaitingProgram::end(const std::string& input) {
+  EXPECT_EQ(write(input_, input.data(), input.size()), static_cast<ssize_t>(input.size()));
+  close(std::exchange(input_, -1));
+  while (readMore()) continue;
+  const int status = waited();
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << text_;
+  return text_;
+}
+
+int WaitingProgram::kill(int signal) {
+  ::kill(child_, signal);
+  return waited();
+}
+
+bool WaitingProgram::readMore() {
+  constexpr int kHangs = 100'000;  // milliseconds
+  pollfd ready{said_, POLLIN, 0};
+  if (poll(&ready, 1, kHangs) != 1) return false;
+  std::array<char, 1024> part{};
+  const ssize_t size = read(said_, part.data(), part.size());
+  if (size > 0) text_.append(part.data(), static_cast<std::size_t>(size));
+  return size > 0;  // below 0 where the last program of a terminal has ended
+}
+
+int WaitingProgram::waited() {
+  int status = 0;
+  waitpid(std::exchange(child_, -1), &status, 0);
+  return status;
 }
 
 }  // namespace circle_voronoi::test

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/types.h>
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace circle_voronoi::test {
 
@@ -43,6 +45,37 @@ class Cli : public testing::Test {
 
  private:
   std::filesystem::path folder_;
+};
+
+/// Where the standard error of a program goes.
+enum class Said { toTerminal, toPipe };
+
+/// A program that runs until it gets its standard input, which is when the test says, however long it takes to start.
+class WaitingProgram {
+ public:
+  /// Starts the program that the first word names.
+  WaitingProgram(std::vector<std::string> words, Said said);
+  WaitingProgram(const WaitingProgram&) = delete;
+  WaitingProgram& operator=(const WaitingProgram&) = delete;
+  ~WaitingProgram();
+
+  /// Waits until the program has said something. Returns false if it ends without that, or hangs.
+  bool says(const std::string& pattern);
+
+  /// Gives the program its input, expects that it succeeds, and returns all that it has said.
+  std::string end(const std::string& input);
+
+  /// Sends a signal to the program, and returns its status once it has ended.
+  int kill(int signal);
+
+ private:
+  bool readMore();
+  int waited();
+
+  pid_t child_ = -1;
+  int input_ = -1;
+  int said_ = -1;
+  std::string text_;
 };
 
 }  // namespace circle_voronoi::test

@@ -73,6 +73,16 @@ TEST_F(CliEdit, EndsWithTheDiagramOfTheCirclesThatAreLeft) {
       textOf("convert - --format svg --bounds=-20,-20,20,20", out));
 }
 
+TEST_F(CliEdit, AScriptMayBeginWithAByteOrderMark) {
+  const std::string edits = "insert,3,4,1\r\nremove,1\r\n";
+  const std::string edit = "edit " + circles_ + " --format csv --script ";
+  const std::string expected = textOf(edit + "-", edits);
+  EXPECT_EQ(textOf(edit + "-", "\xEF\xBB\xBF" + edits), expected);
+  EXPECT_EQ(textOf(edit + write("edits.csv", "\xEF\xBB\xBF" + edits)), expected);
+  EXPECT_EQ(textOf(edit + "-", "\xEF\xBB\xBF"), textOf(edit + "-", "")) << "without an edit";
+  expectFailure(run(edit + "-", "\xEF\xBB\xBFmove,1\n"), 2, "standard input:1: \"move\" is no edit");
+}
+
 TEST_F(CliEdit, TellsWhatEachEditChanges) {
   textOf("edit " + circles_ + " --script - --changes " + path("changes.jsonl") + " -o " + path("after.json"),
          "insert,2,2,0.5\nreplace,3,0,0,3\nremove,3\n");
@@ -107,6 +117,8 @@ TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {
   expectRefusal("# a\ninsert,0,0,-1\n", "standard input:2: The radius is negative.");
   expectRefusal("insert,0,1e151,0\n", "standard input:1: A coordinate or the radius is beyond 1e150.");
   expectRefusal("insert,0,nan,1\n", "standard input:1: \"nan\" is not a finite number.");
+  expectRefusal("insert,0,\xFF\x1B,1\n", "standard input:1: \"??\" is not a finite number.");
+  expectRefusal("\xFF\xFEr\n", "standard input:1: the text is UTF-16; it has to be UTF-8.");
   expectRefusal("insert,0,0\n", "standard input:1: insert takes 3 numbers, not 2.");
   expectRefusal("remove,1,2\n", "standard input:1: remove takes 1 number, not 2.");
   expectRefusal("replace,x,0,0,1\n", "standard input:1: \"x\" is no id.");

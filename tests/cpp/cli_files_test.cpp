@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <string>
-#include <thread>
 
 #include "cli.h"
 
@@ -53,21 +50,16 @@ TEST_F(CliFiles, AFullDiskLeavesTheOldFile) {
 }
 
 TEST_F(CliFiles, AnInterruptedProgramLeavesTheOldFile) {
+  const std::string circles = write("circles.csv", circles_);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const std::string file = write("kept.csv", "before");
-    const pid_t child = fork();
-    if (child == 0) {
-      ::signal(signal, SIG_DFL);
-      execl(program_.c_str(), program_.c_str(), "generate", "grid", "1000000", "-o", file.c_str(), nullptr);
-      _exit(127);
-    }
-    int status = 0;
-    while (filesBeside() == 0 && waitpid(child, &status, WNOHANG) == 0) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    // Its script comes while the changes are written, so it waits with that file begun.
+    test::WaitingProgram edit({program_, "edit", circles, "--script", "-", "--changes", file, "-o",
+                               path("diagram.json"), "--progress", "always"},
+                              test::Said::toPipe);
+    ASSERT_TRUE(edit.says("compute, [^]*read, "));
     ASSERT_EQ(filesBeside(), 1);
-    kill(child, signal);
-    waitpid(child, &status, 0);
+    const int status = edit.kill(signal);
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
     EXPECT_EQ(readFile(file), "before");
     EXPECT_EQ(filesBeside(), 0);

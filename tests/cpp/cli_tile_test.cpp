@@ -166,17 +166,17 @@ TEST_F(CliTile, RefusesWhatCannotBeMeant) {
   const std::string known = "compute " + tile + " --known 0,0,1,1";
   fails(known + " --format csv", "--known needs --max-radius.");
   fails(known + " --max-radius 0", "--known needs --format csv or geojsonl.");
-  fails(known + " --max-radius 0 -o a.svg", "--known needs --format csv or geojsonl.");
+  fails(known + " --max-radius 0 -o " + path("a.svg"), "--known needs --format csv or geojsonl.");
   fails(known + " --max-radius -1 --format csv", "expected a number from 0");
   fails(known + " --max-radius 0 --format geojsonl", "--known needs --bounds for geojsonl.");
   fails(known + " --max-radius 0 --format csv --method flip", "--known needs --method auto.");
   fails(known + " --max-radius 0 --format csv --trace " + path("t.jsonl"), "--known takes no --trace.");
   fails("compute " + tile + " --known 0,0,nan,1 --max-radius 0 --format csv", "MAXX is not a number");
   fails("compute " + tile + " --core 0,0,1,1 --format csv", "--core needs --known.");
-  fails("compute " + tile + " --open a.csv --format csv", "--open needs --known.");
+  fails("compute " + tile + " --open " + path("a.csv") + " --format csv", "--open needs --known.");
   fails("compute " + tile + " --max-radius 0 --format csv", "--max-radius needs --known.");
   for (const char* options : {" --max-radius 0", " --max-radius 0.25 --core 0.25,0.5,0.75,0.75"}) {
-    fails(known + options + " --format csv --open a.csv", "--open needs a --core that lies within --known");
+    fails(known + options + " --format csv --open " + path("a.csv"), "--open needs a --core that lies within --known");
   }
   const std::string twice = write("twice.csv", "id,x,y,r\n4,0,0,1\n3,1,1,1\n4,2,2,1\n");
   fails("compute " + twice + " --format csv" + kPlane, "the id 4 is given twice.");

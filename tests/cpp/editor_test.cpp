@@ -110,13 +110,13 @@ TEST(Editor, BringsBackWhatAHugeCircleHid) {
   for (const Circle& c : circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y)});
   test::Mirror mirror;
   mirror.apply(editor.all().value());
-  const Change hiding = changeOf(editor.insert({0.4 * reach, 0.5 * reach, 0.55 * reach}));
+  const Change hiding = changeOf(editor.insert({0.4 * reach, 0.5 * reach, 0.26 * reach}));
   EXPECT_EQ(hiding.way, EditWay::local);
-  EXPECT_GT(hiding.hidden.size(), 8'000U);
+  EXPECT_GT(hiding.hidden.size(), 2'000U);
   EXPECT_EQ(mirror.apply(hiding), "");
   expectRight(editor);
   // It moves, and hides others.
-  const Change moving = changeOf(editor.replace(12'000, {0.6 * reach, 0.5 * reach, 0.5 * reach}));
+  const Change moving = changeOf(editor.replace(12'000, {0.6 * reach, 0.5 * reach, 0.25 * reach}));
   EXPECT_FALSE(moving.hidden.empty());
   EXPECT_FALSE(moving.shown.empty());
   EXPECT_EQ(moving.way, EditWay::local);
@@ -129,6 +129,43 @@ TEST(Editor, BringsBackWhatAHugeCircleHid) {
   EXPECT_EQ(editor.circles(), circles);
   expectRight(editor);
   EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+}
+
+TEST(Editor, ComputesEverythingWhereMostIsHiddenOrShown) {
+  const std::vector<Circle> circles = generate(Family::uniform, 2'000, 1);
+  DiagramEditor editor = editorOf(circles);
+  double reach = 0;
+  for (const Circle& c : circles) reach = std::max({reach, std::abs(c.x), std::abs(c.y)});
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  const auto expectWhole = [&](const Change& change) {
+    EXPECT_EQ(change.way, EditWay::whole);
+    EXPECT_GT(change.hidden.size() + change.shown.size(), 1'000U);
+    EXPECT_EQ(mirror.apply(change), "");
+    EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+    expectRight(editor);
+  };
+  const Circle hider = {0.5 * reach, 0.5 * reach, 0.5 * reach};
+  expectWhole(changeOf(editor.insert(hider)));
+  expectWhole(changeOf(editor.remove(2'000)));
+  expectWhole(changeOf(editor.replace(7, hider)));
+  expectWhole(changeOf(editor.replace(7, circles[7])));
+}
+
+TEST(Editor, HandsOverWhatACircleHid) {
+  // 0 hides 3 and 4, and then comes to lie in 1, with 3.
+  DiagramEditor editor =
+      editorOf({{-2, 0, 4}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 4}));
+  const Change change = changeOf(editor.replace(0, {5, 0, 3.9}));
+  EXPECT_EQ(change.hidden, std::vector<CircleId>{0});
+  EXPECT_EQ(change.shown, std::vector<CircleId>{4});
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{0, 3}));
+  expectRight(editor);
+  // It comes to be identical with 1, and takes its place.
+  changeOf(editor.replace(0, {11, 0, 10}));
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{1, 3}));
+  expectRight(editor);
 }
 
 TEST(Editor, OfIdenticalCirclesShowsTheFirst) {
@@ -283,6 +320,58 @@ TEST(Editor, GrowsBeyondTheScaleAtTheStart) {
     expectRight(editor);
   }
   EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+}
+
+TEST(Editor, APointFarAwayIsALocalEdit) {
+  DiagramEditor editor = editorOf(generate(Family::uniform, 300, 1));
+  test::Mirror mirror;
+  mirror.apply(editor.all().value());
+  for (const double x : {1e20, 1e60, 1e150}) {
+    const Change change = changeOf(editor.insert({x, 0, 0}));
+    EXPECT_EQ(change.way, EditWay::local);
+    ASSERT_EQ(mirror.apply(change), "");
+    expectRight(editor);
+  }
+  // The circles that were there are edited in the new unit.
+  for (CircleId id = 0; id < 100; ++id) {
+    Circle moved = *editor.circle(id);
+    moved.r *= 1.5;
+    ASSERT_EQ(mirror.apply(changeOf(editor.replace(id, moved))), "");
+    ASSERT_EQ(mirror.apply(changeOf(editor.remove(id + 100))), "");
+  }
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  expectRight(editor);
+  for (CircleId id = 300; id < 303; ++id) ASSERT_EQ(mirror.apply(changeOf(editor.remove(id))), "");
+  EXPECT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "");
+  expectRight(editor);
+}
+
+TEST(Editor, ChangesHaveTheBitsOfTheSnapshotAtAnyScale) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (std::uint64_t trial = 0; trial < 40; ++trial) {
+    Random random(seed + trial);
+    const auto any = [&](double size) {
+      return Circle{size * random.unit(), size * random.unit(), 0.05 * size * random.unit()};
+    };
+    std::vector<Circle> circles;
+    for (int i = 0; i < 12; ++i) circles.push_back(any(1));
+    DiagramEditor editor = editorOf(circles);
+    test::Mirror mirror;
+    mirror.apply(editor.all().value());
+    for (int i = 0; i < 30; ++i) {
+      // The scale of the diagram jumps, and later goes back.
+      const Circle circle = any(random.below(2) == 0 ? 1 : random.logUniform(-130, 130));
+      const std::vector<CircleId> ids = editor.ids();
+      const CircleId id = ids[random.below(ids.size())];
+      const auto change = ids.size() < 12        ? editor.insert(circle)
+                          : random.below(2) == 0 ? editor.remove(id)
+                                                 : editor.replace(id, circle);
+      ASSERT_EQ(mirror.apply(changeOf(change)), "");
+      ASSERT_EQ(mirror.difference(editor.snapshot().value(), editor.ids()), "")
+          << "seed " << seed + trial << ", edit " << i;
+    }
+    expectRight(editor);
+  }
 }
 
 TEST(Editor, KeepsNumbersThatNoScaleHoldsTogether) {

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 
+#include "brute_force.h"
+#include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
-#include "exact.h"
 #include "judge.h"
 #include "report.h"
 #include "tie_inputs.h"
@@ -18,24 +19,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// By the rule of HiddenCircle.
-std::vector<HiddenCircle> hiddenByDefinition(const std::vector<Circle>& circles) {
-  std::vector<HiddenCircle> hidden;
-  const auto count = static_cast<std::int32_t>(circles.size());
-  for (std::int32_t j = 0; j < count; ++j) {
-    std::int32_t by = kNone;
-    for (std::int32_t i = 0; i < count; ++i) {
-      const bool isFirst = circles[i].r > circles[j].r || i < j;
-      if (i == j || !isFirst || !exact::contains(circles[i], circles[j])) continue;
-      if (by == kNone || circles[i].r > circles[by].r) by = i;
-    }
-    if (by != kNone) hidden.push_back({j, by});
-  }
-  return hidden;
-}
-
 void check(const std::vector<Circle>& circles, const std::string& what) {
-  const std::vector<HiddenCircle> expected = hiddenByDefinition(circles);
+  const std::vector<HiddenCircle> expected = test::hiddenByDefinition(circles);
   // By a search, and where it gives up at once by insertion.
   for (const std::int64_t mostSteps : {kMostStepsACircle, std::int64_t{-1000}}) {
     const VisibleCircles visible = hide(order(circles), mostSteps);
@@ -64,6 +49,29 @@ TEST(Hide, IsExactInAndNearTies) {
     ASSERT_TRUE(scaled.ok());
     check(scaled.value().circles, std::string(kind) + ", seed " + std::to_string(seed));
   });
+}
+
+TEST(Hide, IsExactWhereSquaresUnderflow) {
+  const std::uint64_t seed = test::seedOr(1);
+  Random random(seed);
+  for (const FamilyInfo& family : families()) {
+    for (int trial = 0; trial < 8; ++trial) {
+      const auto circles = test::besideFarPoint(generate(family.family, 2 + random.below(40), random.next()), random);
+      check(validate(circles).value().circles, std::string(family.name) + ", seed " + std::to_string(seed));
+    }
+  }
+}
+
+TEST(Hide, IsExactWhereSlacksUnderflow) {
+  const std::uint64_t seed = test::seedOr(1);
+  Random random(seed);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto circles = test::nestedTightly(2 + random.below(8), random);
+    check(validate(circles).value().circles, "seed " + std::to_string(seed));
+    const auto diagram = compute(circles);
+    ASSERT_TRUE(diagram.ok()) << diagram.error().message << test::describe(circles);
+    EXPECT_TRUE(certify(diagram.value()).value().certified()) << test::describe(circles);
+  }
 }
 
 TEST(Hide, OfManyCopiesTheFirstHidesAll) { check(std::vector<Circle>(1000, {1, 2, 3}), "copies"); }

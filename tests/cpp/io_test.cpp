@@ -203,6 +203,41 @@ TEST(ReadJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf("[[1,2,3] \xC3\xA9"), "test:1: bad JSON: expected , or ], not \"\xC3\xA9\".");
 }
 
+/// What another parser says of an error as a JSON string, which has to be UTF-8.
+testing::AssertionResult isUtf8(const std::string& error) {
+  try {
+    (void)nlohmann::json(error).dump();
+    return testing::AssertionSuccess();
+  } catch (const nlohmann::json::exception& problem) {
+    return testing::AssertionFailure() << problem.what();
+  }
+}
+
+TEST(ReadCircles, ErrorsAreUtf8WhateverBytesTheTextHas) {
+  std::ostringstream diagram;
+  writeJson(diagram, compute(Circles{{0, 0, 1}, {6, 0, 1}, {0, 8, 1}}).value());
+  const std::string collection = "{\"type\":\"FeatureCollection\",\"features\":[]}";
+  for (const std::string& good :
+       {std::string("[[1,2,3],{\"x\":1,\"y\":2,\"r\":3}]"), collection, std::string("x,y,r\n1,2,3\n"), diagram.str()}) {
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      for (const char byte : {'\xFF', '\x80', '\xC3', '\xE2'}) {
+        std::string bad = good;
+        bad[i] = byte;
+        EXPECT_TRUE(isUtf8(errorOf(bad))) << bad;
+        const auto read = readDiagram(bad, "test");
+        EXPECT_TRUE(read || isUtf8(read.error().message)) << bad;
+      }
+    }
+  }
+  EXPECT_EQ(errorOf("[[1,2,3]\xF0\x9F]"), "test:1: bad JSON: expected , or ], not \"?\".");
+  EXPECT_EQ(errorOf("[[1,2,3]\xC3\xA9]"), "test:1: bad JSON: expected , or ], not \"\xC3\xA9\".");
+  EXPECT_EQ(errorOf("1,2,a\xE2\x82z\xC2\x9B\n"), "test:1: r is not a number: \"a??z?\".");
+  EXPECT_TRUE(isUtf8(errorOf("1,2,x" + std::string(1000, '\xC3') + "\n")));
+  std::string accents;
+  for (int i = 0; i < 500; ++i) accents += "\xC3\xA9";
+  for (const char* before : {"", "x"}) EXPECT_TRUE(isUtf8(errorOf("1,2," + (before + accents) + "\n"))) << "cut";
+}
+
 TEST(ReadCircles, NamesTheLineOfACircleThatComputeWouldReject) {
   const auto negative = readCircles("x,y,r\n1,2,3\n1,2,-3\n", "test");
   ASSERT_FALSE(negative);

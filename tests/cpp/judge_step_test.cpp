@@ -44,8 +44,8 @@ bool flipEdge(EditState& state, int h) {
 
 /// What the judge of the whole says.
 bool isWholeRight(EditState& state) {
-  return judgeVisible(std::span(state.circles).first(static_cast<std::size_t>(state.visibleCount)), state.dual,
-                      state.predicates)
+  return judge(std::span(state.circles).first(static_cast<std::size_t>(state.visibleCount)), state.dual,
+               state.predicates)
       .isRight();
 }
 

@@ -3,6 +3,7 @@
 add_executable(circle_voronoi_proof_tests
   arithmetic_test.cpp
   automatic_test.cpp
+  brute_force.cpp
   certificate_mutation_test.cpp
   certificate_test.cpp
   compare.cpp
@@ -30,6 +31,7 @@ add_executable(circle_voronoi_proof_tests
   report.cpp
   settle_ties_test.cpp
   small_duals.cpp
+  step_test.cpp
   tie_inputs.cpp
   topology_test.cpp
   trial.cpp

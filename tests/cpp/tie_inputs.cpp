@@ -168,7 +168,36 @@ void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& rand
       c = {c.x * factor, c.y * factor, c.r * factor};
       break;
     }
+    case Disturbance::allTiny: {
+      if (random.below(2) == 0) moveToNext(circles, random);
+      circles = besideFarPoint(std::move(circles), random);
+      break;
+    }
   }
+}
+
+std::vector<Circle> besideFarPoint(std::vector<Circle> circles, Random& random) {
+  double largest = 0;
+  for (const Circle& c : circles) largest = std::max({largest, std::abs(c.x), std::abs(c.y), c.r});
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  const double factor = std::ldexp(1.0, -static_cast<int>(500 + random.below(165)) - exponent);
+  for (Circle& c : circles) c = {c.x * factor, c.y * factor, c.r * factor};
+  circles.push_back({random.below(2) == 0 ? -1.0 : 1.0, random.uniform(-1, 1), 0});
+  return circles;
+}
+
+std::vector<Circle> nestedTightly(std::size_t count, Random& random) {
+  const double slack = std::ldexp(1 + random.uniform(0, 1), -500 - static_cast<int>(random.below(165)));
+  std::vector<Circle> circles = {{-1, 0, 0}};
+  double r = 4 * slack * static_cast<double>(count);
+  Point p = {r, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    circles.push_back({p.x, p.y, r});
+    // By less or more than the slack: some of them stick out.
+    p = {p.x + slack * random.uniform(-1, 1), p.y + slack * random.uniform(-1, 1)};
+    r -= slack;
+  }
+  return circles;
 }
 
 std::vector<Circle> onDyadicGrid(std::vector<Circle> circles) {

@@ -31,10 +31,19 @@ enum class Disturbance {
   far,        ///< moved 1e7 to 1e15 away
   oneHuge,    ///< one circle 2^20 to 2^60 times as large and as far
   oneTiny,    ///< one circle drawn near to another: 2^-20 to 2^-600 of its distance
+  allTiny,    ///< besideFarPoint
 };
-inline constexpr int kDisturbances = 7;
+inline constexpr int kDisturbances = 8;
 
 void disturb(std::vector<Circle>& circles, Disturbance disturbance, Random& random);
+
+/// The circles and a point that is so far away that their size is 1e-200 to 1e-150 of its distance: squares of lengths
+/// and of their differences underflow, or lose digits.
+std::vector<Circle> besideFarPoint(std::vector<Circle> circles, Random& random);
+
+/// Circles each of which contains the next or sticks out of it by a little, and a point so far away that squares of
+/// these slacks underflow or lose digits: they are 1e-200 to 1e-150 of its distance.
+std::vector<Circle> nestedTightly(std::size_t count, Random& random);
 
 /// Moves circles into a square of side 2^10 around the origin and rounds coordinates and radii to multiples of 2^-10:
 /// sums of them are exact.

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "brute_force.h"
+#include "circle_voronoi/editor.h"
 #include "compare.h"
 #include "oracle.h"
 
@@ -35,6 +37,19 @@ TrialResult tryCertified(std::span<const Circle> circles) {
   const auto diagram = certifiedDiagram(circles);
   if (!diagram) return {diagram.error().message, "none"};
   return {structureProblem(diagram.value(), circles.size()), diagram.value().stats.way};
+}
+
+TrialResult tryTiny(std::span<const Circle> circles, bool isDegenerate) {
+  TrialResult result = isDegenerate ? tryCertified(circles) : tryAutomatic(circles, false);
+  if (!result.problem.empty()) return result;
+  const Diagram diagram = compute(circles).value();
+  const auto editor = DiagramEditor::from(circles);
+  if (!editor) return {"no editor: " + editor.error().message, result.way};
+  const auto snapshot = editor.value().snapshot();
+  if (!snapshot) return {"no snapshot: " + snapshot.error().message, result.way};
+  if (snapshot.value().hidden != diagram.hidden) result.problem = "the snapshot of an editor hides other circles";
+  if (diagram.hidden != hiddenByDefinition(circles)) result.problem = "hidden circles are not those by definition";
+  return result;
 }
 
 std::vector<Circle> shrink(std::vector<Circle> circles, const std::function<bool(std::span<const Circle>)>& fails) {

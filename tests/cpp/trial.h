@@ -28,6 +28,10 @@ TrialResult tryAutomatic(std::span<const Circle> circles, bool isDegenerate);
 /// The same without the comparison, which takes too long for many circles in degenerate position.
 TrialResult tryCertified(std::span<const Circle> circles);
 
+/// The same of circles that are tiny beside their coordinates: certified, hidden circles compared with those by
+/// definition, and an editor's snapshot the same; in general position compared with the exact diagram, too.
+TrialResult tryTiny(std::span<const Circle> circles, bool isDegenerate);
+
 /// As few of the circles as still fail, by leaving out ever smaller parts.
 std::vector<Circle> shrink(std::vector<Circle> circles, const std::function<bool(std::span<const Circle>)>& fails);
 

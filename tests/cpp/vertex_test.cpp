@@ -63,7 +63,7 @@ TEST(Vertex, HasTheSameBitsAtEveryScale) {
     std::array<Circle, 3> circles;
     for (Circle& c : circles) c = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0, 0.3)};
     const auto vertex = vertexOf(circles[0], circles[1], circles[2]);
-    for (const int scaling : {60, 20, -10, -20, -30, -100, -400}) {
+    for (const int scaling : {60, 20, -10, -20, -30, -100, -400, -800}) {
       std::array<Circle, 3> scaled = circles;
       for (Circle& c : scaled) c = {std::ldexp(c.x, scaling), std::ldexp(c.y, scaling), std::ldexp(c.r, scaling)};
       EXPECT_EQ(vertexOf(scaled[0], scaled[1], scaled[2], std::ldexp(1.0, -scaling)), vertex)

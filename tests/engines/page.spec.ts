@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page in engines other than Chromium: what of it everybody needs.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs'
+import { createServer } from 'node:http'
+import type { AddressInfo } from 'node:net'
 import { expect, test } from '@playwright/test'
 import { parseCircles } from '../../web/app/csv.ts'
 import { loadFiles } from '../../web/lib/files.ts'
@@ -11,6 +13,7 @@ import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { dataSet, PADDING } from '../e2e/page.ts'
 import { type Engine, until } from './engine.ts'
 import { ENGINES } from './engines.ts'
+import { openWebKit } from './webkit.ts'
 
 const BRONZE = dataSet('bronzefilter')
 const FIVE = [
@@ -141,3 +144,32 @@ for (const [name, openEngine] of ENGINES) {
     })
   })
 }
+
+// Other engines run the modules of a page once its style sheets are there.
+test('WebKit paints in the colors of style sheets that come after the page has begun', async ({ baseURL }) => {
+  let hasBegun = () => {}
+  const begun = new Promise<void>((resolve) => {
+    hasBegun = resolve
+  })
+  const server = createServer(async ({ url = '/' }, response) => {
+    // The first thing that the page's own script asks for.
+    if (url.endsWith('.csv')) hasBegun()
+    if (url.endsWith('.css')) await begun
+    const answer = await fetch(baseURL + url, { headers: { 'Accept-Encoding': 'identity' } })
+    response.writeHead(answer.status, { 'Content-Type': answer.headers.get('Content-Type') ?? 'text/plain' })
+    response.end(Buffer.from(await answer.arrayBuffer()))
+  })
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve))
+  const engine = await openWebKit()
+  try {
+    const page = new Page(engine)
+    await engine.open(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`)
+    await page.says('#status', '678 circles')
+    const center = await page.locate(BRONZE, { x: BRONZE[1950] as number, y: BRONZE[1951] as number })
+    const isPainted = ([disc, paper]: readonly (readonly number[])[]) => String(disc) !== String(paper)
+    await until('painted', () => page.colors([center, { x: 5, y: 200 }]), isPainted)
+  } finally {
+    await engine.close()
+    server.close()
+  }
+})

@@ -12,6 +12,7 @@
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/tile.h"
+#include "utf8.h"
 
 namespace circle_voronoi::fuzz {
 namespace {
@@ -32,10 +33,20 @@ bool isSame(std::span<const Circle> circles, std::span<const Circle> others) {
          (circles.empty() || std::memcmp(circles.data(), others.data(), circles.size_bytes()) == 0);
 }
 
+bool isUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = sizeOfUtf8(text);
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
 bool isOneLine(const Error& error, std::string_view text) {
   const std::string begin = std::string(kName) + ":";
   const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
   if (!error.message.starts_with(begin) || std::ranges::any_of(error.message, isControl)) return false;
+  if (!isUtf8(error.message)) return false;
   const long line = std::strtol(error.message.c_str() + begin.size(), nullptr, 10);
   const auto isLineEnd = [](char c) { return c == '\n' || c == '\r'; };
   return line >= 1 && line <= 1 + std::ranges::count_if(text, isLineEnd);
@@ -45,7 +56,7 @@ std::optional<std::string> tryCircles(std::string_view text) {
   const auto circles = readCircles(text, kName);
   if (!circles) {
     if (isOneLine(circles.error(), text)) return std::nullopt;
-    return "the error of readCircles names no line: " + circles.error().message;
+    return "the error of readCircles is not one line of text: " + circles.error().message;
   }
   for (const auto write : {writeCirclesCsv, writeCirclesJson, writeCirclesGeoJson}) {
     const auto again = readCircles(written(write, circles.value()), kName);
@@ -75,7 +86,7 @@ std::optional<std::string> tryDiagram(std::string_view text) {
   const auto read = readDiagram(text, kName);
   if (!read) {
     if (isOneLine(read.error(), text)) return std::nullopt;
-    return "the error of readDiagram names no line: " + read.error().message;
+    return "the error of readDiagram is not one line of text: " + read.error().message;
   }
   const Diagram& diagram = read.value();
   if (!certify(diagram)) return "certify rejects circles that readDiagram takes";

@@ -66,13 +66,26 @@ class Soak {
       const std::size_t count = 3 + random.below(198);
       attempt(std::string(family.name), commandOf(family.family, count, seed), generate(family.family, count, seed),
               [&](std::span<const Circle> circles) { return tryAutomatic(circles, family.isDegenerate); });
+      const auto tiny = besideFarPoint(generate(family.family, 2 + random.below(39), seed), random);
+      attempt(std::string(family.name) + ", beside a far point", "--seed " + std::to_string(seed), tiny,
+              [&](std::span<const Circle> circles) { return tryTiny(circles, family.isDegenerate); });
     }
     if (editsAlone_) return;
+    {
+      Random random(seed);
+      const auto nested = nestedTightly(2 + random.below(8), random);
+      attempt("nested tightly", "--seed " + std::to_string(seed), nested,
+              [](std::span<const Circle> circles) { return tryTiny(circles, true); });
+    }
     for (const TieKind& kind : tieKinds()) {
       Random random(seed);
       std::vector<Circle> circles = kind.make(3 + random.below(60), random);
       disturb(circles, Disturbance{static_cast<int>(random.below(kDisturbances))}, random);
       attempt("ties, " + std::string(kind.name), "--seed " + std::to_string(seed), circles, tryCertified);
+      // Subnormal squares of slacks are where a search for hiders may go wrong.
+      const auto tiny = besideFarPoint(kind.make(3 + random.below(20), random), random);
+      attempt("ties, " + std::string(kind.name) + ", beside a far point", "--seed " + std::to_string(seed), tiny,
+              [](std::span<const Circle> some) { return tryTiny(some, true); });
     }
     if (seed % kRoundsBetweenMany == 0) {
       const auto [family, isCompared] = kMany[seed / kRoundsBetweenMany % kMany.size()];

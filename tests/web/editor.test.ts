@@ -109,6 +109,22 @@ describe('a diagram that follows an editor', () => {
     expect(editor.size()).toBe(3000)
   })
 
+  it('has the bits of the snapshot after jumps of scale', () => {
+    const random = seededRandom(7)
+    const some = (size: number) => ({ x: size * random(), y: size * random(), r: 0.05 * size * random() })
+    const editor = library.edit(Array.from({ length: 12 }, () => some(1)))
+    const diagram = editor.snapshot()
+    for (let i = 0; i < 200; i++) {
+      const circle = some(random() < 0.5 ? 1 : 10 ** (260 * random() - 130))
+      const ids = editor.ids()
+      const id = ids[Math.floor(ids.length * random())] as number
+      const isFull = ids.length >= 12
+      const isRemoval = isFull && random() < 0.5
+      diagram.apply(isRemoval ? editor.remove(id) : isFull ? editor.replace(id, circle) : editor.insert(circle))
+      expect(contentOf(diagram)).toEqual(contentOf(editor.snapshot()))
+    }
+  })
+
   it('is a snapshot still after a structured clone', () => {
     const editor = library.edit(THREE)
     const first = editor.snapshot().apply(editor.insert({ x: 3, y: 4, r: 1 }))

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
-import { describe, expect, it } from 'vitest'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { DATA_SETS, dataSetOf, labelOf, loadDataSet, nameFrom, nameOf, sourceOf } from '../../web/app/data-sets.ts'
 import type { Recipe } from '../../web/app/generators/generators.ts'
+import { Keeping } from '../../web/app/keeping.ts'
+import type { LinkWriter } from '../../web/app/link-writer.ts'
 import { SceneStorage } from '../../web/app/scene-storage.ts'
 import { CircleTable } from '../../web/editing/circle-table.ts'
 import { cameraOf, circlesOfLink, viewOfLink } from '../../web/editing/scene-link.ts'
-import { LINK_LIMITS } from '../../web/lib/link.ts'
+import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput } from '../../web/lib/link.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 1)
@@ -274,5 +276,67 @@ describe('the storage of scenes', () => {
     await (await SceneStorage.claim(surroundings, true)).write('v1.a')
     expect((await SceneStorage.claim(surroundings, true)).read()).toBe('v1.a')
     expect((await SceneStorage.claim({ ...surroundings, ofTab: new Room() }, true)).read()).toBeUndefined()
+  })
+})
+
+describe('what a page leaves late', () => {
+  let page: EventTarget & { hidden: boolean }
+  beforeEach(() => {
+    vi.useFakeTimers()
+    page = Object.assign(new EventTarget(), { hidden: false })
+    vi.stubGlobal('document', page)
+    vi.stubGlobal('localStorage', new Room())
+    vi.stubGlobal('sessionStorage', new Room())
+    vi.stubGlobal('navigator', {})
+  })
+  afterEach(() => {
+    vi.useRealTimers()
+    vi.restoreAllMocks()
+    vi.unstubAllGlobals()
+  })
+
+  /** What a page that has gone would only write later. */
+  const gone = { linkOf: () => new Promise<string>(() => {}) } as unknown as LinkWriter
+
+  /** What a page begins with that comes to an address in this way. */
+  async function begun(type: NavigationTimingType, hash: string) {
+    vi.stubGlobal('location', { hash, pathname: '/', search: '' })
+    vi.spyOn(performance, 'getEntriesByType').mockReturnValue([{ type } as PerformanceNavigationTiming])
+    let shown: LinkInput | undefined
+    const keeping = new Keeping(gone, () => shown)
+    const link = await keeping.begin()
+    const leave = (state: LinkInput) => {
+      shown = state
+      keeping.changed()
+      // It goes before the rest is over after which it would be kept.
+      page.hidden = true
+      page.dispatchEvent(new Event('visibilitychange'))
+      page.hidden = false
+    }
+    return { dataSet: link && (await decodeLink(link)).dataSet, leave }
+  }
+
+  const hash = async () => `#${await encodeLink({ dataSet: 'introduction' })}`
+
+  it.each(['reload', 'back_forward'] as const)('is there again after %s', async (type) => {
+    const { leave, dataSet } = await begun('navigate', await hash())
+    expect(dataSet).toBe('introduction')
+    leave({ dataSet: 'spruces' })
+    expect((await begun(type, await hash())).dataSet).toBe('spruces')
+    expect((await begun(type, await hash())).dataSet).toBe('introduction')
+  })
+
+  it('is not shown in place of a link that is opened, and not later either', async () => {
+    const { leave } = await begun('navigate', await hash())
+    leave({ dataSet: 'spruces' })
+    expect((await begun('navigate', await hash())).dataSet).toBe('introduction')
+    expect((await begun('reload', await hash())).dataSet).toBe('introduction')
+  })
+
+  it('is not shown at another address', async () => {
+    const { leave } = await begun('navigate', await hash())
+    leave({ dataSet: 'spruces' })
+    const other = `#${await encodeLink({ dataSet: 'waka' })}`
+    expect((await begun('back_forward', other)).dataSet).toBe('waka')
   })
 })

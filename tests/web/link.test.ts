@@ -11,11 +11,14 @@ import {
   type LinkState,
 } from '../../web/lib/link.ts'
 import { packed } from '../../web/lib/link-text.ts'
+import { library } from './library.ts'
 
 const TOO_MUCH = expect.objectContaining({ code: 'tooManyCircles', message: 'This is too much for a link.' })
 
 const finite = fc.double({ noNaN: true, noDefaultInfinity: true }).map((value) => value + 0)
-const circle = fc.record({ x: finite, y: finite, r: finite }, { noNullPrototype: true })
+const coordinate = fc.double({ min: -1e150, max: 1e150, noNaN: true }).map((value) => value + 0)
+const radius = fc.double({ min: 0, max: 1e150, noNaN: true })
+const circle = fc.record({ x: coordinate, y: coordinate, r: radius }, { noNullPrototype: true })
 const id = fc.nat(2 ** 31 - 1)
 const edit: fc.Arbitrary<Edit> = fc.oneof(
   fc.record({ kind: fc.constant('insert' as const), circle }, { noNullPrototype: true }),
@@ -43,7 +46,7 @@ const state: fc.Arbitrary<LinkState> = fc.oneof(
     {
       ...rest,
       circles: fc
-        .array(fc.tuple(finite, finite, finite), { maxLength: 30 })
+        .array(fc.tuple(coordinate, coordinate, radius), { maxLength: 30 })
         .map((list) => Float64Array.from(list.flat())),
     },
     options,
@@ -71,6 +74,9 @@ const OLD_LINKS: [string, LinkState][] = [
   ],
 ]
 
+/** Number k of circles that need all their digits. */
+const numberOf = (_: unknown, k: number) => (k % 3 === 2 ? Math.abs(Math.sin(k)) : Math.sin(k))
+
 describe('a link', () => {
   it('says what it was made of, with a # or without', async () => {
     await fc.assert(
@@ -95,8 +101,14 @@ describe('a link', () => {
   })
 
   it('is written at once, too, longer than a block that is stored', async () => {
-    const circles = Float64Array.from({ length: 3 * 3000 }, (_, k) => Math.sin(k))
+    const circles = Float64Array.from({ length: 3 * 3000 }, numberOf)
     expect((await decodeLink(encodeLinkAtOnce({ circles }))).circles).toEqual(circles)
+  })
+
+  it('has circles up to the limits of `compute`', async () => {
+    const state = { circles: Float64Array.of(-1e150, 1e150, 1e150, 0, 0, 0) }
+    expect(await decodeLink(await encodeLink(state))).toEqual(state)
+    expect(library.compute(state.circles).certificate).toBeDefined()
   })
 
   it('is short', async () => {
@@ -109,7 +121,7 @@ describe('a link', () => {
   })
 
   it('may have as many circles as it says', async () => {
-    const circles = Float64Array.from({ length: 3 * LINK_LIMITS.circles }, (_, k) => Math.sin(k))
+    const circles = Float64Array.from({ length: 3 * LINK_LIMITS.circles }, numberOf)
     const link = await encodeLink({ circles })
     expect(link.length).toBeLessThanOrEqual(LINK_LIMITS.letters)
     // Element by element, this would take long.
@@ -147,6 +159,10 @@ describe('what is no link', () => {
     [{ circles: [1, 2] }, 'its circles are not three finite numbers each'],
     [{ circles: [1, 2, '3'] }, 'its circles are not three finite numbers each'],
     ['{"circles":[1,2,1e999]}', 'its circles are not three finite numbers each'],
+    [{ circles: [0, 0, 1, 2, 0, -1] }, 'circle 1 has a negative radius'],
+    [{ circles: [0, 0, 1, 2, 0, 1, 1e200, 0, 1] }, 'circle 2 has a coordinate or a radius beyond 1e150'],
+    [{ circles: [0, -1.01e150, 1] }, 'circle 0 has a coordinate or a radius beyond 1e150'],
+    [{ circles: [0, 0, 1e151] }, 'circle 0 has a coordinate or a radius beyond 1e150'],
     [{ circles: { length: 3 } }, 'its circles are not three finite numbers each'],
     [{ step: 1.5 }, 'its step is none'],
     [{ step: -1 }, 'its step is none'],
@@ -166,6 +182,16 @@ describe('what is no link', () => {
     [{ edits: [['-', -1]] }, 'its edits are none'],
     [{ edits: [['-', 2 ** 31]] }, 'its edits are none'],
     [{ edits: [['=', 1, 2, 3]] }, 'its edits are none'],
+    [
+      {
+        edits: [
+          ['-', 1],
+          ['+', 0, 0, -1],
+        ],
+      },
+      'the circle of edit 1 has a negative radius',
+    ],
+    [{ edits: [['=', 1, 0, 1e200, 1]] }, 'the circle of edit 0 has a coordinate or a radius beyond 1e150'],
     [{ view: [1, 2] }, 'its view is none'],
     [{ view: [1, 2, 0] }, 'its view is none'],
     [{ view: [1, 2, 3, 4] }, 'its view is none'],
@@ -237,6 +263,7 @@ describe('what is no link', () => {
     [{ edits: [null] }, 'A link says edits, not null.'],
     [{ edits: [{ kind: 'insert' }] }, 'This is no state for a link: its edits are none.'],
     [{ circles: [[Number.NaN, 0, 0]] }, 'This is no state for a link: its circles are not three finite numbers each.'],
+    [{ circles: [[0, 0, -1]] }, 'This is no state for a link: circle 0 has a negative radius.'],
     [{ view: {} }, 'This is no state for a link: its view is none.'],
     [{ layers: { a: () => 1 } }, 'This is no state for a link: its layers are none.'],
   ])('is made of no such state: %j', async (state, message) => {

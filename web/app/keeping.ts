@@ -39,9 +39,9 @@ export class Keeping {
     const link = this.#hash.slice(1)
     let late: string | undefined
     try {
-      late = lateOf(this.#hash)
       const [navigation] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[]
       const isReload = navigation?.type !== 'navigate'
+      late = takenLate(this.#hash, isReload)
       const surroundings = { all: localStorage, ofTab: sessionStorage, locks: navigator.locks, isReload }
       this.#storage = await SceneStorage.claim(surroundings, link === '')
     } catch {
@@ -109,11 +109,14 @@ export class Keeping {
   }
 }
 
-/** The link that the page of an address left last, if nothing was kept after it. */
-function lateOf(hash: string): string | undefined {
+/**
+ * Returns the link that the page of an address left last, if nothing was kept after it and the page is there again: by a reload,
+ * or by Back and Forward. Whoever opens the address as a link gets what the link says, and nothing is left.
+ */
+function takenLate(hash: string, isThereAgain: boolean): string | undefined {
   const [of, link] = (sessionStorage.getItem(LATE) ?? '').split(' ')
   sessionStorage.removeItem(LATE)
-  return of === hash ? link : undefined
+  return isThereAgain && of === hash ? link : undefined
 }
 
 function keepLate(text: string): void {

@@ -32,6 +32,7 @@ import { mountTable, tableWidth } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
+import { styleSheetsLoaded } from './style-sheets.ts'
 
 // input ──► actions ──► editing ──► view ──► painter's thread
 //              │           │                       │
@@ -41,6 +42,7 @@ import { mountViewControls } from './panels/view-controls.ts'
 //              └──► panels, and what stands out in the view
 
 if (location.hash === '') askAhead((DATA_SETS[0] as DataSet).id)
+await styleSheetsLoaded()
 
 const figure = byId('figure', HTMLElement)
 const view = mount(figure, { gestures: 'none' })

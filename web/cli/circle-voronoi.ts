@@ -28,7 +28,7 @@ const worker = new Worker(new URL('./program-thread.js', import.meta.url), { wor
 worker.on('message', (told: Told) => {
   if ('made' in told) made = told.made
   else if ('line' in told) line.begin(told.line)
-  else if ('stage' in told) line.show(told.stage, told.done)
+  else if ('stage' in told) line.show(told.stage, told.percent)
   else {
     line.end()
     Atomics.store(ended, 0, 1)

@@ -20,14 +20,13 @@ type CreateProgram = (options: {
   endLine(): void
 }) => Promise<Program>
 
-/** Milliseconds until the line is shown that was not asked for, and between two tellings of one stage. */
+/** Milliseconds until the line is shown that was not asked for. */
 const DELAY = 1000
-const PERIOD = 100
 const STANDARD_ERROR = 2
 
 const { args, ended } = workerData as Start
 const tell = (told: Told) => parentPort?.postMessage(told)
-const last = { stage: '', time: 0 }
+const last: { stage: string; percent: number | undefined } = { stage: '', percent: undefined }
 
 const createProgram: CreateProgram = createRequire(import.meta.url)('./generated/program.cjs')
 const program = await createProgram({
@@ -41,10 +40,10 @@ const program = await createProgram({
     return isShown
   },
   showStage(stage, done) {
-    const time = performance.now()
-    if (stage === last.stage && time - last.time < PERIOD) return
-    Object.assign(last, { stage, time })
-    tell({ stage, done })
+    const percent = done > 0 ? Math.round(100 * done) : undefined
+    if (stage === last.stage && percent === last.percent) return
+    Object.assign(last, { stage, percent })
+    tell({ stage, percent })
   },
   endLine() {
     tell({ ends: true })

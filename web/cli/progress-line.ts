@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// As cpp/cli/progress_line.cpp.
+// As cpp/cli/progress_text.h and progress_line.cpp.
 import { writeSync } from 'node:fs'
 
 const PERIOD = 100
@@ -7,27 +7,33 @@ const STANDARD_ERROR = 2
 
 /** A line on standard error that says what is being done and since when, rewritten in place and erased in the end. */
 export class ProgressLine {
+  readonly #write: (text: string) => void
   #begin = 0
   #delay = Infinity
   #refresher: NodeJS.Timeout | undefined
   #stage = ''
-  #done = 0
-  #width = 0
+  #percent: number | undefined
+  #line = ''
+
+  /** `write`: writes to the terminal; a test has its own. */
+  constructor(write = (text: string): unknown => writeSync(STANDARD_ERROR, text)) {
+    this.#write = write
+  }
 
   /** `delay`: milliseconds until it is first shown. */
   begin(delay: number): void {
     this.#begin = performance.now()
     this.#delay = delay
-    this.#refresher = setInterval(() => this.#write(), PERIOD)
+    this.#refresher = setInterval(() => this.#refresh(), PERIOD)
     this.#refresher.unref()
   }
 
-  /** What is being done, and the part of it that is; 0 also where that is not known. */
-  show(stage: string, done: number): void {
-    const isNew = this.#stage !== stage
+  /** What is being done, and how many percent of it are, if that is known. */
+  show(stage: string, percent: number | undefined): void {
+    if (stage === this.#stage && percent === this.#percent) return
     this.#stage = stage
-    this.#done = done
-    if (isNew) this.#write()
+    this.#percent = percent
+    this.#refresh()
   }
 
   /** Erases the line for good. */
@@ -37,16 +43,17 @@ export class ProgressLine {
     this.#replace('')
   }
 
-  #write(): void {
+  #refresh(): void {
     const elapsed = performance.now() - this.#begin
     if (this.#stage === '' || elapsed < this.#delay) return
-    const part = this.#done > 0 ? ` ${Math.round(100 * this.#done)} %` : ''
+    const part = this.#percent === undefined ? '' : ` ${this.#percent} %`
     this.#replace(`${this.#stage}${part}, ${Math.floor(elapsed / 1000)} s`)
   }
 
-  #replace(text: string): void {
-    const blank = this.#width > 0 ? `\r${' '.repeat(this.#width)}\r` : ''
-    if (blank + text !== '') writeSync(STANDARD_ERROR, blank + text)
-    this.#width = text.length
+  #replace(line: string): void {
+    if (line === this.#line) return
+    const blank = this.#line === '' ? '' : `\r${' '.repeat(this.#line.length)}\r`
+    this.#line = line
+    this.#write(blank + line)
   }
 }

@@ -8,10 +8,10 @@ export interface Start {
 
 /**
  * What it tells: a file that was made and is not yet whole, or none any more; that there is a line, which is first shown
- * after so many milliseconds; what is being done, and which part of it; that the line ends.
+ * after so many milliseconds; what is being done, and how many percent of it are, if that is known; that the line ends.
  */
 export type Told =
   | { readonly made: string | undefined }
   | { readonly line: number }
-  | { readonly stage: string; readonly done: number }
+  | { readonly stage: string; readonly percent: number | undefined }
   | { readonly ends: true }

@@ -14,7 +14,8 @@ export type EditWay = 'local' | 'patch' | 'whole'
  *
  * Circles go by their ids. Each vertex and each edge has a number, which stays its own until it goes, and may then be that of
  * another: an edge with another end is another edge, and so is a vertex whose circle has moved. Who takes away what goes, then
- * puts what comes into its place, has the diagram as it is now; `Diagram.apply` does so.
+ * puts what comes into its place, has the diagram as it is now; `Diagram.apply` does so. Its circles and vertices equal those of
+ * `DiagramEditor.snapshot` to the bit, at any scale.
  *
  * @category Editing
  */

@@ -6,6 +6,7 @@
  * @module circle-voronoi/link
  */
 import { refuseArgument, shown } from './check.ts'
+import { COORDINATE_LIMIT } from './coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './coordinates.ts'
 import type { Float64s } from './diagram-data.ts'
 import type { Edit } from './editor.ts'
@@ -91,7 +92,7 @@ const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers', 'step', 'method
 /**
  * The text that says a state. All numbers are exact; only -0 is 0.
  *
- * @throws CircleVoronoiError `badArgument`; `tooManyCircles`, if a state is beyond `LINK_LIMITS`; `notLoaded`, where there is no
+ * @throws CircleVoronoiError `badArgument`, also for circles that `compute` would refuse; `tooManyCircles`, if a state is beyond `LINK_LIMITS`; `notLoaded`, where there is no
  *   `CompressionStream`
  *
  * @category Links
@@ -146,8 +147,8 @@ function jsonOf(state: LinkInput): string {
 }
 
 /**
- * What a link says. Whether its circles make a diagram, `compute` knows, and whether its edits are those of its circles, an
- * editor.
+ * Returns what a link says. Its circles, those of its edits included, are circles that `compute` takes. An editor finds out
+ * whether the edits fit the circles.
  *
  * @param text what stands after the `#` of an address, with it or without
  * @throws CircleVoronoiError `badInput`; `tooManyCircles`, if it is beyond `LINK_LIMITS`; `notLoaded`, where there is no
@@ -238,6 +239,10 @@ function problemOf(said: unknown): string | undefined {
   if (circles !== undefined) {
     if (!isListOfNumbers(circles) || circles.length % 3 !== 0) return 'its circles are not three finite numbers each'
     if (circles.length > 3 * LINK_LIMITS.circles) tooMuch()
+    for (let i = 0; i < circles.length / 3; i++) {
+      const problem = problemOfCircle(circles, 3 * i)
+      if (problem !== undefined) return `circle ${i} ${problem}`
+    }
   }
   if (dataSet !== undefined) {
     if (!isName(dataSet)) return 'its data set has no name'
@@ -246,6 +251,10 @@ function problemOf(said: unknown): string | undefined {
   if (edits !== undefined) {
     if (!Array.isArray(edits) || !edits.every(isEdit)) return 'its edits are none'
     if (edits.length > LINK_LIMITS.edits) tooMuch()
+    for (const [i, [kind, ...numbers]] of edits.entries()) {
+      const problem = kind === '-' ? undefined : problemOfCircle(numbers, numbers.length - 3)
+      if (problem !== undefined) return `the circle of edit ${i} ${problem}`
+    }
   }
   if (view !== undefined) {
     if (!isListOfNumbers(view) || view.length !== 3 || !((view[2] as number) > 0)) return 'its view is none'
@@ -259,7 +268,15 @@ function isName(value: unknown): boolean {
   return typeof value === 'string' && value.length <= LONGEST_NAME
 }
 
-function isEdit(edit: unknown): boolean {
+/** Says why `compute` would refuse the circle whose x, y and r begin at an index of a list, in the words of the core. */
+function problemOfCircle(numbers: readonly number[], first: number): string | undefined {
+  const [x, y, r] = [numbers[first] as number, numbers[first + 1] as number, numbers[first + 2] as number]
+  if (r < 0) return 'has a negative radius'
+  const isTooLarge = Math.max(Math.abs(x), Math.abs(y), r) > COORDINATE_LIMIT
+  return isTooLarge ? 'has a coordinate or a radius beyond 1e150' : undefined
+}
+
+function isEdit(edit: unknown): edit is NonNullable<Said['edits']>[number] {
   if (!Array.isArray(edit) || typeof edit[0] !== 'string' || !Object.hasOwn(EDITS, edit[0])) return false
   const [count, hasId] = EDITS[edit[0]] as readonly [number, boolean]
   const numbers = edit.slice(1)

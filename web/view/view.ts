@@ -502,9 +502,14 @@ export class View {
     return edited
   }
 
-  /** The scheme, the system's colours and the pixels of the screen may be others later. */
+  /** The scheme, the system's colours, style sheets and the pixels of the screen may be others later. */
   #watchSurroundings(): void {
     const { signal } = this.#watching
+    // WebKit runs the modules of a page before its style sheets are there.
+    const restyleBy = ({ target }: Event) => {
+      if (target instanceof HTMLLinkElement && target.relList.contains('stylesheet')) this.restyle()
+    }
+    document.addEventListener('load', restyleBy, { capture: true, signal })
     for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
       matchMedia(query).addEventListener('change', () => this.restyle(), { signal })
     }

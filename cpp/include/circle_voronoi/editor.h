@@ -64,7 +64,8 @@ struct EditedSide {
 /// While an editor lives, each vertex and each edge has a number, which stays its own until it goes, and may then be
 /// that of another: an edge with another end is another edge, and so is a vertex whose circle has moved. Numbers stay
 /// below the most vertices and edges that there ever were at a time, and a few for the hull. Who takes away what goes,
-/// then puts what comes into its place, has the diagram as it is now, unbounded edges and the hull included.
+/// then puts what comes into its place, has the diagram as it is now, unbounded edges and the hull included. Its
+/// circles and vertices equal those of `snapshot` to the bit, at any scale.
 struct Change {
   EditWay way = EditWay::local;
 
@@ -108,8 +109,9 @@ struct Edit {
 /// A certified Voronoi diagram whose circles come, go, move and grow.
 ///
 /// An edit changes what is around it and leaves the rest: microseconds, however many circles there are. It is certified
-/// by what it changes before it is believed (judge of a step, ARCHITECTURE.md). An edit that is refused, or for which
-/// there is no memory, changes nothing. A circle inside another is hidden, and has a cell again when that goes.
+/// by what it changes before it is believed (judge of a step, ARCHITECTURE.md). An edit that hides or shows a large
+/// share of the circles computes everything. An edit that is refused, or for which there is no memory, changes nothing.
+/// A circle inside another is hidden, and has a cell again when that goes.
 ///
 /// The diagram does not depend on the edits that led to it: it is that of `compute`, where more than three circles
 /// touch one disc as well. Circles may be anything that `compute` takes.

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "certificate_message.h"
 #include "circle_voronoi/option_names.h"
 #include "construct.h"
 #include "diagram_of.h"
@@ -66,6 +67,7 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
     // Another method makes its own.
     if (options.method != Method::automatic) visible.diagram.reset();
     sites = triangulate(std::move(visible));
+    if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) return *std::move(error);
     scaled.circles = {};  // the sites have them
   }
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());

@@ -49,6 +49,8 @@ struct Ray {
   double length;
 
   Ray(const Circle& from, const Circle& circle) : to(between(from, circle)), length(circle_voronoi::length(to)) {}
+
+  Vector direction() const { return {to.x / length, to.y / length}; }
 };
 
 /// The bisector of a circle and a neighbour, as rays from the circle's centre see it.
@@ -56,22 +58,28 @@ class Bisector {
  public:
   /// At infinity.
   Bisector() = default;
-  Bisector(const Circle& circle, const Circle& neighbor)
-      : v_(between(circle, neighbor)), s_(neighbor.r - circle.r), g_(dot(v_, v_) - s_ * s_) {}
+  Bisector(const Circle& circle, const Circle& neighbor) : v_(between(circle, neighbor)), s_(neighbor.r - circle.r) {
+    if (!isLonger(v_, kShort)) scale_ = kLengthening;
+    v_ = {v_.x * scale_, v_.y * scale_};
+    s_ *= scale_;
+    g_ = dot(v_, v_) - s_ * s_;
+  }
 
   /// The inverse of twice the distance at which a ray meets it, 0 if it does not.
   double nearness(const Ray& ray) const {
-    const double along = dot(ray.to, v_) / ray.length;
+    const Vector direction = ray.direction();
+    const double along = dot(direction, v_);
     // (s + along) / g, without its cancellation where s and along are nearly opposite.
-    if ((s_ < 0) == (along < 0)) return std::max(0.0, (along + s_) / g_);
-    const double across = cross(ray.to, v_) / ray.length;
-    return std::max(0.0, (1 - across * across / g_) / (along - s_));
+    if ((s_ < 0) == (along < 0)) return std::max(0.0, scale_ * (along + s_) / g_);
+    const double across = cross(direction, v_);
+    return std::max(0.0, scale_ * (1 - across * across / g_) / (along - s_));
   }
 
  private:
   Vector v_ = {0, 0};
   double s_ = 0;
   double g_ = 1;
+  double scale_ = 1;  ///< of these, where their squares would underflow
 };
 
 class Inserter : private DualKeeper {
@@ -124,7 +132,10 @@ class Inserter : private DualKeeper {
   // Each circle that is still to come waits at a half-edge: in the cell of its origin its centre lies in the sector of
   // its bisector. A new cell that has the centre has a part of that bisector, as cells are star-shaped.
 
-  double distance(int from, int to) const { return distanceFrom({circles_[from].x, circles_[from].y}, circles_[to]); }
+  /// Whether circle b is nearer to the center of circle j than circle a is.
+  bool isNearer(int j, int a, int b) const {
+    return leadOf({circles_[j].x, circles_[j].y}, circles_[a], circles_[b]).value > 0;
+  }
 
   /// Whether the circle of the cell in which the centre of circle j lies hides j, which then waits no longer.
   bool isKnownHidden(int i, int j) {
@@ -136,7 +147,7 @@ class Inserter : private DualKeeper {
 
   /// Lets a circle wait in one of the first two cells.
   void wait(int j, int a, int b) {
-    const int from = distance(j, a) <= distance(j, b) ? a : b;
+    const int from = isNearer(j, a, b) ? b : a;
     if (isKnownHidden(from, j)) return;
     const int h = edgeOf_[from];
     const double nearness = bisectorOf(h).nearness(Ray(circles_[from], circles_[j]));
@@ -147,12 +158,6 @@ class Inserter : private DualKeeper {
   Bisector bisectorOf(int h) const {
     const int b = dual_.target(h);
     return b == kInfinity ? Bisector() : Bisector(circles_[dual_.origin[h]], circles_[b]);
-  }
-
-  /// Far more than a random order makes likely: going on means that rounding led astray.
-  bool isAstray() const {
-    const std::int64_t limit = 1000 + 30 * static_cast<std::int64_t>(circles_.size());
-    return inserter_.flips() > limit || inserter_.looks() + looks_ > limit;
   }
 
   /// Whether all went well.
@@ -169,7 +174,7 @@ class Inserter : private DualKeeper {
       case CellInserter::Outcome::astray:
         return false;
     }
-    return !isAstray();
+    return true;
   }
 
   int addFace() override {
@@ -232,7 +237,7 @@ class Inserter : private DualKeeper {
     const Bisector toMiddle(circles_[a], circles_[i]);
     for (const int j : movers_) {
       const Ray ray(circles_[a], circles_[j]);
-      if (distance(j, i) < ray.length - circles_[a].r) {
+      if (isNearer(j, a, i)) {
         if (!isKnownHidden(i, j)) arrivals_.push_back(j);
         continue;
       }
@@ -284,7 +289,6 @@ class Inserter : private DualKeeper {
         Met met = {first, bisectorOf(first).nearness(ray)};
         for (const Sector& sector : sectors_) met = nearer(met, {sector.h, sector.bisector.nearness(ray)}, j);
         h = met.h;
-        if (!areFew) looks_ += static_cast<std::int64_t>(sectors_.size());
       }
       waiting_.add(h, j);
     }
@@ -350,7 +354,6 @@ class Inserter : private DualKeeper {
   std::vector<int> movers_;        ///< those that waited at an edge beside the new cell
   std::vector<int> arrivals_;      ///< those whose centres the new cell has
   std::vector<Sector> sectors_;
-  std::int64_t looks_ = 0;
 };
 
 }  // namespace

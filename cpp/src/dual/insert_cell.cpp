@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace circle_voronoi {
 
@@ -27,35 +27,36 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdge(int likely, int i) {
     auto edge = cutEdgeAround(start, i);
     if (!edge || edge->cut.isCut) return edge;
     const int nearest = nearestAround(start, i);
-    if (distance(i, dual_.target(nearest)) >= distance(i, dual_.origin[start])) break;
+    if (leadAt(i, dual_.origin[start], dual_.target(nearest)).sign() <= 0) break;
     start = dual_.twin[nearest];
   }
-  // The centre may lie on the border of the cell.
-  const double least = distance(i, dual_.origin[start]);
-  const double rounding = 1e-14 * (std::abs(least) + std::abs(circle(dual_.origin[start]).r));
-  int h = start;
-  do {
-    const int b = dual_.target(h);
-    if (b != kInfinity && distance(i, b) <= least + rounding) {
-      auto edge = cutEdgeAround(dual_.twin[h], i);
-      if (!edge || edge->cut.isCut) return edge;
-    }
-    h = dual_.twin[Dual::previous(h)];
-  } while (h != start);
+  return cutEdgeBeyond(start, i);
+}
+
+std::optional<CellInserter::CutEdge> CellInserter::cutEdgeBeyond(int start, int i) {
+  std::set<int> seen = {dual_.origin[start]};
+  std::vector<int> spokes = {start};
+  for (std::size_t next = 0; next < spokes.size(); ++next) {
+    int h = spokes[next];
+    do {
+      const int beyond = dual_.twin[h];
+      if (dual_.origin[beyond] != kInfinity && seen.insert(dual_.origin[beyond]).second) {
+        auto edge = cutEdgeAround(beyond, i);
+        if (!edge || edge->cut.isCut) return edge;
+        spokes.push_back(beyond);
+      }
+      h = dual_.twin[Dual::previous(h)];
+    } while (h != spokes[next]);
+  }
   return CutEdge{start, {}};
 }
 
 int CellInserter::nearestAround(int start, int i) {
-  int nearest = start;
-  double least = std::numeric_limits<double>::infinity();
-  int h = start;
+  int nearest = dual_.target(start) == kInfinity ? dual_.twin[Dual::previous(start)] : start;
+  int h = nearest;
   do {
-    ++looks_;
     const int b = dual_.target(h);
-    if (b != kInfinity && distance(i, b) < least) {
-      nearest = h;
-      least = distance(i, b);
-    }
+    if (b != kInfinity && leadAt(i, dual_.target(nearest), b).value > 0) nearest = h;
     h = dual_.twin[Dual::previous(h)];
   } while (h != start);
   return nearest;
@@ -72,7 +73,6 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeAround(int likely, int
   int right = likely;
   do {
     for (const int h : {left, right}) {
-      ++looks_;
       if (isHider(dual_.target(h))) return std::nullopt;
       if (const Cut cut = cutOf(h, i); cut.isCut) return CutEdge{h, cut};
     }

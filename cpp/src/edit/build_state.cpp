@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "certificate_message.h"
 #include "construct.h"
 #include "diagram_of.h"
 #include "edge_turns.h"
@@ -56,7 +57,7 @@ void fillDual(EditState& state, const Topology& topology, int visibleCount) {
   state.facePlaces = Places(state.faceCount);
 }
 
-/// What is kept of faces and edges.
+/// What is kept of faces, and of each edge once both its faces have a disc.
 void fillProof(EditState& state) {
   const Dual& dual = state.dual;
   for (int face = 0; face < dual.faceCount(); ++face) {
@@ -68,17 +69,17 @@ void fillProof(EditState& state) {
       state.proof[3 * face + k].isLower =
           state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], state.discs[face]));
     }
+    for (int t = 3 * face; t < 3 * face + 3; ++t) {
+      const int h = dual.twin[t];
+      if (h > t) continue;
+      const EdgeTurns turns = turnsOf(StepDiscs{state}, dual, state.circles, state.predicates, h);
+      state.proof[h].passes = turns.passesAtOrigin;
+      state.proof[t].passes = turns.passesAtTarget;
+    }
   }
   int edges = 0;
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    const int t = dual.twin[h];
-    if (h > t) continue;
-    const EdgeTurns turns = turnsOf(StepDiscs{state}, dual, state.circles, state.predicates, h);
-    state.proof[h].passes = turns.passesAtOrigin;
-    state.proof[t].passes = turns.passesAtTarget;
-    if (dual.origin[h] != kInfinity && dual.origin[t] != kInfinity) {
-      state.edgeNumber[h] = state.edgeNumber[t] = edges++;
-    }
+    if (state.isEdge(h)) state.edgeNumber[h] = state.edgeNumber[dual.twin[h]] = edges++;
   }
   state.edgePlaces = Places(edges);
 }
@@ -89,9 +90,39 @@ std::optional<Circle> scaledExactly(const Circle& circle, double unit) {
   const double factor = 1 / unit;
   // Adding zero turns -0 into +0, as in validate.
   const Circle scaled = {circle.x * factor + 0.0, circle.y * factor + 0.0, circle.r * factor + 0.0};
-  if (std::max({std::abs(scaled.x), std::abs(scaled.y), scaled.r}) > kLargestScaled) return std::nullopt;
+  if (std::max({std::abs(scaled.x), std::abs(scaled.y), scaled.r}) >= kLargestScaled) return std::nullopt;
   if (Circle{scaled.x * unit, scaled.y * unit, scaled.r * unit} != circle) return std::nullopt;
   return scaled;
+}
+
+bool rescale(EditState& state, double unit) {
+  std::vector<Circle> circles(state.circles.size());
+  for (int slot = 0; slot < static_cast<int>(circles.size()); ++slot) {
+    if (state.sites[slot].id == kNone) continue;
+    const auto exact = scaledExactly(state.inputOf(slot), unit);
+    if (!exact) return false;
+    circles[slot] = *exact;
+  }
+  // A disc is a homogeneous point: with this weight all directions to it keep their bits.
+  const double growth = unit / state.unit;
+  for (int face = 0; face < state.dual.faceCount(); ++face) {
+    if (state.isInUse(face) && !std::isfinite(state.discs[face].w * growth)) return false;
+  }
+  std::copy(circles.begin(), circles.end(), state.circles.begin());
+  for (int face = 0; face < state.dual.faceCount(); ++face) {
+    if (!state.isInUse(face)) continue;
+    FaceDisc disc = state.discs[face];
+    disc.w *= growth;
+    state.discs.set(face, disc);
+  }
+  state.unit = unit;
+  return true;
+}
+
+bool makeRoom(EditState& state, std::span<const Circle> circles) {
+  const auto validated = validate(circles);
+  if (!validated || validated.value().unit <= state.unit) return false;
+  return rescale(state, validated.value().unit * kRoom) || rescale(state, validated.value().unit);
 }
 
 std::array<int, 3> slotsOfVertex(const EditState& state, int face) {
@@ -106,6 +137,15 @@ std::optional<Vertex> vertexOfFace(const EditState& state, int face) {
   return vertexOf(state.circles[i], state.circles[j], state.circles[k], state.unit);
 }
 
+std::optional<Error> vertexError(const EditState& state) {
+  for (int face = 0; face < state.dual.faceCount(); ++face) {
+    if (!state.isVertex(face) || vertexOfFace(state, face)) continue;
+    const auto [i, j, k] = slotsOfVertex(state, face);
+    return vertexBeyondDoubles({state.sites[i].id, state.sites[j].id, state.sites[k].id});
+  }
+  return std::nullopt;
+}
+
 Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const std::int32_t> ids) {
   auto scaledOrError = scale(circles);
   if (!scaledOrError) return scaledOrError.error();
@@ -113,6 +153,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   const Progress silent;
   Journal journal(silent);
   Sites sites = triangulate(hide(order(scaled.circles)));
+  if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) return *std::move(error);
   const Construction construction = constructAutomatically(sites, {}, journal);
   if (!construction.certificate.certified()) {
     return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
@@ -142,11 +183,6 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[hidden.circle], slots[hidden.by]);
   state->nextId = ids.empty() ? 0 : ids.back() + 1;
   fillProof(*state);
-  for (int face = 0; face < state->dual.faceCount(); ++face) {
-    if (!state->isVertex(face) || vertexOfFace(*state, face)) continue;
-    const auto [i, j, k] = slotsOfVertex(*state, face);
-    return vertexBeyondDoubles({state->sites[i].id, state->sites[j].id, state->sites[k].id});
-  }
   state->prepareToKeep();
   state->keep();
   return state;

@@ -13,6 +13,19 @@
 namespace circle_voronoi {
 namespace {
 
+void reserveRemoved(Change& change, std::size_t vertices, std::size_t edges) {
+  change.removedVertices.reserve(vertices);
+  change.removedEdges.reserve(edges);
+}
+
+void reserveAdded(Change& change, std::size_t vertices, std::size_t edges) {
+  change.addedVertices.reserve(vertices);
+  change.vertices.reserve(vertices);
+  change.vertexCircles.reserve(vertices);
+  change.addedEdges.reserve(edges);
+  change.edges.reserve(edges);
+}
+
 /// Adds a vertex that is there now; an error if no double can hold it.
 std::optional<Error> addVertex(Change& change, const EditState& state, int face) {
   const auto [i, j, k] = slotsOfVertex(state, face);
@@ -75,13 +88,8 @@ Result<Change> ChangeRecorder::record(EditState& state, EditWay way) {
   change.way = way;
   const std::size_t faces = state.faceLog.size();
   change.cells.reserve(faces);
-  change.removedVertices.reserve(faces);
-  change.addedVertices.reserve(faces);
-  change.vertices.reserve(faces);
-  change.vertexCircles.reserve(faces);
-  change.removedEdges.reserve(2 * faces);
-  change.addedEdges.reserve(2 * faces);
-  change.edges.reserve(2 * faces);
+  reserveRemoved(change, faces, 2 * faces);
+  reserveAdded(change, faces, 2 * faces);
   recordCircles(change, state);
   if (auto error = recordVertices(change, state)) return *std::move(error);
   recordEdges(change, state);
@@ -212,6 +220,12 @@ void ChangeRecorder::recordHull(Change& change, const EditState& state) {
 Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditState& after) {
   Change change;
   change.way = EditWay::whole;
+  // All faces have three half-edges, and each edge has two.
+  const auto faces = static_cast<std::size_t>(before.faceCount);
+  const auto facesAfter = static_cast<std::size_t>(after.faceCount);
+  reserveRemoved(change, faces, 3 * faces / 2);
+  reserveAdded(change, facesAfter, 3 * facesAfter / 2);
+  change.cells.reserve(static_cast<std::size_t>(after.visibleCount));
   before.ids.forEach([&](std::int32_t id, int slot) {
     const int now = after.ids.slotOf(id);
     if (now == kNone) {
@@ -223,14 +237,13 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
     if (!before.isVisible(slot) && after.isVisible(now)) change.shown.push_back(id);
   });
   after.ids.forEach([&](std::int32_t id, int slot) {
-    if (after.isVisible(slot)) change.cells.push_back(id);
-    if (before.ids.slotOf(id) != kNone) return;
-    change.inserted.push_back(id);
-    if (!after.isVisible(slot)) change.hidden.push_back(id);
-  });
-  after.ids.forEach([&](std::int32_t id, int slot) {
-    if (after.isVisible(slot)) return;
     const int was = before.ids.slotOf(id);
+    if (was == kNone) change.inserted.push_back(id);
+    if (after.isVisible(slot)) {
+      change.cells.push_back(id);
+      return;
+    }
+    if (was == kNone) change.hidden.push_back(id);
     const CircleId by = after.sites[after.sites[slot].hider].id;
     const bool isSame = was != kNone && !before.isVisible(was) && before.sites[before.sites[was].hider].id == by;
     if (!isSame) change.hiders.push_back({id, by});

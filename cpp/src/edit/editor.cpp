@@ -173,6 +173,7 @@ class DiagramEditor::Editor {
   /// Nothing if it takes computing the whole.
   std::optional<Result<Change>> applyLocally(std::span<const Edit> edits, CircleId hint) {
     if (!state_->inexact.empty() || !state_->hasScale) return std::nullopt;
+    makeRoomFor(edits);
     EditWay way = EditWay::local;
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
@@ -197,6 +198,16 @@ class DiagramEditor::Editor {
     auto change = recorder_.record(*state_, way);
     if (!change) return withoutCircle(change.error());
     return change;
+  }
+
+  /// Gives the state a larger unit if an edit is beyond the one it has. Who watches was told of discs in that unit.
+  void makeRoomFor(std::span<const Edit> edits) {
+    if (teller_) return;
+    std::vector<Circle> large;
+    for (const Edit& edit : edits) {
+      if (edit.kind != Edit::Kind::remove && !scaledExactly(edit.circle, state_->unit)) large.push_back(edit.circle);
+    }
+    if (!large.empty() && makeRoom(*state_, large)) locator_.fill(*state_);
   }
 
   Result<Change> applyWhole(std::span<const Edit> edits) {
@@ -295,6 +306,7 @@ Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles) {
     std::iota(ids.begin(), ids.end(), 0);
     auto state = buildState(circles, ids);
     if (!state) return state.error();
+    if (auto error = vertexError(*state.value())) return *std::move(error);
     return DiagramEditor(std::make_unique<Editor>(std::move(state).value()));
   });
 }

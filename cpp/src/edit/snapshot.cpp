@@ -69,10 +69,12 @@ Result<Diagram> snapshotOf(const EditState& state) {
   const Hiders hiders = findHiders({sites.circles, sites.indices}, {hidden.circles, hidden.indices},
                                    std::numeric_limits<std::int64_t>::max());
   for (std::size_t i = 0; i < hidden.indices.size(); ++i) {
-    sites.hidden.push_back({hidden.indices[i], sites.indices[hiders.hider[i]]});
+    const int hider = hiders.hider[i];
+    sites.hidden.push_back({hidden.indices[i], hider == kNone ? kNone : sites.indices[hider]});
   }
   std::sort(sites.hidden.begin(), sites.hidden.end(),
             [](const HiddenCircle& a, const HiddenCircle& b) { return a.circle < b.circle; });
+  if (auto error = refusalOfHidden(scaled.value().circles, sites.hidden)) return *std::move(error);
 
   Stats stats;
   stats.method = "auto";

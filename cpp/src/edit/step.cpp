@@ -12,11 +12,24 @@
 namespace circle_voronoi {
 namespace {
 
+/// Computing everything is quicker than a step that hides or shows more circles than these, or than this share of all.
+constexpr int kFew = 32;
+constexpr int kHiddenShare = 2;
+constexpr int kShownShare = 4;
+/// A sample this large tells the shares apart.
+constexpr std::size_t kSample = 128;
+
 Point centreOf(const Circle& c) { return {c.x, c.y}; }
+
+/// Whether one circle contains another, up to rounding.
+bool covers(const Circle& outer, const Circle& inner) {
+  return distanceFrom(centreOf(outer), inner) + 2 * inner.r <= outer.r;
+}
 
 }  // namespace
 
 std::optional<EditWay> Stepper::insert(const Circle& circle, int hint) {
+  if (coversMany(circle)) return std::nullopt;
   begin();
   const int slot = state_.addSite(circle);
   tellCircle(TraceKind::circleInserted, slot, circle);
@@ -33,7 +46,7 @@ std::optional<EditWay> Stepper::remove(int slot) {
     return certify(kNone);
   }
   const int hint = neighborOf(slot);
-  if (!takeOut(slot)) return std::nullopt;
+  if (!takeOut(slot) || !releaseHidden(slot, kNone)) return std::nullopt;
   tellCircle(TraceKind::circleRemoved, slot, state_.circles[slot]);
   state_.removeSite(slot);
   if (!putWaiting(hint)) return std::nullopt;
@@ -41,6 +54,7 @@ std::optional<EditWay> Stepper::remove(int slot) {
 }
 
 std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
+  if (coversMany(circle)) return std::nullopt;
   const EditState::Mark mark = begin();
   const bool isVisible = state_.isVisible(slot);
   if (isVisible && staysNear(slot, circle)) {
@@ -60,7 +74,7 @@ std::optional<EditWay> Stepper::replace(int slot, const Circle& circle) {
   tellCircle(TraceKind::circleReplaced, slot, circle);
   state_.willChangeSite(slot);
   state_.circles[slot] = circle;
-  if (!put(slot, hint) || !putWaiting(hint)) return std::nullopt;
+  if (!put(slot, hint) || !releaseHidden(slot, hiderBy(slot)) || !putWaiting(hint)) return std::nullopt;
   return certify(slot);
 }
 
@@ -111,10 +125,10 @@ bool Stepper::putBefore(int slot, int identical) {
   const int hint = neighborOf(identical);
   if (!takeOut(identical)) return false;
   waiting_.push_back(identical);
-  return put(slot, hint);
+  return put(slot, hint) && releaseHidden(identical, hiderBy(slot));
 }
 
-/// Takes a visible circle out of the dual; those in its list wait. Whether that went well.
+/// Takes a visible circle out of the dual. It keeps its list, which is to be released. Whether that went well.
 bool Stepper::takeOut(int slot) {
   if (state_.visibleCount <= 2) return false;
   if (state_.teller != nullptr) state_.teller->setShrinking(slot);
@@ -126,13 +140,41 @@ bool Stepper::takeOut(int slot) {
   --state_.visibleCount;
   state_.willChangeSite(slot);
   state_.isHidden[slot] = 1;
-  while (state_.sites[slot].firstHidden != kNone) waitFor(state_.sites[slot].firstHidden);
   return true;
 }
 
-void Stepper::waitFor(int slot) {
-  state_.detach(slot);
-  waiting_.push_back(slot);
+/// The visible circle that hides all that a circle contains: the circle itself, if it is visible.
+int Stepper::hiderBy(int slot) const { return state_.isVisible(slot) ? slot : state_.sites[slot].hider; }
+
+/// Puts the circles in the list of a circle into the list of another, which may be the same. Those that this one does
+/// not hide wait. Returns whether they are few enough.
+bool Stepper::releaseHidden(int slot, int hider) {
+  const std::size_t most = kFew + static_cast<std::size_t>(state_.circleCount / kShownShare);
+  for (int inner = state_.sites[slot].firstHidden; inner != kNone;) {
+    const int next = state_.sites[inner].next;
+    const bool isHidden = hider != kNone && state_.hides(hider, inner);
+    if (!isHidden || hider != slot) state_.detach(inner);
+    if (!isHidden) {
+      waiting_.push_back(inner);
+    } else if (hider != slot) {
+      state_.attach(inner, hider);
+    }
+    if (waiting_.size() > most) return false;
+    inner = next;
+  }
+  return true;
+}
+
+/// Whether a circle covers so many visible ones that everything is to be computed: an estimate by a sample.
+bool Stepper::coversMany(const Circle& circle) const {
+  const std::size_t slots = state_.sites.size();
+  const std::size_t sample = std::min(slots, kSample);
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < sample; ++i) {
+    const auto slot = static_cast<int>(i * slots / sample);
+    covered += state_.isVisible(slot) && covers(circle, state_.circles[slot]);
+  }
+  return covered * slots > sample * (kFew + static_cast<std::size_t>(state_.circleCount / kHiddenShare));
 }
 
 /// Puts those that wait, the largest first: none of them hides one before it.
@@ -157,7 +199,8 @@ int Stepper::neighborOf(int slot) const {
   return kNone;
 }
 
-/// Whether a visible circle, after a change, would still be nearer to its centre than its neighbours are.
+/// Whether a visible circle, after a change, would still be nearer to its center than its neighbors are, and hide none
+/// of them.
 bool Stepper::staysNear(int slot, const Circle& circle) const {
   if (state_.visibleCount < 2) return false;
   const Dual& dual = state_.dual;
@@ -165,7 +208,10 @@ bool Stepper::staysNear(int slot, const Circle& circle) const {
   int h = first;
   do {
     const int neighbor = dual.target(h);
-    if (neighbor != kInfinity && distanceFrom(centreOf(circle), state_.circles[neighbor]) <= -circle.r) return false;
+    if (neighbor != kInfinity && (distanceFrom(centreOf(circle), state_.circles[neighbor]) <= -circle.r ||
+                                  covers(circle, state_.circles[neighbor]))) {
+      return false;
+    }
     h = dual.twin[Dual::previous(h)];
   } while (h != first);
   return true;
@@ -190,12 +236,7 @@ bool Stepper::move(int slot, const Circle& circle) {
   const Flips flips = flipFrom(dual, state_.discs, edges_, state_);
   state_.noteEdges();
   if (!flips.wrong.empty()) return false;
-  for (int inner = state_.sites[slot].firstHidden; inner != kNone;) {
-    const int next = state_.sites[inner].next;
-    if (!state_.hides(slot, inner)) waitFor(inner);
-    inner = next;
-  }
-  return putWaiting(slot);
+  return releaseHidden(slot, slot) && putWaiting(slot);
 }
 
 /// The way in which the step is certified, if it is.

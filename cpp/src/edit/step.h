@@ -33,7 +33,9 @@ class Stepper {
   bool putBefore(int slot, int identical);
   bool takeOut(int slot);
   bool putWaiting(int hint);
-  void waitFor(int slot);
+  int hiderBy(int slot) const;
+  bool releaseHidden(int slot, int hider);
+  bool coversMany(const Circle& circle) const;
   int neighborOf(int slot) const;
   bool staysNear(int slot, const Circle& circle) const;
   bool move(int slot, const Circle& circle);

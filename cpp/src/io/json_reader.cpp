@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "utf8.h"
+
 namespace circle_voronoi {
 namespace {
 
@@ -24,25 +26,6 @@ void appendUtf8(std::string& text, char32_t c) {
     tail(6);
     tail(0);
   }
-}
-
-/// How many bytes of a character of UTF-8 stand at the front of a text that does not begin with ASCII; 0 if none does.
-std::size_t sizeOfUtf8(std::string_view text) {
-  const auto byte = [&](std::size_t i) -> unsigned {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
-  };
-  const unsigned first = byte(0);
-  const std::size_t size = first >= 0xC2 && first < 0xE0   ? 2
-                           : first >= 0xE0 && first < 0xF0 ? 3
-                           : first >= 0xF0 && first < 0xF5 ? 4
-                                                           : 0;
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  // Neither longer than needed, nor a half of a pair of UTF-16, nor beyond the last character.
-  const bool isBad = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) >= 0xA0) ||
-                     (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) >= 0x90);
-  return isBad ? 0 : size;
 }
 
 }  // namespace
@@ -70,7 +53,7 @@ void JsonReader::fail(const std::string& reason) const { throw ReadFailure{at_ =
 void JsonReader::failSyntax(const std::string& expected) const {
   std::string found = "the end of the text";
   if (!isAtEnd()) {
-    const std::size_t size = isPlain(text_[at_]) ? 1 : std::max<std::size_t>(sizeOfUtf8(text_.substr(at_)), 1);
+    const std::size_t size = std::max<std::size_t>(sizeOfUtf8(text_.substr(at_)), 1);
     found = "\"" + std::string(text_.substr(at_, size)) + "\"";
   }
   throw ReadFailure{at_, "bad JSON: expected " + expected + ", not " + found + "."};

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text.h"
 
-#include <algorithm>
+#include "utf8.h"
 
 namespace circle_voronoi {
 namespace {
-
-/// The reason as one line of printable text, whatever it quotes from a file.
-std::string printable(std::string reason) {
-  constexpr std::size_t kMostCharacters = 300;
-  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
-  std::replace_if(reason.begin(), reason.end(), isControl, '?');
-  if (reason.size() > kMostCharacters) reason = reason.substr(0, kMostCharacters) + "...";
-  return reason;
-}
 
 /// How many lines end before a place in the text.
 std::size_t lineEndsBefore(std::string_view text, std::size_t offset) {
@@ -31,16 +22,11 @@ std::string placeOf(std::string_view name, std::string_view text, std::size_t of
   return std::string(name) + ":" + std::to_string(linesBefore + lineEndsBefore(text, offset) + 1) + ": ";
 }
 
-bool isUtf16(std::string_view text) {
-  return text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.substr(0, 2).find('\0') != text.npos;
-}
-
 }  // namespace
 
 Result<std::string_view> contentOf(std::string_view text, std::string_view name) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (isUtf16(text)) return errorAt(name, text, 0, "the text is UTF-16; it has to be UTF-8.");
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = withoutByteOrderMark(text);
   if (text.find_first_not_of(" \t\r\n") == text.npos) return errorAt(name, text, 0, "the text is empty.");
   return text;
 }

@@ -48,22 +48,13 @@ Certificate judgeSides(const Diagram& diagram) {
 }
 
 std::variant<Visible, Certificate> visibleCircles(std::span<const Circle> circles, const Diagram& diagram) {
-  const auto count = static_cast<std::int32_t>(circles.size());
-  const auto isIndex = [count](std::int32_t i) { return i >= 0 && i < count; };
+  if (const Verdict verdict = judgeHidden(circles, diagram.hidden); !verdict.isRight()) {
+    return Certificate{verdict.flaw, verdict.circle, kNone, kNone, {}};
+  }
   Visible visible;
   visible.sites.assign(circles.size(), 0);
-  for (const auto& [circle, by] : diagram.hidden) {
-    if (!isIndex(circle) || !isIndex(by) || visible.sites[circle] == kNone)
-      return Certificate{Flaw::badIndex, circle, kNone, kNone, {}};
-    visible.sites[circle] = kNone;
-  }
-  Predicates predicates(circles);
-  for (const auto& [circle, by] : diagram.hidden) {
-    if (visible.sites[by] == kNone || !predicates.contains(circles[by], circles[circle])) {
-      return Certificate{Flaw::hiddenWithoutHider, circle, kNone, kNone, {}};
-    }
-  }
-  for (std::int32_t i = 0; i < count; ++i) {
+  for (const HiddenCircle& hidden : diagram.hidden) visible.sites[hidden.circle] = kNone;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
     if (visible.sites[i] == kNone) continue;
     visible.sites[i] = static_cast<std::int32_t>(visible.circles.size());
     visible.circles.push_back(circles[i]);
@@ -156,7 +147,7 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
   }
   Predicates predicates(visible.circles);
   Certificate certificate =
-      certificateOf(judgeVisible(visible.circles, std::get<Dual>(dual), predicates), std::get<Dual>(dual), topology);
+      certificateOf(judge(visible.circles, std::get<Dual>(dual), predicates), std::get<Dual>(dual), topology);
   if (certificate.circle != kNone) certificate.circle = visible.indices[certificate.circle];
   if (certificate.certified()) {
     certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit);

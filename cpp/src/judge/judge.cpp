@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "judge.h"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -58,6 +59,7 @@ class Judge {
     windings_.resize(circleCount_);
     for (int face = 0; face < dual_.faceCount(); ++face) {
       prefetchCircles(face + static_cast<int>(kPrefetchAhead));
+      if (Verdict verdict = checkVisibility(face); !verdict.isRight()) return verdict;
       if (!findDisc(face)) return {Flaw::vertexWithoutDisc, kNone, face};
       for (int t = 3 * face; t < 3 * face + 3; ++t) {
         const int h = dual_.twin[t];
@@ -74,6 +76,22 @@ class Judge {
     for (const int i : triple(face)) {
       if (isFinite(i)) prefetch(circles_, i);
     }
+  }
+
+  /// No corner of a face hides another. Each edge is looked at once, before the first of its faces gets its disc.
+  Verdict checkVisibility(int face) {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      if (dual_.twin[h] < h) continue;
+      const int a = dual_.origin[h];
+      const int b = dual_.target(h);
+      if (a == kInfinity || b == kInfinity) continue;
+      const Circle& one = circles_[a];
+      const Circle& other = circles_[b];
+      if (isLonger(between(one, other), std::abs(one.r - other.r))) continue;
+      if (predicates_.contains(one, other)) return {Flaw::cellNotClosed, b};
+      if (predicates_.contains(other, one)) return {Flaw::cellNotClosed, a};
+    }
+    return {};
   }
 
   bool findDisc(int face) {
@@ -132,20 +150,20 @@ Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& pre
   return Judge(circles, dual, predicates).run();
 }
 
-Verdict judgeVisible(std::span<const Circle> circles, const Dual& dual, Predicates& predicates) {
-  const int ahead = 3 * static_cast<int>(kPrefetchAhead);
-  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    // A diagram from outside has its circles in any order.
-    if (dual.halfEdgeCount() - h > ahead && dual.origin[h + ahead] != kInfinity) {
-      prefetch(circles, dual.origin[h + ahead]);
-    }
-    const int i = dual.origin[h];
-    const int j = dual.target(h);
-    if (i != kInfinity && j != kInfinity && predicates.contains(circles[i], circles[j])) {
-      return {Flaw::cellNotClosed, j};
+Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden) {
+  const auto isIndex = [&](int i) { return i >= 0 && static_cast<std::size_t>(i) < circles.size(); };
+  std::vector<std::uint8_t> isHidden(circles.size());
+  for (const auto& [circle, by] : hidden) {
+    if (!isIndex(circle) || !isIndex(by) || isHidden[circle] != 0) return {Flaw::badIndex, circle};
+    isHidden[circle] = 1;
+  }
+  Predicates predicates(circles);
+  for (const auto& [circle, by] : hidden) {
+    if (isHidden[by] != 0 || !predicates.contains(circles[by], circles[circle])) {
+      return {Flaw::hiddenWithoutHider, circle};
     }
   }
-  return judge(circles, dual, predicates);
+  return {};
 }
 
 }  // namespace circle_voronoi

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "circle_voronoi/certificate.h"
+#include "circle_voronoi/diagram.h"
 #include "dual.h"
 #include "predicates.h"
 
@@ -21,7 +22,7 @@ struct Verdict {
   bool isRight() const { return flaw == Flaw::none; }
 };
 
-/// Judges whether `dual` is the dual of the Voronoi diagram of `circles`, none of which hides another. Linear time.
+/// Judges whether `dual` is the dual of the Voronoi diagram of `circles`, and none of these hides another. Linear time.
 ///
 /// Theorem. Let the plane be covered by regions V_i, one for each circle, such that f(p) = d_i(p) for p in V_i is well
 /// defined and continuous, and c_i lies in V_i. Then the V_i are the Voronoi cells.
@@ -30,7 +31,9 @@ struct Verdict {
 ///
 /// Checked is what makes the faces of the dual such regions: adjacency, Euler's count, a disc at every face, the ends
 /// of every edge in order along their bisector (so each region is a union of sectors around its centre, glued along
-/// common bisector arcs), and one full turn of every region around its centre and of the hull.
+/// common bisector arcs), and one full turn of every region around its centre and of the hull. The signs of these rest
+/// on circles of which none contains a neighbor, which is checked of every edge. That no circle at all contains another
+/// follows: by the theorem each centre lies in the region of its circle.
 /// Nothing else is needed. Where one sector ends at a bisector arc another begins, so all points of the plane lie in
 /// the same number of sectors, also if only one connected part of the dual is counted. Far out that number is how often
 /// the hull turns: once for one part and not at all for the others, which therefore have no sectors. So the one part
@@ -39,8 +42,8 @@ struct Verdict {
 /// faces. As there are 2 m - 2 faces in all, there are no others.
 Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates);
 
-/// The same of circles that may hide one another. If no neighbours do, the signs of `judge` are right, and by its
-/// theorem every circle's centre is nearest to that circle; one that a neighbour hides has a cell that is not closed.
-Verdict judgeVisible(std::span<const Circle> circles, const Dual& dual, Predicates& predicates);
+/// Judges whether each hidden circle lies in a circle that is not hidden, and names each circle once. The verdict names
+/// the first that does not.
+Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden);
 
 }  // namespace circle_voronoi

@@ -364,6 +364,23 @@ bool contains(const Circle& outer, const Circle& inner) {
   return seenFrom(outer, std::array{&inner}, [](const auto& seen, int) { return seen[0].g.sign(); }) <= 0;
 }
 
+// With d = b - a it is e |d|^2, divided by the square of the length of d in (x, y, s) space. The error is relative to
+// the products, which are at most that square.
+std::optional<Vector> tangentNormal(const Circle& a, const Circle& b) {
+  return seenFrom(a, std::array{&b}, [](const auto& seen, int) -> std::optional<Vector> {
+    const auto& [v, g, isAtInfinity] = seen[0];
+    if (g.sign() <= 0) return std::nullopt;
+    const Floating x = floating(v.x);
+    const Floating y = floating(v.y);
+    const Floating s = floating(v.s);
+    const Floating root = sqrt(floating(g));
+    const Floating size = floating(planeDot(v, v) + v.s * v.s);
+    const Vector along = {(s * x / size).times(0), (s * y / size).times(0)};
+    const Vector across = {(root * x / size).times(0), (root * y / size).times(0)};
+    return Vector{-along.x - across.y, -along.y + across.x};
+  });
+}
+
 int tangentSide(const Circle& a, const Circle& b, const Circle& c) {
   return seenFrom(a, std::array{&b, &c}, [](const auto& seen, int) {
     const auto& [u, z] = seen;

@@ -8,6 +8,7 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/point.h"
 
 namespace circle_voronoi::exact {
 
@@ -56,6 +57,10 @@ int touchSign(const Face& face, const Circle* other, const Circle& from);
 
 /// Whether `outer` contains `inner`.
 bool contains(const Circle& outer, const Circle& inner);
+
+/// The normal of the tangent line of the face at infinity (a, b, null), times a number that makes it about as long as 1
+/// at most. Each component is right within 2^-48. None if one circle contains the other.
+std::optional<Vector> tangentNormal(const Circle& a, const Circle& b);
 
 /// 1 if circle c crosses the tangent line of the face at infinity (a, b, null), 0 if it touches it, -1 if it is clear
 /// of it.

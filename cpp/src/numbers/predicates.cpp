@@ -26,11 +26,23 @@ int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
   return distanceOf(*smallest, placed.disc, *face[placed.corner]).sign();
 }
 
+/// Of circles one of which nearly contains the other: rare, so not inlined.
+[[gnu::noinline, gnu::cold]] HomogeneousDisc exactDiscAtInfinity(const Circle& a, const Circle& b) {
+  const auto normal = exact::tangentNormal(a, b);
+  if (!normal) return {};
+  return {normal->x, normal->y, 0, 0, 0x1p-48};
+}
+
 }  // namespace
 
 FaceDisc Predicates::disc(const Triple& face) {
   const exact::Face circles = facing(circles_, face);
-  if (circles[2] == nullptr) return faceDisc(circles, {discAtInfinity(*circles[0], *circles[1]), 0}, true);
+  if (circles[2] == nullptr) {
+    HomogeneousDisc line = discAtInfinity(*circles[0], *circles[1]);
+    if (line.error == kUnknownError) [[unlikely]]
+      line = exactDiscAtInfinity(*circles[0], *circles[1]);
+    return faceDisc(circles, {line, 0}, true);
+  }
   const CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
   if (const int sign = filteredExistence(circles, placed); sign != 0 && !mayBeOfShortSides(placed.disc)) {
     ++counts_.filtered;

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
+#include "bit_cast.h"
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "refined.h"
@@ -25,28 +28,31 @@ double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y -
 
 Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
 
-/// The centre and the radius of a disc, if its error bound is small enough. Whether it is does not depend on the scale
-/// of the circles: where sides differ by so much that underflow might decide, there is no vertex.
-[[gnu::always_inline]] inline std::optional<Vertex> vertexAt(const CornerDisc& placed,
-                                                             const std::array<const Circle*, 3>& circles, double unit) {
-  constexpr double kLeastRatio = 0x1p-100;
-  constexpr double kLeastSide = 0x1p-900;
+/// std::ldexp, but for the numbers whose exponents have no place of their own.
+double powerOfTwo(int exponent) { return bitCast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52); }
+
+/// The exponent of std::frexp; of a normal number by its bits.
+int exponentOf(double x) {
+  if (x >= std::numeric_limits<double>::min()) return static_cast<int>(bitCast<std::uint64_t>(x) >> 52) - 1022;
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// The center and the radius of a disc, if its error bound is small enough.
+std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit) {
   const auto& [disc, corner] = placed;
   const Circle& o = *circles[corner];
-  const double first = length(between(o, *circles[(corner + 1) % 3]));
-  const double second = length(between(o, *circles[(corner + 2) % 3]));
   // The error of w times the longer side is part of the bound, so w is right to as many bits.
-  const double side = std::max(first, second);
+  const double side =
+      std::max(length(between(o, *circles[(corner + 1) % 3])), length(between(o, *circles[(corner + 2) % 3])));
   if (!(disc.error <= 0x1p-36 * disc.w * side)) return std::nullopt;
-  if (std::min(first, second) < kLeastRatio * side || side < kLeastSide) return std::nullopt;
   return Vertex{(o.x + disc.x / disc.w) * unit, (o.y + disc.y / disc.w) * unit, (disc.rho / disc.w - o.r) * unit};
 }
 
-/// The same of circles near one another, or of which one nearly hides another, or which nearly lie along a line.
-[[gnu::noinline]] std::optional<Vertex> rareVertexOf(const CornerDisc& disc,
-                                                     const std::array<const Circle*, 3>& circles, double unit) {
-  const auto [a, b, c] = circles;
-  if (const auto vertex = vertexAt(scaledIfShort(disc, *a, *b, *c), circles, unit)) return vertex;
+std::optional<Vertex> vertexIn(const exact::Face& circles, double unit) {
+  const auto& [a, b, c] = circles;
+  if (const auto vertex = vertexAt(discOf(*a, *b, *c), circles, unit)) return vertex;
   if (const auto vertex = vertexAt(refinedDiscOf(*a, *b, *c), circles, unit)) return vertex;
   return exact::disc(circles, unit);
 }
@@ -97,11 +103,22 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 }
 
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit) {
-  const CornerDisc disc = discOf(a, b, c);
-  if (!mayBeOfShortSides(disc.disc)) {
-    if (const auto vertex = vertexAt(disc, {&a, &b, &c}, unit)) return vertex;
+  double largest = 0;
+  for (const Circle* circle : {&a, &b, &c}) {
+    largest = std::max({largest, std::abs(circle->x), std::abs(circle->y), std::abs(circle->r)});
   }
-  return rareVertexOf(disc, {&a, &b, &c}, unit);
+  // Underflow depends on the scale, so the circles get one of their own, as in validate.
+  const int unitExponent = exponentOf(unit) - 1;
+  const int scaling = std::min(80 - exponentOf(largest), 1000 + unitExponent);
+  if (scaling == 0) return vertexIn({&a, &b, &c}, unit);
+  // Two factors: their product may be beyond the doubles.
+  const double half = powerOfTwo(scaling / 2);
+  const double rest = powerOfTwo(scaling - scaling / 2);
+  const auto scaled = [&](const Circle& circle) {
+    return Circle{circle.x * half * rest, circle.y * half * rest, circle.r * half * rest};
+  };
+  const std::array circles = {scaled(a), scaled(b), scaled(c)};
+  return vertexIn({&circles[0], &circles[1], &circles[2]}, powerOfTwo(unitExponent - scaling));
 }
 
 }  // namespace circle_voronoi

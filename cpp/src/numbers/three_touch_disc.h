@@ -28,7 +28,8 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 /// The disc of three circles that have one, counter-clockwise, times `unit`, a power of two. However near they come to
 /// having none, or to one that is infinitely large, it is right to 36 bits of the circles' distances from each other
 /// and from its centre. None if a number of it is beyond the doubles. Of circles that have no disc it is none or
-/// anything.
+/// anything. The bits depend on the three circles alone: the same circles in another unit that rounds none of them have
+/// the same vertex.
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit = 1);
 
 }  // namespace circle_voronoi

@@ -23,9 +23,7 @@ constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 
 /// Whether the larger of two circles, its radius taken less the smallest one, may contain the centre of the other.
 bool mayReach(const Circle& a, const Circle& b, double smallest) {
-  const Vector v = between(a, b);
-  const double reach = std::max(a.r, b.r) - smallest;
-  return dot(v, v) <= reach * reach * (1 + 1e-12);
+  return !isLonger(between(a, b), std::max(a.r, b.r) - smallest);
 }
 
 /// Whether no circle contains the centre of a neighbour in the Delaunay graph, its radius taken less the smallest one.
@@ -151,7 +149,7 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   const Part hidden(ordered, std::move(rest));
 
   Predicates predicates(visible.circles);
-  const Verdict verdict = judgeVisible(visible.circles, dual, predicates);
+  const Verdict verdict = judge(visible.circles, dual, predicates);
   if (!verdict.isRight()) return std::nullopt;
   settleTies(dual, verdict.ties, visible.circles);
   const Hiders named = findHiders(visible, hidden, kNoLimit);

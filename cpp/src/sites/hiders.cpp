@@ -41,7 +41,7 @@ struct BoxOfCircles {
     if (reach < 0) return false;
     const double x = std::max({0.0, low.x - other.high.x, other.low.x - high.x});
     const double y = std::max({0.0, low.y - other.high.y, other.low.y - high.y});
-    return x * x + y * y <= reach * reach * (1 + 1e-12);
+    return !isLonger({x, y}, reach);
   }
 };
 
@@ -49,6 +49,9 @@ struct BoxOfCircles {
 /// r - u . centre >= c.r - u . c.centre for any unit vector u. With the one along which they grow this decides where a
 /// box does not: where most nearly hide one another, as those do that are tangent to one circle.
 class Slope {
+  /// More than the products of a reach lose where they underflow.
+  static constexpr double kUnderflow = 0x1p-1070;
+
  public:
   Slope() = default;
 
@@ -65,7 +68,7 @@ class Slope {
   /// Whether one of the circles may contain c: false only if none does, rounding included.
   bool mayHide(const Circle& c) const {
     const double size = std::abs(c.r) + std::abs(c.x - origin_.x) + std::abs(c.y - origin_.y) + std::abs(most_);
-    return reach(c) <= most_ + 1e-14 * size;
+    return reach(c) <= most_ + (1e-14 * size + kUnderflow);
   }
 
  private:
@@ -189,9 +192,7 @@ class Search {
       // A circle does not come before itself.
       if (!rankOf(circles_, i).isBefore(bound(j))) continue;
       const Circle& c = inner_.circles[j];
-      const Vector v = between(outer, c);
-      const double slack = outer.r - c.r;
-      if (dot(v, v) > slack * slack * (1 + 1e-12) || !predicates_.contains(outer, c)) continue;
+      if (isLonger(between(outer, c), outer.r - c.r) || !predicates_.contains(outer, c)) continue;
       hider_[j] = static_cast<int>(i);
       hides = true;
     }

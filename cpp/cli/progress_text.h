@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace circle_voronoi::cli {
+
+/// What a progress line writes to a terminal. It depends on what it is told and on the times that it is given, so that
+/// a test is its clock. web/cli/progress-line.ts is the same in JavaScript.
+class ProgressText {
+ public:
+  using Elapsed = std::chrono::milliseconds;
+
+  /// How long work takes before the line is shown that was not asked for.
+  static constexpr Elapsed kDelay{1000};
+
+  /// Returns after how long a line is first shown, or nothing if it is not shown. `when` is `auto`, `always` or
+  /// `never`.
+  static std::optional<Elapsed> delayOf(std::string_view when, bool isTerminal) {
+    if (when == "never" || (when == "auto" && !isTerminal)) return std::nullopt;
+    return when == "auto" ? kDelay : Elapsed{0};
+  }
+
+  explicit ProgressText(Elapsed delay) : delay_(delay) {}
+
+  // Each returns what is to be written. `elapsed` is the time since the line began.
+
+  /// Tells what is being done and which part of it is done, 0 also where that is not known.
+  std::string show(std::string_view stage, double done, Elapsed elapsed) {
+    const auto percent = done > 0 ? std::optional(std::lround(100 * done)) : std::nullopt;
+    if (stage == stage_ && percent == percent_) return "";
+    stage_ = stage;
+    percent_ = percent;
+    return refresh(elapsed);
+  }
+
+  /// Tells that time goes by.
+  std::string refresh(Elapsed elapsed) {
+    if (stage_.empty() || elapsed < delay_) return "";
+    const std::string part = percent_ ? " " + std::to_string(*percent_) + " %" : "";
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(elapsed).count();
+    return replaced(stage_ + part + ", " + std::to_string(seconds) + " s");
+  }
+
+  /// Erases the line.
+  std::string end() { return replaced(""); }
+
+ private:
+  std::string replaced(const std::string& line) {
+    if (line == line_) return "";
+    const std::string blank = line_.empty() ? "" : "\r" + std::string(line_.size(), ' ') + "\r";
+    line_ = line;
+    return blank + line;
+  }
+
+  Elapsed delay_;  ///< until it is first shown
+  std::string stage_;
+  std::optional<long> percent_;
+  std::string line_;  ///< that is shown
+};
+
+}  // namespace circle_voronoi::cli
