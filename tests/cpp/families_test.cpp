@@ -124,6 +124,10 @@ TEST_P(FamilyTest, HasTheSameBitsEverywhere) {
       {"far-clusters", 0xd07ba1888649e038U},
       {"outlier", 0x1b899cbfe5e5ef71U},
       {"line-and-huge", 0xc50b35feea7460dbU},
+      {"far-outlier", 0x3dec44ec2960035eU},
+      {"long-spiral", 0x9cc11de2f886e348U},
+      {"growing-line", 0xf3063378a2817761U},
+      {"tangent-chain", 0x723c0756b334212dU},
       {"tangent-inside", 0xe880236f4cbb5de1U},
       {"tangent-outside", 0xdb7bc695a4f18abcU},
       {"tangent-line", 0x1bc175ce7a5582d7U},
@@ -133,6 +137,8 @@ TEST_P(FamilyTest, HasTheSameBitsEverywhere) {
       {"concentric", 0xcf2c5fa0a8972246U},
       {"cocircular-large", 0x3fdbc4189184bdc7U},
       {"on-rim", 0xdace973dd328e81aU},
+      {"wedge", 0xb828053bd645301fU},
+      {"two-common-points", 0x461032f657304e0aU},
   };
   const std::uint64_t hash = hashOf(circles(100, 42));
   const auto expected = kHashes.find(GetParam());
@@ -175,8 +181,9 @@ std::int64_t hiddenAmong(Family family, std::size_t count) {
 }
 
 TEST(Families, ThoseThatNearlyHideOneAnotherAreVisible) {
-  for (const Family family : {Family::tangentInside, Family::tangentOutside, Family::tangentLine, Family::commonPoint,
-                              Family::nearNested, Family::cocircularLarge}) {
+  for (const Family family :
+       {Family::tangentInside, Family::tangentOutside, Family::tangentLine, Family::commonPoint, Family::nearNested,
+        Family::cocircularLarge, Family::wedge, Family::twoCommonPoints, Family::growingLine, Family::tangentChain}) {
     EXPECT_EQ(hiddenAmong(family, 1000), 0) << familyName(family);
   }
 }
@@ -197,6 +204,8 @@ TEST(Families, CirclesFarApart) {
   EXPECT_EQ(inside(Family::twoClusters, 1e12 - 100, 1e12 + 100), 500);
   EXPECT_EQ(inside(Family::outlier, 0, 100), 999);
   EXPECT_EQ(inside(Family::outlier, 1e9, 1.1e9), 1);
+  EXPECT_EQ(inside(Family::farOutlier, 0, 100), 999);
+  EXPECT_EQ(inside(Family::farOutlier, 1e60, 1.1e60), 1);
   EXPECT_EQ(inside(Family::farClusters, 2e6, 2e6 + 4.1e5), 200);
 }
 

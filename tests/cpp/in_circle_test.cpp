@@ -48,6 +48,13 @@ void compare(std::array<Point, 4> p) {
   EXPECT_EQ(inCircle(p[0], p[1], p[2], p[3]), inCircleOf(p).sign());
 }
 
+/// The same of points near one another, where products underflow.
+void compareScaledDown(std::array<Point, 4> points, Random& random) {
+  const int exponent = -20 - static_cast<int>(random.below(1000));
+  for (Point& p : points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+  compare(points);
+}
+
 TEST(InCircle, AgreesWithRationalArithmetic) {
   const std::uint64_t seed = test::seedOr(1);
   for (const test::TieKind& kind : test::tieKinds()) {
@@ -62,6 +69,7 @@ TEST(InCircle, AgreesWithRationalArithmetic) {
         std::array<Point, 4> points;
         for (std::size_t i = 0; i < 4; ++i) points[i] = {circles[i].x, circles[i].y};
         compare(points);
+        compareScaledDown(points, random);
         if (testing::Test::HasFailure()) FAIL() << kind.name << ", disturbance " << disturbance << ", trial " << trial;
       }
     }
@@ -88,7 +96,9 @@ TEST(InCircle, AgreesWithRationalArithmeticOverManyBits) {
       const int other = static_cast<int>(random.below(static_cast<std::uint64_t>(bits) + 1));
       const double x = number(bits);
       const double y = number(other);
-      compare({nearTo({x, y}), nearTo({-x, y}), nearTo({-x, -y}), nearTo({x, -y})});
+      const std::array<Point, 4> flat = {nearTo({x, y}), nearTo({-x, y}), nearTo({-x, -y}), nearTo({x, -y})};
+      compare(flat);
+      compareScaledDown(flat, random);
       const Vector along = {random.uniform(-1, 1), random.uniform(-1, 1)};
       const Point far = {std::ldexp(along.x, bits), std::ldexp(along.y, bits)};
       const Point nearer = {std::ldexp(along.x, other), std::ldexp(along.y, other)};

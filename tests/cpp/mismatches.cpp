@@ -62,9 +62,10 @@ Mismatches tryFamily(const FamilyInfo& family, std::uint64_t seed, std::uint64_t
 std::span<const ComparedWay, kComparedWays> comparedWays() { return kWays; }
 
 bool isBeyondTouchingDisc(Family family) {
-  static const std::set<Family> kFamilies = {Family::twoClusters,  Family::tangentInside, Family::tangentOutside,
-                                             Family::tangentLine,  Family::commonPoint,   Family::nearNested,
-                                             Family::nestedTangent};
+  static const std::set<Family> kFamilies = {
+      Family::twoClusters,   Family::farOutlier,     Family::longSpiral,     Family::growingLine, Family::tangentChain,
+      Family::tangentInside, Family::tangentOutside, Family::tangentLine,    Family::commonPoint, Family::nearNested,
+      Family::nestedTangent, Family::wedge,          Family::twoCommonPoints};
   return kFamilies.contains(family);
 }
 

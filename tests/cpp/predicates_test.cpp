@@ -146,6 +146,34 @@ FilterCounts compare(std::span<const Circle> circles) {
   return comparison.counts();
 }
 
+/// Compares all predicates of circles and of a point among them that is far away, each circle multiplied by a power of
+/// two of its own or all by the same one. Those that another contains are left out.
+FilterCounts compareAtScales(std::vector<Circle> circles, Random& random) {
+  const bool isCommon = random.below(2) == 0;
+  const auto exponent = [&] { return -static_cast<int>(random.below(1060)); };
+  const int common = exponent();
+  for (Circle& c : circles) {
+    const int scaling = isCommon ? common : exponent();
+    c = {std::ldexp(c.x, scaling), std::ldexp(c.y, scaling), std::ldexp(c.r, scaling)};
+  }
+  if (random.below(2) == 0) {
+    const Vector far = random.direction();
+    circles.push_back({0x1p80 * far.x, 0x1p80 * far.y, 0});
+  }
+  std::vector<Circle> visible;
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    bool isHidden = false;
+    for (std::size_t j = 0; j < circles.size(); ++j) {
+      const bool isCopy = circles[i] == circles[j] && i < j;
+      isHidden = isHidden || (i != j && !isCopy && exact::contains(circles[j], circles[i]));
+    }
+    if (!isHidden) visible.push_back(circles[i]);
+  }
+  Comparison comparison(visible);
+  comparison.run();
+  return comparison.counts();
+}
+
 struct Decided {
   std::int64_t filtered = 0;
   std::int64_t later = 0;
@@ -219,6 +247,58 @@ TEST(Predicates, KnowTheNormalOfATangentHoweverShortItIs) {
     Predicates predicates(circles);
     const FaceDisc line = predicates.disc({0, 1, kInfinity});
     EXPECT_LE(line.error, 1e-6 * (std::abs(line.v.x) + std::abs(line.v.y))) << test::describe(circles);
+  }
+}
+
+TEST(Predicates, AgreeWithExactArithmeticAtEveryScale) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (const test::TieKind& kind : test::tieKinds()) {
+    for (std::uint64_t trial = 0; trial < 8; ++trial) {
+      Random random(seed * 1'000'003 + trial);
+      auto circles = validate(kind.make(4, random)).value().circles;
+      test::disturb(circles, test::Disturbance{static_cast<int>(trial % 2)}, random);
+      compareAtScales(circles, random);
+      if (testing::Test::HasFailure()) FAIL() << kind.name << ", trial " << trial << test::describe(circles);
+    }
+  }
+  FilterCounts counts;
+  for (std::uint64_t trial = 0; trial < 60; ++trial) {
+    Random random(seed * 1'000'003 + trial);
+    std::vector<Circle> circles;
+    for (int i = 0; i < 5; ++i) {
+      circles.push_back(
+          {0x1p80 * random.uniform(-1, 1), 0x1p80 * random.uniform(-1, 1), 0x1p79 * random.unit() * random.unit()});
+    }
+    counts += compareAtScales(circles, random);
+    if (testing::Test::HasFailure()) FAIL() << "trial " << trial << test::describe(circles);
+  }
+  EXPECT_GT(counts.filtered, 0);
+}
+
+// A filter that measures in units of the whole decides nothing among circles that are near one another.
+TEST(Predicates, OfCirclesNearOneAnotherAreFilteredAsThoseOfTheWhole) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (std::uint64_t trial = 0; trial < 50; ++trial) {
+    Random random(seed * 1'000'003 + trial);
+    std::vector<Circle> circles;
+    for (int i = 0; i < 5; ++i) {
+      circles.push_back({0x1p70 * (i + 0.5 * random.unit()), 0x1p70 * random.uniform(0, 5), 0x1p69 * random.unit()});
+    }
+    const auto countsOf = [](std::span<const Circle> some) {
+      Comparison comparison(some);
+      comparison.run();
+      return comparison.counts();
+    };
+    const FilterCounts counts = countsOf(circles);
+    for (const int scaling : {-90, -120, -300, -700, -950}) {
+      std::vector<Circle> scaled;
+      for (const Circle& c : circles) {
+        scaled.push_back({std::ldexp(c.x, scaling), std::ldexp(c.y, scaling), std::ldexp(c.r, scaling)});
+      }
+      const FilterCounts scaledCounts = countsOf(scaled);
+      EXPECT_EQ(scaledCounts.filtered, counts.filtered) << "trial " << trial << test::describe(scaled);
+      EXPECT_EQ(scaledCounts.exact, counts.exact) << "trial " << trial << test::describe(scaled);
+    }
   }
 }
 

@@ -56,6 +56,22 @@ TEST(Vertex, IsThatOfExactArithmeticInAndNearTies) {
   }
 }
 
+TEST(Vertex, HasTheSameBitsAtEveryScale) {
+  const std::uint64_t seed = test::seedOr(1);
+  for (std::uint64_t trial = 0; trial < 300; ++trial) {
+    Random random(seed * 1'000'003 + trial);
+    std::array<Circle, 3> circles;
+    for (Circle& c : circles) c = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0, 0.3)};
+    const auto vertex = vertexOf(circles[0], circles[1], circles[2]);
+    for (const int scaling : {60, 20, -10, -20, -30, -100, -400, -800}) {
+      std::array<Circle, 3> scaled = circles;
+      for (Circle& c : scaled) c = {std::ldexp(c.x, scaling), std::ldexp(c.y, scaling), std::ldexp(c.r, scaling)};
+      EXPECT_EQ(vertexOf(scaled[0], scaled[1], scaled[2], std::ldexp(1.0, -scaling)), vertex)
+          << "trial " << trial << ", times 2^" << scaling << test::describe(circles);
+    }
+  }
+}
+
 TEST(Vertex, OfCirclesThatRoundingTookOffALine) {
   // Equal circles on a line in decimals: what is left of the bend puts a vertex far away.
   const std::vector<Circle> circles = {{0.1, 0.3, 0.05}, {0.2, 0.6, 0.05}, {0.7, 2.1, 0.05}};

@@ -54,6 +54,10 @@ enum class Family {
   farClusters,
   outlier,
   lineAndHuge,
+  farOutlier,
+  longSpiral,
+  growingLine,
+  tangentChain,
   // circles that nearly hide one another, or are nested
   tangentInside,
   tangentOutside,
@@ -64,6 +68,8 @@ enum class Family {
   concentric,
   cocircularLarge,
   onRim,
+  wedge,
+  twoCommonPoints,
 };
 
 struct FamilyInfo {

@@ -59,7 +59,8 @@ class Bisector {
   /// At infinity.
   Bisector() = default;
   Bisector(const Circle& circle, const Circle& neighbor) : v_(between(circle, neighbor)), s_(neighbor.r - circle.r) {
-    if (!isLonger(v_, kShort)) scale_ = kLengthening;
+    const double largest = std::max(std::abs(v_.x), std::abs(v_.y));
+    if (largest < kShortLength) scale_ = scaleOf(largest);
     v_ = {v_.x * scale_, v_.y * scale_};
     s_ *= scale_;
     g_ = dot(v_, v_) - s_ * s_;

@@ -33,6 +33,24 @@ std::vector<Circle> placeShuffled(std::size_t count, double covered, Random& ran
   return circles;
 }
 
+/// Circles around the origin whose distances from it grow geometrically, from one to the next by a golden turn.
+std::vector<Circle> makeSpiral(std::size_t count, double decades, Random& random) {
+  constexpr double kGoldenTurn = 2 - std::numbers::phi;
+  // Seen in logarithmic polar coordinates the centres are a lattice with this spacing.
+  const double n = static_cast<double>(count);
+  const double spacing = std::sqrt(2 * std::numbers::pi * decades * std::numbers::ln10 / n);
+  const double start = random.unit();
+  std::vector<Circle> circles(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double k = static_cast<double>(i);
+    const double distance = powerOfTen(decades * (k / n) - decades / 2);
+    const Vector direction = directionAt(start + k * kGoldenTurn);
+    circles[i] = {distance * direction.x, distance * direction.y,
+                  distance * std::min(0.3, random.uniform(0.2, 0.3) * spacing)};
+  }
+  return circles;
+}
+
 }  // namespace
 
 std::vector<Circle> generateUniform(std::size_t count, Random& random) {
@@ -90,23 +108,9 @@ std::vector<Circle> generateClustered(std::size_t count, Random& random) {
   return result;
 }
 
-std::vector<Circle> generateSpiral(std::size_t count, Random& random) {
-  constexpr double kDecades = 9;
-  constexpr double kGoldenTurn = 2 - std::numbers::phi;
-  // Seen in logarithmic polar coordinates the centres are a lattice with this spacing.
-  const double n = static_cast<double>(count);
-  const double spacing = std::sqrt(2 * std::numbers::pi * kDecades * std::numbers::ln10 / n);
-  const double start = random.unit();
-  std::vector<Circle> circles(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double k = static_cast<double>(i);
-    const double distance = powerOfTen(kDecades * (k / n) - kDecades / 2);
-    const Vector direction = directionAt(start + k * kGoldenTurn);
-    circles[i] = {distance * direction.x, distance * direction.y,
-                  distance * std::min(0.3, random.uniform(0.2, 0.3) * spacing)};
-  }
-  return circles;
-}
+std::vector<Circle> generateSpiral(std::size_t count, Random& random) { return makeSpiral(count, 9, random); }
+
+std::vector<Circle> generateLongSpiral(std::size_t count, Random& random) { return makeSpiral(count, 87, random); }
 
 std::vector<Circle> generateChaosDisjoint(std::size_t count, Random& random) {
   // Among circles of one size at one distance this leaves room for all of them.

@@ -89,6 +89,14 @@ constexpr auto kEntries = std::to_array<Entry>({
      generateOutlier},
     {{Family::lineAndHuge, "line-and-huge", "centres on a line, and a huge one a million times its length away", kDisjoint, kGeneral},
      generateLineAndHuge},
+    {{Family::farOutlier, "far-outlier", "uniform, with one point at x = 1e60", kDisjoint, kGeneral},
+     generateFarOutlier},
+    {{Family::longSpiral, "long-spiral", "geometric growth over 87 decades", kDisjoint, kGeneral},
+     generateLongSpiral},
+    {{Family::growingLine, "growing-line", "centres on a line, radii over 130 decades, every other one touches the next", kOverlapping, kGeneral},
+     generateGrowingLine},
+    {{Family::tangentChain, "tangent-chain", "centres on a line, radii over 260 decades, each touches the next", kOverlapping, kDegenerate},
+     generateTangentChain},
     {{Family::tangentInside, "tangent-inside", "tangent to one reference circle from inside", kOverlapping, kDegenerate},
      generateTangentInside},
     {{Family::tangentOutside, "tangent-outside", "tangent to one reference circle from outside, over six decades", kOverlapping, kDegenerate},
@@ -107,6 +115,10 @@ constexpr auto kEntries = std::to_array<Entry>({
      generateCocircularLarge},
     {{Family::onRim, "on-rim", "one of radius 1, the others tiny with centres on it", kOverlapping, kGeneral},
      generateOnRim},
+    {{Family::wedge, "wedge", "in a wedge, whose two sides all of them touch", kOverlapping, kDegenerate},
+     generateWedge},
+    {{Family::twoCommonPoints, "two-common-points", "through the same two points", kOverlapping, kDegenerate},
+     generateTwoCommonPoints},
 });
 // clang-format on
 

@@ -16,6 +16,30 @@ void addCluster(std::vector<Circle>& circles, std::size_t count, Point place, Ra
   }
 }
 
+/// Uniform circles and one point on the x axis, in random order.
+std::vector<Circle> withPointAt(double x, std::size_t count, Random& random) {
+  if (count == 0) return {};
+  std::vector<Circle> circles = generateUniform(count - 1, random);
+  circles.push_back({x, 0, 0});
+  random.shuffle(circles);
+  return circles;
+}
+
+/// Circles with centres on the x axis whose radii grow from 10^-decades/2 to 10^decades/2, in random order.
+/// `gapBefore(i, r)` is how far circle i, of radius r, stays away from the circle before it.
+template <class Gap>
+std::vector<Circle> makeGrowingRow(std::size_t count, double decades, Random& random, Gap gapBefore) {
+  std::vector<Circle> circles(count);
+  double end = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double r = powerOfTen(decades * (static_cast<double>(i) / static_cast<double>(count) - 0.5));
+    circles[i] = {end + gapBefore(i, r) + r, 0, r};
+    end = circles[i].x + r;
+  }
+  random.shuffle(circles);
+  return circles;
+}
+
 }  // namespace
 
 std::vector<Circle> generateTwoClusters(std::size_t count, Random& random) {
@@ -41,13 +65,7 @@ std::vector<Circle> generateFarClusters(std::size_t count, Random& random) {
   return circles;
 }
 
-std::vector<Circle> generateOutlier(std::size_t count, Random& random) {
-  if (count == 0) return {};
-  std::vector<Circle> circles = generateUniform(count - 1, random);
-  circles.push_back({1e9, 0, 0});
-  random.shuffle(circles);
-  return circles;
-}
+std::vector<Circle> generateOutlier(std::size_t count, Random& random) { return withPointAt(1e9, count, random); }
 
 std::vector<Circle> generateLineAndHuge(std::size_t count, Random& random) {
   if (count == 0) return {};
@@ -58,6 +76,19 @@ std::vector<Circle> generateLineAndHuge(std::size_t count, Random& random) {
   circles.push_back({random.unit() * length, distance, random.uniform(0.2, 0.8) * distance});
   random.shuffle(circles);
   return circles;
+}
+
+std::vector<Circle> generateFarOutlier(std::size_t count, Random& random) { return withPointAt(1e60, count, random); }
+
+std::vector<Circle> generateGrowingLine(std::size_t count, Random& random) {
+  constexpr double kDecades = 130;
+  return makeGrowingRow(count, kDecades, random,
+                        [&](std::size_t i, double r) { return i % 2 == 0 ? random.unit() * r : 0; });
+}
+
+std::vector<Circle> generateTangentChain(std::size_t count, Random& random) {
+  constexpr double kDecades = 260;
+  return makeGrowingRow(count, kDecades, random, [](std::size_t, double) { return 0.0; });
 }
 
 }  // namespace circle_voronoi

@@ -50,6 +50,10 @@ std::vector<Circle> generateTwoClusters(std::size_t count, Random& random);
 std::vector<Circle> generateFarClusters(std::size_t count, Random& random);
 std::vector<Circle> generateOutlier(std::size_t count, Random& random);
 std::vector<Circle> generateLineAndHuge(std::size_t count, Random& random);
+std::vector<Circle> generateFarOutlier(std::size_t count, Random& random);
+std::vector<Circle> generateLongSpiral(std::size_t count, Random& random);
+std::vector<Circle> generateGrowingLine(std::size_t count, Random& random);
+std::vector<Circle> generateTangentChain(std::size_t count, Random& random);
 
 std::vector<Circle> generateTangentInside(std::size_t count, Random& random);
 std::vector<Circle> generateTangentOutside(std::size_t count, Random& random);
@@ -60,5 +64,7 @@ std::vector<Circle> generateNestedTangent(std::size_t count, Random& random);
 std::vector<Circle> generateConcentric(std::size_t count, Random& random);
 std::vector<Circle> generateCocircularLarge(std::size_t count, Random& random);
 std::vector<Circle> generateOnRim(std::size_t count, Random& random);
+std::vector<Circle> generateWedge(std::size_t count, Random& random);
+std::vector<Circle> generateTwoCommonPoints(std::size_t count, Random& random);
 
 }  // namespace circle_voronoi

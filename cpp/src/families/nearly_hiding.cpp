@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Circles that nearly hide one another, or are nested: most of their signs are ties or nearly so.
 #include <algorithm>
+#include <cmath>
 
 #include "generators.h"
 
@@ -104,6 +105,26 @@ std::vector<Circle> generateOnRim(std::size_t count, Random& random) {
     circles.push_back(circleAt(1, direction, random.uniform(0, largest)));
   }
   random.shuffle(circles);
+  return circles;
+}
+
+std::vector<Circle> generateWedge(std::size_t count, Random& random) {
+  std::vector<Circle> circles(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double k = static_cast<double>(i + 1);
+    circles[i] = {k, 0.001 * k, 0.499 * k};
+  }
+  random.shuffle(circles);
+  return circles;
+}
+
+std::vector<Circle> generateTwoCommonPoints(std::size_t count, Random& random) {
+  std::vector<Circle> circles(count);
+  for (Circle& c : circles) {
+    // Through (0, -1) and (0, 1).
+    const double x = random.uniform(-10, 10);
+    c = {x, 0, std::sqrt(x * x + 1)};
+  }
   return circles;
 }
 

@@ -9,12 +9,11 @@
 
 #include "arithmetic.h"
 #include "circle_voronoi/compute.h"
+#include "estimate.h"
 
 namespace circle_voronoi {
 namespace {
 
-constexpr int kScaledExponent = 80;
-constexpr int kLargestScaling = 1000;
 /// Half-edges, six a circle and more for samples, must stay within 32-bit indices.
 constexpr std::size_t kMaxCircles = 100'000'000;
 

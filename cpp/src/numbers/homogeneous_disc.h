@@ -4,7 +4,9 @@
 //
 // u is the unit roundoff; products of (1 + u) are rounded up generously instead of being followed to the last term.
 // Validation brought the largest coordinate near 2^80, so nothing overflows: the highest power of a length is 6 under a
-// root and 10 in a cross product, 2^(81 * 10) < 2^1024. kUnderflowError covers underflow.
+// root and 10 in a cross product, 2^(81 * 10) < 2^1024. kUnderflowError covers underflow. Differences that are all
+// short are multiplied by a power of two first (short_lengths.h): signs and directions stay the same, and the error
+// bounds hold for the new unit.
 #pragma once
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include "circle_voronoi/circle.h"
 #include "estimate.h"
 #include "exact.h"
+#include "short_lengths.h"
 
 namespace circle_voronoi {
 
@@ -27,12 +30,24 @@ struct Difference {
   Difference operator-() const { return {-x, -y, -s}; }
 };
 
+inline Difference operator*(const Difference& u, double scale) { return {u.x * scale, u.y * scale, u.s * scale}; }
+
+inline double largestPart(const Difference& u) { return std::max({std::abs(u.x), std::abs(u.y), std::abs(u.s)}); }
+
 inline double cone(const Difference& u, const Difference& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
 
 inline double sizeSquared(const Difference& u) { return u.x * u.x + u.y * u.y + u.s * u.s; }
 
 /// The length, not below it by more than rounding even where the squares underflow.
 inline double size(const Difference& u) { return std::sqrt(sizeSquared(u)) + kUnderflowError; }
+
+/// Whether a difference is shorter than kShortLength.
+inline bool isShort(double sizeSquared) { return sizeSquared < kShortLength * kShortLength; }
+
+/// The same difference, multiplied by a power of two if it is short.
+inline Difference scaledIfShort(const Difference& u) {
+  return isShort(sizeSquared(u)) ? u * scaleOf(largestPart(u)) : u;
+}
 
 /// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face,
 /// the direction to the centre of the disc is (x, y) + w (o - c), each component within `error`. `rho` is w times the
@@ -50,7 +65,7 @@ struct HomogeneousDisc {
 /// of the root; together under 20 u l^3 / sqrt(g).
 inline HomogeneousDisc discAtInfinity(const Circle& a, const Circle& b) {
   constexpr double u = kUnitRoundoff;
-  const Difference d(b, a);
+  const Difference d = scaledIfShort(Difference(b, a));
   const double g = cone(d, d);
   HomogeneousDisc disc;
   const double l = size(d);
@@ -86,11 +101,8 @@ struct CornerDisc {
 /// - k within 11 u a b |N|_1 + 48 u^2 a^2 b^2, with the exact N, which is within 12 u a b of the computed one.
 /// Seen from another corner, w times a difference of at most max(a, b) is added: within max(a, b) (error of w + 2 u w),
 /// and the sum adds u (3 Q + max(a, b) w). All together 52 u Q and 10 u Q T / S, where 60 and 12 are used.
-inline CornerDisc discOf(const Circle& c0, const Circle& c1, const Circle& c2) {
+inline CornerDisc discOfSides(const Difference& d01, const Difference& d12, const Difference& d20) {
   constexpr double u = kUnitRoundoff;
-  const Difference d01(c1, c0);
-  const Difference d12(c2, c1);
-  const Difference d20(c0, c2);
   const double size01 = sizeSquared(d01);
   const double size12 = sizeSquared(d12);
   const double size20 = sizeSquared(d20);
@@ -130,6 +142,32 @@ inline CornerDisc discOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   return result;
 }
 
+/// The disc of three circles counter-clockwise, some of whose sides should not be short: the error of short ones may be
+/// mostly kUnderflowError.
+inline CornerDisc discOf(const Circle& c0, const Circle& c1, const Circle& c2) {
+  return discOfSides(Difference(c1, c0), Difference(c2, c1), Difference(c0, c2));
+}
+
+/// Whether `discOf` may have been given circles all of whose sides are short; false if the error is unknown. Of short
+/// sides a b T is below 2^-95 and T / S below 2^24, so the error is below 2^-118.
+inline bool mayBeOfShortSides(const HomogeneousDisc& disc) { return disc.error < 0x1p-110; }
+
+/// The disc that `discOf` gave, or if all sides are short, the disc by scaled sides. Its w is multiplied by the scale,
+/// so that w times a difference is what the scaled w times the scaled difference would be: the error is that of scaled
+/// sides.
+[[gnu::noinline, gnu::cold]] inline CornerDisc scaledIfShort(const CornerDisc& disc, const Circle& c0, const Circle& c1,
+                                                             const Circle& c2) {
+  const Difference d01(c1, c0);
+  const Difference d12(c2, c1);
+  const Difference d20(c0, c2);
+  const double largest = std::max({largestPart(d01), largestPart(d12), largestPart(d20)});
+  if (largest >= kShortLength) return disc;
+  const double scale = scaleOf(largest);
+  CornerDisc result = discOfSides(d01 * scale, d12 * scale, d20 * scale);
+  result.disc.w *= scale;
+  return result;
+}
+
 /// A direction seen from a circle, each component within `error`.
 struct Direction {
   double x, y;
@@ -156,15 +194,16 @@ inline Estimate distanceOf(const Circle& circle, const HomogeneousDisc& disc, co
   return {disc.rho + disc.w * (circle.r - corner.r), disc.error};
 }
 
-/// The squared length of the common tangents of two circles, negative if one contains the other strictly.
+/// The squared length of the common tangents of two circles, negative if one contains the other strictly. Where the
+/// difference of the circles is short, that of the scaled difference.
 inline Estimate tangentLengthSquared(const Circle& a, const Circle& b) {
-  const Difference d(a, b);
+  const Difference d = scaledIfShort(Difference(a, b));
   const double l = size(d);
   return {cone(d, d), 8 * kUnitRoundoff * l * l + kUnderflowError};
 }
 
 /// How far circle c reaches beyond the tangent line to the left of a -> b, times |d|^2, with the normal of
-/// discAtInfinity.
+/// discAtInfinity. Each of the two differences is scaled by itself if it is short.
 ///
 /// Error: let l = |d|, m = |c - a|. e.s times l^2 at most, d.s times l m at most, both within 8 u; the cross product of
 /// at most l m within 4 u, and sqrt(g) <= l within 4 u l^2 / sqrt(g) + u l, their product within 4 u l^2 m (l /
@@ -172,8 +211,8 @@ inline Estimate tangentLengthSquared(const Circle& a, const Circle& b) {
 /// used.
 inline Estimate reachBeyond(const Circle& a, const Circle& b, const Circle& c) {
   constexpr double u = kUnitRoundoff;
-  const Difference d(b, a);
-  const Difference e(c, a);
+  const Difference d = scaledIfShort(Difference(b, a));
+  const Difference e = scaledIfShort(Difference(c, a));
   const double g = cone(d, d);
   const double l = size(d);
   if (g <= 12 * u * l * l) return {};

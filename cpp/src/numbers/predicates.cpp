@@ -44,9 +44,19 @@ FaceDisc Predicates::disc(const Triple& face) {
     return faceDisc(circles, {line, 0}, true);
   }
   const CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
-  if (const int sign = filteredExistence(circles, placed); sign != 0) {
+  if (const int sign = filteredExistence(circles, placed); sign != 0 && !mayBeOfShortSides(placed.disc)) {
     ++counts_.filtered;
     return faceDisc(circles, placed, sign > 0);
+  }
+  return rareDisc(circles, placed);
+}
+
+/// The same of circles near one another and near ties.
+FaceDisc Predicates::rareDisc(const exact::Face& circles, const CornerDisc& placed) {
+  const CornerDisc scaled = scaledIfShort(placed, *circles[0], *circles[1], *circles[2]);
+  if (const int sign = filteredExistence(circles, scaled); sign != 0) {
+    ++counts_.filtered;
+    return faceDisc(circles, scaled, sign > 0);
   }
   const CornerDisc refined = refinedDiscOf(*circles[0], *circles[1], *circles[2]);
   if (const int sign = filteredExistence(circles, refined); sign != 0) {

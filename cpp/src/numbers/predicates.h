@@ -102,6 +102,7 @@ class Predicates {
   const FilterCounts& counts() const { return counts_; }
 
  private:
+  [[gnu::noinline]] FaceDisc rareDisc(const exact::Face& circles, const CornerDisc& placed);
   FaceDisc faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists) const;
   bool isLowerExactly(int from, const Triple& face);
   Point centre(int i) const { return {circles_[i].x, circles_[i].y}; }

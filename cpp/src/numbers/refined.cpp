@@ -13,6 +13,8 @@
 // In a near tie it cancels, and a - b sqrt(d) does not. Their product is |D|^2 <M, M>, so that the sign is that of
 // <M, M> times that of a - b sqrt(d). The norm <M, M> cancels too, but no more than the circles' doubles let it: in the
 // form of exact.cpp it needs nothing but tangent lengths.
+//
+// Where all differences of the circles are short, they are multiplied by a power of two first (short_lengths.h).
 #include "refined.h"
 
 #include <algorithm>
@@ -40,9 +42,9 @@ Relative operator*(const Relative& a, const Relative& b) {
 
 /// g of two circles or the point at infinity, with which it is 1. The error is unknown unless the value alone is within
 /// 2 u.
-Relative tangentSquareOf(const Circle* a, const Circle* b) {
+Relative tangentSquareOf(const Circle* a, const Circle* b, double scale) {
   if (a == nullptr || b == nullptr) return {};
-  const TangentSquare g = tangentSquare(*a, *b);
+  const TangentSquare g = tangentSquare(*a, *b, scale);
   const bool isRight = g.error <= u / 2 * g.square.value;
   return {g.square, isRight ? g.error / g.square.value : kUnknownError};
 }
@@ -53,14 +55,23 @@ struct Sight {
   double size = 0;
   Relative square;
 
-  Sight(const Circle* circle, const Circle& from) {
+  Sight(const Circle* circle, const Circle& from, double scale) {
     if (circle == nullptr) return;
-    v = Difference(*circle, from);
+    v = Difference(*circle, from) * scale;
     size = circle_voronoi::size(v);
-    square = tangentSquareOf(circle, &from);
+    square = tangentSquareOf(circle, &from, scale);
   }
   double g() const { return square.number.value; }
 };
+
+/// By what the differences of circles are to be multiplied. Any of them is at most twice the largest one from `from`.
+double scaleOf(const Circle& from, std::initializer_list<const Circle*> circles) {
+  double largest = 0;
+  for (const Circle* c : circles) {
+    if (c != nullptr) largest = std::max(largest, largestPart(Difference(*c, from)));
+  }
+  return largest < kShortLength ? circle_voronoi::scaleOf(largest) : 1;
+}
 
 bool areKnown(std::initializer_list<Relative> squares) {
   return std::all_of(squares.begin(), squares.end(),
@@ -145,9 +156,10 @@ Estimate factorOf(const Sight& p, const Sight& q, const Sight& n, const Axis& d)
 
 Direction refinedDirection(const exact::Face& face, const Circle& from) {
   const auto [first, second] = exact::othersOf(face, &from);
-  const Sight p(first, from);
-  const Sight q(second, from);
-  const Relative pq = tangentSquareOf(first, second);
+  const double scale = scaleOf(from, {first, second});
+  const Sight p(first, from, scale);
+  const Sight q(second, from, scale);
+  const Relative pq = tangentSquareOf(first, second, scale);
   if (!areKnown({p.square, q.square, pq})) return {0, 0, kUnknownError};
   return Axis(p, q, pq).direction();
 }
@@ -168,9 +180,10 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   const Circle& o = *circles[result.corner];
   const Circle& first = *circles[(result.corner + 1) % 3];
   const Circle& second = *circles[(result.corner + 2) % 3];
-  const Sight p(&first, o);
-  const Sight q(&second, o);
-  const Relative pq = tangentSquareOf(&first, &second);
+  const double scale = scaleOf(o, {&first, &second});
+  const Sight p(&first, o, scale);
+  const Sight q(&second, o, scale);
+  const Relative pq = tangentSquareOf(&first, &second, scale);
   if (!areKnown({p.square, q.square, pq})) return result;
   const Axis d(p, q, pq);
   const double g = pq.number.value;
@@ -188,9 +201,9 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   result.disc.x = turn * toDisc.x;
   result.disc.y = turn * toDisc.y;
   result.disc.rho = turn * (d.x * d.x + d.y * d.y);
-  result.disc.w = turn * w.value;
   result.disc.error =
-      1.1 * toDisc.error + std::max(p.size, q.size) * (w.error + 4 * u * result.disc.w) + kUnderflowError;
+      1.1 * toDisc.error + std::max(p.size, q.size) * (w.error + 4 * u * std::abs(w.value)) + kUnderflowError;
+  result.disc.w = scale * std::abs(w.value);
   return result;
 }
 
@@ -204,9 +217,10 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2) {
 // - d x e is at most |d| |e|, within 4 u, its double times the root within 7 u of twice that.
 // The sums add 2 u to all. One u more covers what is of higher order.
 Estimate refinedReach(const Circle& a, const Circle& b, const Circle& c) {
-  const Sight d(&b, a);
-  const Sight e(&c, a);
-  const Relative bc = tangentSquareOf(&b, &c);
+  const double scale = scaleOf(a, {&b, &c});
+  const Sight d(&b, a, scale);
+  const Sight e(&c, a, scale);
+  const Relative bc = tangentSquareOf(&b, &c, scale);
   if (!areKnown({d.square, e.square, bc})) return {};
   const double root = std::sqrt(d.g());
   const double whole = d.g() + e.g() + bc.number.value;
@@ -226,19 +240,20 @@ RefinedTurn refinedTurn(const exact::Face& first, const exact::Face& second, con
   result.added = secondOthers[isSharedFirst ? 1 : 0];
   result.side = isSharedFirst ? -1 : 1;
 
-  const Sight p(firstOthers[0], from);
-  const Sight q(firstOthers[1], from);
-  const Sight n(result.added, from);
+  const double scale = scaleOf(from, {firstOthers[0], firstOthers[1], result.added});
+  const Sight p(firstOthers[0], from, scale);
+  const Sight q(firstOthers[1], from, scale);
+  const Sight n(result.added, from, scale);
   const Sight& w = shared == firstOthers[0] ? p : q;
-  const Relative pq = tangentSquareOf(firstOthers[0], firstOthers[1]);
-  const Relative wn = tangentSquareOf(shared, result.added);
+  const Relative pq = tangentSquareOf(firstOthers[0], firstOthers[1], scale);
+  const Relative wn = tangentSquareOf(shared, result.added, scale);
   if (!areKnown({p.square, q.square, n.square, pq, wn})) return result;
 
   const Axis d(p, q, pq);
   const Axis e = isSharedFirst ? Axis(w, n, wn) : Axis(n, w, wn);
   const Direction toFirst = d.direction();
   result.cross = crossOf(toFirst, e.direction());
-  const Relative on = tangentSquareOf(other, result.added);
+  const Relative on = tangentSquareOf(other, result.added, scale);
   if (!areKnown({on})) return result;
   result.left = crossOf({e.x, e.y, 6 * u * e.size}, toFirst);
   result.factor = factorOf(p, q, n, d);

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
-#include "bit_cast.h"
+#include "estimate.h"
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "refined.h"
+#include "short_lengths.h"
 
 namespace circle_voronoi {
 namespace {
@@ -27,17 +26,6 @@ Vector3 cross(const Vector3& u, const Vector3& v) {
 double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
 
 Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
-
-/// std::ldexp, but for the numbers whose exponents have no place of their own.
-double powerOfTwo(int exponent) { return bitCast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52); }
-
-/// The exponent of std::frexp; of a normal number by its bits.
-int exponentOf(double x) {
-  if (x >= std::numeric_limits<double>::min()) return static_cast<int>(bitCast<std::uint64_t>(x) >> 52) - 1022;
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  return exponent;
-}
 
 /// The center and the radius of a disc, if its error bound is small enough.
 std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit) {
@@ -108,8 +96,8 @@ std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c
     largest = std::max({largest, std::abs(circle->x), std::abs(circle->y), std::abs(circle->r)});
   }
   // Underflow depends on the scale, so the circles get one of their own, as in validate.
-  const int unitExponent = exponentOf(unit) - 1;
-  const int scaling = std::min(80 - exponentOf(largest), 1000 + unitExponent);
+  const int unitExponent = exponentOf(unit);
+  const int scaling = std::min(kScaledExponent - 1 - exponentOf(largest), kLargestScaling + unitExponent);
   if (scaling == 0) return vertexIn({&a, &b, &c}, unit);
   // Two factors: their product may be beyond the doubles.
   const double half = powerOfTwo(scaling / 2);

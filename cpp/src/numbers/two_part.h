@@ -12,6 +12,9 @@ struct TwoPart {
   double rest = 0;
 };
 
+/// The product with a power of two, exactly.
+inline TwoPart operator*(const TwoPart& a, double scale) { return {a.value * scale, a.rest * scale}; }
+
 /// a + b exactly. D. E. Knuth, "The Art of Computer Programming", volume 2, section 4.2.2.
 inline TwoPart sum(double a, double b) {
   const double value = a + b;
@@ -60,15 +63,17 @@ struct TangentSquare {
   double error = 0;
 };
 
+/// The circles' differences are multiplied by `scale`, a power of two (short_lengths.h). This is exact.
+///
 /// Error: let l be the length of the difference in (x, y, s) space. The squares of the rounded differences and their
 /// two sums are exact in two parts; what remains, twice the differences' products with their rests and the rests of the
 /// squares and the sums, is at most 2 u l^2 + u l^2 + 2 u l^2, within 8 u of that; the squares of the rests are at most
 /// u^2 l^2. So all is within 41 u^2 l^2.
-inline TangentSquare tangentSquare(const Circle& p, const Circle& o) {
+inline TangentSquare tangentSquare(const Circle& p, const Circle& o, double scale) {
   constexpr double u = kUnitRoundoff;
-  const TwoPart x = sum(p.x, -o.x);
-  const TwoPart y = sum(p.y, -o.y);
-  const TwoPart s = sum(p.r, -o.r);
+  const TwoPart x = sum(p.x, -o.x) * scale;
+  const TwoPart y = sum(p.y, -o.y) * scale;
+  const TwoPart s = sum(p.r, -o.r) * scale;
   const TwoPart xx = square(x.value);
   const TwoPart yy = square(y.value);
   const TwoPart ss = square(s.value);

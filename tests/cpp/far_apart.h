@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "circle_voronoi/families.h"
+
+namespace circle_voronoi::test {
+
+/// Whether distances or areas of a family cannot be compared as doubles of one box: the smallest are below the rounding
+/// of the largest. The diagrams of these families are tested against exact ones, their drawings are not.
+inline bool isTooWideToDraw(Family family) {
+  return family == Family::farOutlier || family == Family::growingLine || family == Family::tangentChain;
+}
+
+}  // namespace circle_voronoi::test
