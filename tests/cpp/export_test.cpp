@@ -122,7 +122,8 @@ bool isSimple(const Ring& ring) {
 /// Whether cells of a family are no larger than the rounding that coordinates are allowed, or narrower than that of
 /// their vertices. Such cells have no simple polygon.
 bool haveNarrowCells(Family family) {
-  return family == Family::twoClusters || family == Family::nestedTangent || family == Family::twoCommonPoints;
+  return family == Family::twoClusters || family == Family::nestedTangent || family == Family::twoCommonPoints ||
+         family == Family::barelyOut;
 }
 
 TEST(Export, EveryVisibleCircleHasASimplePolygonHoweverLargeTheTolerance) {

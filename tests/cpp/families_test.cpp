@@ -139,6 +139,7 @@ TEST_P(FamilyTest, HasTheSameBitsEverywhere) {
       {"on-rim", 0xdace973dd328e81aU},
       {"wedge", 0xb828053bd645301fU},
       {"two-common-points", 0x461032f657304e0aU},
+      {"barely-out", 0x3e25f4bc6a5bb6acU},
   };
   const std::uint64_t hash = hashOf(circles(100, 42));
   const auto expected = kHashes.find(GetParam());
@@ -181,9 +182,9 @@ std::int64_t hiddenAmong(Family family, std::size_t count) {
 }
 
 TEST(Families, ThoseThatNearlyHideOneAnotherAreVisible) {
-  for (const Family family :
-       {Family::tangentInside, Family::tangentOutside, Family::tangentLine, Family::commonPoint, Family::nearNested,
-        Family::cocircularLarge, Family::wedge, Family::twoCommonPoints, Family::growingLine, Family::tangentChain}) {
+  for (const Family family : {Family::tangentInside, Family::tangentOutside, Family::tangentLine, Family::commonPoint,
+                              Family::nearNested, Family::cocircularLarge, Family::wedge, Family::twoCommonPoints,
+                              Family::growingLine, Family::tangentChain, Family::barelyOut}) {
     EXPECT_EQ(hiddenAmong(family, 1000), 0) << familyName(family);
   }
 }

@@ -267,7 +267,10 @@ TEST(MaxDistance, AreasAddUpToThatOfTheUnionOfTheGrownCircles) {
       const double extent = extentOf(circles);
       const double d = (extent > 0 ? extent : 1) * (trial == 0 ? 0 : random.logUniform(-4, 1));
       // Cells between circles that touch inside but for rounding are narrower than the rounding of their vertices.
-      const double rounding = family.family == Family::nestedTangent ? 1e-7 : 1e-8;
+      // Arcs that cross at an angle of 1e-8 end within 1e-8 of where they should.
+      const double rounding = family.family == Family::nestedTangent ? 1e-7
+                              : family.family == Family::barelyOut   ? 1e-6
+                                                                     : 1e-8;
       double sum = 0;
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
         const Outline cut = outline(diagram, i, d);

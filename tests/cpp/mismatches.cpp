@@ -63,9 +63,9 @@ std::span<const ComparedWay, kComparedWays> comparedWays() { return kWays; }
 
 bool isBeyondTouchingDisc(Family family) {
   static const std::set<Family> kFamilies = {
-      Family::twoClusters,   Family::farOutlier,     Family::longSpiral,     Family::growingLine, Family::tangentChain,
-      Family::tangentInside, Family::tangentOutside, Family::tangentLine,    Family::commonPoint, Family::nearNested,
-      Family::nestedTangent, Family::wedge,          Family::twoCommonPoints};
+      Family::twoClusters,   Family::farOutlier,     Family::longSpiral,      Family::growingLine, Family::tangentChain,
+      Family::tangentInside, Family::tangentOutside, Family::tangentLine,     Family::commonPoint, Family::nearNested,
+      Family::nestedTangent, Family::wedge,          Family::twoCommonPoints, Family::barelyOut};
   return kFamilies.contains(family);
 }
 

@@ -70,6 +70,7 @@ enum class Family {
   onRim,
   wedge,
   twoCommonPoints,
+  barelyOut,
 };
 
 struct FamilyInfo {

@@ -119,6 +119,8 @@ constexpr auto kEntries = std::to_array<Entry>({
      generateWedge},
     {{Family::twoCommonPoints, "two-common-points", "through the same two points", kOverlapping, kDegenerate},
      generateTwoCommonPoints},
+    {{Family::barelyOut, "barely-out", "inside one circle, but for 1e-15 of its radius", kOverlapping, kGeneral},
+     generateBarelyOut},
 });
 // clang-format on
 

@@ -66,5 +66,6 @@ std::vector<Circle> generateCocircularLarge(std::size_t count, Random& random);
 std::vector<Circle> generateOnRim(std::size_t count, Random& random);
 std::vector<Circle> generateWedge(std::size_t count, Random& random);
 std::vector<Circle> generateTwoCommonPoints(std::size_t count, Random& random);
+std::vector<Circle> generateBarelyOut(std::size_t count, Random& random);
 
 }  // namespace circle_voronoi

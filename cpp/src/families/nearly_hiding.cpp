@@ -128,4 +128,15 @@ std::vector<Circle> generateTwoCommonPoints(std::size_t count, Random& random) {
   return circles;
 }
 
+std::vector<Circle> generateBarelyOut(std::size_t count, Random& random) {
+  if (count == 0) return {};
+  std::vector<Circle> circles = allAround(count - 1, random, [&](Vector direction) {
+    const double distance = random.uniform(0.1, 0.9);
+    return circleAt(distance * (1 + 1e-15), direction, 1 - distance);
+  });
+  circles.push_back({0, 0, 1});
+  random.shuffle(circles);
+  return circles;
+}
+
 }  // namespace circle_voronoi

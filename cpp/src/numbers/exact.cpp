@@ -277,6 +277,28 @@ Floating sumOf(const P& p, const Q& q, const Floating& root, const Norm& norm, c
   return norm.sign() == 0 ? Floating(0, 0) : size * floating(norm) / (a + -b);
 }
 
+/// The tangent line that is the inverse of a disc, its normal e and its offset t times |D|^2, and that. From o, the
+/// center of the disc is e rho, with rho = 1 / (2 t).
+struct PlacedDisc {
+  Floating x, y, offset, size;
+};
+
+template <class Number>
+PlacedDisc placedDisc(const Seen<Number>& u, const Seen<Number>& v) {
+  const auto d = axisOf(u, v);
+  const auto n = cross(u.v, v.v);
+  const auto w = u.v - v.v;
+  const Floating root = sqrt(floating(u.g) * floating(v.g) * floating(cone(w, w)));
+  const Floating size = floating(planeDot(d, d));
+  const auto ss = d.s * d.s;
+  return {sumOf(-(d.s * d.x), -d.y, root, ss - d.y * d.y, size), sumOf(-(d.s * d.y), d.x, root, ss - d.x * d.x, size),
+          sumOf(planeCross(n, d), n.s, root, cone(n, n), size), size};
+}
+
+const Circle& smallestOf(const Face& face) {
+  return **std::min_element(face.begin(), face.end(), [](auto* a, auto* b) { return a->r < b->r; });
+}
+
 }  // namespace
 
 bool hasDisc(const Face& face) {
@@ -289,25 +311,25 @@ bool hasDisc(const Face& face) {
 }
 
 std::optional<Vertex> disc(const Face& face, double unit) {
-  const Circle& o = **std::min_element(face.begin(), face.end(), [](auto* a, auto* b) { return a->r < b->r; });
+  const Circle& o = smallestOf(face);
   return seenFrom(o, othersOf(face, &o), [&](const auto& seen, int exponent) -> std::optional<Vertex> {
-    const auto& [u, v] = seen;
-    const auto d = axisOf(u, v);
-    const auto n = cross(u.v, v.v);
-    const auto w = u.v - v.v;
-    const Floating root = sqrt(floating(u.g) * floating(v.g) * floating(cone(w, w)));
-    const Floating size = floating(planeDot(d, d));
-    const Floating offset = sumOf(planeCross(n, d), n.s, root, cone(n, n), size);
+    const auto [x, y, offset, size] = placedDisc(seen[0], seen[1]);
     if (!offset.isPositive()) return std::nullopt;
-    // From o the centre is e rho, with rho = 1 / (2 t).
-    const auto ss = d.s * d.s;
-    const Floating x = sumOf(-(d.s * d.x), -d.y, root, ss - d.y * d.y, size);
-    const Floating y = sumOf(-(d.s * d.y), d.x, root, ss - d.x * d.x, size);
     const int scaling = exponent - 1 + std::ilogb(unit);
     const Vertex vertex = {o.x * unit + (x / offset).times(scaling), o.y * unit + (y / offset).times(scaling),
                            (size / offset).times(scaling) - o.r * unit};
     if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.r)) return std::nullopt;
     return vertex;
+  });
+}
+
+std::optional<DiscPoint> discPoint(const Face& face) {
+  const Circle& o = smallestOf(face);
+  return seenFrom(o, othersOf(face, &o), [&](const auto& seen, int exponent) -> std::optional<DiscPoint> {
+    const auto [x, y, offset, size] = placedDisc(seen[0], seen[1]);
+    const DiscPoint point = {{(x / size).times(0), (y / size).times(0)}, (offset / size).times(1 - exponent)};
+    if (!offset.isPositive() || !std::isfinite(point.w)) return std::nullopt;
+    return point;
   });
 }
 

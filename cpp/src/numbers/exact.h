@@ -38,6 +38,17 @@ bool hasDisc(const Face& face);
 /// None if the face has no disc or a number is beyond the doubles.
 std::optional<Vertex> disc(const Face& face, double unit = 1);
 
+/// A disc as a homogeneous point relative to the center of its smallest circle, which lies |v| / w from the disc's
+/// center, with |v| about 1.
+struct DiscPoint {
+  Vector v;
+  double w = 0;
+};
+
+/// The disc of a face without the point at infinity. Components of v are right within 2^-46, and w is within 2^-46 of
+/// itself. None if the face has no disc or w is beyond the doubles.
+std::optional<DiscPoint> discPoint(const Face& face);
+
 /// Signs of the direction from circle `from`, a corner of the face, to the centre of its disc: along the axis (0) or
 /// along the axis turned by +90 degrees (1). At infinity: of the normal of the tangent line.
 /// Precondition: hasDisc(face).

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "predicates.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "in_circle.h"
@@ -31,6 +35,20 @@ int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
   const auto normal = exact::tangentNormal(a, b);
   if (!normal) return {};
   return {normal->x, normal->y, 0, 0, 0x1p-48};
+}
+
+/// Of a disc that is nearly a tangent line, or of circles whose common tangents are lost to rounding.
+CornerDisc exactDisc(const exact::Face& face) {
+  const auto point = exact::discPoint(face);
+  if (!point) return {};
+  const auto isSmaller = [](const Circle* a, const Circle* b) { return a->r < b->r; };
+  const auto corner = std::min_element(face.begin(), face.end(), isSmaller) - face.begin();
+  const Circle& o = *face[static_cast<std::size_t>(corner)];
+  double farthest = 0;
+  for (const Circle* c : face) farthest = std::max({farthest, std::abs(c->x - o.x), std::abs(c->y - o.y)});
+  // Seen from another circle, w times the difference of the centers is added.
+  const double error = 0x1p-45 * (1 + point->w * farthest);
+  return {{point->v.x, point->v.y, point->w, 1, error}, static_cast<int>(corner)};
 }
 
 }  // namespace
@@ -64,7 +82,8 @@ FaceDisc Predicates::rareDisc(const exact::Face& circles, const CornerDisc& plac
     return faceDisc(circles, refined, sign > 0);
   }
   ++counts_.exact;
-  return faceDisc(circles, refined, exact::hasDisc(circles));
+  if (!exact::hasDisc(circles)) return faceDisc(circles, refined, false);
+  return faceDisc(circles, refined.disc.error < kUnknownError ? refined : exactDisc(circles), true);
 }
 
 FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists) const {
