@@ -79,14 +79,17 @@ def show(done, tiles, begin):
         print(f"\r[{bar:30}] {done} of {tiles} tiles, {time.time() - begin:.0f} s", end="\n" if isOver else "", file=sys.stderr)
 
 
-def gather(level, circles):
-    """Writes the circles that the tiles of a level leave, and returns how many there are."""
+def gather(level, tiles, circles):
+    """Writes the circles that the tiles of a level leave, and returns how many there are.
+
+    Reads the files of the tiles alone: a program that was killed may have left a file it had begun beside them.
+    """
     count = 0
     circles.parent.mkdir(exist_ok=True)
     with open(circles, "w") as out:
         out.write("id,x,y,r,done\n")
-        for file in sorted((level / "open").iterdir()):
-            with open(file) as lines:
+        for name in sorted(name for name, *_ in tiles):
+            with open(level / "open" / f"{name}.csv") as lines:
                 next(lines)
                 for line in lines:
                     out.write(line)
@@ -121,7 +124,7 @@ def main():
             tiles = cut(program, circles, level, size, halo)
             compute_tiles(client, level, tiles, task, ending)
             size, halo, next_level = WIDER * size, WIDER * halo, folder / str(int(level.name) + 1)
-            left = gather(level, next_level / "circles.csv")
+            left = gather(level, tiles, next_level / "circles.csv")
             level, circles = next_level, next_level / "circles.csv"
             if left <= arguments.most or len(tiles) == 1:
                 break

@@ -90,6 +90,15 @@ TEST(Outline, OfACellWithItsCornerOnTheBorderHasNoPieceOfLengthZeroThere) {
   EXPECT_EQ(area(outlines[2]), 3);
 }
 
+TEST(Outline, OfPointsThatAreFarNearerThanTheBoxIsLargeHalvesTheBox) {
+  const double size = 1e54;
+  const std::vector<Circle> circles = {{4e-231, 0, 0}, {0, 0, 0}};
+  const Diagram diagram = compute(circles).value();
+  for (const std::int32_t i : {0, 1}) {
+    EXPECT_NEAR(area(outline(diagram, i, Box{-size, -size, size, size})) / size / size, 2, 1e-12);
+  }
+}
+
 TEST(Outline, OfAHiddenCircleIsEmpty) {
   const auto outlines = outlinesOf({{0, 0, 5}, {1, 0, 1}}, Box{-2, -2, 2, 2});
   EXPECT_TRUE(outlines[1].empty());

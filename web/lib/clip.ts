@@ -7,7 +7,7 @@ import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from './c
 import { NONE } from './diagram-data.ts'
 import { between, dot, type Point, type Vector } from './point.ts'
 import { CIRCLE_OF_RING } from './ring.ts'
-import { largestOf, measuredIn, turn, unitFor } from './scale.ts'
+import { largestOf, measuredIn, powerOfTwoIn, turn, unitFor } from './scale.ts'
 
 /**
  * A part of a curve inside a region, and the sides of the region, or `CIRCLE_OF_RING`, that cut it off, on which its ends
@@ -151,7 +151,9 @@ export class LineCrossing {
   readonly #decay: number
 
   constructor(bisector: Bisector, p: Point, direction: Vector) {
-    const along = measuredIn(unitFor(largestOf(direction)), direction)
+    // Short, since k is large where the circles are near one another.
+    const largest = largestOf(direction)
+    const along = measuredIn(largest > 0 ? powerOfTwoIn(largest) : 1, direction)
     const normal = { x: along.y, y: -along.x }
     let a = -Math.abs(bisector.a) * dot(normal, bisector.along)
     let b = bisector.b * dot(normal, bisector.across)

@@ -74,9 +74,11 @@ double reachFrom(Point p, const ConvexPolygon& region) {
 
 // With n the normal to the right of the line, n . (point(s) - p) > 0 becomes, multiplied by 2 s,
 // (A + B) s^2 - 2 (A + k) s + (A - B) > 0, where A = -|a| n . along, B = b n . across, k = n . (p - origin - apex
-// along). Only the ratios of A, B and k count.
+// along). Only the ratios of A, B and k count. The direction is made short, since k is large where the circles are near
+// one another.
 LineCrossing::LineCrossing(const Bisector& bisector, Point p, Vector direction) {
-  const Vector along = measuredIn(unitFor(largestOf(direction)), direction);
+  const double largest = largestOf(direction);
+  const Vector along = measuredIn(largest > 0 ? powerOfTwoIn(largest) : 1, direction);
   const Vector normal = {along.y, -along.x};
   double a = -std::abs(bisector.a) * dot(normal, bisector.along);
   double b = bisector.b * dot(normal, bisector.across);

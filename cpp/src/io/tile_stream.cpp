@@ -7,6 +7,7 @@
 #include "circle_voronoi/tile.h"
 #include "csv.h"
 #include "guarded.h"
+#include "utf8.h"
 #include "validate.h"
 
 namespace circle_voronoi {
@@ -26,6 +27,11 @@ std::size_t wholeLines(std::string_view text) {
   return 0;
 }
 
+/// Whether a text has nothing but a byte-order mark and blanks.
+bool isBlankText(std::string_view text) {
+  return withoutByteOrderMark(text).find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
 }  // namespace
 
 class TileStream::Impl {
@@ -35,7 +41,9 @@ class TileStream::Impl {
   Result<Tile> read(std::string_view piece) {
     rest_ += piece;
     const std::size_t size = wholeLines(rest_);
-    if (size == 0 && !isOverLong()) return Tile{};
+    // What tells of the encoding stands in the first bytes, so a blank beginning waits for more.
+    const bool isBlank = !isBegun_ && isBlankText(std::string_view(rest_).substr(0, size));
+    if ((size == 0 || isBlank) && !isOverLong()) return Tile{};
     auto tile = readLines(std::string_view(rest_).substr(0, size));
     rest_.erase(0, size);
     return tile;
@@ -56,8 +64,7 @@ class TileStream::Impl {
       return errorAt(name_, "", 0, "a line is too long, or a quotation mark is not closed.", linesBefore_);
     if (!isBegun_ && !text.empty()) {
       const auto content = contentOf(text, name_);
-      const bool isBlank = text.find_first_not_of(" \t\r\n") == text.npos;
-      if (!content && !isBlank) return content.error();
+      if (!content && !isBlankText(text)) return content.error();
       if (content) {
         text = content.value();
         const char begin = text[text.find_first_not_of(" \t\r\n")];
