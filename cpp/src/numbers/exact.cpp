@@ -277,26 +277,29 @@ Floating sumOf(const P& p, const Q& q, const Floating& root, const Norm& norm, c
   return norm.sign() == 0 ? Floating(0, 0) : size * floating(norm) / (a + -b);
 }
 
-/// The tangent line that is the inverse of a disc, its normal e and its offset t times |D|^2, and that. From o, the
-/// center of the disc is e rho, with rho = 1 / (2 t).
-struct PlacedDisc {
-  Floating x, y, offset, size;
-};
-
-template <class Number>
-PlacedDisc placedDisc(const Seen<Number>& u, const Seen<Number>& v) {
-  const auto d = axisOf(u, v);
-  const auto n = cross(u.v, v.v);
-  const auto w = u.v - v.v;
-  const Floating root = sqrt(floating(u.g) * floating(v.g) * floating(cone(w, w)));
-  const Floating size = floating(planeDot(d, d));
-  const auto ss = d.s * d.s;
-  return {sumOf(-(d.s * d.x), -d.y, root, ss - d.y * d.y, size), sumOf(-(d.s * d.y), d.x, root, ss - d.x * d.x, size),
-          sumOf(planeCross(n, d), n.s, root, cone(n, n), size), size};
-}
-
 const Circle& smallestOf(const Face& face) {
   return **std::min_element(face.begin(), face.end(), [](auto* a, auto* b) { return a->r < b->r; });
+}
+
+/// The tangent line that is the inverse of a disc, seen from circle o in units of two to the power of the exponent: its
+/// normal e and its offset t times |D|^2, and that. From o, the center of the disc is e rho, with rho = 1 / (2 t).
+struct PlacedDisc {
+  Floating x, y, offset, size;
+  int exponent;
+};
+
+PlacedDisc placedDisc(const Face& face, const Circle& o) {
+  return seenFrom(o, othersOf(face, &o), [](const auto& seen, int exponent) -> PlacedDisc {
+    const auto& [u, v] = seen;
+    const auto d = axisOf(u, v);
+    const auto n = cross(u.v, v.v);
+    const auto w = u.v - v.v;
+    const Floating root = sqrt(floating(u.g) * floating(v.g) * floating(cone(w, w)));
+    const Floating size = floating(planeDot(d, d));
+    const auto ss = d.s * d.s;
+    return {sumOf(-(d.s * d.x), -d.y, root, ss - d.y * d.y, size), sumOf(-(d.s * d.y), d.x, root, ss - d.x * d.x, size),
+            sumOf(planeCross(n, d), n.s, root, cone(n, n), size), size, exponent};
+  });
 }
 
 }  // namespace
@@ -312,25 +315,20 @@ bool hasDisc(const Face& face) {
 
 std::optional<Vertex> disc(const Face& face, double unit) {
   const Circle& o = smallestOf(face);
-  return seenFrom(o, othersOf(face, &o), [&](const auto& seen, int exponent) -> std::optional<Vertex> {
-    const auto [x, y, offset, size] = placedDisc(seen[0], seen[1]);
-    if (!offset.isPositive()) return std::nullopt;
-    const int scaling = exponent - 1 + std::ilogb(unit);
-    const Vertex vertex = {o.x * unit + (x / offset).times(scaling), o.y * unit + (y / offset).times(scaling),
-                           (size / offset).times(scaling) - o.r * unit};
-    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.r)) return std::nullopt;
-    return vertex;
-  });
+  const auto [x, y, offset, size, exponent] = placedDisc(face, o);
+  if (!offset.isPositive()) return std::nullopt;
+  const int scaling = exponent - 1 + std::ilogb(unit);
+  const Vertex vertex = {o.x * unit + (x / offset).times(scaling), o.y * unit + (y / offset).times(scaling),
+                         (size / offset).times(scaling) - o.r * unit};
+  if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.r)) return std::nullopt;
+  return vertex;
 }
 
 std::optional<DiscPoint> discPoint(const Face& face) {
-  const Circle& o = smallestOf(face);
-  return seenFrom(o, othersOf(face, &o), [&](const auto& seen, int exponent) -> std::optional<DiscPoint> {
-    const auto [x, y, offset, size] = placedDisc(seen[0], seen[1]);
-    const DiscPoint point = {{(x / size).times(0), (y / size).times(0)}, (offset / size).times(1 - exponent)};
-    if (!offset.isPositive() || !std::isfinite(point.w)) return std::nullopt;
-    return point;
-  });
+  const auto [x, y, offset, size, exponent] = placedDisc(face, smallestOf(face));
+  const DiscPoint point = {{(x / size).times(0), (y / size).times(0)}, (offset / size).times(1 - exponent)};
+  if (!offset.isPositive() || !std::isfinite(point.w)) return std::nullopt;
+  return point;
 }
 
 int directionSign(const Face& face, const Circle& from, int axis) {
@@ -389,18 +387,19 @@ bool contains(const Circle& outer, const Circle& inner) {
 // With d = b - a it is e |d|^2, divided by the square of the length of d in (x, y, s) space. The error is relative to
 // the products, which are at most that square.
 std::optional<Vector> tangentNormal(const Circle& a, const Circle& b) {
-  return seenFrom(a, std::array{&b}, [](const auto& seen, int) -> std::optional<Vector> {
-    const auto& [v, g, isAtInfinity] = seen[0];
-    if (g.sign() <= 0) return std::nullopt;
-    const Floating x = floating(v.x);
-    const Floating y = floating(v.y);
-    const Floating s = floating(v.s);
-    const Floating root = sqrt(floating(g));
-    const Floating size = floating(planeDot(v, v) + v.s * v.s);
-    const Vector along = {(s * x / size).times(0), (s * y / size).times(0)};
-    const Vector across = {(root * x / size).times(0), (root * y / size).times(0)};
-    return Vector{-along.x - across.y, -along.y + across.x};
+  struct Parts {
+    Floating x, y, s, g;
+  };
+  const auto [x, y, s, g] = seenFrom(a, std::array{&b}, [](const auto& seen, int) {
+    const auto& [v, square, isAtInfinity] = seen[0];
+    return Parts{floating(v.x), floating(v.y), floating(v.s), floating(square)};
   });
+  if (!g.isPositive()) return std::nullopt;
+  const Floating root = sqrt(g);
+  const Floating size = x * x + y * y + s * s;
+  const Vector along = {(s * x / size).times(0), (s * y / size).times(0)};
+  const Vector across = {(root * x / size).times(0), (root * y / size).times(0)};
+  return Vector{-along.x - across.y, -along.y + across.x};
 }
 
 int tangentSide(const Circle& a, const Circle& b, const Circle& c) {
