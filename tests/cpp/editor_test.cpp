@@ -374,6 +374,15 @@ TEST(Editor, ChangesHaveTheBitsOfTheSnapshotAtAnyScale) {
   }
 }
 
+TEST(Editor, TakesAUnitInWhichDistancesAreSubnormal) {
+  DiagramEditor editor = editorOf({{0, 0, 0}, {0x1p-1000, 0, 0}, {0, 0x1p-1000, 0}});
+  const Change change = changeOf(editor.insert({1e30, 0, 0}));
+  EXPECT_EQ(change.inserted, std::vector<CircleId>{3});
+  expectRight(editor);
+  changeOf(editor.replace(1, {0x1p-999, 0, 0}));
+  expectRight(editor);
+}
+
 TEST(Editor, KeepsNumbersThatNoScaleHoldsTogether) {
   // 1e150 and 3e-323: any power of two that brings the first near 2^80 rounds the second.
   const Circle tiny = {3e-323, 1e-300, 5e-324};

@@ -150,6 +150,7 @@ void Locator::fill(const EditState& state) {
   const double side = std::max(std::sqrt(width * height / wanted), std::max(width, height) / wanted);
   corner_ = low;
   scale_ = 1 / side;
+  if (!std::isfinite(scale_)) return;  // next to nothing lies between the circles: walks start anywhere
   columns_ = static_cast<int>(width * scale_) + 1;
   rows_ = static_cast<int>(height * scale_) + 1;
   buckets_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNone);
