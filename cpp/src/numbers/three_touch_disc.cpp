@@ -91,6 +91,11 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 }
 
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit) {
+  // Without short sides a change of scale changes no bit.
+  const CornerDisc placed = discOf(a, b, c);
+  if (!mayBeOfShortSides(placed.disc)) {
+    if (const auto vertex = vertexAt(placed, {&a, &b, &c}, unit)) return vertex;
+  }
   double largest = 0;
   for (const Circle* circle : {&a, &b, &c}) {
     largest = std::max({largest, std::abs(circle->x), std::abs(circle->y), std::abs(circle->r)});
@@ -98,7 +103,6 @@ std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c
   // Underflow depends on the scale, so the circles get one of their own, as in validate.
   const int unitExponent = exponentOf(unit);
   const int scaling = std::min(kScaledExponent - 1 - exponentOf(largest), kLargestScaling + unitExponent);
-  if (scaling == 0) return vertexIn({&a, &b, &c}, unit);
   // Two factors: their product may be beyond the doubles.
   const double half = powerOfTwo(scaling / 2);
   const double rest = powerOfTwo(scaling - scaling / 2);
