@@ -25,7 +25,7 @@ struct Inserted {
 /// flips take the edges away that its cell has all of. A circle that is inside another gets no cell, or loses it.
 ///
 /// Where more than three circles touch one disc, or nearly, a circle may come to a wrong place: the result is to be
-/// judged. Nothing if that went so far that time ran away.
+/// judged. Nothing if a circle that another hides did not let itself be taken away.
 std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates);
 
 }  // namespace circle_voronoi
