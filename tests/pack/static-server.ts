@@ -45,6 +45,11 @@ export async function serve(folder: string, policy = STRICT_POLICY): Promise<Ser
   const { port } = server.address() as AddressInfo
   return {
     address: `http://127.0.0.1:${port}/`,
-    close: () => new Promise((resolve) => server.close(() => resolve())),
+    close: () => {
+      const closed = new Promise<void>((resolve) => server.close(() => resolve()))
+      // Browsers open connections ahead of what they will ask for; one that has asked for nothing would be waited for.
+      server.closeAllConnections()
+      return closed
+    },
   }
 }
