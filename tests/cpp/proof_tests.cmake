@@ -3,18 +3,14 @@
 add_executable(circle_voronoi_proof_tests
   arithmetic_test.cpp
   automatic_test.cpp
-  brute_force.cpp
   certificate_mutation_test.cpp
   certificate_test.cpp
-  compare.cpp
   construct_test.cpp
   delaunay_test.cpp
   dual_edits.cpp
-  edit_script.cpp
   editor_test.cpp
   estimate_test.cpp
   exact_test.cpp
-  fixtures.cpp
   final_cells_test.cpp
   flip_test.cpp
   growth_test.cpp
@@ -28,20 +24,14 @@ add_executable(circle_voronoi_proof_tests
   metamorphic_test.cpp
   predicates_test.cpp
   repair_test.cpp
-  report.cpp
   settle_ties_test.cpp
   small_duals.cpp
   step_test.cpp
-  tie_inputs.cpp
   topology_test.cpp
-  trial.cpp
   validate_test.cpp
   vertex_test.cpp
   weights_test.cpp)
-target_link_libraries(circle_voronoi_proof_tests PRIVATE
-  circle_voronoi::circle_voronoi circle_voronoi::families circle_voronoi::io circle_voronoi_options circle_voronoi_internals
-  circle_voronoi_oracle
-  GTest::gtest_main Threads::Threads)
+target_link_libraries(circle_voronoi_proof_tests PRIVATE circle_voronoi_trials GTest::gtest_main)
 gtest_discover_tests(circle_voronoi_proof_tests DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES)
 
 # Its allocations fail, so it is a program of its own.

@@ -32,7 +32,7 @@ std::vector<Circle> coarse(std::vector<Circle> circles, double size) {
 }
 
 /// What geometry tells of some circles, numbers with their dimension: 0 a number, 1 a length, 2 an area.
-struct Measures {
+struct MeasuresOfCells {
   std::vector<double> numbers;
   std::vector<int> dimensions;
 
@@ -51,7 +51,7 @@ struct Measures {
   }
 };
 
-void measureCurves(const Diagram& diagram, const Box& box, double tolerance, Measures& all) {
+void measureCurves(const Diagram& diagram, const Box& box, double tolerance, MeasuresOfCells& all) {
   for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
     const EdgeCurve curve = edgeCurve(diagram, e);
     all.add(0, curve.from);
@@ -68,7 +68,7 @@ void measureCurves(const Diagram& diagram, const Box& box, double tolerance, Mea
   }
 }
 
-void measureCells(const Diagram& diagram, const Box& box, Measures& all) {
+void measureCells(const Diagram& diagram, const Box& box, MeasuresOfCells& all) {
   const Finder finder(diagram);
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
     const Outline parts = outline(diagram, i, box);
@@ -86,7 +86,7 @@ void measureCells(const Diagram& diagram, const Box& box, Measures& all) {
   }
 }
 
-void measureQueries(const Diagram& diagram, const Box& box, Measures& all) {
+void measureQueries(const Diagram& diagram, const Box& box, MeasuresOfCells& all) {
   const auto& circles = diagram.circles;
   const Hull outer = convexHull(diagram);
   all.add(1, outer.length);
@@ -109,9 +109,9 @@ void measureQueries(const Diagram& diagram, const Box& box, Measures& all) {
   all.add(Point{around.minX, around.maxY});
 }
 
-Measures measure(const std::vector<Circle>& circles, Metric metric, const Box& box, double scale) {
+MeasuresOfCells measure(const std::vector<Circle>& circles, Metric metric, const Box& box, double scale) {
   const Diagram diagram = computeComparison(circles, metric).value();
-  Measures all;
+  MeasuresOfCells all;
   measureCurves(diagram, box, 1e-4 * scale, all);
   measureCells(diagram, box, all);
   if (metric == Metric::circles) measureQueries(diagram, box, all);
@@ -140,8 +140,8 @@ TEST_P(Scale, GeometryIsTheSameAtEverySize) {
     const Box scaledBox = {box.minX * scale, box.minY * scale, box.maxX * scale, box.maxY * scale};
     for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
       SCOPED_TRACE(static_cast<int>(metric));
-      const Measures expected = measure(circles, metric, box, 1);
-      const Measures found = measure(scaled, metric, scaledBox, scale);
+      const MeasuresOfCells expected = measure(circles, metric, box, 1);
+      const MeasuresOfCells found = measure(scaled, metric, scaledBox, scale);
       ASSERT_EQ(found.numbers.size(), expected.numbers.size());
       for (std::size_t k = 0; k < found.numbers.size(); ++k) {
         ASSERT_TRUE(std::isfinite(expected.numbers[k]) || expected.dimensions[k] == 0);

@@ -9,7 +9,9 @@ const EXAMPLES = fileURLToPath(new URL('../../examples/', import.meta.url))
 /** Folders of what is a page. */
 const PAGES = ['bouncing', ...readdirSync(`${EXAMPLES}element`).map((name) => `element/${name}`)]
 
-test('each page of the examples runs in the place of its picture, and shows a diagram', async ({ page }) => {
+test('each page of the examples runs in the place of its picture, and shows a diagram', { tag: '@long' }, async ({
+  page,
+}) => {
   test.setTimeout(120_000)
   const problems: string[] = []
   page.on('pageerror', ({ message }) => problems.push(message))

@@ -220,7 +220,7 @@ test.describe('in a page', () => {
     }
   })
 
-  test('from a webpack build', async ({ page }) => {
+  test('from a webpack build', { tag: '@long' }, async ({ page }) => {
     const outDir = project.path('webpack-build')
     await buildWithWebpack(outDir)
     project.write('webpack-build/index.html', '<output></output><script src="main.js" defer></script>')
@@ -361,7 +361,8 @@ test.describe('has types', () => {
     for (const compiler of ['tsc', 'tsc6', OLDEST_TSC]) {
       // TypeScript 7 no longer knows that way.
       if (compiler === 'tsc' && settings.moduleResolution === 'node10') continue
-      test(`for ${place}, to ${compiler === OLDEST_TSC ? 'TypeScript 5.0' : compiler}`, () => {
+      const name = compiler === OLDEST_TSC ? 'TypeScript 5.0' : compiler
+      test(`for ${place}, to ${name}`, { tag: compiler === 'tsc' ? [] : '@long' }, () => {
         const compilerOptions = {
           ...settings,
           ...(compiler === 'tsc6' && { ignoreDeprecations: '6.0' }),

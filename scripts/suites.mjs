@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What tests there are: for `npm test` all that is quick, and the others, which take long, for `npm run test:long`.
+import { readdirSync } from 'node:fs'
+import { availableParallelism } from 'node:os'
+import { ROOT } from './run.mjs'
+import { chromiumPath } from './setup.mjs'
+
+const BIN = `${ROOT}node_modules/.bin`
+// Colours and progress bars are for people, and so are the questions that some tools ask.
+export const ENV = { CI: 'true', NO_COLOR: '1', CHROMIUM_PATH: chromiumPath() }
+
+/**
+ * In their order: the program, its arguments and its environment, so that it writes a JUnit report to a path and runs what
+ * is quick, or with `isLong` the others. `lengths`: what it has of these; of most all is quick.
+ */
+export const SUITES = [
+  {
+    name: 'CTest',
+    program: 'ctest',
+    args: (report, isLong) => [
+      ...['--preset', 'native', '--output-junit', report, '-j', String(availableParallelism())],
+      ...[isLong ? '-L' : '-LE', '^long$'],
+    ],
+    lengths: ['quick', 'long'],
+  },
+  {
+    name: 'Vitest',
+    program: `${BIN}/vitest`,
+    args: (report) => ['run', '--reporter=default', '--reporter=junit', `--outputFile.junit=${report}`],
+  },
+  {
+    name: 'WebAssembly in Node',
+    program: process.execPath,
+    // As strict as a page whose Content-Security-Policy forbids `eval`.
+    args: (report) => ['--disallow-code-generation-from-strings', ...nodeTests(report, 'tests/wasm')],
+  },
+  {
+    name: 'Files, tiles and README in Node',
+    program: process.execPath,
+    args: (report) => nodeTests(report, 'tests/files', 'tests/tiles', 'tests/readme'),
+  },
+  {
+    name: "The paper's results in Node",
+    program: process.execPath,
+    args: (report) => nodeTests(report, 'tests/results'),
+    lengths: ['long'],
+  },
+  {
+    name: 'Playwright',
+    program: `${BIN}/playwright`,
+    args: (_, isLong) => ['test', '--reporter=list,junit', isLong ? '--grep' : '--grep-invert', '@long'],
+    // Playwright colours its own way, and Node warns when both are set.
+    env: (report) => ({ NO_COLOR: undefined, PLAYWRIGHT_JUNIT_OUTPUT_FILE: report }),
+    lengths: ['quick', 'long'],
+  },
+]
+
+/** The options of Node's test runner for all tests of some folders. */
+function nodeTests(report, ...folders) {
+  const files = folders.flatMap((folder) => readdirSync(ROOT + folder).map((name) => `${folder}/${name}`))
+  return [
+    ...['--test', `--test-concurrency=${availableParallelism()}`],
+    ...['--test-reporter=spec', '--test-reporter-destination=stdout'],
+    ...['--test-reporter=junit', `--test-reporter-destination=${report}`],
+    ...files.filter((name) => name.endsWith('.test.mjs')),
+  ]
+}
