@@ -276,6 +276,39 @@ TEST(Curve, ANeedleIsFollowedToItsTip) {
   }
 }
 
+TEST(Curve, ANeedleThinnerThanRoundingRunsFromVertexToVertex) {
+  // The point touches the large circle from inside but for a share of its radius; both vertices of their edge lie far
+  // beyond it, on either side of the needle.
+  for (const double scale : {1e-120, 1.0, 1e149}) {
+    for (const double share : {1e-15, 1e-30, 1e-60, 1e-100, 1e-145}) {
+      SCOPED_TRACE(testing::Message() << "scale " << scale << ", share " << share);
+      const std::vector<Circle> circles = {{-share * scale, 0, scale}, {scale, 0, 0}, {scale, scale, 0.01 * scale}};
+      const Diagram diagram = compute(circles).value();
+      const Box box = {-1.1 * scale, -0.3 * scale, 1.1 * scale, 1.1 * scale};
+      int needles = 0;
+      for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+        const auto& [left, right, start, end] = diagram.edges[static_cast<std::size_t>(e)];
+        const EdgeCurve curve = edgeCurve(diagram, e);
+        if (left + right == 1 && curve.isBounded()) {
+          ++needles;
+          EXPECT_LT(curve.from, 1);
+          EXPECT_GT(curve.to, 1);
+          // The width of a needle is known to the square root of rounding only.
+          for (const auto& [s, vertex] : {std::pair(curve.from, curve.start), std::pair(curve.to, curve.end)}) {
+            EXPECT_LE(distanceBetween(pointAt(curve.bisector, s), vertex), 1e-8 * std::abs(vertex.x));
+          }
+        }
+        for (const EdgeCurve& piece : clip(curve, box)) {
+          for (const Point p : polyline(piece, 1e-3 * scale)) {
+            EXPECT_GE(std::min({p.x - box.minX, p.y - box.minY, box.maxX - p.x, box.maxY - p.y}), -1e-2 * scale);
+          }
+        }
+      }
+      EXPECT_EQ(needles, 1);
+    }
+  }
+}
+
 TEST(Curve, AnArcWithoutLengthIsOnePiece) {
   const EdgeCurve arc = arcOf(bisector({0, 0, 1}, {4, 0, 0}), 2, 2);
   EXPECT_EQ(cubicBeziers(arc, 0).size(), 1U);

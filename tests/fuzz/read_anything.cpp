@@ -65,21 +65,40 @@ std::optional<std::string> tryCircles(std::string_view text) {
   return std::nullopt;
 }
 
-/// A tile that can be read as a whole can be read in pieces, of a few characters if it is short.
-std::optional<std::string> tryTile(std::string_view text) {
-  const std::size_t size = 5 + text.size() / 50;
-  const auto tile = readTile(text, kName);
+/// What a stream reads of a text in pieces of a size: the circles, or those before the error, which is set.
+Tile readInPieces(std::string_view text, std::size_t size, std::optional<Error>& error) {
+  Tile all;
   TileStream stream{std::string(kName)};
-  std::size_t count = 0;
-  bool isRead = true;
-  const auto add = [&](const Result<Tile>& piece) {
-    isRead = isRead && piece;
-    if (isRead) count += piece.value().circles.size();
+  const auto add = [&](const Result<Tile>& tile) {
+    if (!tile) {
+      error = tile.error();
+      return;
+    }
+    const auto& [circles, ids, done] = tile.value();
+    all.circles.insert(all.circles.end(), circles.begin(), circles.end());
+    all.ids.insert(all.ids.end(), ids.begin(), ids.end());
+    all.done.insert(all.done.end(), done.begin(), done.end());
   };
-  for (std::size_t i = 0; i < text.size() && isRead; i += size) add(stream.read(text.substr(i, size)));
-  if (isRead) add(stream.end());
-  if (!tile || (isRead && count == tile.value().circles.size())) return std::nullopt;
-  return "a tile is another in pieces";
+  for (std::size_t i = 0; i < text.size() && !error; i += size) add(stream.read(text.substr(i, size)));
+  if (!error) add(stream.end());
+  return all;
+}
+
+/// A tile is the same in pieces, of a few characters if it is short, and so is its error.
+std::optional<std::string> tryTile(std::string_view text) {
+  std::optional<Error> error;
+  const Tile whole = readInPieces(text, text.size(), error);
+  std::optional<Error> other;
+  const Tile inPieces = readInPieces(text, 1 + text.size() / 50, other);
+  const bool isOneError = error && other && error->message == other->message && error->circle == other->circle;
+  if ((error || other) && !isOneError) return "the error of a tile is another in pieces";
+  if (error && !isOneLine(*error, text)) return "the error of a tile is not one line of text: " + error->message;
+  const auto tile = readTile(text, kName);
+  if (tile && (error || tile.value().circles.size() != whole.circles.size())) return "a stream reads another tile";
+  if (error) return std::nullopt;
+  const bool isOneTile =
+      isSame(whole.circles, inPieces.circles) && whole.ids == inPieces.ids && whole.done == inPieces.done;
+  return isOneTile ? std::nullopt : std::optional<std::string>("a tile is another in pieces");
 }
 
 std::optional<std::string> tryDiagram(std::string_view text) {

@@ -68,8 +68,13 @@ const scaled = ['waka.csv', 'missed-antipodal-disc-mixed-6.csv'].flatMap((name) 
     circles: fixtures.find((fixture) => fixture.name === name).circles.map((value) => value * 2 ** exponent),
   })),
 )
+/** A point that touches a circle from inside but for 1e-100 of its radius, and vertices far out on both sides of their edge. */
+const needles = [1e-120, 1, 1e134].map((scale) => ({
+  name: `a needle thinner than rounding at the scale ${scale}`,
+  circles: Float64Array.of(-1e-100, 0, 1, 1, 0, 0, 1, 1, 0.01).map((value) => value * scale),
+}))
 
-for (const { name, circles } of [...fixtures, ...scaled]) {
+for (const { name, circles } of [...fixtures, ...scaled, ...needles]) {
   describe(name, () => {
     for (const metric of ['circles', 'centers', 'power']) {
       it(`has the geometry of C++ by the metric ${metric}`, () => {

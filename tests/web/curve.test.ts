@@ -100,6 +100,18 @@ describe('bisector', () => {
     expect(Number.isFinite(parameterAt(branch, 2, 0))).toBe(true)
   })
 
+  it('tells the sides of a needle thinner than rounding apart', () => {
+    for (const scale of [1e-120, 1, 1e149]) {
+      const branch = bisector(Float64Array.of(-1e-100 * scale, 0, scale, scale, 0, 0), 0, 1)
+      for (const side of [-1, 1]) {
+        const p = { x: 50 * scale, y: side * 1e-48 * scale }
+        const s = parameterAt(branch, p.x, p.y)
+        expect(Math.sign(s - 1)).toBe(Math.sign(pointAt(branch, 2).y) * side)
+        expect(pointAt(branch, s).x / p.x).toBeCloseTo(1, 12)
+      }
+    }
+  })
+
   it('is the radical axis for the metric power, and the perpendicular bisector for centres', () => {
     const circles = Float64Array.of(0, 0, 3, 10, 0, 1)
     expect(pointAt(bisector(circles, 0, 1, 'power'), 5).x).toBeCloseTo(5.4, 12)

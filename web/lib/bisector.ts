@@ -157,12 +157,15 @@ export function parameterOf(bisector: Bisector, x: number, y: number): number {
   const { origin, unit, across, apex, a, b } = bisector
   const toPoint = measuredIn(unit, between(origin, { x, y }))
   const sine = dot(toPoint, across) / b
-  const c = apex + Math.abs(a)
+  if (a === 0) return exponentialOf(sine)
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
-  // changes faster. Of a narrow branch that is the distance.
-  const isSteep = a !== 0 && c * Math.abs(sine) > b * lengthOf({ x: sine, y: 1 })
-  const rise = (lengthOf(toPoint) - apex) / c
-  if (!isSteep || !(rise > 0)) return exponentialOf(sine)
+  // changes faster. Of a narrow branch that is the distance. Its height may be off by any factor, as b is: each of the
+  // two says whether the distance is the one.
+  const c = apex + Math.abs(a)
+  const rise = Math.max((lengthOf(toPoint) - apex) / c, 0)
+  const size = Math.max(Math.abs(sine), Math.sqrt(rise) * Math.sqrt(rise + 2))
+  const isSteep = c * size > b * lengthOf({ x: size, y: 1 })
+  if (!isSteep) return exponentialOf(sine)
   return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise)
 }
 

@@ -29,9 +29,9 @@ struct ReadOptions {
 ///   latitude; r, rad or radius. Other columns are ignored. Without such a line there are three columns: x, y, r.
 /// - Where commas do not separate, or in quotation marks, they may be decimal marks; one text has one kind of these.
 ///
-/// Errors, each with one sentence that starts with `name:line:`: badInput, also for a text without anything, and, so
-/// that the line can be named, what `compute` would reject (nonFinite, negativeRadius, coordinateTooLarge,
-/// tooManyCircles).
+/// Errors, each with one sentence that starts with `name:line:`: badInput, also for a text without anything and for a
+/// line of a table beyond 64 MiB, and, so that the line can be named, what `compute` would reject (nonFinite,
+/// negativeRadius, coordinateTooLarge, tooManyCircles).
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
 // Each writes circles as `readCircles` reads them: CSV with a header line, JSON objects, GeoJSON Points with the

@@ -32,7 +32,10 @@ struct Tile {
 /// Errors: those of `readCircles`; badInput also if the text is JSON, or two circles have the same id.
 Result<Tile> readTile(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
-/// Reads the same table piece by piece, in memory for a piece, as its lines come: any number of circles.
+/// Reads the same table piece by piece, in memory for a piece, as its lines come: any number of circles. The result
+/// does not depend on where the text is divided into pieces: neither the circles nor the first error.
+///
+/// Errors: those of `readTile`, but equal ids; badInput also if the first 64 MiB have neither a header nor a circle.
 class TileStream {
  public:
   explicit TileStream(std::string name, const ReadOptions& options = {});

@@ -89,12 +89,15 @@ Point pointAt(const Bisector& bisector, double s) {
 double parameterAt(const Bisector& bisector, Point p) {
   const Vector toPoint = measuredIn(bisector.unit, {p.x - bisector.origin.x, p.y - bisector.origin.y});
   const double sine = dot(toPoint, bisector.across) / bisector.b;
-  const double c = bisector.apex + std::abs(bisector.a);
+  if (bisector.a == 0) return exponentialOf(sine);
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
-  // changes faster. Of a narrow branch that is the distance.
-  const bool isSteep = bisector.a != 0 && c * std::abs(sine) > bisector.b * lengthOf({sine, 1});
-  const double rise = (lengthOf(toPoint) - bisector.apex) / c;
-  if (!isSteep || !(rise > 0)) return exponentialOf(sine);
+  // changes faster. Of a narrow branch that is the distance. Its height may be off by any factor, as b is: each of the
+  // two says whether the distance is the one.
+  const double c = bisector.apex + std::abs(bisector.a);
+  const double rise = std::max((lengthOf(toPoint) - bisector.apex) / c, 0.0);
+  const double size = std::max(std::abs(sine), std::sqrt(rise) * std::sqrt(rise + 2));
+  const bool isSteep = c * size > bisector.b * lengthOf({size, 1});
+  if (!isSteep) return exponentialOf(sine);
   return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise);
 }
 

@@ -167,11 +167,11 @@ std::optional<std::string> readCount(const CsvField& field, std::int64_t most, s
 
 }  // namespace
 
-std::optional<CsvLayout> layoutOf(std::string_view text) {
+std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole) {
   std::optional<ReadFailure> failure;
   std::optional<CsvTable> widest;
   for (const char separator : kSeparators) {
-    CsvTable table(text, separator);
+    CsvTable table(text, separator, isWhole);
     try {
       if (!table.next()) return std::nullopt;
     } catch (const ReadFailure& reason) {  // quotation marks mean something else with another separator
@@ -217,8 +217,8 @@ std::optional<std::string> CsvNumberReader::read(const CsvField& field, double& 
   return std::nullopt;
 }
 
-void CsvRowReader::read(std::string_view text, PlacedCircles& circles) {
-  CsvTable table(text, layout_.separator);
+std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bool isLast) {
+  CsvTable table(text, layout_.separator, isLast);
   if (layout_.hasHeader && !isPastHeader_) (void)table.next();
   isPastHeader_ = true;
   std::array<double, 3> values{};
@@ -238,10 +238,11 @@ void CsvRowReader::read(std::string_view text, PlacedCircles& circles) {
         throw ReadFailure{table.offset(), std::string(kNames[i][0]) + *problem};
       }
     }
+    if (isOfTile_) readNames(table, fieldOf, circles);
     circles.circles.push_back({values[0], values[1], values[2]});
     circles.offsets.push_back(table.offset());
-    if (isOfTile_) readNames(table, fieldOf, circles);
   }
+  return table.rest();
 }
 
 template <class FieldOf>

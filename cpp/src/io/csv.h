@@ -37,18 +37,20 @@ struct CsvLayout {
   std::optional<std::size_t> done;                 ///< likewise
 };
 
-/// The layout with which the first record is a header or a circle; nothing if there is no record. Throws ReadFailure.
-std::optional<CsvLayout> layoutOf(std::string_view text);
+/// The layout with which the first record is a header or a circle; nothing if there is no record. `isWhole` is that of
+/// CsvTable: the beginning of a text has the layout of the text, or none yet. Throws ReadFailure.
+std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole = true);
 
-/// Reads the rows of a table, whose text may come in pieces of whole records.
+/// Reads the rows of a table, whose text may come in pieces.
 class CsvRowReader {
  public:
   /// `isOfTile`: with ids, which are those of the rows from 0 where there is no such column, and what is done.
   explicit CsvRowReader(const CsvLayout& layout, bool isOfTile = false)
       : layout_(layout), isOfTile_(isOfTile), numbers_(layout.separator) {}
 
-  /// Adds the circles of a piece. Throws ReadFailure.
-  void read(std::string_view text, PlacedCircles& circles);
+  /// Adds the circles of a piece, and returns where the rest begins, with which the next piece has to begin: nothing if
+  /// this piece ends the text (`isLast`). Throws ReadFailure, after adding the circles before the failure.
+  std::size_t read(std::string_view text, PlacedCircles& circles, bool isLast = true);
 
  private:
   static constexpr std::int64_t kMostId = std::numeric_limits<std::int64_t>::max();

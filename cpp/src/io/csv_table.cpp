@@ -11,12 +11,20 @@ bool CsvTable::next() {
   while (!isAtEnd()) {
     begin_ = at_;
     skipBlanks();
-    if (!isAtEnd() && text_[at_] == '#') {
+    const bool isComment = !isAtEnd() && text_[at_] == '#';
+    if (isComment) {
       skipLine();
-      continue;
+    } else {
+      readRecord();
     }
-    readRecord();
-    if (!isAtEnd()) ++at_;  // the line end
+    if (at_ - begin_ > kLongestRecord) {
+      throw ReadFailure{begin_, "a line is too long, or a quotation mark is not closed."};
+    }
+    if (!endLine()) {
+      at_ = begin_;
+      return false;
+    }
+    if (isComment) continue;
     if (std::ranges::any_of(fields_, [](const CsvField& field) { return !field.text.empty(); })) return true;
   }
   return false;
@@ -29,11 +37,23 @@ void CsvTable::skipBlanks() {
 
 void CsvTable::skipLine() {
   while (!isAtLineEnd()) ++at_;
-  if (!isAtEnd()) ++at_;
+}
+
+/// Passes the end of a line; false if the text does not tell whether it ends there.
+bool CsvTable::endLine() {
+  if (isAtEnd()) {
+    if (isWhole_ && open_) throw ReadFailure{*open_, "a quotation mark is not closed."};
+    return isWhole_;
+  }
+  // A CR at the end may be half of a line end.
+  if (!isWhole_ && text_[at_] == '\r' && at_ + 1 == text_.size()) return false;
+  ++at_;
+  return true;
 }
 
 void CsvTable::readRecord() {
   fields_.clear();
+  open_.reset();
   for (skipBlanks(); !isAtLineEnd(); skipBlanks()) {
     fields_.push_back(readField());
     if (isAtLineEnd()) return;
@@ -57,7 +77,11 @@ CsvField CsvTable::readField() {
 CsvField CsvTable::readQuoted() {
   std::size_t close = text_.find('"', at_ + 1);
   while (close != std::string_view::npos && text_.substr(close + 1, 1) == "\"") close = text_.find('"', close + 2);
-  if (close == std::string_view::npos) throw ReadFailure{at_, "a quotation mark is not closed."};
+  if (close == std::string_view::npos) {
+    open_ = at_;
+    at_ = text_.size();
+    return {};
+  }
   std::string_view inside = text_.substr(at_ + 1, close - at_ - 1);
   inside.remove_prefix(std::min(inside.find_first_not_of(" \t"), inside.size()));
   inside = inside.substr(0, inside.find_last_not_of(" \t") + 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,16 +15,25 @@ struct CsvField {
   bool isQuoted = false;
 };
 
+/// The largest size of a record or a comment, in bytes: a stream has a whole one in memory.
+inline constexpr std::size_t kLongestRecord = std::size_t{1} << 26;
+
 /// Splits a text into records (RFC 4180), one a line but for line ends in quotation marks. Lines that are blank, hold
 /// separators alone, or begin with # are passed over.
 class CsvTable {
  public:
-  /// A space as the separator stands for any number of spaces and tabs.
-  CsvTable(std::string_view text, char separator) : text_(text), separator_(separator) {}
+  /// A space as the separator stands for any number of spaces and tabs. Unless the text is whole, it is the beginning
+  /// of one: what it has of its last record is no record, as long as more text could change it.
+  CsvTable(std::string_view text, char separator, bool isWhole = true)
+      : text_(text), separator_(separator), isWhole_(isWhole) {}
 
-  /// Goes on to the next record; false if there is none. Throws ReadFailure if quotation marks are amiss.
+  /// Goes on to the next record; false if there is none. Throws ReadFailure if quotation marks are amiss or the record
+  /// is too long.
   bool next();
 
+  /// Where the text begins that has not been read. After the last record that is the end of a whole text; otherwise
+  /// the beginning of the line that is not over.
+  std::size_t rest() const { return at_; }
   std::span<const CsvField> fields() const { return fields_; }
   /// Where the record begins in the text.
   std::size_t offset() const { return begin_; }
@@ -35,14 +45,17 @@ class CsvTable {
   bool isSeparator() const { return text_[at_] == separator_; }
   void skipBlanks();
   void skipLine();
+  bool endLine();
   void readRecord();
   CsvField readField();
   CsvField readQuoted();
 
   std::string_view text_;
   char separator_;
+  bool isWhole_;
   std::size_t at_ = 0;
   std::size_t begin_ = 0;
+  std::optional<std::size_t> open_;  ///< the quotation mark that the text does not close
   std::vector<CsvField> fields_;
 };
 

@@ -11,94 +11,83 @@
 #include "validate.h"
 
 namespace circle_voronoi {
-namespace {
-
-/// Where the last line of a text ends that is whole and in which no quotation mark is open; 0 if there is none.
-std::size_t wholeLines(std::string_view text) {
-  // A CR at the end may be half of a line end.
-  std::size_t end = text.ends_with('\r') ? text.size() - 1 : text.size();
-  while (end > 0) {
-    const std::size_t last = text.find_last_of("\r\n", end - 1);
-    if (last == text.npos) return 0;
-    const std::string_view lines = text.substr(0, last + 1);
-    if (std::ranges::count(lines, '"') % 2 == 0) return lines.size();
-    end = lines.rfind('"');
-  }
-  return 0;
-}
-
-/// Whether a text has nothing but a byte-order mark and blanks.
-bool isBlankText(std::string_view text) {
-  return withoutByteOrderMark(text).find_first_not_of(" \t\r\n") == std::string_view::npos;
-}
-
-}  // namespace
 
 class TileStream::Impl {
  public:
   Impl(std::string name, const ReadOptions& options) : name_(std::move(name)), options_(options) {}
 
   Result<Tile> read(std::string_view piece) {
+    // Only a line end completes a record: a new one, or a CR that may have been half of one.
+    const std::size_t from = rest_.empty() ? 0 : rest_.size() - 1;
     rest_ += piece;
-    const std::size_t size = wholeLines(rest_);
-    // What tells of the encoding stands in the first bytes, so a blank beginning waits for more.
-    const bool isBlank = !isBegun_ && isBlankText(std::string_view(rest_).substr(0, size));
-    if ((size == 0 || isBlank) && !isOverLong()) return Tile{};
-    auto tile = readLines(std::string_view(rest_).substr(0, size));
-    rest_.erase(0, size);
-    return tile;
+    if (rest_.find_first_of("\r\n", from) == rest_.npos && rest_.size() <= kLongestRecord) return Tile{};
+    return readRecords(false);
   }
 
-  Result<Tile> end() {
-    auto tile = readLines(rest_);
-    if (tile && !rows_) return errorAt(name_, "", 0, "the text is empty but for comments.");
-    return tile;
-  }
+  Result<Tile> end() { return readRecords(true); }
 
  private:
-  /// Whether what there is cannot be the beginning of a line.
-  bool isOverLong() const { return rest_.size() > (std::size_t{1} << 26); }
-
-  Result<Tile> readLines(std::string_view text) {
-    if (isOverLong() && text.empty())
-      return errorAt(name_, "", 0, "a line is too long, or a quotation mark is not closed.", linesBefore_);
-    if (!isBegun_ && !text.empty()) {
-      const auto content = contentOf(text, name_);
-      if (!content && !isBlankText(text)) return content.error();
-      if (content) {
-        text = content.value();
-        const char begin = text[text.find_first_not_of(" \t\r\n")];
-        if (begin == '[' || begin == '{') return errorAt(name_, "", 0, "a tile has to be a table (CSV), not JSON.");
-        isBegun_ = true;
-      }
+  Result<Tile> readRecords(bool isLast) {
+    if (!rows_) {
+      const auto isFound = readLayout(isLast);
+      if (!isFound) return isFound.error();
+      if (!isFound.value()) return Tile{};
     }
     PlacedCircles circles;
+    std::size_t size = 0;
+    std::optional<Error> failed;
     try {
-      if (!rows_) {
-        const auto layout = layoutOf(text);
-        if (layout) rows_.emplace(*layout, true);
-      }
-      if (rows_) rows_->read(text, circles);
-    } catch (const ReadFailure& failure) {
-      return errorAt(name_, text, failure.offset, failure.reason, linesBefore_);
+      size = rows_->read(rest_, circles, isLast);
+    } catch (const ReadFailure& reason) {
+      failed = errorAt(name_, rest_, reason.offset, reason.reason, linesBefore_);
     }
+    // An error in a circle comes first: circles are those before the failure.
     if (const auto judged = validate(circles.circles, options_.weights, circlesBefore_); !judged) {
       const auto before = static_cast<std::int64_t>(circlesBefore_);
       Error error = judged.error();
       error.circle -= before;
-      error = placed(error, circles.offsets, name_, text, linesBefore_);
+      error = placed(error, circles.offsets, name_, rest_, linesBefore_);
       error.circle += before;
       return error;
     }
+    if (failed) return *failed;
     circlesBefore_ += circles.circles.size();
-    linesBefore_ += lineEnds(text);
+    linesBefore_ += lineEnds(std::string_view(rest_).substr(0, size));
+    rest_.erase(0, size);
     return Tile{std::move(circles.circles), std::move(circles.ids), std::move(circles.done)};
   }
 
+  /// Whether the text so far tells how the table is laid out. More text would not change what it tells.
+  Result<bool> readLayout(bool isLast) {
+    const std::string_view text = withoutByteOrderMark(rest_);
+    const std::string_view head = text.substr(0, kLongestRecord);
+    const bool isCut = head.size() < text.size();
+    const std::size_t begin = head.find_first_not_of(" \t\r\n");
+    std::optional<CsvLayout> layout;
+    if (begin != head.npos) {
+      if (const auto content = contentOf(rest_, name_); !content) return content.error();
+      if (head[begin] == '[' || head[begin] == '{') return failure("a tile has to be a table (CSV), not JSON.");
+      try {
+        layout = layoutOf(head, isLast && !isCut);
+      } catch (const ReadFailure& reason) {
+        return errorAt(name_, text, reason.offset, reason.reason);
+      }
+    }
+    if (layout) {
+      rest_.erase(0, rest_.size() - text.size());
+      rows_.emplace(*layout, true);
+      return true;
+    }
+    if (isCut) return failure("the first 64 MiB have neither a header nor a circle.");
+    if (isLast) return failure("the text is empty but for comments.");
+    return false;
+  }
+
+  Error failure(const char* reason) const { return errorAt(name_, "", 0, reason); }
+
   std::string name_;
   ReadOptions options_;
-  std::string rest_;  ///< the beginning of a line
-  bool isBegun_ = false;
+  std::string rest_;  ///< the beginning of a record, or of the text
   std::size_t linesBefore_ = 0;
   std::size_t circlesBefore_ = 0;
   std::optional<CsvRowReader> rows_;
