@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { availableParallelism } from 'node:os'
 import { defineConfig } from '@playwright/test'
+import { slowDown } from './tests/slowed-down.ts'
 
 const PORT = 4173
+
+const slowdown = process.env.CIRCLE_VORONOI_SLOWDOWN
+if (slowdown !== undefined) slowDown(Number(slowdown))
 
 export default defineConfig({
   projects: [

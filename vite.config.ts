@@ -57,6 +57,8 @@ const compressedFiles: Plugin = {
   name: 'compressed-files',
   configurePreviewServer({ middlewares, config: { base } }) {
     const files = sirv(SITE, {
+      // Looks for a file when it is asked for: some are built later (`npm start`).
+      dev: true,
       brotli: true,
       gzip: true,
       etag: true,

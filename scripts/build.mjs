@@ -234,8 +234,11 @@ async function buildReference() {
   await run(`${NPM_BIN}/typedoc`, ['--out', 'build/api', '--readme', 'none', '--logLevel', 'Warn'])
 }
 
-/** dist/site: the page, the tutorial and the documentation, static, for any folder of a server. */
-export async function buildSite() {
+/**
+ * dist/site: the page, the tutorial and the documentation, static, for any folder of a server. `withPage` is called as soon
+ * as the page is there, which is long before the rest.
+ */
+export async function buildSite(withPage = async () => {}) {
   const texts = [
     'README.md',
     'ARCHITECTURE.md',
@@ -256,8 +259,9 @@ export async function buildSite() {
     'scripts/site.mjs',
     'scripts/texts',
   ]
-  if (isUpToDate(['dist/site/service-worker.js'], inputs)) return
+  if (isUpToDate(['dist/site/service-worker.js'], inputs)) return withPage()
   await run(`${NPM_BIN}/vite`, ['build'])
+  await withPage()
   // For who copies the code of an element from the page.
   await bundleElement('dist/site/element.js')
   // Its libraries are installed with the npm packages, so not before setup has run.
@@ -266,6 +270,16 @@ export async function buildSite() {
   const { buildTexts } = await import('./texts/texts.mjs')
   await buildTexts(`${ROOT}dist/site`)
   await finishSite(`${ROOT}dist/site`)
+}
+
+/** All that tests ask for. */
+export async function buildTests() {
+  await buildWasm('package')
+  await buildNative()
+  await buildLib()
+  await buildElement()
+  await buildCli()
+  await buildSite()
 }
 
 async function cmakeBuild(folder, program, configure, targets = ['all']) {

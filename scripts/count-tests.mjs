@@ -10,13 +10,25 @@ export function countTests(path) {
 
 export function countTestCases(xml) {
   const counts = { ...NO_TESTS }
+  for (const { outcome } of testCases(xml)) counts[outcome] += 1
+  return counts
+}
+
+/** The names of those that failed, as the report has them. */
+export function failedTests(path) {
+  if (!existsSync(path)) return []
+  const failed = testCases(readFileSync(path, 'utf8')).filter(({ outcome }) => outcome === 'failed')
+  return failed.map(({ attributes }) => / name="([^"]*)"/.exec(attributes)?.[1] ?? attributes)
+}
+
+function testCases(xml) {
   // CDATA sections hold output, which may look like anything.
   const elements = xml.replace(/<!\[CDATA\[.*?\]\]>/gs, '')
-  for (const [, isEmpty, body = ''] of elements.matchAll(/<testcase\b[^>]*?(?:(\/)>|>(.*?)<\/testcase>)/gs)) {
-    const outcome = isEmpty ? 'passed' : outcomeOf(body)
-    counts[outcome] += 1
-  }
-  return counts
+  const cases = elements.matchAll(/<testcase\b([^>]*?)(?:(\/)>|>(.*?)<\/testcase>)/gs)
+  return [...cases].map(([, attributes, isEmpty, body = '']) => ({
+    attributes,
+    outcome: isEmpty ? 'passed' : outcomeOf(body),
+  }))
 }
 
 function outcomeOf(body) {

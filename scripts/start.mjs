@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm start`: installs what is missing, builds what has changed, and serves the page until interrupted.
+// `npm start`: installs what is missing, builds what has changed, and serves the page until interrupted. The tutorial and
+// the documentation are built while it is served.
 import { buildSite, buildWasm } from './build.mjs'
 import { main, ROOT } from './run.mjs'
 import { setup } from './setup.mjs'
@@ -9,8 +10,10 @@ const DEFAULT_PORT = 8080
 await main(async () => {
   await setup('page')
   await buildWasm('page')
-  await buildSite()
+  await buildSite(serve)
+})
 
+async function serve() {
   const { preview } = await import('vite')
   const chosen = process.env.PORT
   const server = await preview({
@@ -20,4 +23,4 @@ await main(async () => {
     preview: { port: Number(chosen ?? DEFAULT_PORT), strictPort: chosen !== undefined },
   })
   console.log(`The page is at ${server.resolvedUrls.local[0]}`)
-})
+}

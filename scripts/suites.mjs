@@ -12,6 +12,7 @@ export const ENV = { CI: 'true', NO_COLOR: '1', CHROMIUM_PATH: chromiumPath() }
 /**
  * In their order: the program, its arguments and its environment, so that it writes a JUnit report to a path and runs what
  * is quick, or with `isLong` the others. `lengths`: what it has of these; of most all is quick.
+ * `hasPages`: whether it is about pages in a browser.
  */
 export const SUITES = [
   {
@@ -40,9 +41,9 @@ export const SUITES = [
     args: (report) => nodeTests(report, 'tests/files', 'tests/tiles', 'tests/readme'),
   },
   {
-    name: "The paper's results in Node",
+    name: "The paper's results and the program in Node",
     program: process.execPath,
-    args: (report) => nodeTests(report, 'tests/results'),
+    args: (report) => nodeTests(report, 'tests/long'),
     lengths: ['long'],
   },
   {
@@ -52,6 +53,7 @@ export const SUITES = [
     // Playwright colours its own way, and Node warns when both are set.
     env: (report) => ({ NO_COLOR: undefined, PLAYWRIGHT_JUNIT_OUTPUT_FILE: report }),
     lengths: ['quick', 'long'],
+    hasPages: true,
   },
 ]
 

@@ -3,7 +3,7 @@
 // `npm run test:long`: the others. The last line is `N passed, M failed`; the exit status is 0 only if something ran and
 // nothing failed.
 import { mkdirSync, rmSync } from 'node:fs'
-import { buildCli, buildElement, buildLib, buildNative, buildSite, buildWasm } from './build.mjs'
+import { buildTests } from './build.mjs'
 import { countTests, NO_TESTS, summary } from './count-tests.mjs'
 import { ROOT, run, statusOf } from './run.mjs'
 import { setup } from './setup.mjs'
@@ -16,12 +16,7 @@ const results = []
 try {
   await timed('Set-up and builds', async () => {
     await setup('tests')
-    await buildWasm('package')
-    await buildNative()
-    await buildLib()
-    await buildElement()
-    await buildCli()
-    await buildSite()
+    await buildTests()
   })
   if (length === 'quick') await timed('Checks', () => run('npm', ['run', '--silent', 'check'], ENV))
 

@@ -141,7 +141,7 @@ function differenceOf([one, other]: readonly [ImageData, ImageData]) {
 }
 
 async function fold(page: Page, name: string, isOpen: boolean): Promise<void> {
-  const button = page.getByRole('button', { name, exact: true })
+  const button = page.getByRole('button', { name, exact: true, includeHidden: true })
   if ((await button.getAttribute('aria-expanded')) !== String(isOpen)) {
     await button.evaluate((button: HTMLButtonElement) => button.click())
   }
@@ -158,58 +158,59 @@ async function heaps(app: App, session: CDPSession): Promise<{ page: number; thr
   return { page: usedSize, thread: await withThread(session, THREAD, heapOf), nodes }
 }
 
-test(`whatever ${ACTIONS} things a monkey does, the page is as a new one would be`, { tag: '@long' }, async ({
-  app,
-  browser,
-}, info) => {
-  test.setTimeout(ACTIONS * 10_000 + 600_000)
-  console.log(`CIRCLE_VORONOI_SEED=${SEED}`)
-  const { page } = app
-  const session = await page.context().newCDPSession(page)
-  const monkey = new Monkey(app, session, SEED)
-  try {
-    await fold(page, 'Layers', true)
-    let early: Awaited<ReturnType<typeof heaps>> | undefined
-    while (monkey.done.length < ACTIONS) {
-      for (let k = 0; k < CHECKED; k++) await monkey.act()
+test(
+  `whatever ${ACTIONS} things a monkey does, the page is as a new one would be`,
+  { tag: '@long' },
+  async ({ app, browser }, info) => {
+    test.setTimeout(ACTIONS * 10_000 + 600_000)
+    console.log(`CIRCLE_VORONOI_SEED=${SEED}`)
+    const { page } = app
+    const session = await page.context().newCDPSession(page)
+    const monkey = new Monkey(app, session, SEED)
+    try {
       await fold(page, 'Layers', true)
+      let early: Awaited<ReturnType<typeof heaps>> | undefined
+      while (monkey.done.length < ACTIONS) {
+        for (let k = 0; k < CHECKED; k++) await monkey.act()
+        await fold(page, 'Layers', true)
+        await expectPaintedRight(app)
+        await expect(page.locator('#problem')).not.toContainText('could not be')
+        if (monkey.done.length >= ACTIONS / 4) early ??= await heaps(app, session)
+      }
+      early ??= await heaps(app, session)
+      // Something is left to be undone.
+      for (let k = 0; k < 10; k++) await monkey.act()
+
+      // All circles are seen and nothing stands out. Which tints cells have depends on the circles when they were asked for.
+      await page.setViewportSize({ width: 1280, height: 800 })
+      await page.emulateMedia({ colorScheme: 'light' })
+      await fold(page, 'Layers', true)
+      await page.locator('#cell-colors').selectOption({ index: 0 })
+      await page.getByRole('button', { name: 'Select and move' }).click()
+      await app.canvas.press('Escape')
+      await page.getByRole('button', { name: 'Fit', exact: true }).click()
       await expectPaintedRight(app)
-      await expect(page.locator('#problem')).not.toContainText('could not be')
-      if (monkey.done.length >= ACTIONS / 4) early ??= await heaps(app, session)
+      await fold(page, 'Numbers', true)
+      await expect(page.locator('#numbers .certificate').first()).toContainText('Proven')
+      await fold(page, 'Numbers', false)
+      await expectSameInNewThread(app)
+
+      // So is another page.
+      await rest(app)
+      const context = await browser.newContext()
+      const fresh = new App(await context.newPage())
+      await fresh.page.goto(page.url())
+      const counts = async ({ status }: App) => (await status.textContent())?.replace(/ · [^·]* m?s$/, '')
+      await expect.poll(() => counts(fresh)).toBe(await counts(app))
+      await context.close()
+
+      const late = await heaps(app, session)
+      console.log(JSON.stringify({ actions: monkey.done.length, early, late }))
+      expect(late.page - early.page).toBeLessThan(GROWTH.page)
+      expect(late.thread - early.thread).toBeLessThan(GROWTH.thread)
+      expect(late.nodes - early.nodes).toBeLessThan(GROWTH.nodes)
+    } finally {
+      writeFileSync(info.outputPath('done.txt'), `${monkey.done.join('\n')}\n`)
     }
-    early ??= await heaps(app, session)
-    // Something is left to be undone.
-    for (let k = 0; k < 10; k++) await monkey.act()
-
-    // All circles are seen and nothing stands out. Which tints cells have depends on the circles when they were asked for.
-    await page.setViewportSize({ width: 1280, height: 800 })
-    await page.emulateMedia({ colorScheme: 'light' })
-    await fold(page, 'Layers', true)
-    await page.locator('#cell-colors').selectOption({ index: 0 })
-    await page.getByRole('button', { name: 'Select and move' }).click()
-    await app.canvas.press('Escape')
-    await page.getByRole('button', { name: 'Fit', exact: true }).click()
-    await expectPaintedRight(app)
-    await fold(page, 'Numbers', true)
-    await expect(page.locator('#numbers .certificate').first()).toContainText('Proven')
-    await fold(page, 'Numbers', false)
-    await expectSameInNewThread(app)
-
-    // So is another page.
-    await rest(app)
-    const context = await browser.newContext()
-    const fresh = new App(await context.newPage())
-    await fresh.page.goto(page.url())
-    const counts = async ({ status }: App) => (await status.textContent())?.replace(/ · [^·]* m?s$/, '')
-    await expect.poll(() => counts(fresh)).toBe(await counts(app))
-    await context.close()
-
-    const late = await heaps(app, session)
-    console.log(JSON.stringify({ actions: monkey.done.length, early, late }))
-    expect(late.page - early.page).toBeLessThan(GROWTH.page)
-    expect(late.thread - early.thread).toBeLessThan(GROWTH.thread)
-    expect(late.nodes - early.nodes).toBeLessThan(GROWTH.nodes)
-  } finally {
-    writeFileSync(info.outputPath('done.txt'), `${monkey.done.join('\n')}\n`)
-  }
-})
+  },
+)

@@ -207,7 +207,9 @@ async function read(page: Page, { file, blocks }: Chapter): Promise<void> {
   expect(problems).toEqual([])
 }
 
-for (const [i, chapter] of readBook().filter(({ isChapter }) => isChapter).entries()) {
+for (const [i, chapter] of readBook()
+  .filter(({ isChapter }) => isChapter)
+  .entries()) {
   test(`${chapter.file}: figures and questions`, { tag: i === 0 ? [] : '@long' }, async ({ page }) => {
     await read(page, chapter)
   })

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program in WebAssembly passes what else of the native program's tests asks something of it, and makes each family.
+import { execFileSync } from 'node:child_process'
+import { describe } from 'node:test'
+import { AT_ONCE, generatesTheSame, NATIVE, passesNativeTests } from '../wasm/native-program.mjs'
+
+// Those of its documents ask nothing of it but what --help prints, and what only reads the command line, or converts, is the
+// same code (tests/wasm/program.test.mjs: what is wrong, what is converted).
+const SAME_CODE = [
+  'CliDocumentation.*',
+  'CliConvert.*',
+  'Cli.AnOptionThatIsNotUsedIsAnError',
+  'Cli.BadUsage',
+  '*.Refuses*',
+]
+const ELSEWHERE = ['CliFiles.*', 'CliProgress.*', 'CliTile.*']
+
+passesNativeTests(`Cli*-${[...SAME_CODE, ...ELSEWHERE].join(':')}`)
+
+describe('prints the same as the native program', AT_ONCE, () => {
+  const families = execFileSync(NATIVE, ['generate', '--list'], { encoding: 'utf8' }).trim().split('\n')
+  for (const family of families) generatesTheSame(family.split(' ')[0])
+})
