@@ -232,6 +232,27 @@ TEST(Editor, RefusesWithoutATrace) {
   EXPECT_EQ(changeOf(editor.insert({0.5, 0.5, 0.1})).inserted, std::vector<CircleId>{40});
 }
 
+// Each edit of a list of hidden circles, wherever in it, leaves the list as it was where the batch is refused: after
+// that any edit there still is a local one.
+TEST(Editor, ARefusedBatchLeavesTheListsOfHiddenCirclesAlone) {
+  const std::vector<Circle> circles = {{0, 0, 9}, {40, 0, 1}, {0, 40, 1},  {-40, -40, 1},
+                                       {1, 0, 1}, {-3, 0, 1}, {0, 4, 0.5}, {0, -4, 0.25}};
+  const Edit unknown = {Edit::Kind::remove, 99, {}};
+  for (const CircleId refused : {4, 5, 6, 7}) {
+    for (const CircleId next : {4, 5, 6, 7}) {
+      SCOPED_TRACE(std::to_string(refused) + ", then " + std::to_string(next));
+      DiagramEditor editor = editorOf(circles);
+      EXPECT_FALSE(editor.apply(std::vector<Edit>{{Edit::Kind::remove, refused, {}}, unknown}).ok());
+      EXPECT_FALSE(editor.apply(std::vector<Edit>{{Edit::Kind::insert, kNone, {2, 2, 0.125}}, unknown}).ok());
+      EXPECT_EQ(changeOf(editor.remove(next)).way, EditWay::local);
+      const Change shown = changeOf(editor.remove(0));
+      EXPECT_EQ(shown.way, EditWay::local);
+      EXPECT_EQ(shown.shown.size(), 3U);
+      expectRight(editor);
+    }
+  }
+}
+
 TEST(Editor, ABatchIsOneChange) {
   const std::vector<Circle> circles = generate(Family::uniform, 300, 1);
   const std::vector<Edit> edits = {{Edit::Kind::remove, 5, {}},
