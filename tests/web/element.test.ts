@@ -213,6 +213,12 @@ describe('the manifest', () => {
     for (const { name } of [...attributes, ...members, ...events, ...slots, ...cssParts]) {
       if (name !== '') expect(page, name).toMatch(new RegExp(`\`${name}[\`(]`))
     }
+    expect([attributes.length, members.length, events.length].every((count) => count > 5)).toBe(true)
+    // And nothing else: each attribute and event of its tables is one of these.
+    const known = new Set([...attributes, ...members, ...events, ...slots, ...cssParts].map(({ name }) => name))
+    const rows = [...page.matchAll(/^\| `([\w-]+)(?:\([^`]*\))?`/gm)].map(([, name]) => name as string)
+    expect(rows.length).toBeGreaterThan(attributes.length)
+    expect(rows.filter((name) => !known.has(name))).toEqual([])
   })
 
   test('has all layers in docs/element.md, and no others', () => {

@@ -327,6 +327,56 @@ describe('what a page leaves late', () => {
     expect((await begun(type, await hash())).dataSet).toBe('introduction')
   })
 
+  /** A page at an address whose links are made when the test says. */
+  function keeping(hash: string) {
+    const made: ((link: string) => void)[] = []
+    const links = { linkOf: () => new Promise<string>((resolve) => made.push(resolve)) } as unknown as LinkWriter
+    const address = { hash, pathname: '/', search: '' }
+    vi.stubGlobal('location', address)
+    vi.stubGlobal('history', {
+      replaceState: (_: unknown, __: string, to: string) => {
+        address.hash = to.startsWith('#') ? to : ''
+      },
+    })
+    vi.spyOn(performance, 'getEntriesByType').mockReturnValue([])
+    return { made, address, keeping: new Keeping(links, () => ({ dataSet: 'spruces' })) }
+  }
+
+  it('is not written over a link that is still to be opened, but after it', async () => {
+    const { made, address, keeping: kept } = keeping('#v1.a')
+    await kept.begin()
+    kept.changed()
+    await vi.advanceTimersByTimeAsync(400)
+    address.hash = '#v1.b'
+    expect(kept.isAddressNew).toBe(true)
+    made[0]?.('v1.late')
+    await vi.advanceTimersByTimeAsync(399)
+    expect(address.hash).toBe('#v1.b')
+    kept.wasOpened('#v1.b')
+    await vi.advanceTimersByTimeAsync(1)
+    made[1]?.('v1.c')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('#v1.c')
+    expect(kept.isAddressNew).toBe(false)
+  })
+
+  it('is the newest where something changes while its link is made', async () => {
+    const { made, address, keeping: kept } = keeping('')
+    await kept.begin()
+    kept.changed()
+    await vi.advanceTimersByTimeAsync(400)
+    kept.changed()
+    made[0]?.('v1.old')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('')
+    await vi.advanceTimersByTimeAsync(400)
+    made[1]?.('v1.new')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('#v1.new')
+    await vi.advanceTimersByTimeAsync(400)
+    expect(made).toHaveLength(2)
+  })
+
   it('is not shown in place of a link that is opened, and not later either', async () => {
     const { leave } = await begun('navigate', await hash())
     leave({ dataSet: 'spruces' })
