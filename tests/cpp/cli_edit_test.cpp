@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "circle_voronoi/editor.h"
 #include "circle_voronoi/io.h"
 #include "cli.h"
 
@@ -103,6 +104,32 @@ TEST_F(CliEdit, TellsWhatEachEditChanges) {
   EXPECT_EQ(changes[2]["removed"], Json({3}));
   EXPECT_EQ(changes[2]["hullSides"].size() % 2, 0U);
   EXPECT_EQ(partsOf(readFile(path("after.json"))), partsOf(textOf("compute " + circles_)));
+}
+
+TEST_F(CliEdit, ChangesHaveTheNumbersOfTheLibrary) {
+  const std::string text = "0,0,1\n6,0,1\n0,8,1\n5,7,2\n9,3,0.5\n";
+  DiagramEditor editor = DiagramEditor::from(readCircles(text, "test").value()).value();
+  textOf("edit - --script " + write("edits.csv", "insert,3,4,0.5\n") + " --changes " + path("changes.jsonl") + " -o " +
+             path("after.json"),
+         text);
+  const Json written = Json::parse(readFile(path("changes.jsonl")));
+  const Change change = editor.insert({3, 4, 0.5}).value();
+  Json edges = Json::array();
+  for (const EditedEdge& edge : change.edges) {
+    for (const std::int32_t number : {edge.left, edge.right, edge.start, edge.end}) edges.push_back(number);
+  }
+  ASSERT_FALSE(change.edges.empty());
+  EXPECT_EQ(written["edges"], edges);
+  Json vertices = Json::array();
+  for (const Vertex& vertex : change.vertices) {
+    for (const double number : {vertex.x, vertex.y, vertex.r}) vertices.push_back(number);
+  }
+  EXPECT_EQ(written["vertices"], vertices);
+  Json sides = Json::array();
+  for (const EditedSide& side : change.hullSides) {
+    for (const std::int32_t number : {side.side, side.next}) sides.push_back(number);
+  }
+  EXPECT_EQ(written["hullSides"], sides);
 }
 
 TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {

@@ -195,6 +195,16 @@ TEST_F(CliTile, AWideCircleIsInEachTileThatItMeetsUpToTheCorners) {
   }
 }
 
+// The quotients of these coordinates and the size are rounded up to whole numbers, or down below them.
+TEST_F(CliTile, AHomeIsTheTileWhoseBoxHasTheCentre) {
+  const std::string circles = "x,y,r\n-3.6000000000000005,0,0\n0,-4.800000000000001,0\n";
+  ASSERT_EQ(run("tile - --size 0.1 --halo 0.01 -o " + path("tiles"), circles).status, 0);
+  const auto lines = linesOf(readFile(path("tiles/tiles.txt")));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_TRUE(lines[0].starts_with("x0y-48 1 0,-4.800000000000001,")) << lines[0];
+  EXPECT_TRUE(lines[1].starts_with("x-37y0 1 -3.7,0,-3.6")) << lines[1];
+}
+
 TEST_F(CliTile, AWeightBelowZeroReachesAsFarAsTheHalo) {
   const std::string circles = "x,y,r\n5,5,0\n8.5,5,-1\n15,5,0\n11,5,-9\n";
   ASSERT_EQ(run("tile - --weights --size 10 --halo 2 -o " + path("tiles"), circles).status, 0);

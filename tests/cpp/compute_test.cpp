@@ -177,10 +177,15 @@ TEST(ComputeOptions, AllPairsOfTooManyCirclesAreRefused) {
   Options options;
   options.method = Method::touchingDisc;
   options.candidates = Candidates::allPairs;
-  const std::vector<Circle> circles(kMaxAllPairsCircles + 1);
+  std::vector<Circle> circles(kMaxAllPairsCircles + 1);
   const auto diagram = compute(circles, options);
   ASSERT_FALSE(diagram);
   EXPECT_EQ(diagram.error().code, ErrorCode::tooManyCircles);
+  // As many as there may be are not: it begins.
+  circles.pop_back();
+  struct Begun {};
+  options.progress = [](Stage, double) { throw Begun{}; };
+  EXPECT_THROW(compute(circles, options), Begun);
 }
 
 std::vector<std::pair<std::string, double>> progressOf(const std::vector<Circle>& circles, Method method) {

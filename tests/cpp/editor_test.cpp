@@ -162,6 +162,16 @@ TEST(Editor, HandsOverWhatACircleHid) {
   EXPECT_EQ(change.shown, std::vector<CircleId>{4});
   EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{0, 3}));
   expectRight(editor);
+  // What it had handed over is no longer its own when it comes back.
+  EXPECT_EQ(changeOf(editor.replace(0, {-2, 0, 4})).way, EditWay::local);
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 4}));
+  expectRight(editor);
+  EXPECT_EQ(changeOf(editor.replace(0, {5, 0, 3.9})).way, EditWay::local);
+  EXPECT_EQ(changeOf(editor.remove(0)).way, EditWay::local);
+  changeOf(editor.insert({5, 0, 3.9}));
+  EXPECT_EQ(changeOf(editor.remove(3)).way, EditWay::local);
+  expectRight(editor);
+  editor = editorOf({{5, 0, 3.9}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
   // It comes to be identical with 1, and takes its place.
   changeOf(editor.replace(0, {11, 0, 10}));
   EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{1, 3}));
@@ -285,6 +295,14 @@ TEST(Editor, ABatchIsOneChange) {
   EXPECT_FALSE(editor.circle(310));
   EXPECT_EQ(editor.ids().back(), 351);
   expectRight(editor);
+}
+
+TEST(Editor, ASnapshotCountsAllCirclesAndTheHiddenOnes) {
+  DiagramEditor editor = editorOf({{0, 0, 9}, {40, 0, 1}, {0, 40, 1}, {1, 0, 1}});
+  changeOf(editor.insert({2, 0, 1}));
+  const Counts counts = editor.snapshot().value().stats.counts;
+  EXPECT_EQ(counts.circles, 5);
+  EXPECT_EQ(counts.hidden, 2);
 }
 
 TEST(Editor, SaysWhatTheIndicesOfASnapshotStandFor) {

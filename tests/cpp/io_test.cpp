@@ -9,6 +9,7 @@
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
 #include "circle_voronoi/tile.h"
+#include "text.h"
 
 namespace circle_voronoi {
 namespace {
@@ -188,6 +189,20 @@ TEST(ReadJson, TakesArraysAndObjects) {
   EXPECT_EQ(read("[[1,2,3],[-4.5,5e-3,0]]"), kTwo);
   EXPECT_EQ(read(" [\n {\"x\": 1, \"y\": 2, \"r\": 3}, {\"r\": 0, \"y\": 0.005, \"x\": -4.5} ]\n"), kTwo);
   EXPECT_EQ(read("[]"), Circles{});
+}
+
+TEST(ReadJson, MayBeginWithBlankLines) {
+  EXPECT_EQ(read("\r\n\n\t [[1,2,3],[-4.5,5e-3,0]]"), kTwo);
+  EXPECT_EQ(read("\n" + collection("")), Circles{});
+}
+
+TEST(ErrorAt, CountsALineEndOfTwoCharactersOnceWhereverThePlaceIs) {
+  const std::string text = "a\r\nb\rc\nd";
+  const std::vector<int> lines = {1, 1, 1, 2, 2, 3, 3, 4, 4};
+  for (std::size_t offset = 0; offset <= text.size(); ++offset) {
+    EXPECT_EQ(errorAt("test", text, offset, "bad").message, "test:" + std::to_string(lines[offset]) + ": bad")
+        << offset;
+  }
 }
 
 TEST(ReadJson, SkipsOtherKeys) {
