@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { DATA_SETS, dataSetOf, labelOf, loadDataSet, nameFrom, nameOf, sourceOf } from '../../web/app/data-sets.ts'
+import {
+  DATA_SETS,
+  dataSetOf,
+  labelOf,
+  loadDataSet,
+  loadLinked,
+  nameFrom,
+  nameOf,
+  sourceOf,
+} from '../../web/app/data-sets.ts'
 import type { Recipe } from '../../web/app/generators/generators.ts'
 import { Keeping } from '../../web/app/keeping.ts'
 import type { LinkWriter } from '../../web/app/link-writer.ts'
@@ -135,6 +144,18 @@ describe('names of circles', () => {
     for (const dataSet of DATA_SETS) expect(dataSetOf(nameFrom(dataSet))).toBe(dataSet)
     expect(labelOf('dense:3:4000')).toBe('dense, 4,000')
     expect(dataSetOf('dense:3:4001')).toBeUndefined()
+  })
+
+  it('of a link are as many as a link may have, and no more', async () => {
+    const made: unknown[] = []
+    const make = async (recipe: unknown) => {
+      made.push(recipe)
+      return new Float64Array()
+    }
+    await loadLinked(`grid:1:${LINK_LIMITS.circles}`, make)
+    expect(made).toEqual([{ kind: 'family', family: 'grid', seed: 1, count: LINK_LIMITS.circles }])
+    await expect(loadLinked(`grid:1:${LINK_LIMITS.circles + 1}`, make)).rejects.toThrow('too many circles')
+    expect(made).toHaveLength(1)
   })
 
   it('of more circles than a link may have do not stand for them', () => {

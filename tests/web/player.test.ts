@@ -93,6 +93,20 @@ describe('the steps of a trace', () => {
     ])
   })
 
+  it('are told in the singular of one thing, and in the plural of more or none', () => {
+    const trace = library.trace(randomCircles(40, 3))
+    const told = stepsOf(trace).map((step) => sentenceOf(trace, step))
+    const formed = told.filter((text) => /three-touch discs? .*into the list/.test(text))
+    expect(formed.some((text) => /^1 three-touch disc goes into the list: \d+·\d+·\d+ /.test(text))).toBe(true)
+    expect(formed.some((text) => /^\d+ three-touch discs go into the list: /.test(text))).toBe(true)
+    expect(formed.filter((text) => !/^(1 three-touch disc goes|\d+ three-touch discs go) into/.test(text))).toEqual([])
+  })
+
+  it('are those of flips where the trace begins with faces, and of the method where it has neither', () => {
+    expect(programOf(library.trace(SMALL, { edits: [] }))).toBe('flips')
+    expect(programOf(library.trace([]))).toBe('touching')
+  })
+
   it('can be looked for by sort and by circle', () => {
     const trace = library.trace(SMALL)
     const steps = stepsOf(trace)
@@ -240,6 +254,21 @@ describe('what is shown beside a step', () => {
     const vertices = Array.from(state.segments, (k) => trace.event(k).disc as Circle)
     for (const { x, y } of vertices) expect(ends).toContain([x.toFixed(6), y.toFixed(6)].join())
     expect(drawn).toHaveLength(48 * state.segments.length)
+  })
+
+  it('draws rays from each centre to the samples of its circle that come next', () => {
+    const step = steps.find(({ line }) => line === 'angles') as Step
+    const state = trace.at(step.end)
+    const known = circlesAt(trace, circles, state)
+    const { segments = [] } = sceneOf(trace, step, state, [], known, COLORS).find(({ id }) => id === 'rays') ?? {}
+    const { samples } = trace.at(trace.length)
+    const expected = Array.from(samples).flatMap((event) => {
+      const { disc, circles: of } = trace.event(event)
+      const { x, y } = known.get(of[0] as number) as Circle
+      return [x, y, disc?.x, disc?.y]
+    })
+    expect([...segments]).toEqual(expected)
+    expect(expected.length).toBeGreaterThan(100)
   })
 
   it('shows circles as edits have left them', () => {
