@@ -75,9 +75,9 @@ class Pixels {
   std::vector<double> clearance_;
 };
 
-class ClearestPathIn : public testing::TestWithParam<Family> {};
+class ClearestPaths : public testing::TestWithParam<Family> {};
 
-TEST_P(ClearestPathIn, IsAsClearAsThatOfPixels) {
+TEST_P(ClearestPaths, AreAsClearAsThoseOfPixels) {
   Random random(1);
   for (const std::size_t count : {1U, 2U, 3U, 12U}) {
     SCOPED_TRACE(count);
@@ -106,7 +106,7 @@ TEST_P(ClearestPathIn, IsAsClearAsThatOfPixels) {
   }
 }
 
-TEST_P(ClearestPathIn, FollowsEdgesThatMeet) {
+TEST_P(ClearestPaths, FollowEdgesThatMeet) {
   Random random(2);
   const auto circles = generate(GetParam(), 40, 7);
   const Diagram diagram = compute(circles).value();
@@ -136,9 +136,9 @@ std::vector<Family> allFamilies() {
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, ClearestPathIn, testing::ValuesIn(allFamilies()), nameOfPathTest);
+INSTANTIATE_TEST_SUITE_P(Families, ClearestPaths, testing::ValuesIn(allFamilies()), nameOfPathTest);
 
-TEST(ClearestPath, GoesThroughTheWiderGap) {
+TEST(ClearestPaths, GoThroughTheWiderGap) {
   // A ring of six circles with gaps of 1, but for one that leaves 1.5 on either side of it.
   const double h = 5 * std::numbers::sqrt3 / 2;
   const std::vector<Circle> circles = {{5, 0, 2}, {2.5, h, 2}, {-2.5, h, 2}, {-5, 0, 1.5}, {-2.5, -h, 2}, {2.5, -h, 2}};
@@ -149,7 +149,7 @@ TEST(ClearestPath, GoesThroughTheWiderGap) {
               1e-12);
 }
 
-TEST(ClearestPath, EndsAmongCirclesTooSmallForSquares) {
+TEST(ClearestPaths, EndAmongCirclesTooSmallForSquares) {
   const std::vector<Circle> circles = {
       {0, 0, 1e-301}, {1e-300, 0, 2e-301}, {0, 1e-300, 3e-301}, {9e-301, 9e-301, 5e-302}};
   const Diagram diagram = compute(circles).value();

@@ -239,7 +239,7 @@ TEST_F(Cli, ListsTheFamilies) {
   }
 }
 
-TEST_F(Cli, BadUsage) {
+TEST_F(Cli, BadUsageIsSaidInOneLine) {
   expectFailure(run(""), 2,
                 "A command is missing; the commands are certify, compute, convert, edit, generate and tile.");
   expectFailure(run("draw"), 2, "There is no command \"draw\"; the commands are certify, ");
@@ -280,12 +280,20 @@ TEST_F(Cli, WholeNumbersAreDecimal) {
   }
 }
 
-TEST_F(Cli, FilesThatCannotBeReadOrWritten) {
+TEST_F(Cli, NamesTheFilesThatCannotBeReadOrWritten) {
   expectFailure(run("compute " + path("missing.csv")), 1, "missing.csv");
   expectFailure(run("compute " + path("")), 1, "Cannot read");
   expectFailure(run("compute " + kFixture + " -o " + path("missing/out.json")), 1, "out.json");
   if (std::filesystem::exists("/dev/full")) expectFailure(run("compute " + kFixture + " -o /dev/full"), 1, "/dev/full");
 }
+
+#ifndef __SANITIZE_ADDRESS__  // which takes more room for itself than is given here
+TEST_F(Cli, WantOfMemoryIsBadInput) {
+  const std::string file = write("large.csv", "");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 33);  // takes no room on the disk
+  expectFailure(shell("ulimit -v 4000000; " + program_ + " compute " + file), 2, "do not fit in memory");
+}
+#endif
 
 TEST_F(Cli, GeneratesWhatTheLibraryGenerates) {
   const Outcome result = run("generate log-uniform 200 --seed 9");
@@ -328,7 +336,7 @@ TEST_F(Cli, CertifyRefusesWhatIsNoDiagram) {
   expectFailure(run("certify " + path("absent.json")), 1, "Cannot read");
 }
 
-TEST_F(Cli, HelpAndVersion) {
+TEST_F(Cli, HelpAndVersionGoToStandardOutput) {
   for (const std::string arguments : {"--help", "compute --help", "generate --help", "--version"}) {
     const Outcome result = run(arguments);
     EXPECT_EQ(result.status, 0) << arguments;

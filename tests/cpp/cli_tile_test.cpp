@@ -74,6 +74,31 @@ TEST_F(CliTile, SaysWhatHaloIsMissing) {
       << missing.err;
 }
 
+// Along x a circle at the border of the core lacks more than along y, and comes first.
+TEST_F(CliTile, TheHaloThatIsMissingIsThatOfTheCircleThatNeedsMost) {
+  const Outcome missing = run("compute " + write("tile.csv", grid()) +
+                              " --known=-20,-20,4,3.75 --max-radius 0 --core=2,2,4,4 --format csv");
+  EXPECT_EQ(missing.status, 3);
+  EXPECT_NE(missing.err.find("3 of 4 circles of the core are not final; a halo wider by 0.457106781"),
+            std::string::npos)
+      << missing.err;
+}
+
+TEST_F(CliTile, WhatIsDoneStaysDoneInWhatIsOpen) {
+  std::string tile = "id,x,y,r,done\n";
+  for (int i = 0; i < 49; ++i) {
+    const bool isDone = i % 7 == 4;  // the column beside the core
+    tile += std::to_string(i) + "," + std::to_string(i % 7) + "," + std::to_string(i / 7) + ",0," +
+            (isDone ? "1" : "0") + "\n";
+  }
+  const Outcome part = run(
+      "compute - --known=-20,-20,20,3.75 --max-radius 0 --core=2.5,1.5,4.5,3.5 --format csv --open " + path("open.csv"),
+      tile);
+  EXPECT_EQ(part.status, 3) << part.err;
+  // Those of the upper row are not final; below, the one on the left is done now, and its neighbor was before.
+  EXPECT_EQ(readFile(path("open.csv")), "id,x,y,r,done\n17,3,2,0,1\n18,4,2,0,1\n24,3,3,0,0\n25,4,3,0,1\n");
+}
+
 TEST_F(CliTile, ThePartsOfTwoTilesAndOfWhatTheyLeaveAreTheWhole) {
   const std::string tile = write("tile.csv", grid());
   const auto rows = [&](const std::string& text) {
@@ -118,6 +143,20 @@ TEST_F(CliTile, WritesCellsAsLinesOfGeoJson) {
   EXPECT_EQ(feature.at("geometry").at("type"), "Polygon");
 }
 
+TEST_F(CliTile, LinesOfGeoJsonNameAHiddenCircleAndItsHiderByTheirIds) {
+  const Outcome result =
+      run("compute - --known=-50,-50,50,50 --max-radius 0 --core=-5,-5,5,5 --format geojsonl "
+          "--bounds=-1,-1,1,1",
+          "id,x,y,r\n70,9,0,1\n80,0,0.5,1\n90,0,0,3\n100,-9,0,1\n110,0,9,1\n120,0,-9,1\n");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto lines = linesOf(result.out);
+  ASSERT_EQ(lines.size(), 2U);
+  const auto hidden = nlohmann::json::parse(lines[0]).at("properties");
+  EXPECT_EQ(hidden.at("circle"), 80);
+  EXPECT_EQ(hidden.at("hiddenBy"), 90);
+  EXPECT_FALSE(nlohmann::json::parse(lines[1]).at("properties").contains("hiddenBy"));
+}
+
 TEST_F(CliTile, CutsIntoTilesThatHaveAllThatReachesIntoThem) {
   // Homes by half-open squares; a huge circle, known before and after the tiles that it reaches into; far ones.
   const std::string circles = "x,y,r\n50,50,45\n0,0,0\n10,0,0\n9.75,3,0\n-1e9,5,1\n-0.5,-0.5,0.1\n1e9,0,2\n";
@@ -138,6 +177,41 @@ TEST_F(CliTile, CutsIntoTilesThatHaveAllThatReachesIntoThem) {
   EXPECT_EQ(readFile(path("tiles/x5y5.csv")), "id,x,y,r,done\n0,50,50,45,0\n");
 }
 
+// One that is in too many tiles to be put into each as it comes.
+TEST_F(CliTile, AWideCircleIsInEachTileThatItMeetsUpToTheCorners) {
+  std::string circles = "x,y,r\n50,50,45\n";
+  for (const char* x : {"-5", "5", "95", "105"}) {
+    for (const char* y : {"-5", "5", "95", "105"}) circles += std::string(x) + "," + y + ",0\n";
+  }
+  ASSERT_EQ(run("tile - --size 10 --halo 2 -o " + path("tiles"), circles).status, 0);
+  for (const char* x : {"-1", "0", "9", "10"}) {
+    for (const char* y : {"-1", "0", "9", "10"}) {
+      const std::string name = std::string("x") + x + "y" + y + ".csv";
+      const auto isBeside = [](const std::string& cell) { return cell == "-1" || cell == "10"; };
+      EXPECT_EQ(readFile(path("tiles/" + name)).find("\n0,50,50,45,0\n") != std::string::npos,
+                !isBeside(x) && !isBeside(y))
+          << name;
+    }
+  }
+}
+
+// The quotients of these coordinates and the size are rounded up to whole numbers, or down below them.
+TEST_F(CliTile, AHomeIsTheTileWhoseBoxHasTheCentre) {
+  const std::string circles = "x,y,r\n-3.6000000000000005,0,0\n0,-4.800000000000001,0\n";
+  ASSERT_EQ(run("tile - --size 0.1 --halo 0.01 -o " + path("tiles"), circles).status, 0);
+  const auto lines = linesOf(readFile(path("tiles/tiles.txt")));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_TRUE(lines[0].starts_with("x0y-48 1 0,-4.800000000000001,")) << lines[0];
+  EXPECT_TRUE(lines[1].starts_with("x-37y0 1 -3.7,0,-3.6")) << lines[1];
+}
+
+TEST_F(CliTile, AWeightBelowZeroReachesAsFarAsTheHalo) {
+  const std::string circles = "x,y,r\n5,5,0\n8.5,5,-1\n15,5,0\n11,5,-9\n";
+  ASSERT_EQ(run("tile - --weights --size 10 --halo 2 -o " + path("tiles"), circles).status, 0);
+  EXPECT_EQ(readFile(path("tiles/x0y0.csv")), "id,x,y,r,done\n0,5,5,0,0\n1,8.5,5,-1,0\n3,11,5,-9,0\n");
+  EXPECT_EQ(readFile(path("tiles/x1y0.csv")), "id,x,y,r,done\n1,8.5,5,-1,0\n2,15,5,0,0\n3,11,5,-9,0\n");
+}
+
 TEST_F(CliTile, ReadsATableInPiecesWithItsIdsAndLineNumbers) {
   std::string table = "\xEF\xBB\xBF# trees\r\nname\tr\ty\tx\tfid\tdone\r\n";
   for (int i = 0; i < 60'000; ++i) {
@@ -153,6 +227,9 @@ TEST_F(CliTile, ReadsATableInPiecesWithItsIdsAndLineNumbers) {
                 "standard input:120003: y is not a number: \"z\".");
   expectFailure(run("tile - --size 1e6 --halo 1 -o " + path("most"), table + "c\t-1\t0\t3\t1\t0"), 2,
                 "standard input:120003: Circle 60000 has a negative radius.");
+  // Of a piece after the first, and not the first circle in it.
+  expectFailure(run("tile - --size 1e6 --halo 1 -o " + path("late"), table + "c\t1\t2\t3\t1\t0\r\nc\t-1\t0\t3\t2\t0"),
+                2, "standard input:120004: Circle 60001 has a negative radius.");
 }
 
 TEST_F(CliTile, RefusesWhatCannotBeMeant) {
@@ -180,6 +257,14 @@ TEST_F(CliTile, RefusesWhatCannotBeMeant) {
   }
   const std::string twice = write("twice.csv", "id,x,y,r\n4,0,0,1\n3,1,1,1\n4,2,2,1\n");
   fails("compute " + twice + " --format csv" + kPlane, "the id 4 is given twice.");
+  // Not only in another place, but next to one another in order.
+  fails("compute " + write("row.csv", "id,x,y,r\n3,0,0,1\n3,1,1,1\n4,2,2,1\n") + " --format csv" + kPlane,
+        "the id 3 is given twice.");
+  const std::string negative = write("negative.csv", "id,x,y,r\n-1,0,0,1\n");
+  fails("compute " + negative + " --format csv" + kPlane,
+        "negative.csv:2: id is no whole number from 0 to 9223372036854775807: \"-1\".");
+  fails("compute " + write("done.csv", "done,x,y,r\n2,0,0,1\n") + " --format csv" + kPlane,
+        "done.csv:2: done is no whole number from 0 to 1: \"2\".");
   const std::string fraction = write("fraction.csv", "id,x,y,r\n4.5,0,0,1\n");
   fails("compute " + fraction + " --format csv" + kPlane, "fraction.csv:2: id is no whole number from 0 to");
   const std::string json = write("circles.json", "[[0,0,1]]");

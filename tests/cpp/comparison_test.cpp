@@ -127,6 +127,25 @@ TEST(ComparisonOfPower, ACircleMayHaveNoCellThoughNoneContainsIt) {
   EXPECT_EQ(computeComparison(circles, Metric::power).value().hidden, (std::vector<HiddenCircle>{{3, kNone}}));
 }
 
+TEST(ComparisonOfPower, CirclesInAColumnFollowOneAnother) {
+  for (const bool isColumn : {false, true}) {
+    std::vector<Circle> circles;
+    for (int k = 0; k < 40; ++k) {
+      const double place = 7 * k % 40;
+      circles.push_back(isColumn ? Circle{7, place, 1} : Circle{place, 7, 1});
+    }
+    const Diagram diagram = computeComparison(circles, Metric::power).value();
+    const auto placeOf = [&](CircleIndex i) {
+      const Circle& c = circles[static_cast<std::size_t>(i)];
+      return isColumn ? c.y : c.x;
+    };
+    ASSERT_EQ(diagram.edges.size(), 39U);
+    for (const Edge& edge : diagram.edges) {
+      EXPECT_EQ(std::abs(placeOf(edge.left) - placeOf(edge.right)), 1) << isColumn;
+    }
+  }
+}
+
 // The same bits wherever the heap puts things.
 TEST(PowerDiagram, DoesNotDependOnAddresses) {
   const auto circles = generate(Family::grid, 36, 1);

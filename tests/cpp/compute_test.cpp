@@ -46,12 +46,12 @@ std::string nameOfMethodTest(const testing::TestParamInfo<Method>& method) {
 INSTANTIATE_TEST_SUITE_P(Methods, Compute, testing::Values(Method::automatic, Method::touchingDisc, Method::flip),
                          nameOfMethodTest);
 
-TEST_P(Compute, NoCircle) {
+TEST_P(Compute, NoCircleHasAnEmptyDiagram) {
   const Diagram diagram = diagramOf({});
   EXPECT_TRUE(diagram.vertices.empty() && diagram.edges.empty() && diagram.hull.empty());
 }
 
-TEST_P(Compute, OneCircle) {
+TEST_P(Compute, OneCircleIsTheHullAndHasNoEdge) {
   const Diagram diagram = diagramOf({{1, 2, 3}});
   EXPECT_TRUE(diagram.vertices.empty() && diagram.edges.empty());
   EXPECT_EQ(diagram.hull, std::vector<CircleIndex>{0});
@@ -82,7 +82,7 @@ TEST_P(Compute, ASmallCircleBetweenTwoLargeOnesHasACellWithTwoEdges) {
   EXPECT_EQ(diagram.edges.size(), 4U) << "two for the small circle, and two that the large ones share";
 }
 
-TEST_P(Compute, CollinearCentres) {
+TEST_P(Compute, CollinearCentresHaveParallelEdgesAndAHullThereAndBack) {
   const Diagram diagram = diagramOf({{0, 0, 1}, {3, 3, 1}, {6, 6, 1}, {9, 9, 1}});
   EXPECT_TRUE(diagram.vertices.empty());
   EXPECT_EQ(diagram.edges.size(), 3U);
@@ -117,7 +117,7 @@ TEST_P(Compute, NegativeZeroIsZero) {
   EXPECT_EQ(diagramOf({{0, 0, 1}, {-0.0, -0.0, 1}, {3, 0, 1}}).hidden, (std::vector<HiddenCircle>{{1, 0}}));
 }
 
-TEST_P(Compute, TheLargestAndSmallestNumbers) {
+TEST_P(Compute, TheLargestAndSmallestNumbersGiveTheSameVertex) {
   for (const double scale : {1e-300, 1e-150, 1e149}) {
     const Diagram diagram = diagramOf({{0, 0, scale}, {6 * scale, 0, scale}, {0, 8 * scale, scale}});
     ASSERT_EQ(diagram.vertices.size(), 1U) << scale;
@@ -177,10 +177,15 @@ TEST(ComputeOptions, AllPairsOfTooManyCirclesAreRefused) {
   Options options;
   options.method = Method::touchingDisc;
   options.candidates = Candidates::allPairs;
-  const std::vector<Circle> circles(kMaxAllPairsCircles + 1);
+  std::vector<Circle> circles(kMaxAllPairsCircles + 1);
   const auto diagram = compute(circles, options);
   ASSERT_FALSE(diagram);
   EXPECT_EQ(diagram.error().code, ErrorCode::tooManyCircles);
+  // As many as there may be are not: it begins.
+  circles.pop_back();
+  struct Begun {};
+  options.progress = [](Stage, double) { throw Begun{}; };
+  EXPECT_THROW(compute(circles, options), Begun);
 }
 
 std::vector<std::pair<std::string, double>> progressOf(const std::vector<Circle>& circles, Method method) {

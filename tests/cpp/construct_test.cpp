@@ -84,6 +84,15 @@ TEST(Construct, RepairCostsWhatItsPatchesCost) {
   for (const std::uint64_t seed : {39, 398}) EXPECT_LE(perCircle(seed, "repair"), perCircle(1, "flip") + 2) << seed;
 }
 
+TEST(Construct, CountsTheSignsOfFlipsToo) {
+  const std::vector<Circle> circles = generate(Family::uniform, 1000, 1);
+  Options flip;
+  flip.method = Method::flip;
+  const Stats stats = compute(circles).value().stats;
+  EXPECT_EQ(stats.way, "flip");
+  EXPECT_EQ(decisions(stats.counts), decisions(compute(circles, flip).value().stats.counts));
+}
+
 // Where circles are 1e5 times smaller than their neighbour, doubles lose the lengths of their common tangents.
 TEST(Construct, SignsBesideAHugeCircleRarelyNeedIntegers) {
   const Stats stats = compute(generate(Family::oneHuge, 20000, 1)).value().stats;

@@ -412,6 +412,26 @@ TEST(Curve, ClippingKeepsWhatIsInsideTheBox) {
   EXPECT_GT(severalPieces, 100);
 }
 
+// The line from (0, 0) down or up crosses the border of the box where it ends, and nowhere else.
+TEST(Curve, ClippedWhereItEndsIsOnePiece) {
+  EdgeCurve curve;
+  curve.bisector = bisector({-1, 0, 1}, {1, 0, 1});
+  for (const auto& [from, to] : {std::array{1.0, 4.0}, std::array{0.25, 1.0}}) {
+    curve.from = from;
+    curve.to = to;
+    curve.start = pointAt(curve.bisector, from);
+    curve.end = pointAt(curve.bisector, to);
+    const bool isAbove = curve.start.y + curve.end.y > 0;
+    const Box there = isAbove ? Box{-5, 0, 5, 5} : Box{-5, -5, 5, 0};
+    const auto pieces = clip(curve, there);
+    ASSERT_EQ(pieces.size(), 1U);
+    EXPECT_EQ(pieces[0].from, from);
+    EXPECT_EQ(pieces[0].to, to);
+    EXPECT_EQ(pieces[0].start, curve.start);
+    EXPECT_EQ(pieces[0].end, curve.end);
+  }
+}
+
 TEST(Curve, SegmentIsStraight) {
   const EdgeCurve curve = segment({1, 2}, {4, 6});
   EXPECT_TRUE(curve.isStraight());

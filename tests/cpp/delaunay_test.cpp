@@ -86,7 +86,7 @@ void expectAsByCgal(const Points& points) {
   EXPECT_EQ(edges, expected);
 }
 
-TEST(Delaunay, OfFewPoints) {
+TEST(Delaunay, IsThatOfCgalForFewPoints) {
   for (const Points& points : std::vector<Points>{{},
                                                   {{1, 2}},
                                                   {{1, 2}, {1, 2}, {1, 2}},
@@ -100,7 +100,7 @@ TEST(Delaunay, OfFewPoints) {
   }
 }
 
-TEST(Delaunay, OfEveryFamily) {
+TEST(Delaunay, IsThatOfCgalForEveryFamily) {
   for (const FamilyInfo& info : families()) {
     SCOPED_TRACE(info.name);
     for (const std::size_t count : {2U, 3U, 5U, 17U, 100U, 2000U}) {
@@ -109,14 +109,14 @@ TEST(Delaunay, OfEveryFamily) {
   }
 }
 
-TEST(Delaunay, OfFixtures) {
+TEST(Delaunay, IsThatOfCgalForFixtures) {
   for (const std::string& name : test::fixtureNames()) {
     SCOPED_TRACE(name);
     expectAsByCgal(centresOf(test::readFixture(name)));
   }
 }
 
-TEST(Delaunay, OfExactTies) {
+TEST(Delaunay, IsThatOfCgalForExactTies) {
   const std::uint64_t seed = test::seedOr(1);
   Random random(seed);
   for (const test::TieKind& kind : test::tieKinds()) {
@@ -132,7 +132,7 @@ TEST(Delaunay, OfExactTies) {
 }
 
 // Many equal, collinear and co-circular points.
-TEST(Delaunay, OfSmallGrids) {
+TEST(Delaunay, IsThatOfCgalForSmallGrids) {
   const std::uint64_t seed = test::seedOr(1);
   Random random(seed);
   for (int round = 0; round < 3000; ++round) {
@@ -227,7 +227,7 @@ Points pointsOf(const Distribution& distribution, int count, Random& random) {
   return points;
 }
 
-TEST(Delaunay, OfHostilePoints) {
+TEST(Delaunay, IsThatOfCgalForHostilePoints) {
   const std::uint64_t seed = test::seedOr(1);
   Random random(seed);
   for (const Distribution& distribution : hostileOnes()) {

@@ -162,6 +162,16 @@ TEST(Editor, HandsOverWhatACircleHid) {
   EXPECT_EQ(change.shown, std::vector<CircleId>{4});
   EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{0, 3}));
   expectRight(editor);
+  // What it had handed over is no longer its own when it comes back.
+  EXPECT_EQ(changeOf(editor.replace(0, {-2, 0, 4})).way, EditWay::local);
+  EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{3, 4}));
+  expectRight(editor);
+  EXPECT_EQ(changeOf(editor.replace(0, {5, 0, 3.9})).way, EditWay::local);
+  EXPECT_EQ(changeOf(editor.remove(0)).way, EditWay::local);
+  changeOf(editor.insert({5, 0, 3.9}));
+  EXPECT_EQ(changeOf(editor.remove(3)).way, EditWay::local);
+  expectRight(editor);
+  editor = editorOf({{5, 0, 3.9}, {11, 0, 10}, {0, 40, 1}, {1.5, 0, 0.3}, {-3, 0, 1}, {0, -40, 1}, {-40, 0, 1}});
   // It comes to be identical with 1, and takes its place.
   changeOf(editor.replace(0, {11, 0, 10}));
   EXPECT_EQ(hiddenOf(editor), (std::vector<CircleId>{1, 3}));
@@ -232,6 +242,27 @@ TEST(Editor, RefusesWithoutATrace) {
   EXPECT_EQ(changeOf(editor.insert({0.5, 0.5, 0.1})).inserted, std::vector<CircleId>{40});
 }
 
+// Each edit of a list of hidden circles, wherever in it, leaves the list as it was where the batch is refused: after
+// that any edit there still is a local one.
+TEST(Editor, ARefusedBatchLeavesTheListsOfHiddenCirclesAlone) {
+  const std::vector<Circle> circles = {{0, 0, 9}, {40, 0, 1}, {0, 40, 1},  {-40, -40, 1},
+                                       {1, 0, 1}, {-3, 0, 1}, {0, 4, 0.5}, {0, -4, 0.25}};
+  const Edit unknown = {Edit::Kind::remove, 99, {}};
+  for (const CircleId refused : {4, 5, 6, 7}) {
+    for (const CircleId next : {4, 5, 6, 7}) {
+      SCOPED_TRACE(std::to_string(refused) + ", then " + std::to_string(next));
+      DiagramEditor editor = editorOf(circles);
+      EXPECT_FALSE(editor.apply(std::vector<Edit>{{Edit::Kind::remove, refused, {}}, unknown}).ok());
+      EXPECT_FALSE(editor.apply(std::vector<Edit>{{Edit::Kind::insert, kNone, {2, 2, 0.125}}, unknown}).ok());
+      EXPECT_EQ(changeOf(editor.remove(next)).way, EditWay::local);
+      const Change shown = changeOf(editor.remove(0));
+      EXPECT_EQ(shown.way, EditWay::local);
+      EXPECT_EQ(shown.shown.size(), 3U);
+      expectRight(editor);
+    }
+  }
+}
+
 TEST(Editor, ABatchIsOneChange) {
   const std::vector<Circle> circles = generate(Family::uniform, 300, 1);
   const std::vector<Edit> edits = {{Edit::Kind::remove, 5, {}},
@@ -264,6 +295,14 @@ TEST(Editor, ABatchIsOneChange) {
   EXPECT_FALSE(editor.circle(310));
   EXPECT_EQ(editor.ids().back(), 351);
   expectRight(editor);
+}
+
+TEST(Editor, ASnapshotCountsAllCirclesAndTheHiddenOnes) {
+  DiagramEditor editor = editorOf({{0, 0, 9}, {40, 0, 1}, {0, 40, 1}, {1, 0, 1}});
+  changeOf(editor.insert({2, 0, 1}));
+  const Counts counts = editor.snapshot().value().stats.counts;
+  EXPECT_EQ(counts.circles, 5);
+  EXPECT_EQ(counts.hidden, 2);
 }
 
 TEST(Editor, SaysWhatTheIndicesOfASnapshotStandFor) {

@@ -465,6 +465,25 @@ TEST(Export, SvgFiguresHaveTheirGroupsAndLayers) {
   EXPECT_NE(svg.find("<path d=\"M1 1L2 1\"/>"), std::string::npos);
 }
 
+TEST(Export, LayersHaveTheDigitsThatAreAskedFor) {
+  SvgFigure figure;
+  figure.frame.digits = 1;
+  figure.frame.bounds = Box{-10, -10, 10, 10};
+  figure.groups = {};
+  figure.layers = {{.name = "all",
+                    .points = {{1.26, 2.04}},
+                    .discs = {{5.26, 6.24, 0.46}},
+                    .segments = {{{{0.04, 0.06}, {1.16, 5.99}}}},
+                    .arcs = {segment({1.14, 1.16}, {2.06, 1.04})}}};
+  std::ostringstream out;
+  writeSvgFigure(out, compute(std::vector<Circle>{{0, 0, 1}}).value(), figure);
+  const std::string svg = out.str();
+  for (const char* part :
+       {"\"M1.3 2h0\"", "\"M0 0.1L1.2 6\"", "cx=\"5.3\" cy=\"6.2\" r=\"0.5\"", "\"M1.1 1.2L2.1 1\""}) {
+    EXPECT_NE(svg.find(part), std::string::npos) << part << " in " << svg;
+  }
+}
+
 TEST(Export, NoCirclesGiveValidFiles) {
   EXPECT_TRUE(Json::parse(textOf(writeGeoJson, {}))["features"].empty());
   EXPECT_EQ(textOf(writeWkt, {}), "");

@@ -197,7 +197,7 @@ TEST(Families, OfNestedTangentCirclesMostAreHidden) {
   }
 }
 
-TEST(Families, CirclesFarApart) {
+TEST(Families, OutliersAndClustersAreAsFarAwayAsTheySay) {
   const auto inside = [](Family family, double low, double high) {
     return std::ranges::count_if(generate(family, 1000, 1), [&](const Circle& c) { return low <= c.x && c.x < high; });
   };
@@ -210,14 +210,14 @@ TEST(Families, CirclesFarApart) {
   EXPECT_EQ(inside(Family::farClusters, 2e6, 2e6 + 4.1e5), 200);
 }
 
-TEST(Random, PowersOfTen) {
+TEST(Random, PowersOfTenAreRightToRounding) {
   EXPECT_EQ(powerOfTen(0), 1);
   for (const double exponent : {-9.0, -3.3, -0.1, 0.5, 1.0, 4.7, 12.0}) {
     EXPECT_NEAR(powerOfTen(exponent) / std::pow(10, exponent), 1, 1e-14) << exponent;
   }
 }
 
-TEST(Random, Directions) {
+TEST(Random, DirectionsAreAnglesInTurns) {
   for (int i = -20; i <= 60; ++i) {
     const double turns = i / 37.0;
     const Vector v = directionAt(turns);

@@ -28,13 +28,13 @@ std::string problem(const std::string& name, Options options) {
 
 class Fixture : public testing::TestWithParam<std::string> {};
 
-TEST_P(Fixture, AllPairs) {
+TEST_P(Fixture, AllPairsMissNothing) {
   Options options;
   options.candidates = Candidates::allPairs;
   EXPECT_EQ(problem(GetParam(), options), "");
 }
 
-TEST_P(Fixture, DynamicSampling) {
+TEST_P(Fixture, DynamicSamplingMissesSomethingOnlyWhereItIsKnown) {
   // Here dynamic sampling misses an antipodal disc that the diagram needs.
   static const std::set<std::pair<std::string, int>> kMissed = {
       {"missed-antipodal-disc-chaos-75", 0},      {"missed-antipodal-disc-chaos-75", 1},
@@ -49,7 +49,7 @@ TEST_P(Fixture, DynamicSampling) {
   }
 }
 
-TEST_P(Fixture, DynamicSamplingAndMore) {
+TEST_P(Fixture, SamplingAgainMissesNothing) {
   Options options;
   options.samples = 0;
   options.resample = true;

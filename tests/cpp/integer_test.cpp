@@ -73,17 +73,17 @@ void compare(Random& random, int bits, Convert convert) {
   }
 }
 
-TEST(Integer, OfOneLimbAtItsLastBit) {
+TEST(Integer, OfOneLimbIsRightToItsLastBit) {
   Random random(test::seedOr(1));
   compare<FixedInteger<1>>(random, 61, [](limbs::SignedWide value) { return FixedInteger<1>(value); });
 }
 
-TEST(Integer, OfTwoLimbsAtItsLastBit) {
+TEST(Integer, OfTwoLimbsIsRightToItsLastBit) {
   Random random(test::seedOr(1));
   compare<FixedInteger<2>>(random, 125, [](limbs::SignedWide value) { return FixedInteger<2>(value); });
 }
 
-TEST(Integer, OfAnySize) {
+TEST(Integer, IsRightFromTheSmallestDoubleToTheLargest) {
   Random random(test::seedOr(1));
   // From the smallest double to the largest: 2^-1074 as the unit.
   for (const int shift : {0, 1, 63, 64, 65, 1000, 2044}) {

@@ -8,6 +8,8 @@
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/families.h"
+#include "circle_voronoi/tile.h"
+#include "text.h"
 
 namespace circle_voronoi {
 namespace {
@@ -27,7 +29,7 @@ std::string errorOf(std::string_view text) {
 
 const Circles kTwo = {{1, 2, 3}, {-4.5, 5e-3, 0}};
 
-TEST(ReadCsv, WithAndWithoutHeader) {
+TEST(ReadCsv, TakesAHeaderOrNone) {
   EXPECT_EQ(read("1,2,3\n-4.5,5e-3,0\n"), kTwo);
   EXPECT_EQ(read("x,y,r\n1,2,3\n-4.5,5e-3,0\n"), kTwo);
   EXPECT_EQ(read("\"X\", \"Y\", \"R\"\n1,2,3\n-4.5,5e-3,0\n"), kTwo);
@@ -80,7 +82,7 @@ TEST(ReadCsv, ColumnsAreFoundByName) {
   EXPECT_EQ(read("x,y,r,note\n1,2,3\n-4.5,5e-3,0\n"), kTwo) << "a row may end before an ignored column";
 }
 
-TEST(ReadCsv, ColumnsThatCannotBeTold) {
+TEST(ReadCsv, SaysWhichColumnsCannotBeTold) {
   EXPECT_EQ(errorOf("x,y,r,radius\n1,2,3,4\n"), "test:1: the columns r and radius both mean r.");
   EXPECT_EQ(errorOf("\nlon,lat,Y,r\n"), "test:2: the columns lat and Y both mean y.");
   EXPECT_EQ(errorOf("x,y,size\n1,2,3\n"), "test:1: no column is called r, rad or radius.");
@@ -144,7 +146,7 @@ std::string collection(const std::string& features) {
          features + "]}";
 }
 
-TEST(ReadGeoJson, PointsWithARadius) {
+TEST(ReadGeoJson, TakesPointsWithARadius) {
   EXPECT_EQ(read(collection(feature(R"({"type": "Point", "coordinates": [1, 2]})", R"({"radius": 3, "name": "a"})") +
                             "," + feature(R"({"type": "Point", "coordinates": [-4.5, 0.005, 7]})", R"({"r": 0})"))),
             kTwo);
@@ -153,6 +155,14 @@ TEST(ReadGeoJson, PointsWithARadius) {
   EXPECT_EQ(
       read(collection(feature(R"({"type": "Point", "coordinates": [1, 2]})", R"({"radius": 3, "of": )" + other + "}"))),
       (Circles{{1, 2, 3}}));
+}
+
+TEST(ReadGeoJson, TakesRBeforeRadiusInWhateverOrder) {
+  const std::string point = R"({"type": "Point", "coordinates": [1, 2]})";
+  EXPECT_EQ(read(collection(feature(point, R"({"radius": 9, "r": 3})"))), (Circles{{1, 2, 3}}));
+  EXPECT_EQ(read(collection(feature(point, R"({"r": 3, "radius": 9})"))), (Circles{{1, 2, 3}}));
+  // A value that is no number counts as none.
+  EXPECT_EQ(read(collection(feature(point, R"({"r": "3", "radius": 9})"))), (Circles{{1, 2, 9}}));
 }
 
 TEST(ReadGeoJson, NamesTheBadLine) {
@@ -175,10 +185,24 @@ TEST(ReadGeoJson, NamesTheBadLine) {
   EXPECT_EQ(errorOf(collection(feature(point, R"({"radius": 1, "radius": 2})"))), "test:1: radius is given twice.");
 }
 
-TEST(ReadJson, ArraysAndObjects) {
+TEST(ReadJson, TakesArraysAndObjects) {
   EXPECT_EQ(read("[[1,2,3],[-4.5,5e-3,0]]"), kTwo);
   EXPECT_EQ(read(" [\n {\"x\": 1, \"y\": 2, \"r\": 3}, {\"r\": 0, \"y\": 0.005, \"x\": -4.5} ]\n"), kTwo);
   EXPECT_EQ(read("[]"), Circles{});
+}
+
+TEST(ReadJson, MayBeginWithBlankLines) {
+  EXPECT_EQ(read("\r\n\n\t [[1,2,3],[-4.5,5e-3,0]]"), kTwo);
+  EXPECT_EQ(read("\n" + collection("")), Circles{});
+}
+
+TEST(ErrorAt, CountsALineEndOfTwoCharactersOnceWhereverThePlaceIs) {
+  const std::string text = "a\r\nb\rc\nd";
+  const std::vector<int> lines = {1, 1, 1, 2, 2, 3, 3, 4, 4};
+  for (std::size_t offset = 0; offset <= text.size(); ++offset) {
+    EXPECT_EQ(errorAt("test", text, offset, "bad").message, "test:" + std::to_string(lines[offset]) + ": bad")
+        << offset;
+  }
 }
 
 TEST(ReadJson, SkipsOtherKeys) {
@@ -247,6 +271,17 @@ TEST(ReadCircles, NamesTheLineOfACircleThatComputeWouldReject) {
   EXPECT_EQ(readCircles("1,nan,3\n", "test").error().code, ErrorCode::nonFinite);
   EXPECT_EQ(readCircles("1,inf,3\n", "test").error().code, ErrorCode::nonFinite);
   EXPECT_EQ(readCircles("[[1e200,0,0]]", "test").error().code, ErrorCode::coordinateTooLarge);
+}
+
+// By its number among all, though it is read with a piece of them.
+TEST(TileStream, NamesTheCircleAndTheLineOfTheWholeThatAreWrong) {
+  TileStream stream("test");
+  ASSERT_TRUE(stream.read("x,y,r\n0,0,1\n1,1,1\n2,2").ok());
+  ASSERT_EQ(stream.read(",1\n").value().ids, std::vector<std::int64_t>{2});
+  const auto refused = stream.read("3,3,1\n4,4,-1\n");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().circle, 4);
+  EXPECT_EQ(refused.error().message, "test:6: Circle 4 has a negative radius.");
 }
 
 TEST(WriteCsv, ReadsBackToTheSameBits) {

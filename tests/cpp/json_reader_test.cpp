@@ -214,6 +214,15 @@ TEST(JsonReader, WholeNumbersFitOrAreNone) {
   EXPECT_EQ(whole("1.5e1"), 15);
   EXPECT_EQ(whole("2147483647"), 2147483647);
   for (const char* text : {"2147483648", "-2147483649", "0.5", "1e10", "-1e300"}) EXPECT_EQ(whole(text), std::nullopt);
+  // Beyond 2^53 not every whole number is a double, so what is written with a point or an exponent may have been
+  // another.
+  const auto wide = [](const std::string& text) {
+    JsonReader reader(text);
+    return reader.whole<std::int64_t>();
+  };
+  EXPECT_EQ(wide("9007199254740993"), 9007199254740993);
+  EXPECT_EQ(wide("9.007199254740992e15"), 9007199254740992);
+  for (const char* text : {"9.007199254740994e15", "-1e16"}) EXPECT_EQ(wide(text), std::nullopt);
 }
 
 }  // namespace

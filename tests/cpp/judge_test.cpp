@@ -69,7 +69,7 @@ TEST(Judge, AcceptsTwoCirclesAndATriangle) {
   EXPECT_TRUE(judged(kTriangle, kTriangleDual).isRight());
 }
 
-TEST(Judge, CountsFaces) {
+TEST(Judge, RefusesAnotherNumberOfFaces) {
   std::vector<Circle> four = kTriangle;
   four.push_back({50, 50, 1});
   EXPECT_EQ(judged(four, kTriangleDual).flaw, Flaw::eulerCount);

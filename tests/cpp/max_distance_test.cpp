@@ -224,6 +224,25 @@ TEST(MaxDistance, OfOneCircleIsADisc) {
   EXPECT_NEAR(area(inBox({2, -9, 4, 19})), 9 * kPi - 2 * segment, 1e-13);
 }
 
+// The circle passes through corners of the region, exactly.
+TEST(MaxDistance, ARegionWithItsCornersOnTheCircleIsWhole) {
+  const Diagram diagram = diagramOf({{0, 0, 0}});
+  for (const auto& [x, y, reach] : {std::array{3.0, 4.0, 5.0}, std::array{5.0, 12.0, 13.0}, std::array{8.0, 15.0, 17.0},
+                                    std::array{7.0, 24.0, 25.0}, std::array{20.0, 21.0, 29.0},
+                                    std::array{33.0, 56.0, 65.0}, std::array{16.0, 63.0, 65.0}}) {
+    const Outline box = outline(diagram, 0, Box{-x, -y, x, y}, reach);
+    ASSERT_EQ(box.size(), 1U);
+    EXPECT_EQ(box[0].size(), 4U) << reach;
+    EXPECT_EQ(area(box), 4 * x * y);
+    EXPECT_EQ(perimeter(box), 4 * (x + y));
+    const ConvexPolygon triangle = ConvexPolygon::from(std::vector<Point>{{0, 0}, {x, y}, {-y, x}}).value();
+    const Outline half = outline(diagram, 0, triangle, reach);
+    ASSERT_EQ(half.size(), 1U);
+    EXPECT_EQ(half[0].size(), 3U) << reach;
+    EXPECT_NEAR(area(half), reach * reach / 2, 1e-12);
+  }
+}
+
 TEST(MaxDistance, OfTwoEqualCirclesIsTwoDiscsCutAlongALine) {
   const Circles circles = {{0, 0, 1}, {4, 0, 1}};
   const Diagram diagram = diagramOf(circles);

@@ -8,7 +8,7 @@ namespace {
 
 using Pairs = std::vector<Pair>;
 
-TEST(Pairs, All) {
+TEST(Pairs, OfAllCirclesAreInOrderOnceEach) {
   EXPECT_EQ(pairAll(0), Pairs{});
   EXPECT_EQ(pairAll(1), Pairs{});
   EXPECT_EQ(pairAll(3), (Pairs{{0, 1}, {0, 2}, {1, 2}}));
@@ -21,13 +21,13 @@ TEST(Pairs, OfNeighbouringSamplesOnceEach) {
 }
 
 // The samples of two tangent circles in the point of contact are one corner of the Delaunay graph.
-TEST(Pairs, OfCoincidingSamples) {
+TEST(Pairs, OfCoincidingSamplesAreThoseOfTheirCircles) {
   const Samples samples = {{{0, 0}, {1, 0}, {1, 0}, {2, 0}}, {0, 0, 1, 1}};
   EXPECT_EQ(pairNeighbors(samples, 2), (Pairs{{0, 1}}));
 }
 
 // As many as there are, though none has another sample.
-TEST(Pairs, OfOneSampleThatManyShare) {
+TEST(Pairs, OfOneSampleThatManyShareAreAllOfThem) {
   const Samples samples = {{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, {3, 0, 2, 1}};
   EXPECT_EQ(pairNeighbors(samples, 4), pairAll(4));
 }

@@ -199,7 +199,7 @@ std::vector<Family> allFamilies() {
 
 INSTANTIATE_TEST_SUITE_P(Families, Queries, testing::ValuesIn(allFamilies()), nameOfQueryTest);
 
-TEST(Query, NoCirclesHaveNoAnswers) {
+TEST(Queries, NoCirclesHaveNoAnswers) {
   const Diagram diagram = compute({}).value();
   EXPECT_FALSE(closestPair(diagram));
   EXPECT_FALSE(largestEmptyDiscCenteredIn(diagram, Box{0, 0, 1, 1}));
@@ -207,7 +207,7 @@ TEST(Query, NoCirclesHaveNoAnswers) {
   EXPECT_FALSE(largestEmptyDiscInside(diagram, Box{0, 0, 1, 1}));
 }
 
-TEST(Query, NeighborPairsAreThoseOfTheEdges) {
+TEST(Queries, NeighborPairsAreThoseOfTheEdges) {
   const auto circles = generate(Family::oneHuge, 100, 3);
   const Diagram diagram = compute(circles).value();
   std::set<std::array<CircleIndex, 2>> expected;
@@ -220,7 +220,7 @@ TEST(Query, NeighborPairsAreThoseOfTheEdges) {
   EXPECT_TRUE(neighborPairs({}).empty());
 }
 
-TEST(Query, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {
+TEST(Queries, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {
   const std::vector<Circle> circles = {{0, 0, 1}, {10, 0, 1}};
   const Diagram diagram = compute(circles).value();
   const auto largest = largestEmptyDiscCenteredInHull(diagram);
@@ -230,7 +230,23 @@ TEST(Query, TheLargestEmptyDiscMayTouchTwoCirclesFromTheEdgeOfTheHull) {
   EXPECT_NEAR(largest->disc.r, std::sqrt(26) - 1, 1e-14);
 }
 
-TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
+// The hull of a weight below zero is grown until its circle is a point.
+TEST(Queries, TheLargestEmptyDiscInTheHullOfOneCircleTouchesItsRim) {
+  for (const double r : {2.0, 0.0, -3.0}) {
+    const std::vector<Circle> circles = {{5, 6, r - 1}, {5, 6, r}};
+    Options options;
+    options.weights = true;
+    const Diagram diagram = compute(circles, options).value();
+    const auto largest = largestEmptyDiscCenteredInHull(diagram);
+    ASSERT_TRUE(largest);
+    EXPECT_EQ(largest->disc.r, std::max(-r, 0.0));
+    EXPECT_EQ(largest->circles, (std::array<CircleIndex, 3>{1, kNone, kNone}));
+    const double x = largest->disc.x - 5, y = largest->disc.y - 6;
+    EXPECT_NEAR(std::sqrt(x * x + y * y), std::max(r, 0.0), 1e-15);
+  }
+}
+
+TEST(Queries, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
   struct Case {
     std::vector<Circle> circles;
     Box box;
@@ -253,7 +269,7 @@ TEST(Query, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
   }
 }
 
-TEST(Query, WhereCirclesCoverTheRegionNoDiscIsInside) {
+TEST(Queries, WhereCirclesCoverTheRegionNoDiscIsInside) {
   const std::vector<Circle> circles = {{0, 0, 10}, {12, 0, 5}};
   const Diagram diagram = compute(circles).value();
   const Box covered = {-1, -2, 3, 2};

@@ -138,6 +138,27 @@ TEST(Repair, LooksAtThePatchesAlone) {
   }
 }
 
+TEST(Repair, LooksAtLargerPatchesTheFartherItReaches) {
+  const auto circles = visibleCircles(Family::uniform, 500, 1);
+  std::vector<std::size_t> sizes;
+  for (const int reach : {1, 2, 3, 4}) {
+    Dual dual = test::dualOf(compute(circles).value(), circles.size());
+    int h = 0;
+    while (!dual.isFinite(h / 3) || !dual.isFinite(dual.twin[h] / 3)) ++h;
+    test::flipEdge(dual, h);
+    Predicates predicates(circles);
+    FaceDiscs discs(circles, dual, predicates);
+    std::vector<int> wrong = wrongFaces(discs);
+    repair(dual, discs, wrong, reach, [&](std::span<const Circle> patch) {
+      sizes.push_back(patch.size());
+      return solve(patch);
+    });
+  }
+  ASSERT_EQ(sizes.size(), 4U);
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_LT(sizes[k - 1], sizes[k]);
+  EXPECT_LT(sizes[3], 100U);
+}
+
 TEST(Repair, LeavesWhatCannotBeSolved) {
   const auto circles = visibleCircles(Family::uniform, 40, 1);
   Dual dual = *solve(circles);

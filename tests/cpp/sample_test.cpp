@@ -30,8 +30,8 @@ void expectTable1(std::size_t count, std::int64_t onLargest, double average) {
   EXPECT_EQ(thousandths / 1000, average);
 }
 
-TEST(Samples, Table1Figure7a) { expectTable1(49, 192, 12.735); }
-TEST(Samples, Table1Figure7b) { expectTable1(199, 792, 12.935); }
+TEST(Samples, AreAsManyAsTable1SaysForFigure7a) { expectTable1(49, 192, 12.735); }
+TEST(Samples, AreAsManyAsTable1SaysForFigure7b) { expectTable1(199, 792, 12.935); }
 
 TEST(Samples, LieOnTheirCircleLessTheSmallestRadius) {
   const auto circles = generate(Family::uniform, 100, 3);

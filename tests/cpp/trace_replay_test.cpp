@@ -103,6 +103,21 @@ TEST(TraceReplay, GivesTheDiagramAfterEachEdit) {
   }
 }
 
+TEST(TraceReplay, CountsTheRoundsThatEditsBegin) {
+  auto made = DiagramEditor::from(generate(Family::uniform, 200, 1));
+  DiagramEditor editor = std::move(made).value();
+  std::vector<int> rounds;
+  EXPECT_EQ(editor.observe([&](const TraceEvent& event) {
+    if (event.kind == TraceKind::roundBegun) rounds.push_back(event.numbers[0]);
+  }),
+            std::nullopt);
+  ASSERT_EQ(editor.insert({0, 0, 1}).value().way, EditWay::local);
+  EXPECT_EQ(rounds, std::vector<int>{0}) << "what is edited in its place begins none";
+  const std::vector<Edit> many(60, {Edit::Kind::replace, 7, {1, 2, 3}});
+  for (int k = 0; k < 2; ++k) ASSERT_EQ(editor.apply(many).value().way, EditWay::whole);
+  EXPECT_EQ(rounds, (std::vector<int>{0, 1, 2}));
+}
+
 TEST(TraceReplay, TellsWhyAnEditChangesWhat) {
   auto made = DiagramEditor::from(std::vector<Circle>{{0, 0, 1}, {6, 0, 1}, {0, 8, 1}});
   DiagramEditor editor = std::move(made).value();

@@ -51,9 +51,30 @@ TEST(Trace, TellsOfEveryCandidate) {
     EXPECT_EQ(events.at(0).kind, TraceKind::roundBegun);
     EXPECT_EQ(events.at(0).numbers[0], 0);
     EXPECT_EQ(traced.count(TraceKind::roundBegun), 1);
-    EXPECT_EQ(traced.count(TraceKind::centersJoined) > 0, candidates == Candidates::dynamic);
+    // Every edge of a triangulation: 3 n - 3 less those of the hull.
+    const auto edgesAmong = [](const std::vector<Circle>& points) {
+      const Diagram diagram = compute(points).value();
+      const std::size_t visible = points.size() - diagram.hidden.size();
+      return static_cast<std::int64_t>(3 * visible - 3 - diagram.hull.size());
+    };
+    std::vector<Circle> centres;
+    for (CircleIndex i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+      const Circle& c = circles[static_cast<std::size_t>(i)];
+      if (traced.diagram.hasCell(i)) centres.push_back({c.x, c.y, 0});
+    }
+    EXPECT_EQ(traced.count(TraceKind::centersJoined), candidates == Candidates::dynamic ? edgesAmong(centres) : 0);
     EXPECT_EQ(traced.count(TraceKind::sampleTaken), counts.samples);
-    EXPECT_EQ(traced.count(TraceKind::samplesJoined) > 0, isSampled);
+    std::vector<Circle> samples;
+    std::set<std::set<CircleIndex>> joined;
+    std::set<std::set<CircleIndex>> found;
+    for (const TraceEvent& event : events) {
+      const std::set<CircleIndex> pair = {event.circles[0], event.circles[1]};
+      if (event.kind == TraceKind::sampleTaken) samples.push_back({event.disc.x, event.disc.y, 0});
+      if (event.kind == TraceKind::samplesJoined && pair.size() == 2) joined.insert(pair);
+      if (event.kind == TraceKind::pairFound) found.insert(pair);
+    }
+    EXPECT_EQ(traced.count(TraceKind::samplesJoined), isSampled ? edgesAmong(samples) : 0);
+    EXPECT_TRUE(!isSampled || found == joined) << "circles with neighboring samples are the pairs";
     EXPECT_EQ(traced.count(TraceKind::pairFound), counts.antipodalDiscs);
     EXPECT_EQ(traced.count(TraceKind::threeTouchDiscFormed), counts.threeTouchDiscs);
     std::vector<CircleIndex> circleOfSample;

@@ -300,6 +300,15 @@ TEST(Weights, NegativeOnesAreDrawnAsPoints) {
   EXPECT_NE(text.find("data-circle=\"0\" class=\"point\" d=\"M0 0h0\""), std::string::npos) << text;
   EXPECT_EQ(text.find("r=\"-"), std::string::npos);
   EXPECT_EQ(text.find("A-"), std::string::npos);
+  SvgFigure figure;
+  figure.groups = {"hull"};
+  for (const std::vector<Circle>& circles : {kNegative, Circles{{1, 2, -3}}}) {
+    std::ostringstream hull;
+    writeSvgFigure(hull, compute(circles, kWeights).value(), figure);
+    EXPECT_NE(hull.str().find("id=\"hull\""), std::string::npos);
+    EXPECT_EQ(hull.str().find("r=\"-"), std::string::npos) << hull.str();
+    EXPECT_EQ(hull.str().find("A-"), std::string::npos) << hull.str();
+  }
   const Box box = exportBox(kNegative);
   EXPECT_NEAR(box.minX, -0.325, 1e-15);
   EXPECT_NEAR(box.maxY, 0.325, 1e-15);

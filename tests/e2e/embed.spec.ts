@@ -35,3 +35,41 @@ test('shows the link that its address has last, though the one before is slower'
   expect(await circlesOf(page)).toBe(WAKA)
   await expect(page.locator('#problem')).toBeHidden()
 })
+
+test('an element in a form goes back to what its attributes say when the form is reset', async ({ page }) => {
+  await page.goto(`/embed.html#${await encodeLink({ dataSet: 'waka' })}`)
+  await expect.poll(() => circlesOf(page)).toBe(WAKA)
+  const told = await page.evaluate(async () => {
+    const form = document.body.appendChild(document.createElement('form'))
+    form.innerHTML =
+      '<circle-voronoi name="figure" layers="dual" step="1" circles="[[0,0,1],[6,0,1],[0,8,1]]"></circle-voronoi>'
+    const figure = form.firstChild as HTMLElementTagNameMap['circle-voronoi']
+    await figure.ready
+    const told: unknown[] = []
+    const tell = () => told.push([...figure.circles])
+    const changed = () => new Promise((resolve) => figure.addEventListener('diagramchange', resolve, { once: true }))
+    for (const act of [
+      () => {
+        figure.circles = Float64Array.of(1, 2, 3)
+      },
+      () => form.reset(),
+    ]) {
+      const change = changed()
+      act()
+      await change
+      tell()
+    }
+    // What an attribute is set to takes the place of what was set as a property.
+    figure.layers = { ...figure.layers, dual: false, hull: true }
+    told.push([figure.layers.dual, figure.layers.hull])
+    figure.setAttribute('layers', 'dual')
+    told.push([figure.layers.dual, figure.layers.hull])
+    return told
+  })
+  expect(told).toEqual([
+    [1, 2, 3],
+    [0, 0, 1, 6, 0, 1, 0, 8, 1],
+    [false, true],
+    [true, false],
+  ])
+})

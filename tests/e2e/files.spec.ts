@@ -156,6 +156,10 @@ for (const [what, name, content, says] of [
   })
 }
 
+/** What is shown, as the address of the page says once it has come to rest. */
+const linked = async (app: App) => decodeLink(new URL(app.page.url()).hash).catch(() => undefined)
+const THREE_CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
+
 test('opens what is dropped', async ({ app }) => {
   const data = await app.page.evaluateHandle((text) => {
     const data = new DataTransfer()
@@ -166,7 +170,10 @@ test('opens what is dropped', async ({ app }) => {
   await expect(app.page.locator('body')).toHaveClass('dropping')
   await app.canvas.dispatchEvent('drop', { dataTransfer: data })
   await expect(app.status).toContainText('3 circles')
+  await expect.poll(async () => (await linked(app))?.circles).toEqual(THREE_CIRCLES)
   await expect(app.page.locator('body')).not.toHaveClass('dropping')
+  await app.page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('678 circles')
 })
 
 test('opens what is pasted, numbers or a link, but not into a field', async ({ app }) => {
@@ -178,8 +185,12 @@ test('opens what is pasted, numbers or a link, but not into a field', async ({ a
   await app.canvas.focus()
   await paste('0\t0\t1\n6\t0\t1\n0\t8\t1\n')
   await expect(app.status).toContainText('3 circles')
-  await paste('https://example.org/page#v1.q1ZKSSxJDE4tUbJSSirKz6tKTcvMKUktUtJRSk3JLClWsoqOVtJV0jEzNYiNrQUA')
+  await expect.poll(async () => (await linked(app))?.circles).toEqual(THREE_CIRCLES)
+  const link = 'v1.q1ZKSSxJDE4tUbJSSirKz6tKTcvMKUktUtJRSk3JLClWsoqOVtJV0jEzNYiNrQUA'
+  await paste(`https://example.org/page#${link}`)
   await expect(app.status).toContainText('677 circles')
+  const { dataSet, edits } = await decodeLink(link)
+  await expect.poll(() => linked(app)).toMatchObject({ dataSet, edits })
   await app.canvas.focus()
   await app.page.keyboard.press('Enter')
   await expect(app.inspector).toBeVisible()

@@ -64,6 +64,28 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([])
 })
 
+test('plays from the start once the end is reached', async ({ opened: page }) => {
+  await page.evaluate(() => {
+    playing.player.stepTo(playing.player.steps - 1)
+    playing.seen.length = 0
+  })
+  await page.getByRole('button', { name: 'Play', exact: true }).click()
+  await expect.poll(() => page.evaluate(() => playing.seen.slice(0, 2))).toEqual([0, 1])
+  expect(await page.evaluate(() => playing.view.hasDiagram)).toBe(false)
+})
+
+test('stops nowhere in the trace of edited circles, whose steps are others', async ({ opened: page }) => {
+  const stop = page.getByRole('button', { name: 'Stop here when playing' })
+  await page.evaluate(() => playing.player.stepTo(3))
+  await stop.click()
+  await expect(stop).toHaveAttribute('aria-pressed', 'true')
+  const steps = await page.evaluate(() => playing.player.steps)
+  await page.evaluate(() => playing.view.apply([{ kind: 'remove', id: 3 }]))
+  await expect.poll(() => page.evaluate(() => playing.player.steps)).not.toBe(steps)
+  await page.evaluate(() => playing.player.stepTo(3))
+  await expect(stop).toHaveAttribute('aria-pressed', 'false')
+})
+
 test('a button that has nothing left to do gives the focus to the slider', async ({ opened: page }) => {
   const slider = page.getByRole('slider', { name: 'Step' })
   await page.evaluate(() => playing.player.stepTo(1))

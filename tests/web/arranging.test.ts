@@ -10,7 +10,7 @@ import {
   snappedInSize,
   stepped,
 } from '../../web/editing/arranging.ts'
-import type { Circle } from '../../web/lib/index.ts'
+import type { Circle, Point } from '../../web/lib/index.ts'
 
 const coordinate = fc.double({ min: -100, max: 100, noNaN: true })
 const point = fc.record({ x: coordinate, y: coordinate })
@@ -98,7 +98,14 @@ describe('the next one in a direction', () => {
       fc.property(point, fc.array(point, { minLength: 1 }), (from, others) => {
         const next = nextInDirection(from, others, [1, 0])
         expect(next === undefined).toBe(others.every(({ x }) => !(x - from.x > 0)))
-        if (next !== undefined) expect(nextInDirection(next, [...others, from], [-1, 0])).toBeDefined()
+        if (next === undefined) return
+        const back = nextInDirection(next, [...others, from], [-1, 0])
+        // To where one came from, or to something that is no farther from here.
+        expect([from, ...others]).toContainEqual(back)
+        const rank = ({ x, y }: Point) => Math.hypot(x - next.x, y - next.y) ** 2 / (next.x - x)
+        const isAhead = ({ x, y }: Point) => Math.abs(y - next.y) <= next.x - x
+        expect((back as Point).x).toBeLessThan(next.x)
+        if (isAhead(from)) expect(rank(back as Point)).toBeLessThanOrEqual(rank(from) * (1 + 1e-12))
       }),
     )
   })

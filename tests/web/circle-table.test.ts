@@ -79,6 +79,20 @@ describe('CircleTable', () => {
     ])
   })
 
+  it('knows its box and its core anew after each edit', () => {
+    const square = (min: number, max: number) => ({ minX: min, minY: min, maxX: max, maxY: max })
+    const table = new CircleTable(
+      Float64Array.from({ length: 3 * 21 }, (_, k) => (k % 3 === 2 ? 1 : Math.floor(k / 3))),
+    )
+    expect([table.box(), table.core()]).toEqual([square(-1, 21), square(1, 19)])
+    table.apply([{ kind: 'insert', circle: { x: 90, y: 90, r: 2 } }], Int32Array.of(21))
+    expect([table.box(), table.core()]).toEqual([square(-1, 92), square(2, 19)])
+    table.apply([{ kind: 'remove', id: 0 }], NONE)
+    expect([table.box(), table.core()]).toEqual([square(0, 92), square(2, 20)])
+    table.apply([{ kind: 'replace', id: 21, circle: { x: 0, y: 0, r: 5 } }], NONE)
+    expect([table.box(), table.core()]).toEqual([square(-5, 21), square(1, 19)])
+  })
+
   it('has a core that outliers do not widen', () => {
     const circles = Float64Array.from({ length: 3 * 100 }, (_, k) => (k % 3 === 2 ? 1 : Math.floor(k / 3)))
     circles.set([1e12, -1e12, 1e11], 30)

@@ -243,6 +243,19 @@ describe('Editing', () => {
     expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
   })
 
+  it('knows of circles that it goes back to whether they were edited', async () => {
+    for (const isOpenedEdited of [false, true]) {
+      for (const isEdited of [false, true]) {
+        const { editing } = await started()
+        await editing.open({ ...sceneOf(TWO), isEdited: isOpenedEdited })
+        if (isEdited) await editing.edit(moved(0, 1))
+        await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
+        await editing.undo()
+        expect(editing.scene).toMatchObject({ dataSet: 'two', isEdited: isOpenedEdited || isEdited })
+      }
+    }
+  })
+
   it('goes back to other circles, and what was done to them, and forth again', async () => {
     const { editing, circles } = await started()
     await editing.edit(moved(1, 3))

@@ -220,6 +220,22 @@ describe('an editor', () => {
     expect(contentOf(snapshot)).toEqual(before)
   })
 
+  it('starts the hull with its smallest step, though a circle is there several times', () => {
+    // A circle with others around it that hardly reach out.
+    const around = [0, 1, 2, 3, 4].map((k) => [10 * Math.cos(1.2 * k), 10 * Math.sin(1.2 * k), 0.5] as const)
+    const isOften = (hull: Int32Array) => hull.filter((circle) => circle === 0).length > 1
+    for (let last = 0; last < 5; last++) {
+      const others = around.filter((_, k) => k !== last)
+      for (let turn = 0; turn < 4; turn++) {
+        using editor = library.edit([[0, 0, 10], ...others.slice(turn), ...others.slice(0, turn)])
+        const diagram = editor.snapshot()
+        diagram.apply(editor.insert(around[last] as readonly [number, number, number]))
+        expect(isOften(diagram.hull)).toBe(true)
+        expect(diagram.hull).toEqual(editor.snapshot().hull)
+      }
+    }
+  })
+
   it('refuses without a trace', () => {
     using editor = library.edit(THREE)
     const before = contentOf(editor.snapshot())

@@ -177,6 +177,15 @@ describe('a check', () => {
   })
 })
 
+test('a check may be as deep and have as many parts as it may, and no more', () => {
+  const nested = (depth: number): unknown => (depth === 0 ? { circles: 1 } : { not: nested(depth - 1) })
+  const many = (count: number) => JSON.stringify({ all: Array(count).fill({ circles: 1 }) })
+  expect(parseCheck(JSON.stringify(nested(7)))).toEqual(nested(7))
+  expect(() => parseCheck(JSON.stringify(nested(8)))).toThrow('it has too many parts')
+  expect(parseCheck(many(199))).toHaveProperty('all')
+  expect(() => parseCheck(many(200))).toThrow('it has too many parts')
+})
+
 describe('the manifest', () => {
   const [{ declarations }] = JSON.parse(read('web/element/custom-elements.json')).modules
   const [element] = declarations
@@ -213,6 +222,12 @@ describe('the manifest', () => {
     for (const { name } of [...attributes, ...members, ...events, ...slots, ...cssParts]) {
       if (name !== '') expect(page, name).toMatch(new RegExp(`\`${name}[\`(]`))
     }
+    expect([attributes.length, members.length, events.length].every((count) => count > 5)).toBe(true)
+    // And nothing else: each attribute and event of its tables is one of these.
+    const known = new Set([...attributes, ...members, ...events, ...slots, ...cssParts].map(({ name }) => name))
+    const rows = [...page.matchAll(/^\| `([\w-]+)(?:\([^`]*\))?`/gm)].map(([, name]) => name as string)
+    expect(rows.length).toBeGreaterThan(attributes.length)
+    expect(rows.filter((name) => !known.has(name))).toEqual([])
   })
 
   test('has all layers in docs/element.md, and no others', () => {

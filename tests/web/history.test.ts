@@ -28,6 +28,15 @@ describe('what goes back to before edits', () => {
     })
   })
 
+  it('takes away what came in the place of a circle that the gesture moved before', () => {
+    const moved = record(EMPTY_HISTORY, [back(0, 1)], 3)
+    const steps: Step[] = [
+      { kind: 'remove', id: 0 },
+      { kind: 'insert', circle: CIRCLE, formerId: 0 },
+    ]
+    expect(record(moved, steps, 3).done).toEqual([{ kind: 'edits', gesture: 3, steps: [...steps, back(0, 1)] }])
+  })
+
   it('of another gesture is another entry, and nothing can be done again', () => {
     const undone = { done: [], undone: record(EMPTY_HISTORY, [back(0, 1)], 1).done }
     const { done, undone: left } = record(record(undone, [back(0, 1)], 1), [back(0, 2)], 2)

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { DATA_SETS, dataSetOf, labelOf, loadDataSet, nameFrom, nameOf, sourceOf } from '../../web/app/data-sets.ts'
+import {
+  DATA_SETS,
+  dataSetOf,
+  labelOf,
+  loadDataSet,
+  loadLinked,
+  nameFrom,
+  nameOf,
+  sourceOf,
+} from '../../web/app/data-sets.ts'
 import type { Recipe } from '../../web/app/generators/generators.ts'
 import { Keeping } from '../../web/app/keeping.ts'
 import type { LinkWriter } from '../../web/app/link-writer.ts'
@@ -135,6 +144,18 @@ describe('names of circles', () => {
     for (const dataSet of DATA_SETS) expect(dataSetOf(nameFrom(dataSet))).toBe(dataSet)
     expect(labelOf('dense:3:4000')).toBe('dense, 4,000')
     expect(dataSetOf('dense:3:4001')).toBeUndefined()
+  })
+
+  it('of a link are as many as a link may have, and no more', async () => {
+    const made: unknown[] = []
+    const make = async (recipe: unknown) => {
+      made.push(recipe)
+      return new Float64Array()
+    }
+    await loadLinked(`grid:1:${LINK_LIMITS.circles}`, make)
+    expect(made).toEqual([{ kind: 'family', family: 'grid', seed: 1, count: LINK_LIMITS.circles }])
+    await expect(loadLinked(`grid:1:${LINK_LIMITS.circles + 1}`, make)).rejects.toThrow('too many circles')
+    expect(made).toHaveLength(1)
   })
 
   it('of more circles than a link may have do not stand for them', () => {
@@ -325,6 +346,56 @@ describe('what a page leaves late', () => {
     leave({ dataSet: 'spruces' })
     expect((await begun(type, await hash())).dataSet).toBe('spruces')
     expect((await begun(type, await hash())).dataSet).toBe('introduction')
+  })
+
+  /** A page at an address whose links are made when the test says. */
+  function keeping(hash: string) {
+    const made: ((link: string) => void)[] = []
+    const links = { linkOf: () => new Promise<string>((resolve) => made.push(resolve)) } as unknown as LinkWriter
+    const address = { hash, pathname: '/', search: '' }
+    vi.stubGlobal('location', address)
+    vi.stubGlobal('history', {
+      replaceState: (_: unknown, __: string, to: string) => {
+        address.hash = to.startsWith('#') ? to : ''
+      },
+    })
+    vi.spyOn(performance, 'getEntriesByType').mockReturnValue([])
+    return { made, address, keeping: new Keeping(links, () => ({ dataSet: 'spruces' })) }
+  }
+
+  it('is not written over a link that is still to be opened, but after it', async () => {
+    const { made, address, keeping: kept } = keeping('#v1.a')
+    await kept.begin()
+    kept.changed()
+    await vi.advanceTimersByTimeAsync(400)
+    address.hash = '#v1.b'
+    expect(kept.isAddressNew).toBe(true)
+    made[0]?.('v1.late')
+    await vi.advanceTimersByTimeAsync(399)
+    expect(address.hash).toBe('#v1.b')
+    kept.wasOpened('#v1.b')
+    await vi.advanceTimersByTimeAsync(1)
+    made[1]?.('v1.c')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('#v1.c')
+    expect(kept.isAddressNew).toBe(false)
+  })
+
+  it('is the newest where something changes while its link is made', async () => {
+    const { made, address, keeping: kept } = keeping('')
+    await kept.begin()
+    kept.changed()
+    await vi.advanceTimersByTimeAsync(400)
+    kept.changed()
+    made[0]?.('v1.old')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('')
+    await vi.advanceTimersByTimeAsync(400)
+    made[1]?.('v1.new')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('#v1.new')
+    await vi.advanceTimersByTimeAsync(400)
+    expect(made).toHaveLength(2)
   })
 
   it('is not shown in place of a link that is opened, and not later either', async () => {

@@ -9,6 +9,7 @@ import { checkLayers, DEFAULT_LAYERS, keptLayers, type Layers, layersFrom } from
 import { idOf } from '../../web/view/painter/cell-boxes.ts'
 import { Centres } from '../../web/view/painter/centres.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
+import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
 import { found } from '../../web/view/painter/found.ts'
 import { mergedWith } from '../../web/view/painter/layers/vertices.ts'
@@ -273,7 +274,9 @@ describe('what the touching disc method makes on its way', () => {
         return distance - at(circles, 3 * i + 2)
       })
     const points = samples?.points as Float64Array
-    const smallest = circles.reduce((least, r, k) => (k % 3 === 2 ? Math.min(least, r) : least), 10)
+    // Hidden circles are taken out before.
+    const visible = Array.from({ length: 60 }, (_, i) => i).filter((i) => diagram.cells.exists(i))
+    const smallest = Math.min(...visible.map((i) => at(circles, 3 * i + 2)))
     expect(points.length).toBeGreaterThan(2 * (60 - hidden.length / 2))
     for (let k = 0; k < points.length; k += 2) {
       const gaps = gapsAt(at(points, k), at(points, k + 1)).map((gap) => Math.abs(gap + smallest))
@@ -413,5 +416,54 @@ describe('layers that are kept', () => {
     )
     const wrong = { circles: 1, cells: 'red', nearZero: -1, maxDistance: 'x', path: { from: { x: 1 } }, other: true }
     expect(layersFrom(wrong)).toEqual(DEFAULT_LAYERS)
+  })
+})
+
+describe('the rim of a disc that is too large for arcs of a canvas', () => {
+  const frame = { x: 0, y: 0, scale: 1, width: 300, height: 200 }
+  it.each([0, 0.7, 2, 3.3, 5.9])('is on its circle wherever it is seen, without a corner: from %d radians', (turn) => {
+    const radius = 1e5
+    const [x, y] = [150 - radius * Math.cos(turn), 100 - radius * Math.sin(turn)]
+    const curves: (readonly [number, number][])[] = []
+    let from: [number, number] = [0, 0]
+    const path = {
+      moveTo: (x: number, y: number) => {
+        from = [x, y]
+      },
+      bezierCurveTo: (...[ax, ay, bx, by, cx, cy]: [number, number, number, number, number, number]) => {
+        curves.push([from, [ax, ay], [bx, by], [cx, cy]])
+        from = [cx, cy]
+      },
+      arc() {},
+      lineTo() {},
+      closePath() {},
+    }
+    addDisc(path as never, frame as never, x, y, radius)
+    expect(curves.length).toBeGreaterThan(0)
+    for (const curve of curves) {
+      for (let t = 0; t <= 1; t += 0.125) {
+        const weights = [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3]
+        const [px, py] = [0, 1].map((axis) => weights.reduce((sum, w, k) => sum + w * (curve[k]?.[axis] as number), 0))
+        expect(Math.abs(Math.hypot((px as number) - x, (py as number) - y) - radius)).toBeLessThan(0.01)
+      }
+    }
+    // It begins and ends outside of what is seen.
+    const isSeen = ([x, y]: readonly [number, number]) => x >= 0 && x <= 300 && y >= 0 && y <= 200
+    expect([curves[0]?.[0], curves.at(-1)?.[3]].some((end) => isSeen(end as [number, number]))).toBe(false)
+  })
+})
+
+describe('what cells are measured by', () => {
+  it('is known anew after each edit', () => {
+    const picture = new Picture(library.edit(randomCircles(60)))
+    for (let k = 0; k < 40; k++) {
+      const { diagram } = picture
+      for (let i = 0; i < diagram.circles.length / 3; i++) {
+        if (!diagram.cells.exists(i)) continue
+        expect(picture.gaps().valueOf(i)).toBeCloseTo(new Measures('gap', diagram).valueOf(i), 9)
+        expect(picture.areas().valueOf(i)).toBeCloseTo(new Measures('area', diagram).valueOf(i), 9)
+      }
+      picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
+    }
   })
 })

@@ -192,6 +192,9 @@ describe('what is no link', () => {
       'the circle of edit 1 has a negative radius',
     ],
     [{ edits: [['=', 1, 0, 1e200, 1]] }, 'the circle of edit 0 has a coordinate or a radius beyond 1e150'],
+    [{ circles: [0, 0, 1, 0, 0, 2e150] }, 'circle 1 has a coordinate or a radius beyond 1e150'],
+    [{ circles: [0, -2e150, 1] }, 'circle 0 has a coordinate or a radius beyond 1e150'],
+    [{ dataSet: 'x'.repeat(201) }, 'its data set has no name'],
     [{ view: [1, 2] }, 'its view is none'],
     [{ view: [1, 2, 0] }, 'its view is none'],
     [{ view: [1, 2, 3, 4] }, 'its view is none'],
@@ -205,6 +208,26 @@ describe('what is no link', () => {
     await expect(decodeLink(await said(value))).rejects.toThrow(
       expect.objectContaining({ code: 'badInput', message: `The link cannot be read: ${reason}.` }),
     )
+  })
+
+  it('may be as large as it may be', async () => {
+    const circles = Float64Array.of(1e150, -1e150, 1e150)
+    expect(await decodeLink(await said({ circles: [...circles] }))).toEqual({ circles })
+    expect(await decodeLink(await said({ edits: [['=', 2 ** 31 - 1, ...circles]] }))).toMatchObject({
+      edits: [{ kind: 'replace', id: 2 ** 31 - 1, circle: { x: 1e150, y: -1e150, r: 1e150 } }],
+    })
+    const dataSet = 'x'.repeat(200)
+    expect(await decodeLink(await said({ dataSet }))).toEqual({ dataSet })
+    const edits = new Array(LINK_LIMITS.edits).fill(['-', 1])
+    expect((await decodeLink(await said({ edits }))).edits).toHaveLength(LINK_LIMITS.edits)
+    // The object, the list and its items.
+    const layers = { a: new Array(LINK_LIMITS.layerValues - 2).fill(1) }
+    expect(await decodeLink(await said({ layers }))).toEqual({ layers })
+    const nested = (depth: number): unknown => (depth === 0 ? 1 : [nested(depth - 1)])
+    expect(await decodeLink(await said({ layers: { a: nested(6) } }))).toEqual({ layers: { a: nested(6) } })
+    await expect(decodeLink(await said({ layers: { a: nested(7) } }))).rejects.toThrow(TOO_MUCH)
+    layers.a.push(1)
+    await expect(decodeLink(await said({ layers }))).rejects.toThrow(TOO_MUCH)
   })
 
   it('is refused where its bytes are no text', async () => {

@@ -35,6 +35,17 @@ describe('mergeVertices', () => {
     expect(merged.edges).toHaveLength(4 * count)
   })
 
+  it('makes one vertex of them however they are numbered', () => {
+    const random = seededRandom(2)
+    for (let trial = 0; trial < 60; trial++) {
+      const circles = Array.from({ length: 64 }, (_, k) => {
+        const turn = (2 * Math.PI * k) / 64
+        return { x: 100 * Math.cos(turn), y: 100 * Math.sin(turn), r: 3, key: random() }
+      }).sort((one, other) => one.key - other.key)
+      expect(mergeVertices(library.compute(circles)).vertices).toHaveLength(3)
+    }
+  })
+
   it('does not depend on the order of the input', () => {
     const random = seededRandom(1)
     const grid = Array.from({ length: 36 }, (_, k) => ({ x: 3 * (k % 6), y: 3 * Math.floor(k / 6), r: 1 }))

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Circles that are opened while others are about to be.
 import { beforeEach, describe, expect, it, vi } from 'vitest'
+import { PageActions } from '../../web/app/page-actions.ts'
 import { Editing } from '../../web/editing/editing.ts'
 import { EditorActions, type Opened } from '../../web/editing/editor-actions.ts'
 import { INITIAL_STATE } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import type { DiagramEditor } from '../../web/lib/index.ts'
+import { encodeLink } from '../../web/lib/link.ts'
 import type { Camera } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import type { View } from '../../web/view/view.ts'
@@ -106,5 +108,40 @@ describe('what is opened', () => {
     const failing = Promise.reject(new Error('It could not be loaded.'))
     const [first, second] = await Promise.all([actions.open(() => failing), actions.open(async () => SECOND)])
     expect([first, second, store.get().problem]).toEqual(['superseded', 'opened', ''])
+  })
+})
+
+describe('the next circle', () => {
+  it('is the next number that there is, or the one before, and none beyond the last', async () => {
+    const { actions, editing, store } = started()
+    await actions.open(async () => SECOND)
+    await editing.edit([{ kind: 'remove', id: 1 }])
+    expect(actions.selectNext(1)).toBe(false)
+    actions.select([0])
+    const selected = () => store.get().selection
+    expect([actions.selectNext(1), selected()]).toEqual([true, [2]])
+    expect([actions.selectNext(1), selected()]).toEqual([false, [2]])
+    expect([actions.selectNext(-1), selected()]).toEqual([true, [0]])
+    expect([actions.selectNext(-1), selected()]).toEqual([false, [0]])
+  })
+})
+
+describe('what the page opens', () => {
+  it('by a link that has circles is not edited, and by one that names a data set has its name', async () => {
+    const { editing, store, view } = started()
+    const made: unknown[] = []
+    const padding = () => ({ top: 0, right: 0, bottom: 0, left: 0 })
+    const page = new PageActions(store, editing, view as unknown as View, padding, async (recipe) => {
+      made.push(recipe)
+      return Float64Array.of(1, 2, 3)
+    })
+    expect(await page.openLink(await encodeLink({ circles: Float64Array.of(4, 5, 6) }))).toBe('opened')
+    expect(editing.scene).toEqual({ circles: Float64Array.of(4, 5, 6), dataSet: '', isEdited: false })
+    expect(await page.openLink(await encodeLink({ dataSet: 'grid:5:9' }))).toBe('opened')
+    expect(editing.scene).toEqual({ circles: Float64Array.of(1, 2, 3), dataSet: 'grid:5:9', isEdited: false })
+    expect(made).toEqual([{ kind: 'family', family: 'grid', seed: 5, count: 9 }])
+    expect(await page.openRead(async () => ({ circles: Float64Array.of(7, 8, 9) }) as never)).toBe('opened')
+    expect(editing.scene).toEqual({ circles: Float64Array.of(7, 8, 9), dataSet: '', isEdited: false })
+    expect(await page.openLink('v1.none')).toBe('refused')
   })
 })

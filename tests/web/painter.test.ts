@@ -91,6 +91,18 @@ describe('the painter', () => {
     expect(worker().isTerminated).toBe(true)
   })
 
+  it('keeps nothing of what was answered', async () => {
+    const kept = vi.spyOn(Map.prototype, 'set')
+    const hit = scene.hit(0, 0, 1)
+    const asked = kept.mock.contexts.at(-1) as Map<unknown, unknown>
+    kept.mockRestore()
+    const request = worker().of('hit')[0]?.request as number
+    expect([...asked.keys()]).toEqual([request])
+    worker().answer({ kind: 'hit', request, hit: { id: 1, part: 'disc' } })
+    expect(await hit).toEqual({ id: 1, part: 'disc' })
+    expect(asked.size).toBe(0)
+  })
+
   it('has another thread go on where one that worked has failed', async () => {
     const circles = Float64Array.of(0, 0, 1, 5, 0, 1)
     const open = scene.open(circles)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { type Circle, Diagram, TRACE_KINDS, Trace } from '../../web/lib/index.ts'
-import { ringOf, testedCircles, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
+import { ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
 import { arcOf } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
 import { PROGRAMS, textOf } from '../../web/player/program.ts'
@@ -93,6 +93,20 @@ describe('the steps of a trace', () => {
     ])
   })
 
+  it('are told in the singular of one thing, and in the plural of more or none', () => {
+    const trace = library.trace(randomCircles(40, 3))
+    const told = stepsOf(trace).map((step) => sentenceOf(trace, step))
+    const formed = told.filter((text) => /three-touch discs? .*into the list/.test(text))
+    expect(formed.some((text) => /^1 three-touch disc goes into the list: \d+·\d+·\d+ /.test(text))).toBe(true)
+    expect(formed.some((text) => /^\d+ three-touch discs go into the list: /.test(text))).toBe(true)
+    expect(formed.filter((text) => !/^(1 three-touch disc goes|\d+ three-touch discs go) into/.test(text))).toEqual([])
+  })
+
+  it('are those of flips where the trace begins with faces, and of the method where it has neither', () => {
+    expect(programOf(library.trace(SMALL, { edits: [] }))).toBe('flips')
+    expect(programOf(library.trace([]))).toBe('touching')
+  })
+
   it('can be looked for by sort and by circle', () => {
     const trace = library.trace(SMALL)
     const steps = stepsOf(trace)
@@ -141,21 +155,69 @@ describe('what is shown beside a step', () => {
       const { circles: ids, disc } = trace.event(step.event)
       const state = trace.at(step.event)
       const circleOf = circlesOf(trace, circles, step)
-      expect(testedCircles(trace, state, ids.slice(0, 2), disc as Circle, circleOf)).toContain(ids[2])
+      const tested = testedCircles(trace, state, ids.slice(0, 2), disc as Circle, circleOf)
+      expect(tested).toContain(ids[2])
+      expect(tested).toEqual(neighborsOnRings(state, ids.slice(0, 2), disc as Circle, circleOf))
       met += 1
     }
     expect(met).toBeGreaterThan(5)
   })
 
+  /** Those of the marks next to the foot point on either side, by the least turn to them. */
+  function neighborsOnRings(
+    state: ReturnType<Trace['at']>,
+    pair: readonly number[],
+    disc: Circle,
+    circleOf: (id: number) => Circle | undefined,
+  ): number[] {
+    const found = new Set<number>()
+    const turned = (turn: number) => turn - Math.floor(turn)
+    for (const id of pair) {
+      const circle = circleOf(id) as Circle
+      const { marks } = ringOf(trace, state, id, circle)
+      const foot = turnTo(circle, disc.x, disc.y)
+      for (const way of [1, -1]) {
+        const rank = ({ angle }: { angle: number }) => turned(way * (angle - foot)) || 1
+        const least = Math.min(...marks.map(rank))
+        const next = marks.filter((mark) => rank(mark) === least)
+        const mark = way === 1 ? next[0] : next.at(-1)
+        if (mark !== undefined) found.add(mark.other)
+      }
+    }
+    return [...found].filter((id) => !pair.includes(id)).sort((a, b) => a - b)
+  }
+
   it('has arcs of a ring between edges that end and edges that start, and none where all is used', () => {
     const { hull } = trace.diagram
     const state = trace.at(trace.length)
     const circleOf = circlesOf(trace, circles, steps.at(-1) as Step)
+    let arcs = 0
     for (let id = 0; id < 40; id++) {
-      const ring = ringOf(trace, state, id, circleOf(id) as Circle)
-      expect(ring.marks.filter(({ isOut }) => isOut)).toHaveLength(ring.marks.length / 2)
+      const { marks, unused } = ringOf(trace, state, id, circleOf(id) as Circle)
+      expect(marks.filter(({ isOut }) => isOut)).toHaveLength(marks.length / 2)
       // At the end circles of the hull have an arc for each time that the hull comes by.
-      expect(ring.unused).toHaveLength(hull.filter((circle) => circle === id).length)
+      expect(unused).toHaveLength(hull.filter((circle) => circle === id).length)
+      for (const { from, to } of unused) {
+        arcs += 1
+        expect(from >= 0 && from < 1 && to > from && to <= from + 1).toBe(true)
+        expect(marks.some(({ angle, isOut }) => angle === from && !isOut)).toBe(true)
+        expect(marks.some(({ angle, isOut }) => isOut && (angle === to || angle + 1 === to))).toBe(true)
+        const isInside = (angle: number) => (angle > from && angle < to) || angle + 1 < to
+        expect(marks.some(({ angle }) => isInside(angle))).toBe(false)
+      }
+    }
+    expect(arcs).toBe(hull.length)
+  })
+
+  it('has an arc all around a circle with one neighbor, from where that touches to there again', () => {
+    const two = library.trace(Float64Array.of(0, 0, 1, 4, 0, 1))
+    const state = two.at(two.length)
+    for (const [id, angle] of [
+      [0, 0],
+      [1, 0.5],
+    ] as const) {
+      const { unused } = ringOf(two, state, id, { x: 4 * id, y: 0, r: 1 })
+      expect(unused).toEqual([{ from: angle, to: angle + 1 }])
     }
   })
 
@@ -192,6 +254,21 @@ describe('what is shown beside a step', () => {
     const vertices = Array.from(state.segments, (k) => trace.event(k).disc as Circle)
     for (const { x, y } of vertices) expect(ends).toContain([x.toFixed(6), y.toFixed(6)].join())
     expect(drawn).toHaveLength(48 * state.segments.length)
+  })
+
+  it('draws rays from each centre to the samples of its circle that come next', () => {
+    const step = steps.find(({ line }) => line === 'angles') as Step
+    const state = trace.at(step.end)
+    const known = circlesAt(trace, circles, state)
+    const { segments = [] } = sceneOf(trace, step, state, [], known, COLORS).find(({ id }) => id === 'rays') ?? {}
+    const { samples } = trace.at(trace.length)
+    const expected = Array.from(samples).flatMap((event) => {
+      const { disc, circles: of } = trace.event(event)
+      const { x, y } = known.get(of[0] as number) as Circle
+      return [x, y, disc?.x, disc?.y]
+    })
+    expect([...segments]).toEqual(expected)
+    expect(expected.length).toBeGreaterThan(100)
   })
 
   it('shows circles as edits have left them', () => {

@@ -56,6 +56,21 @@ describe('a thread in Node', () => {
     thread.terminate()
   })
 
+  it('takes over no options of its process, some of which would break it', () => {
+    const given: unknown[] = []
+    class Worker extends EventTarget {
+      constructor(_: URL, options: unknown) {
+        super()
+        given.push(options)
+      }
+      on() {}
+    }
+    const builtin = vi.spyOn(process, 'getBuiltinModule').mockReturnValue({ Worker } as never)
+    startThread({ onReply() {}, onFailure() {} })
+    builtin.mockRestore()
+    expect(given).toEqual([expect.objectContaining({ execArgv: [] })])
+  })
+
   it('tells of its failure, and answers nothing once it has been ended', async () => {
     world.file = moduleOf(`throw new Error('broken')`)
     let failure: unknown

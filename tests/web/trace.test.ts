@@ -35,12 +35,12 @@ function tripleOf(circles: ArrayLike<number>): string {
 }
 
 /** The same from the events alone: an edge for each accepted antipodal disc, and one from each vertex that leaves one open. */
-function replayedEdges(trace: Trace): string[] {
+function replayedEdges(trace: Trace, from = 0): string[] {
   const edges: { left: number; right: number; ends: [string, string] }[] = []
   const ofDirectedEdge = new Map<number, { edge: number; end: 0 | 1 }>()
   let vertex = '-'
   let placedAtOnce = 0
-  for (let k = 0; k < trace.length; k++) {
+  for (let k = from; k < trace.length; k++) {
     const { kind, circles, numbers } = trace.event(k)
     const [a, b] = circles as [number, number]
     const [number] = numbers as [number]
@@ -164,9 +164,37 @@ describe('a trace', () => {
     const rounds = trace.kinds.reduce((count, kind) => count + (TRACE_KINDS[kind] === 'roundBegun' ? 1 : 0), 0)
     expect(rounds).toBe(trace.diagram.stats.counts.resamplings + 1)
     expect(rounds).toBeGreaterThan(1)
-    const { round, samples } = trace.at(trace.length)
+    const { round, samples, pairs, branchDiscs } = trace.at(trace.length)
     expect(trace.event(round).numbers).toEqual([rounds - 1])
     expect(samples).toHaveLength(trace.diagram.stats.counts.samples)
+    // All is of the last round; those before it have left nothing.
+    expect(Math.min(...samples, ...pairs, ...branchDiscs)).toBeGreaterThan(round)
+    expect(branchDiscs).toHaveLength(trace.diagram.vertices.length / 3)
+    const before = trace.at(round)
+    expect(before.directedEdges.length).toBeGreaterThan(0)
+    expect(trace.at(round + 1)).toMatchObject({
+      round,
+      samples: new Int32Array(),
+      pairs: new Int32Array(),
+      branchDiscs: new Int32Array(),
+      directedEdges: new Int32Array(),
+      queue: new Int32Array(),
+    })
+    expect(replayedEdges(trace, round)).toEqual(edgesOf(trace.diagram))
+  })
+
+  it('has no faces of the round before where edits compute all anew', () => {
+    const circles = circlesOf(30, 5)
+    const move = (x: number) => ({ kind: 'replace', id: 0, circle: [x, 40, 1] }) as const
+    const edits = [...Array.from({ length: 34 }, (_, x) => move(x)), { kind: 'insert', circle: [8, 8, 9] }] as const
+    const trace = library.trace(circles, { edits })
+    const begun = [...trace.kinds.keys()].filter((k) => TRACE_KINDS[trace.kinds[k] as number] === 'roundBegun')
+    for (const k of begun) expect(trace.at(k + 1).faces).toEqual(new Int32Array())
+    for (let k = 0; k <= trace.length; k++) {
+      const { round, faces } = trace.at(k)
+      expect(faces.every((event) => event > round)).toBe(true)
+    }
+    expect(begun).toHaveLength(2)
   })
 
   it('refuses what makes no sense', () => {

@@ -92,6 +92,16 @@ async function reasonOf(promise: Promise<unknown>): Promise<unknown> {
   )
 }
 
+it('makes no editor once it was disposed of, before or while its module comes', async () => {
+  const before = worker.edit(THREE)
+  worker.dispose()
+  const promises = [before, worker.edit(THREE), worker.computeAsync(THREE)]
+  for (const reason of await Promise.all(promises.map(reasonOf))) {
+    expect(reason).toMatchObject({ name: 'AbortError', message: 'The worker has been disposed of.' })
+  }
+  expect(threads).toHaveLength(0)
+})
+
 describe('a worker', () => {
   it('starts one thread with the first computation, and keeps Node alive while there is something to do', async () => {
     expect(threads).toHaveLength(0)

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the thread of files answers where something goes wrong.
+import { afterEach, expect, it, vi } from 'vitest'
+import type { FilesReply } from '../../web/app/files/files-protocol.ts'
+
+const world = vi.hoisted(() => ({ failures: 1 }))
+vi.mock('../../web/app/generators/generators.ts', () => ({
+  loadGenerators: async () => {
+    if (world.failures-- > 0) throw new Error('The network is gone')
+    return { catalogue: () => 'all families' }
+  },
+}))
+
+afterEach(() => vi.unstubAllGlobals())
+
+it('says what went wrong, about which circle if about one, and tries again when it is asked again', async () => {
+  const replies: FilesReply[] = []
+  vi.stubGlobal('postMessage', (reply: FilesReply) => replies.push(reply))
+  await import('../../web/app/files/files-thread.ts')
+  const { onmessage } = globalThis as unknown as { onmessage: (event: object) => Promise<void> }
+  const ask = async (data: object) => {
+    await onmessage({ data })
+    return replies.at(-1)
+  }
+  const error = { code: 'internal', circle: -1, message: 'The network is gone.' }
+  expect(await ask({ request: 1, kind: 'catalogue' })).toEqual({ request: 1, error })
+  expect(await ask({ request: 2, kind: 'catalogue' })).toEqual({ request: 2, result: 'all families' })
+  const read = { request: 3, kind: 'read', bytes: new TextEncoder().encode('0,0,1\n5,0,-1\n'), name: 'a.csv' }
+  const refused = { code: 'negativeRadius', circle: 1, message: expect.stringMatching(/^a\.csv:2: Circle 1 /) }
+  expect(await ask(read)).toEqual({ request: 3, error: refused })
+})

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keys do, on an element without a browser.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import type { EditorActions } from '../../web/editing/editor-actions.ts'
+import { listenToKeyboard } from '../../web/editing/keyboard.ts'
+import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
+import type { Listening } from '../../web/view/pointer.ts'
+import type { View } from '../../web/view/view.ts'
+
+/** An element, by what it is in. */
+class FakeElement extends EventTarget {
+  readonly inside: string
+  constructor(inside: string) {
+    super()
+    this.inside = inside
+  }
+  closest(selectors: string): this | null {
+    return selectors.split(', ').includes(this.inside) ? this : null
+  }
+}
+
+beforeEach(() => {
+  vi.stubGlobal('Element', FakeElement)
+})
+afterEach(() => vi.unstubAllGlobals())
+
+function listening(state: Partial<State> = {}) {
+  const done: unknown[][] = []
+  let gestures = 0
+  const known: { [name: string]: unknown } = { pending: undefined, isReadonly: false }
+  const actions = new Proxy(known, {
+    get: (target, name: string) => {
+      if (name in target) return target[name]
+      return (...values: unknown[]) => {
+        if (name === 'beginGesture') return ++gestures
+        done.push([name, ...values])
+        return true
+      }
+    },
+  })
+  const [figure, around] = [new FakeElement('figure'), new EventTarget()]
+  const store = createStore<State>({ ...INITIAL_STATE, ...state })
+  listenToKeyboard(
+    figure as unknown as HTMLElement,
+    { camera: { x: 0, y: 0, scale: 4 } } as View,
+    { pending: undefined } as Listening,
+    store,
+    actions as unknown as EditorActions,
+    { showHelp: () => done.push(['help']) },
+    { around: around as unknown as Document },
+  )
+  const press = (key: string, { at = figure, ...rest }: { at?: EventTarget; [name: string]: unknown } = {}) => {
+    const none = { ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, repeat: false }
+    const heard = (type: string, of: EventTarget) => {
+      const event = Object.assign(new Event(type, { cancelable: true }), { key, ...none, ...rest })
+      Object.defineProperty(event, 'target', { value: at })
+      of.dispatchEvent(event)
+      return event.defaultPrevented
+    }
+    const byFigure = at === figure && heard('keydown', figure)
+    return heard('keydown', around) || byFigure
+  }
+  return { done, press, actions: known }
+}
+
+describe('an arrow key', () => {
+  it('moves what is selected in one gesture for as long as it is held, by larger or finer steps', () => {
+    const { done, press } = listening({ selection: [3] })
+    press('ArrowRight')
+    press('ArrowRight', { repeat: true })
+    press('ArrowUp', { repeat: true, shiftKey: true })
+    press('ArrowLeft', { altKey: true })
+    expect(done).toEqual([
+      ['moveSelected', 1, 0, 1],
+      ['moveSelected', 1, 0, 1],
+      ['moveSelected', 0, 10, 1],
+      ['moveSelected', -0.1, 0, 2],
+    ])
+  })
+
+  it('pans where nothing is selected, or nothing may be edited', () => {
+    const nothing = listening()
+    nothing.press('ArrowLeft')
+    nothing.press('ArrowUp')
+    expect(nothing.done).toEqual([
+      ['pan', 48, 0],
+      ['pan', -0, 48],
+    ])
+    const readonly = listening({ selection: [3] })
+    readonly.actions.isReadonly = true
+    readonly.press('ArrowDown')
+    expect(readonly.done).toEqual([['pan', -0, -48]])
+  })
+})
+
+describe('a key that is heard around the figure', () => {
+  it.each(['input', 'textarea', 'select', 'dialog'])('is left to what is in it: %s', (inside) => {
+    const { done, press } = listening()
+    const at = new FakeElement(inside)
+    for (const key of ['v', 'Delete', '?', 'Escape']) expect(press(key, { at })).toBe(false)
+    expect(press('z', { at, ctrlKey: true })).toBe(false)
+    expect(done).toEqual([])
+  })
+
+  it('does what it says on a button, and not twice on the figure', () => {
+    const { done, press } = listening()
+    const at = new FakeElement('button')
+    for (const key of ['h', 'Delete', 'Escape', '?']) expect(press(key, { at })).toBe(true)
+    expect(press('Z', { at, metaKey: true, shiftKey: true })).toBe(true)
+    expect(press('x', { at })).toBe(false)
+    expect(press('v', { at, altKey: true })).toBe(false)
+    expect(done).toEqual([['useTool', 'pan'], ['removeSelected'], ['release'], ['help'], ['redo']])
+    done.length = 0
+    press('Delete')
+    press('Escape')
+    expect(done).toEqual([['removeSelected'], ['release']])
+  })
+})

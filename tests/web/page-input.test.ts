@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page takes from the clipboard, from what is dropped on it, and from fields, on a document without a browser.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import type { FileActions } from '../../web/app/files/file-actions.ts'
+import { listenToClipboard } from '../../web/app/input/clipboard.ts'
+import { listenToFiles } from '../../web/app/input/dropping.ts'
+import type { PageActions } from '../../web/app/page-actions.ts'
+import { mountInspector } from '../../web/app/panels/inspector.ts'
+import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
+import { createStore } from '../../web/editing/store.ts'
+
+/** As much of an element as is asked for here. */
+class FakeElement extends EventTarget {
+  readonly inside: string | undefined
+  readonly attributes = new Map<string, string>()
+  hidden = false
+  textContent = ''
+  title = ''
+  value = ''
+  focused = 0
+  constructor(inside?: string) {
+    super()
+    this.inside = inside
+  }
+  get valueAsNumber() {
+    return this.value === '' ? Number.NaN : Number(this.value)
+  }
+  closest(selectors: string) {
+    return this.inside !== undefined && selectors.split(', ').includes(this.inside) ? this : null
+  }
+  contains() {
+    return false
+  }
+  setAttribute(name: string, value: string) {
+    this.attributes.set(name, value)
+  }
+  focus() {
+    this.focused += 1
+  }
+}
+
+const OWN = 'application/x-circle-voronoi'
+
+let page: EventTarget & { body: { classList: Set<string> & { remove?: (name: string) => void } } }
+let isTextSelected = false
+const elements = new Map<string, FakeElement>()
+beforeEach(() => {
+  const classes = Object.assign(new Set<string>(), { remove: (name: string) => classes.delete(name) })
+  elements.clear()
+  page = Object.assign(new EventTarget(), {
+    body: { classList: classes },
+    activeElement: undefined,
+    getSelection: () => ({ isCollapsed: !isTextSelected }),
+    getElementById: (id: string) => {
+      if (!elements.has(id)) elements.set(id, new FakeElement())
+      return elements.get(id)
+    },
+  })
+  isTextSelected = false
+  vi.stubGlobal('document', page)
+  for (const name of ['', 'HTML', 'HTMLInput', 'HTMLButton', 'HTMLParagraph', 'HTMLHeading', 'HTMLUList']) {
+    vi.stubGlobal(`${name}Element`, FakeElement)
+  }
+})
+afterEach(() => vi.unstubAllGlobals())
+
+/** Sends an event to the page and returns it. */
+function send(type: string, more: object, target: EventTarget = page) {
+  const event = Object.assign(new Event(type, { cancelable: true }), more)
+  Object.defineProperty(event, 'target', { value: target })
+  page.dispatchEvent(event)
+  return event
+}
+
+class Data {
+  readonly kinds = new Map<string, string>()
+  files: unknown[] = []
+  setData(kind: string, text: string) {
+    this.kinds.set(kind, text)
+  }
+  getData(kind: string) {
+    return this.kinds.get(kind) ?? ''
+  }
+}
+
+describe('the clipboard', () => {
+  function listening() {
+    const done: unknown[][] = []
+    const held = [{ id: 3, circle: { x: 1, y: 2, r: 0.5 } }]
+    listenToClipboard({
+      held: () => held,
+      removeSelected: () => done.push(['remove']),
+      paste: (...pasted: unknown[]) => done.push(['paste', ...pasted]),
+    } as unknown as PageActions)
+    return { done, held }
+  }
+
+  it('gets the selected circles, as lines of numbers too', () => {
+    const { held } = listening()
+    held.push({ id: 9, circle: { x: -4, y: 0, r: 1e-9 } })
+    const clipboardData = new Data()
+    expect(send('copy', { clipboardData }).defaultPrevented).toBe(true)
+    expect([...clipboardData.kinds]).toEqual([
+      [OWN, '[[1,2,0.5],[-4,0,1e-9]]'],
+      ['text/plain', '1\t2\t0.5\n-4\t0\t1e-9\n'],
+    ])
+  })
+
+  it('is left to the browser in a field, where text is selected, and where no circle is', () => {
+    const { done, held } = listening()
+    const refused = (target?: EventTarget) => {
+      const clipboardData = new Data()
+      expect(send('cut', { clipboardData }, target).defaultPrevented).toBe(false)
+      expect(clipboardData.kinds.size).toBe(0)
+    }
+    refused(new FakeElement('input'))
+    isTextSelected = true
+    refused()
+    isTextSelected = false
+    held.length = 0
+    refused()
+    expect(done).toEqual([])
+  })
+
+  it('gives them back each time a little farther aside, from the first place after each copy', () => {
+    const { done } = listening()
+    const clipboardData = new Data()
+    const circles = [{ x: 1, y: 2, r: 0.5 }]
+    send('cut', { clipboardData })
+    send('paste', { clipboardData })
+    send('paste', { clipboardData })
+    send('copy', { clipboardData })
+    expect(send('paste', { clipboardData }).defaultPrevented).toBe(true)
+    expect(done).toEqual([['remove'], ['paste', circles, 1], ['paste', circles, 2], ['paste', circles, 1]])
+  })
+
+  it.each(['', '[]', '{}', '[[1,2]]', '[[1,2,"3"]]', '[[1,2,null]]', '[1,2,3]', 'circles'])(
+    'gives nothing of %j',
+    (text) => {
+      const { done } = listening()
+      const clipboardData = new Data()
+      clipboardData.setData(OWN, text)
+      expect(send('paste', { clipboardData }).defaultPrevented).toBe(false)
+      expect(done).toEqual([])
+    },
+  )
+})
+
+describe('what is dropped', () => {
+  function listening() {
+    const opened: unknown[] = []
+    const open = (what: unknown) => opened.push(what)
+    listenToFiles({ openFile: open, openText: open } as unknown as FileActions)
+    return opened
+  }
+
+  it('is announced until it has left the page or was dropped', () => {
+    const opened = listening()
+    const { classList } = page.body
+    const over = () => {
+      expect(send('dragover', {}).defaultPrevented, 'else the browser would go to the file').toBe(true)
+      expect([...classList]).toEqual(['dropping'])
+    }
+    over()
+    send('dragleave', { relatedTarget: new FakeElement() })
+    expect([...classList], 'only from one element to another').toEqual(['dropping'])
+    send('dragleave', { relatedTarget: null })
+    expect([...classList]).toEqual([])
+    over()
+    const dataTransfer = new Data()
+    dataTransfer.files = ['a.csv']
+    expect(send('drop', { dataTransfer }).defaultPrevented).toBe(true)
+    expect([...classList]).toEqual([])
+    expect(opened).toEqual(['a.csv'])
+  })
+
+  it('or pasted is a file, or else text that is no blank, but not what is pasted into a field', () => {
+    const opened = listening()
+    const clipboardData = new Data()
+    clipboardData.setData('text/plain', ' \n')
+    expect(send('paste', { clipboardData }).defaultPrevented).toBe(false)
+    clipboardData.setData('text/plain', '1,2,3')
+    expect(send('paste', { clipboardData }, new FakeElement('textarea')).defaultPrevented).toBe(false)
+    expect(opened).toEqual([])
+    expect(send('paste', { clipboardData }).defaultPrevented).toBe(true)
+    expect(opened).toEqual(['1,2,3'])
+  })
+})
+
+describe('the fields of the selected circle', () => {
+  function mounted() {
+    const set: unknown[] = []
+    const store = createStore<State>({ ...INITIAL_STATE, selected: 7, circle: { x: 1, y: 2, r: 3 } })
+    const actions = { set: (edits: unknown) => set.push(edits), select: (ids: unknown) => set.push(ids) }
+    const frames: (() => void)[] = []
+    vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
+    const focusNumbers = mountInspector(store, actions as unknown as PageActions)
+    const [x, y, r] = ['x', 'y', 'r'].map((name) => elements.get(`field-${name}`) as FakeElement)
+    const change = (more: Partial<State>) => {
+      store.update((state) => ({ ...state, ...more }))
+      for (const frame of frames.splice(0)) frame()
+    }
+    const type = (field: FakeElement | undefined, text: string, types = ['input', 'change']) => {
+      if (field === undefined) throw new Error('There is no such field.')
+      field.value = text
+      for (const type of types) field.dispatchEvent(new Event(type))
+    }
+    return { set, fields: [x, y, r] as FakeElement[], change, type, focusNumbers }
+  }
+
+  it('set the number that each is for', () => {
+    const { set, fields, type } = mounted()
+    for (const field of fields) type(field, '9')
+    expect(set).toEqual([
+      [{ id: 7, circle: { x: 9, y: 2, r: 3 } }],
+      [{ id: 7, circle: { x: 1, y: 9, r: 3 } }],
+      [{ id: 7, circle: { x: 1, y: 2, r: 9 } }],
+    ])
+  })
+
+  it('set nothing where no circle is selected any more', () => {
+    const { set, fields, change, type } = mounted()
+    change({ selected: undefined, circle: undefined })
+    type(fields[0], '9')
+    expect(set).toEqual([])
+    expect(elements.get('inspector')?.hidden).toBe(true)
+  })
+
+  it('keep what is being typed, and say that it was refused, until they are left', () => {
+    const { fields, change, type } = mounted()
+    const [x, y] = fields
+    type(x, '-', ['input'])
+    change({ circle: { x: 5, y: 6, r: 3 }, problem: 'no number' })
+    expect([x?.value, y?.value]).toEqual(['-', '6'])
+    expect([x, y].map((field) => field?.attributes.get('aria-invalid'))).toEqual(['true', 'false'])
+    x?.dispatchEvent(new Event('blur'))
+    change({ problem: '', circle: { x: 5, y: 6, r: 4 } })
+    expect(x?.value).toBe('5')
+    expect(x?.attributes.get('aria-invalid')).toBe('false')
+  })
+
+  it('give the focus back to the figure at Escape', () => {
+    const { fields, focusNumbers } = mounted()
+    focusNumbers()
+    expect(fields[0]?.focused).toBe(1)
+    const figure = elements.get('figure') as FakeElement
+    for (const key of ['a', 'Escape']) fields[1]?.dispatchEvent(Object.assign(new Event('keydown'), { key }))
+    expect(figure.focused).toBe(1)
+  })
+})

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a view shows above its picture, with a painter that answers when the test says; what is drawn is not looked at.
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import type { Point } from '../../web/lib/index.ts'
+import type { Painter } from '../../web/view/painter.ts'
+import type { Touching } from '../../web/view/protocol.ts'
+import { View } from '../../web/view/view.ts'
+
+const drawn = vi.hoisted(() => [] as { touching: unknown }[])
+vi.mock('../../web/view/overlay.ts', () => ({
+  drawOverlay: (...[, , , , above]: { touching: unknown }[]) => drawn.push(above as { touching: unknown }),
+}))
+vi.mock('../../web/view/style.ts', () => ({ readStyle: () => ({}), isDark: () => false }))
+vi.mock('../../web/view/base-picture.ts', () => ({
+  BasePicture: class {
+    isWhole = true
+    isSharp = () => true
+    see() {}
+    again() {}
+    put() {}
+    clear() {}
+    draw() {}
+  },
+}))
+
+let frames: (() => void)[] = []
+beforeEach(() => {
+  drawn.length = 0
+  frames = []
+  const canvas = () => ({ getContext: () => ({ clearRect() {} }) })
+  vi.stubGlobal('document', Object.assign(new EventTarget(), { createElement: canvas, fonts: new EventTarget() }))
+  vi.stubGlobal('matchMedia', () => Object.assign(new EventTarget(), { matches: false }))
+  vi.stubGlobal('devicePixelRatio', 1)
+  vi.stubGlobal(
+    'ResizeObserver',
+    class {
+      observe() {}
+    },
+  )
+  vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
+})
+afterEach(() => vi.unstubAllGlobals())
+
+function opened() {
+  const answers: ((touching: Touching | undefined) => void)[] = []
+  let events: Parameters<Painter['add']>[0] | undefined
+  const scene = {
+    setLayers() {},
+    touch: () => new Promise<Touching | undefined>((resolve) => answers.push(resolve)),
+  }
+  const painter = {
+    add(given: typeof events) {
+      events = given
+      return scene
+    },
+  } as unknown as Painter
+  const classList = { add() {} }
+  const container = {
+    classList,
+    toggleAttribute() {},
+    appendChild: (child: unknown) => child,
+    clientWidth: 80,
+    clientHeight: 60,
+  }
+  const view = new View(container as unknown as HTMLElement, painter)
+  view.setLayers({ ...view.layers, disc: true })
+  /** What stands out once all is drawn that is to be; `undefined` also if nothing is drawn anew. */
+  const shown = () => {
+    drawn.length = 0
+    for (const frame of frames.splice(0)) frame()
+    return drawn.at(-1)?.touching
+  }
+  shown()
+  const edited = () => events?.painted({ kind: 'edited' } as never)
+  return { view, answers, shown, edited }
+}
+
+const HERE: Point = { x: 1, y: 2 }
+const DISC = { x: 1, y: 2, r: 3 } as unknown as Touching
+const OTHER = { x: 4, y: 4, r: 1 } as unknown as Touching
+
+it('shows the disc of the place where the pointer is, whatever answers come late', async () => {
+  const { view, answers, shown } = opened()
+  const first = view.touch(HERE, 1)
+  const second = view.touch({ x: 5, y: 5 }, 1)
+  answers[1]?.(OTHER)
+  await second
+  expect(shown()).toBe(OTHER)
+  answers[0]?.(DISC)
+  await first
+  expect(frames).toHaveLength(0)
+  const last = view.touch(undefined, 1)
+  await last
+  expect(drawn).toHaveLength(1)
+  expect(frames).toHaveLength(1)
+  expect(shown()).toBeUndefined()
+})
+
+it('draws nothing anew where the disc is the one that is shown', async () => {
+  const { view, answers, shown } = opened()
+  for (const k of [0, 1]) {
+    const touched = view.touch({ ...HERE }, 1)
+    answers[k]?.(DISC)
+    await touched
+    expect(shown()).toBe(k === 0 ? DISC : undefined)
+    expect(drawn).toHaveLength(k === 0 ? 1 : 0)
+  }
+})
+
+it('shows no disc of circles that were edited, until it is asked for again', async () => {
+  const { view, answers, shown, edited } = opened()
+  const before = view.touch({ ...HERE }, 1)
+  answers[0]?.(DISC)
+  await before
+  expect(shown()).toBe(DISC)
+  edited()
+  const after = view.touch({ ...HERE }, 1)
+  answers[1]?.(DISC)
+  await after
+  expect(shown()).toBe(DISC)
+  expect(drawn).toHaveLength(1)
+})
