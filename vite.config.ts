@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { fileURLToPath } from 'node:url'
-import sirv from 'sirv'
+import sirv, { type Options } from 'sirv'
 import type { HtmlTagDescriptor, Plugin } from 'vite'
 import { defineConfig } from 'vitest/config'
 
@@ -15,6 +15,8 @@ const CONTENT_SECURITY_POLICY = [
   "base-uri 'none'",
 ].join('; ')
 
+const PAGE = fileURLToPath(new URL('build/page', import.meta.url))
+/** That and all texts (scripts/site.mjs). */
 const SITE = fileURLToPath(new URL('dist/site', import.meta.url))
 
 /** The policy again as a tag in the built page, for servers that send no headers. */
@@ -55,8 +57,8 @@ const preloads: Plugin = {
 /** Serves the built files that are compressed as they are; Vite itself would send WebAssembly as it is. */
 const compressedFiles: Plugin = {
   name: 'compressed-files',
-  configurePreviewServer({ middlewares, config: { base } }) {
-    const files = sirv(SITE, {
+  configurePreviewServer({ middlewares, config: { base, build } }) {
+    const options: Options = {
       // Looks for a file when it is asked for: some are built later (`npm start`).
       dev: true,
       brotli: true,
@@ -69,17 +71,19 @@ const compressedFiles: Plugin = {
         const isLasting = path.startsWith('/assets/')
         response.setHeader('Cache-Control', isLasting ? 'public, max-age=31536000, immutable' : 'no-cache')
       },
-    })
-    middlewares.use(base.startsWith('/') ? base : '/', files)
+    }
+    for (const folder of new Set([build.outDir, SITE])) {
+      middlewares.use(base.startsWith('/') ? base : '/', sirv(folder, options))
+    }
   },
 }
 
-export default defineConfig({
+export default defineConfig(({ isPreview }) => ({
   root: 'web',
   base: './',
   publicDir: '../public',
   build: {
-    outDir: SITE,
+    outDir: isPreview ? SITE : PAGE,
     emptyOutDir: true,
     target: 'es2022',
     // With `light-dark()`.
@@ -101,4 +105,4 @@ export default defineConfig({
     preloads,
     compressedFiles,
   ],
-})
+}))

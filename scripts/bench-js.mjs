@@ -4,8 +4,7 @@
 // C++ as well, in Node, and what a call into WebAssembly would.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { benchJs, benchTwins } from './bench-js-tasks.mjs'
-import { buildLib, buildWasm } from './build.mjs'
-import { main, ROOT } from './run.mjs'
+import { build, main, ROOT } from './run.mjs'
 import { chromiumPath, setup } from './setup.mjs'
 
 const SIZES = [1_000, 10_000, 100_000, 1_000_000]
@@ -13,8 +12,7 @@ const TWINS_SIZE = 10_000
 
 await main(async () => {
   await setup('tests')
-  await buildWasm('package')
-  await buildLib()
+  await build('build:lib')
   const given = process.argv.indexOf('--sizes')
   const sizes = given < 0 ? SIZES : process.argv[given + 1].split(',').map(Number)
   mkdirSync(`${ROOT}build/bench`, { recursive: true })
@@ -34,10 +32,10 @@ await main(async () => {
 
 /** The same in a page, of one file with everything in it. */
 async function inChromium(sizes) {
-  const { build } = await import('esbuild')
+  const esbuild = await import('esbuild')
   const { chromium } = await import('@playwright/test')
   const outfile = `${ROOT}build/bench/js.mjs`
-  await build({
+  await esbuild.build({
     stdin: {
       contents: `
         import { loadCircleVoronoi } from './dist/lib/bundle.js'

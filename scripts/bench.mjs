@@ -5,18 +5,15 @@
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { benchEdits, benchWorstEdits } from './bench-edits.mjs'
 import { benchWasm } from './bench-wasm.mjs'
-import { buildLib, buildNative, buildWasm } from './build.mjs'
 import { realData } from './data.mjs'
-import { main, outcomeOf, ROOT, run } from './run.mjs'
-import { setup } from './setup.mjs'
+import { build, main, outcomeOf, ROOT, run } from './run.mjs'
 
 const FAMILIES = 'uniform,log-uniform,hidden,hexagonal,grid,rows,intersecting,one-huge,ring'
 const WASM_SIZES = [10_000, 100_000, 1_000_000]
 const REPETITIONS = 5
 
 await main(async () => {
-  await setup('tests')
-  await buildNative()
+  await build('build:native')
   await run('cmake', ['--preset', 'native', '-DCIRCLE_VORONOI_BUILD_BENCH=ON'])
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])
   const chosen = process.argv.slice(2)
@@ -28,8 +25,7 @@ await main(async () => {
 
   const isOfEdits = chosen[0] === '--edits'
   if (chosen.length > 0 && !isOfEdits) return
-  await buildWasm('package')
-  await buildLib()
+  await build('build:lib')
   if (isOfEdits) {
     console.table(await benchEdits(output))
     console.table(await benchWorstEdits(output))

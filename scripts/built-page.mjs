@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { buildSite, buildWasm } from './build.mjs'
-import { ROOT } from './run.mjs'
+import { build, ROOT } from './run.mjs'
 import { chromiumPath, setup } from './setup.mjs'
 
 /** Builds the page, serves it and calls `use` with a Chromium and the page's address. */
 export async function withBuiltPage(use) {
   await setup('tests')
-  await buildWasm('page')
-  await buildSite()
+  await build('build')
   // Installed with the npm packages, so not before setup has run.
   const { preview } = await import('vite')
   const { chromium } = await import('@playwright/test')

@@ -2,16 +2,14 @@
 // `npm run monkey [-- --actions 1500 --seed N]`: the page in the hands of a monkey (tests/e2e/monkey.spec.ts), which says its
 // seed.
 import { parseArgs } from 'node:util'
-import { buildSite, buildWasm } from './build.mjs'
-import { main, ROOT, run } from './run.mjs'
+import { build, main, ROOT, run } from './run.mjs'
 import { chromiumPath, setup } from './setup.mjs'
 
 const { values } = parseArgs({ options: { actions: { type: 'string', default: '1500' }, seed: { type: 'string' } } })
 
 await main(async () => {
   await setup('tests')
-  await buildWasm('page')
-  await buildSite()
+  await build('build')
   await run(`${ROOT}node_modules/.bin/playwright`, ['test', '--project=page', '--reporter=list', 'monkey.spec.ts'], {
     CHROMIUM_PATH: chromiumPath(),
     MONKEY_ACTIONS: values.actions,

@@ -4,9 +4,7 @@
 // (tests/mutants/stryker.config.mjs); all of it takes hours, a share drawn at random as much of them. It fails if fewer than
 // 85 % are noticed. The report is build/mutants/web.html. Other options are Stryker's.
 import { parseArgs } from 'node:util'
-import { buildWasm } from './build.mjs'
-import { main, ROOT, run } from './run.mjs'
-import { setup } from './setup.mjs'
+import { build, main, ROOT, run } from './run.mjs'
 
 const { values, tokens } = parseArgs({
   options: { share: { type: 'string' }, seed: { type: 'string', default: '1' } },
@@ -18,8 +16,7 @@ await main(async () => {
   if (values.share !== undefined && !(Number(values.share) > 0 && Number(values.share) <= 1)) {
     throw new Error('--share is above 0 and at most 1.')
   }
-  await setup('package')
-  await buildWasm('package')
+  await build('build:wasm')
   const own = tokens.filter(({ kind, name }) => kind === 'option' && (name === 'share' || name === 'seed'))
   const taken = new Set(own.flatMap(({ index, inlineValue }) => (inlineValue ? [index] : [index, index + 1])))
   const others = process.argv.slice(2).filter((_, i) => !taken.has(i))

@@ -7,14 +7,12 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { availableParallelism, cpus, loadavg, totalmem } from 'node:os'
 import { promisify } from 'node:util'
 import { benchWasm } from './bench-wasm.mjs'
-import { buildLib, buildWasm } from './build.mjs'
 import { claimsOf } from './results/claims.mjs'
 import { median } from './results/fit.mjs'
 import { METHODS } from './results/methods.mjs'
 import { pageOf } from './results/page.mjs'
 import { plots } from './results/plots.mjs'
-import { main, ROOT, run } from './run.mjs'
-import { setup } from './setup.mjs'
+import { build, main, ROOT, run } from './run.mjs'
 
 const runFile = promisify(execFile)
 const NATIVE = `${ROOT}build/native/`
@@ -48,7 +46,7 @@ const QUICK = {
 await main(async () => {
   const isQuick = process.argv.includes('--quick')
   const plan = isQuick ? QUICK : FULL
-  await build()
+  await buildAll()
   const pictures = `${plan.folder}/results`
   rmSync(pictures, { recursive: true, force: true })
   mkdirSync(pictures, { recursive: true })
@@ -67,13 +65,11 @@ await main(async () => {
   if (news.length > 0) throw new Error(`${news.length} claims came out otherwise than expected.`)
 })
 
-async function build() {
-  await setup('tests')
+async function buildAll() {
+  await build('build:native', 'build:lib')
   await run('cmake', ['--preset', 'native', '-DCIRCLE_VORONOI_BUILD_BENCH=ON'])
   const targets = ['circle_voronoi_results', 'circle_voronoi_bench', 'circle_voronoi_cli']
   await run('cmake', ['--build', 'build/native', '--target', ...targets])
-  await buildWasm('package')
-  await buildLib()
 }
 
 async function measure(plan, isQuick, pictures) {

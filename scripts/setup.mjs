@@ -16,15 +16,12 @@ const PURPOSES = {
       'g++',
       'libcgal-dev',
       'libboost-dev',
+      'libcli11-dev',
       'libdragonbox-dev',
       'libfast-float-dev',
       'librange-v3-dev',
     ],
-    libraries: ['CGAL 5.5', 'Boost', 'Dragonbox', 'fast_float', 'range-v3'],
-  },
-  package: {
-    packages: ['libcli11-dev'],
-    libraries: ['CLI11'],
+    libraries: ['CGAL 5.5', 'Boost', 'CLI11', 'Dragonbox', 'fast_float', 'range-v3'],
   },
   tests: {
     packages: [
@@ -47,11 +44,10 @@ const BROWSERS = [
   ['/usr/bin/Xvfb', 'xvfb', 'a screen in memory (Xvfb)'],
 ]
 
-/** `purpose`: `page`, `package` (the one for npm) or `tests` (the native build and all that is tested). */
+/** `purpose`: `page` (all in WebAssembly) or `tests` (the native build and all that is tested). */
 export async function setup(purpose) {
-  const names = Object.keys(PURPOSES)
-  const wanted = names.slice(0, names.indexOf(purpose) + 1).map((name) => PURPOSES[name])
   const tests = purpose === 'tests'
+  const wanted = tests ? Object.values(PURPOSES) : [PURPOSES.page]
   const browsers = tests ? BROWSERS.filter(([program]) => !existsSync(program)) : []
   if (isDebian12OrLater()) {
     const packages = wanted.flatMap((part) => part.packages)
@@ -131,4 +127,4 @@ async function installNpmPackages(folder) {
   writeFileSync(stamp, lock)
 }
 
-if (isMain(import.meta.url)) await main(() => setup('tests'))
+if (isMain(import.meta.url)) await main(() => setup(process.argv[2] ?? 'tests'))

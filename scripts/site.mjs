@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes a site of built pages: a service worker that knows all of their files, and these files compressed, for servers
-// that send them as they are.
+// dist/site: the page, the tutorial and the documentation, static, for any folder of a server. A service worker knows all of its
+// files, and these are there compressed, too, for servers that send them as they are.
 import { createHash } from 'node:crypto'
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { copyFileSync, cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join, relative } from 'node:path'
 import { promisify } from 'node:util'
 import { brotliCompress, gzip } from 'node:zlib'
-import { ROOT } from './run.mjs'
+import { build } from 'esbuild'
+import { isMain, ROOT } from './run.mjs'
+import { buildTexts } from './texts/texts.mjs'
 
 const SERVICE_WORKER = 'service-worker.js'
 /** What works with a network alone: what is for other pages, examples among these, and the pictures and the reference of the documentation, which are large. */
@@ -16,8 +18,11 @@ const COMPRESSED = /\.(css|csv|html|js|json|md|svg|txt|wasm|webmanifest)$/
 /** Smaller ones fit into one packet as they are. */
 const SMALLEST = 1000
 
-/** To be called when all pages are in the folder. */
-export async function finishSite(folder) {
+async function buildSite(folder) {
+  cpSync(`${ROOT}build/page`, folder, { recursive: true })
+  // For who copies the code of an element from the page.
+  copyFileSync(`${ROOT}dist/element/bundle.js`, `${folder}/element.js`)
+  await buildTexts(folder)
   const compressed = filesOf(folder).filter((name) => isCompressed(`${folder}/${name}`))
   await Promise.all(compressed.map((name) => compress(`${folder}/${name}`)))
   await writeServiceWorker(folder)
@@ -43,8 +48,6 @@ export async function writeServiceWorker(folder) {
     return [name.replace(/(^|\/)index\.html$/, '$1') || './', `sha256-${hash}`]
   })
   const version = createHash('sha256').update(JSON.stringify(list)).digest('hex').slice(0, 16)
-  // Installed with the npm packages, so not before setup has run.
-  const { build } = await import('esbuild')
   await build({
     absWorkingDir: ROOT,
     entryPoints: ['web/app/service-worker.ts'],
@@ -66,3 +69,5 @@ async function compress(path) {
   writeFileSync(`${path}.br`, await promisify(brotliCompress)(bytes))
   writeFileSync(`${path}.gz`, await promisify(gzip)(bytes, { level: 9 }))
 }
+
+if (isMain(import.meta.url)) await buildSite(`${ROOT}dist/site`)

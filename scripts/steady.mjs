@@ -5,10 +5,8 @@
 import { spawn } from 'node:child_process'
 import { mkdirSync, rmSync } from 'node:fs'
 import { parseArgs } from 'node:util'
-import { buildTests } from './build.mjs'
 import { countTests, failedTests } from './count-tests.mjs'
-import { main, ROOT, statusOf } from './run.mjs'
-import { setup } from './setup.mjs'
+import { build, main, ROOT, statusOf } from './run.mjs'
 import { ENV, SUITES } from './suites.mjs'
 
 const REPORTS = `${ROOT}build/steady`
@@ -27,8 +25,7 @@ await main(async () => {
   const names = SUITES.map(({ name }) => name)
   const unknown = values.suite?.find((name) => !names.includes(name))
   if (unknown !== undefined) throw new Error(`There is no suite "${unknown}": ${names.join(', ')}.`)
-  await setup('tests')
-  await buildTests()
+  await build('build:tests')
   rmSync(REPORTS, { recursive: true, force: true })
   mkdirSync(REPORTS, { recursive: true })
 

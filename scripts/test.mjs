@@ -3,10 +3,8 @@
 // `npm run test:long`: the others. The last line is `N passed, M failed`; the exit status is 0 only if something ran and
 // nothing failed.
 import { mkdirSync, rmSync } from 'node:fs'
-import { buildTests } from './build.mjs'
 import { countTests, NO_TESTS, summary } from './count-tests.mjs'
-import { ROOT, run, statusOf } from './run.mjs'
-import { setup } from './setup.mjs'
+import { build, ROOT, run, statusOf } from './run.mjs'
 import { ENV, SUITES } from './suites.mjs'
 
 const RESULTS = `${ROOT}build/test-results`
@@ -14,10 +12,7 @@ const length = process.argv.includes('--long') ? 'long' : 'quick'
 
 const results = []
 try {
-  await timed('Set-up and builds', async () => {
-    await setup('tests')
-    await buildTests()
-  })
+  await timed('Set-up and builds', () => build('build:tests'))
   if (length === 'quick') await timed('Checks', () => run('npm', ['run', '--silent', 'check'], ENV))
 
   rmSync(RESULTS, { recursive: true, force: true })

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the compiler of TypeScript leaves to do for dist/lib, dist/element and dist/cli: copies of what C++ became, and bundles.
+// Not by Vite, which would take into them the threads and the WebAssembly that the bundlers of others have to find beside them.
+import { chmodSync, copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { dirname, join, posix } from 'node:path'
+import { gzipSync } from 'node:zlib'
+import { build, transform } from 'esbuild'
+import { ROOT } from './run.mjs'
+
+const BUNDLED = {
+  absWorkingDir: ROOT,
+  bundle: true,
+  minify: true,
+  format: 'esm',
+  target: 'es2022',
+  legalComments: 'none',
+  banner: { js: '// SPDX-License-Identifier: GPL-3.0-or-later' },
+  logLevel: 'warning',
+}
+
+/** The WebAssembly modules beside web/lib as JavaScript, and bundle.js, which is all in one. */
+async function lib() {
+  mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
+  for (const name of ['', '-comparison', '-files'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
+    const file = `lib/generated/circle-voronoi${name}`
+    copyFileSync(`${ROOT}web/${file}`, `${ROOT}dist/${file}`)
+  }
+  const bundled = readdirSync(`${ROOT}web/lib/bundled`)
+  await build({
+    ...BUNDLED,
+    entryPoints: ['web/lib/bundle.ts'],
+    outfile: 'dist/lib/bundle.js',
+    allowOverwrite: true,
+    plugins: [wasmInside, ...bundled.map((name) => replacing(`web/lib/${name}`, `web/lib/bundled/${name}`))],
+  })
+  // That of the module that the compiler made.
+  rmSync(`${ROOT}dist/lib/bundle.js.map`)
+}
+
+/**
+ * `<circle-voronoi>`, with its thread beside it (index.js, define.js), and all in one (bundle.js). Its WebAssembly is that of
+ * dist/lib.
+ */
+async function element() {
+  for (const name of ['index', 'define', 'bundle']) copyDeclarations(`element/${name}.d.ts`)
+  await build({
+    ...BUNDLED,
+    outdir: 'dist/element',
+    splitting: true,
+    plugins: [styles, replacing('web/view/painter-file.ts', 'web/element/built/painter-file.ts'), wasmBeside],
+    entryPoints: {
+      index: 'web/element/index.ts',
+      define: 'web/element/define.ts',
+      painter: 'web/view/painter/start-thread.ts',
+    },
+  })
+  await build({
+    ...BUNDLED,
+    entryPoints: ['web/element/bundle.ts'],
+    outfile: 'dist/element/bundle.js',
+    plugins: [
+      styles,
+      wasmInside,
+      replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts'),
+      replacing('web/lib/default-wasm.ts', 'web/lib/bundled/default-wasm.ts'),
+      wasmBeside,
+    ],
+  })
+  for (const name of ['element.css', 'custom-elements.json']) {
+    copyFileSync(`${ROOT}web/element/${name}`, `${ROOT}dist/element/${name}`)
+  }
+}
+
+/** What of the declarations in build/element-types belongs to the element: those of dist/lib are there. */
+function copyDeclarations(file, copied = new Set()) {
+  if (copied.has(file) || file.startsWith('lib/')) return
+  copied.add(file)
+  const text = readFileSync(`${ROOT}build/element-types/${file}`, 'utf8')
+  mkdirSync(dirname(`${ROOT}dist/${file}`), { recursive: true })
+  writeFileSync(`${ROOT}dist/${file}`, text)
+  for (const [, path] of text.matchAll(/from '(\.[^']+)\.ts'/g)) {
+    copyDeclarations(`${posix.join(dirname(file), path)}.d.ts`, copied)
+  }
+}
+
+/** The program for Node. */
+function cli() {
+  chmodSync(`${ROOT}dist/cli/circle-voronoi.js`, 0o755)
+  mkdirSync(`${ROOT}dist/cli/generated`)
+  // Emscripten writes CommonJS, which has to be told from the modules around it.
+  copyFileSync(`${ROOT}web/cli/generated/program.js`, `${ROOT}dist/cli/generated/program.cjs`)
+  copyFileSync(`${ROOT}web/cli/generated/program.wasm`, `${ROOT}dist/cli/generated/program.wasm`)
+}
+
+/** Compressed once more by a server, base64 of the bytes themselves would be half as long again. */
+const wasmInside = {
+  name: 'wasm-inside',
+  setup({ onLoad }) {
+    onLoad({ filter: /\.wasm$/ }, ({ path }) => ({
+      contents: gzipSync(readFileSync(path), { level: 9 }),
+      loader: 'base64',
+    }))
+  },
+}
+
+/** Modules find the WebAssembly of dist/lib from dist/element. */
+const wasmBeside = {
+  name: 'wasm-beside',
+  setup({ onLoad }) {
+    onLoad({ filter: /web\/lib\/(default-wasm|comparison)\.ts$/ }, ({ path }) => ({
+      contents: readFileSync(path, 'utf8').replace("'./generated/circle-voronoi", (text) =>
+        text.replace('./', '../lib/'),
+      ),
+      loader: 'ts',
+    }))
+  },
+}
+
+/** Style sheets as texts. */
+const styles = {
+  name: 'styles',
+  setup({ onLoad, onResolve }) {
+    onResolve({ filter: /\.css$/ }, ({ path, resolveDir }) => ({ path: join(resolveDir, path), sideEffects: false }))
+    onResolve({ filter: /\.css\?inline$/ }, ({ path, resolveDir }) => ({
+      path: join(resolveDir, path.replace('?inline', '')),
+      sideEffects: false,
+    }))
+    onLoad({ filter: /\.css$/ }, async ({ path }) => {
+      const { code } = await transform(readFileSync(path, 'utf8'), { loader: 'css', minify: true })
+      return { contents: code, loader: 'text' }
+    })
+  },
+}
+
+/** Takes one module in place of another one. */
+function replacing(module, other) {
+  return {
+    name: `replacing-${module}`,
+    setup({ onLoad }) {
+      const filter = new RegExp(`/${module.replaceAll('.', '\\.')}$`)
+      onLoad({ filter }, () => ({
+        contents: readFileSync(ROOT + other, 'utf8'),
+        loader: 'ts',
+        resolveDir: dirname(ROOT + other),
+      }))
+    },
+  }
+}
+
+await { lib, element, cli }[process.argv[2]]()
