@@ -3,7 +3,7 @@ import { availableParallelism } from 'node:os'
 import { defineConfig } from '@playwright/test'
 import { slowDown } from './tests/slowed-down.ts'
 
-const PORT = 4173
+const PORT = Number(process.env.PORT ?? 4173)
 
 const slowdown = process.env.CIRCLE_VORONOI_SLOWDOWN
 if (slowdown !== undefined) slowDown(Number(slowdown))
