@@ -20,11 +20,13 @@ const PURPOSES = {
       'libdragonbox-dev',
       'libfast-float-dev',
       'librange-v3-dev',
+      'mandoc',
     ],
     libraries: ['CGAL 5.5', 'Boost', 'CLI11', 'Dragonbox', 'fast_float', 'range-v3'],
   },
   tests: {
     packages: [
+      'gcovr',
       'libgtest-dev',
       'libbenchmark-dev',
       'libgmp-dev',
@@ -102,6 +104,7 @@ function checkOtherSystem(libraries, tests, missingBrowsers) {
     emcmake: 'Emscripten 3.1.6 or later',
     cmake: 'CMake 3.25 or later',
     ninja: 'Ninja',
+    mandoc: 'mandoc',
     ...(tests && { 'c++': 'a C++20 compiler' }),
   })
     .filter(([program]) => spawnSync(program, ['--version']).error !== undefined)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What documents the library: the repository's own texts, its manual page, its examples and its C++ headers.
+import { execFileSync } from 'node:child_process'
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs'
 import { dirname, posix } from 'node:path'
 import { ROOT } from '../run.mjs'
 import { buildGallery } from './gallery.mjs'
-import { renderManualPage } from './manual-page.mjs'
 import { renderMarkdown, slugOf } from './markdown.mjs'
 import { codeBlock } from './page.mjs'
 
@@ -63,9 +63,21 @@ function siteAddress(site, from, address) {
 }
 
 function commandLine() {
-  const { name, html } = renderManualPage(readFileSync(`${ROOT}cpp/cli/circle-voronoi.1`, 'utf8'))
+  const manual = execFileSync('mandoc', ['-T', 'html', '-O', 'fragment', `${ROOT}cpp/cli/circle-voronoi.1`], {
+    encoding: 'utf8',
+  })
+    // What frames a page of paper, and links of names to themselves.
+    .replace(
+      /<table class="(head|foot)">[\s\S]*?<\/table>|<section class="Sh">\s*<h1[^>]*id="NAME"[\s\S]*?<\/section>/g,
+      '',
+    )
+    .replace(/<a class="permalink"[^>]*>([\s\S]*?)<\/a>/g, '$1')
+    // Below the title of this page, whose policy allows no styles in attributes.
+    .replace(/<(\/?)h([12])\b/g, (_, end, level) => `<${end}h${Number(level) + 1}`)
+    .replace(/ style="[^"]*"/g, '')
   const title = 'The command line'
-  return page('command-line.html', title, `<h1>${title}</h1>\n<p>The manual page of <code>${name}</code>.</p>\n${html}`)
+  const html = `<h1>${title}</h1>\n<p>The manual page of <code>circle-voronoi</code>.</p>\n${manual}`
+  return page('command-line.html', title, html)
 }
 
 async function examples(site) {
