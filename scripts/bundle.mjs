@@ -25,7 +25,7 @@ async function lib() {
     const file = `lib/generated/circle-voronoi${name}`
     copyFileSync(`${ROOT}web/${file}`, `${ROOT}dist/${file}`)
   }
-  const bundled = readdirSync(`${ROOT}web/lib/bundled`)
+  const bundled = readdirSync(`${ROOT}web/lib/bundled`, { recursive: true }).filter((name) => name.endsWith('.ts'))
   await build({
     ...BUNDLED,
     entryPoints: ['web/lib/bundle.ts'],
@@ -62,7 +62,7 @@ async function element() {
       styles,
       wasmInside,
       replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts'),
-      replacing('web/lib/default-wasm.ts', 'web/lib/bundled/default-wasm.ts'),
+      replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
       wasmBeside,
     ],
   })
@@ -107,10 +107,8 @@ const wasmInside = {
 const wasmBeside = {
   name: 'wasm-beside',
   setup({ onLoad }) {
-    onLoad({ filter: /web\/lib\/(default-wasm|comparison)\.ts$/ }, ({ path }) => ({
-      contents: readFileSync(path, 'utf8').replace("'./generated/circle-voronoi", (text) =>
-        text.replace('./', '../lib/'),
-      ),
+    onLoad({ filter: /web\/lib\/(wasm\/default-wasm|comparison)\.ts$/ }, ({ path }) => ({
+      contents: readFileSync(path, 'utf8').replace(/'[./]+generated\//, "'../lib/generated/"),
       loader: 'ts',
     }))
   },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core as a JavaScript module. Its only caller is web/lib/library.ts, which gives the values their types.
+// The core as a JavaScript module. Its only caller is web/lib/wasm/library.ts, which gives the values their types.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 

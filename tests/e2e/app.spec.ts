@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import AxeBuilder from '@axe-core/playwright'
-import { pointAt } from '../../web/lib/bisector.ts'
-import { edgeCurve, isBoundedCurve } from '../../web/lib/curve.ts'
+import { pointAt } from '../../web/lib/curves/bisector.ts'
+import { edgeCurve, isBoundedCurve } from '../../web/lib/curves/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
-import { loadCircleVoronoi } from '../../web/lib/loader.ts'
+import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { got, heldBack } from './held-back.ts'
 import { dataSet, expect, test } from './page.ts'
 

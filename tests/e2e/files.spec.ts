@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs'
 import { loadFiles } from '../../web/lib/files.ts'
 import { decodeLink } from '../../web/lib/link.ts'
-import { loadCircleVoronoi } from '../../web/lib/loader.ts'
+import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')

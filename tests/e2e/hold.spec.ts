@@ -2,7 +2,7 @@
 // Press and hold: what a circle would take, before it is there.
 import { readFileSync } from 'node:fs'
 import { parseCircles } from '../../web/app/csv.ts'
-import { at } from '../../web/lib/diagram-data.ts'
+import { at } from '../../web/lib/base/diagram-data.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')

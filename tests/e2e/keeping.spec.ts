@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Links, what is there again after a reload or in the next tab, and other circles that throw nothing away.
+
+import { packed } from '../../web/lib/base/compressed-text.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
-import { packed } from '../../web/lib/link-text.ts'
 import { got, heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 

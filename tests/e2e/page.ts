@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs'
 import { test as base, expect, type Page } from '@playwright/test'
 import { parseCircles } from '../../web/app/csv.ts'
-import { at } from '../../web/lib/diagram-data.ts'
+import { at } from '../../web/lib/base/diagram-data.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
 

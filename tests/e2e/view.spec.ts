@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import AxeBuilder from '@axe-core/playwright'
 import { decodeLink } from '../../web/lib/link.ts'
-import { loadCircleVoronoi } from '../../web/lib/loader.ts'
+import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')

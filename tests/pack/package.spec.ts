@@ -38,8 +38,8 @@ test('holds the built library and nothing else', () => {
   const files = readdirSync(packed, { recursive: true, encoding: 'utf8' }).filter((name) =>
     statSync(join(packed, name)).isFile(),
   )
-  const built = readdirSync(join(ROOT, 'web/lib'))
-    .filter((name) => /(?<!\.d)\.ts$/.test(name))
+  const built = readdirSync(join(ROOT, 'web/lib'), { recursive: true, encoding: 'utf8' })
+    .filter((name) => /(?<!\.d)\.ts$/.test(name) && !name.startsWith('bundled/'))
     .flatMap((name) => ['.js', '.js.map', '.d.ts'].map((ending) => `dist/lib/${name.replace(/\.ts$/, ending)}`))
     .filter((name) => name !== 'dist/lib/bundle.js.map')
   const generated = readdirSync(join(ROOT, 'web/lib/generated')).map((name) => `dist/lib/generated/${name}`)

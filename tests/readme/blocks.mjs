@@ -41,7 +41,7 @@ const RUN_BY = [
   ),
   { by: 'tests/e2e/tutorial.spec.ts', file: `${CHAPTERS}/teachers.md` },
   { by: NATIVE, file: MANUAL_PAGE },
-  ...['index', 'diagram', 'editor', 'worker'].map((name) => ({ by: COMMENTS, file: `web/lib/${name}.ts` })),
+  ...['index', 'diagram/diagram', 'wasm/editor', 'worker'].map((name) => ({ by: COMMENTS, file: `web/lib/${name}.ts` })),
   { by: PACKAGE, file: 'web/element/index.ts' },
 ]
 
@@ -57,7 +57,7 @@ const RUN_BY = [
 /** @returns {Block[]} all that the site shows */
 export function blocks() {
   const comments = ['lib', 'element', 'view'].flatMap((folder) =>
-    readdirSync(new URL(`web/${folder}`, ROOT))
+    readdirSync(new URL(`web/${folder}`, ROOT), { recursive: true })
       .filter((name) => name.endsWith('.ts'))
       .map((name) => `web/${folder}/${name}`),
   )

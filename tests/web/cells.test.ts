@@ -16,7 +16,7 @@ import {
   type Polygon,
   pointAt,
 } from '../../web/lib/index.ts'
-import { area, centroid, perimeter } from '../../web/lib/measure.ts'
+import { area, centroid, perimeter } from '../../web/lib/regions/measure.ts'
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { reversed, segment } from '../../web/lib/curve.ts'
+import { reversed, segment } from '../../web/lib/curves/curve.ts'
 import {
   arcLength,
   type BoundedCurve,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { DecimalText } from '../../web/lib/decimal.ts'
+import { DecimalText } from '../../web/lib/drawing/decimal.ts'
 
 const digits = fc.integer({ min: 0, max: 20 })
 const numbers = fc.oneof(

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The client of an editor in a thread, whose thread answers when the test says so. tests/wasm/worker.test.mjs has real ones.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { EditorClient } from '../../web/lib/editor-client.ts'
 import { type Change, CircleVoronoiError, Diagram, type DiagramEditor } from '../../web/lib/index.ts'
-import type { ThreadEvents } from '../../web/lib/thread.ts'
-import type { CallResult, EditorCall, EditorCalls, Start } from '../../web/lib/worker-messages.ts'
+import { EditorClient } from '../../web/lib/threads/editor-client.ts'
+import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
+import type { CallResult, EditorCall, EditorCalls, Start } from '../../web/lib/threads/worker-messages.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -68,7 +68,7 @@ class FakeThread {
 }
 
 const world = vi.hoisted(() => ({ threads: [] as unknown[] }))
-vi.mock('../../web/lib/thread.ts', () => ({
+vi.mock('../../web/lib/threads/thread.ts', () => ({
   startThread(events: ThreadEvents) {
     const thread = new FakeThread(events)
     world.threads.push(thread)

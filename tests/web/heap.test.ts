@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { expect, it } from 'vitest'
-import { Heap } from '../../web/lib/heap.ts'
+import { Heap } from '../../web/lib/queries/heap.ts'
 
 const entries = fc.array(fc.record({ item: fc.nat(20), key: fc.integer({ min: -4, max: 4 }) }), { maxLength: 60 })
 

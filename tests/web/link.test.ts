@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it, vi } from 'vitest'
+import { packed } from '../../web/lib/base/compressed-text.ts'
 import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import {
   decodeLink,
@@ -10,7 +11,6 @@ import {
   type LinkInput,
   type LinkState,
 } from '../../web/lib/link.ts'
-import { packed } from '../../web/lib/link-text.ts'
 import { library } from './library.ts'
 
 const TOO_MUCH = expect.objectContaining({ code: 'tooManyCircles', message: 'This is too much for a link.' })

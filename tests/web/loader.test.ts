@@ -10,8 +10,8 @@ import {
   type Options,
   vertexAt,
 } from '../../web/lib/index.ts'
-import { compileCircleVoronoi } from '../../web/lib/load-options.ts'
-import { instantiate } from '../../web/lib/wasm.ts'
+import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
+import { instantiate } from '../../web/lib/wasm/wasm.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)

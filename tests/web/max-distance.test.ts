@@ -3,7 +3,7 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { type Box, type Diagram, NONE, outline } from '../../web/lib/index.ts'
-import { area } from '../../web/lib/measure.ts'
+import { area } from '../../web/lib/regions/measure.ts'
 import { anyCircles, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf, signedDistance } from './oracle.ts'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the library tells, by scanning all circles or many points.
-import type { Box } from '../../web/lib/convex-polygon.ts'
+import type { Box } from '../../web/lib/base/types.ts'
 import { type Bisector, type BoundedCurve, type Point, pointAt } from '../../web/lib/index.ts'
 
 /** The signed distance from circle `i` of a flat array. */

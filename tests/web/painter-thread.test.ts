@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the thread that paints answers, without a browser: its canvases have no pixels.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { compileCircleVoronoi } from '../../web/lib/load-options.ts'
+import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { answerViews } from '../../web/view/painter/painter-thread.ts'
 import type { FromPainter, ToPainter, Wish } from '../../web/view/protocol.ts'

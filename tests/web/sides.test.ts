@@ -2,8 +2,8 @@
 // The half-edges of diagrams, and those of their duals.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
+import { linkSides } from '../../web/lib/diagram/link-sides.ts'
 import { type Diagram, NONE } from '../../web/lib/index.ts'
-import { linkSides } from '../../web/lib/link-sides.ts'
 import { KINDS } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Both ends of a thread: how it is started, in Node and in a browser, and what it answers.
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { answerRequests } from '../../web/lib/answer-requests.ts'
-import { compileCircleVoronoi } from '../../web/lib/load-options.ts'
-import { startThread } from '../../web/lib/thread.ts'
-import type { Reply, Request, Start } from '../../web/lib/worker-messages.ts'
+import { answerRequests } from '../../web/lib/threads/answer-requests.ts'
+import { startThread } from '../../web/lib/threads/thread.ts'
+import type { Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
+import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 /** On a busy machine a thread may take long to start. */
@@ -12,7 +12,7 @@ const SOON = { timeout: 8_000 }
 const PAGE = 'https://example.org/worker-thread.js'
 const world = vi.hoisted(() => ({ file: '', newWorker: (): unknown => undefined }))
 
-vi.mock('../../web/lib/thread-file.ts', () => ({
+vi.mock('../../web/lib/threads/thread-file.ts', () => ({
   THREAD_NAME: 'the name',
   threadFile: () => new URL(world.file),
   newWorker: () => world.newWorker(),

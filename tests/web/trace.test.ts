@@ -4,8 +4,8 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import createModule from '../../web/lib/generated/circle-voronoi.js'
 import { type Diagram, NONE, TRACE_KINDS, type Trace, type TraceState } from '../../web/lib/index.ts'
-import { compileCircleVoronoi } from '../../web/lib/load-options.ts'
-import { instantiate } from '../../web/lib/wasm.ts'
+import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
+import { instantiate } from '../../web/lib/wasm/wasm.ts'
 import { library, seededRandom } from './library.ts'
 
 function circlesOf(count: number, seed: number, largest = 1): Float64Array {

@@ -4,9 +4,9 @@
 import { readFileSync } from 'node:fs'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { CircleVoronoiError, Diagram } from '../../web/lib/index.ts'
-import type { ThreadEvents } from '../../web/lib/thread.ts'
+import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
+import type { Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
 import { type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
-import type { Reply, Request, Start } from '../../web/lib/worker-messages.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -58,7 +58,7 @@ class FakeThread {
 const world = vi.hoisted(() => ({ threads: [] as unknown[], failure: undefined as Error | undefined }))
 const threads = world.threads as FakeThread[]
 
-vi.mock('../../web/lib/thread.ts', () => ({
+vi.mock('../../web/lib/threads/thread.ts', () => ({
   startThread(events: ThreadEvents) {
     if (world.failure !== undefined) throw world.failure
     const thread = new FakeThread(events)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from '../lib/errors.ts'
+import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Circle, Edit } from '../lib/index.ts'
 import type { Edited } from '../view/painter.ts'
 import { CircleTable, type Step } from './circle-table.ts'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram-data.ts'
+import { at } from '../lib/base/diagram-data.ts'
 import type { Circle, Edit } from '../lib/index.ts'
 import { LINK_LIMITS, type LinkState, type LinkView } from '../lib/link.ts'
 import type { Camera, Size } from '../view/camera.ts'

@@ -4,7 +4,7 @@
  *
  * @module circle-voronoi/element/define
  */
-import type { LoadOptions } from '../lib/load-options.ts'
+import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import { CircleVoronoiElement } from './circle-voronoi-element.ts'
 
 export * from './exports.ts'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small readers for what a page says of circles. Those of `circle-voronoi/files` read more, and are ten times as large.
-import { type Circles, coordinatesOf } from '../lib/coordinates.ts'
+import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import type { Float64s } from '../lib/index.ts'
 
 /** What a header may call the columns. */

@@ -5,8 +5,8 @@
  *
  * @module circle-voronoi/bundle
  */
-import { answerRequests } from './answer-requests.ts'
-import { THREAD_NAME } from './thread-file.ts'
+import { answerRequests } from './threads/answer-requests.ts'
+import { THREAD_NAME } from './threads/thread-file.ts'
 
 export * from './index.ts'
 export * from './worker.ts'

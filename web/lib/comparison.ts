@@ -4,16 +4,16 @@
  *
  * @module circle-voronoi/comparison
  */
-import { checkThing } from './check.ts'
-import { COORDINATE_LIMIT } from './coordinate-limits.ts'
-import { type Circles, coordinatesOf } from './coordinates.ts'
-import { Diagram } from './diagram.ts'
-import { CircleVoronoiError } from './errors.ts'
+import { checkThing } from './base/check.ts'
+import { COORDINATE_LIMIT } from './base/coordinate-limits.ts'
+import { type Circles, coordinatesOf } from './base/coordinates.ts'
+import { CircleVoronoiError } from './base/errors.ts'
+import type { Metric } from './base/types.ts'
+import { Diagram } from './diagram/diagram.ts'
 import createModule from './generated/circle-voronoi-comparison.js'
-import type { CircleVoronoi } from './library.ts'
-import { checkLoadOptions, type LoadOptions } from './load-options.ts'
-import type { Metric } from './metric.ts'
-import { compileWasm, instantiate, unwrap } from './wasm.ts'
+import type { CircleVoronoi } from './wasm/library.ts'
+import { checkLoadOptions, type LoadOptions } from './wasm/load-options.ts'
+import { compileWasm, instantiate, unwrap } from './wasm/wasm.ts'
 
 /**
  * Diagrams of the same circles by other distances, to show how they differ.

@@ -12,16 +12,16 @@ import {
   refuseArgument,
   refuseOption,
   shown,
-} from './check.ts'
-import { type Box, ConvexPolygon } from './convex-polygon.ts'
-import { type Circles, coordinatesOf } from './coordinates.ts'
-import { Diagram } from './diagram.ts'
-import type { DiagramData, Float64s } from './diagram-data.ts'
-import { statsOf } from './diagram-file.ts'
+} from './base/check.ts'
+import { type Circles, coordinatesOf } from './base/coordinates.ts'
+import type { Box, DiagramData, Float64s } from './base/types.ts'
+import { Diagram } from './diagram/diagram.ts'
+import { statsOf } from './diagram/diagram-file.ts'
 import createModule from './generated/circle-voronoi-files.js'
-import { judgedArrays } from './judged-arrays.ts'
-import { checkLoadOptions, type LoadOptions } from './load-options.ts'
-import { compileWasm, instantiate, unwrap } from './wasm.ts'
+import { ConvexPolygon } from './regions/convex-polygon.ts'
+import { judgedArrays } from './wasm/judged-arrays.ts'
+import { checkLoadOptions, type LoadOptions } from './wasm/load-options.ts'
+import { compileWasm, instantiate, unwrap } from './wasm/wasm.ts'
 
 /**
  * The formats of circles.

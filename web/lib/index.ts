@@ -10,6 +10,32 @@
  *
  * @module circle-voronoi
  */
+
+export { REGION_LIMIT } from './base/coordinate-limits.ts'
+export type { Accessor, CircleLike, Circles } from './base/coordinates.ts'
+export { circleAt, edgeAt, NONE, vertexAt } from './base/diagram-data.ts'
+export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './base/errors.ts'
+export { distance } from './base/metric.ts'
+export type {
+  Box,
+  Certificate,
+  Circle,
+  Counts,
+  DiagramData,
+  Disposal,
+  Edge,
+  Float64s,
+  HiddenCircle,
+  Int32s,
+  PathSink,
+  Point,
+  Seconds,
+  SnapshotNumbers,
+  Stats,
+  Vector,
+  Vertex,
+} from './base/types.ts'
+export { METRICS, type Metric } from './base/types.ts'
 export {
   bezierPointAt,
   type CubicBezier,
@@ -18,58 +44,38 @@ export {
   type RationalBezier,
   rationalBezier,
   traceArc,
-} from './bezier.ts'
-export { type Bisector, bisector, parameterAt, pointAt } from './bisector.ts'
-export { Cells } from './cells.ts'
-export type { Change, EditWay } from './change.ts'
-export { type ClearestPath, clearestPath } from './clearest-path.ts'
-export { clip } from './clip.ts'
-export { type Bounds, type Box, ConvexPolygon } from './convex-polygon.ts'
-export { REGION_LIMIT } from './coordinate-limits.ts'
-export type { Accessor, CircleLike, Circles } from './coordinates.ts'
-export { type BoundedCurve, type EdgeCurve, edgeCurve, isBoundedCurve } from './curve.ts'
-export { type Cell, Diagram } from './diagram.ts'
+} from './curves/bezier.ts'
+export { type Bisector, bisector, parameterAt, pointAt } from './curves/bisector.ts'
+export { type BoundedCurve, type EdgeCurve, edgeCurve, isBoundedCurve } from './curves/curve.ts'
+export type { Change, EditWay } from './diagram/change.ts'
+export { type Cell, Diagram } from './diagram/diagram.ts'
+export type { DiagramFile } from './diagram/diagram-file.ts'
+export { outline } from './diagram/outline.ts'
+export type { BoundsOptions, ContextOptions, DrawOptions, PolygonOptions, TextOptions } from './drawing/draw-options.ts'
+export type { Polygon } from './drawing/polygon.ts'
+export { SvgPath } from './drawing/svg-path.ts'
+export { type ClearestPath, clearestPath } from './queries/clearest-path.ts'
+export { largestEmptyDiscInside } from './queries/largest-disc-inside.ts'
 export {
-  type Certificate,
-  type Circle,
-  type Counts,
-  circleAt,
-  type DiagramData,
-  type Edge,
-  edgeAt,
-  type Float64s,
-  type HiddenCircle,
-  type Int32s,
-  NONE,
-  type Seconds,
-  type SnapshotNumbers,
-  type Stats,
-  type Vertex,
-  vertexAt,
-} from './diagram-data.ts'
-export type { DiagramFile } from './diagram-file.ts'
-export type { Disposal } from './disposal.ts'
-export type { BoundsOptions, ContextOptions, DrawOptions, PolygonOptions, TextOptions } from './draw-options.ts'
-export type { DiagramEditor, Edit, EditorMethods } from './editor.ts'
-export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './errors.ts'
-export { exportBox } from './export-box.ts'
-export { convexHull, type Hull, type HullArc } from './hull.ts'
-export type { Verifiable } from './judged-arrays.ts'
-export { largestEmptyDiscInside } from './largest-disc-inside.ts'
-export { type EmptyDisc, largestEmptyDiscCenteredIn, largestEmptyDiscCenteredInHull } from './largest-empty-disc.ts'
-export type { CircleVoronoi, FinalCells, Known } from './library.ts'
-export type { LoadOptions } from './load-options.ts'
-export { loadCircleVoronoi } from './loader.ts'
-export { arcLength, area, centroid, perimeter } from './measure.ts'
-export { type MergedDiagram, mergeVertices } from './merged.ts'
-export { distance, METRICS, type Metric } from './metric.ts'
-export type { Options, Progress, Stage } from './options.ts'
-export { type Outline, type OutlinePiece, outline } from './outline.ts'
-export type { PathSink } from './path-sink.ts'
-export type { Point, Vector } from './point.ts'
-export type { Polygon } from './polygon.ts'
-export { type ClosestPair, closestPair, neighborPairs } from './queries.ts'
-export { SvgPath } from './svg-path.ts'
+  type EmptyDisc,
+  largestEmptyDiscCenteredIn,
+  largestEmptyDiscCenteredInHull,
+} from './queries/largest-empty-disc.ts'
+export { type MergedDiagram, mergeVertices } from './queries/merged.ts'
+export { type ClosestPair, closestPair, neighborPairs } from './queries/queries.ts'
+export { Cells } from './regions/cells.ts'
+export { clip } from './regions/clip.ts'
+export { type Bounds, ConvexPolygon } from './regions/convex-polygon.ts'
+export { exportBox } from './regions/export-box.ts'
+export { convexHull, type Hull, type HullArc } from './regions/hull.ts'
+export { arcLength, area, centroid, perimeter } from './regions/measure.ts'
+export type { Outline, OutlinePiece } from './regions/outline-piece.ts'
+export type { DiagramEditor, Edit, EditorMethods } from './wasm/editor.ts'
+export type { Verifiable } from './wasm/judged-arrays.ts'
+export type { CircleVoronoi, FinalCells, Known } from './wasm/library.ts'
+export type { LoadOptions } from './wasm/load-options.ts'
+export { loadCircleVoronoi } from './wasm/loader.ts'
+export type { Options, Progress, Stage } from './wasm/options.ts'
 export {
   TRACE_KINDS,
   Trace,
@@ -78,5 +84,5 @@ export {
   type TraceKind,
   type TraceOptions,
   type TraceState,
-} from './trace.ts'
-export type { CompiledWasm, WasmSource } from './wasm.ts'
+} from './wasm/trace.ts'
+export type { CompiledWasm, WasmSource } from './wasm/wasm.ts'

@@ -5,13 +5,13 @@
  *
  * @module circle-voronoi/link
  */
-import { refuseArgument, shown } from './check.ts'
-import { COORDINATE_LIMIT } from './coordinate-limits.ts'
-import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './coordinates.ts'
-import type { Float64s } from './diagram-data.ts'
-import type { Edit } from './editor.ts'
-import { CircleVoronoiError } from './errors.ts'
-import { packed, packedAtOnce, unpacked } from './link-text.ts'
+import { refuseArgument, shown } from './base/check.ts'
+import { packed, packedAtOnce, unpacked } from './base/compressed-text.ts'
+import { COORDINATE_LIMIT } from './base/coordinate-limits.ts'
+import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './base/coordinates.ts'
+import { CircleVoronoiError } from './base/errors.ts'
+import type { Float64s } from './base/types.ts'
+import type { Edit } from './wasm/editor.ts'
 
 /**
  * What a link may have: letters, bytes of JSON once it is unpacked, circles, edits, and values of layers.

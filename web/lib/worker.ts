@@ -4,22 +4,21 @@
  *
  * @module circle-voronoi/worker
  */
-import { refuseOption } from './check.ts'
-import { type Circles, coordinatesOf } from './coordinates.ts'
-import { Diagram } from './diagram.ts'
-import type { DiagramData } from './diagram-data.ts'
-import type { Disposal } from './disposal.ts'
-import { editedCircles } from './editor.ts'
-import { EditorClient } from './editor-client.ts'
-import { CircleVoronoiError, workerFailure } from './errors.ts'
-import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load-options.ts'
-import { checkOptions, type Options } from './options.ts'
-import { startThread, type Thread } from './thread.ts'
-import type { CompiledWasm } from './wasm.ts'
-import type { AsyncDiagramEditor } from './worker-editor.ts'
-import type { Reply, Request } from './worker-messages.ts'
+import { refuseOption } from './base/check.ts'
+import { type Circles, coordinatesOf } from './base/coordinates.ts'
+import { CircleVoronoiError, workerFailure } from './base/errors.ts'
+import type { DiagramData, Disposal } from './base/types.ts'
+import { Diagram } from './diagram/diagram.ts'
+import { EditorClient } from './threads/editor-client.ts'
+import { startThread, type Thread } from './threads/thread.ts'
+import type { AsyncDiagramEditor } from './threads/worker-editor.ts'
+import type { Reply, Request } from './threads/worker-messages.ts'
+import { editedCircles } from './wasm/editor.ts'
+import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './wasm/load-options.ts'
+import { checkOptions, type Options } from './wasm/options.ts'
+import type { CompiledWasm } from './wasm/wasm.ts'
 
-export type { AsyncDiagramEditor, AsyncEditorMethods } from './worker-editor.ts'
+export type { AsyncDiagramEditor, AsyncEditorMethods } from './threads/worker-editor.ts'
 export type { Disposal, LoadOptions, Options }
 
 /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which discs wait, and what a disc is tested against.
 import type { Circle, Vertex } from '../lib/index.ts'
-import type { Trace, TraceState } from '../lib/trace.ts'
+import type { Trace, TraceState } from '../lib/wasm/trace.ts'
 import { kindAt } from './steps.ts'
 
 /** A disc that waits in the list, by radius. */

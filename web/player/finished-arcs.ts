@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at, NONE } from '../lib/diagram-data.ts'
+import { at, NONE } from '../lib/base/diagram-data.ts'
 import type { Circle, Vertex } from '../lib/index.ts'
-import { TRACE_KINDS, type Trace } from '../lib/trace.ts'
+import { TRACE_KINDS, type Trace } from '../lib/wasm/trace.ts'
 
 const ROUND_BEGUN = TRACE_KINDS.indexOf('roundBegun')
 const PLACED = TRACE_KINDS.indexOf('directedEdgePlaced')

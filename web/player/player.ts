@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render, svg, type TemplateResult } from 'lit/html.js'
-import { Diagram } from '../lib/diagram.ts'
+import { Diagram } from '../lib/diagram/diagram.ts'
 import type { Circle } from '../lib/index.ts'
-import { Trace, type TraceOptions, type TraceState } from '../lib/trace.ts'
+import { Trace, type TraceOptions, type TraceState } from '../lib/wasm/trace.ts'
 import type { Traced } from '../view/protocol.ts'
 import type { View } from '../view/view.ts'
 import { type RingMark, ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from './discs.ts'

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn above the circles after a step: what is past light, what is current strong.
 import type { Circle, Vertex } from '../lib/index.ts'
-import type { Trace, TraceState } from '../lib/trace.ts'
+import type { Trace, TraceState } from '../lib/wasm/trace.ts'
 import { boundingBox } from '../view/camera.ts'
 import type { AboveLayer } from '../view/layers.ts'
 import { FinishedArcs } from './finished-arcs.ts'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Trace, TraceEvent } from '../lib/trace.ts'
+import type { Trace, TraceEvent } from '../lib/wasm/trace.ts'
 import { kindAt, type Step } from './steps.ts'
 
 /** A number as a reader wants it: three digits that count. */

@@ -2,7 +2,7 @@
 import type { EditorActions } from '../editing/editor-actions.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
-import type { TraceOptions } from '../lib/trace.ts'
+import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { View } from '../view/view.ts'
 import type { Player } from './player.ts'
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { TRACE_KINDS, type Trace, type TraceKind } from '../lib/trace.ts'
+import { TRACE_KINDS, type Trace, type TraceKind } from '../lib/wasm/trace.ts'
 import type { Line, Program } from './program.ts'
 
 /** One thing that happens, which may be several events. */

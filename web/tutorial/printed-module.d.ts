@@ -5,9 +5,9 @@ interface PrintedModule {
   printed(
     circles: Float64Array,
     asPrinted: readonly import('./printed-rules.ts').Rule[],
-  ): import('./printed-rules.ts').Printed | import('../lib/wasm.ts').WasmError
+  ): import('./printed-rules.ts').Printed | import('../lib/wasm/wasm.ts').WasmError
 }
 
 declare module '*/generated/printed.js' {
-  export default function createModule(options: import('../lib/wasm.ts').EmscriptenOptions): Promise<PrintedModule>
+  export default function createModule(options: import('../lib/wasm/wasm.ts').EmscriptenOptions): Promise<PrintedModule>
 }

@@ -10,7 +10,7 @@ import {
   type Point,
   parameterAt,
 } from '../lib/index.ts'
-import { compileWasm, instantiate, unwrap, type WasmSource } from '../lib/wasm.ts'
+import { compileWasm, instantiate, unwrap, type WasmSource } from '../lib/wasm/wasm.ts'
 import createModule from './generated/printed.js'
 
 /**

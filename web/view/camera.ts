@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram-data.ts'
+import { at } from '../lib/base/diagram-data.ts'
 import type { Box, Point } from '../lib/index.ts'
 
 /** The part of the plane that is shown: the point in the middle of the canvas, and pixels per unit. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../lib/diagram-data.ts'
+import { at } from '../lib/base/diagram-data.ts'
 import type { Circle, Edit } from '../lib/index.ts'
 
 /** What was opened, and what has become of it: enough for another thread to have the same circles by the same ids. */

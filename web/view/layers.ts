@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseArgument, shown } from '../lib/check.ts'
+import { refuseArgument, shown } from '../lib/base/check.ts'
 import type { Point } from '../lib/index.ts'
 import type { LayerValue } from '../lib/link.ts'
 

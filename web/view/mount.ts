@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import './theme.css'
-import type { LoadOptions } from '../lib/load-options.ts'
+import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import { boundingBox, type Camera, fitted } from './camera.ts'
 import type { Hands } from './gestures.ts'
 import { PlainHands } from './hands.ts'

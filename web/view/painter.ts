@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from '../lib/errors.ts'
+import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Circle, Edit, Options } from '../lib/index.ts'
-import { compileCircleVoronoi, type LoadOptions } from '../lib/load-options.ts'
-import { startModuleWorker } from '../lib/module-worker.ts'
-import type { TraceOptions } from '../lib/trace.ts'
+import { startModuleWorker } from '../lib/threads/module-worker.ts'
+import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
+import type { TraceOptions } from '../lib/wasm/trace.ts'
 import { CircleLog } from './circle-log.ts'
 import type { Layers } from './layers.ts'
 import type { Frame } from './painter/frame.ts'

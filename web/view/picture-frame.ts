@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseArgument, shown } from '../lib/check.ts'
+import { refuseArgument, shown } from '../lib/base/check.ts'
 import type { Camera, Size } from './camera.ts'
 import type { Frame } from './painter/frame.ts'
 

@@ -12,8 +12,8 @@ import type {
   Stats,
   Vertex,
 } from '../lib/index.ts'
-import type { TraceArrays, TraceOptions } from '../lib/trace.ts'
-import type { CompiledWasm } from '../lib/wasm.ts'
+import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
+import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { Layers } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Style } from './style.ts'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Circle, Edit, Options, Point } from '../lib/index.ts'
-import type { TraceOptions } from '../lib/trace.ts'
+import type { TraceOptions } from '../lib/wasm/trace.ts'
 import { BasePicture } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
 import { type AboveLayer, checkLayers, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'

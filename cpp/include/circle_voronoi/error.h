@@ -12,7 +12,7 @@
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// What can be wrong. Hidden, duplicate and tangent circles are results, not errors.
-/// The names are the same in TypeScript (`errorCodeName`, `web/lib/errors.ts`).
+/// The names are the same in TypeScript (`errorCodeName`, `web/lib/base/errors.ts`).
 enum class ErrorCode {
   nonFinite,           ///< a coordinate or a radius is NaN or infinite
   negativeRadius,      ///< a radius is below zero, and radii are no weights

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from '../../lib/errors.ts'
+import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Float64s } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
 import type { Catalogue, Recipe } from '../generators/generators.ts'

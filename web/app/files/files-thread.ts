@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
-import { CircleVoronoiError, reasonOf } from '../../lib/errors.ts'
+import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { encodeLink } from '../../lib/link.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
 import { circlesOfSvg, withLink } from './svg-scene.ts'
@@ -11,7 +11,7 @@ const port = globalThis as unknown as {
 }
 
 const files = kept(async () => (await import('../../lib/files.ts')).loadFiles())
-const library = kept(async () => (await import('../../lib/loader.ts')).loadCircleVoronoi())
+const library = kept(async () => (await import('../../lib/wasm/loader.ts')).loadCircleVoronoi())
 const generators = kept(async () => (await import('../generators/generators.ts')).loadGenerators())
 
 port.onmessage = async ({ data }) => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings that open again: the page's own by the link in their metadata, those of the program by their circles.
-import { CircleVoronoiError } from '../../lib/errors.ts'
+import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Read } from './files-protocol.ts'
 
 const LINK = /<metadata id="circle-voronoi">(v\d+\.[\w-]+)<\/metadata>/

@@ -10,5 +10,7 @@ interface FamiliesModule {
 }
 
 declare module '*/generated/families.js' {
-  export default function createModule(options: import('../../lib/wasm.ts').EmscriptenOptions): Promise<FamiliesModule>
+  export default function createModule(
+    options: import('../../lib/wasm/wasm.ts').EmscriptenOptions,
+  ): Promise<FamiliesModule>
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from '../../lib/errors.ts'
+import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Float64s } from '../../lib/index.ts'
-import { compileWasm, instantiate, type WasmSource } from '../../lib/wasm.ts'
+import { compileWasm, instantiate, type WasmSource } from '../../lib/wasm/wasm.ts'
 import createModule from '../generated/families.js'
 
 /** A figure of the paper. */

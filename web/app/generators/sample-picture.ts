@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, svg, type TemplateResult } from 'lit'
-import { at } from '../../lib/diagram-data.ts'
+import { at } from '../../lib/base/diagram-data.ts'
 import type { Float64s } from '../../lib/index.ts'
 import { fitted } from '../../view/camera.ts'
 import { interestingBox } from './interesting-box.ts'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import Flatbush from 'flatbush'
-import { at } from '../../lib/diagram-data.ts'
+import { at } from '../../lib/base/diagram-data.ts'
 import type { Box } from '../../lib/index.ts'
 import { boxAt, clearBox, emptyBoxes } from './boxes.ts'
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Boxes in a list of numbers, four each: minX, minY, maxX, maxY. They are made for a million cells at once: without an object
 // for each.
-import { inPlane } from '../../lib/bisector.ts'
-import { edgeCurve } from '../../lib/curve.ts'
-import { at, NONE } from '../../lib/diagram-data.ts'
+
+import { at, NONE } from '../../lib/base/diagram-data.ts'
+import { inPlane } from '../../lib/curves/bisector.ts'
+import { edgeCurve } from '../../lib/curves/curve.ts'
 import type { Box, Diagram, Point } from '../../lib/index.ts'
 
 export const EMPTY_BOX: Box = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../lib/diagram-data.ts'
+import { at } from '../../lib/base/diagram-data.ts'
 import type { Diagram } from '../../lib/index.ts'
 import { addAround, addBox, addEdge, addFarPart, clearBox, emptyBoxes } from './boxes.ts'
 

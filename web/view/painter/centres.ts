@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../lib/diagram-data.ts'
+import { at } from '../../lib/base/diagram-data.ts'
 import type { Change, CircleVoronoi, Diagram, Edit } from '../../lib/index.ts'
 import { idOf } from './cell-boxes.ts'
 import { type Difference, Picture } from './picture.ts'

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import { SvgPath } from '../../lib/drawing/svg-path.ts'
 import type { PathSink } from '../../lib/index.ts'
-import { SvgPath } from '../../lib/svg-path.ts'
 
 /** What pictures are drawn on, in pixels: a canvas, or the text of an SVG. */
 export interface Drawing {

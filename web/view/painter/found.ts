@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { traceArc } from '../../lib/bezier.ts'
-import { parameterAt, pointAt } from '../../lib/bisector.ts'
-import { type BoundedCurve, edgeCurve, isBoundedCurve, reversed } from '../../lib/curve.ts'
-import { at, NONE } from '../../lib/diagram-data.ts'
+
+import { at, NONE } from '../../lib/base/diagram-data.ts'
+import { hypotenuse } from '../../lib/base/scale.ts'
+import { traceArc } from '../../lib/curves/bezier.ts'
+import { parameterAt, pointAt } from '../../lib/curves/bisector.ts'
+import { type BoundedCurve, edgeCurve, isBoundedCurve, reversed } from '../../lib/curves/curve.ts'
 import {
   circleAt,
   clearestPath,
@@ -12,7 +14,6 @@ import {
   largestEmptyDiscCenteredInHull,
   type Point,
 } from '../../lib/index.ts'
-import { hypotenuse } from '../../lib/scale.ts'
 import { isMethodShown, type Layers } from '../layers.ts'
 import type { Found } from '../protocol.ts'
 import { idOf } from './cell-boxes.ts'

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { BoundedCurve } from '../../lib/curve.ts'
-import { at, NONE } from '../../lib/diagram-data.ts'
+
+import { at, NONE } from '../../lib/base/diagram-data.ts'
+import { hypotenuse } from '../../lib/base/scale.ts'
+import type { BoundedCurve } from '../../lib/curves/curve.ts'
 import { area, type Diagram } from '../../lib/index.ts'
-import { hypotenuse } from '../../lib/scale.ts'
 import type { Measure } from '../layers.ts'
 import { TINTS } from '../style.ts'
 import { idOf } from './cell-boxes.ts'

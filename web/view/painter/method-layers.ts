@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../lib/diagram-data.ts'
+import { at } from '../../lib/base/diagram-data.ts'
 import type { CircleVoronoi, Diagram } from '../../lib/index.ts'
 import { isMethodShown, type Layers, type MethodLayer, MOST_PAIRED, MOST_TRACED, SAMPLES } from '../layers.ts'
 import type { MethodFound } from '../protocol.ts'

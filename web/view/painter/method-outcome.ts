@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at, edgeAt, NONE, vertexAt } from '../../lib/diagram-data.ts'
+import { at, edgeAt, NONE, vertexAt } from '../../lib/base/diagram-data.ts'
 import { type Diagram, mergeVertices } from '../../lib/index.ts'
 import type { Counted } from '../protocol.ts'
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { at, NONE } from '../../lib/base/diagram-data.ts'
+import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Comparison } from '../../lib/comparison.ts'
-import { at, NONE } from '../../lib/diagram-data.ts'
-import { CircleVoronoiError } from '../../lib/errors.ts'
 import type { Box, Circle, CircleVoronoi, Diagram, Edit, Options } from '../../lib/index.ts'
-import type { TraceOptions } from '../../lib/trace.ts'
+import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import { DEFAULT_LAYERS, isMethodShown, type Layers } from '../layers.ts'
 import type {
   Column,

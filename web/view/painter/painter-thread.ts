@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import type { Comparison } from '../../lib/comparison.ts'
-import { CircleVoronoiError, reasonOf } from '../../lib/errors.ts'
-import { type CircleVoronoi, circleVoronoiOf } from '../../lib/library.ts'
+import { type CircleVoronoi, circleVoronoiOf } from '../../lib/wasm/library.ts'
 import type { FromPainter, Patch, ToPainter } from '../protocol.ts'
 import { CanvasDrawing, SvgDrawing } from './drawing.ts'
 import { PaintedScene } from './painted-scene.ts'

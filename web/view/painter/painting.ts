@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Limits } from '../../lib/cell-limits.ts'
+
 import type { PathSink } from '../../lib/index.ts'
+import type { Limits } from '../../lib/regions/cell-limits.ts'
 import type { Layers } from '../layers.ts'
 import type { Style } from '../style.ts'
 import type { Drawing } from './drawing.ts'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at, NONE } from '../../lib/diagram-data.ts'
+import { at, NONE } from '../../lib/base/diagram-data.ts'
 import type { Box, Change, Diagram, DiagramEditor } from '../../lib/index.ts'
 import { boundingBox } from '../camera.ts'
 import { type DataLayer, DEFAULT_LAYERS, isMeasure, type Layers, type MethodLayer } from '../layers.ts'

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { parameterAt, pointAt } from '../../lib/bisector.ts'
-import { edgeCurve } from '../../lib/curve.ts'
-import { at, NONE } from '../../lib/diagram-data.ts'
+
+import { at, NONE } from '../../lib/base/diagram-data.ts'
+import { hypotenuse } from '../../lib/base/scale.ts'
+import { parameterAt, pointAt } from '../../lib/curves/bisector.ts'
+import { edgeCurve } from '../../lib/curves/curve.ts'
 import { circleAt, type Diagram, type Point, type Vertex } from '../../lib/index.ts'
-import { hypotenuse } from '../../lib/scale.ts'
 import type { Touching } from '../protocol.ts'
 
 /** The disc around the vertex, or else the point of an edge, nearest to (x, y), of the cells of some circles. */

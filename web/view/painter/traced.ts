@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../lib/diagram-data.ts'
-import { CircleVoronoiError } from '../../lib/errors.ts'
+import { at } from '../../lib/base/diagram-data.ts'
+import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { CircleVoronoi, Diagram, Edit } from '../../lib/index.ts'
-import type { TraceOptions } from '../../lib/trace.ts'
+import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import { MOST_PLAYED } from '../layers.ts'
 import type { Traced } from '../protocol.ts'
 import { wholeNumber } from '../whole-number.ts'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at, NONE } from '../../lib/diagram-data.ts'
+import { at, NONE } from '../../lib/base/diagram-data.ts'
 import type { Box, Circle, CircleVoronoi, Diagram } from '../../lib/index.ts'
 import type { Trial } from '../protocol.ts'
 import { boxAt, emptyBoxes } from './boxes.ts'

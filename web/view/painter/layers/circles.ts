@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at } from '../../../lib/diagram-data.ts'
+import { at } from '../../../lib/base/diagram-data.ts'
 import type { PathSink } from '../../../lib/index.ts'
 import { DISC_OPACITY, DOT_RADIUS } from '../../style.ts'
 import { addDisc } from '../disc-path.ts'

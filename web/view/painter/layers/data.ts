@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at } from '../../../lib/diagram-data.ts'
+import { at } from '../../../lib/base/diagram-data.ts'
 import { isMethodShown } from '../../layers.ts'
 import { addDisc } from '../disc-path.ts'
 import type { Layer, Painting } from '../painting.ts'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { drawEdge } from '../../../lib/draw.ts'
+import { drawEdge } from '../../../lib/drawing/draw.ts'
 import type { Diagram, PathSink } from '../../../lib/index.ts'
 import type { Layer, Painting } from '../painting.ts'
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at } from '../../../lib/diagram-data.ts'
+import { at } from '../../../lib/base/diagram-data.ts'
 import type { Diagram, PathSink } from '../../../lib/index.ts'
 import type { FrameSink } from '../frame-sink.ts'
 import type { Layer, Painting } from '../painting.ts'

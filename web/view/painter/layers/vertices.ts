@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, NONE } from '../../../lib/diagram-data.ts'
+import { at, NONE } from '../../../lib/base/diagram-data.ts'
+import { hypotenuse } from '../../../lib/base/scale.ts'
 import type { Diagram, PathSink } from '../../../lib/index.ts'
-import { hypotenuse } from '../../../lib/scale.ts'
 import { addDisc } from '../disc-path.ts'
 import { type Layer, shareOf } from '../painting.ts'
 

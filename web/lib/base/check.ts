@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What callers of JavaScript may give in place of what the types ask for: it is refused, in one sentence.
+
+import { REGION_LIMIT } from './coordinate-limits.ts'
+import { CircleVoronoiError } from './errors.ts'
+import type { DiagramData, Metric, Point } from './types.ts'
+
+/** @throws CircleVoronoiError `badArgument` */
+export function refuseArgument(message: string): never {
+  throw new CircleVoronoiError('badArgument', -1, message)
+}
+
+/** @throws CircleVoronoiError `badOption` */
+export function refuseOption(message: string): never {
+  throw new CircleVoronoiError('badOption', -1, message)
+}
+
+/**
+ * Whether `options` is an object with no other options than those named; an option that is `undefined` is none.
+ *
+ * @throws CircleVoronoiError `badOption`
+ */
+export function checkOptionNames(options: unknown, caller: string, known: readonly string[]): void {
+  if (typeof options !== 'object' || options === null || Array.isArray(options)) {
+    refuseOption(`The options of ${caller} are not an object.`)
+  }
+  for (const name of Object.keys(options)) {
+    if (!known.includes(name) && (options as Record<string, unknown>)[name] !== undefined) {
+      refuseOption(
+        `There is no option ${name} of ${caller}; ${known.length === 1 ? 'its only one is' : 'its options are'} ${listed(known)}.`,
+      )
+    }
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `value` is not a number */
+export function checkNumber(value: unknown, caller: string, name: string): void {
+  if (typeof value !== 'number') refuseArgument(`${caller} takes a number as ${name}, not ${shown(value)}.`)
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `length` is no number, or NaN */
+export function checkLength(length: unknown, caller: string, name: string): void {
+  if (Number.isNaN(length)) refuseArgument(`${caller} takes a number as ${name}, not NaN.`)
+  checkNumber(length, caller, name)
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `index` is not one of `count` things */
+export function checkIndex(index: unknown, count: number, caller: string, thing: string): void {
+  checkNumber(index, caller, `the index of ${thing === 'edge' ? 'an' : 'a'} ${thing}`)
+  if (!Number.isInteger(index) || (index as number) < 0 || (index as number) >= count) {
+    refuseArgument(`${caller}: there is no ${thing} ${index}; the diagram has ${count}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `diagram` has no methods: `new Diagram(data)` gives it some */
+export function checkDiagram(diagram: unknown, caller: string): void {
+  if (typeof (diagram as { find?: unknown } | null | undefined)?.find !== 'function') {
+    refuseArgument(`${caller} takes a Diagram, not ${shown(diagram)}; new Diagram(data) makes one of plain data.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `value` is nothing that has a `part`, by which a `thing` is known */
+export function checkThing(value: unknown, part: string, caller: string, thing: string): void {
+  if (typeof value !== 'object' || value === null || !(part in value)) {
+    refuseArgument(`${caller} takes ${thing}, not ${shown(value)}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `data` is no diagram, with or without methods */
+export function checkData(data: unknown, caller: string): void {
+  checkThing(data, 'vertexCircles', caller, 'a diagram')
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `circles` are not x, y and r of each in one array */
+export function checkCircles(circles: unknown, caller: string): void {
+  if (!(circles instanceof Float64Array)) {
+    refuseArgument(`${caller} takes a Float64Array of x, y and r for each circle, not ${shown(circles)}.`)
+  }
+  if (circles.length % 3 !== 0) {
+    refuseArgument(`${caller} takes three numbers for each circle, but there are ${circles.length}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `curve` has no two ends */
+export function checkBoundedCurve(curve: unknown, caller: string): void {
+  checkThing(curve, 'bisector', caller, 'a curve')
+  const { start, end } = curve as { start?: unknown; end?: unknown }
+  if (start === undefined || end === undefined) {
+    refuseArgument(`${caller} takes a curve with two ends; clip makes some of one that goes to infinity.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `outline` is no list of loops */
+export function checkOutline(outline: unknown, caller: string): void {
+  if (!(Array.isArray(outline) && outline.every(Array.isArray))) {
+    refuseArgument(`${caller} takes an outline, a list of closed loops, not ${shown(outline)}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if `point` is no finite point */
+export function checkPoint(point: unknown, caller: string): asserts point is Point {
+  const { x, y }: Partial<Point> = Object(point)
+  if (!Number.isFinite(x) || !Number.isFinite(y)) {
+    refuseArgument(`${caller} takes points { x, y } of finite numbers, not ${shown(point)}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badArgument`, if a question has no answer in the metric of a diagram */
+export function checkMetric({ metric }: DiagramData, caller: string, ...known: readonly Metric[]): void {
+  if (!known.includes(metric)) {
+    refuseArgument(`${caller} takes a diagram of the metric ${listed(known)}, not of ${metric}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badOption`, if there is a distance that is no number, or beyond those of regions */
+export function checkDistance(distance: unknown): void {
+  if (distance === undefined) return
+  if (typeof distance !== 'number' || !(Math.abs(distance) <= REGION_LIMIT)) {
+    refuseOption(`The maximum distance is a number up to 1e152, not ${shown(distance)}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badOption`, if there is such a distance, or one that the metric does not measure */
+export function checkMaxDistance({ metric }: DiagramData, caller: string, distance: unknown): void {
+  if (distance === undefined) return
+  checkDistance(distance)
+  if (metric === 'power')
+    refuseOption(`${caller} takes no maximum distance of a power diagram, which has no distances.`)
+}
+
+/** @throws CircleVoronoiError `badOption`, if `tolerance` is not finite and above 0 */
+export function checkTolerance(tolerance: unknown): asserts tolerance is number {
+  if (!(Number.isFinite(tolerance) && (tolerance as number) > 0)) {
+    refuseOption(`The tolerance is a finite number above 0, not ${shown(tolerance)}.`)
+  }
+}
+
+/** @throws CircleVoronoiError `badOption`, if there are digits that are no number of them */
+export function checkDigits(digits: unknown): void {
+  if (digits !== undefined && !(Number.isInteger(digits) && (digits as number) >= 0)) {
+    refuseOption(`The number of digits is a whole number from 0, not ${shown(digits)}.`)
+  }
+}
+
+/** A value as it can stand in a sentence. */
+export function shown(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value)
+  if (Array.isArray(value)) return 'an array'
+  if (typeof value === 'function') return 'a function'
+  return typeof value === 'object' && value !== null ? 'an object' : String(value)
+}
+
+function listed(names: readonly string[]): string {
+  return names.length < 2 ? names.join() : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
+}

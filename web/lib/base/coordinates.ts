@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { shown } from './check.ts'
+import { CircleVoronoiError } from './errors.ts'
+import type { Circle, Float64s } from './types.ts'
+
+/**
+ * A circle as an object, or as an array of its x, y and r.
+ *
+ * @category Loading
+ */
+export type CircleLike = Circle | ArrayLike<number>
+
+/**
+ * Circles: x, y, r of each in one typed array, or anything that can be gone through with `for of`.
+ *
+ * @category Loading
+ */
+export type Circles = Float64Array | Float32Array | Iterable<CircleLike>
+
+/**
+ * A copy of the circles as x, y, r of each.
+ *
+ * @throws CircleVoronoiError `badInput`: embind would convert whatever it is given, so types are checked here.
+ */
+export function coordinatesOf(circles: Circles): Float64s {
+  if (circles instanceof Float64Array || circles instanceof Float32Array) {
+    if (circles.length % 3 !== 0) refuse(-1, `Three numbers per circle are needed, but there are ${circles.length}.`)
+    return new Float64Array(circles)
+  }
+  return coordinatesFrom(circles, circleX, circleY, circleRadius)
+}
+
+/**
+ * What of a datum is asked for, as d3-delaunay asks for it.
+ *
+ * @category Loading
+ */
+export type Accessor<Datum> = (datum: Datum, index: number, data: Iterable<Datum>) => number
+
+/**
+ * The circles that three functions find in data.
+ *
+ * @throws CircleVoronoiError `badInput`, if the data cannot be gone through or a function gives something else than a
+ * number; what the functions throw
+ */
+export function coordinatesFrom<Datum>(
+  data: Iterable<Datum>,
+  fx: Accessor<Datum>,
+  fy: Accessor<Datum>,
+  fr: Accessor<Datum>,
+): Float64s {
+  if (
+    typeof (data as Partial<Iterable<Datum>> | null | undefined)?.[Symbol.iterator] !== 'function' ||
+    typeof data === 'string'
+  ) {
+    refuse(-1, `The circles are neither a typed array nor a list, but ${shown(data)}.`)
+  }
+  const numbers: number[] = []
+  let i = 0
+  for (const datum of data) {
+    const [x, y, r]: readonly unknown[] = [fx(datum, i, data), fy(datum, i, data), fr(datum, i, data)]
+    if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
+      refuse(i, `Circle ${i} does not have three numbers x, y and r.`)
+    }
+    numbers.push(x, y, r)
+    i += 1
+  }
+  return new Float64Array(numbers)
+}
+
+/** The accessors of an object or an array; of anything else nothing, which is refused. */
+export function circleX(circle: CircleLike): number {
+  return part(circle, 0, 'x')
+}
+export function circleY(circle: CircleLike): number {
+  return part(circle, 1, 'y')
+}
+export function circleRadius(circle: CircleLike): number {
+  return part(circle, 2, 'r')
+}
+
+function part(circle: CircleLike | null | undefined, k: number, name: keyof Circle): number {
+  const isList = typeof circle === 'object' && circle !== null && 'length' in circle
+  const value = isList ? circle[k] : (circle as Circle | null | undefined)?.[name]
+  return value as number
+}
+
+function refuse(circle: number, message: string): never {
+  throw new CircleVoronoiError('badInput', circle, message)
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { checkData, checkIndex, checkNumber } from './check.ts'
+import { at } from './diagram-data.ts'
+import { lengthOf } from './scale.ts'
+import type { DiagramData } from './types.ts'
+
+/**
+ * The distance from a circle of the diagram to the point (x, y), in the diagram's metric.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Diagrams
+ * @example
+ * distance(diagram, 1, 6, 4) // 3
+ */
+export function distance(diagram: DiagramData, circle: number, x: number, y: number): number {
+  checkData(diagram, 'distance')
+  const { circles, metric } = diagram
+  checkIndex(circle, circles.length / 3, 'distance', 'circle')
+  checkNumber(x, 'distance', 'x')
+  checkNumber(y, 'distance', 'y')
+  const toCentre = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
+  const r = at(circles, 3 * circle + 2)
+  if (metric === 'circles') return toCentre - r
+  return metric === 'centers' ? toCentre : (toCentre - r) * (toCentre + r)
+}

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arcs of bisectors as Bezier curves and polylines.
+//
+// Each error depends on the middle of an arc's range and on its half-width h alone, since multiplying the parameter is an
+// affine map. Let w = cosh h, the weight of the arc as a rational Bezier curve, be
+//
+//     w = (sqrt(to / from) + sqrt(from / to)) / 2.
+
+import { checkBoundedCurve, checkLength, checkNumber, checkThing } from '../base/check.ts'
+import { between } from '../base/point.ts'
+import { lengthOf } from '../base/scale.ts'
+import type { PathSink, Point } from '../base/types.ts'
+import { type Bisector, inPlane, pointOf } from './bisector.ts'
+import type { BoundedCurve } from './curve.ts'
+
+/**
+ * A conic section as a rational quadratic Bezier curve, with the weights 1, `weight`, 1 of its points.
+ *
+ * @category Curves
+ */
+export interface RationalBezier {
+  readonly start: Point
+  readonly control: Point
+  readonly end: Point
+  readonly weight: number
+}
+
+/**
+ * A cubic Bezier curve.
+ *
+ * @category Curves
+ */
+export interface CubicBezier {
+  readonly start: Point
+  readonly control1: Point
+  readonly control2: Point
+  readonly end: Point
+}
+
+/**
+ * A bounded arc exactly.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * rationalBezier(arc).weight > 1 // true
+ */
+export function rationalBezier(curve: BoundedCurve): RationalBezier {
+  checkBoundedCurve(curve, 'rationalBezier')
+  const { bisector, from, to, start, end } = curve
+  return { start, control: controlPoint(bisector, from, to), end, weight: 1 + excessOf(from, to) }
+}
+
+/**
+ * The point at 0 <= u <= 1 of a rational Bezier curve.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * bezierPointAt(rationalBezier(arc), 0.5).x.toFixed(6) // '2.000000'
+ */
+export function bezierPointAt(bezier: RationalBezier, u: number): Point {
+  checkThing(bezier, 'weight', 'bezierPointAt', 'a rational Bezier curve')
+  checkNumber(u, 'bezierPointAt', 'u')
+  const { start, control, end, weight } = bezier
+  const first = (1 - u) * (1 - u)
+  const second = 2 * u * (1 - u) * weight
+  const third = u * u
+  const sum = first + second + third
+  return {
+    x: (first * start.x + second * control.x + third * end.x) / sum,
+    y: (first * start.y + second * control.y + third * end.y) / sum,
+  }
+}
+
+/**
+ * A bounded arc as cubic Bezier curves that keep within `tolerance` of it: each has the arc's tangents at both ends and
+ * meets it in the middle, or is straight, and is as long as the tolerance allows. A tolerance below 1e-12 of the arc's
+ * extent counts as that.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * cubicBeziers(arc, 0.1).length // 1
+ */
+export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezier[] {
+  checkBoundedCurve(curve, 'cubicBeziers')
+  checkLength(tolerance, 'cubicBeziers', 'tolerance')
+  const pieces: CubicBezier[] = []
+  let start = curve.start
+  const add = (control1: Point, control2: Point, end: Point) => {
+    pieces.push({ start, control1, control2, end })
+    start = end
+  }
+  const sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'> = {
+    lineTo(x, y) {
+      const end = { x, y }
+      add(mix(start, end, 1 / 3), mix(end, start, 1 / 3), end)
+    },
+    bezierCurveTo(x1, y1, x2, y2, x, y) {
+      add({ x: x1, y: y1 }, { x: x2, y: y2 }, { x, y })
+    },
+  }
+  addArc(sink, curve, tolerance)
+  return pieces
+}
+
+/**
+ * Draws a bounded arc, from its start, where the path already is, as the curves of `cubicBeziers`.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(diagram, 0), [-5, -5, 10, 10])
+ * const path = new SvgPath(1)
+ * path.moveTo(arc.start.x, arc.start.y)
+ * traceArc(path, arc, 0.1)
+ * `${path}`.startsWith('M') // true
+ */
+export function traceArc(
+  sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>,
+  curve: BoundedCurve,
+  tolerance: number,
+): void {
+  checkBoundedCurve(curve, 'traceArc')
+  checkLength(tolerance, 'traceArc', 'tolerance')
+  addArc(sink, curve, tolerance)
+}
+
+/** The same of checked arguments. */
+export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: BoundedCurve, tolerance: number): void {
+  const { bisector, to: last } = curve
+  let { from, start } = curve
+  if (isNearlyStraight(bisector, from, last, tolerance)) {
+    sink.lineTo(curve.end.x, curve.end.y)
+    return
+  }
+  const limit = atLeast(1e-12, curve, tolerance)
+  for (let isLast = false; !isLast; ) {
+    // To know that one curve does for the rest spares the search for how far a line would do.
+    const byOneCubic = chordError(bisector, from, last) > limit && cubicError(bisector, from, last) <= limit
+    const byLine = byOneCubic ? from : farthest(bisector, from, last, limit, chordError)
+    const byCubic = byOneCubic || byLine === last ? last : farthest(bisector, from, last, limit, cubicError)
+    const to = Math.max(byLine, byCubic)
+    isLast = !(to < last)
+    const end = isLast ? curve.end : pointOf(bisector, to)
+    if (!(byCubic > byLine)) {
+      sink.lineTo(end.x, end.y)
+    } else {
+      const control = controlPoint(bisector, from, to)
+      const weight = 1 + excessOf(from, to)
+      const share = (4 * weight) / (3 * (1 + weight))
+      const control1 = mix(start, control, share)
+      const control2 = mix(end, control, share)
+      sink.bezierCurveTo(control1.x, control1.y, control2.x, control2.y, end.x, end.y)
+    }
+    from = to
+    start = end
+  }
+}
+
+/**
+ * A bounded arc as the points of a polyline that keeps within `tolerance` of it, two at least, with chords as long as the
+ * tolerance allows. A tolerance below 1e-9 of the arc's extent counts as that.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * polyline(arc, 0.1).length > polyline(arc, 1).length // true
+ */
+export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
+  checkBoundedCurve(curve, 'polyline')
+  checkLength(tolerance, 'polyline', 'tolerance')
+  const { bisector, to } = curve
+  const limit = atLeast(1e-9, curve, tolerance)
+  const points = [curve.start]
+  let from = farthest(bisector, curve.from, to, limit, chordError)
+  while (from < to) {
+    points.push(pointOf(bisector, from))
+    from = farthest(bisector, from, to, limit, chordError)
+  }
+  points.push(curve.end)
+  return points
+}
+
+/** Where the tangents at two parameters meet: the polar form of the branch. */
+export function controlPoint(bisector: Bisector, from: number, to: number): Point {
+  const { apex, a, b } = bisector
+  const u = apex - Math.abs(a) * (((from - 1) / (from + to)) * (to - 1))
+  return inPlane(bisector, u, b * ((from / (from + to)) * to - 1 / (from + to)))
+}
+
+/** w - 1 */
+function excessOf(from: number, to: number): number {
+  const difference = Math.sqrt(to) - Math.sqrt(from)
+  return ((difference / Math.sqrt(from)) * (difference / Math.sqrt(to))) / 2
+}
+
+/**
+ * The largest distance of an arc from its chord, or a bound; as all lengths of a bisector, in its unit. On one side of the apex the arc turns by less than a right
+ * angle, so the distance is largest at the middle parameter, where the tangent is parallel to the chord: w - 1 times the
+ * distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer to the line of
+ * its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times |a|.
+ */
+function chordError({ a, b }: Bisector, from: number, to: number): number {
+  if (a === 0) return 0
+  const along = excessOf(from, to) * Math.abs(a)
+  if (from < 1 && 1 < to) return along
+  const middle = Math.sqrt(from) * Math.sqrt(to)
+  const x = (a * (middle - 1 / middle)) / 2
+  const y = (b * (middle + 1 / middle)) / 2
+  return along * (b / lengthOf({ x, y }))
+}
+
+/**
+ * Whether a bound without roots tells that an arc keeps within a tolerance of its chord, as most in a drawing do: the error
+ * is at most |a| (w - 1), and w - 1 = (w^2 - 1) / (w + 1) at most (to - from)^2 / (8 from to).
+ */
+function isNearlyStraight({ a, unit }: Bisector, from: number, to: number, tolerance: number): boolean {
+  const difference = to - from
+  return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * (tolerance / unit)
+}
+
+/**
+ * A bound for the largest distance of an arc from the cubic with its tangents at both ends and its middle point.
+ *
+ * In the affine frame where the arc is (cosh t, sinh t), |t| <= h, the cubic (X, Y)(u) has
+ *
+ *     X^2 - Y^2 = 1 - 4 (w - 1)^3 / (w + 1) q^2 (1 - 4 q),      q = u (1 - u),
+ *
+ * so 0 <= 1 - X^2 + Y^2 <= f = (w - 1)^3 / (27 (w + 1)). That holds in the frame of the hyperbola's axes as well, where
+ * the way to the branch along one axis is at most |a| f / (2 k cosh t), along the other b f / (k sinh t), with
+ * k^2 = 1 - f and t the parameter of the arc nearest to the apex.
+ */
+function cubicError({ a, b }: Bisector, from: number, to: number): number {
+  const excess = excessOf(from, to)
+  const f = (excess * excess * excess) / (27 * (excess + 2))
+  if (!(f < 0.5)) return Number.POSITIVE_INFINITY
+  const k = Math.sqrt(1 - f)
+  const nearest = Math.min(Math.max(1, from), to)
+  const sine = Math.abs(nearest - 1 / nearest) / 2
+  const cosine = (nearest + 1 / nearest) / 2
+  const error = (Math.abs(a) * f) / (2 * k * cosine)
+  return k * k * sine * sine > f ? Math.min(error, (b * f) / (k * sine)) : error
+}
+
+/**
+ * A parameter, `to` at most, up to which an arc keeps the tolerance, and of those the largest but for a few hundredths of
+ * the way; errors grow with it.
+ */
+function farthest(
+  bisector: Bisector,
+  from: number,
+  to: number,
+  tolerance: number,
+  error: (bisector: Bisector, from: number, to: number) => number,
+): number {
+  if (!(error(bisector, from, to) > tolerance)) return to
+  const halvings = 50
+  const nearEnough = 1 / 32
+  let good = from
+  let bad = to
+  for (let i = 0; i < halvings && bad - good > nearEnough * (good - from); i++) {
+    const middle = Math.sqrt(good) * Math.sqrt(bad)
+    if (error(bisector, from, middle) <= tolerance) good = middle
+    else bad = middle
+  }
+  return good > from ? good : bad
+}
+
+/** A tolerance in the unit of the bisector, and not below a share of the arc's extent. */
+function atLeast(share: number, { bisector, from, to, start, end }: BoundedCurve, tolerance: number): number {
+  const { unit } = bisector
+  const least = share * (lengthOf(between(start, end)) / unit + chordError(bisector, from, to))
+  return tolerance / unit > least ? tolerance / unit : least
+}
+
+function mix(p: Point, q: Point, share: number): Point {
+  return { x: p.x + share * (q.x - p.x), y: p.y + share * (q.y - p.y) }
+}

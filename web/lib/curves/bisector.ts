@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { checkCircles, checkIndex, checkNumber, checkThing, refuseArgument, shown } from '../base/check.ts'
+import { at } from '../base/diagram-data.ts'
+import { between, dot, length } from '../base/point.ts'
+import { largestOf, lengthOf, measuredIn, powerOfTwoIn, unitFor } from '../base/scale.ts'
+import type { Point, Vector } from '../base/types.ts'
+import { METRICS, type Metric } from '../base/types.ts'
+
+/**
+ * The bisector of two circles, the points at the same distance from both: one branch of a hyperbola whose foci are the
+ * centres and whose axis has length 2 |a| = |r_left - r_right|, bent around the smaller circle. Seen from the centre of
+ * the smaller circle, the origin,
+ *
+ *     point(s) = origin + (apex - |a| (s - 1)^2 / (2 s)) along + b (s - 1 / s) / 2 across,      0 < s < infinity,
+ *
+ * so s = 1 is the apex, on the line of centres, and growing s has the left circle on its left. With s = e^t this is the
+ * usual (|a| cosh t, b sinh t), without cancellation near the smaller circle and without functions that differ between
+ * platforms. For equal radii a is 0 and the branch is a straight line, as it is for the other metrics.
+ *
+ * a, b and apex are measured in `unit`, which is 1 unless the circles are so near or so far that products of lengths would
+ * leave the range of numbers: curves of all circles that `compute` takes are right up to rounding.
+ *
+ * Multiplying s by a number is an affine map of the branch onto itself: an arc is as curved as the ratio of the parameters
+ * of its ends says, wherever it lies.
+ *
+ * @category Curves
+ */
+export interface Bisector {
+  /** The foci: the centre of the left circle, */
+  readonly left: Point
+  /** and of the right one. */
+  readonly right: Point
+  /** Of a, b and apex: 1 or a power of two. */
+  readonly unit: number
+  /** (r_left - r_right) / 2 */
+  readonly a: number
+  /** a^2 + b^2 = c^2, where c is half the distance of the centres; above 0 */
+  readonly b: number
+  /** The focus of the smaller circle, the left one if radii are equal. */
+  readonly origin: Point
+  /** Unit vector from the origin to the other focus. */
+  readonly along: Vector
+  /** Unit vector at right angles to it, with the left circle on its left. */
+  readonly across: Vector
+  /**
+   * The distance c - |a| from the origin to the apex. For the metric `power` it is where the radical axis crosses the line
+   * of centres, and may be negative.
+   */
+  readonly apex: number
+}
+
+/** Finite parameters keep away from what stands for infinity. */
+const SMALLEST_PARAMETER = 1e-300
+const LARGEST_PARAMETER = 1e300
+/** Keeps b above zero where two circles touch from inside up to rounding: the branch is then a folded ray. */
+const SMALLEST_B = 2 ** -50
+/** What is nearer to each other than this share of where it is seen from, is seen as one. */
+const FINEST = 2 ** -900
+/** The line of equal power may lie beyond all numbers. */
+const FARTHEST_APEX = 1e300
+
+/**
+ * The bisector of two circles with cells; `circles`: x, y, r each.
+ *
+ * @throws CircleVoronoiError `badArgument`, if there are no such circles, or they have one centre, or of an unknown metric
+ *
+ * @category Curves
+ * @example
+ * bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1).apex // 1.5
+ */
+export function bisector(circles: Float64Array, left: number, right: number, metric: Metric = 'circles'): Bisector {
+  checkCircles(circles, 'bisector')
+  checkIndex(left, circles.length / 3, 'bisector', 'circle')
+  checkIndex(right, circles.length / 3, 'bisector', 'circle')
+  if (!METRICS.includes(metric)) refuseArgument(`There is no metric ${shown(metric)}.`)
+  const isSame = (k: number) => circles[3 * left + k] === circles[3 * right + k]
+  if (isSame(0) && isSame(1)) refuseArgument('bisector takes two circles with different centres.')
+  return bisectorOf(circles, left, right, metric)
+}
+
+/** The same of checked arguments. */
+export function bisectorOf(circles: Float64Array, left: number, right: number, metric: Metric): Bisector {
+  const leftCentre = { x: at(circles, 3 * left), y: at(circles, 3 * left + 1) }
+  const rightCentre = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
+  const leftRadius = at(circles, 3 * left + 2)
+  const rightRadius = at(circles, 3 * right + 2)
+  const originIsLeft = metric !== 'circles' || leftRadius <= rightRadius
+  const origin = originIsLeft ? leftCentre : rightCentre
+  const toOther = between(origin, originIsLeft ? rightCentre : leftCentre)
+  const unit = unitFor(largestOf(toOther))
+  const { x, y } = measuredIn(unit, toOther)
+  const d = length({ x, y })
+  const difference = metric === 'circles' ? (leftRadius - rightRadius) / unit : 0
+  const size = Math.abs(difference)
+  const along = { x: x / d, y: y / d }
+  const shift =
+    metric === 'power' ? ((leftRadius - rightRadius) / unit) * ((leftRadius + rightRadius) / unit / (2 * d)) : 0
+  return {
+    left: leftCentre,
+    right: rightCentre,
+    unit,
+    a: difference / 2,
+    // Not c^2 - a^2, which cancels for a circle almost inside the other.
+    b: Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2,
+    origin,
+    along,
+    across: originIsLeft ? { x: -along.y, y: along.x } : { x: along.y, y: -along.x },
+    apex: Math.min(Math.max((d - size) / 2 + shift, -FARTHEST_APEX), FARTHEST_APEX),
+  }
+}
+
+/**
+ * The point of the bisector with parameter 0 < s < infinity.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Curves
+ * @example
+ * pointAt(bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1), 1) // { x: 0.5, y: 0 }
+ */
+export function pointAt(bisector: Bisector, s: number): Point {
+  checkThing(bisector, 'apex', 'pointAt', 'a bisector')
+  if (!(typeof s === 'number' && s > 0 && s < Number.POSITIVE_INFINITY)) {
+    refuseArgument(`pointAt takes a finite number above 0 as parameter, not ${shown(s)}.`)
+  }
+  return pointOf(bisector, s)
+}
+
+/** The same of checked arguments. */
+export function pointOf(bisector: Bisector, s: number): Point {
+  const { apex, a, b } = bisector
+  return inPlane(bisector, apex - Math.abs(a) * (((s - 1) / s) * ((s - 1) / 2)), (b * (s - 1 / s)) / 2)
+}
+
+/** The point at some lengths along and across from the origin, in the bisector's unit. */
+export function inPlane({ origin, unit, along, across }: Bisector, u: number, v: number): Point {
+  return { x: origin.x + unit * (u * along.x + v * across.x), y: origin.y + unit * (u * along.y + v * across.y) }
+}
+
+/**
+ * The parameter of the point of the bisector next to (x, y), a point on it but for rounding.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Curves
+ * @example
+ * parameterAt(bisector(Float64Array.of(-2, 0, 1, 2, 0, 0), 0, 1), 0.5, 0) // 1
+ */
+export function parameterAt(bisector: Bisector, x: number, y: number): number {
+  checkThing(bisector, 'apex', 'parameterAt', 'a bisector')
+  checkNumber(x, 'parameterAt', 'x')
+  checkNumber(y, 'parameterAt', 'y')
+  return parameterOf(bisector, x, y)
+}
+
+/** The same of checked arguments. */
+export function parameterOf(bisector: Bisector, x: number, y: number): number {
+  const { origin, unit, across, apex, a, b } = bisector
+  const toPoint = measuredIn(unit, between(origin, { x, y }))
+  const sine = dot(toPoint, across) / b
+  if (a === 0) return exponentialOf(sine)
+  // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
+  // changes faster. Of a narrow branch that is the distance. Its height may be off by any factor, as b is: each of the
+  // two says whether the distance is the one.
+  const c = apex + Math.abs(a)
+  const rise = Math.max((lengthOf(toPoint) - apex) / c, 0)
+  const size = Math.max(Math.abs(sine), Math.sqrt(rise) * Math.sqrt(rise + 2))
+  const isSteep = c * size > b * lengthOf({ x: size, y: 1 })
+  if (!isSteep) return exponentialOf(sine)
+  return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise)
+}
+
+/** The parameter s >= 1 at which a branch is at the distance apex + c rise from the origin, rise = cosh t - 1. */
+export function parameterAtRise(rise: number): number {
+  return exponentialOf(Math.sqrt(rise) * Math.sqrt(rise + 2))
+}
+
+/**
+ * The bisector as it is to be drawn with what lies up to `reach` away from its origin: two circles that are too near to
+ * each other to be told apart from there are moved apart, but a straight branch stays where it is. Itself for most.
+ */
+export function movedApart(bisector: Bisector, reach: number): Bisector {
+  const { a, b, apex } = bisector
+  const least = (FINEST * reach) / (Math.abs(a) + b)
+  if (!(least > bisector.unit)) return bisector
+  const unit = powerOfTwoIn(least)
+  return { ...bisector, unit, apex: a === 0 ? apex * (bisector.unit / unit) : apex }
+}
+
+/** e^t for t = arsinh(sine). */
+export function exponentialOf(sine: number): number {
+  const size = Math.abs(sine)
+  const s = size < 1e100 ? size + Math.sqrt(size * size + 1) : 2 * size
+  return Math.min(Math.max(sine < 0 ? 1 / s : s, SMALLEST_PARAMETER), LARGEST_PARAMETER)
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { checkData, checkIndex } from '../base/check.ts'
+import { at, NONE } from '../base/diagram-data.ts'
+import { between, length } from '../base/point.ts'
+import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
+import type { DiagramData, Point } from '../base/types.ts'
+import { type Bisector, bisectorOf, exponentialOf, movedApart, parameterOf } from './bisector.ts'
+
+/**
+ * An arc of a bisector, from parameter `from` to parameter `to` >= `from`. An end at infinity has the parameter 0 or
+ * infinity and no point; the other ends of an edge are its vertices bit for bit: arcs that meet in a vertex meet exactly.
+ * An edge of length zero has equal parameters.
+ *
+ * @category Curves
+ */
+export interface EdgeCurve {
+  readonly bisector: Bisector
+  readonly from: number
+  readonly to: number
+  /** `undefined`: at infinity. */
+  readonly start: Point | undefined
+  /** `undefined`: at infinity. */
+  readonly end: Point | undefined
+}
+
+/**
+ * An arc with two ends.
+ *
+ * @category Curves
+ */
+export interface BoundedCurve extends EdgeCurve {
+  readonly start: Point
+  readonly end: Point
+}
+
+/**
+ * Whether an arc has two ends.
+ *
+ * @category Curves
+ * @example
+ * isBoundedCurve(edgeCurve(diagram, 0)) // false
+ * clip(edgeCurve(diagram, 0), [-5, -5, 10, 10]).every(isBoundedCurve) // true
+ */
+export function isBoundedCurve(curve: EdgeCurve): curve is BoundedCurve {
+  return curve.start !== undefined && curve.end !== undefined
+}
+
+/**
+ * The curve of edge `edge` of a diagram. Where it ends more than 2^900 times as far away as the two centres are from each
+ * other, they are moved apart to 2^-900 of that: that cannot be seen from there, and parameters stay in the range of
+ * numbers.
+ *
+ * @throws CircleVoronoiError `badArgument`, if there is no such edge
+ *
+ * @category Curves
+ * @example
+ * const curve = edgeCurve(diagram, 0)
+ * curve.bisector.a // 0
+ * curve.from < curve.to // true
+ */
+export function edgeCurve(diagram: DiagramData, edge: number): EdgeCurve {
+  checkData(diagram, 'edgeCurve')
+  const { circles, metric, vertices, edges } = diagram
+  checkIndex(edge, edges.length / 4, 'edgeCurve', 'edge')
+  const start = at(edges, 4 * edge + 2)
+  const end = at(edges, 4 * edge + 3)
+  const startPoint = start === NONE ? undefined : { x: at(vertices, 3 * start), y: at(vertices, 3 * start + 1) }
+  const endPoint = end === NONE ? undefined : { x: at(vertices, 3 * end), y: at(vertices, 3 * end + 1) }
+  const whole = bisectorOf(circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
+  const reachOf = (p: Point | undefined) => (p === undefined ? 0 : largestOf(between(whole.origin, p)))
+  return arcBetween(movedApart(whole, Math.max(reachOf(startPoint), reachOf(endPoint))), startPoint, endPoint)
+}
+
+/** The arc of a bisector with two ends, of which those that are `undefined` are at infinity. */
+function arcBetween(curve: Bisector, start: Point | undefined, end: Point | undefined): EdgeCurve {
+  let from = start === undefined ? 0 : parameterOf(curve, start.x, start.y)
+  let to = end === undefined ? Number.POSITIVE_INFINITY : parameterOf(curve, end.x, end.y)
+  // The order of the ends is certified: where the parameters contradict it, the edge has length zero up to rounding.
+  if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
+  return { bisector: curve, from, to, start, end }
+}
+
+/** A curve as it is to be drawn with what lies up to `reach` away from its origin (`movedApart`). */
+export function seenFrom(curve: EdgeCurve, reach: number): EdgeCurve {
+  const bisector = movedApart(curve.bisector, reach)
+  return bisector === curve.bisector ? curve : arcBetween(bisector, curve.start, curve.end)
+}
+
+/** The same arc run through the other way: left and right change places. */
+export function reversed(curve: BoundedCurve): BoundedCurve
+export function reversed(curve: EdgeCurve): EdgeCurve
+export function reversed({ bisector, from, to, start, end }: EdgeCurve): EdgeCurve {
+  const { left, right, unit, a, b, origin, along, across, apex } = bisector
+  return {
+    // Not by a spread, which takes longer.
+    bisector: {
+      left: right,
+      right: left,
+      unit,
+      a: -a,
+      b,
+      origin,
+      along,
+      across: { x: -across.x, y: -across.y },
+      apex,
+    },
+    // 1 / infinity is 0, and the other way round.
+    from: 1 / to,
+    to: 1 / from,
+    start: end,
+    end: start,
+  }
+}
+
+/** The straight segment from `start` to `end`, which differ. */
+export function segment(start: Point, end: Point): BoundedCurve {
+  const chord = between(start, end)
+  const unit = unitFor(largestOf(chord))
+  const { x, y } = measuredIn(unit, chord)
+  const size = length({ x, y })
+  const across = { x: x / size, y: y / size }
+  const along = { x: across.y, y: -across.x }
+  const half = lengthOf(chord) / 2
+  const middle = { x: start.x + chord.x / 2, y: start.y + chord.y / 2 }
+  const left = { x: middle.x - half * along.x, y: middle.y - half * along.y }
+  const right = { x: middle.x + half * along.x, y: middle.y + half * along.y }
+  return {
+    bisector: { left, right, unit, a: 0, b: size / 2, origin: left, along, across, apex: size / 2 },
+    from: exponentialOf(-1),
+    to: exponentialOf(1),
+    start,
+    end,
+  }
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { between, length } from '../base/point.ts'
+import { largestOf, measuredIn, unitFor } from '../base/scale.ts'
+import type { Circle, Point, Vector } from '../base/types.ts'
+
+/**
+ * The unit normal n, pointing to the right, of the common tangent of two circles that has both on its left and is directed
+ * from i to j: n . c_i + r_i = n . c_j + r_j. Neither circle contains the other.
+ */
+export function tangentNormal(i: Circle, j: Circle): Vector {
+  const unit = unitFor(largestOf(between(i, j)))
+  const v = measuredIn(unit, between(i, j))
+  const d = length(v)
+  const difference = (i.r - j.r) / unit
+  const along = difference / d
+  const across = Math.sqrt(Math.max((d - difference) * (d + difference), 0)) / d
+  return { x: (v.x * along + v.y * across) / d, y: (v.y * along - v.x * across) / d }
+}
+
+/** The point of a circle in the direction of a unit vector. */
+export function pointOn({ x, y, r }: Circle, direction: Vector): Point {
+  return { x: x + r * direction.x, y: y + r * direction.y }
+}

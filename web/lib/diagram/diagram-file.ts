@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The JSON format of the command line (circle_voronoi/io.h), as values of JavaScript.
+import { shown } from '../base/check.ts'
+import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
+import { at, NONE } from '../base/diagram-data.ts'
+import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
+import type { Certificate, Circle, Counts, DiagramData, HiddenCircle, Seconds, Stats } from '../base/types.ts'
+import { METRICS, type Metric } from '../base/types.ts'
+import { linkSides } from './link-sides.ts'
+
+const FORMAT = 'circle-voronoi'
+const VERSION = 1
+
+/**
+ * A diagram as the command line writes and reads it. `metric` is there where it is not `circles`, `weights` where radii are
+ * weights.
+ *
+ * @category Diagrams
+ */
+export interface DiagramFile {
+  readonly format: 'circle-voronoi'
+  readonly version: 1
+  readonly metric?: Metric
+  readonly weights?: true
+  readonly circles: readonly Circle[]
+  readonly hidden: readonly HiddenCircle[]
+  readonly vertices: readonly {
+    readonly x: number
+    readonly y: number
+    readonly r: number
+    readonly circles: readonly number[]
+  }[]
+  readonly edges: readonly { readonly circles: readonly number[]; readonly vertices: readonly number[] }[]
+  readonly hull: readonly number[]
+  readonly stats: Stats & { readonly certificate: Certificate }
+}
+
+/** A diagram as the value that `JSON.stringify` writes as such a file. */
+export function fileOf(diagram: DiagramData): DiagramFile {
+  const { metric, weights, circles, vertices, vertexCircles, edges, hidden, hull, certificate, stats } = diagram
+  const list = <Item>(array: Float64Array | Int32Array, size: number, item: (first: number) => Item): Item[] =>
+    Array.from({ length: array.length / size }, (_, i) => item(i * size))
+  return {
+    format: FORMAT,
+    version: VERSION,
+    ...(metric !== 'circles' && { metric }),
+    ...(weights && { weights }),
+    circles: list(circles, 3, (k) => ({ x: at(circles, k), y: at(circles, k + 1), r: at(circles, k + 2) })),
+    hidden: list(hidden, 2, (k) => ({ circle: at(hidden, k), by: at(hidden, k + 1) })),
+    vertices: list(vertices, 3, (k) => ({
+      x: at(vertices, k),
+      y: at(vertices, k + 1),
+      r: at(vertices, k + 2),
+      circles: [...vertexCircles.subarray(k, k + 3)],
+    })),
+    edges: list(edges, 4, (k) => ({
+      circles: [...edges.subarray(k, k + 2)],
+      vertices: [...edges.subarray(k + 2, k + 4)],
+    })),
+    hull: [...hull],
+    stats: { ...stats, certificate },
+  }
+}
+
+/**
+ * The diagram of such a file, which is text or has been parsed. Whether it is one is not judged, and what the file says of
+ * that is not believed; but all indices are those of its circles and vertices.
+ *
+ * @throws CircleVoronoiError `badInput`, `negativeRadius`, `coordinateTooLarge`
+ */
+export function dataFrom(json: unknown): DiagramData {
+  const file = typeof json === 'string' ? parsed(json) : json
+  const {
+    format,
+    version,
+    metric = 'circles',
+    weights = false,
+    circles,
+    hidden,
+    vertices,
+    edges,
+    hull,
+    stats,
+  } = itemOf(file, 'the file')
+  if (format !== FORMAT) refuse(`The format of the file is ${shown(format)}, not "${FORMAT}".`)
+  if (version !== VERSION)
+    refuse(`The version of the file is ${shown(version)}, not ${VERSION}, the only one that can be read.`)
+  if (!METRICS.includes(metric as Metric)) refuse(`There is no metric ${shown(metric)}.`)
+  if (typeof weights !== 'boolean') refuse(`weights is not true or false, but ${shown(weights)}.`)
+  const circleCount = listOf(circles, 'circles').length
+  const vertexCount = listOf(vertices, 'vertices').length
+  const parts = {
+    metric: metric as Metric,
+    weights,
+    circles: Float64Array.from(listOf(circles, 'circles').flatMap((item, i) => circleOf(item, i, weights))),
+    vertices: Float64Array.from(
+      listOf(vertices, 'vertices').flatMap((item, v) => {
+        const { x, y, r } = itemOf(item, `vertices[${v}]`)
+        return [numberOf(x, 'x', 'vertices', v), numberOf(y, 'y', 'vertices', v), numberOf(r, 'r', 'vertices', v)]
+      }),
+    ),
+    vertexCircles: Int32Array.from(
+      listOf(vertices, 'vertices').flatMap((item, v) =>
+        indicesOf(itemOf(item, `vertices[${v}]`).circles, 3, 0, circleCount, `circles of vertices[${v}]`),
+      ),
+    ),
+    edges: Int32Array.from(
+      listOf(edges, 'edges').flatMap((item, e) => {
+        const edge = itemOf(item, `edges[${e}]`)
+        return [
+          ...indicesOf(edge.circles, 2, 0, circleCount, `circles of edges[${e}]`),
+          ...indicesOf(edge.vertices, 2, NONE, vertexCount, `vertices of edges[${e}]`),
+        ]
+      }),
+    ),
+    hidden: Int32Array.from(
+      listOf(hidden, 'hidden').flatMap((item, i) => {
+        const { circle, by } = itemOf(item, `hidden[${i}]`)
+        // Of a power diagram a hidden circle need have nobody that hides it.
+        return [
+          ...indicesOf([circle], 1, 0, circleCount, `circle of hidden[${i}]`),
+          ...indicesOf([by], 1, metric === 'power' ? NONE : 0, circleCount, `by of hidden[${i}]`),
+        ]
+      }),
+    ),
+    hull: Int32Array.from(indicesOf(hull, undefined, 0, circleCount, 'hull')),
+  }
+  return {
+    ...parts,
+    ...linkSides(parts),
+    certificate: {
+      certified: false,
+      flaw: 'notJudged',
+      circle: NONE,
+      vertex: NONE,
+      edge: NONE,
+      message: 'The diagram has not been judged.',
+    },
+    stats: statsOf(stats),
+  }
+}
+
+type Item = Readonly<Record<string, unknown>>
+
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text)
+  } catch (cause) {
+    throw new CircleVoronoiError('badInput', -1, `The text is no JSON: ${(cause as Error).message}.`, { cause })
+  }
+}
+
+function itemOf(value: unknown, name: string): Item {
+  if (typeof value !== 'object' || value === null || Array.isArray(value))
+    refuse(`${name} is no object, but ${shown(value)}.`)
+  return value as Item
+}
+
+function listOf(value: unknown, name: string): readonly unknown[] {
+  if (!Array.isArray(value))
+    refuse(value === undefined ? `There is no list of ${name}.` : `${name} is no list, but ${shown(value)}.`)
+  return value
+}
+
+function numberOf(value: unknown, name: string, list: string, i: number): number {
+  if (typeof value !== 'number' || !Number.isFinite(value))
+    refuse(`${name} of ${list}[${i}] is no finite number, but ${shown(value)}.`)
+  return value
+}
+
+function circleOf(item: unknown, i: number, weights: boolean): number[] {
+  const circle = itemOf(item, `circles[${i}]`)
+  const numbers = ['x', 'y', 'r'].map((name) => numberOf(circle[name], name, 'circles', i))
+  if (numbers.some((value) => Math.abs(value) > COORDINATE_LIMIT)) {
+    refuse(`Circle ${i} has a coordinate or a radius over ${COORDINATE_LIMIT}.`, 'coordinateTooLarge', i)
+  }
+  if ((numbers[2] as number) < 0 && !weights) refuse(`Circle ${i} has a negative radius.`, 'negativeRadius', i)
+  return numbers
+}
+
+/** `size` whole numbers from `first` on that are less than `count`. */
+function indicesOf(value: unknown, size: number | undefined, first: number, count: number, name: string): number[] {
+  const list = listOf(value, name)
+  if (size !== undefined && list.length !== size) refuse(`${name} are ${list.length} numbers, not ${size}.`)
+  for (const index of list) {
+    if (!Number.isInteger(index) || (index as number) < first || (index as number) >= count) {
+      refuse(`${name}: ${shown(index)} is no index from ${first} to ${count - 1}.`)
+    }
+  }
+  return list as number[]
+}
+
+/** As far as they are there: what is missing or makes no sense is empty, as on the command line. */
+export function statsOf(value: unknown): Stats {
+  const part = (item: unknown, name: string): unknown => Object(item)[name]
+  const text = (name: string) => {
+    const given = part(value, name)
+    return typeof given === 'string' && /^[a-z-]*$/.test(given) ? given : ''
+  }
+  const numbers = <Numbers extends object>(list: string, none: Numbers, fits: (item: unknown) => boolean): Numbers => {
+    const given = Object.entries(Object(part(value, list))).filter(([name, item]) => name in none && fits(item))
+    return { ...none, ...Object.fromEntries(given) }
+  }
+  const isCount = (item: unknown) => Number.isSafeInteger(item) && (item as number) >= 0
+  return {
+    method: text('method'),
+    way: text('way'),
+    candidates: text('candidates'),
+    counts: numbers('counts', NO_COUNTS, isCount),
+    seconds: numbers('seconds', NO_SECONDS, Number.isFinite),
+  }
+}
+
+const NO_COUNTS: Counts = {
+  circles: 0,
+  hidden: 0,
+  samples: 0,
+  antipodalDiscs: 0,
+  threeTouchDiscs: 0,
+  events: 0,
+  leftoverCycles: 0,
+  resamplings: 0,
+  flips: 0,
+  repairs: 0,
+  filtered: 0,
+  refined: 0,
+  inCircle: 0,
+  exact: 0,
+}
+const NO_SECONDS: Seconds = { hide: 0, sample: 0, pair: 0, touch: 0, flip: 0, repair: 0, certify: 0, total: 0 }
+
+function refuse(message: string, code: ErrorCode = 'badInput', circle = -1): never {
+  throw new CircleVoronoiError(code, circle, message)
+}

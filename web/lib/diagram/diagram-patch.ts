@@ -1,0 +1,515 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { refuseArgument } from '../base/check.ts'
+import { at, NONE } from '../base/diagram-data.ts'
+import type { DiagramData, Float64s, Int32s, SnapshotNumbers } from '../base/types.ts'
+import type { Change } from './change.ts'
+import { before } from './link-sides.ts'
+
+/** What a change leaves of a diagram's arrays. */
+export type PatchedArrays = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats' | 'numbers'> & {
+  readonly numbers: SnapshotNumbers
+}
+
+/**
+ * Applies the changes of an editor to the arrays of a diagram: in place, in the time that the change takes. Arrays have no gaps:
+ * where more goes than comes, the last ones move into the places that become free.
+ */
+export class DiagramPatch {
+  readonly #circles: Growing<Float64s>
+  readonly #firstSide: Growing<Int32s>
+  readonly #ids: Growing<Int32s>
+  readonly #vertices: Growing<Float64s>
+  readonly #vertexCircles: Growing<Int32s>
+  readonly #vertexSides: Growing<Int32s>
+  readonly #vertexNumbers: Growing<Int32s>
+  readonly #edges: Growing<Int32s>
+  readonly #nextSide: Growing<Int32s>
+  readonly #edgeNumbers: Growing<Int32s>
+  /** Of each id or number its place in the arrays. */
+  readonly #circleOfId: Places
+  readonly #vertexOf: Places
+  readonly #edgeOf: Places
+  #hidden: Int32s
+  #hull: Int32s
+  #revision: number
+
+  /** `data`: a diagram whose arrays this may change from now on, with the numbers of its parts. */
+  constructor(data: DiagramData, numbers: SnapshotNumbers) {
+    this.#circles = new Growing(data.circles)
+    this.#firstSide = new Growing(data.firstSide)
+    this.#ids = new Growing(numbers.circles)
+    this.#vertices = new Growing(data.vertices)
+    this.#vertexCircles = new Growing(data.vertexCircles)
+    this.#vertexSides = new Growing(data.vertexSides)
+    this.#vertexNumbers = new Growing(numbers.vertices)
+    this.#edges = new Growing(data.edges)
+    this.#nextSide = new Growing(data.nextSide)
+    this.#edgeNumbers = new Growing(numbers.edges)
+    this.#circleOfId = new Places(numbers.circles)
+    this.#vertexOf = new Places(numbers.vertices)
+    this.#edgeOf = new Places(numbers.edges)
+    const { hiders } = numbers
+    this.#hidden =
+      hiders === undefined
+        ? data.hidden
+        : data.hidden.map((circle, k) => (k & 1 ? this.indexOf(at(hiders, k >> 1)) : circle))
+    this.#hull = data.hull
+    this.#revision = numbers.revision
+  }
+
+  /** The index of a circle, or `NONE`. */
+  indexOf(id: number): number {
+    return this.#circleOfId.of(id)
+  }
+
+  /**
+   * Returns the circles, by their indices, whose cells, places or indices are others now.
+   *
+   * @throws CircleVoronoiError `badArgument`, if it is not the change that comes next
+   */
+  apply(change: Change): Set<number> {
+    if (change?.revision !== this.#revision + 1) {
+      refuseArgument(
+        `The diagram is that of the editor after ${this.#revision} changes; what is applied has to be the next one.`,
+      )
+    }
+    this.#revision = change.revision
+    this.#putCircles(change)
+    const shortened = new Set<number>()
+    const freeEdges = this.#takeEdges(change, shortened)
+    const freeVertices = Array.from(change.removedVertices, (number) => this.#vertexOf.take(number))
+    this.#putVertices(change, freeVertices)
+    this.#putEdges(change, freeEdges)
+    this.#link(change)
+    for (const circle of shortened) this.#findFirstSide(circle)
+    const hidden = withChanges(this.#hidden, this.#hiddenChanges(change))
+    const hull = this.#hullAfter(change, hidden)
+    const edgeCount = closeGaps(freeEdges, this.#edgeNumbers.length, (from, to) => this.#moveEdge(from, to))
+    const vertexCount = closeGaps(freeVertices, this.#vertexNumbers.length, (from, to) => this.#moveVertex(from, to))
+    const moved = this.#removeCircles(change)
+    this.#resize(this.#ids.length - change.removed.length, vertexCount, edgeCount)
+    this.#hidden = renamed(hidden, moved, this.#ids.length)
+    this.#hull = rotated(hull.map((circle) => moved.get(circle) ?? circle))
+    return new Set([...[...change.cells, ...change.replaced].map((id) => this.indexOf(id)), ...moved.values()])
+  }
+
+  /** The arrays as they are now, until the next change. */
+  arrays(): PatchedArrays {
+    return {
+      circles: this.#circles.view,
+      vertices: this.#vertices.view,
+      vertexCircles: this.#vertexCircles.view,
+      edges: this.#edges.view,
+      hidden: this.#hidden,
+      hull: this.#hull,
+      nextSide: this.#nextSide.view,
+      vertexSides: this.#vertexSides.view,
+      firstSide: this.#firstSide.view,
+      numbers: {
+        revision: this.#revision,
+        circles: this.#ids.view,
+        vertices: this.#vertexNumbers.view,
+        edges: this.#edgeNumbers.view,
+      },
+    }
+  }
+
+  #putCircles({ inserted, replaced, circles }: Change): void {
+    const first = this.#ids.length
+    this.#resize(first + inserted.length, this.#vertexNumbers.length, this.#edgeNumbers.length)
+    inserted.forEach((id, k) => {
+      this.#circleOfId.put(id, first + k)
+      this.#ids.list[first + k] = id
+      this.#firstSide.list[first + k] = NONE
+      copyThree(circles, k, this.#circles.list, first + k)
+    })
+    replaced.forEach((id, k) => {
+      copyThree(circles, inserted.length + k, this.#circles.list, this.indexOf(id))
+    })
+  }
+
+  /** Returns the places of the edges that go, and notes whose first side goes. */
+  #takeEdges({ removedEdges }: Change, shortened: Set<number>): number[] {
+    return Array.from(removedEdges, (number) => {
+      const edge = this.#edgeOf.take(number)
+      for (const side of [2 * edge, 2 * edge + 1]) {
+        const circle = this.#circleOf(side)
+        if (at(this.#firstSide.list, circle) !== side) continue
+        this.#firstSide.list[circle] = NONE
+        shortened.add(circle)
+      }
+      return edge
+    })
+  }
+
+  #putVertices({ addedVertices, vertices, vertexCircles }: Change, free: number[]): void {
+    addedVertices.forEach((number, k) => {
+      const vertex = free.pop() ?? this.#addVertex()
+      this.#vertexOf.put(number, vertex)
+      this.#vertexNumbers.list[vertex] = number
+      copyThree(vertices, k, this.#vertices.list, vertex)
+      for (let slot = 0; slot < 3; slot++) {
+        this.#vertexCircles.list[3 * vertex + slot] = this.indexOf(at(vertexCircles, 3 * k + slot))
+      }
+    })
+  }
+
+  #addVertex(): number {
+    const vertex = this.#vertexNumbers.length
+    this.#resize(this.#ids.length, vertex + 1, this.#edgeNumbers.length)
+    return vertex
+  }
+
+  #putEdges({ addedEdges, edges }: Change, free: number[]): void {
+    const place = (number: number) => (number === NONE ? NONE : this.#vertexOf.of(number))
+    addedEdges.forEach((number, k) => {
+      const edge = free.pop() ?? this.#addEdge()
+      this.#edgeOf.put(number, edge)
+      this.#edgeNumbers.list[edge] = number
+      const list = this.#edges.list
+      list[4 * edge] = this.indexOf(at(edges, 4 * k))
+      list[4 * edge + 1] = this.indexOf(at(edges, 4 * k + 1))
+      list[4 * edge + 2] = place(at(edges, 4 * k + 2))
+      list[4 * edge + 3] = place(at(edges, 4 * k + 3))
+      for (const side of [2 * edge, 2 * edge + 1]) this.#noteSide(side)
+    })
+  }
+
+  #addEdge(): number {
+    const edge = this.#edgeNumbers.length
+    this.#resize(this.#ids.length, this.#vertexNumbers.length, edge + 1)
+    return edge
+  }
+
+  /** A circle has the smallest of its sides as the first. */
+  #noteSide(side: number): void {
+    const circle = this.#circleOf(side)
+    const first = at(this.#firstSide.list, circle)
+    if (first === NONE || side < first) this.#firstSide.list[circle] = side
+  }
+
+  #link({ addedEdges, hullSides }: Change): void {
+    const ends: number[] = []
+    for (const number of addedEdges) {
+      const edge = this.#edgeOf.of(number)
+      for (const side of [2 * edge, 2 * edge + 1]) {
+        const vertex = this.#originOf(side)
+        if (vertex === NONE) continue
+        this.#vertexSides.list[this.#slotOf(vertex, this.#circleOf(side))] = side
+        ends.push(vertex)
+      }
+    }
+    const vertexSides = this.#vertexSides.list
+    for (const vertex of ends) {
+      for (let slot = 3 * vertex; slot < 3 * vertex + 3; slot++) {
+        this.#nextSide.list[at(vertexSides, slot) ^ 1] = at(vertexSides, before(slot))
+      }
+    }
+    for (let k = 0; k < hullSides.length; k += 2) {
+      const side = this.#sideOf(at(hullSides, k))
+      this.#nextSide.list[side] = this.#sideOf(at(hullSides, k + 1))
+      // All that is left of a cell may be a side of an edge that has not changed.
+      this.#noteSide(side)
+    }
+  }
+
+  #findFirstSide(circle: number): void {
+    const some = at(this.#firstSide.list, circle)
+    if (some === NONE) return
+    let least = some
+    for (let side = at(this.#nextSide.list, some); side !== some; side = at(this.#nextSide.list, side)) {
+      least = Math.min(least, side)
+    }
+    this.#firstSide.list[circle] = least
+  }
+
+  /** The hull, by the circles' indices before any of them moves. */
+  #hullAfter({ hullSides, removed }: Change, hidden: Int32s): Int32s {
+    if (hullSides.length > 0) {
+      const hull: number[] = []
+      const start = this.#sideOf(at(hullSides, 1))
+      let side = start
+      do {
+        hull.push(this.#circleOf(side))
+        side = at(this.#nextSide.list, side ^ 1)
+      } while (side !== start)
+      return Int32Array.from(hull)
+    }
+    if (this.#edgeOf.count > 0) return this.#hull
+    // No edges, so at most one circle with a cell.
+    const without = new Set(removed.map((id) => this.indexOf(id)))
+    for (let k = 0; k < hidden.length; k += 2) without.add(at(hidden, k))
+    const visible = this.#ids.view.findIndex((_, circle) => !without.has(circle))
+    return visible === -1 ? new Int32Array() : Int32Array.of(visible)
+  }
+
+  #hiddenChanges({ removed, shown, hiders }: Change): HidingChange[] {
+    const changes = [...removed, ...shown].map((id): HidingChange => [this.indexOf(id), NONE])
+    for (let k = 0; k < hiders.length; k += 2) {
+      changes.push([this.indexOf(at(hiders, k)), this.indexOf(at(hiders, k + 1))])
+    }
+    return changes
+  }
+
+  #moveEdge(from: number, to: number): void {
+    const nextSide = this.#nextSide.list
+    for (const parity of [0, 1]) {
+      const side = 2 * from + parity
+      const name = 2 * to + parity
+      const vertex = this.#originOf(side)
+      if (vertex === NONE) {
+        let previous = side
+        while (at(nextSide, previous) !== side) previous = at(nextSide, previous)
+        nextSide[previous] = name
+      } else {
+        const slot = this.#slotOf(vertex, this.#circleOf(side))
+        this.#vertexSides.list[slot] = name
+        nextSide[at(this.#vertexSides.list, after(slot)) ^ 1] = name
+      }
+      const circle = this.#circleOf(side)
+      if (at(this.#firstSide.list, circle) === side) this.#firstSide.list[circle] = name
+      // So that the twin finds it, and a cell of this one side, too.
+      nextSide[name] = at(nextSide, side)
+      this.#edges.list[4 * to + parity] = circle
+      this.#edges.list[4 * to + 2 + parity] = vertex
+      this.#noteSide(name)
+    }
+    const number = at(this.#edgeNumbers.list, from)
+    this.#edgeNumbers.list[to] = number
+    this.#edgeOf.put(number, to)
+  }
+
+  #moveVertex(from: number, to: number): void {
+    copyThree(this.#vertices.list, from, this.#vertices.list, to)
+    copyThree(this.#vertexCircles.list, from, this.#vertexCircles.list, to)
+    copyThree(this.#vertexSides.list, from, this.#vertexSides.list, to)
+    for (let slot = 3 * to; slot < 3 * to + 3; slot++) {
+      const side = at(this.#vertexSides.list, slot)
+      this.#edges.list[4 * (side >> 1) + 2 + (side & 1)] = to
+    }
+    const number = at(this.#vertexNumbers.list, from)
+    this.#vertexNumbers.list[to] = number
+    this.#vertexOf.put(number, to)
+  }
+
+  /** Returns where the circles have gone that moved into free places. */
+  #removeCircles({ removed }: Change): Map<number, number> {
+    const moved = new Map<number, number>()
+    const free = Array.from(removed, (id) => this.indexOf(id))
+    for (const id of removed) this.#circleOfId.take(id)
+    closeGaps(free, this.#ids.length, (from, to) => {
+      moved.set(from, to)
+      this.#moveCircle(from, to)
+    })
+    return moved
+  }
+
+  #moveCircle(from: number, to: number): void {
+    copyThree(this.#circles.list, from, this.#circles.list, to)
+    const first = at(this.#firstSide.list, from)
+    this.#firstSide.list[to] = first
+    const id = at(this.#ids.list, from)
+    this.#ids.list[to] = id
+    this.#circleOfId.put(id, to)
+    if (first === NONE) return
+    let side = first
+    do {
+      const vertex = this.#originOf(side)
+      if (vertex !== NONE) this.#vertexCircles.list[this.#slotOf(vertex, from)] = to
+      this.#edges.list[4 * (side >> 1) + (side & 1)] = to
+      side = at(this.#nextSide.list, side)
+    } while (side !== first)
+  }
+
+  #resize(circles: number, vertices: number, edges: number): void {
+    this.#circles.resize(3 * circles)
+    this.#firstSide.resize(circles)
+    this.#ids.resize(circles)
+    this.#vertices.resize(3 * vertices)
+    this.#vertexCircles.resize(3 * vertices)
+    this.#vertexSides.resize(3 * vertices)
+    this.#vertexNumbers.resize(vertices)
+    this.#edges.resize(4 * edges)
+    this.#nextSide.resize(2 * edges)
+    this.#edgeNumbers.resize(edges)
+  }
+
+  /** The side here of one that a change names. */
+  #sideOf(side: number): number {
+    return 2 * this.#edgeOf.of(side >> 1) + (side & 1)
+  }
+
+  #circleOf(side: number): number {
+    return at(this.#edges.list, 4 * (side >> 1) + (side & 1))
+  }
+
+  #originOf(side: number): number {
+    return at(this.#edges.list, 4 * (side >> 1) + 2 + (side & 1))
+  }
+
+  /** The place of a circle among the three of a vertex. */
+  #slotOf(vertex: number, circle: number): number {
+    const list = this.#vertexCircles.list
+    return 3 * vertex + (at(list, 3 * vertex) === circle ? 0 : at(list, 3 * vertex + 1) === circle ? 1 : 2)
+  }
+}
+
+/** A typed array with room to grow. */
+class Growing<List extends Float64s | Int32s> {
+  list: List
+  length: number
+  #view: List
+
+  constructor(list: List) {
+    this.list = list
+    this.length = list.length
+    this.#view = list
+  }
+
+  /** What there is now. */
+  get view(): List {
+    if (this.#view.length !== this.length || this.#view.buffer !== this.list.buffer) {
+      this.#view = this.list.subarray(0, this.length) as List
+    }
+    return this.#view
+  }
+
+  resize(length: number): void {
+    this.length = length
+    if (length <= this.list.length) return
+    const larger = new (this.list.constructor as new (length: number) => List)(Math.max(length, 2 * this.list.length))
+    larger.set(this.list)
+    this.list = larger
+  }
+}
+
+/** Where what has a number is. */
+class Places {
+  count: number
+  #places: Int32Array
+
+  constructor(numbers: Int32s) {
+    this.count = numbers.length
+    this.#places = new Int32Array(numbers.reduce((most, number) => Math.max(most, number + 1), 0)).fill(NONE)
+    numbers.forEach((number, place) => {
+      this.#places[number] = place
+    })
+  }
+
+  of(number: number): number {
+    return this.#places[number] ?? NONE
+  }
+
+  take(number: number): number {
+    const place = this.of(number)
+    this.#places[number] = NONE
+    this.count -= 1
+    return place
+  }
+
+  put(number: number, place: number): void {
+    if (number >= this.#places.length) {
+      const larger = new Int32Array(2 * number + 16).fill(NONE)
+      larger.set(this.#places)
+      this.#places = larger
+    }
+    if (this.#places[number] === NONE) this.count += 1
+    this.#places[number] = place
+  }
+}
+
+/** The place after one of the three of a vertex, around it. */
+function after(slot: number): number {
+  return slot % 3 === 2 ? slot - 2 : slot + 1
+}
+
+function copyThree(from: Float64Array | Int32Array, i: number, to: Float64Array | Int32Array, j: number): void {
+  for (let k = 0; k < 3; k++) to[3 * j + k] = at(from, 3 * i + k)
+}
+
+/** Moves the last of `count` things into places that are free, each at most once. Returns how many there are then. */
+function closeGaps(free: number[], count: number, move: (from: number, to: number) => void): number {
+  const left = count - free.length
+  const gaps = free.sort((a, b) => a - b)
+  let last = count - 1
+  let highest = gaps.length - 1
+  for (const gap of gaps) {
+    if (gap >= left) break
+    while (last === gaps[highest]) {
+      last -= 1
+      highest -= 1
+    }
+    move(last, gap)
+    last -= 1
+  }
+  return left
+}
+
+/** A circle, and what hides it now, or `NONE`. */
+type HidingChange = readonly [circle: number, by: number]
+
+/** Pairs of a hidden circle and what hides it, in increasing order, with changes. */
+function withChanges(hidden: Int32s, changes: HidingChange[]): Int32s {
+  if (changes.length === 0) return hidden
+  const result = new Int32Array(hidden.length + 2 * changes.length)
+  let read = 0
+  let written = 0
+  const copyUpTo = (end: number) => {
+    result.set(hidden.subarray(read, end), written)
+    written += end - read
+    read = end
+  }
+  for (const [circle, by] of changes.sort(([a], [b]) => a - b)) {
+    copyUpTo(placeOf(hidden, circle))
+    if (hidden[read] === circle) read += 2
+    if (by === NONE) continue
+    result[written++] = circle
+    result[written++] = by
+  }
+  copyUpTo(hidden.length)
+  return result.slice(0, written)
+}
+
+/** Where the first pair of this circle or a later one is. */
+function placeOf(hidden: Int32s, circle: number): number {
+  let low = 0
+  let high = hidden.length >> 1
+  while (low < high) {
+    const middle = (low + high) >> 1
+    if (at(hidden, 2 * middle) < circle) low = middle + 1
+    else high = middle
+  }
+  return 2 * low
+}
+
+/** The same pairs with circles that have moved to places below `count`. */
+function renamed(hidden: Int32s, moved: ReadonlyMap<number, number>, count: number): Int32s {
+  if (moved.size === 0) return hidden
+  const changes: HidingChange[] = []
+  for (let k = placeOf(hidden, count); k < hidden.length; k += 2) {
+    const circle = at(hidden, k)
+    changes.push([circle, NONE], [moved.get(circle) as number, at(hidden, k + 1)])
+  }
+  const result = withChanges(hidden, changes).slice()
+  for (let k = 1; k < result.length; k += 2) {
+    const by = at(result, k)
+    if (by >= count) result[k] = moved.get(by) as number
+  }
+  return result
+}
+
+/** A hull that starts with its smallest step, as `compute` has it. */
+function rotated(hull: Int32s): Int32s {
+  const next = (k: number) => at(hull, (k + 1) % hull.length)
+  let start = 0
+  for (let k = 1; k < hull.length; k++) {
+    const order = at(hull, k) - at(hull, start)
+    if (order < 0 || (order === 0 && next(k) < next(start))) start = k
+  }
+  if (start === 0) return hull
+  const result = new Int32Array(hull.length)
+  result.set(hull.subarray(start))
+  result.set(hull.subarray(0, start), hull.length - start)
+  return result
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { checkDigits, checkOptionNames, checkTolerance, refuseOption, shown } from '../base/check.ts'
+import type { PathSink } from '../base/types.ts'
+import type { Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
+import { exportTolerance } from '../regions/export-box.ts'
+import { SvgPath } from './svg-path.ts'
+
+/**
+ * What curves and cells are clipped to.
+ *
+ * @category Drawing
+ */
+export interface BoundsOptions {
+  /** In the units of the input. Default: a box with room for a twentieth of the circles' extent around them. */
+  readonly bounds?: Bounds | undefined
+  /**
+   * Cells and edges are cut at this distance from their circles: a cell by the circle of radius r + maxDistance around the
+   * same centre, so that together they are the union of the circles grown by it, and none overlap. Below 0 it is what lies
+   * so deep inside the circles. The default bounds have room for it. Default: they are not cut.
+   */
+  readonly maxDistance?: number | undefined
+}
+
+/**
+ * How closely curves are drawn, and where.
+ *
+ * @category Drawing
+ */
+export interface PolygonOptions extends BoundsOptions {
+  /** The largest distance from the true curves, above 0. Default: a hundred-thousandth of the bounds. */
+  readonly tolerance?: number | undefined
+}
+
+/**
+ * How something is written as the `d` attribute of an SVG path.
+ *
+ * @category Drawing
+ */
+export interface TextOptions {
+  readonly context?: undefined
+  /**
+   * How many digits numbers have after the decimal point, from 0. Default: enough for a tenth of the tolerance; all of
+   * them where there is no tolerance.
+   */
+  readonly digits?: number | undefined
+}
+
+/**
+ * What something is drawn on.
+ *
+ * @category Drawing
+ */
+export interface ContextOptions {
+  /** A canvas, a `Path2D` or any other `PathSink`. */
+  readonly context: PathSink
+  readonly digits?: undefined
+}
+
+/**
+ * Where, how closely and on what something is drawn. Without a context it is returned as text.
+ *
+ * @category Drawing
+ */
+export type DrawOptions = PolygonOptions & (TextOptions | ContextOptions)
+
+/** @throws CircleVoronoiError `badOption`, if there is a tolerance that is none */
+export function toleranceOf({ tolerance }: PolygonOptions, region: ConvexPolygon): number {
+  if (tolerance === undefined) return exportTolerance(region.box)
+  checkTolerance(tolerance)
+  return tolerance
+}
+
+/**
+ * Draws on the context of the options, or makes the text of a path.
+ *
+ * @throws CircleVoronoiError `badOption`, if there is something wrong with them
+ */
+export function drawn(
+  { context, digits }: TextOptions | ContextOptions,
+  tolerance: number | undefined,
+  draw: (sink: PathSink) => void,
+): string | undefined {
+  if (context !== undefined) {
+    if (typeof context?.moveTo !== 'function') refuseOption(`The context is nothing to draw on, but ${shown(context)}.`)
+    draw(context)
+    return undefined
+  }
+  checkDigits(digits)
+  const path = new SvgPath(digits ?? (tolerance === undefined ? undefined : digitsFor(tolerance)))
+  draw(path)
+  return path.toString()
+}
+
+/** The names of the options of what is drawn within bounds, and of what is not. */
+export const DRAW_OPTIONS = ['context', 'bounds', 'maxDistance', 'tolerance', 'digits']
+export const PATH_OPTIONS = ['context', 'digits']
+
+/** @throws CircleVoronoiError `badOption`, if there are others than those named */
+export function checkDrawOptions(options: object, caller: string, known: readonly string[]): void {
+  if (typeof (options as Partial<PathSink> | null)?.moveTo === 'function') {
+    refuseOption(`What ${caller} draws on is an option: { context }.`)
+  }
+  checkOptionNames(options, caller, known)
+}
+
+/** So that rounding moves no point by more than a tenth of a tolerance: by the root of 1/2 in the last digit. */
+function digitsFor(tolerance: number): number {
+  return Math.max(0, Math.ceil(-Math.log10(0.14 * tolerance)))
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { circleAt } from '../base/diagram-data.ts'
+import { lengthOf } from '../base/scale.ts'
+import type { DiagramData, Point } from '../base/types.ts'
+import { polyline } from '../curves/bezier.ts'
+import { polyline as arcPolyline, isCircleArc } from '../regions/circle-arc.ts'
+import { convexHull } from '../regions/hull.ts'
+import type { SharedPiece } from '../regions/outline.ts'
+
+/**
+ * A closed ring of points x, y, counter-clockwise: the last is the first again.
+ *
+ * @category Cells
+ */
+export type Polygon = [x: number, y: number][]
+
+/**
+ * The loops of an outline as one ring: from the first point it goes to each further loop and back. Neighbours share their
+ * points bit for bit.
+ */
+export function ringOf(outline: readonly (readonly SharedPiece[])[], tolerance: number): Polygon | undefined {
+  const [ring, ...others] = outline.map((loop) => {
+    const points: Polygon = loop.flatMap((piece) =>
+      pointsOf(piece, tolerance).map(({ x, y }): [number, number] => [x, y]),
+    )
+    return points.filter(([x, y], k) => k === 0 || x !== points[k - 1]?.[0] || y !== points[k - 1]?.[1])
+  })
+  if (ring === undefined || ring[0] === undefined) return undefined
+  const [x, y] = ring[0]
+  for (const other of others) {
+    for (const point of other) ring.push(point)
+    ring.push([x, y])
+  }
+  return ring
+}
+
+function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
+  if (isCircleArc(piece)) return arcPolyline(piece, tolerance)
+  const points = polyline(piece.forward, tolerance)
+  return piece.forward === piece.curve ? points : points.reverse()
+}
+
+/**
+ * The hull of a diagram's circles as a ring inside it, not farther from it than the tolerance. One below 1e-9 of a circle's
+ * radius counts as that.
+ */
+export function hullRing(diagram: DiagramData, tolerance: number): Polygon | undefined {
+  const ring: Polygon = []
+  for (const { circle, start, end, angle } of convexHull(diagram).arcs) {
+    const { x, y } = circleAt(diagram.circles, circle)
+    const [dx, dy] = [start.x - x, start.y - y]
+    const r = lengthOf({ x: dx, y: dy })
+    // A chord of angle 2 h is r (1 - cos h) from the middle of its arc.
+    const half = 2 * Math.asin(Math.min(1, Math.sqrt(Math.max(tolerance / r, 1e-9) / 2)))
+    const count = r > 0 ? Math.max(Math.ceil(angle / (2 * half)), angle > Math.PI ? 3 : 1) : 1
+    ring.push([start.x, start.y])
+    for (let k = 1; k < count; k++) {
+      const [cosine, sine] = [Math.cos((k / count) * angle), Math.sin((k / count) * angle)]
+      ring.push([x + cosine * dx - sine * dy, y + sine * dx + cosine * dy])
+    }
+    if (end.x !== start.x || end.y !== start.y) ring.push([end.x, end.y])
+  }
+  const [first] = ring
+  if (first === undefined) return undefined
+  ring.push([...first])
+  return ring
+}

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { checkDiagram, checkMetric, checkPoint, refuseArgument } from '../base/check.ts'
+import { at, circleAt, NONE } from '../base/diagram-data.ts'
+import { distance } from '../base/metric.ts'
+import { between } from '../base/point.ts'
+import { facing } from '../base/scale.ts'
+import type { Point } from '../base/types.ts'
+import { pointOf } from '../curves/bisector.ts'
+import { type EdgeCurve, edgeCurve } from '../curves/curve.ts'
+import type { Diagram } from '../diagram/diagram.ts'
+import { LineCrossing } from '../regions/clip.ts'
+import { Heap } from './heap.ts'
+
+/**
+ * A path among circles that keeps as far from all of them as any path between its ends can.
+ *
+ * @category Questions
+ */
+export interface ClearestPath {
+  /** The least distance from a circle along the path; negative if the path cannot but enter circles. */
+  readonly clearance: number
+  /**
+   * The edges to follow, in order. The first is followed from `entry`, the last up to `exit`. Where the path goes around
+   * everything, an edge that leads to infinity is followed by one that comes back.
+   */
+  readonly edges: Int32Array
+  /**
+   * Where the path from p meets an edge, straight away from the centre of the circle nearest to p. `undefined` if the way
+   * leads straight to infinity.
+   */
+  readonly entry: Point | undefined
+  /** Where it leaves an edge for q, likewise. */
+  readonly exit: Point | undefined
+}
+
+/**
+ * The path of greatest clearance from p to q, in O(n log n). The diagram is of the metric `circles`, and of one circle or
+ * more.
+ *
+ * To move straight away from the nearest centre until an edge is met never loses clearance. As that carries every path onto
+ * the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Questions
+ * @example
+ * clearestPath(diagram, { x: 3, y: 0 }, { x: 0, y: 4 }).clearance // 2
+ */
+export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath {
+  checkDiagram(diagram, 'clearestPath')
+  checkMetric(diagram, 'clearestPath', 'circles')
+  checkPoint(p, 'clearestPath')
+  checkPoint(q, 'clearestPath')
+  if (diagram.circles.length === 0) refuseArgument('clearestPath takes a diagram of one circle or more.')
+  const fromCircle = diagram.find(p.x, p.y)
+  const toCircle = diagram.find(q.x, q.y)
+  const from = exitOf(diagram, fromCircle, p)
+  const to = exitOf(diagram, toCircle, q)
+  const route = routeTo(diagram, reached(diagram, from), from, to)
+  return {
+    clearance: Math.min(
+      route.clearance,
+      distance(diagram, fromCircle, p.x, p.y),
+      distance(diagram, toCircle, q.x, q.y),
+    ),
+    edges: Int32Array.from(route.edges),
+    entry: from?.point,
+    exit: to?.point,
+  }
+}
+
+/** Where the ray from a cell's centre through a point leaves the cell. */
+interface Exit {
+  readonly edge: number
+  /** On the curve of the edge. */
+  readonly parameter: number
+  readonly point: Point
+}
+
+/** `undefined`: never. */
+function exitOf(diagram: Diagram, circle: number, p: Point): Exit | undefined {
+  const c = circleAt(diagram.circles, circle)
+  const toPoint = between(c, p)
+  const direction = toPoint.x === 0 && toPoint.y === 0 ? { x: 1, y: 0 } : toPoint
+  // One side is crossed; which one rounding may leave open where two meet.
+  let leastMiss = 1 + 1e-9
+  let exit: Exit | undefined
+  for (const side of diagram.cells.sides(circle)) {
+    const { bisector, from, to } = edgeCurve(diagram, side >> 1)
+    for (const s of new LineCrossing(bisector, c, direction).parameters) {
+      const point = pointOf(bisector, s)
+      const miss = s < from ? from / s : s > to ? s / to : 1
+      if (!(facing(direction, between(c, point)) > 0) || miss >= leastMiss) continue
+      leastMiss = miss
+      exit = { edge: side >> 1, parameter: Math.min(Math.max(s, from), to), point }
+    }
+  }
+  return exit
+}
+
+/** How clear the best path to each node, a vertex or infinity, is, and how it comes there. */
+interface Reach {
+  readonly clearance: Float64Array
+  /** The edge by which it comes; `NONE`: it starts there. */
+  readonly edge: Int32Array
+  /** The node it comes from; `NONE`: it starts on the edge. */
+  readonly before: Int32Array
+}
+
+/** Infinity is a node like the vertices, the one after the last. */
+function nodeOf({ vertices }: Diagram, vertex: number): number {
+  return vertex === NONE ? vertices.length / 3 : vertex
+}
+
+function startOf(diagram: Diagram, edge: number): number {
+  return nodeOf(diagram, at(diagram.edges, 4 * edge + 2))
+}
+
+function endOf(diagram: Diagram, edge: number): number {
+  return nodeOf(diagram, at(diagram.edges, 4 * edge + 3))
+}
+
+/** The least distance from its circles along a part of an edge: at the apex if that is inside, else at an end. */
+function clearanceOf(diagram: Diagram, { bisector }: EdgeCurve, edge: number, from: number, to: number): number {
+  const { x, y } = pointOf(bisector, Math.min(Math.max(1, from), to))
+  return distance(diagram, at(diagram.edges, 4 * edge), x, y)
+}
+
+/** The best paths from a place on an edge, or from infinity, to all nodes. */
+function reached(diagram: Diagram, from: Exit | undefined): Reach {
+  const nodeCount = nodeOf(diagram, NONE) + 1
+  const reach: Reach = {
+    clearance: new Float64Array(nodeCount).fill(Number.NEGATIVE_INFINITY),
+    edge: new Int32Array(nodeCount).fill(NONE),
+    before: new Int32Array(nodeCount).fill(NONE),
+  }
+  const pending = new Heap()
+  const offer = (node: number, clearance: number, edge: number, before: number) => {
+    if (!(clearance > at(reach.clearance, node))) return
+    reach.clearance[node] = clearance
+    reach.edge[node] = edge
+    reach.before[node] = before
+    pending.push(node, clearance)
+  }
+
+  if (from === undefined) {
+    offer(nodeOf(diagram, NONE), Number.POSITIVE_INFINITY, NONE, NONE)
+  } else {
+    const { edge, parameter } = from
+    const curve = edgeCurve(diagram, edge)
+    offer(startOf(diagram, edge), clearanceOf(diagram, curve, edge, curve.from, parameter), edge, NONE)
+    offer(endOf(diagram, edge), clearanceOf(diagram, curve, edge, parameter, curve.to), edge, NONE)
+  }
+  const toInfinity: number[] = []
+  for (let edge = 0; edge < diagram.edges.length / 4; edge++) {
+    if (startOf(diagram, edge) === nodeCount - 1 || endOf(diagram, edge) === nodeCount - 1) toInfinity.push(edge)
+  }
+  while (pending.size > 0) {
+    const { item: node, key } = pending.pop()
+    if (key < at(reach.clearance, node)) continue
+    const leaving = diagram.vertexSides.subarray(3 * node, 3 * node + 3)
+    for (const edge of node === nodeCount - 1 ? toInfinity : leaving.map((side) => side >> 1)) {
+      const curve = edgeCurve(diagram, edge)
+      const along = Math.min(key, clearanceOf(diagram, curve, edge, curve.from, curve.to))
+      offer(startOf(diagram, edge), along, edge, node)
+      offer(endOf(diagram, edge), along, edge, node)
+    }
+  }
+  return reach
+}
+
+interface Route {
+  readonly clearance: number
+  readonly edges: readonly number[]
+}
+
+function routeTo(diagram: Diagram, reach: Reach, from: Exit | undefined, to: Exit | undefined): Route {
+  if (to === undefined) return routeToNode(reach, nodeOf(diagram, NONE), Number.POSITIVE_INFINITY, NONE)
+  const { edge, parameter } = to
+  const curve = edgeCurve(diagram, edge)
+  const clearance = (low: number, high: number) => clearanceOf(diagram, curve, edge, low, high)
+  const start = startOf(diagram, edge)
+  const end = endOf(diagram, edge)
+  const byStart = clearance(curve.from, parameter)
+  const byEnd = clearance(parameter, curve.to)
+  const throughStart = Math.min(byStart, at(reach.clearance, start))
+  const throughEnd = Math.min(byEnd, at(reach.clearance, end))
+  if (from?.edge === edge) {
+    const direct = clearance(Math.min(from.parameter, parameter), Math.max(from.parameter, parameter))
+    if (direct >= throughStart && direct >= throughEnd) return { clearance: direct, edges: [edge] }
+  }
+  return throughStart >= throughEnd ? routeToNode(reach, start, byStart, edge) : routeToNode(reach, end, byEnd, edge)
+}
+
+/** The path to a node, and on along a last edge. */
+function routeToNode({ clearance, edge, before }: Reach, node: number, lastClearance: number, last: number): Route {
+  const edges = last === NONE ? [] : [last]
+  for (let place = node; place !== NONE; place = at(before, place)) {
+    if (edge[place] !== NONE) edges.push(at(edge, place))
+  }
+  return { clearance: Math.min(lastClearance, at(clearance, node)), edges: edges.reverse() }
+}

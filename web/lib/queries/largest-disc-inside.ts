@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { checkDiagram, checkMetric } from '../base/check.ts'
+import { at, circleAt, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
+import { distance } from '../base/metric.ts'
+import { between, dot, length } from '../base/point.ts'
+import { largestOf, lengthOf, measuredIn, turn, unitFor } from '../base/scale.ts'
+import type { Point, Vector } from '../base/types.ts'
+import { pointOf } from '../curves/bisector.ts'
+import { edgeCurve } from '../curves/curve.ts'
+import type { Diagram } from '../diagram/diagram.ts'
+import { partsInside } from '../regions/clip.ts'
+import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
+import { type EmptyDisc, largestEmptyDiscCenteredIn } from './largest-empty-disc.ts'
+
+/** Parameters may be off by rounding, and so may the order of depths. */
+const ROUNDING = 2 ** -40
+const ROUNDING_OF_DEPTH = 2 ** -48
+/** Where a disc touches a circle and a side, the two distances differ by less than this share. */
+const ROUNDING_OF_PLACE = 2 ** -31
+
+/**
+ * The largest disc that meets no circle but for touching, of those that lie inside a region as a whole; it may touch sides
+ * of the region in place of circles. Where circles cover the region there is none: then it is that of
+ * `largestEmptyDiscCenteredIn`, whose radius is not above 0. `undefined` if there are no circles. The diagram is of the
+ * metric `circles`. Each circle is tried with each of the segments, some two for each side, of the region's medial axis.
+ *
+ * The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
+ * along an edge where a circle alone bounds it (there it grows away from the centre, or from the apex); nor where one
+ * circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
+ * circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All of
+ * these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
+ *
+ * @throws CircleVoronoiError `badArgument`, `badOption`
+ *
+ * @category Questions
+ * @example
+ * largestEmptyDiscInside(diagram, [-2, -2, 8, 10]).disc.r.toFixed(6) // '4.119661'
+ */
+export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+  checkDiagram(diagram, 'largestEmptyDiscInside')
+  checkMetric(diagram, 'largestEmptyDiscInside', 'circles')
+  const region = ConvexPolygon.of(bounds)
+  const centred = largestEmptyDiscCenteredIn(diagram, region)
+  if (centred === undefined || centred.disc.r <= 0) return centred
+  const sides = sidesOf(region)
+  const ridges = ridgesOf(region, sides)
+  let best: EmptyDisc | undefined
+  const radius = () => best?.disc.r ?? Number.NEGATIVE_INFINITY
+  const depthOf = (p: Point) => sides.reduce((least, side) => Math.min(least, depth(side, p)), Infinity)
+  /** The largest disc around a point, if it touches the circles named but for rounding. */
+  const offer = (p: Point, ...circles: readonly number[]) => {
+    const inside = depthOf(p)
+    if (!(inside > radius())) return
+    const nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
+    const empty = distance(diagram, nearest, p.x, p.y)
+    const least = Math.min(inside, empty)
+    if (least <= radius()) return
+    if (circles[0] === undefined) {
+      best = { disc: { x: p.x, y: p.y, r: least }, circles: empty > inside ? [] : [nearest] }
+      return
+    }
+    const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleAt(diagram.circles, circles[0]).r)
+    if (!circles.includes(nearest) && distance(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    // It may touch but sides.
+    const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
+    best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }
+  }
+
+  // First what touches most circles: of equal discs the first is kept.
+  for (let v = 0; v < diagram.vertices.length / 3; v++) {
+    const { x, y, r: empty } = vertexAt(diagram, v)
+    if (empty <= radius() || depthOf({ x, y }) < empty) continue
+    best = { disc: { x, y, r: empty }, circles: [...diagram.vertexCircles.subarray(3 * v, 3 * v + 3)] }
+  }
+  for (let e = 0; e < diagram.edges.length / 4; e++) {
+    const { left, right, start, end } = edgeAt(diagram, e)
+    const radiusAt = (v: number) => (v === NONE ? Infinity : at(diagram.vertices, 3 * v + 2))
+    // Along an edge the distance is largest at one of its ends.
+    if (Math.max(radiusAt(start), radiusAt(end)) > radius()) {
+      for (const p of placesAlongEdge(diagram, e, region, sides)) offer(p, left, right)
+    }
+  }
+  for (const ridge of ridges) {
+    offer(ridge.from)
+    offer(ridge.to)
+  }
+  for (const ridge of ridges) {
+    for (let i = 0; i < diagram.circles.length / 3; i++) {
+      if (Math.max(ridge.depthFrom, ridge.depthTo) <= radius()) break
+      if (!diagram.cells.exists(i)) continue
+      for (const p of placesAlongRidge(diagram, i, ridge)) offer(p, i)
+    }
+  }
+  return best
+}
+
+/** The line of a side of the region, with the region on its left. */
+interface Side {
+  readonly corner: Point
+  /** Unit normal. */
+  readonly inward: Vector
+}
+
+function depth({ corner, inward }: Side, p: Point): number {
+  return dot(inward, between(corner, p))
+}
+
+/** The sides of a region; several on one line are one. */
+function sidesOf(region: ConvexPolygon): Side[] {
+  const directions = region.corners.map((corner, k) => between(corner, region.cornerAfter(k)))
+  return region.corners.flatMap((corner, k) => {
+    const direction = directions[k] as Vector
+    const size = lengthOf(direction)
+    if (turn(directions.at(k - 1) as Vector, direction) === 0) return []
+    return [{ corner, inward: { x: -direction.y / size, y: direction.x / size } }]
+  })
+}
+
+/** A segment of the medial axis of the region: points at the same depth from two sides, and from none less. */
+interface Ridge {
+  readonly from: Point
+  readonly to: Point
+  readonly depthFrom: number
+  readonly depthTo: number
+}
+
+/** The medial axis: of each side the part of the region to which it is the nearest, cut out of the region side by side. */
+function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
+  const allowed = ROUNDING_OF_DEPTH * region.reachFrom(region.corner(0))
+  return sides.flatMap((side, k) => {
+    // Each corner with the side beyond the line from here to the next corner; itself: a side of the region.
+    let part = region.corners.map((point) => ({ point, cut: k }))
+    sides.forEach((other, j) => {
+      if (j === k) return
+      const excess = (p: Point) => depth(side, p) - depth(other, p)
+      part = part.flatMap((here, i) => {
+        const next = part[(i + 1) % part.length] as typeof here
+        const first = excess(here.point)
+        const second = excess(next.point)
+        const isKept = first <= allowed
+        const kept = isKept ? [here] : []
+        if (isKept === second <= allowed) return kept
+        const share = Math.min(Math.max(first / (first - second), 0), 1)
+        const x = here.point.x + share * (next.point.x - here.point.x)
+        const y = here.point.y + share * (next.point.y - here.point.y)
+        return [...kept, { point: { x, y }, cut: isKept ? j : here.cut }]
+      })
+    })
+    return part.flatMap(({ point: from, cut }, i) => {
+      const to = (part[(i + 1) % part.length] as { point: Point }).point
+      // Each ridge belongs to two sides.
+      return cut <= k ? [] : [{ from, to, depthFrom: depth(side, from), depthTo: depth(side, to) }]
+    })
+  })
+}
+
+/**
+ * The centres of discs that touch the two circles of an edge and a side. With n the normal of the side, D the depth of the
+ * curve's origin, and r the radius of its circle, the distance from the circle is the depth where
+ * (P - Q) s^2 - 2 K s + (P + Q) = 0, P = c + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and
+ * K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n . along + |a|)).
+ */
+function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sides: readonly Side[]): Point[] {
+  const { left, right } = edgeAt(diagram, e)
+  const radius = Math.min(circleAt(diagram.circles, left).r, circleAt(diagram.circles, right).r)
+  return partsInside(edgeCurve(diagram, e), region).flatMap(({ curve: { bisector, from, to } }) =>
+    sides.flatMap((side) => {
+      const a = Math.abs(bisector.a)
+      const c = bisector.apex + a
+      const along = dot(side.inward, bisector.along)
+      const p = c + a * along
+      const q = bisector.b * dot(side.inward, bisector.across)
+      const reach = depth(side, bisector.origin) / bisector.unit + radius / bisector.unit
+      const bend = c * along + a
+      const unit = unitFor(Math.max(Math.abs(reach), Math.abs(p), Math.abs(q)))
+      const discriminant = (reach / unit) * ((reach + 2 * bend) / unit)
+      return rootsOf((p - q) / unit, (reach + bend) / unit, (p + q) / unit, discriminant)
+        .filter((s) => s >= from * (1 - ROUNDING) && s <= to * (1 + ROUNDING))
+        .map((s) => pointOf(bisector, s))
+    }),
+  )
+}
+
+/** The centres of discs that touch a circle and the two sides of a ridge. */
+function placesAlongRidge({ circles }: Diagram, circle: number, { from, to, depthFrom, depthTo }: Ridge): Point[] {
+  const c = circleAt(circles, circle)
+  const toFrom = between(c, from)
+  const step = between(from, to)
+  const unit = unitFor(Math.max(largestOf(toFrom), largestOf(step), Math.abs(c.r)))
+  const w = measuredIn(unit, toFrom)
+  const v = measuredIn(unit, step)
+  const reach = (depthFrom + c.r) / unit
+  const rise = (depthTo - depthFrom) / unit
+  const growth = (length(v) - rise) * (length(v) + rise)
+  const half = reach * rise - dot(w, v)
+  const decay = (length(w) - reach) * (length(w) + reach)
+  return rootsOf(growth, half, decay, half * half - growth * decay)
+    .filter((u) => u >= -ROUNDING && u <= 1 + ROUNDING)
+    .map((u) => Math.min(Math.max(u, 0), 1))
+    .map((u) => ({ x: from.x + u * step.x, y: from.y + u * step.y }))
+}
+
+/** The solutions of u^2 growth - 2 u half + decay = 0, given half^2 - growth decay. */
+function rootsOf(growth: number, half: number, decay: number, discriminant: number): number[] {
+  if (!(discriminant >= 0)) return []
+  const root = Math.sqrt(discriminant)
+  const sum = half < 0 ? half - root : half + root
+  return [sum / growth, decay / sum]
+}

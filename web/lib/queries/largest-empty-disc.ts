@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { checkDiagram, checkMetric } from '../base/check.ts'
+import { at, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
+import { distance } from '../base/metric.ts'
+import { between, dot } from '../base/point.ts'
+import { largestOf } from '../base/scale.ts'
+import type { DiagramData, Point, Vertex } from '../base/types.ts'
+import { pointOf } from '../curves/bisector.ts'
+import { edgeCurve, seenFrom } from '../curves/curve.ts'
+import { pointOn, tangentNormal } from '../curves/tangent.ts'
+import type { Diagram } from '../diagram/diagram.ts'
+import { LineCrossing, partsInside } from '../regions/clip.ts'
+import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
+import { hullCircleAt, hullGrowth } from '../regions/hull.ts'
+
+/**
+ * A disc that meets no circle but for touching.
+ *
+ * @category Questions
+ */
+export interface EmptyDisc {
+  readonly disc: Vertex
+  /** The circles it touches, of up to three of them. */
+  readonly circles: readonly number[]
+}
+
+/**
+ * The largest disc that meets no circle but for touching, of those with their centre inside a region, which they may stick
+ * out of: the place in the region that is farthest from all circles. Its radius is negative if circles cover the region.
+ * `undefined` if there are no circles. The diagram is of the metric `circles`.
+ *
+ * The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
+ * cell it is convex along every line.
+ *
+ * @throws CircleVoronoiError `badArgument`, `badOption`
+ *
+ * @category Questions
+ * @example
+ * largestEmptyDiscCenteredIn(diagram, [0, 0, 6, 8]).disc // { x: 6, y: 6.25, r: 5.25 }
+ */
+export function largestEmptyDiscCenteredIn(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+  checkDiagram(diagram, 'largestEmptyDiscCenteredIn')
+  checkMetric(diagram, 'largestEmptyDiscCenteredIn', 'circles')
+  const region = ConvexPolygon.of(bounds)
+  const largest = new Largest(diagram)
+  for (const corner of region.corners) {
+    const nearest = diagram.find(corner.x, corner.y)
+    if (nearest !== NONE) largest.offerAround(corner, nearest)
+  }
+  for (let v = 0; v < diagram.vertices.length / 3; v++) {
+    if (region.contains(vertexAt(diagram, v))) largest.offerVertex(v)
+  }
+  for (let e = 0; e < diagram.edges.length / 4; e++) {
+    const { left, right, start, end } = edgeAt(diagram, e)
+    const radiusAt = (v: number) => (v === NONE ? Number.POSITIVE_INFINITY : at(diagram.vertices, 3 * v + 2))
+    // Along an edge the distance is largest at one of its ends.
+    if (Math.max(radiusAt(start), radiusAt(end)) <= largest.radius) continue
+    for (const { curve, cutFrom, cutTo } of partsInside(edgeCurve(diagram, e), region)) {
+      if (cutFrom !== NONE) largest.offerAround(curve.start, left, right)
+      if (cutTo !== NONE) largest.offerAround(curve.end, left, right)
+    }
+  }
+  return largest.best
+}
+
+/**
+ * The same inside the convex hull of the circles (`hull`). Its radius is not negative.
+ *
+ * What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
+ * from infinity by an edge of i and j. Seen from there every circle's centre is below the tangent line. So
+ *   - an edge is never parallel to the line: at such a point its two circles' centres would lie in one direction;
+ *   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centres lie
+ *     outermost, never the third, since the unit vectors from the centres to the vertex lie on a convex arc;
+ *   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
+ * So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
+ * inside the hull.
+ *
+ * @category Questions
+ * @example
+ * const { x, y } = largestEmptyDiscCenteredInHull(diagram).disc
+ * [x.toFixed(9), y.toFixed(9)] // [ '3.800000000', '4.600000000' ]
+ */
+export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | undefined {
+  checkDiagram(diagram, 'largestEmptyDiscCenteredInHull')
+  checkMetric(diagram, 'largestEmptyDiscCenteredInHull', 'circles')
+  const { cells, hull, vertices, edges, vertexSides } = diagram
+  const largest = new Largest(diagram)
+  if (hull.length === 0) return undefined
+  const growth = hullGrowth(diagram)
+  const grown = (circle: number) => hullCircleAt(diagram, circle, growth)
+  if (hull.length === 1) {
+    const circle = at(hull, 0)
+    largest.offerTouch(pointOn(grown(circle), { x: 1, y: 0 }), growth, circle)
+    return largest.best
+  }
+
+  const isOutside = new Uint8Array(vertices.length / 3)
+  for (let top = 0; top < edges.length / 2; top++) {
+    if (cells.originOf(top) !== NONE) continue
+    // The unbounded side of i next to j belongs to the hull's step from i to j.
+    const i = cells.circleOf(top)
+    const circle = grown(i)
+    const normal = tangentNormal(circle, grown(cells.neighborOf(top)))
+    const touch = pointOn(circle, normal)
+    largest.offerTouch(touch, growth, i)
+    const pending = [top]
+    for (let side = pending.pop(); side !== undefined; side = pending.pop()) {
+      const whole = cells.curveOf(side)
+      const { bisector, from, to } = seenFrom(whole, largestOf(between(whole.bisector.origin, touch)))
+      const line = new LineCrossing(bisector, touch, { x: -normal.y, y: normal.x })
+      const crossings = line.parameters.filter((s) => from < s && s < to)
+      const target = cells.targetOf(side)
+      // An edge that crosses the line twice has come out of the hull again elsewhere.
+      if (target !== NONE && crossings.length < 2 && dot(normal, between(touch, vertexAt(diagram, target))) > 0) {
+        // Only rounding leads to a vertex twice.
+        if (isOutside[target] === 0) {
+          isOutside[target] = 1
+          for (const next of vertexSides.subarray(3 * target, 3 * target + 3))
+            if (next !== (side ^ 1)) pending.push(next)
+        }
+      } else if (crossings[0] !== undefined) {
+        largest.offerAround(pointOf(bisector, crossings[0]), cells.circleOf(side), cells.neighborOf(side))
+      }
+    }
+  }
+  isOutside.forEach((outside, v) => {
+    if (outside === 0) largest.offerVertex(v)
+  })
+  return largest.best
+}
+
+/** Keeps the largest disc. */
+class Largest {
+  best: EmptyDisc | undefined
+  readonly #diagram: DiagramData
+
+  constructor(diagram: DiagramData) {
+    this.#diagram = diagram
+  }
+
+  get radius(): number {
+    return this.best?.disc.r ?? Number.NEGATIVE_INFINITY
+  }
+
+  offerVertex(v: number): void {
+    this.#offer(vertexAt(this.#diagram, v), this.#diagram.vertexCircles.subarray(3 * v, 3 * v + 3))
+  }
+
+  /** The disc around a point that touches these circles. */
+  offerAround({ x, y }: Point, ...circles: readonly number[]): void {
+    this.#offer({ x, y, r: distance(this.#diagram, circles[0] as number, x, y) }, circles)
+  }
+
+  /** A point of a circle that has grown. */
+  offerTouch({ x, y }: Point, growth: number, circle: number): void {
+    this.#offer({ x, y, r: growth }, [circle])
+  }
+
+  #offer(disc: Vertex, circles: Iterable<number>): void {
+    if (disc.r > this.radius) this.best = { disc, circles: [...circles] }
+  }
+}

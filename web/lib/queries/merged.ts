@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { checkData, checkLength } from '../base/check.ts'
+import { at, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
+import { between } from '../base/point.ts'
+import { lengthOf } from '../base/scale.ts'
+import type { DiagramData } from '../base/types.ts'
+
+/**
+ * A diagram with vertices of any degree: vertices joined by edges of length near zero are one (paper, section 8).
+ *
+ * @category Questions
+ */
+export interface MergedDiagram {
+  /** Three for each merged vertex: x, y, signed radius; those of its member of smallest index. */
+  readonly vertices: Float64Array
+  /** One more than merged vertices: where each begins in `circles`, and the end. */
+  readonly firstCircle: Int32Array
+  /**
+   * The circles of merged vertex v, counter-clockwise around it from the smallest index, are those from `firstCircle[v]` up
+   * to before `firstCircle[v + 1]`. A circle recurs if its cell meets the vertex more than once.
+   */
+  readonly circles: Int32Array
+  /** Four per edge that remains, in the order of the diagram: left, right, start, end; the last two are merged vertices. */
+  readonly edges: Int32Array
+  /** For each vertex of the diagram its merged vertex. */
+  readonly mergedVertex: Int32Array
+}
+
+/**
+ * Merges the vertices of a certified diagram whose edges are not longer than `nearZero`, in the units of the input. A
+ * negative `nearZero`, the default, stands for a small multiple of the rounding error of each vertex. The circles around
+ * each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as long as
+ * `nearZero`.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Questions
+ * @example
+ * const square = library.compute([[0, 0, 1], [4, 0, 1], [4, 4, 1], [0, 4, 1]])
+ * square.vertices.length / 3 // 2
+ * mergeVertices(square).circles // Int32Array(4) [ 0, 1, 2, 3 ]
+ */
+export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagram {
+  checkData(diagram, 'mergeVertices')
+  checkLength(nearZero, 'mergeVertices', 'nearZero')
+  const { vertices, vertexSides, edges, nextSide } = diagram
+  const count = vertices.length / 3
+  const edgeCount = edges.length / 4
+  const sets = new Sets(count)
+  const isShort = new Uint8Array(edgeCount)
+  for (let e = 0; e < edgeCount; e++) {
+    const { start, end } = edgeAt(diagram, e)
+    if (start === NONE || end === NONE) continue
+    const limit = nearZero >= 0 ? nearZero : roundingError(diagram, start) + roundingError(diagram, end)
+    if (lengthOf(between(vertexAt(diagram, start), vertexAt(diagram, end))) > limit) continue
+    isShort[e] = 1
+    sets.unite(start, end)
+  }
+
+  const mergedVertex = new Int32Array(count)
+  const members: number[] = []
+  for (let v = 0; v < count; v++) {
+    const root = sets.find(v)
+    mergedVertex[v] = root === v ? members.push(v) - 1 : at(mergedVertex, root)
+  }
+
+  // Clockwise around a merged vertex: beyond a long side that leaves it lies a cell, of which the next long side leaves it
+  // too.
+  const isMet = new Uint8Array(2 * edgeCount)
+  const around: number[][] = members.map(() => [])
+  const isShortSide = (side: number) => isShort[side >> 1] === 1
+  vertexSides.forEach((start, slot) => {
+    const list = around[at(mergedVertex, Math.floor(slot / 3))] as number[]
+    for (let side = start; !isShortSide(side) && isMet[side] === 0; ) {
+      isMet[side] = 1
+      list.push(at(edges, 4 * (side >> 1) + (side & 1)))
+      side = at(nextSide, side ^ 1)
+      while (isShortSide(side)) side = at(nextSide, side)
+    }
+  })
+
+  const firstCircle = new Int32Array(members.length + 1)
+  around.forEach((list, v) => {
+    firstCircle[v + 1] = at(firstCircle, v) + list.length
+  })
+  const mergedEnd = (vertex: number) => (vertex === NONE ? NONE : at(mergedVertex, vertex))
+  return {
+    vertices: Float64Array.from(members.flatMap((v) => [...vertices.subarray(3 * v, 3 * v + 3)])),
+    firstCircle,
+    circles: Int32Array.from(around.flatMap((list) => fromSmallest(list.reverse()))),
+    edges: edges
+      .map((value, k) => (k % 4 < 2 ? value : mergedEnd(value)))
+      .filter((_, k) => isShort[Math.floor(k / 4)] === 0),
+    mergedVertex,
+  }
+}
+
+function fromSmallest(cycle: readonly number[]): number[] {
+  const start = cycle.indexOf(cycle.reduce((least, i) => Math.min(least, i)))
+  return [...cycle.slice(start), ...cycle.slice(0, start)]
+}
+
+/**
+ * 2^-40 of the numbers that went into a vertex: some thousand times the unit roundoff, for the condition of three-touch
+ * discs of circles that are drawn, and far below what can be seen.
+ */
+function roundingError({ circles, vertices, vertexCircles }: DiagramData, vertex: number): number {
+  const sizeOf = (numbers: Float64Array, i: number) =>
+    Math.abs(at(numbers, 3 * i)) + Math.abs(at(numbers, 3 * i + 1)) + Math.abs(at(numbers, 3 * i + 2))
+  const triple = vertexCircles.subarray(3 * vertex, 3 * vertex + 3)
+  return 2 ** -40 * triple.reduce((size, i) => Math.max(size, sizeOf(circles, i)), sizeOf(vertices, vertex))
+}
+
+/** Union-find over indices, the smallest index of a set standing for it. */
+class Sets {
+  readonly #parent: Int32Array
+
+  constructor(count: number) {
+    this.#parent = new Int32Array(count).map((_, i) => i)
+  }
+
+  find(i: number): number {
+    let root = i
+    while (at(this.#parent, root) !== root) {
+      const grandparent = at(this.#parent, at(this.#parent, root))
+      this.#parent[root] = grandparent
+      root = grandparent
+    }
+    return root
+  }
+
+  unite(i: number, j: number): void {
+    const [one, other] = [this.find(i), this.find(j)]
+    this.#parent[Math.max(one, other)] = Math.min(one, other)
+  }
+}

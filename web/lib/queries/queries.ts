@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the diagram of the metric `circles` tells about its circles, each in linear time but for sorting. The dual's
+// triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
+import { checkData, checkMetric } from '../base/check.ts'
+import { at, circleAt } from '../base/diagram-data.ts'
+import { between } from '../base/point.ts'
+import { lengthOf } from '../base/scale.ts'
+import type { DiagramData } from '../base/types.ts'
+
+/**
+ * The pairs of circles whose cells share an edge, the smaller index first, in increasing order, each once: two indices
+ * each.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Questions
+ * @example
+ * neighborPairs(diagram) // Int32Array(6) [ 0, 1, 0, 2, 1, 2 ]
+ */
+export function neighborPairs(diagram: DiagramData): Int32Array {
+  checkData(diagram, 'neighborPairs')
+  const { circles, edges } = diagram
+  const count = circles.length / 3
+  // As numbers i n + j, which doubles hold exactly.
+  const keys = new Float64Array(edges.length / 4).map((_, e) => {
+    const left = at(edges, 4 * e)
+    const right = at(edges, 4 * e + 1)
+    return Math.min(left, right) * count + Math.max(left, right)
+  })
+  const pairs = keys.sort().filter((key, k) => key !== keys[k - 1])
+  return new Int32Array(2 * pairs.length).map((_, k) => {
+    const key = at(pairs, k >> 1)
+    return k & 1 ? key % count : Math.floor(key / count)
+  })
+}
+
+/**
+ * Two circles and the gap between them.
+ *
+ * @category Questions
+ */
+export interface ClosestPair {
+  /** The smaller index. */
+  readonly first: number
+  readonly second: number
+  /** |c - c'| - r - r': negative if the two overlap. */
+  readonly gap: number
+}
+
+/**
+ * The two visible circles with the smallest gap; `undefined` if fewer than two are visible.
+ *
+ * They share an edge: a circle k nearer than gap / 2 to the middle of their gap would have a smaller gap to each.
+ *
+ * @throws CircleVoronoiError `badArgument`, if the diagram is of another metric than `circles`
+ *
+ * @category Questions
+ * @example
+ * closestPair(diagram) // { first: 0, second: 1, gap: 4 }
+ */
+export function closestPair(diagram: DiagramData): ClosestPair | undefined {
+  checkData(diagram, 'closestPair')
+  checkMetric(diagram, 'closestPair', 'circles')
+  const pairs = neighborPairs(diagram)
+  let closest: ClosestPair | undefined
+  for (let k = 0; k < pairs.length; k += 2) {
+    const [first, second] = [at(pairs, k), at(pairs, k + 1)]
+    const c = circleAt(diagram.circles, first)
+    const d = circleAt(diagram.circles, second)
+    const gap = lengthOf(between(c, d)) - c.r - d.r
+    if (closest === undefined || gap < closest.gap) closest = { first, second, gap }
+  }
+  return closest
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { at, NONE } from '../base/diagram-data.ts'
+import type { DiagramData } from '../base/types.ts'
+import { edgeCurve } from '../curves/curve.ts'
+import { type Part, partNear, partsInside } from './clip.ts'
+import type { ConvexPolygon } from './convex-polygon.ts'
+
+/** What is kept of cells and edges: what lies inside a region and, if there is one, up to a distance from the nearest circle. */
+export interface Limits {
+  readonly region: ConvexPolygon
+  readonly maxDistance: number | undefined
+}
+
+/** The radius, perhaps not above 0, of the disc around the centre of a circle that the distance keeps. */
+export function reachFrom({ circles, metric }: DiagramData, circle: number, maxDistance: number): number {
+  return (metric === 'circles' ? at(circles, 3 * circle + 2) : 0) + maxDistance
+}
+
+/** The parts of an edge that are kept, in its direction. */
+export function keptParts(diagram: DiagramData, edge: number, { region, maxDistance }: Limits): Part[] {
+  const curve = edgeCurve(diagram, edge)
+  if (maxDistance === undefined) return partsInside(curve, region)
+  const reachOf = (end: number) => reachFrom(diagram, at(diagram.edges, 4 * edge + end), maxDistance)
+  const near = partNear(curve, Math.min(reachOf(0), reachOf(1)))
+  if (near === undefined) return []
+  return partsInside(near.curve, region).map((part) => ({
+    curve: part.curve,
+    cutFrom: part.cutFrom === NONE ? near.cutFrom : part.cutFrom,
+    cutTo: part.cutTo === NONE ? near.cutTo : part.cutTo,
+  }))
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arcs of circles in outlines: counter-clockwise and of a quarter turn at most, so that the ends and the radius say where
+// the centre is, to the left of the chord.
+
+/** A region's area and the integrals of x and y over it, relative to a point, all lengths in some unit. */
+export interface Moments {
+  readonly area: number
+  readonly x: number
+  readonly y: number
+}
+
+import { between, length } from '../base/point.ts'
+import { lengthOf, measuredIn } from '../base/scale.ts'
+import type { PathSink, Point } from '../base/types.ts'
+import { carlson } from '../curves/carlson.ts'
+import type { OutlinePiece } from './outline-piece.ts'
+
+/** Of a radius: the least tolerance of a polyline. */
+const FINEST_POLYLINE = 1e-9
+/** They make that of any arc, of half a turn at most. */
+const MOST_HALVINGS = 16
+
+/** Whether a piece of an outline is such an arc; its `curve` is the chord then. */
+export function isCircleArc({ r }: OutlinePiece): boolean {
+  return r > 0
+}
+
+export function arcLength({ curve: { start, end }, r }: OutlinePiece): number {
+  const { sine, first } = halfAngleOf(start, end, r)
+  return 2 * r * sine * first
+}
+
+/**
+ * The region between an arc and its chord, as that of a curve. The centre of mass is 2 / 3 sin^3 h / (h - sin h cos h) radii
+ * from the circle's centre, and the chord cos h.
+ */
+export function momentsOverChord({ curve, r }: OutlinePiece, reference: Point, unit: number): Moments {
+  const chord = measuredIn(unit, between(curve.start, curve.end))
+  const size = length(chord)
+  if (size === 0) return { area: 0, x: 0, y: 0 }
+  const { sine, cosine, second } = halfAngleOf(curve.start, curve.end, r)
+  const area = sine * (size / 2) * (size / 2) * (2 / 3) * second
+  const beyond = (r / unit) * (1 / second - cosine)
+  const toStart = measuredIn(unit, between(reference, curve.start))
+  return {
+    area,
+    x: area * (toStart.x + chord.x / 2 + (beyond * chord.y) / size),
+    y: area * (toStart.y + chord.y / 2 - (beyond * chord.x) / size),
+  }
+}
+
+/** The points of a polyline that keeps within a tolerance of an arc, two at least: those that divide it evenly. */
+export function polyline({ curve, r }: OutlinePiece, tolerance: number): Point[] {
+  const least = Math.max(tolerance, FINEST_POLYLINE * r)
+  let points: Point[] = [curve.start, curve.end]
+  // The sagitta is that of each part, and halves of a part have about a quarter of it.
+  const isCoarse = () => {
+    const { sine, cosine } = halfAngleOf(points[0] as Point, points[1] as Point, r)
+    return r * sine * (sine / (1 + cosine)) > least
+  }
+  for (let round = 0; round < MOST_HALVINGS && isCoarse(); round++) {
+    const middle = middleOf(points[0] as Point, points[1] as Point, r)
+    // Nothing lies between points that are next to each other.
+    if (points.slice(0, 2).some(({ x, y }) => x === middle.x && y === middle.y)) break
+    points = points.flatMap((point, k) => (k === 0 ? [point] : [middleOf(points[k - 1] as Point, point, r), point]))
+  }
+  return points
+}
+
+/** Draws on from the start of an arc to its end. */
+export function traceCircleArc(sink: PathSink, { curve: { start, end }, r }: OutlinePiece): void {
+  const chord = between(start, end)
+  const size = lengthOf(chord)
+  const { sine, cosine } = halfAngleOf(start, end, r)
+  const toCentre = (r * cosine) / size
+  const x = start.x + chord.x / 2 - toCentre * chord.y
+  const y = start.y + chord.y / 2 + toCentre * chord.x
+  const from = Math.atan2(start.y - y, start.x - x)
+  sink.arc(x, y, r, from, from + 2 * Math.asin(sine))
+}
+
+/**
+ * An arc by half its angle h: sin h and cos h, and R_F and R_D of (cos^2 h, 1, 1), with which h = sin h R_F and
+ * h - sin h cos h = 2 / 3 sin^3 h R_D (DLMF 19.25).
+ */
+function halfAngleOf(start: Point, end: Point, r: number) {
+  const sine = Math.min(lengthOf(between(start, end)) / r / 2, 1)
+  const cosine = Math.sqrt((1 - sine) * (1 + sine))
+  const [first, second] = carlson(cosine, 1, 1)
+  return { sine, cosine, first, second }
+}
+
+/** The point in the middle of an arc: beyond the middle of the chord by 1 - cos h = sin h tan (h / 2). */
+function middleOf(start: Point, end: Point, r: number): Point {
+  const chord = between(start, end)
+  const { sine, cosine } = halfAngleOf(start, end, r)
+  const rise = sine / (1 + cosine) / 2
+  return { x: start.x + chord.x / 2 + rise * chord.y, y: start.y + chord.y / 2 - rise * chord.x }
+}

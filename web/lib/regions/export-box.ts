@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { checkCircles, checkDistance } from '../base/check.ts'
+import { at } from '../base/diagram-data.ts'
+import type { Box } from '../base/types.ts'
+
+const MARGIN = 0.05
+/** Of the farthest coordinate. */
+const LEAST_MARGIN = 2 ** -50
+const TOLERANCE = 1e-5
+
+/**
+ * The box that drawings are clipped to by default: with room for a twentieth of the circles' extent around them, and
+ * before that for a maximum distance around each; `circles`: x, y, r each.
+ *
+ * @throws CircleVoronoiError `badArgument`, `badOption`
+ *
+ * @category Cells
+ * @example
+ * exportBox(diagram.circles) // { minX: -1.5, minY: -1.5, maxX: 7.5, maxY: 9.5 }
+ */
+export function exportBox(circles: Float64Array, maxDistance = 0): Box {
+  checkCircles(circles, 'exportBox')
+  checkDistance(maxDistance)
+  if (circles.length === 0) return { minX: 0, minY: 0, maxX: 1, maxY: 1 }
+  let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
+  for (let i = 0; i < circles.length; i += 3) {
+    // A circle of negative radius is drawn as a point.
+    const [x, y, r] = [
+      at(circles, i),
+      at(circles, i + 1),
+      Math.max(at(circles, i + 2), at(circles, i + 2) + maxDistance, 0),
+    ]
+    minX = Math.min(minX, x - r)
+    minY = Math.min(minY, y - r)
+    maxX = Math.max(maxX, x + r)
+    maxY = Math.max(maxY, y + r)
+  }
+  const size = Math.max(maxX - minX, maxY - minY)
+  const farthest = Math.max(-minX, -minY, maxX, maxY)
+  // So that rounding leaves something of it.
+  const margin = Math.max(size > 0 ? MARGIN * size : 1, LEAST_MARGIN * farthest)
+  return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
+}
+
+/** How far drawn curves may be from the true ones by default: a hundred-thousandth of the box. */
+export function exportTolerance({ minX, minY, maxX, maxY }: Box): number {
+  return TOLERANCE * Math.max(maxX - minX, maxY - minY)
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { checkBoundedCurve, checkOutline } from '../base/check.ts'
+import { between, cross } from '../base/point.ts'
+import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
+import type { Point } from '../base/types.ts'
+import type { Bisector } from '../curves/bisector.ts'
+import { carlson } from '../curves/carlson.ts'
+import type { BoundedCurve } from '../curves/curve.ts'
+import {
+  arcLength as circleArcLength,
+  momentsOverChord as circleMoments,
+  isCircleArc,
+  type Moments,
+} from './circle-arc.ts'
+import type { Outline, OutlinePiece } from './outline-piece.ts'
+
+/** An area of less than this share of the square around it is but rounding. */
+const ROUNDING_OF_AREA = 2 ** -44
+
+/**
+ * Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Cells
+ * @example
+ * area(outline(diagram, 0, [-5, -5, 10, 10])) // 72
+ */
+export function area(outline: Outline): number {
+  checkOutline(outline, 'area')
+  const unit = unitFor(extentOf(outline))
+  return momentsOf(outline, unit).area * unit * unit
+}
+
+/**
+ * The centre of mass, likewise. Of an outline without area but for rounding it is that of its end points; (0, 0) if it is
+ * empty.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Cells
+ * @example
+ * centroid(outline(diagram, 0, [-5, -5, 10, 10])) // { x: -1, y: -0.5 }
+ */
+export function centroid(outline: Outline): Point {
+  checkOutline(outline, 'centroid')
+  const reference = referenceOf(outline)
+  const extent = extentOf(outline)
+  const unit = unitFor(extent)
+  const { area, x, y } = momentsOf(outline, unit)
+  if (area > ROUNDING_OF_AREA * (extent / unit) * (extent / unit)) {
+    return { x: reference.x + unit * (x / area), y: reference.y + unit * (y / area) }
+  }
+  const starts = outline.flat().map(({ curve }) => between(reference, curve.start))
+  if (starts.length === 0) return reference
+  return {
+    x: reference.x + starts.reduce((sum, start) => sum + start.x, 0) / starts.length,
+    y: reference.y + starts.reduce((sum, start) => sum + start.y, 0) / starts.length,
+  }
+}
+
+/**
+ * The length of all pieces, likewise (`arcLength`).
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Cells
+ * @example
+ * perimeter(outline(diagram, 0, [-5, -5, 10, 10])) // 34
+ */
+export function perimeter(outline: Outline): number {
+  checkOutline(outline, 'perimeter')
+  return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
+}
+
+function lengthOfPiece(piece: OutlinePiece): number {
+  return isCircleArc(piece) ? circleArcLength(piece) : arcLength(piece.curve)
+}
+
+/**
+ * The length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which takes some
+ * tens of square roots whatever the arc.
+ *
+ * @throws CircleVoronoiError `badArgument`
+ *
+ * @category Curves
+ * @example
+ * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * arcLength(arc).toFixed(3) // '18.662'
+ */
+export function arcLength(curve: BoundedCurve): number {
+  checkBoundedCurve(curve, 'arcLength')
+  const { bisector, from, to, start, end } = curve
+  const { unit, a, b } = bisector
+  const chord = lengthOf(between(start, end))
+  if (a === 0 || !(to > from)) return chord
+  let length = 0
+  if (to <= 1) length = lengthBeyondApex(bisector, 1 / to, 1 / from)
+  else if (from >= 1) length = lengthBeyondApex(bisector, from, to)
+  else length = lengthBeyondApex(bisector, 1, 1 / from) + lengthBeyondApex(bisector, 1, to)
+  // The chord from point(from) to point(to), which are the ends but for rounding.
+  const middle = Math.sqrt(from) * Math.sqrt(to)
+  const span = (to - from) / middle
+  const straight = span * lengthOf({ x: (a * (middle - 1 / middle)) / 2, y: (b * (middle + 1 / middle)) / 2 })
+  return chord + unit * Math.max(length - straight, 0)
+}
+
+/** The start of the first piece: moments are taken relative to it. */
+function referenceOf(outline: Outline): Point {
+  return outline[0]?.[0]?.curve.start ?? { x: 0, y: 0 }
+}
+
+/** About the largest distance of two points of an outline. */
+function extentOf(outline: Outline): number {
+  const reference = referenceOf(outline)
+  return outline.flat().reduce((most, { curve }) => Math.max(most, largestOf(between(reference, curve.start))), 0)
+}
+
+function momentsOf(outline: Outline, unit: number): Moments {
+  const reference = referenceOf(outline)
+  let [area, x, y] = [0, 0, 0]
+  for (const piece of outline.flat()) {
+    const { curve } = piece
+    const u = measuredIn(unit, between(reference, curve.start))
+    const v = measuredIn(unit, between(reference, curve.end))
+    const triangle = cross(u, v) / 2
+    const beyond = isCircleArc(piece) ? circleMoments(piece, reference, unit) : momentsOverChord(curve, reference, unit)
+    area += triangle + beyond.area
+    x += (triangle * (u.x + v.x)) / 3 + beyond.x
+    y += (triangle * (u.y + v.y)) / 3 + beyond.y
+  }
+  return { area, x, y }
+}
+
+/**
+ * The region between a bounded arc and its chord, counted positive where the arc bends to the right of its chord.
+ *
+ * In the frame of the middle of the hyperbola and of conjugate half-diameters along the arc's middle parameter, the region
+ * is sqrt(1 + y^2) <= x <= cosh h with |y| <= sinh h, h half the width of the arc in t. Its area is (sinh(2 h) - 2 h) / 2,
+ * and the integral of x over it 2 / 3 sinh^3 h. Both are divided by e^(2 h), as it may be beyond all numbers.
+ */
+function momentsOverChord({ bisector, from, to }: BoundedCurve, reference: Point, unit: number): Moments {
+  const { a: signed, b, origin, along, across, apex } = bisector
+  const share = signed !== 0 && to > from ? sinhExcessShare(to / from) / 2 : 0
+  if (share === 0) return { area: 0, x: 0, y: 0 }
+  const root = Math.sqrt(to) / Math.sqrt(from)
+  const sine = (to - from) / to / 2
+  const shift = (2 / 3) * ((sine / share) * sine) * sine * root
+
+  const scale = bisector.unit / unit
+  const a = Math.abs(signed) * scale
+  const middle = Math.sqrt(from) * Math.sqrt(to)
+  const u = apex * scale + a - (a * shift * (middle + 1 / middle)) / 2
+  const v = (b * scale * shift * (middle - 1 / middle)) / 2
+  const toOrigin = measuredIn(unit, between(reference, origin))
+  const x = toOrigin.x + (u * along.x + v * across.x)
+  const y = toOrigin.y + (u * along.y + v * across.y)
+  // The branch bends away from its smaller circle.
+  const area = -Math.sign(signed) * a * root * (b * scale * root) * share
+  return { area, x: area * x, y: area * y }
+}
+
+/**
+ * sinh(d) - d for d = ln(ratio) >= 0, with square roots alone: f(2 d) = 2 f(d) + 2 sinh(d) (cosh(d) - 1) has no
+ * cancellation, and leads back to small d.
+ */
+function sinhExcess(ratio: number): number {
+  if (ratio < 1.25) {
+    const z = (ratio - 1) / (ratio + 1)
+    let d = 0
+    for (let k = 15; k > 0; k -= 2) d = d * z * z + 2 / k
+    d *= z
+    let sum = 0
+    for (let k = 13; k > 1; k -= 2) sum = ((1 + sum) * d * d) / (k * (k - 1))
+    return d * sum
+  }
+  const root = Math.sqrt(ratio)
+  const sine = (root - 1 / root) / 2
+  const cosineExcess = ((root - 1) * (root - 1)) / (2 * root)
+  return 2 * sinhExcess(root) + 2 * sine * cosineExcess
+}
+
+/** The same divided by the ratio, which may be beyond all numbers. */
+function sinhExcessShare(ratio: number): number {
+  return ratio < 1e300 ? sinhExcess(ratio) / ratio : 0.5
+}
+
+/**
+ * The length from parameter 1 <= from to `to`, in the bisector's unit; a branch is alike on both sides of its apex.
+ *
+ * With Y = sinh t as the variable and m = 1 + (a / b)^2 it is b times the integral of sqrt((1 + m Y^2) / (1 + Y^2)), or
+ * with y = Y^2 half of that of (1 + m y) / sqrt(y (1 + y) (1 + m y)): between any limits
+ *
+ *     R_F(U12^2, U13^2, U14^2) + m (R_D(U12^2, U13^2, U14^2) / 3 + Y_from Y_to / U14)
+ *
+ * with the U of DLMF 19.29.5, a sum of positive terms. All sines and cosines are divided by e^t, and the U by e^t of
+ * `from`: nothing overflows.
+ */
+function lengthBeyondApex({ a, b }: Bisector, from: number, to: number): number {
+  if (!(to > from)) return 0
+  const m = 1 + (a / b) * (a / b)
+  const endAt = (s: number) => {
+    const sine = (((s - 1) / s) * (1 + 1 / s)) / 2
+    return { sine, cosine: (1 + 1 / s / s) / 2, speed: Math.sqrt(1 / s / s + m * sine * sine) }
+  }
+  const p = endAt(from)
+  const q = endAt(to)
+  const share = from / to
+  // (Y_to^2 - Y_from^2) / to^2
+  const step = (((to - from) / to) * (1 + share) * ((from - 1) / from + (to - 1) / to / from) * (1 + 1 / from / to)) / 4
+  const u12 = (q.sine * q.cosine * p.speed + share * p.sine * p.cosine * q.speed) / step
+  const u13 = (q.sine * q.speed * p.cosine + share * p.sine * p.speed * q.cosine) / step
+  const u14 = (share * q.sine * p.cosine * p.speed + p.sine * q.cosine * q.speed) / step
+  const [first, second] = carlson(u12, u13, u14)
+  return b * (first / from + m * (second / 3 / from / from / from + ((p.sine * q.sine) / u14) * to))
+}

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { checkNumber } from '../base/check.ts'
+import type { CircleLike } from '../base/coordinates.ts'
+import { NONE } from '../base/diagram-data.ts'
+import { CircleVoronoiError, workerFailure } from '../base/errors.ts'
+import type { Certificate, Circle, DiagramData, Float64s, Int32s } from '../base/types.ts'
+import type { Change } from '../diagram/change.ts'
+import { Diagram } from '../diagram/diagram.ts'
+import { checkedCircle, checkedEdits, checkId, type Edit } from '../wasm/editor.ts'
+import type { CompiledWasm } from '../wasm/wasm.ts'
+import { startThread, type Thread } from './thread.ts'
+import type { AsyncEditorMethods } from './worker-editor.ts'
+import type { EditorCall, Reply } from './worker-messages.ts'
+
+/** What waits for an answer. */
+interface Call extends EditorCall {
+  readonly waiting: { resolve(value: unknown): void; reject(reason: unknown): void }[]
+}
+
+/** The editor's side here. */
+export class EditorClient implements AsyncEditorMethods {
+  onchange: ((change: Change) => void) | undefined
+  readonly #thread: Thread
+  /** What the thread has been given. */
+  #sent: Call[] = []
+  #waiting: Call[] = []
+  /** Of what waits the replacements that a later one may stand for. */
+  readonly #replacements = new Map<number, number>()
+  readonly #onEnd: () => void
+  /** Why nothing is answered any more. */
+  #end: unknown
+
+  /** `onEnd`: called when nothing is answered any more. */
+  constructor(module: CompiledWasm, onEnd: () => void) {
+    this.#onEnd = onEnd
+    this.#thread = startThread({
+      onReply: (reply) => this.#receive(reply),
+      onFailure: (cause) => this.#stop(workerFailure(cause)),
+    })
+    this.#thread.post({ module })
+  }
+
+  /** Before anything else. */
+  async begin(circles: Float64s): Promise<void> {
+    try {
+      await this.#ask('edit', circles)
+    } catch (error) {
+      this.#stop(error)
+      throw error
+    }
+  }
+
+  async insert(circle: CircleLike, hint: number = NONE): Promise<Change> {
+    checkNumber(hint, 'insert', 'hint')
+    return this.#ask('insert', checkedCircle(circle, NONE), hint)
+  }
+
+  async remove(id: number): Promise<Change> {
+    checkId(id, 'remove')
+    const change = this.#last<Change>(id, 'remove', id)
+    this.#replacements.delete(id)
+    return change
+  }
+
+  async replace(id: number, circle: CircleLike): Promise<Change> {
+    checkId(id, 'replace')
+    return this.#last(id, 'replace', id, checkedCircle(circle, id))
+  }
+
+  async apply(edits: Iterable<Edit>): Promise<Change> {
+    return this.#inOrder('apply', checkedEdits(edits))
+  }
+
+  async nearest(x: number, y: number, hint: number = NONE): Promise<number> {
+    checkNumber(x, 'nearest', 'x')
+    checkNumber(y, 'nearest', 'y')
+    checkNumber(hint, 'nearest', 'hint')
+    return this.#inOrder('nearest', x, y, hint)
+  }
+
+  async size(): Promise<number> {
+    return this.#inOrder('size')
+  }
+
+  async circle(id: number): Promise<Circle | undefined> {
+    checkId(id, 'circle')
+    return this.#inOrder('circle', id)
+  }
+
+  async isHidden(id: number): Promise<boolean> {
+    checkId(id, 'isHidden')
+    return this.#inOrder('isHidden', id)
+  }
+
+  async ids(): Promise<Int32s> {
+    return this.#inOrder('ids')
+  }
+
+  async snapshot(): Promise<Diagram> {
+    return new Diagram(await this.#inOrder<DiagramData>('snapshot'))
+  }
+
+  async certificate(): Promise<Certificate> {
+    return this.#inOrder('certificate')
+  }
+
+  dispose(): void {
+    this.#stop(new DOMException('The editor has been disposed of.', 'AbortError'))
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose()
+  }
+
+  /** What is asked after what is asked before. */
+  #inOrder<Value>(method: string, ...args: unknown[]): Promise<Value> {
+    this.#replacements.clear()
+    return this.#ask(method, ...args)
+  }
+
+  /** What takes the place of a replacement that still waits. */
+  #last<Value>(id: number, method: string, ...args: unknown[]): Promise<Value> {
+    const place = this.#replacements.get(id)
+    const before = place === undefined ? undefined : this.#waiting[place]
+    if (place === undefined || before === undefined) {
+      this.#replacements.set(id, this.#waiting.length)
+      return this.#ask(method, ...args)
+    }
+    return new Promise((resolve, reject) => {
+      const waiting = [...before.waiting, { resolve: resolve as (value: unknown) => void, reject }]
+      this.#waiting[place] = { method, args, waiting }
+    })
+  }
+
+  #ask<Value>(method: string, ...args: unknown[]): Promise<Value> {
+    return new Promise((resolve, reject) => {
+      if (this.#end !== undefined) return reject(this.#end)
+      this.#waiting.push({ method, args, waiting: [{ resolve: resolve as (value: unknown) => void, reject }] })
+      this.#send()
+    })
+  }
+
+  #send(): void {
+    if (this.#sent.length > 0 || this.#waiting.length === 0) return
+    this.#sent = this.#waiting
+    this.#waiting = []
+    this.#replacements.clear()
+    this.#thread.keepAlive(true)
+    this.#thread.post({ calls: this.#sent.map(({ method, args }) => ({ method, args })) })
+  }
+
+  #receive(reply: Reply): void {
+    // What was on its way when it ended has been refused.
+    if (this.#end !== undefined || !('results' in reply)) return
+    const answered = this.#sent
+    this.#sent = []
+    this.#send()
+    if (this.#sent.length === 0) this.#thread.keepAlive(false)
+    reply.results.forEach((result, k) => {
+      const { method, waiting } = answered[k] as Call
+      if ('error' in result) {
+        const { code, circle, message } = result.error
+        for (const { reject } of waiting) reject(new CircleVoronoiError(code, circle, message))
+        return
+      }
+      try {
+        if (EDITS.includes(method)) this.onchange?.(result.value as Change)
+        for (const { resolve } of waiting) resolve(result.value)
+      } catch (error) {
+        for (const { reject } of waiting) reject(error)
+      }
+    })
+  }
+
+  #stop(reason: unknown): void {
+    if (this.#end !== undefined) return
+    this.#end = reason
+    this.#onEnd()
+    this.#thread.terminate()
+    const unanswered = [...this.#sent, ...this.#waiting]
+    this.#sent = []
+    this.#waiting = []
+    for (const { waiting } of unanswered) {
+      for (const { reject } of waiting) reject(reason)
+    }
+  }
+}
+
+/** The methods that make a change. */
+const EDITS = ['insert', 'remove', 'replace', 'apply']

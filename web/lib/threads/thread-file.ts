@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** A worker that runs `worker-thread.js`. Bundlers look for exactly this expression. */
+export function newWorker(): Worker {
+  return new Worker(new URL('../worker-thread.js', import.meta.url), { type: 'module' })
+}
+
+/** Where that file is. Not the expression above, for which bundlers would copy the file for every page. */
+export function threadFile(): URL {
+  const here = import.meta.url
+  return new URL('../worker-thread.js', here)
+}
+
+/** What a worker that is made of `threadFile` is called. */
+export const THREAD_NAME = 'circle-voronoi'

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { shown } from '../base/check.ts'
+import { CircleVoronoiError } from '../base/errors.ts'
+import type { DiagramData } from '../base/types.ts'
+
+/**
+ * What of a diagram is judged.
+ *
+ * @category Loading
+ */
+export type Verifiable = Omit<DiagramData, 'metric' | 'weights' | 'certificate' | 'stats'> & {
+  readonly weights?: boolean | undefined
+}
+
+/**
+ * The arrays of a diagram as the core takes them: embind would convert whatever it is given.
+ *
+ * @throws CircleVoronoiError `badInput`, if one of them, or `weights`, has another type or length
+ */
+export function judgedArrays(diagram: Verifiable) {
+  // Of what is no object no array is one.
+  const { weights = false, circles, ...arrays }: Verifiable = Object(diagram)
+  const { vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = arrays
+  if (typeof weights !== 'boolean') refuse(`weights is not true or false, but ${shown(weights)}.`)
+  checkArray('circles', circles, Float64Array, 3)
+  checkArray('vertices', vertices, Float64Array, 3)
+  checkArray('vertexCircles', vertexCircles, Int32Array, 3)
+  checkArray('edges', edges, Int32Array, 4)
+  checkArray('hidden', hidden, Int32Array, 2)
+  checkArray('hull', hull, Int32Array, 1)
+  checkArray('nextSide', nextSide, Int32Array, 2)
+  checkArray('vertexSides', vertexSides, Int32Array, 3)
+  checkArray('firstSide', firstSide, Int32Array, 1)
+  return { weights, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide }
+}
+
+function checkArray(
+  name: string,
+  array: unknown,
+  type: Float64ArrayConstructor | Int32ArrayConstructor,
+  size: number,
+): void {
+  if (array instanceof type && array.length % size === 0) return
+  refuse(`${name} is no ${type.name} of ${size} numbers each.`)
+}
+
+function refuse(message: string): never {
+  throw new CircleVoronoiError('badInput', -1, message)
+}

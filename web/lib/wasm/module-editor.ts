@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { checkNumber, refuseArgument } from '../base/check.ts'
+import type { CircleLike } from '../base/coordinates.ts'
+import { NONE } from '../base/diagram-data.ts'
+import type { ErrorCode } from '../base/errors.ts'
+import type { Certificate, Circle, Float64s, Int32s } from '../base/types.ts'
+import { type Change, changeOf } from '../diagram/change.ts'
+import { Diagram } from '../diagram/diagram.ts'
+import {
+  type CheckedEdit,
+  checkedCircle,
+  checkedEdits,
+  checkId,
+  type Edit,
+  type EditorMethods,
+  refuse,
+} from './editor.ts'
+import type { TraceArrays } from './trace.ts'
+import { unwrap, type WasmError } from './wasm.ts'
+
+/** The functions of the module that an editor needs. */
+type EditorModule = Pick<
+  WasmModule,
+  | 'createEditor'
+  | 'deleteEditor'
+  | 'editCircle'
+  | 'applyEdits'
+  | 'traceEdits'
+  | 'nearestCircle'
+  | 'editorSize'
+  | 'circleOfEditor'
+  | 'idsOfEditor'
+  | 'snapshotOfEditor'
+  | 'certificateOfEditor'
+>
+
+/** A function that makes editors in a module; circle i gets id i. */
+export function editorsOf(module: EditorModule): (circles: Float64s) => Editor {
+  // Frees what nobody has disposed of.
+  const registry = new FinalizationRegistry((address: number) => module.deleteEditor(address))
+  return (circles) => new Editor(module, registry, unwrap(module.createEditor(circles)).editor)
+}
+
+/** Of `Edit.kind` the numbers that the core has for them. */
+const KINDS = ['insert', 'remove', 'replace']
+const INSERT = 0
+const REMOVE = 1
+const REPLACE = 2
+
+/** A `DiagramEditor`, which can also be traced. */
+export class Editor implements EditorMethods {
+  onchange: ((change: Change) => void) | undefined
+  readonly #module: EditorModule
+  readonly #registry: FinalizationRegistry<number>
+  /** 0 once it is disposed of. */
+  #address: number
+  #revision = 0
+
+  constructor(module: EditorModule, registry: FinalizationRegistry<number>, address: number) {
+    this.#module = module
+    this.#registry = registry
+    this.#address = address
+    registry.register(this, address, this)
+  }
+
+  insert(circle: CircleLike, hint: number = NONE): Change {
+    const { x, y, r } = checkedCircle(circle, NONE)
+    checkNumber(hint, 'insert', 'hint')
+    return this.#changed(NONE, this.#module.editCircle(this.#live(), INSERT, NONE, x, y, r, hint))
+  }
+
+  remove(id: number): Change {
+    checkId(id, 'remove')
+    return this.#changed(id, this.#module.editCircle(this.#live(), REMOVE, id, 0, 0, 0, NONE))
+  }
+
+  replace(id: number, circle: CircleLike): Change {
+    checkId(id, 'replace')
+    const { x, y, r } = checkedCircle(circle, id)
+    return this.#changed(id, this.#module.editCircle(this.#live(), REPLACE, id, x, y, r, NONE))
+  }
+
+  apply(edits: Iterable<Edit>): Change {
+    const checked = checkedEdits(edits)
+    const result = this.#module.applyEdits(this.#live(), numbersOf(checked))
+    return this.#changed('error' in result ? (checked[result.error.circle]?.id ?? NONE) : NONE, result)
+  }
+
+  /** The same, told event by event. */
+  trace(edits: Iterable<Edit>): TraceArrays {
+    const checked = checkedEdits(edits)
+    const result = this.#module.traceEdits(this.#live(), numbersOf(checked))
+    if (!('error' in result)) return result
+    const { code, circle, message } = result.error
+    return refuse(code as ErrorCode, checked[circle]?.id ?? NONE, message)
+  }
+
+  nearest(x: number, y: number, hint: number = NONE): number {
+    checkNumber(x, 'nearest', 'x')
+    checkNumber(y, 'nearest', 'y')
+    checkNumber(hint, 'nearest', 'hint')
+    return this.#module.nearestCircle(this.#live(), x, y, hint)
+  }
+
+  size(): number {
+    return this.#module.editorSize(this.#live())
+  }
+
+  circle(id: number): Circle | undefined {
+    checkId(id, 'circle')
+    const numbers = this.#module.circleOfEditor(this.#live(), id)
+    if (numbers === undefined) return undefined
+    const [x = 0, y = 0, r = 0] = numbers
+    return { x, y, r }
+  }
+
+  isHidden(id: number): boolean {
+    checkId(id, 'isHidden')
+    const numbers = this.#module.circleOfEditor(this.#live(), id)
+    if (numbers === undefined) refuse('unknownCircle', id, `There is no circle with id ${id}.`)
+    return numbers[3] === 1
+  }
+
+  ids(): Int32s {
+    return unwrap(this.#module.idsOfEditor(this.#live()))
+  }
+
+  snapshot(): Diagram {
+    const { numbers, ...data } = unwrap(this.#module.snapshotOfEditor(this.#live()))
+    return new Diagram({ metric: 'circles', ...data, numbers: { revision: this.#revision, ...numbers } })
+  }
+
+  certificate(): Certificate {
+    return unwrap(this.#module.certificateOfEditor(this.#live()))
+  }
+
+  dispose(): void {
+    if (this.#address === 0) return
+    this.#registry.unregister(this)
+    this.#module.deleteEditor(this.#address)
+    this.#address = 0
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose()
+  }
+
+  #live(): number {
+    if (this.#address === 0) refuseArgument('The editor has been disposed of.')
+    return this.#address
+  }
+
+  /** `id`: of the circle that an error is about. */
+  #changed(id: number, result: Uint8Array | WasmError): Change {
+    if ('error' in result) refuse(result.error.code as ErrorCode, id, result.error.message)
+    this.#revision += 1
+    const change = changeOf(result, this.#revision)
+    this.onchange?.(change)
+    return change
+  }
+}
+
+/** Of each edit its kind, id, x, y and r. */
+function numbersOf(edits: readonly CheckedEdit[]): Float64Array {
+  return Float64Array.from(
+    edits.flatMap(({ kind, id = NONE, circle: { x, y, r } = NOTHING }) => [KINDS.indexOf(kind), id, x, y, r]),
+  )
+}
+
+const NOTHING: Circle = { x: 0, y: 0, r: 0 }

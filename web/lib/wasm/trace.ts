@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { checkNumber, refuseArgument } from '../base/check.ts'
+import { at, NONE } from '../base/diagram-data.ts'
+import type { Float64s, Int32s, Vertex } from '../base/types.ts'
+import type { Diagram } from '../diagram/diagram.ts'
+import type { Edit } from './editor.ts'
+import type { Options } from './options.ts'
+
+/**
+ * The kinds of events, in the order of their numbers in `Trace.kinds`.
+ *
+ * Of the touching disc method: candidates (paper, sections 4.1 and 5), then the event loop (Algorithms 2 and 3).
+ *
+ * - `roundBegun`: all begins anew, as by the option `resample`, and is counted anew. The first event is one;
+ * - `centersJoined`: an edge of the Delaunay graph of the visible circles' centres;
+ * - `sampleTaken`: `disc` is the point, of radius 0, on its circle less the smallest of all radii;
+ * - `samplesJoined`: an edge of the Delaunay graph of the samples, of which `numbers` are two;
+ * - `pairFound`: two circles get an antipodal disc;
+ * - `antipodalDiscAccepted`: it is empty, and its two directed edges follow; `antipodalDiscUsed`: a footpoint lies on an arc
+ *   that the diagram has used already; `antipodalDiscNotEmpty`: it meets the third circle;
+ * - `threeTouchDiscFormed`: put into the queue by the two directed edges `numbers`; `threeTouchDiscStale`: discarded, as these
+ *   are gone or no longer adjacent; `branchDisc`: it is empty, and makes a vertex;
+ * - `directedEdgePlaced`, `directedEdgeDeleted`: from the first circle to the second; `disc` is its disc of R_min;
+ * - `segmentFinished`: the Voronoi segment of a directed edge, which ends at a vertex; `disc` is its disc of R_max.
+ *
+ * Of flips and edits, which change the triangulation that is dual to the diagram: its faces as they are, then of each change
+ * the reason, if one can be named, the faces that go and those that come. The faces that are left are those of the diagram.
+ *
+ * - `faceMade`, `faceRemoved`: a face of three circles, with the disc that touches them if they have one, which is then a
+ *   vertex of the diagram; or of two, an unbounded end. `numbers` is its number, which may be that of another later;
+ * - `discNotEmpty`: the disc of a face meets `circles[2]`, or ties with it: the edge between the first two goes;
+ *   `discMissing`: three circles of a face have no disc, and the edge between the first two goes; `tangentNotClear`: the
+ *   tangent line of two neighbours on the hull meets the third circle; `hullNotConvex`: the first circle lies within the
+ *   tangent line of the others, its neighbours on the hull, and leaves it;
+ * - `circleInserted`, `circleRemoved`, `circleReplaced`: an edit of the first circle, by its id; `disc` is the circle;
+ *   `circleShrunk`: so far, on its way out, where it touches a disc of its neighbours.
+ *
+ * @category Tracing
+ * @example
+ * TRACE_KINDS[0] // 'roundBegun'
+ */
+export const TRACE_KINDS = [
+  'roundBegun',
+  'centersJoined',
+  'sampleTaken',
+  'samplesJoined',
+  'pairFound',
+  'antipodalDiscAccepted',
+  'antipodalDiscUsed',
+  'antipodalDiscNotEmpty',
+  'threeTouchDiscFormed',
+  'threeTouchDiscStale',
+  'branchDisc',
+  'directedEdgePlaced',
+  'directedEdgeDeleted',
+  'segmentFinished',
+  'faceMade',
+  'faceRemoved',
+  'discNotEmpty',
+  'discMissing',
+  'tangentNotClear',
+  'hullNotConvex',
+  'circleInserted',
+  'circleRemoved',
+  'circleReplaced',
+  'circleShrunk',
+] as const
+
+/**
+ * One of `TRACE_KINDS`.
+ *
+ * @category Tracing
+ */
+export type TraceKind = (typeof TRACE_KINDS)[number]
+
+/**
+ * Those of `compute`, but that the method is `touching-disc` by default; or edits.
+ *
+ * @category Tracing
+ */
+export interface TraceOptions extends Options {
+  /** Edits of the diagram of `circles`, which is there before: circle i has id i. No other option goes with them. */
+  readonly edits?: Iterable<Edit> | undefined
+}
+
+/**
+ * The events field by field.
+ *
+ * @category Tracing
+ */
+export interface TraceArrays {
+  /** Of each event its index in `TRACE_KINDS`. */
+  readonly kinds: Uint8Array
+  /** Three of each: x, y and r of a disc; 0 or NaN where there is none. */
+  readonly discs: Float64s
+  /** Three of each, `NONE` where there is none; of a three-touch disc clockwise, as the directed edges 0 to 1 and 1 to 2. */
+  readonly circles: Int32s
+  /** Of each the vertex that is made or where a segment ends, or `NONE`. */
+  readonly vertices: Int32s
+  /** Two of each, `NONE` where there is none: samples, directed edges, a face or a round, counted from 0. */
+  readonly numbers: Int32s
+}
+
+/**
+ * What happened.
+ *
+ * @category Tracing
+ */
+export interface TraceEvent {
+  readonly kind: TraceKind
+  readonly disc: Vertex | undefined
+  readonly circles: readonly number[]
+  readonly vertex: number | undefined
+  readonly numbers: readonly number[]
+}
+
+/**
+ * What is there after some events, each as a list of events by their indices.
+ *
+ * @category Tracing
+ */
+export interface TraceState {
+  /** The event that began the round. */
+  readonly round: number
+  /** The edges of the centres' Delaunay graph. */
+  readonly centerEdges: Int32Array
+  readonly samples: Int32Array
+  readonly sampleEdges: Int32Array
+  readonly pairs: Int32Array
+  /** Antipodal discs that were accepted. */
+  readonly antipodalDiscs: Int32Array
+  readonly branchDiscs: Int32Array
+  /** Segments that are finished. */
+  readonly segments: Int32Array
+  /** The placings of directed edges that are there. */
+  readonly directedEdges: Int32Array
+  /** The three-touch discs that wait, the next one first: by radius, then by their directed edges. */
+  readonly queue: Int32Array
+  /** The makings of faces that are there. */
+  readonly faces: Int32Array
+  /** The edits of circles so far, of all rounds. */
+  readonly edits: Int32Array
+}
+
+/** What changes back and forth, and the event before which it is so. */
+interface Keyframe {
+  readonly event: number
+  readonly round: number
+  readonly directedEdges: Int32Array
+  readonly queue: Int32Array
+  readonly faces: Int32Array
+}
+
+const kind = (name: TraceKind) => TRACE_KINDS.indexOf(name)
+const ROUND_BEGUN = kind('roundBegun')
+const FORMED = kind('threeTouchDiscFormed')
+const STALE = kind('threeTouchDiscStale')
+const BRANCH = kind('branchDisc')
+const PLACED = kind('directedEdgePlaced')
+const DELETED = kind('directedEdgeDeleted')
+const MADE = kind('faceMade')
+const REMOVED = kind('faceRemoved')
+const EDITS = [kind('circleInserted'), kind('circleRemoved'), kind('circleReplaced')]
+const WITHOUT_DISC = ['roundBegun', 'centersJoined', 'samplesJoined', 'pairFound'].map((name) =>
+  kind(name as TraceKind),
+)
+
+/** More than there are directed edges in a trace that memory holds, and its square is a whole number. */
+const EDGES = 2 ** 26
+
+/**
+ * What was done, event by event, and the diagram that came of it, which may be wrong where its certificate says so.
+ *
+ * @category Tracing
+ * @example
+ * const trace = library.trace([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
+ * trace.event(trace.length - 1).kind // 'antipodalDiscUsed'
+ * trace.at(trace.length).directedEdges.length // 3
+ * trace.at(trace.length).branchDiscs.length // 1
+ */
+export class Trace implements TraceArrays {
+  readonly diagram: Diagram
+  readonly kinds: Uint8Array
+  readonly discs: Float64s
+  readonly circles: Int32s
+  readonly vertices: Int32s
+  readonly numbers: Int32s
+  readonly #keyframes: Keyframe[] = [
+    { event: 0, round: 0, directedEdges: new Int32Array(0), queue: new Int32Array(0), faces: new Int32Array(0) },
+  ]
+  readonly #spacing: number
+
+  /** Of a diagram and the events that led to it, which are not copied. */
+  constructor(diagram: Diagram, { kinds, discs, circles, vertices, numbers }: TraceArrays) {
+    this.diagram = diagram
+    this.kinds = kinds
+    this.discs = discs
+    this.circles = circles
+    this.vertices = vertices
+    this.numbers = numbers
+    // As many keyframes as events between two of them, but for small factors.
+    this.#spacing = Math.max(1024, 16 * Math.ceil(Math.sqrt(kinds.length)))
+  }
+
+  /** How many events there are. */
+  get length(): number {
+    return this.kinds.length
+  }
+
+  /** @throws CircleVoronoiError `badArgument`, if there is no such event */
+  event(k: number): TraceEvent {
+    checkNumber(k, 'event', 'the index of an event')
+    if (!(Number.isInteger(k) && 0 <= k && k < this.length)) {
+      refuseArgument(`event: there is no event ${k}; the trace has ${this.length}.`)
+    }
+    const number = at(this.kinds, k)
+    const vertex = at(this.vertices, k)
+    const r = at(this.discs, 3 * k + 2)
+    const hasDisc = !WITHOUT_DISC.includes(number) && !Number.isNaN(r)
+    return {
+      kind: TRACE_KINDS[number] as TraceKind,
+      disc: hasDisc ? { x: at(this.discs, 3 * k), y: at(this.discs, 3 * k + 1), r } : undefined,
+      circles: known(this.circles, 3 * k, 3),
+      vertex: vertex === NONE ? undefined : vertex,
+      numbers: known(this.numbers, 2 * k, 2),
+    }
+  }
+
+  /**
+   * What is there after the first `k` events, `k` from 0 to `length`: in the time that it takes to look once at each kind of
+   * event so far, as the rest is kept now and then.
+   *
+   * @throws CircleVoronoiError `badArgument`, if there are not so many events
+   */
+  at(k: number): TraceState {
+    checkNumber(k, 'at', 'the number of events')
+    if (!(Number.isInteger(k) && 0 <= k && k <= this.length)) {
+      refuseArgument(`at takes a number of events from 0 to ${this.length}, not ${k}.`)
+    }
+    const { round, directedEdges, queue, faces } = this.#replayedTo(k)
+    const events = this.#eventsByKind(round, k)
+    const all = (name: TraceKind) => events[kind(name)] as Int32Array
+    return {
+      round,
+      centerEdges: all('centersJoined'),
+      samples: all('sampleTaken'),
+      sampleEdges: all('samplesJoined'),
+      pairs: all('pairFound'),
+      antipodalDiscs: all('antipodalDiscAccepted'),
+      branchDiscs: all('branchDisc'),
+      segments: all('segmentFinished'),
+      directedEdges,
+      queue: queue.sort((a, b) => this.#compareDiscs(a, b)),
+      faces,
+      edits: this.#editsBefore(k),
+    }
+  }
+
+  #editsBefore(end: number): Int32Array {
+    const edits: number[] = []
+    for (let k = 0; k < end; k++) if (EDITS.includes(at(this.kinds, k))) edits.push(k)
+    return Int32Array.from(edits)
+  }
+
+  #eventsByKind(from: number, to: number): Int32Array[] {
+    const counts = new Int32Array(TRACE_KINDS.length)
+    for (let k = from; k < to; k++) counts[at(this.kinds, k)] = at(counts, at(this.kinds, k)) + 1
+    const events = Array.from(counts, (count) => new Int32Array(count))
+    for (let k = to - 1; k >= from; k--) {
+      const kind = at(this.kinds, k)
+      const last = at(counts, kind) - 1
+      counts[kind] = last
+      ;(events[kind] as Int32Array)[last] = k
+    }
+    return events
+  }
+
+  /** As the queue of the method serves them. */
+  #compareDiscs(a: number, b: number): number {
+    const { discs, numbers } = this
+    return (
+      at(discs, 3 * a + 2) - at(discs, 3 * b + 2) ||
+      at(numbers, 2 * a) - at(numbers, 2 * b) ||
+      at(numbers, 2 * a + 1) - at(numbers, 2 * b + 1)
+    )
+  }
+
+  #replayedTo(end: number): Keyframe {
+    const spacing = this.#spacing
+    const known = Math.min(Math.floor(end / spacing), this.#keyframes.length - 1)
+    const keyframe = this.#keyframes[known] as Keyframe
+    const { event } = keyframe
+    const replay = new Replay(this, keyframe)
+    for (let k = event; k < end; k++) {
+      if (k > event && k % spacing === 0) this.#keyframes[k / spacing] = replay.keyframe(k)
+      replay.step(k)
+    }
+    return replay.keyframe(end)
+  }
+}
+
+/** Those of some numbers in a row that are not `NONE`. Players ask for many, and arrays made of parts take several times as long. */
+function known(list: Int32s, first: number, count: number): number[] {
+  const numbers: number[] = []
+  for (let k = first; k < first + count; k++) {
+    const number = at(list, k)
+    if (number !== NONE) numbers.push(number)
+  }
+  return numbers
+}
+
+/** The directed edges and faces that are there and the discs that wait, while events happen. */
+class Replay {
+  readonly #trace: TraceArrays
+  #round: number
+  /** Events by directed edges, and by pairs of them. */
+  readonly #placed = new Map<number, number>()
+  readonly #formed = new Map<number, number>()
+  /** Events by faces. */
+  readonly #made = new Map<number, number>()
+
+  constructor(trace: TraceArrays, { round, directedEdges, queue, faces }: Keyframe) {
+    this.#trace = trace
+    this.#round = round
+    for (const k of directedEdges) this.#placed.set(this.#numberOf(k), k)
+    for (const k of queue) this.#formed.set(this.#edgesOf(k), k)
+    for (const k of faces) this.#made.set(this.#numberOf(k), k)
+  }
+
+  step(k: number): void {
+    switch (this.#trace.kinds[k]) {
+      case ROUND_BEGUN:
+        this.#round = k
+        this.#placed.clear()
+        this.#formed.clear()
+        this.#made.clear()
+        break
+      case PLACED:
+        this.#placed.set(this.#numberOf(k), k)
+        break
+      case DELETED:
+        this.#placed.delete(this.#numberOf(k))
+        break
+      case MADE:
+        this.#made.set(this.#numberOf(k), k)
+        break
+      case REMOVED:
+        this.#made.delete(this.#numberOf(k))
+        break
+      case FORMED:
+        this.#formed.set(this.#edgesOf(k), k)
+        break
+      case STALE:
+      case BRANCH:
+        this.#formed.delete(this.#edgesOf(k))
+        break
+    }
+  }
+
+  keyframe(event: number): Keyframe {
+    const listOf = (events: Map<number, number>) => Int32Array.from(events.values())
+    return {
+      event,
+      round: this.#round,
+      directedEdges: listOf(this.#placed),
+      queue: listOf(this.#formed),
+      faces: listOf(this.#made),
+    }
+  }
+
+  #numberOf(k: number): number {
+    return at(this.#trace.numbers, 2 * k)
+  }
+
+  #edgesOf(k: number): number {
+    return EDGES * at(this.#trace.numbers, 2 * k) + at(this.#trace.numbers, 2 * k + 1)
+  }
+}

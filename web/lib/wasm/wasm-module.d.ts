@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The types of what cpp/wasm/bindings.cpp, comparison_bindings.cpp and files_bindings.cpp export.
+
+type WasmError = import('./wasm.ts').WasmError
+
+interface WasmOptions {
+  readonly weights: boolean | undefined
+  readonly method: string | undefined
+  readonly candidates: string | undefined
+  readonly samples: number | undefined
+  readonly resample: boolean | undefined
+  /** Whether to go on; must not throw. */
+  readonly progress: ((...told: Parameters<import('./options.ts').Progress>) => boolean) | undefined
+}
+
+type WasmDiagram = Omit<import('../base/types.ts').DiagramData, 'metric' | 'circles'>
+
+type JudgedArrays = Omit<import('../base/types.ts').DiagramData, 'metric' | 'certificate' | 'stats'>
+
+interface WasmModule {
+  compute(circles: Float64Array, options: WasmOptions): WasmError | WasmDiagram
+  trace(
+    circles: Float64Array,
+    options: WasmOptions,
+  ): WasmError | { readonly diagram: WasmDiagram; readonly events: import('./trace.ts').TraceArrays }
+  traceKindNames(): string[]
+  certify(diagram: JudgedArrays): WasmError | import('../base/types.ts').Certificate
+  /** `box`: minX, minY, maxX, maxY. */
+  finalCells(diagram: JudgedArrays, box: Float64Array, maxRadius: number): WasmError | import('./library.ts').FinalCells
+  errorCodeNames(): string[]
+
+  createEditor(circles: Float64Array): WasmError | { readonly editor: number }
+  deleteEditor(editor: number): void
+  // What a change is in bytes, cpp/wasm/editor_bindings.cpp says; they are good until the next call.
+  /** `kind`: 0 insert, 1 remove, 2 replace. */
+  editCircle(
+    editor: number,
+    kind: number,
+    id: number,
+    x: number,
+    y: number,
+    r: number,
+    hint: number,
+  ): WasmError | Uint8Array
+  /** Of each edit its kind, id, x, y and r. */
+  applyEdits(editor: number, edits: Float64Array): WasmError | Uint8Array
+  /** The same, and the events of these edits; the change is not told. */
+  traceEdits(editor: number, edits: Float64Array): WasmError | import('./trace.ts').TraceArrays
+  nearestCircle(editor: number, x: number, y: number, hint: number): number
+  editorSize(editor: number): number
+  /** x, y, r and whether it is hidden. */
+  circleOfEditor(editor: number, id: number): Float64Array | undefined
+  idsOfEditor(editor: number): WasmError | import('../base/types.ts').Int32s
+  snapshotOfEditor(editor: number):
+    | WasmError
+    | (Omit<import('../base/types.ts').DiagramData, 'metric' | 'numbers'> & {
+        readonly numbers: Omit<import('../base/types.ts').SnapshotNumbers, 'revision'>
+      })
+  certificateOfEditor(editor: number): WasmError | import('../base/types.ts').Certificate
+}
+
+interface WasmComparisonModule {
+  powerDiagram(circles: Float64Array): WasmError | WasmDiagram
+}
+
+/** What is written, as far as it is said. `bounds`: minX, minY, maxX, maxY. */
+interface WasmWriteOptions {
+  readonly bounds: Float64Array | undefined
+  readonly maxDistance: number | undefined
+  readonly tolerance: number | undefined
+  readonly digits: number | undefined
+}
+
+interface WasmFilesModule {
+  readCircles(
+    text: string | Uint8Array,
+    name: string,
+    weights: boolean,
+  ): WasmError | { readonly circles: import('../base/types.ts').Float64s }
+  readDiagram(text: string | Uint8Array, name: string): WasmError | import('../base/types.ts').DiagramData
+  holdsDiagram(text: string | Uint8Array): boolean
+  writeCircles(circles: Float64Array, format: string): WasmError | { readonly text: Uint8Array }
+  writeDiagram(
+    diagram: Omit<import('../base/types.ts').DiagramData, 'certificate'>,
+    format: string,
+    options: WasmWriteOptions,
+  ): WasmError | { readonly text: Uint8Array }
+}
+
+declare module '*/generated/circle-voronoi-files.js' {
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmFilesModule>
+}
+
+declare module '*/generated/circle-voronoi.js' {
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmModule>
+}
+
+declare module '*/generated/circle-voronoi-comparison.js' {
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmComparisonModule>
+}
+
+/** In the bundle alone: gzip as base64. */
+declare module '*/generated/circle-voronoi.wasm' {
+  const compressed: string
+  export default compressed
+}
