@@ -160,13 +160,15 @@ class Stage {
   }
 }
 
+/** What waits for the next frame; presses of earlier tests, which rest as well, are among it. */
+let waiting: (() => void)[] = []
 /** Shows the next frame. Browsers tell of moves before it. */
-let showFrame = () => {}
+const showFrame = () => {
+  for (const callback of waiting.splice(0)) callback()
+}
 beforeEach(() => {
-  showFrame = () => {}
-  vi.stubGlobal('requestAnimationFrame', (callback: () => void) => {
-    showFrame = callback
-  })
+  waiting = []
+  vi.stubGlobal('requestAnimationFrame', (callback: () => void) => waiting.push(callback))
 })
 
 /** Until all promises that can go on have done so. */
