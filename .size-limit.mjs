@@ -10,7 +10,6 @@ const LAYER = `
   export * from './worker.js'
   export * from './comparison.js'
   export * from './files.js'
-  export * from './link.js'
   import './worker-thread.js'
 `
 

@@ -148,7 +148,7 @@ test.describe('in Node', () => {
       import { createWorker } from 'circle-voronoi/worker'
       const module = WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]))
       const failed = [
-        loadCircleVoronoi(), loadComparison({ compute() {} }), createWorker().computeAsync([]), createWorker({ wasm: module }).computeAsync([]),
+        loadCircleVoronoi(), loadComparison({ compute() {} }), createWorker().compute([]), createWorker({ wasm: module }).compute([]),
         loadCircleVoronoi({ wasm: module }), loadCircleVoronoi({ wasm: Promise.reject('none') }),
       ].map((promise) => promise.catch((error) => error instanceof CircleVoronoiError ? error.code + ': ' + error.message : 'raw: ' + error))
       Promise.all(failed).then((lines) => console.log(lines.join('\\n')))`,
@@ -182,7 +182,7 @@ test.describe('in Node', () => {
   test('from the bundle, its worker too', () => {
     project.write(
       'bundle-main.mjs',
-      `import * as library from 'circle-voronoi/bundle'
+      `import * as library from './node_modules/circle-voronoi/dist/lib/bundle.js'
       import { useBundle } from './bundle.js'
       globalThis.fetch = () => { throw new Error('Something was asked for.') }
       console.log(await useBundle(library))`,

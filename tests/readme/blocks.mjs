@@ -41,7 +41,10 @@ const RUN_BY = [
   ),
   { by: 'tests/e2e/tutorial.spec.ts', file: `${CHAPTERS}/teachers.md` },
   { by: NATIVE, file: MANUAL_PAGE },
-  ...['index', 'diagram/diagram', 'wasm/editor', 'worker'].map((name) => ({ by: COMMENTS, file: `web/lib/${name}.ts` })),
+  ...['index', 'diagram/diagram', 'wasm/editor', 'worker'].map((name) => ({
+    by: COMMENTS,
+    file: `web/lib/${name}.ts`,
+  })),
   { by: PACKAGE, file: 'web/element/index.ts' },
 ]
 

@@ -271,7 +271,7 @@ describe('an editor in a worker', () => {
   it('computes beside it, and ends with its worker or on its own', async () => {
     const mine = createWorker()
     const [one, other] = [await mine.edit(THREE), await mine.edit([])]
-    assert.equal((await mine.computeAsync(THREE)).certificate.certified, true)
+    assert.equal((await mine.compute(THREE)).certificate.certified, true)
     const pending = one.insert([1, 1, 1])
     one.dispose()
     await assert.rejects(pending, { name: 'AbortError' })

@@ -10,7 +10,7 @@ import { inspect } from 'node:util'
 import { blocksRunBy } from '../readme/blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
-const MODULES = ['index', 'worker', 'comparison', 'files', 'link']
+const MODULES = ['index', 'worker', 'comparison', 'files']
 /** What all of them begin with, as the module's own comment says. */
 const BEGIN = `
 const library = await loadCircleVoronoi()

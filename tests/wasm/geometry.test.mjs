@@ -7,20 +7,18 @@ import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { keptParts } from '../../dist/lib/cell-limits.js'
 import { loadComparison } from '../../dist/lib/comparison.js'
+import { linkSides } from '../../dist/lib/diagram/link-sides.js'
 import {
-  arcLength,
-  area,
   bezierPointAt,
   ConvexPolygon,
-  centroid,
   clearestPath,
-  clip,
+  clipCurve,
   closestPair,
   convexHull,
   cubicBeziers,
-  distance,
+  curveLength,
+  distanceToCircle,
   edgeCurve,
   exportBox,
   largestEmptyDiscCenteredIn,
@@ -29,14 +27,15 @@ import {
   loadCircleVoronoi,
   mergeVertices,
   neighborPairs,
-  outline,
+  outlineArea,
+  outlineCentroid,
+  outlinePerimeter,
   parameterAt,
-  perimeter,
   pointAt,
   polyline,
   rationalBezier,
 } from '../../dist/lib/index.js'
-import { linkSides } from '../../dist/lib/link-sides.js'
+import { keptParts } from '../../dist/lib/regions/cell-limits.js'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const NATIVE = `${ROOT}build/native/circle-voronoi`
@@ -171,7 +170,7 @@ function answersOf(diagram, box, maxDistance) {
 
   const sayPiece = (name, piece) => {
     say(`${name} ends`, piece.from, piece.to, ...of(piece.start), ...of(piece.end))
-    say(`${name} arcLength`, arcLength(piece))
+    say(`${name} arcLength`, curveLength(piece))
     const rational = rationalBezier(piece)
     const { start, control, end, weight } = rational
     say(`${name} rationalBezier`, ...[start, control, end].flatMap(of), weight, ...of(bezierPointAt(rational, 0.3)))
@@ -192,7 +191,7 @@ function answersOf(diagram, box, maxDistance) {
       say(`pointAt ${e}`, ...of(p), parameterAt(curve.bisector, p.x, p.y))
     }
     regions.forEach((region, k) => {
-      for (const piece of clip(curve, region)) sayPiece(`piece ${e} ${k}`, piece)
+      for (const piece of clipCurve(curve, { bounds: region })) sayPiece(`piece ${e} ${k}`, piece)
       if (!hasDistances) return
       for (const { curve: piece, cutFrom, cutTo } of keptParts(diagram, e, { region, maxDistance })) {
         say(`near part ${e} ${k}`, piece.from, piece.to, ...of(piece.start), ...of(piece.end), cutFrom, cutTo)
@@ -209,9 +208,9 @@ function answersOf(diagram, box, maxDistance) {
         }),
       )
     }
-    say(`${name} area`, area(parts))
-    say(`${name} centroid`, ...of(centroid(parts)))
-    say(`${name} perimeter`, perimeter(parts))
+    say(`${name} area`, outlineArea(parts))
+    say(`${name} centroid`, ...of(outlineCentroid(parts)))
+    say(`${name} perimeter`, outlinePerimeter(parts))
   }
   for (let i = 0; i < count; i++) {
     const sides = cells.sides(i)
@@ -222,8 +221,9 @@ function answersOf(diagram, box, maxDistance) {
       say(`side ${side}`, ...around, from, to, bisector.a, ...of(bisector.across))
     }
     regions.forEach((region, k) => {
-      sayOutline(`outline ${i} ${k}`, outline(diagram, i, region))
-      if (hasDistances) sayOutline(`outline at a distance ${i} ${k}`, outline(diagram, i, region, maxDistance))
+      sayOutline(`outline ${i} ${k}`, diagram.cellOutline(i, { bounds: region }))
+      if (hasDistances)
+        sayOutline(`outline at a distance ${i} ${k}`, diagram.cellOutline(i, { bounds: region, maxDistance }))
     })
   }
 
@@ -235,7 +235,7 @@ function answersOf(diagram, box, maxDistance) {
       const hint = k % count
       say(
         `place ${k}`,
-        ...[found, diagram.find(x, y, hint), distance(diagram, found, x, y), diagram.contains(found, x, y)],
+        ...[found, diagram.find(x, y, hint), distanceToCircle(diagram, found, x, y), diagram.contains(found, x, y)],
         ...[diagram.contains(hint, x, y), cells.lead(hint, found, x, y)],
         ...Array.from(diagram.neighbors(found), (other) => cells.lead(found, other, x, y)),
       )
@@ -262,8 +262,8 @@ function answersOf(diagram, box, maxDistance) {
     say(name, ...(found === undefined ? [] : [found.disc.x, found.disc.y, found.disc.r, ...found.circles]))
   sayDisc('largestEmptyDiscCenteredInHull', largestEmptyDiscCenteredInHull(diagram))
   for (const region of regions) {
-    sayDisc('largestEmptyDiscCenteredIn', largestEmptyDiscCenteredIn(diagram, region))
-    sayDisc('largestEmptyDiscInside', largestEmptyDiscInside(diagram, region))
+    sayDisc('largestEmptyDiscCenteredIn', largestEmptyDiscCenteredIn(diagram, { bounds: region }))
+    sayDisc('largestEmptyDiscInside', largestEmptyDiscInside(diagram, { bounds: region }))
   }
   if (count === 0) return answers
   for (let k = 0; k < places.length; k += 3) {

@@ -27,10 +27,10 @@ function abortedWhenTouching(reason) {
   return { ...SLOWLY, progress, signal: controller.signal }
 }
 
-describe('computeAsync', () => {
+describe('compute', () => {
   it('gives what compute gives, with its methods', async () => {
     const here = (await loadCircleVoronoi()).compute(MANY)
-    const there = await worker.computeAsync(MANY)
+    const there = await worker.compute(MANY)
     for (const name of [
       'circles',
       'vertices',
@@ -50,15 +50,15 @@ describe('computeAsync', () => {
 
   it('leaves the input to its owner', async () => {
     const input = THREE.slice()
-    const promise = worker.computeAsync(input)
+    const promise = worker.compute(input)
     input[0] = 99
     assert.deepEqual((await promise).circles, THREE)
     assert.equal(input.length, THREE.length)
   })
 
   it('takes objects', async () => {
-    assert.equal((await worker.computeAsync([{ x: 1, y: 2, r: 3 }])).circles.length, 3)
-    assert.equal((await worker.computeAsync([])).circles.length, 0)
+    assert.equal((await worker.compute([{ x: 1, y: 2, r: 3 }])).circles.length, 3)
+    assert.equal((await worker.compute([])).circles.length, 0)
   })
 
   it('does not hold up what goes on here', async () => {
@@ -66,31 +66,31 @@ describe('computeAsync', () => {
     const timer = setInterval(() => {
       turns += 1
     }, 1)
-    await worker.computeAsync(MANY, SLOWLY)
+    await worker.compute(MANY, SLOWLY)
     clearInterval(timer)
     assert.ok(turns > 5, `${turns} turns of the event loop`)
   })
 
   it('answers in the order of the questions', async () => {
     const order = []
-    const ask = (name, circles) => worker.computeAsync(circles).then(() => order.push(name))
+    const ask = (name, circles) => worker.compute(circles).then(() => order.push(name))
     await Promise.all([ask('first', MANY), ask('second', THREE), ask('third', THREE)])
     assert.deepEqual(order, ['first', 'second', 'third'])
   })
 
   it('rejects with the errors of compute', async () => {
     const matches = (code, circle) => ({ name: 'CircleVoronoiError', code, circle })
-    await assert.rejects(worker.computeAsync(Float64Array.of(0, 0, 1, 5, 0, -1)), matches('negativeRadius', 1))
-    await assert.rejects(worker.computeAsync('0,0,1'), matches('badInput', -1))
-    await assert.rejects(worker.computeAsync(THREE, { method: 'magic' }), matches('badOption', -1))
-    await assert.rejects(worker.computeAsync(THREE, { progress: 1 }), matches('badOption', -1))
+    await assert.rejects(worker.compute(Float64Array.of(0, 0, 1, 5, 0, -1)), matches('negativeRadius', 1))
+    await assert.rejects(worker.compute('0,0,1'), matches('badInput', -1))
+    await assert.rejects(worker.compute(THREE, { method: 'magic' }), matches('badOption', -1))
+    await assert.rejects(worker.compute(THREE, { progress: 1 }), matches('badOption', -1))
   })
 })
 
 describe('progress', () => {
   it('tells the stages and the part of the event loop that is done', async () => {
     const told = []
-    await worker.computeAsync(MANY, { ...SLOWLY, progress: (stage, done) => told.push({ stage, done }) })
+    await worker.compute(MANY, { ...SLOWLY, progress: (stage, done) => told.push({ stage, done }) })
     assert.deepEqual([...new Set(told.map(({ stage }) => stage))], ['hide', 'sample', 'pair', 'touch', 'certify'])
     assert.ok(told.some(({ done }) => done > 0 && done < 1))
   })
@@ -101,8 +101,8 @@ describe('progress', () => {
       calls += 1
       throw new RangeError('mine')
     }
-    await assert.rejects(worker.computeAsync(MANY, { ...SLOWLY, progress }), new RangeError('mine'))
-    assert.equal((await worker.computeAsync(THREE)).certificate.certified, true)
+    await assert.rejects(worker.compute(MANY, { ...SLOWLY, progress }), new RangeError('mine'))
+    assert.equal((await worker.compute(THREE)).certificate.certified, true)
     assert.equal(calls, 1)
   })
 })
@@ -111,8 +111,8 @@ describe('signal', () => {
   it('cancels what runs, and what waits comes next', async () => {
     const reason = new Error('changed my mind')
     const [cancelled, next] = await Promise.allSettled([
-      worker.computeAsync(MANY, abortedWhenTouching(reason)),
-      worker.computeAsync(THREE),
+      worker.compute(MANY, abortedWhenTouching(reason)),
+      worker.compute(THREE),
     ])
     assert.equal(cancelled.reason, reason)
     assert.equal(next.value.certificate.certified, true)
@@ -120,9 +120,9 @@ describe('signal', () => {
 
   it('cancels what waits, and what runs goes on', async () => {
     const controller = new AbortController()
-    const running = worker.computeAsync(MANY)
-    const waiting = worker.computeAsync(THREE, { signal: controller.signal })
-    const last = worker.computeAsync(THREE)
+    const running = worker.compute(MANY)
+    const waiting = worker.compute(THREE, { signal: controller.signal })
+    const last = worker.compute(THREE)
     controller.abort()
     await assert.rejects(waiting, { name: 'AbortError' })
     assert.equal((await running).circles.length, MANY.length)
@@ -131,21 +131,21 @@ describe('signal', () => {
 
   it('cancels what has only just been asked', async () => {
     const controller = new AbortController()
-    const promise = worker.computeAsync(THREE, { signal: controller.signal })
+    const promise = worker.compute(THREE, { signal: controller.signal })
     controller.abort('at once')
     await assert.rejects(promise, (reason) => reason === 'at once')
   })
 
   it('that is aborted already cancels at once', async () => {
-    await assert.rejects(worker.computeAsync(THREE, { signal: AbortSignal.abort('before') }), (reason) => {
+    await assert.rejects(worker.compute(THREE, { signal: AbortSignal.abort('before') }), (reason) => {
       return reason === 'before'
     })
   })
 
   it('has no say when all is done', async () => {
     const controller = new AbortController()
-    const first = await worker.computeAsync(THREE, { signal: controller.signal })
-    const second = worker.computeAsync(MANY)
+    const first = await worker.compute(THREE, { signal: controller.signal })
+    const second = worker.compute(MANY)
     controller.abort()
     assert.equal(first.circles.length, THREE.length)
     assert.equal((await second).circles.length, MANY.length)
@@ -155,9 +155,9 @@ describe('signal', () => {
 describe('dispose', () => {
   it('cancels all there is to do, and all that comes', async () => {
     const disposed = createWorker()
-    const promises = [disposed.computeAsync(MANY), disposed.computeAsync(THREE)]
+    const promises = [disposed.compute(MANY), disposed.compute(THREE)]
     disposed.dispose()
-    promises.push(disposed.computeAsync(THREE))
+    promises.push(disposed.compute(THREE))
     for (const { reason } of await Promise.allSettled(promises)) assert.equal(reason?.name, 'AbortError')
     disposed.dispose()
   })
@@ -165,7 +165,7 @@ describe('dispose', () => {
   it('stops the thread in the middle of a computation', async () => {
     const disposed = createWorker()
     const progress = (stage) => stage === 'touch' && disposed[Symbol.dispose]()
-    await assert.rejects(disposed.computeAsync(MANY, { ...SLOWLY, progress }), { name: 'AbortError' })
+    await assert.rejects(disposed.compute(MANY, { ...SLOWLY, progress }), { name: 'AbortError' })
   })
 })
 
@@ -177,8 +177,8 @@ describe('Node', () => {
     const printed = run(`
       import { createWorker } from ${JSON.stringify(CLIENT)}
       const worker = createWorker()
-      worker.computeAsync([{ x: 0, y: 0, r: 1 }]).then(() =>
-        worker.computeAsync([{ x: 0, y: 0, r: 1 }, { x: 3, y: 0, r: 1 }]).then(({ edges }) => console.log(edges.length)))
+      worker.compute([{ x: 0, y: 0, r: 1 }]).then(() =>
+        worker.compute([{ x: 0, y: 0, r: 1 }, { x: 3, y: 0, r: 1 }]).then(({ edges }) => console.log(edges.length)))
     `)
     assert.equal(printed, '4\n')
   })
@@ -188,20 +188,20 @@ describe('the WebAssembly', () => {
   it('comes from where the caller says', async () => {
     for (const wasm of [readFileSync(WASM), new WebAssembly.Module(readFileSync(WASM)), WASM, WASM.href]) {
       const other = createWorker({ wasm })
-      assert.equal((await other.computeAsync(THREE)).certificate.certified, true)
+      assert.equal((await other.compute(THREE)).certificate.certified, true)
       other.dispose()
     }
   })
 
   it('that is missing is an error, each time', async () => {
     const other = createWorker({ wasm: new URL('missing.wasm', WASM) })
-    for (const _ of [1, 2]) await assert.rejects(other.computeAsync(THREE), { code: 'notLoaded' })
+    for (const _ of [1, 2]) await assert.rejects(other.compute(THREE), { code: 'notLoaded' })
     other.dispose()
   })
 
   it('that is another is an error, each time', async () => {
     const other = createWorker({ wasm: Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0) })
-    for (const _ of [1, 2]) await assert.rejects(other.computeAsync(THREE), { code: 'notLoaded' })
+    for (const _ of [1, 2]) await assert.rejects(other.compute(THREE), { code: 'notLoaded' })
     other.dispose()
   })
 })

@@ -7,16 +7,15 @@ import {
   type Bounds,
   type Box,
   ConvexPolygon,
-  clip,
+  clipCurve,
   type Diagram,
   edgeCurve,
   NONE,
-  outline,
   type Point,
   type Polygon,
   pointAt,
 } from '../../web/lib/index.ts'
-import { area, centroid, perimeter } from '../../web/lib/regions/measure.ts'
+import { outlineArea, outlineCentroid, outlinePerimeter } from '../../web/lib/regions/measure.ts'
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, pointIn, scaleOf, signedDistance } from './oracle.ts'
@@ -45,13 +44,13 @@ function expectPartition(diagram: Diagram, bounds: Bounds): void {
   const whole = ConvexPolygon.of(bounds).area()
   let sum = 0
   for (let i = 0; i < diagram.circles.length / 3; i++) {
-    const parts = outline(diagram, i, bounds)
+    const parts = diagram.cellOutline(i, { bounds })
     for (const loop of parts) {
       loop.forEach(({ curve }, k) => {
         expect(curve.end).toEqual(loop[(k + 1) % loop.length]?.curve.start)
       })
     }
-    const part = area(parts)
+    const part = outlineArea(parts)
     expect(part).toBeGreaterThanOrEqual(-1e-12 * whole)
     sum += part
   }
@@ -137,7 +136,7 @@ describe('the outline of a cell', () => {
         const size = box.maxX - box.minX
         if (!(size > 0 && box.maxY > box.minY)) return
         for (let i = 0; i < circles.length / 3; i++) {
-          const parts = outline(diagram, i, box)
+          const parts = diagram.cellOutline(i, { bounds: box })
           const origin = pointIn(box, 0.5, 0.5)
           let [twice, x, y, around] = [0, 0, 0, 0]
           for (const { bisector, from, to } of parts.flat().map(({ curve }) => curve)) {
@@ -157,10 +156,10 @@ describe('the outline of a cell', () => {
               q = p
             }
           }
-          expect(Math.abs(area(parts) - twice / 2)).toBeLessThan(2e-5 * size * (around + size))
-          expect(Math.abs(perimeter(parts) - around)).toBeLessThan(1e-4 * (around + size))
+          expect(Math.abs(outlineArea(parts) - twice / 2)).toBeLessThan(2e-5 * size * (around + size))
+          expect(Math.abs(outlinePerimeter(parts) - around)).toBeLessThan(1e-4 * (around + size))
           if (twice < 0.01 * size * size) continue
-          const middle = centroid(parts)
+          const middle = outlineCentroid(parts)
           expect(Math.hypot(middle.x - origin.x - x / twice, middle.y - origin.y - y / twice)).toBeLessThan(1e-3 * size)
         }
       }),
@@ -182,21 +181,21 @@ describe('the outline of a cell', () => {
     }
     const pixel = ((box.maxX - box.minX) * (box.maxY - box.minY)) / pixels ** 2
     counts.forEach((count, i) => {
-      const parts = outline(diagram, i, box)
+      const parts = diagram.cellOutline(i, { bounds: box })
       // Each pixel on the outline may be wrong by one half.
-      const wrong = (0.5 * perimeter(parts)) / Math.sqrt(pixel)
-      expect(Math.abs(area(parts) / pixel - count)).toBeLessThan(wrong + 4)
+      const wrong = (0.5 * outlinePerimeter(parts)) / Math.sqrt(pixel)
+      expect(Math.abs(outlineArea(parts) / pixel - count)).toBeLessThan(wrong + 4)
     })
   })
 
   it('is the box of a single circle', () => {
     const diagram = library.compute(Float64Array.of(0, 0, 1, 0.1, 0, 0.5))
     const box = { minX: 2, minY: 3, maxX: 5, maxY: 4 }
-    const parts = outline(diagram, 0, box)
+    const parts = diagram.cellOutline(0, { bounds: box })
     expect(diagram.cell(0)).toMatchObject({ sides: new Int32Array(0), isBounded: false })
-    expect([area(parts), perimeter(parts), centroid(parts)]).toEqual([3, 8, { x: 3.5, y: 3.5 }])
-    expect(outline(diagram, 1, box)).toEqual([])
-    expect([area([]), perimeter([]), centroid([])]).toEqual([0, 0, { x: 0, y: 0 }])
+    expect([outlineArea(parts), outlinePerimeter(parts), outlineCentroid(parts)]).toEqual([3, 8, { x: 3.5, y: 3.5 }])
+    expect(diagram.cellOutline(1, { bounds: box })).toEqual([])
+    expect([outlineArea([]), outlinePerimeter([]), outlineCentroid([])]).toEqual([0, 0, { x: 0, y: 0 }])
   })
 
   it('is none of what is no circle, and of a hidden one empty', () => {
@@ -224,9 +223,11 @@ describe('the outline of a cell', () => {
     // The branch bends around the small circle: a box above its apex sees the large circle's cell on both sides of it.
     const diagram = library.compute(Float64Array.of(0, 0, 10, 0, 10.6, 0.1))
     const box = { minX: -8, minY: 10.5, maxX: 8, maxY: 14 }
-    expect(outline(diagram, 0, box)).toHaveLength(2)
-    expect(outline(diagram, 1, { ...box, minY: 10.3 })).toHaveLength(1)
-    expect(area(outline(diagram, 0, box)) + area(outline(diagram, 1, box))).toBeCloseTo(56, 11)
+    expect(diagram.cellOutline(0, { bounds: box })).toHaveLength(2)
+    expect(diagram.cellOutline(1, { bounds: { ...box, minY: 10.3 } })).toHaveLength(1)
+    expect(
+      outlineArea(diagram.cellOutline(0, { bounds: box })) + outlineArea(diagram.cellOutline(1, { bounds: box })),
+    ).toBeCloseTo(56, 11)
   })
 
   it('contains a place that is as near to another', () => {
@@ -258,7 +259,7 @@ describe('the outline of a cell', () => {
     ] as const) {
       expectPartition(square, { minX, minY, maxX, maxY })
     }
-    expect(area(outline(square, 3, { minX: 1, minY: 1, maxX: 2, maxY: 2 }))).toBe(1)
+    expect(outlineArea(square.cellOutline(3, { bounds: { minX: 1, minY: 1, maxX: 2, maxY: 2 } }))).toBe(1)
     const touching = library.compute(Float64Array.of(1, 3, 0, 1, 0, 1)) // the apex of their edge is (1, 2)
     for (const [minX, minY, maxX, maxY] of [
       [1, 0, 3, 2],
@@ -276,7 +277,7 @@ describe('the outline of a cell', () => {
     const box = boxAround(circles, 0.01)
     expectPartition(diagram, box)
     for (let i = 0; i < circles.length / 3; i++) {
-      expect(area(outline(diagram, i, box)) > 0).toBe(diagram.cell(i) !== undefined)
+      expect(outlineArea(diagram.cellOutline(i, { bounds: box })) > 0).toBe(diagram.cell(i) !== undefined)
     }
   })
 })
@@ -298,7 +299,7 @@ describe('clip', () => {
           )
         for (let e = 0; e < diagram.edges.length / 4; e++) {
           const curve = edgeCurve(diagram, e)
-          const pieces = clip(curve, region)
+          const pieces = clipCurve(curve, { bounds: region })
           for (const piece of pieces) {
             expect(depth(piece.start)).toBeGreaterThan(-1e-11 * extent)
             expect(depth(piece.end)).toBeGreaterThan(-1e-11 * extent)
@@ -317,7 +318,7 @@ describe('clip', () => {
 
   it('cuts an arc that leaves and comes back into two', () => {
     const diagram = library.compute(Float64Array.of(-2, 0, 1, 2, 0, 0))
-    const pieces = clip(edgeCurve(diagram, 0), { minX: 1, minY: -9, maxX: 9, maxY: 9 })
+    const pieces = clipCurve(edgeCurve(diagram, 0), { bounds: { minX: 1, minY: -9, maxX: 9, maxY: 9 } })
     expect(pieces).toHaveLength(2)
     expect(pieces.map(({ start, end }) => [start.x, end.x].some((x) => x === 1))).toEqual([true, true])
   })
@@ -380,8 +381,8 @@ describe('of equal radii, as d3-delaunay', () => {
   it('cells are the same polygons', () => {
     points.forEach((_, i) => {
       const polygon = (voronoi.cellPolygon(i) as [number, number][]).slice(1).map(([x, y]) => ({ x, y }))
-      const parts = outline(diagram, i, box)
-      expect(area(parts)).toBeCloseTo(Math.abs(doubleArea(polygon)) / 2, 7)
+      const parts = diagram.cellOutline(i, { bounds: box })
+      expect(outlineArea(parts)).toBeCloseTo(Math.abs(doubleArea(polygon)) / 2, 7)
       const corners = parts.flat().map(({ curve }) => curve.start)
       for (const { x, y } of polygon) {
         expect(Math.min(...corners.map((corner) => Math.hypot(corner.x - x, corner.y - y)))).toBeLessThan(1e-7)

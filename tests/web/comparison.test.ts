@@ -3,14 +3,13 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import {
-  area,
   ConvexPolygon,
   convexHull,
   type Diagram,
   loadCircleVoronoi,
   type Metric,
   NONE,
-  outline,
+  outlineArea,
   type Point,
   vertexAt,
 } from '../../web/lib/index.ts'
@@ -33,7 +32,9 @@ function leastDistance(circles: Float64Array, point: Point, metric: Metric): num
 }
 
 function areas(diagram: Diagram, region: ConvexPolygon): number[] {
-  return Array.from({ length: diagram.circles.length / 3 }, (_, i) => area(outline(diagram, i, region)))
+  return Array.from({ length: diagram.circles.length / 3 }, (_, i) =>
+    outlineArea(diagram.cellOutline(i, { bounds: region })),
+  )
 }
 
 describe.each(['circles', 'centers', 'power'] as const)('by %s', (metric) => {

@@ -3,12 +3,12 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { reversed, segment } from '../../web/lib/curves/curve.ts'
 import {
-  arcLength,
   type BoundedCurve,
   bezierPointAt,
   bisector,
   type CubicBezier,
   cubicBeziers,
+  curveLength,
   edgeCurve,
   isBoundedCurve,
   type Point,
@@ -165,7 +165,7 @@ describe('edgeCurve', () => {
       expect(pointAt(curve.bisector, s).x).toBeCloseTo(x, 14)
       expect(pointAt(curve.bisector, s).y).toBeCloseTo(y, 14)
     }
-    expect(arcLength(curve)).toBe(5)
+    expect(curveLength(curve)).toBe(5)
     expect(cubicBeziers(curve, 0)).toHaveLength(1)
   })
 })
@@ -295,7 +295,7 @@ describe('arcLength', () => {
           const [p, q] = [point(k), point(k + 1)]
           sum += Math.hypot(q.x - p.x, q.y - p.y)
         }
-        expect(Math.abs(arcLength(curve) - sum)).toBeLessThanOrEqual(1e-5 * sum + 1e-9)
+        expect(Math.abs(curveLength(curve) - sum)).toBeLessThanOrEqual(1e-5 * sum + 1e-9)
       }),
       { numRuns: 30 },
     )

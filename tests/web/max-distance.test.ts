@@ -2,8 +2,8 @@
 // Cells cut at a maximum distance from their circles, against what is known of the union of the grown circles.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { type Box, type Diagram, NONE, outline } from '../../web/lib/index.ts'
-import { area } from '../../web/lib/regions/measure.ts'
+import { type Box, type Diagram, NONE } from '../../web/lib/index.ts'
+import { outlineArea } from '../../web/lib/regions/measure.ts'
 import { anyCircles, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf, signedDistance } from './oracle.ts'
@@ -74,7 +74,7 @@ describe('a maximum distance', () => {
       expect(diagram.cellArea(i, { maxDistance: 0.5 })).toBeCloseTo(2.25 * Math.PI, 12)
       expect(diagram.cellArea(i, { maxDistance: 1 })).toBeCloseTo(4 * Math.PI, 10)
       expect(diagram.cellArea(i, { maxDistance: 2 })).toBeCloseTo(9 * Math.PI - segment, 10)
-      const [loop = []] = outline(diagram, i, [-9, -9, 13, 9], 2)
+      const [loop = []] = diagram.cellOutline(i, { bounds: [-9, -9, 13, 9], maxDistance: 2 })
       expect(loop.filter(({ neighbor }) => neighbor === 1 - i)).toHaveLength(1)
       for (const { side, r } of loop) expect(r).toBe(side === NONE ? 3 : 0)
     }
@@ -140,10 +140,9 @@ describe('a maximum distance', () => {
           diagram.cellPath(i, { context: sink, maxDistance, tolerance })
           const drawn = sink.strokes.reduce((sum, stroke) => sum + doubleArea(stroke) / 2, 0)
           expect(Math.abs(drawn - exact)).toBeLessThan(slack)
-          expect(area(outline(diagram, i, grown(boxAround(circles, 0.1), maxDistance), maxDistance))).toBeCloseTo(
-            exact,
-            6,
-          )
+          expect(
+            outlineArea(diagram.cellOutline(i, { bounds: grown(boxAround(circles, 0.1), maxDistance), maxDistance })),
+          ).toBeCloseTo(exact, 6)
         }
       }),
       { numRuns: 40 },
@@ -154,7 +153,7 @@ describe('a maximum distance', () => {
     const diagram = library.compute([[0, 0, 1]])
     for (const maxDistance of [Number.NaN, Number.POSITIVE_INFINITY, '1' as unknown as number]) {
       expect(() => diagram.cellArea(0, { maxDistance })).toThrow(expect.objectContaining({ code: 'badOption' }))
-      expect(() => outline(diagram, 0, [0, 0, 1, 1], maxDistance)).toThrow(/maximum distance/)
+      expect(() => diagram.cellOutline(0, { bounds: [0, 0, 1, 1], maxDistance })).toThrow(/maximum distance/)
     }
   })
 })

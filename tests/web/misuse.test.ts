@@ -3,21 +3,19 @@
 import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import {
-  arcLength,
-  area,
   bezierPointAt,
   bisector,
   CircleVoronoiError,
   ConvexPolygon,
-  centroid,
   circleAt,
   clearestPath,
-  clip,
+  clipCurve,
   closestPair,
   convexHull,
   cubicBeziers,
+  curveLength,
   Diagram,
-  distance,
+  distanceToCircle,
   edgeAt,
   edgeCurve,
   exportBox,
@@ -28,9 +26,10 @@ import {
   mergeVertices,
   NONE,
   neighborPairs,
-  outline,
+  outlineArea,
+  outlineCentroid,
+  outlinePerimeter,
   parameterAt,
-  perimeter,
   pointAt,
   polyline,
   rationalBezier,
@@ -91,9 +90,21 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badArgument', 'edgeCurve: there is no edge 9; the diagram has 3.', () => edgeCurve(diagram, 9)],
   ['badArgument', 'vertexAt: there is no vertex -1; the diagram has 1.', () => vertexAt(diagram, -1)],
   ['badArgument', 'circleAt: there is no circle 3; the diagram has 3.', () => circleAt(CIRCLES, 3)],
-  ['badArgument', 'distance: there is no circle 99; the diagram has 3.', () => distance(diagram, 99, 0, 0)],
-  ['badArgument', 'distance takes a number as x, not "0".', () => untyped(distance)(diagram, 0, '0', 0)],
-  ['badArgument', 'distance takes a number as y, not undefined.', () => untyped(distance)(diagram, 0, 0)],
+  [
+    'badArgument',
+    'distanceToCircle: there is no circle 99; the diagram has 3.',
+    () => distanceToCircle(diagram, 99, 0, 0),
+  ],
+  [
+    'badArgument',
+    'distanceToCircle takes a number as x, not "0".',
+    () => untyped(distanceToCircle)(diagram, 0, '0', 0),
+  ],
+  [
+    'badArgument',
+    'distanceToCircle takes a number as y, not undefined.',
+    () => untyped(distanceToCircle)(diagram, 0, 0),
+  ],
   ['badArgument', 'bisector: there is no circle 99; the diagram has 3.', () => bisector(CIRCLES, 0, 99)],
   ['badArgument', 'bisector takes two circles with different centres.', () => bisector(CIRCLES, 0, 0)],
   [
@@ -120,17 +131,17 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     'parameterAt takes a number as y, not undefined.',
     () => untyped(parameterAt)(bisector(CIRCLES, 0, 1), 3),
   ],
-  ...Object.entries({ rationalBezier, cubicBeziers, polyline, arcLength }).map(
+  ...Object.entries({ rationalBezier, cubicBeziers, polyline, curveLength }).map(
     ([name, f]) =>
       [
         'badArgument',
-        `${name} takes a curve with two ends; clip makes some of one that goes to infinity.`,
+        `${name} takes a curve with two ends; clipCurve makes some of one that goes to infinity.`,
         () => untyped(f)(edgeCurve(diagram, 0), 0.1),
       ] as const,
   ),
   [
     'badArgument',
-    'traceArc takes a curve with two ends; clip makes some of one that goes to infinity.',
+    'traceArc takes a curve with two ends; clipCurve makes some of one that goes to infinity.',
     () => untyped(traceArc)(new SvgPath(), edgeCurve(diagram, 0), 0.1),
   ],
   ...Object.entries({ cubicBeziers, polyline }).flatMap(([name, f]) =>
@@ -139,7 +150,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
         [
           'badArgument',
           `${name} takes a number as tolerance, not ${JSON.stringify(tolerance)?.replace('null', 'NaN')}.`,
-          () => untyped(f)(clip(edgeCurve(diagram, 0), box)[0], tolerance),
+          () => untyped(f)(clipCurve(edgeCurve(diagram, 0), { bounds: box })[0], tolerance),
         ] as const,
     ),
   ),
@@ -161,7 +172,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     closestPair,
     mergeVertices,
     convexHull,
-    distance,
+    distanceToCircle,
     edgeCurve,
     edgeAt,
     vertexAt,
@@ -176,7 +187,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badInput', 'circles is no Float64Array of 3 numbers each.', () => l.certify?.()],
   ['badInput', 'circles is no Float64Array of 3 numbers each.', () => l.finalCells?.(undefined, { box, maxRadius: 1 })],
   ['badInput', 'weights is not true or false, but "no".', () => l.certify?.({ ...diagram, weights: 'no' })],
-  ['badArgument', 'clip takes a curve, not undefined.', () => untyped(clip)(undefined, box)],
+  ['badArgument', 'clipCurve takes a curve, not undefined.', () => untyped(clipCurve)(undefined, box)],
   ['badArgument', 'polyline takes a curve, not undefined.', () => untyped(polyline)()],
   ['badArgument', 'pointAt takes a bisector, not undefined.', () => untyped(pointAt)()],
   [
@@ -184,7 +195,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     'bezierPointAt takes a rational Bezier curve, not undefined.',
     () => untyped(bezierPointAt)(undefined, 0.5),
   ],
-  ...Object.entries({ area, centroid, perimeter }).flatMap(([name, f]) =>
+  ...Object.entries({ outlineArea, outlineCentroid, outlinePerimeter }).flatMap(([name, f]) =>
     (
       [
         ['undefined', undefined],
@@ -216,14 +227,10 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   [
     'badArgument',
-    'outline takes a Diagram, not an object; new Diagram(data) makes one of plain data.',
-    () => untyped(outline)(data, 0, box),
+    'clearestPath takes a Diagram, not an object; new Diagram(data) makes one of plain data.',
+    () => untyped(clearestPath)(data, { x: 3, y: 0 }, { x: 0, y: 4 }),
   ],
-  [
-    'badArgument',
-    'outline takes a number as the index of a circle, not "0".',
-    () => untyped(outline)(diagram, '0', box),
-  ],
+  ['badArgument', 'cellOutline takes a number as the index of a circle, not "0".', () => d.cellOutline?.('0')],
   ['badArgument', 'closestPair takes a diagram of the metric circles, not of power.', () => closestPair(power)],
   ['badArgument', 'update takes a diagram that compute made here.', () => power.update()],
   ['badArgument', 'apply takes a diagram that is a snapshot of an editor.', () => d.apply?.({ revision: 1 })],
@@ -349,8 +356,8 @@ describe('is refused with a sentence', () => {
     }
     await expect(untyped(loadComparison)()).rejects.toThrow('loadComparison takes a loaded library, not undefined.')
     using worker = createWorker()
-    await expect(worker.computeAsync(CIRCLES, { sample: 1 } as object)).rejects.toThrow(refusal)
-    await expect(worker.computeAsync(CIRCLES, { signal: 'now' } as object)).rejects.toThrow(refusal)
+    await expect(worker.compute(CIRCLES, { sample: 1 } as object)).rejects.toThrow(refusal)
+    await expect(worker.compute(CIRCLES, { signal: 'now' } as object)).rejects.toThrow(refusal)
   })
 })
 

@@ -2,7 +2,7 @@
 // Cells and hulls as polygons.
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { convexHull, type Diagram, outline, type Point, type Polygon } from '../../web/lib/index.ts'
+import { convexHull, type Diagram, type Point, type Polygon } from '../../web/lib/index.ts'
 import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, signedDistance } from './oracle.ts'
@@ -60,7 +60,7 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
           const area = diagram.cellArea(i, { bounds })
           const around = diagram.cellPerimeter(i, { bounds })
           if (polygon === undefined) {
-            expect(outline(diagram, i, bounds)).toEqual([])
+            expect(diagram.cellOutline(i, { bounds })).toEqual([])
             continue
           }
           expect(polygon.at(-1)).toEqual(polygon[0])
@@ -70,7 +70,7 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
           )
           expect(Math.max(...beyond)).toBeLessThan(tolerance)
           const isRepeated = points.some(({ x, y }, k) => x === points.at(k - 1)?.x && y === points.at(k - 1)?.y)
-          if (outline(diagram, i, bounds).length === 1) expect(isRepeated).toBe(false)
+          if (diagram.cellOutline(i, { bounds }).length === 1) expect(isRepeated).toBe(false)
           const own = doubleArea(points) / 2
           // A chord of an arc is no farther from it than the tolerance.
           expect(Math.abs(own - area)).toBeLessThanOrEqual(tolerance * around + 1e-12 * size * size)

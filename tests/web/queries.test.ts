@@ -90,7 +90,7 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
         const random = seededRandom(seed)
         const diagram = library.compute(circles)
         const box = boxAround(circles, share)
-        const largest = largestEmptyDiscCenteredIn(diagram, box)
+        const largest = largestEmptyDiscCenteredIn(diagram, { bounds: box })
         if (largest === undefined) throw new Error('There is no disc.')
         const { x, y, r: radius } = largest.disc
         const rounding = 1e-12 * (scaleOf(circles) + Math.abs(radius))
@@ -127,12 +127,12 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
               return (dx * (p.y - corner.y) - dy * (p.x - corner.x)) / Math.hypot(dx, dy)
             }),
           )
-        const largest = largestEmptyDiscInside(diagram, region)
+        const largest = largestEmptyDiscInside(diagram, { bounds: region })
         if (largest === undefined) throw new Error('There is no disc.')
         const { disc, circles: touched } = largest
         const rounding = 1e-12 * (scaleOf(circles) + width + height)
         if (disc.r <= 0) {
-          const centred = largestEmptyDiscCenteredIn(diagram, region)
+          const centred = largestEmptyDiscCenteredIn(diagram, { bounds: region })
           expect(Math.abs(disc.r - (centred?.disc.r as number))).toBeLessThanOrEqual(rounding)
         } else {
           expect(depthOf(disc)).toBeGreaterThanOrEqual(disc.r - rounding)
@@ -214,7 +214,7 @@ it.each([
   ['two sides, though an edge passes through its centre', [4, 0, 0, 4, 1, 0], [3.9, 0, 4.1, 1], 0.1, 0],
 ] as const)('the largest empty disc inside a box touches %s', (_, circles, [minX, minY, maxX, maxY], radius, count) => {
   const diagram = library.compute(Float64Array.from(circles))
-  const largest = largestEmptyDiscInside(diagram, { minX, minY, maxX, maxY })
+  const largest = largestEmptyDiscInside(diagram, { bounds: { minX, minY, maxX, maxY } })
   expect(largest?.disc.r).toBeCloseTo(radius, 12)
   expect(largest?.circles).toHaveLength(count)
 })
@@ -222,9 +222,9 @@ it.each([
 it('no circles have no answers', () => {
   const diagram = library.compute([])
   expect(closestPair(diagram)).toBeUndefined()
-  expect(largestEmptyDiscCenteredIn(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
+  expect(largestEmptyDiscCenteredIn(diagram, { bounds: { minX: 0, minY: 0, maxX: 1, maxY: 1 } })).toBeUndefined()
   expect(largestEmptyDiscCenteredInHull(diagram)).toBeUndefined()
-  expect(largestEmptyDiscInside(diagram, { minX: 0, minY: 0, maxX: 1, maxY: 1 })).toBeUndefined()
+  expect(largestEmptyDiscInside(diagram, { bounds: { minX: 0, minY: 0, maxX: 1, maxY: 1 } })).toBeUndefined()
   expect(neighborPairs(diagram)).toHaveLength(0)
   expect(convexHull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
 })

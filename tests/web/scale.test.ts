@@ -4,15 +4,13 @@
 import { describe, expect, it } from 'vitest'
 import { loadComparison } from '../../web/lib/comparison.ts'
 import {
-  arcLength,
-  area,
   type Box,
-  centroid,
   clearestPath,
-  clip,
+  clipCurve,
   closestPair,
   convexHull,
   cubicBeziers,
+  curveLength,
   type Diagram,
   edgeCurve,
   exportBox,
@@ -21,9 +19,10 @@ import {
   largestEmptyDiscInside,
   type Metric,
   mergeVertices,
-  outline,
+  outlineArea,
+  outlineCentroid,
+  outlinePerimeter,
   type Point,
-  perimeter,
   pointAt,
   polyline,
 } from '../../web/lib/index.ts'
@@ -49,9 +48,9 @@ function addCurves(all: Measures, diagram: Diagram, box: Box, tolerance: number)
     const curve = edgeCurve(diagram, e)
     all.add(0, curve.from, curve.to)
     all.addPoint(pointAt(curve.bisector, 3))
-    for (const piece of clip(curve, box)) {
+    for (const piece of clipCurve(curve, { bounds: box })) {
       all.addPoint(piece.start)
-      all.add(1, arcLength(piece))
+      all.add(1, curveLength(piece))
       polyline(piece, tolerance).forEach((p) => {
         all.addPoint(p)
       })
@@ -64,13 +63,13 @@ function addCurves(all: Measures, diagram: Diagram, box: Box, tolerance: number)
 
 function addCells(all: Measures, diagram: Diagram, box: Box): void {
   for (let i = 0; i < diagram.circles.length / 3; i++) {
-    const parts = outline(diagram, i, box)
+    const parts = diagram.cellOutline(i, { bounds: box })
     parts.flat().forEach(({ curve }) => {
       all.addPoint(curve.start)
     })
-    all.add(2, area(parts))
-    all.add(1, perimeter(parts))
-    all.addPoint(centroid(parts))
+    all.add(2, outlineArea(parts))
+    all.add(1, outlinePerimeter(parts))
+    all.addPoint(outlineCentroid(parts))
     all.add(0, diagram.cellPath(i, { bounds: box }).length > 0 ? 1 : 0)
     for (const share of [0.1, 0.4, 0.45, 0.8]) {
       const x = box.minX + share * (box.maxX - box.minX)
@@ -90,9 +89,9 @@ function addQueries(all: Measures, diagram: Diagram, box: Box): void {
   }
   all.add(1, closestPair(diagram)?.gap ?? 0)
   const discs = [
-    largestEmptyDiscCenteredIn(diagram, box),
+    largestEmptyDiscCenteredIn(diagram, { bounds: box }),
     largestEmptyDiscCenteredInHull(diagram),
-    largestEmptyDiscInside(diagram, box),
+    largestEmptyDiscInside(diagram, { bounds: box }),
   ]
   for (const found of discs) {
     if (found === undefined) throw new Error('There is no disc.')
@@ -158,7 +157,8 @@ describe('the cells of circles with anything between their sizes', () => {
           if (size < 1e-140) continue // areas are below all numbers
           const box = { minX: -1.5 * size, minY: -1.25 * size, maxX: 1.75 * size, maxY: 2 * size }
           let sum = 0
-          for (let i = 0; i < circles.length / 3; i++) sum += area(outline(diagram, i, box)) / size / size
+          for (let i = 0; i < circles.length / 3; i++)
+            sum += outlineArea(diagram.cellOutline(i, { bounds: box })) / size / size
           expect(Math.abs(sum - 3.25 * 3.25)).toBeLessThan(1e-8)
         }
       }

@@ -49,8 +49,8 @@ describe('weights', () => {
         const bounds = boxAround(circles, 0.1)
         expect(actual.cellAreas({ bounds })).toEqual(expected.cellAreas({ bounds }))
         expect(mergeVertices(actual).vertices.length).toBe(mergeVertices(expected).vertices.length)
-        const disc = largestEmptyDiscCenteredIn(actual, bounds)
-        expect(disc?.disc.r).toBeCloseTo((largestEmptyDiscCenteredIn(expected, bounds)?.disc.r ?? 0) - more, 6)
+        const disc = largestEmptyDiscCenteredIn(actual, { bounds })
+        expect(disc?.disc.r).toBeCloseTo((largestEmptyDiscCenteredIn(expected, { bounds })?.disc.r ?? 0) - more, 6)
       }),
       { numRuns: 60 },
     )

@@ -95,7 +95,7 @@ async function reasonOf(promise: Promise<unknown>): Promise<unknown> {
 it('makes no editor once it was disposed of, before or while its module comes', async () => {
   const before = worker.edit(THREE)
   worker.dispose()
-  const promises = [before, worker.edit(THREE), worker.computeAsync(THREE)]
+  const promises = [before, worker.edit(THREE), worker.compute(THREE)]
   for (const reason of await Promise.all(promises.map(reasonOf))) {
     expect(reason).toMatchObject({ name: 'AbortError', message: 'The worker has been disposed of.' })
   }
@@ -105,7 +105,7 @@ it('makes no editor once it was disposed of, before or while its module comes', 
 describe('a worker', () => {
   it('starts one thread with the first computation, and keeps Node alive while there is something to do', async () => {
     expect(threads).toHaveLength(0)
-    const first = worker.computeAsync(THREE, { method: 'flip', progress: () => {} })
+    const first = worker.compute(THREE, { method: 'flip', progress: () => {} })
     const thread = await asked(1)
     expect(thread.posted[0]).toEqual({ module: expect.any(WebAssembly.Module) })
     expect(thread.requests[0]).toEqual({ circles: THREE, options: { method: 'flip' }, tellsProgress: true })
@@ -116,7 +116,7 @@ describe('a worker', () => {
     expect(diagram).toBeInstanceOf(Diagram)
     expect(diagram.find(9, 0)).toBe(1)
     expect(thread.isKeptAlive).toBe(false)
-    const second = worker.computeAsync([])
+    const second = worker.compute([])
     expect((await asked(2)).requests[1]).toMatchObject({ tellsProgress: false })
     expect(thread.isKeptAlive).toBe(true)
     thread.answer()
@@ -126,7 +126,7 @@ describe('a worker', () => {
   })
 
   it('computes one after the other', async () => {
-    const promises = [THREE, [], [[1, 2, 3]]].map((circles) => worker.computeAsync(circles))
+    const promises = [THREE, [], [[1, 2, 3]]].map((circles) => worker.compute(circles))
     const thread = await asked(1)
     thread.answer()
     await asked(2)
@@ -139,8 +139,8 @@ describe('a worker', () => {
 
   it('tells progress, to who asked for it alone', async () => {
     const told: unknown[] = []
-    const first = worker.computeAsync(THREE, { progress: (...args) => told.push(args) })
-    const second = worker.computeAsync(THREE)
+    const first = worker.compute(THREE, { progress: (...args) => told.push(args) })
+    const second = worker.compute(THREE)
     const thread = await asked(1)
     thread.say({ progress: ['touch', 0.5] })
     thread.answer()
@@ -153,21 +153,21 @@ describe('a worker', () => {
   })
 
   it('rejects with the error of the thread, and goes on', async () => {
-    const first = worker.computeAsync(THREE)
+    const first = worker.compute(THREE)
     const thread = await asked(1)
     thread.say({ error: { code: 'nonFinite', circle: 2, message: 'No.' } })
     const error = await reasonOf(first)
     expect(error).toBeInstanceOf(CircleVoronoiError)
     expect(error).toMatchObject({ code: 'nonFinite', circle: 2, message: 'No.' })
-    const second = worker.computeAsync(THREE)
+    const second = worker.compute(THREE)
     ;(await asked(2)).answer()
     await second
     expect(thread.isTerminated).toBe(false)
   })
 
   it('says what makes the thread break down, and has another the next time', async () => {
-    const first = worker.computeAsync(THREE)
-    const second = worker.computeAsync([])
+    const first = worker.compute(THREE)
+    const second = worker.compute([])
     ;(await asked(1)).breakDown(new Error('out of memory.'))
     expect(await reasonOf(first)).toMatchObject({ code: 'internal', message: 'The worker failed: out of memory.' })
     expect(threads[0]?.isTerminated).toBe(true)
@@ -182,27 +182,27 @@ describe('a worker', () => {
   })
 
   it('bears a thread that breaks down while it is idle, or talks without being asked', async () => {
-    const first = worker.computeAsync(THREE)
+    const first = worker.compute(THREE)
     const thread = await asked(1)
     thread.answer()
     await first
     thread.answer()
     thread.breakDown('idle')
     expect(thread.isTerminated).toBe(true)
-    const second = worker.computeAsync(THREE)
+    const second = worker.compute(THREE)
     ;(await asked(1, 1)).answer()
     await second
   })
 
   it('that cannot start says so, and tries again', async () => {
     world.failure = new Error('there are none here')
-    expect(await reasonOf(worker.computeAsync(THREE))).toMatchObject({
+    expect(await reasonOf(worker.compute(THREE))).toMatchObject({
       code: 'internal',
       message: 'The worker failed: there are none here.',
       cause: world.failure,
     })
     world.failure = undefined
-    const again = worker.computeAsync(THREE)
+    const again = worker.compute(THREE)
     ;(await asked(1)).answer()
     await again
   })
@@ -214,13 +214,13 @@ describe('a worker', () => {
       return new Response(WASM, { headers: { 'Content-Type': 'application/wasm' } })
     })
     const other = createWorker({ wasm: 'https://example.org/circle-voronoi.wasm' })
-    const failed = [other.computeAsync(THREE), other.computeAsync(THREE)]
+    const failed = [other.compute(THREE), other.compute(THREE)]
     for (const promise of failed) {
       expect(await reasonOf(promise)).toMatchObject({ code: 'notLoaded', message: expect.stringContaining('offline') })
     }
     expect(threads).toHaveLength(0)
     isOnline = true
-    const again = other.computeAsync(THREE)
+    const again = other.compute(THREE)
     ;(await asked(1)).answer()
     expect((await again).vertices).toHaveLength(3)
     other.dispose()
@@ -230,9 +230,9 @@ describe('a worker', () => {
 describe('cancelling', () => {
   it('what waits does not end what runs, from whose progress it is done', async () => {
     const controller = new AbortController()
-    const running = worker.computeAsync(THREE, { progress: () => controller.abort('not needed') })
-    const waiting = worker.computeAsync([], { signal: controller.signal })
-    const last = worker.computeAsync([[1, 2, 3]])
+    const running = worker.compute(THREE, { progress: () => controller.abort('not needed') })
+    const waiting = worker.compute([], { signal: controller.signal })
+    const last = worker.compute([[1, 2, 3]])
     const thread = await asked(1)
     thread.say({ progress: ['touch', 0.5] })
     expect(await reasonOf(waiting)).toBe('not needed')
@@ -247,8 +247,8 @@ describe('cancelling', () => {
 
   it('what runs ends its thread, and what waits has another', async () => {
     const controller = new AbortController()
-    const running = worker.computeAsync(THREE, { signal: controller.signal })
-    const waiting = worker.computeAsync([])
+    const running = worker.compute(THREE, { signal: controller.signal })
+    const waiting = worker.compute([])
     const thread = await asked(1)
     controller.abort('enough')
     expect(await reasonOf(running)).toBe('enough')
@@ -259,7 +259,7 @@ describe('cancelling', () => {
 
   it('by what progress throws does the same', async () => {
     const mine = new RangeError('mine')
-    const running = worker.computeAsync(THREE, {
+    const running = worker.compute(THREE, {
       progress() {
         throw mine
       },
@@ -272,11 +272,11 @@ describe('cancelling', () => {
 
   it('before the thread has it spares the thread', async () => {
     const controller = new AbortController()
-    const promise = worker.computeAsync(THREE, { signal: controller.signal })
+    const promise = worker.compute(THREE, { signal: controller.signal })
     controller.abort('at once')
     expect(await reasonOf(promise)).toBe('at once')
-    expect(await reasonOf(worker.computeAsync(THREE, { signal: controller.signal }))).toBe('at once')
-    const other = worker.computeAsync([])
+    expect(await reasonOf(worker.compute(THREE, { signal: controller.signal }))).toBe('at once')
+    const other = worker.compute([])
     ;(await asked(1)).answer()
     await other
     expect(threads).toHaveLength(1)
@@ -284,10 +284,10 @@ describe('cancelling', () => {
 
   it('what is done has no effect', async () => {
     const controller = new AbortController()
-    const done = worker.computeAsync(THREE, { signal: controller.signal })
+    const done = worker.compute(THREE, { signal: controller.signal })
     ;(await asked(1)).answer()
     await done
-    const running = worker.computeAsync([])
+    const running = worker.compute([])
     const thread = await asked(2)
     controller.abort()
     expect(thread.isTerminated).toBe(false)
@@ -297,16 +297,16 @@ describe('cancelling', () => {
 
   it('takes a signal, and nothing else for one', async () => {
     const signal = {} as AbortSignal
-    expect(await reasonOf(worker.computeAsync(THREE, { signal }))).toMatchObject({ code: 'badOption' })
+    expect(await reasonOf(worker.compute(THREE, { signal }))).toMatchObject({ code: 'badOption' })
   })
 })
 
 describe('disposing of a worker', () => {
   it('cancels what runs and what waits, begins nothing, and ends the thread', async () => {
-    const promises = [THREE, [], []].map((circles) => worker.computeAsync(circles))
+    const promises = [THREE, [], []].map((circles) => worker.compute(circles))
     const thread = await asked(1)
     worker.dispose()
-    for (const promise of [...promises, worker.computeAsync(THREE)]) {
+    for (const promise of [...promises, worker.compute(THREE)]) {
       expect(await reasonOf(promise)).toMatchObject({
         name: 'AbortError',
         message: 'The worker has been disposed of.',
@@ -318,7 +318,7 @@ describe('disposing of a worker', () => {
   })
 
   it('is what `using` does', async () => {
-    const promise = worker.computeAsync(THREE)
+    const promise = worker.compute(THREE)
     const thread = await asked(1)
     ;(worker as unknown as Record<symbol, () => void>)[Symbol.dispose]?.()
     expect(await reasonOf(promise)).toBeInstanceOf(DOMException)
@@ -326,7 +326,7 @@ describe('disposing of a worker', () => {
   })
 
   it('ends an idle thread, too', async () => {
-    const promise = worker.computeAsync(THREE)
+    const promise = worker.compute(THREE)
     const thread = await asked(1)
     thread.answer()
     await promise

@@ -2,8 +2,6 @@
 /**
  * `<circle-voronoi>` in one file with the WebAssembly inside, for a `<script type="module">` that takes it from anywhere. It is
  * not for bundlers, whose output its thread would not find.
- *
- * @module circle-voronoi/element/bundle
  */
 import { answerViews } from '../view/painter/painter-thread.ts'
 import { PAINTER_NAME } from '../view/painter-file.ts'

@@ -2,8 +2,6 @@
 /**
  * The library and its worker in one file with the WebAssembly inside, for a `<script type="module">` that takes it from
  * anywhere. It is not for bundlers, whose output its worker would not find.
- *
- * @module circle-voronoi/bundle
  */
 import { answerRequests } from './threads/answer-requests.ts'
 import { THREAD_NAME } from './threads/thread-file.ts'

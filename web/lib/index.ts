@@ -15,7 +15,7 @@ export { REGION_LIMIT } from './base/coordinate-limits.ts'
 export type { Accessor, CircleLike, Circles } from './base/coordinates.ts'
 export { circleAt, edgeAt, NONE, vertexAt } from './base/diagram-data.ts'
 export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './base/errors.ts'
-export { distance } from './base/metric.ts'
+export { distanceToCircle } from './base/metric.ts'
 export type {
   Box,
   Certificate,
@@ -50,10 +50,19 @@ export { type BoundedCurve, type EdgeCurve, edgeCurve, isBoundedCurve } from './
 export type { Change, EditWay } from './diagram/change.ts'
 export { type Cell, Diagram } from './diagram/diagram.ts'
 export type { DiagramFile } from './diagram/diagram-file.ts'
-export { outline } from './diagram/outline.ts'
 export type { BoundsOptions, ContextOptions, DrawOptions, PolygonOptions, TextOptions } from './drawing/draw-options.ts'
 export type { Polygon } from './drawing/polygon.ts'
 export { SvgPath } from './drawing/svg-path.ts'
+export {
+  decodeLink,
+  encodeLink,
+  encodeLinkAtOnce,
+  type LayerValue,
+  LINK_LIMITS,
+  type LinkInput,
+  type LinkState,
+  type LinkView,
+} from './link.ts'
 export { type ClearestPath, clearestPath } from './queries/clearest-path.ts'
 export { largestEmptyDiscInside } from './queries/largest-disc-inside.ts'
 export {
@@ -64,11 +73,11 @@ export {
 export { type MergedDiagram, mergeVertices } from './queries/merged.ts'
 export { type ClosestPair, closestPair, neighborPairs } from './queries/queries.ts'
 export { Cells } from './regions/cells.ts'
-export { clip } from './regions/clip.ts'
-export { type Bounds, ConvexPolygon } from './regions/convex-polygon.ts'
+export { clipCurve } from './regions/clip.ts'
+export { type Bounds, ConvexPolygon, type RegionOptions } from './regions/convex-polygon.ts'
 export { exportBox } from './regions/export-box.ts'
 export { convexHull, type Hull, type HullArc } from './regions/hull.ts'
-export { arcLength, area, centroid, perimeter } from './regions/measure.ts'
+export { curveLength, outlineArea, outlineCentroid, outlinePerimeter } from './regions/measure.ts'
 export type { Outline, OutlinePiece } from './regions/outline-piece.ts'
 export type { DiagramEditor, Edit, EditorMethods } from './wasm/editor.ts'
 export type { Verifiable } from './wasm/judged-arrays.ts'

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * What stands after the `#` of a link to the page: circles or a data set, edits, what is looked at. It is compressed, and
- * whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
- *
- * @module circle-voronoi/link
- */
+// What stands after the `#` of a link to the page: circles or a data set, edits, what is looked at. It is compressed, and
+// whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
 import { refuseArgument, shown } from './base/check.ts'
 import { packed, packedAtOnce, unpacked } from './base/compressed-text.ts'
 import { COORDINATE_LIMIT } from './base/coordinate-limits.ts'

@@ -45,7 +45,7 @@ export interface WorkerMethods {
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`; the reason of `signal`; a `DOMException` named
    * AbortError if the worker is disposed of. Each as a rejection.
    */
-  computeAsync(circles: Circles, options?: AsyncOptions): Promise<Diagram>
+  compute(circles: Circles, options?: AsyncOptions): Promise<Diagram>
   /**
    * An editor, as `edit` of the library makes, in a thread of its own beside the one that computes.
    *
@@ -78,7 +78,7 @@ export type CircleVoronoiWorker = WorkerMethods & Disposal
  * @category Workers
  * @example
  * const worker = createWorker()
- * const later = await worker.computeAsync([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
+ * const later = await worker.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]])
  * later.find(5, 1) // 1
  * worker.dispose()
  */
@@ -111,8 +111,8 @@ class Client implements CircleVoronoiWorker {
     this.#loadOptions = loadOptions
   }
 
-  async computeAsync(circles: Circles, options: AsyncOptions = {}): Promise<Diagram> {
-    checkOptions(options, 'computeAsync', ['signal'])
+  async compute(circles: Circles, options: AsyncOptions = {}): Promise<Diagram> {
+    checkOptions(options, 'compute', ['signal'])
     const { signal, progress, ...rest } = options
     if (signal !== undefined && !(signal instanceof AbortSignal)) refuseOption('The option signal is an AbortSignal.')
     if (this.#isDisposed) throw disposed()

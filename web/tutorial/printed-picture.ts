@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draws what the rules find as printed, as SVG.
 import { cameraOf } from '../editing/scene-link.ts'
-import { type Box, clip, type EdgeCurve, SvgPath, traceArc } from '../lib/index.ts'
+import { type Box, clipCurve, type EdgeCurve, SvgPath, traceArc } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
 import { boundingBox, type Camera, fitted, type Size } from '../view/camera.ts'
 import type { Arrow, Comparison } from './printed-rules.ts'
@@ -54,7 +54,7 @@ function discs(circles: Float64Array): string {
 /** As exactly as can be seen. */
 function lines(curves: readonly EdgeCurve[], box: Box, { scale }: Camera): string {
   const path = new SvgPath()
-  for (const arc of curves.flatMap((curve) => clip(curve, box))) {
+  for (const arc of curves.flatMap((curve) => clipCurve(curve, { bounds: box }))) {
     path.moveTo(arc.start.x, arc.start.y)
     traceArc(path, arc, 0.1 / scale)
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What circle-voronoi/bundle is for, the same in Node and in a page.
+// What the bundle is for, the same in Node and in a page.
 export const CIRCLES = [
   [0, 0, 1],
   [6, 0, 1],
@@ -10,7 +10,7 @@ export const CIRCLES = [
 export async function useBundle({ createWorker, loadCircleVoronoi }) {
   const library = await loadCircleVoronoi()
   const worker = createWorker()
-  const there = await worker.computeAsync(CIRCLES)
+  const there = await worker.compute(CIRCLES)
   worker.dispose()
   return `${library.compute(CIRCLES).vertices.join()} ${there.vertices.join()}`
 }

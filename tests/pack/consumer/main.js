@@ -24,7 +24,7 @@ export async function use(options, comparisonOptions) {
   const worker = createWorker(options)
   const stages = []
   const cancelled = await cancelledIn(worker)
-  const there = await worker.computeAsync(CIRCLES, { progress: (stage) => stages.push(stage) })
+  const there = await worker.compute(CIRCLES, { progress: (stage) => stages.push(stage) })
   worker.dispose()
   return JSON.stringify({
     vertex: [...here.vertices],
@@ -49,5 +49,5 @@ function codeOf(action) {
 async function cancelledIn(worker) {
   const controller = new AbortController()
   const progress = () => controller.abort('changed my mind')
-  return worker.computeAsync(MANY, { progress, signal: controller.signal }).catch((reason) => reason)
+  return worker.compute(MANY, { progress, signal: controller.signal }).catch((reason) => reason)
 }

@@ -4,15 +4,17 @@ import {
   type Certificate,
   Diagram,
   type DiagramFile,
+  decodeLink,
   ERROR_CODES,
   type ErrorCode,
+  encodeLink,
+  type LinkState,
   loadCircleVoronoi,
   type PathSink,
   type Stage,
 } from 'circle-voronoi'
 import { loadComparison } from 'circle-voronoi/comparison'
 import { loadFiles } from 'circle-voronoi/files'
-import { decodeLink, encodeLink, type LinkState } from 'circle-voronoi/link'
 import { type CircleVoronoiWorker, createWorker } from 'circle-voronoi/worker'
 
 const library = await loadCircleVoronoi({ wasm: new URL('https://example.org/circle-voronoi.wasm') })
@@ -82,7 +84,7 @@ export const link: LinkState = await decodeLink(
 export const buffers: ArrayBuffer[] = [diagram.vertices.buffer, diagram.edges.buffer]
 
 const worker: CircleVoronoiWorker = createWorker({ wasm: new Uint8Array(8) })
-export const later: Diagram = await worker.computeAsync(new Float64Array(3), {
+export const later: Diagram = await worker.compute(new Float64Array(3), {
   signal: AbortSignal.timeout(1000),
   progress: (stage: Stage, done: number) => `${stage} ${done}`,
 })

@@ -86,7 +86,7 @@ export function checkBoundedCurve(curve: unknown, caller: string): void {
   checkThing(curve, 'bisector', caller, 'a curve')
   const { start, end } = curve as { start?: unknown; end?: unknown }
   if (start === undefined || end === undefined) {
-    refuseArgument(`${caller} takes a curve with two ends; clip makes some of one that goes to infinity.`)
+    refuseArgument(`${caller} takes a curve with two ends; clipCurve makes some of one that goes to infinity.`)
   }
 }
 

@@ -11,14 +11,14 @@ import type { DiagramData } from './types.ts'
  *
  * @category Diagrams
  * @example
- * distance(diagram, 1, 6, 4) // 3
+ * distanceToCircle(diagram, 1, 6, 4) // 3
  */
-export function distance(diagram: DiagramData, circle: number, x: number, y: number): number {
-  checkData(diagram, 'distance')
+export function distanceToCircle(diagram: DiagramData, circle: number, x: number, y: number): number {
+  checkData(diagram, 'distanceToCircle')
   const { circles, metric } = diagram
-  checkIndex(circle, circles.length / 3, 'distance', 'circle')
-  checkNumber(x, 'distance', 'x')
-  checkNumber(y, 'distance', 'y')
+  checkIndex(circle, circles.length / 3, 'distanceToCircle', 'circle')
+  checkNumber(x, 'distanceToCircle', 'x')
+  checkNumber(y, 'distanceToCircle', 'y')
   const toCentre = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
   const r = at(circles, 3 * circle + 2)
   if (metric === 'circles') return toCentre - r

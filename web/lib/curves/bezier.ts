@@ -44,7 +44,7 @@ export interface CubicBezier {
  *
  * @category Curves
  * @example
- * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * const [arc] = clipCurve(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), { bounds: [-9, -9, 9, 9] })
  * rationalBezier(arc).weight > 1 // true
  */
 export function rationalBezier(curve: BoundedCurve): RationalBezier {
@@ -60,7 +60,7 @@ export function rationalBezier(curve: BoundedCurve): RationalBezier {
  *
  * @category Curves
  * @example
- * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * const [arc] = clipCurve(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), { bounds: [-9, -9, 9, 9] })
  * bezierPointAt(rationalBezier(arc), 0.5).x.toFixed(6) // '2.000000'
  */
 export function bezierPointAt(bezier: RationalBezier, u: number): Point {
@@ -86,7 +86,7 @@ export function bezierPointAt(bezier: RationalBezier, u: number): Point {
  *
  * @category Curves
  * @example
- * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * const [arc] = clipCurve(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), { bounds: [-9, -9, 9, 9] })
  * cubicBeziers(arc, 0.1).length // 1
  */
 export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezier[] {
@@ -118,7 +118,7 @@ export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezie
  *
  * @category Curves
  * @example
- * const [arc] = clip(edgeCurve(diagram, 0), [-5, -5, 10, 10])
+ * const [arc] = clipCurve(edgeCurve(diagram, 0), { bounds: [-5, -5, 10, 10] })
  * const path = new SvgPath(1)
  * path.moveTo(arc.start.x, arc.start.y)
  * traceArc(path, arc, 0.1)
@@ -174,7 +174,7 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
  *
  * @category Curves
  * @example
- * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
+ * const [arc] = clipCurve(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), { bounds: [-9, -9, 9, 9] })
  * polyline(arc, 0.1).length > polyline(arc, 1).length // true
  */
 export function polyline(curve: BoundedCurve, tolerance: number): Point[] {

@@ -40,7 +40,7 @@ export interface BoundedCurve extends EdgeCurve {
  * @category Curves
  * @example
  * isBoundedCurve(edgeCurve(diagram, 0)) // false
- * clip(edgeCurve(diagram, 0), [-5, -5, 10, 10]).every(isBoundedCurve) // true
+ * clipCurve(edgeCurve(diagram, 0), { bounds: [-5, -5, 10, 10] }).every(isBoundedCurve) // true
  */
 export function isBoundedCurve(curve: EdgeCurve): curve is BoundedCurve {
   return curve.start !== undefined && curve.end !== undefined

@@ -31,7 +31,7 @@ import type { Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
-import { area, centroid, perimeter } from '../regions/measure.ts'
+import { outlineArea, outlineCentroid, outlinePerimeter } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
 import type { Change } from './change.ts'
@@ -370,39 +370,47 @@ export class Diagram implements DiagramData {
     return hullRing(this, toleranceOf(options, this.#defaultBounds()))
   }
 
+  /**
+   * The outline of a cell inside some bounds, counter-clockwise: nothing if they do not meet, several loops if the bounds cut
+   * the cell apart.
+   */
+  cellOutline(i: number, options: BoundsOptions = {}): Outline {
+    return this.#outline(i, 'cellOutline', options)
+  }
+
   /** The area of what of the cell of circle `i` lies in the bounds; 0 if it is hidden. Exact up to rounding. */
   cellArea(i: number, options: BoundsOptions = {}): number {
-    return area(this.#outline(i, 'cellArea', options))
+    return outlineArea(this.#outline(i, 'cellArea', options))
   }
 
   /** Its centre of mass, likewise; `undefined` if there is nothing. */
   cellCentroid(i: number, options: BoundsOptions = {}): Point | undefined {
     const outline = this.#outline(i, 'cellCentroid', options)
-    return outline.length === 0 ? undefined : centroid(outline)
+    return outline.length === 0 ? undefined : outlineCentroid(outline)
   }
 
   /** The length of its outline, likewise; 0 if there is nothing. */
   cellPerimeter(i: number, options: BoundsOptions = {}): number {
-    return perimeter(this.#outline(i, 'cellPerimeter', options))
+    return outlinePerimeter(this.#outline(i, 'cellPerimeter', options))
   }
 
   /** The areas of all cells. */
   cellAreas(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellAreas', options, 1, (outline) => [area(outline)])
+    return this.#ofEach('cellAreas', options, 1, (outline) => [outlineArea(outline)])
   }
 
   /** The centres of mass of all cells, x and y each; NaN where there is nothing. */
   cellCentroids(options: BoundsOptions = {}): Float64Array {
     return this.#ofEach('cellCentroids', options, 2, (outline) => {
       if (outline.length === 0) return [Number.NaN, Number.NaN]
-      const { x, y } = centroid(outline)
+      const { x, y } = outlineCentroid(outline)
       return [x, y]
     })
   }
 
   /** The lengths of the outlines of all cells. */
   cellPerimeters(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellPerimeters', options, 1, (outline) => [perimeter(outline)])
+    return this.#ofEach('cellPerimeters', options, 1, (outline) => [outlinePerimeter(outline)])
   }
 
   #outline(i: number, caller: string, options: BoundsOptions): Outline {

@@ -2,7 +2,7 @@
 
 import { checkDiagram, checkMetric } from '../base/check.ts'
 import { at, circleAt, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { distance } from '../base/metric.ts'
+import { distanceToCircle } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
@@ -10,7 +10,7 @@ import { pointOf } from '../curves/bisector.ts'
 import { edgeCurve } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { partsInside } from '../regions/clip.ts'
-import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
+import { type ConvexPolygon, type RegionOptions, regionOf } from '../regions/convex-polygon.ts'
 import { type EmptyDisc, largestEmptyDiscCenteredIn } from './largest-empty-disc.ts'
 
 /** Parameters may be off by rounding, and so may the order of depths. */
@@ -35,13 +35,13 @@ const ROUNDING_OF_PLACE = 2 ** -31
  *
  * @category Questions
  * @example
- * largestEmptyDiscInside(diagram, [-2, -2, 8, 10]).disc.r.toFixed(6) // '4.119661'
+ * largestEmptyDiscInside(diagram, { bounds: [-2, -2, 8, 10] }).disc.r.toFixed(6) // '4.119661'
  */
-export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscInside')
   checkMetric(diagram, 'largestEmptyDiscInside', 'circles')
-  const region = ConvexPolygon.of(bounds)
-  const centred = largestEmptyDiscCenteredIn(diagram, region)
+  const region = regionOf(options, 'largestEmptyDiscInside')
+  const centred = largestEmptyDiscCenteredIn(diagram, { bounds: region })
   if (centred === undefined || centred.disc.r <= 0) return centred
   const sides = sidesOf(region)
   const ridges = ridgesOf(region, sides)
@@ -53,7 +53,7 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
     const inside = depthOf(p)
     if (!(inside > radius())) return
     const nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
-    const empty = distance(diagram, nearest, p.x, p.y)
+    const empty = distanceToCircle(diagram, nearest, p.x, p.y)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
     if (circles[0] === undefined) {
@@ -61,7 +61,7 @@ export function largestEmptyDiscInside(diagram: Diagram, bounds: Bounds): EmptyD
       return
     }
     const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleAt(diagram.circles, circles[0]).r)
-    if (!circles.includes(nearest) && distance(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    if (!circles.includes(nearest) && distanceToCircle(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
     // It may touch but sides.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
     best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }

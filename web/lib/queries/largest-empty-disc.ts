@@ -2,7 +2,7 @@
 
 import { checkDiagram, checkMetric } from '../base/check.ts'
 import { at, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { distance } from '../base/metric.ts'
+import { distanceToCircle } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
 import { largestOf } from '../base/scale.ts'
 import type { DiagramData, Point, Vertex } from '../base/types.ts'
@@ -11,7 +11,7 @@ import { edgeCurve, seenFrom } from '../curves/curve.ts'
 import { pointOn, tangentNormal } from '../curves/tangent.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { LineCrossing, partsInside } from '../regions/clip.ts'
-import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
+import { type RegionOptions, regionOf } from '../regions/convex-polygon.ts'
 import { hullCircleAt, hullGrowth } from '../regions/hull.ts'
 
 /**
@@ -37,12 +37,12 @@ export interface EmptyDisc {
  *
  * @category Questions
  * @example
- * largestEmptyDiscCenteredIn(diagram, [0, 0, 6, 8]).disc // { x: 6, y: 6.25, r: 5.25 }
+ * largestEmptyDiscCenteredIn(diagram, { bounds: [0, 0, 6, 8] }).disc // { x: 6, y: 6.25, r: 5.25 }
  */
-export function largestEmptyDiscCenteredIn(diagram: Diagram, bounds: Bounds): EmptyDisc | undefined {
+export function largestEmptyDiscCenteredIn(diagram: Diagram, options: RegionOptions): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscCenteredIn')
   checkMetric(diagram, 'largestEmptyDiscCenteredIn', 'circles')
-  const region = ConvexPolygon.of(bounds)
+  const region = regionOf(options, 'largestEmptyDiscCenteredIn')
   const largest = new Largest(diagram)
   for (const corner of region.corners) {
     const nearest = diagram.find(corner.x, corner.y)
@@ -149,7 +149,7 @@ class Largest {
 
   /** The disc around a point that touches these circles. */
   offerAround({ x, y }: Point, ...circles: readonly number[]): void {
-    this.#offer({ x, y, r: distance(this.#diagram, circles[0] as number, x, y) }, circles)
+    this.#offer({ x, y, r: distanceToCircle(this.#diagram, circles[0] as number, x, y) }, circles)
   }
 
   /** A point of a circle that has grown. */

@@ -8,7 +8,7 @@ import type { Point, Vector } from '../base/types.ts'
 import { controlPoint } from '../curves/bezier.ts'
 import { type Bisector, parameterAtRise, pointOf } from '../curves/bisector.ts'
 import { type BoundedCurve, type EdgeCurve, isBoundedCurve, seenFrom } from '../curves/curve.ts'
-import { type Bounds, ConvexPolygon } from './convex-polygon.ts'
+import { type ConvexPolygon, type RegionOptions, regionOf } from './convex-polygon.ts'
 import { CIRCLE_OF_RING } from './ring.ts'
 
 /**
@@ -36,11 +36,11 @@ interface Span {
  *
  * @category Curves
  * @example
- * clip(edgeCurve(diagram, 0), [-5, -5, 10, 10]).length // 1
+ * clipCurve(edgeCurve(diagram, 0), { bounds: [-5, -5, 10, 10] }).length // 1
  */
-export function clip(curve: EdgeCurve, bounds: Bounds): BoundedCurve[] {
-  checkThing(curve, 'bisector', 'clip', 'a curve')
-  return partsInside(curve, ConvexPolygon.of(bounds)).map((part) => part.curve)
+export function clipCurve(curve: EdgeCurve, options: RegionOptions): BoundedCurve[] {
+  checkThing(curve, 'bisector', 'clipCurve', 'a curve')
+  return partsInside(curve, regionOf(options, 'clipCurve')).map((part) => part.curve)
 }
 
 /** The parts of a curve inside a region, in order: bounded. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseOption, shown } from '../base/check.ts'
+import { checkOptionNames, refuseOption, shown } from '../base/check.ts'
 import { REGION_LIMIT } from '../base/coordinate-limits.ts'
 import { between, cross } from '../base/point.ts'
 import { facing, largestOf, turn } from '../base/scale.ts'
@@ -11,6 +11,21 @@ import type { Box, Point, Vector } from '../base/types.ts'
  * @category Cells
  */
 export type Bounds = Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | ConvexPolygon
+
+/**
+ * Where something is looked for, or what it is clipped to.
+ *
+ * @category Cells
+ */
+export interface RegionOptions {
+  readonly bounds: Bounds
+}
+
+/** @throws CircleVoronoiError `badOption`, if they say no region, or more */
+export function regionOf(options: RegionOptions, caller: string): ConvexPolygon {
+  checkOptionNames(options, caller, ['bounds'])
+  return ConvexPolygon.of(options.bounds)
+}
 
 /**
  * The closed region that curves and cells are clipped to.

@@ -25,10 +25,10 @@ const ROUNDING_OF_AREA = 2 ** -44
  *
  * @category Cells
  * @example
- * area(outline(diagram, 0, [-5, -5, 10, 10])) // 72
+ * outlineArea(diagram.cellOutline(0, { bounds: [-5, -5, 10, 10] })) // 72
  */
-export function area(outline: Outline): number {
-  checkOutline(outline, 'area')
+export function outlineArea(outline: Outline): number {
+  checkOutline(outline, 'outlineArea')
   const unit = unitFor(extentOf(outline))
   return momentsOf(outline, unit).area * unit * unit
 }
@@ -41,10 +41,10 @@ export function area(outline: Outline): number {
  *
  * @category Cells
  * @example
- * centroid(outline(diagram, 0, [-5, -5, 10, 10])) // { x: -1, y: -0.5 }
+ * outlineCentroid(diagram.cellOutline(0, { bounds: [-5, -5, 10, 10] })) // { x: -1, y: -0.5 }
  */
-export function centroid(outline: Outline): Point {
-  checkOutline(outline, 'centroid')
+export function outlineCentroid(outline: Outline): Point {
+  checkOutline(outline, 'outlineCentroid')
   const reference = referenceOf(outline)
   const extent = extentOf(outline)
   const unit = unitFor(extent)
@@ -67,15 +67,15 @@ export function centroid(outline: Outline): Point {
  *
  * @category Cells
  * @example
- * perimeter(outline(diagram, 0, [-5, -5, 10, 10])) // 34
+ * outlinePerimeter(diagram.cellOutline(0, { bounds: [-5, -5, 10, 10] })) // 34
  */
-export function perimeter(outline: Outline): number {
-  checkOutline(outline, 'perimeter')
+export function outlinePerimeter(outline: Outline): number {
+  checkOutline(outline, 'outlinePerimeter')
   return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
 }
 
 function lengthOfPiece(piece: OutlinePiece): number {
-  return isCircleArc(piece) ? circleArcLength(piece) : arcLength(piece.curve)
+  return isCircleArc(piece) ? circleArcLength(piece) : curveLength(piece.curve)
 }
 
 /**
@@ -86,11 +86,11 @@ function lengthOfPiece(piece: OutlinePiece): number {
  *
  * @category Curves
  * @example
- * const [arc] = clip(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), [-9, -9, 9, 9])
- * arcLength(arc).toFixed(3) // '18.662'
+ * const [arc] = clipCurve(edgeCurve(library.compute([[0, 0, 1], [6, 0, 3]]), 0), { bounds: [-9, -9, 9, 9] })
+ * curveLength(arc).toFixed(3) // '18.662'
  */
-export function arcLength(curve: BoundedCurve): number {
-  checkBoundedCurve(curve, 'arcLength')
+export function curveLength(curve: BoundedCurve): number {
+  checkBoundedCurve(curve, 'curveLength')
   const { bisector, from, to, start, end } = curve
   const { unit, a, b } = bisector
   const chord = lengthOf(between(start, end))

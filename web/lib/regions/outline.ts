@@ -5,7 +5,7 @@ import { type BoundedCurve, reversed, segment } from '../curves/curve.ts'
 import { keptParts, type Limits, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
 import type { Part } from './clip.ts'
-import { area } from './measure.ts'
+import { outlineArea } from './measure.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 import { Ring, type RingElement } from './ring.ts'
 
@@ -35,7 +35,7 @@ export function outlineOf(cells: Cells, circle: number, limits: Limits): readonl
   const loops = joined(cells, circle, ring, chains)
   // In a disc it is in one piece: what rounding cut off where several edges end next to the circle goes.
   if (loops.length < 2 || !ring.isCircle) return loops
-  return [loops.reduce((one, other) => (area([other]) > area([one]) ? other : one))]
+  return [loops.reduce((one, other) => (outlineArea([other]) > outlineArea([one]) ? other : one))]
 }
 
 /** Sides of a cell inside the region that follow each other without a gap. */

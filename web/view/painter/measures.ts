@@ -3,7 +3,7 @@
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../lib/base/scale.ts'
 import type { BoundedCurve } from '../../lib/curves/curve.ts'
-import { area, type Diagram } from '../../lib/index.ts'
+import { type Diagram, outlineArea } from '../../lib/index.ts'
 import type { Measure } from '../layers.ts'
 import { TINTS } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
@@ -76,7 +76,7 @@ export function cellArea({ cells }: Diagram, i: number): number {
     neighbor: NONE,
     r: 0,
   }))
-  return area([pieces])
+  return outlineArea([pieces])
 }
 
 /** The distance from a circle to the nearest other one, a neighbour: negative if they overlap. */
