@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run bench:js [-- --sizes N,...]`: the package against d3-delaunay on the centres of the same circles, in Node and in
+// `npm run bench:js [-- --sizes N,...]`: the package against d3-delaunay on the centers of the same circles, in Node and in
 // Chromium, task by task: two tables, and build/bench/js.json. With `-- --twins` instead: what functions take that stand in
 // C++ as well, in Node, and what a call into WebAssembly would.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'

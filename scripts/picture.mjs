@@ -5,7 +5,7 @@ import { withBuiltPage } from './built-page.mjs'
 import { main, ROOT } from './run.mjs'
 import { pictureOf, readGallery } from './texts/gallery.mjs'
 
-/** A circle that is shown selected, with its neighbours, and where the pointer is out of the way. */
+/** A circle that is shown selected, with its neighbors, and where the pointer is out of the way. */
 const SELECTED = { x: 873, y: 378 }
 const ASIDE = { x: 40, y: 30 }
 

@@ -6,7 +6,7 @@ import { ROOT } from './run.mjs'
 import { chromiumPath } from './setup.mjs'
 
 const BIN = `${ROOT}node_modules/.bin`
-// Colours and progress bars are for people, and so are the questions that some tools ask.
+// Colors and progress bars are for people, and so are the questions that some tools ask.
 export const ENV = { CI: 'true', NO_COLOR: '1', CHROMIUM_PATH: chromiumPath() }
 
 /**
@@ -50,7 +50,7 @@ export const SUITES = [
     name: 'Playwright',
     program: `${BIN}/playwright`,
     args: (_, isLong) => ['test', '--reporter=list,junit', isLong ? '--grep' : '--grep-invert', '@long'],
-    // Playwright colours its own way, and Node warns when both are set.
+    // Playwright colors its own way, and Node warns when both are set.
     env: (report) => ({ NO_COLOR: undefined, PLAYWRIGHT_JUNIT_OUTPUT_FILE: report }),
     lengths: ['quick', 'long'],
     hasPages: true,

@@ -22,7 +22,7 @@ int samplesOn(const Samples& samples, int circle) {
 }
 
 /// How many edges of the Delaunay graph of the centres lead from circle 0 to circle 1.
-int stepsBetweenCentres(std::span<const Circle> circles) {
+int stepsBetweenCenters(std::span<const Circle> circles) {
   const auto edges = delaunayEdges(centresOf(circles)).edges;
   std::vector<bool> reached(circles.size(), false);
   reached[0] = true;
@@ -57,7 +57,7 @@ Json figure5And13(const Path& folder) {
   figure.layers = {samplesLayer(drawnDynamicSamples(circles, 1))};
   draw(folder, "figure-13a", circles, diagram, figure);
   return {{"n", circles.size()},
-          {"stepsBetweenCentres", stepsBetweenCentres(circles)},
+          {"stepsBetweenCenters", stepsBetweenCenters(circles)},
           {"areNeighbors", edgesBetween(diagram) > 0},
           {"samplesOnLargest", samplesOn(samples, 0)},
           {"certified", diagram.certificate.certified()}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A thousand discs that bounce in a box, and their Voronoi diagram, kept by edits: an editor makes them, and a diagram
-// follows. Two discs that touch are neighbours, so who may collide is found among the diagram's edges.
+// follows. Two discs that touch are neighbors, so who may collide is found among the diagram's edges.
 import { loadCircleVoronoi } from '../../dist/lib/index.js'
 
 const DISCS = 1000

@@ -7,7 +7,7 @@
 
 The circles are cut into tiles (FOLDER/0/tiles), and each is computed by a worker: a process on this machine, or one of a
 Dask cluster whose machines share the folder. What is final of a tile is in FOLDER/0/parts. The circles that are left, at
-the rim of the whole and of holes wider than the halo, and huge ones, go on with their neighbours to the next level
+the rim of the whole and of holes wider than the halo, and huge ones, go on with their neighbors to the next level
 (FOLDER/1): in wider tiles as long as there are more than --most of them, at last in one. FOLDER/*/parts together are the
 diagram, each line once.
 
@@ -102,7 +102,7 @@ def main():
     parser.add_argument("circles", help="a table with the columns x, y, r and perhaps id")
     parser.add_argument("folder", type=Path)
     parser.add_argument("--size", type=float, required=True, help="the side of a tile: a million circles or so in each")
-    parser.add_argument("--halo", type=float, required=True, help="some ten times the distance of neighbours")
+    parser.add_argument("--halo", type=float, required=True, help="some ten times the distance of neighbors")
     parser.add_argument("--most", type=int, default=5_000_000, help="circles that one process may have at last")
     parser.add_argument("--bounds", help="write cells clipped to it, as lines of GeoJSON, not vertices and edges as CSV")
     parser.add_argument("--workers", type=int, default=os.cpu_count(), help="processes on this machine")

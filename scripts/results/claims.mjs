@@ -72,10 +72,10 @@ function thirteen(rows) {
   }
 }
 
-function threeSamples({ samplesOnLargest, areNeighbors, certified, stepsBetweenCentres }) {
+function threeSamples({ samplesOnLargest, areNeighbors, certified, stepsBetweenCenters }) {
   return {
     claim: 'In figure 5d (13a) three samples on the largest circle are enough, at N_s = 1.',
-    measured: `${samplesOnLargest} samples on the largest circle; its neighbour is ${stepsBetweenCentres} steps away in the Delaunay graph of the centres; the diagram is ${certified ? '' : 'not '}certified`,
+    measured: `${samplesOnLargest} samples on the largest circle; its neighbor is ${stepsBetweenCenters} steps away in the Delaunay graph of the centers; the diagram is ${certified ? '' : 'not '}certified`,
     outcome: outcomeOf(Number(samplesOnLargest === 3 && areNeighbors && certified), 1),
     expected: 'yes',
   }
@@ -92,7 +92,7 @@ function fewerSamples(needed) {
     measured: `in ${fewer.length} of ${compared.length} families (${fewer.map(({ family }) => family).join(', ')}); most clearly in ${best.family}, ${fixed(best.dynamic.nothingMissed.most, 1)} a circle against ${best.uniform.nothingMissed.most}`,
     outcome: outcomeOf(fewer.length, compared.length),
     expected: 'partly',
-    why: 'Dynamic sampling takes about 6 (N_s + 1) samples a circle whatever the circles are like. Where these are of about one size, a handful of equally spaced samples finds the same discs. Where one circle has many neighbours, uniform sampling must give all circles what that one needs: there dynamic sampling saves a factor of ten and more.',
+    why: 'Dynamic sampling takes about 6 (N_s + 1) samples a circle whatever the circles are like. Where these are of about one size, a handful of equally spaced samples finds the same discs. Where one circle has many neighbors, uniform sampling must give all circles what that one needs: there dynamic sampling saves a factor of ten and more.',
   }
 }
 
@@ -162,7 +162,7 @@ function check(correctness) {
     measured: `of ${count(wrong)} wrong diagrams ${count(passed)} pass that check; the certificate of this library accepts ${misjudged === 0 ? 'none' : 'some'} of them, and refuses no right one in general position`,
     outcome: passed === 0 ? 'yes' : 'no',
     expected: 'no',
-    why: 'The check is necessary, not sufficient: a missed neighbour inside the hull leaves the cycle as it is.',
+    why: 'The check is necessary, not sufficient: a missed neighbor inside the hull leaves the cycle as it is.',
   }
 }
 
@@ -196,7 +196,7 @@ function overlapping({ printed, correctness, trials }) {
     measured: `as printed, and with every pair for a candidate, ${percent(wrong / rows.length / trials.printed)} of such inputs come out wrong there, in ${rows.length - right.length} of ${rows.length} families; with the corrected rules ${corrected === 0 ? 'none does' : `${corrected} do`}, and inside the circles neither`,
     outcome: wrong === 0 ? 'yes' : 'no',
     expected: 'no',
-    why: 'The antipodal disc of two intersecting circles may meet a third circle like any other disc, so it cannot be taken for empty; and hidden circles, left in, displace the neighbours of the circle that contains them. With signed radii, and hidden circles taken out first, there is nothing special about either.',
+    why: 'The antipodal disc of two intersecting circles may meet a third circle like any other disc, so it cannot be taken for empty; and hidden circles, left in, displace the neighbors of the circle that contains them. With signed radii, and hidden circles taken out first, there is nothing special about either.',
   }
 }
 
@@ -302,6 +302,6 @@ function delaunayDecides(counts) {
     measured: `at ${count(largest)} circles the graph of the samples takes ${percent(part('pair'))} of the time, the discs and directed edges ${percent(part('touch'))}`,
     outcome: part('touch') < 0.1 ? 'yes' : part('pair') > 0.25 ? 'partly' : 'no',
     expected: 'partly',
-    why: 'Discs in the order of their radii lie all over the plane, so that each step waits for memory, while our triangulation works on neighbours.',
+    why: 'Discs in the order of their radii lie all over the plane, so that each step waits for memory, while our triangulation works on neighbors.',
   }
 }

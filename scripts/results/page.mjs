@@ -63,16 +63,16 @@ function method() {
   return `## The method in a few words
 
 The **Voronoi diagram of circles** gives each circle the region of the plane that is nearer to it than to any other. The
-paper finds it by discs that touch circles from outside and meet none: the centre of one that touches two is on an edge of the
+paper finds it by discs that touch circles from outside and meet none: the center of one that touches two is on an edge of the
 diagram, of one that touches three it is a vertex.
 
-- The **antipodal disc** of two circles is the smallest that touches both. If it is *empty*, an edge passes through its centre,
+- The **antipodal disc** of two circles is the smallest that touches both. If it is *empty*, an edge passes through its center,
   and the method starts there, with two **directed edges**: one for each way along that edge.
 - Discs are taken in the order of their radii. Two directed edges that meet at a circle may form a **three-touch disc**. When
-  the turn of that comes and they are still there, its centre is a vertex: the edges end in it, and a new one may begin.
+  the turn of that comes and they are still there, its center is a vertex: the edges end in it, and a new one may begin.
 - Trying all pairs of circles takes too long. So sample points are put on the circles, and a pair gets an antipodal disc
-  only if samples of the two are neighbours in the Delaunay graph of all samples. **Uniform sampling** puts m points on each
-  circle. **Dynamic sampling**, the paper's idea, puts one towards each neighbour in the Delaunay graph of the *centres*, and N_s
+  only if samples of the two are neighbors in the Delaunay graph of all samples. **Uniform sampling** puts m points on each
+  circle. **Dynamic sampling**, the paper's idea, puts one towards each neighbor in the Delaunay graph of the *centers*, and N_s
   into each angle between two of these.
 
 ${gallery(
@@ -129,7 +129,7 @@ ${gallery(
   360,
 )}
 
-Samples at N_s = 3 and the Delaunay graph of the centres: all circles are neighbours of the one in the middle.
+Samples at N_s = 3 and the Delaunay graph of the centers: all circles are neighbors of the one in the middle.
 
 ${block(claims.table1)}
 
@@ -139,13 +139,13 @@ ${block(claims.thirteen)}
 
 ${gallery(
   [
-    ['figure-5d', 'the Delaunay graph of the centres'],
+    ['figure-5d', 'the Delaunay graph of the centers'],
     ['figure-13a', 'the diagram, with the samples of N_s = 1'],
   ],
   380,
 )}
 
-Of the circle on the right, of radius 600, only the rim is seen. It is a neighbour of the one on the left, and many steps away
+Of the circle on the right, of radius 600, only the rim is seen. It is a neighbor of the one on the left, and many steps away
 from it in the graph. The paper gives no coordinates; these circles are like those of its figure.
 
 ${block(claims.threeSamples)}
@@ -252,7 +252,7 @@ ${gallery(
   380,
 )}
 
-Circles like those of figure 12: three of them intersect mutually, and one (grey) is inside another. As printed, directed edges
+Circles like those of figure 12: three of them intersect mutually, and one (gray) is inside another. As printed, directed edges
 are left over inside the three. Radii of discs with a sign, negative inside an overlap, need no exception: the three have a
 vertex there, and what is left over is the hull.
 

@@ -4,7 +4,7 @@ import { parse, View } from 'vega'
 import { compile } from 'vega-lite'
 import { METHODS } from './methods.mjs'
 
-/** What each colour of the light picture is in the dark one. */
+/** What each color of the light picture is in the dark one. */
 const DARK = {
   '#ffffff': '#12161d',
   '#1b2430': '#e6ebf2',
@@ -16,8 +16,8 @@ const DARK = {
   '#7a4fa3': '#c39bea',
   '#5f6b78': '#a3afbe',
 }
-const [PAPER, INK, GRID, BLUE, RED, BROWN, GREEN, VIOLET, GREY] = Object.keys(DARK)
-const COLORS = [BLUE, RED, BROWN, GREEN, VIOLET, GREY]
+const [PAPER, INK, GRID, BLUE, RED, BROWN, GREEN, VIOLET, GRAY] = Object.keys(DARK)
+const COLORS = [BLUE, RED, BROWN, GREEN, VIOLET, GRAY]
 
 const CONFIG = {
   background: PAPER,

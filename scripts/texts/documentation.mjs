@@ -51,8 +51,8 @@ function siteAddress(site, from, address) {
     return copy
   }
   if (target === 'LICENSE') {
-    copyFileSync(`${ROOT}LICENSE`, `${site}/docs/licence.txt`)
-    return 'licence.txt'
+    copyFileSync(`${ROOT}LICENSE`, `${site}/docs/license.txt`)
+    return 'license.txt'
   }
   const chapter = /^web\/tutorial\/chapters\/(.*)\.md$/.exec(target)
   if (chapter !== null) return `../tutorial/${chapter[1]}.html`

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The picture that stands for a figure until it lives, on paper and without scripts: what the library's writer draws, with the
-// layers of the figure, in the colours of the page.
+// layers of the figure, in the colors of the page.
 
 /** Groups of the writer's that figures show only if they are asked for. */
 const ASKED_FOR = ['dual', 'hull']

@@ -163,7 +163,7 @@ TEST(Construct, TheLaterWaysAreRare) {
 
 TEST(Construct, EveryStageHasItsTime) {
   for (const auto& [way, circles, repairs] : kWays) {
-    const Seconds& seconds = compute(circles).value().stats.seconds;
+    const Seconds seconds = compute(circles).value().stats.seconds;
     EXPECT_GT(seconds.flip, 0);
     EXPECT_GT(seconds.certify, 0);
     EXPECT_EQ(seconds.repair > 0, way == "repair");

@@ -24,7 +24,7 @@ bool areNeighbors(const Diagram& diagram, int i, int j) {
 }
 
 /// How many edges of the Delaunay graph of the centres lead from circle 0 to circle 1.
-int stepsBetweenCentres(std::string_view name) {
+int stepsBetweenCenters(std::string_view name) {
   const auto circles = circlesOf(figureOf(name));
   const auto edges = delaunayEdges(centresOf(circles)).edges;
   std::set<int> reached = {0};
@@ -58,9 +58,9 @@ TEST(Figures, HaveCertifiedDiagrams) {
 
 TEST(Figures, FiveHasNeighborsThatAreFarApartInTheGraphOfTheCentres) {
   for (const std::string_view name : {"5b", "5c", "5d"}) EXPECT_TRUE(areNeighbors(computed(name), 0, 1)) << name;
-  EXPECT_EQ(stepsBetweenCentres("5b"), 2);
-  EXPECT_EQ(stepsBetweenCentres("5c"), 3);
-  EXPECT_GT(stepsBetweenCentres("5d"), 3);
+  EXPECT_EQ(stepsBetweenCenters("5b"), 2);
+  EXPECT_EQ(stepsBetweenCenters("5c"), 3);
+  EXPECT_GT(stepsBetweenCenters("5d"), 3);
 }
 
 TEST(Figures, NineHasAnEdgeThatVanishes) {

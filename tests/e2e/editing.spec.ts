@@ -166,7 +166,7 @@ test('keys move by steps that fit the data, ten times with Shift, a tenth with A
   await expect.poll(async () => (await circlesOf(app)).map(({ x }) => x)).toEqual([-0.05, 4, 7.95, -0.05, 3.95, 7.95])
 })
 
-test('Control and an arrow key go to the neighbour on that side', async ({ app }) => {
+test('Control and an arrow key go to the neighbor on that side', async ({ app }) => {
   await started(app)
   await click(app, 0, 0)
   await expect(app.inspector).toContainText('Circle 0')
@@ -191,7 +191,7 @@ test('Control and an arrow key go to the neighbour on that side', async ({ app }
   }
 })
 
-test('what is dragged snaps to neighbours and to the grid, with Alt or always', async ({ app }) => {
+test('what is dragged snaps to neighbors and to the grid, with Alt or always', async ({ app }) => {
   await started(app)
   await click(app, 0, 0)
   await expect(app.inspector).toContainText('Circle 0')
@@ -272,7 +272,7 @@ test('what is done is said once', async ({ app }) => {
   const texts = () => app.page.evaluate(() => (window as unknown as { texts: string[] }).texts)
   await app.canvas.focus()
   await app.page.keyboard.press('Enter')
-  await expect.poll(texts).toEqual([expect.stringMatching(/^Circle \d\. (B|Unb)ounded cell, \d neighbours$/)])
+  await expect.poll(texts).toEqual([expect.stringMatching(/^Circle \d\. (B|Unb)ounded cell, \d neighbors$/)])
   await app.page.keyboard.press('ArrowRight')
   await expect.poll(texts).toEqual([expect.anything(), expect.stringMatching(/^Circle \d: x \S+, y \S+, r 1$/)])
   await app.page.keyboard.press('Delete')

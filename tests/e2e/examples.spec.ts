@@ -35,7 +35,7 @@ test('each page of the examples runs in the place of its picture, and shows a di
   expect(problems).toEqual([])
 })
 
-/** Which part of the canvases in a page, or of those in its frames, is neither empty nor of the commonest colour. */
+/** Which part of the canvases in a page, or of those in its frames, is neither empty nor of the commonest color. */
 async function inkOf(frame: Frame): Promise<number> {
   const inks = await Promise.all([frame, ...frame.childFrames()].map((each) => each.evaluate(inkHere)))
   return Math.max(...inks)

@@ -31,11 +31,11 @@ test('a circle that comes back is selected', async ({ app }) => {
   await expect(app.status).toContainText('677 circles')
 })
 
-test('a neighbour is selected by its number, and the focus stays among the neighbours', async ({ app }) => {
+test('a neighbor is selected by its number, and the focus stays among the neighbors', async ({ app }) => {
   await app.choose('Introduction')
   const at = app.center(INTRODUCTION, 4)
   await app.page.mouse.click(at.x, at.y)
-  const list = app.inspector.getByRole('list', { name: 'Neighbours' }).getByRole('button')
+  const list = app.inspector.getByRole('list', { name: 'Neighbors' }).getByRole('button')
   const first = (await list.first().textContent()) as string
   await list.first().focus()
   await app.page.keyboard.press('Enter')

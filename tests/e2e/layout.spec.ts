@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Panels in windows of all sizes, forced colours, and pages that run from right to left.
+// Panels in windows of all sizes, forced colors, and pages that run from right to left.
 import AxeBuilder from '@axe-core/playwright'
 import type { Locator } from '@playwright/test'
 import { App, dataSet, expect, test } from './page.ts'
@@ -108,7 +108,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   })
 }
 
-test('fields and buttons have borders in forced colours', async ({ app }) => {
+test('fields and buttons have borders in forced colors', async ({ app }) => {
   await app.page.emulateMedia({ forcedColors: 'active' })
   const at = app.center(BRONZE, 600)
   await app.page.mouse.click(at.x, at.y)
@@ -128,7 +128,7 @@ test('a page that runs from right to left leaves each part of the status as it i
   // The number stands at the left of its part.
   expect((await boxOf(part.locator('b'))).x).toBe((await boxOf(part)).x)
   expect((await boxOf(part)).x).toBeGreaterThan((await boxOf(app.status.locator('bdi').nth(1))).x)
-  // The colours of a key go with its words.
+  // The colors of a key go with its words.
   await app.page.getByRole('button', { name: 'Layers', exact: true }).click()
   const key = app.page.locator('.key').first()
   expect((await boxOf(key.getByText('small'))).x).toBeLessThan((await boxOf(key.locator('svg'))).x)

@@ -114,7 +114,7 @@ function painted(page: Page): Promise<Painted> {
 }
 
 /**
- * How many squares of pixels have another colour, and where. Lines that are cut elsewhere are drawn by other chords, up to a
+ * How many squares of pixels have another color, and where. Lines that are cut elsewhere are drawn by other chords, up to a
  * tenth of a pixel away, so that single pixels differ.
  */
 function differenceOf([one, other]: readonly [ImageData, ImageData]) {

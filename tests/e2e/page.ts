@@ -44,9 +44,9 @@ export class App {
     return this.inspector.getByLabel(name, { exact: true })
   }
 
-  /** The numbers of the circles that the inspector lists as neighbours. */
+  /** The numbers of the circles that the inspector lists as neighbors. */
   neighbors(): Promise<string[]> {
-    return this.inspector.getByRole('list', { name: 'Neighbours' }).getByRole('button').allTextContents()
+    return this.inspector.getByRole('list', { name: 'Neighbors' }).getByRole('button').allTextContents()
   }
 
   /** The camera that shows all circles of a data set. */
@@ -75,7 +75,7 @@ export class App {
     await this.page.mouse.move(to.x, to.y, { steps: 8 })
   }
 
-  /** The colours of the canvas at these points of the page, red, green, blue each; one device pixel per pixel. */
+  /** The colors of the canvas at these points of the page, red, green, blue each; one device pixel per pixel. */
   colors(points: readonly Point[]): Promise<number[][]> {
     return this.canvas
       .locator('canvas')

@@ -33,7 +33,7 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
   const isDrawn = () => expect(app.canvas).toHaveAttribute('aria-busy', 'false')
   await isDrawn()
   const diagram = (await loadCircleVoronoi()).compute(INTRODUCTION)
-  // Halfway between the centres of circles that border on each other, but for what other layers have there.
+  // Halfway between the centers of circles that border on each other, but for what other layers have there.
   const middles = Array.from({ length: diagram.edges.length / 4 }, (_, e) => {
     const [i, j] = [diagram.edges[4 * e] as number, diagram.edges[4 * e + 1] as number]
     const [one, other] = [app.center(INTRODUCTION, i), app.center(INTRODUCTION, j)]
@@ -52,13 +52,13 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
   const layer = (name: string) => page.getByRole('checkbox', { name, exact: true })
   for (const name of ['Circles', 'Edges', 'Vertices']) await layer(name).uncheck()
   const cells = page.getByLabel('Cells', { exact: true })
-  await cells.selectOption('no colour')
+  await cells.selectOption('no color')
   const row = Array.from({ length: 900 }, (_, k) => ({ x: 320 + k, y: 300 }))
   const isBlank = async () => new Set((await app.colors(row)).map(String)).size === 1
   await expect.poll(isBlank).toBe(true)
   for (const name of [
     'Power diagram',
-    'Delaunay of centres',
+    'Delaunay of centers',
     'Delaunay of samples',
     'Antipodal discs',
     'Directed edges left',
@@ -68,7 +68,7 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
     await layer(name).uncheck()
     await expect.poll(isBlank).toBe(true)
   }
-  await cells.selectOption('neighbours differ')
+  await cells.selectOption('neighbors differ')
   await expect.poll(isBlank).toBe(false)
 })
 

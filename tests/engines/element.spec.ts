@@ -74,7 +74,7 @@ for (const [name, openEngine] of ENGINES) {
         element.shadowRoot?.querySelector<HTMLElement>('input[type=range]')?.focus()
       })
       await engine.press('ArrowRight')
-      await until('at step 1', sentence, (text) => text.startsWith('The Delaunay graph of the centres has'))
+      await until('at step 1', sentence, (text) => text.startsWith('The Delaunay graph of the centers has'))
       const played = await engine.evaluate(async () => {
         const element = document.querySelector('circle-voronoi') as Element
         await element.stepTo(3)

@@ -71,7 +71,7 @@ class Page {
     await this.engine.drag([middle])
   }
 
-  /** The colours that are painted at these pixels: red, green, blue. */
+  /** The colors that are painted at these pixels: red, green, blue. */
   colors(points: readonly Point[]): Promise<readonly (readonly number[])[]> {
     return this.engine.evaluate((points) => {
       const canvas = document.querySelector('#figure canvas') as HTMLCanvasElement
@@ -90,7 +90,7 @@ for (const [name, openEngine] of ENGINES) {
         const page = new Page(engine)
         await engine.open(`${baseURL}/`)
         await page.says('#status', '678 circles · 1,339 vertices · 2,016 edges')
-        // It is painted: a circle has another colour than the paper.
+        // It is painted: a circle has another color than the paper.
         const center = (i: number) =>
           page.locate(BRONZE, { x: BRONZE[3 * i] as number, y: BRONZE[3 * i + 1] as number })
         const from = await center(650)

@@ -64,7 +64,7 @@ const circlesOf = (page: Page): Promise<number[]> =>
     .first()
     .evaluate((element: Element) => [...element.circles])
 
-/** Where a circle's centre is on the page, while all of them are seen. */
+/** Where a circle's center is on the page, while all of them are seen. */
 async function placeOf(page: Page, i: number): Promise<{ x: number; y: number }> {
   const { circles, box, controls } = await page
     .locator('circle-voronoi')
@@ -193,7 +193,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(kept.svg.match(/<path/g)?.length).toBeGreaterThan(5)
   expect(kept.svg).toContain('rgb(46, 125, 50)')
 
-  // The colours follow those of the page.
+  // The colors follow those of the page.
   const corner = () =>
     element.evaluate(async (element: Element) => {
       await element.updateComplete
@@ -306,7 +306,7 @@ test('the method step by step, in the figure that plays it and where a text tell
   expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
   await slider.focus()
   await page.keyboard.press('ArrowRight')
-  await expect(sentence).toContainText('The Delaunay graph of the centres')
+  await expect(sentence).toContainText('The Delaunay graph of the centers')
   expect(await stepOf('#played')).toBe(1)
   expect(await told('played')).toEqual([`played 1/${steps}`])
   expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])

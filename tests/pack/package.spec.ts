@@ -17,7 +17,7 @@ const EXPECTED = JSON.stringify({
   path: true,
   power: [3, 4],
   stages: true,
-  cancelled: 'changed my mind',
+  canceled: 'changed my mind',
   code: 'negativeRadius',
 })
 

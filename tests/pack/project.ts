@@ -49,7 +49,7 @@ export class Project {
 
 /** What a program prints; throws with that if the program fails. */
 export function run(folder: string, program: string, ...args: string[]): string {
-  // Playwright asks for colours, which are not for comparing.
+  // Playwright asks for colors, which are not for comparing.
   const env = { ...process.env, FORCE_COLOR: '0' }
   const { status, error, stdout, stderr } = spawnSync(program, args, { cwd: folder, env, encoding: 'utf8' })
   if (status === 0) return stdout

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With equal radii the diagram is the ordinary Voronoi diagram of the centres: d3-delaunay, which knows nothing of circles,
-// must find the same triangles, hull and neighbours.
+// With equal radii the diagram is the ordinary Voronoi diagram of the centers: d3-delaunay, which knows nothing of circles,
+// must find the same triangles, hull and neighbors.
 import assert from 'node:assert/strict'
 import { describe, it } from 'node:test'
 import { Delaunay } from 'd3-delaunay'
@@ -30,7 +30,7 @@ describe(`equal radii against d3-delaunay, seed ${SEED}`, () => {
         neighbors[edges[e + 1]].add(edges[e])
       }
       for (let i = 0; i < count; i++) {
-        assert.deepEqual([...neighbors[i]].sort(), [...delaunay.neighbors(i)].sort(), `neighbours of ${i}`)
+        assert.deepEqual([...neighbors[i]].sort(), [...delaunay.neighbors(i)].sort(), `neighbors of ${i}`)
       }
     })
   }

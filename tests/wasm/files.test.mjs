@@ -73,7 +73,7 @@ it('a diagram of weights says that it is one', () => {
 
 describe('the diagrams to compare with', () => {
   const circles = readCirclesOf('waka.csv')
-  it('of centres', () => {
+  it('of centers', () => {
     const diagram = comparison.computeComparison(circles, 'centers')
     const read = files.readDiagram(files.writeDiagram(diagram))
     assert.deepEqual({ ...read }, { ...diagram })

@@ -110,11 +110,11 @@ describe('progress', () => {
 describe('signal', () => {
   it('cancels what runs, and what waits comes next', async () => {
     const reason = new Error('changed my mind')
-    const [cancelled, next] = await Promise.allSettled([
+    const [canceled, next] = await Promise.allSettled([
       worker.compute(MANY, abortedWhenTouching(reason)),
       worker.compute(THREE),
     ])
-    assert.equal(cancelled.reason, reason)
+    assert.equal(canceled.reason, reason)
     assert.equal(next.value.certificate.certified, true)
   })
 

@@ -367,7 +367,7 @@ describe('of equal radii, as d3-delaunay', () => {
   const box = { minX: -10, minY: -20, maxX: 110, maxY: 102 }
   const voronoi = delaunay.voronoi([box.minX, box.minY, box.maxX, box.maxY])
 
-  it('neighbours are the same, in the same turn', () => {
+  it('neighbors are the same, in the same turn', () => {
     points.forEach((_, i) => {
       const theirs = [...delaunay.neighbors(i)]
       const ours = [...diagram.neighbors(i)]

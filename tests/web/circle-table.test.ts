@@ -68,7 +68,7 @@ describe('CircleTable', () => {
     )
   })
 
-  it('has the circles whose centres are on the rim of a box, and those whose rims are at a point', () => {
+  it('has the circles whose centers are on the rim of a box, and those whose rims are at a point', () => {
     const table = new CircleTable(Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 0))
     table.apply([{ kind: 'remove', id: 2 }], NONE)
     expect(table.within({ minX: 0, minY: 0, maxX: 5, maxY: 5 })).toEqual([0, 1])
@@ -101,7 +101,7 @@ describe('CircleTable', () => {
     expect([maxX, maxY].every((value) => value > 90 && value < 100)).toBe(true)
   })
 
-  it('has a core where all centres are one, and where there are none', () => {
+  it('has a core where all centers are one, and where there are none', () => {
     expect(new CircleTable(new Float64Array()).core()).toEqual({ minX: -1, minY: -1, maxX: 1, maxY: 1 })
     expect(new CircleTable(Float64Array.of(2, 2, 1, 2, 2, 3)).core()).toEqual({ minX: -1, minY: -1, maxX: 5, maxY: 5 })
   })

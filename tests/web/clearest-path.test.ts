@@ -19,11 +19,11 @@ const COUNT = 60
 
 /** The best clearance of a path from pixel to pixel, by flooding from the clearest pixels down. */
 function clearanceByPixels(circles: Float64Array, box: Box, p: Point, q: Point): number {
-  const centre = (k: number) => pointIn(box, ((k % COUNT) + 0.5) / COUNT, (Math.floor(k / COUNT) + 0.5) / COUNT)
+  const center = (k: number) => pointIn(box, ((k % COUNT) + 0.5) / COUNT, (Math.floor(k / COUNT) + 0.5) / COUNT)
   const pixelOf = ({ x, y }: Point) =>
     Math.floor((COUNT * (y - box.minY)) / (box.maxY - box.minY)) * COUNT +
     Math.floor((COUNT * (x - box.minX)) / (box.maxX - box.minX))
-  const clearances = Array.from({ length: COUNT * COUNT }, (_, k) => leastDistance(circles, centre(k)))
+  const clearances = Array.from({ length: COUNT * COUNT }, (_, k) => leastDistance(circles, center(k)))
   const [from, to] = [pixelOf(p), pixelOf(q)]
   const parent = clearances.map((_, k) => k)
   const root = (k: number): number => {
@@ -124,7 +124,7 @@ it('follows edges that meet, and keeps clear all the way', () => {
       ] as const) {
         if (point === undefined) continue
         expect(leastDistance(circles, point)).toBeGreaterThanOrEqual(path.clearance - rounding)
-        // Straight away from the nearest circle's centre.
+        // Straight away from the nearest circle's center.
         const nearest = diagram.find(end.x, end.y)
         expect(signedDistance(circles, nearest, point)).toBeGreaterThanOrEqual(
           signedDistance(circles, nearest, end) - rounding,

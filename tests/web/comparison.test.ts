@@ -120,7 +120,7 @@ it('has its radical axis where the powers are equal', () => {
   expect(areas(diagram, ConvexPolygon.of(box)).map((part) => Math.round(part * 1e9) / 1e9)).toEqual([5.4, 4.6])
 })
 
-it('a circle that others cover may have no cell of the power diagram, and a centre may lie outside its cell', () => {
+it('a circle that others cover may have no cell of the power diagram, and a center may lie outside its cell', () => {
   const between = computeComparison(Float64Array.of(0, 0, 3, 2, 0, 0.1, 4, 0, 3), 'power')
   expect([...between.hidden]).toEqual([1, NONE])
   expect(between.cell(1)).toBeUndefined()

@@ -84,7 +84,7 @@ describe('bisector', () => {
     expect(pointAt(branch, 1 / 9).x).toBeGreaterThan(0.5)
   })
 
-  it('has the centres as foci and the difference of the radii as 2 a', () => {
+  it('has the centers as foci and the difference of the radii as 2 a', () => {
     expect(bisector(Float64Array.of(-2, 1, 4, 3, 1, 1), 0, 1)).toMatchObject({
       left: { x: -2, y: 1 },
       right: { x: 3, y: 1 },
@@ -112,7 +112,7 @@ describe('bisector', () => {
     }
   })
 
-  it('is the radical axis for the metric power, and the perpendicular bisector for centres', () => {
+  it('is the radical axis for the metric power, and the perpendicular bisector for centers', () => {
     const circles = Float64Array.of(0, 0, 3, 10, 0, 1)
     expect(pointAt(bisector(circles, 0, 1, 'power'), 5).x).toBeCloseTo(5.4, 12)
     expect(pointAt(bisector(circles, 0, 1, 'centers'), 5).x).toBeCloseTo(5, 12)

@@ -232,7 +232,7 @@ describe('Editing', () => {
     expect(circles()).toEqual([...TWO])
   })
 
-  it('goes back to what was before a gesture that is cancelled, and there is nothing to do again', async () => {
+  it('goes back to what was before a gesture that is canceled, and there is nothing to do again', async () => {
     const { editing, circles } = await started()
     await editing.edit(moved(1, 8))
     editing.edit(moved(0, 1), 9)

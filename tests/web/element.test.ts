@@ -236,8 +236,8 @@ describe('the manifest', () => {
       .find((line) => line.startsWith('| `layers` |'))
     const [words = '', more = ''] = (row as string).split('Or an object in JSON')
     const said = [...words.matchAll(/`([\w=.-]+)`/g)].map(([, word]) => word as string).slice(1)
-    const colours = said.filter((word) => (CELL_COLORS as readonly string[]).includes(word))
-    const layers = said.filter((word) => !colours.includes(word))
+    const colors = said.filter((word) => (CELL_COLORS as readonly string[]).includes(word))
+    const layers = said.filter((word) => !colors.includes(word))
     const meant = layers.flatMap((word) => Object.keys(keptLayers(parseLayers(word))))
     const inJson = [...more.matchAll(/`(\w+)`/g)].map(([, name]) => name as string)
     expect([...new Set([...meant, ...inJson])].sort()).toEqual(
@@ -245,6 +245,6 @@ describe('the manifest', () => {
         .filter((name) => name !== 'data')
         .sort(),
     )
-    expect(['none', ...colours].sort()).toEqual([...CELL_COLORS].sort())
+    expect(['none', ...colors].sort()).toEqual([...CELL_COLORS].sort())
   })
 })

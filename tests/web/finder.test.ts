@@ -21,7 +21,7 @@ describe('find', () => {
     }
   })
 
-  it('finds the way around a circle with a thousand neighbours', () => {
+  it('finds the way around a circle with a thousand neighbors', () => {
     const random = seededRandom(9)
     const circles = new Float64Array(3 * 1001)
     circles.set([5, 7, 100])
@@ -41,16 +41,16 @@ describe('find', () => {
     }
   })
 
-  it('finds the nearest centre where all weights are the same and far below zero', () => {
+  it('finds the nearest center where all weights are the same and far below zero', () => {
     const random = seededRandom(5)
     const weight = -1e15
     const circles = Float64Array.from({ length: 600 }, (_, k) => (k % 3 === 2 ? weight : 10 * random()))
-    const centres = circles.map((value, k) => (k % 3 === 2 ? 0 : value))
+    const centers = circles.map((value, k) => (k % 3 === 2 ? 0 : value))
     const diagram = library.compute(circles, { weights: true })
     for (let k = 0; k < 2000; k++) {
       const point = { x: 10 * random(), y: 10 * random() }
       const found = diagram.find(point.x, point.y)
-      expect(signedDistance(centres, found, point) - leastDistance(centres, point)).toBeLessThanOrEqual(1e-13)
+      expect(signedDistance(centers, found, point) - leastDistance(centers, point)).toBeLessThanOrEqual(1e-13)
     }
   })
 

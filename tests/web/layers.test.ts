@@ -7,7 +7,7 @@ import { at } from '../../web/lib/base/diagram-data.ts'
 import { type Edit, mergeVertices, neighborPairs } from '../../web/lib/index.ts'
 import { checkLayers, DEFAULT_LAYERS, keptLayers, type Layers, layersFrom } from '../../web/view/layers.ts'
 import { idOf } from '../../web/view/painter/cell-boxes.ts'
-import { Centres } from '../../web/view/painter/centres.ts'
+import { Centers } from '../../web/view/painter/centers.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
 import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
@@ -36,7 +36,7 @@ function randomEdits(ids: ArrayLike<number>): Edit[] {
   return [{ kind: 'replace', id, circle }]
 }
 
-describe('colours of which neighbours have different ones', () => {
+describe('colors of which neighbors have different ones', () => {
   const expectProper = ({ diagram }: Picture, colorOf: (i: number) => number) => {
     const pairs = neighborPairs(diagram)
     for (let k = 0; k < pairs.length; k += 2) {
@@ -153,17 +153,17 @@ describe('merged vertices', () => {
   })
 })
 
-describe('the diagram of the centres', () => {
+describe('the diagram of the centers', () => {
   it('follows the edits of the circles', () => {
     const picture = new Picture(library.edit(randomCircles(60)))
     for (let k = 0; k < 10; k++) picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
     // It is asked for when circles have come and gone.
-    const centres = new Centres(library, picture.diagram)
-    picture.centres = centres
+    const centers = new Centers(library, picture.diagram)
+    picture.centers = centers
     for (let k = 0; k < 150; k++) picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
     const { circles } = picture.editor.snapshot()
     const expected = library.compute(circles.map((value, k) => (k % 3 === 2 ? 0 : value)))
-    const { diagram } = centres.picture
+    const { diagram } = centers.picture
     expect(diagram.edges.length).toBe(expected.edges.length)
     const keys = (list: Float64Array) =>
       Array.from({ length: list.length / 3 }, (_, k) => `${list.slice(3 * k, 3 * k + 3)}`)
@@ -315,7 +315,7 @@ describe('what the touching disc method finds', () => {
     expect(grid.found.edges.all).toBe(180)
   })
 
-  it('lacks the edges that it misses: too few samples for the neighbours that are far apart among the centres', async () => {
+  it('lacks the edges that it misses: too few samples for the neighbors that are far apart among the centers', async () => {
     const diagram = await figure('5d')
     const { found, missed } = methodResult(library, diagram, {
       ...DEFAULT_LAYERS,

@@ -106,10 +106,10 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     () => untyped(distanceToCircle)(diagram, 0, 0),
   ],
   ['badArgument', 'bisector: there is no circle 99; the diagram has 3.', () => bisector(CIRCLES, 0, 99)],
-  ['badArgument', 'bisector takes two circles with different centres.', () => bisector(CIRCLES, 0, 0)],
+  ['badArgument', 'bisector takes two circles with different centers.', () => bisector(CIRCLES, 0, 0)],
   [
     'badArgument',
-    'bisector takes two circles with different centres.',
+    'bisector takes two circles with different centers.',
     () => bisector(Float64Array.of(1, 2, 3, 1, 2, 4), 0, 1),
   ],
   ['badArgument', 'There is no metric "foo".', () => untyped(bisector)(CIRCLES, 0, 1, 'foo')],

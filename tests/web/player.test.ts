@@ -77,11 +77,11 @@ describe('the steps of a trace', () => {
     ])
     const told = stepsOf(trace).map((step) => sentenceOf(trace, step))
     expect(told[0]).toBe('There are 3 circles.')
-    expect(told).toContain('The Delaunay graph of the centres has 3 edges.')
+    expect(told).toContain('The Delaunay graph of the centers has 3 edges.')
     expect(told).toContain('The smallest disc in the list lies between circles 0 and 1, with radius 2.')
     expect(told).toContain('The disc of circles 0 and 1 is empty: directed edges 0→1 and 1→0 are placed.')
     expect(
-      told.some((text) => /is empty: its centre \(3, 4\) is a vertex, at distance 4 from all three/.test(text)),
+      told.some((text) => /is empty: its center \(3, 4\) is a vertex, at distance 4 from all three/.test(text)),
     ).toBe(true)
     expect(told.at(-1)).toBe('The list is empty. The 3 directed edges left are the hull. The judge proves the diagram.')
     expect([1234567, 0.000012345, 0, -2.34567, 1234.5678].map(numberOf)).toEqual([
@@ -256,7 +256,7 @@ describe('what is shown beside a step', () => {
     expect(drawn).toHaveLength(48 * state.segments.length)
   })
 
-  it('draws rays from each centre to the samples of its circle that come next', () => {
+  it('draws rays from each center to the samples of its circle that come next', () => {
     const step = steps.find(({ line }) => line === 'angles') as Step
     const state = trace.at(step.end)
     const known = circlesAt(trace, circles, state)

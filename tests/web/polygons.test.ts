@@ -77,7 +77,7 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
           expect(crossesItself(points, 2 * tolerance)).toBe(false)
           sum += own
         }
-        // Neighbours share the chords of an arc.
+        // Neighbors share the chords of an arc.
         const whole = (bounds.maxX - bounds.minX) * (bounds.maxY - bounds.minY)
         expect(Math.abs(sum / whole - 1)).toBeLessThan(1e-9)
       }),
@@ -104,7 +104,7 @@ describe.each(Object.entries(KINDS))('polygons of the cells of circles that are 
     )
   })
 
-  it('share their points with their neighbours, to the bit', () => {
+  it('share their points with their neighbors, to the bit', () => {
     fc.assert(
       fc.property(arbitrary, fc.constantFrom(1e-2, 1e-4), (circles, share) => {
         const diagram = library.compute(circles)

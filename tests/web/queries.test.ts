@@ -132,8 +132,8 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
         const { disc, circles: touched } = largest
         const rounding = 1e-12 * (scaleOf(circles) + width + height)
         if (disc.r <= 0) {
-          const centred = largestEmptyDiscCenteredIn(diagram, { bounds: region })
-          expect(Math.abs(disc.r - (centred?.disc.r as number))).toBeLessThanOrEqual(rounding)
+          const centered = largestEmptyDiscCenteredIn(diagram, { bounds: region })
+          expect(Math.abs(disc.r - (centered?.disc.r as number))).toBeLessThanOrEqual(rounding)
         } else {
           expect(depthOf(disc)).toBeGreaterThanOrEqual(disc.r - rounding)
           expect(leastDistance(circles, disc)).toBeGreaterThanOrEqual(disc.r - rounding)
@@ -177,7 +177,7 @@ describe.each(Object.entries(KINDS))('circles that are %s', (_, arbitrary) => {
   })
 })
 
-it('neighbour pairs are those of the edges, in order, each once', () => {
+it('neighbor pairs are those of the edges, in order, each once', () => {
   fc.assert(
     fc.property(anyCircles, (circles) => {
       const diagram = library.compute(circles)
@@ -211,7 +211,7 @@ it.each([
   ['one circle and two sides', [0, 0, 1], [0, 0, 4, 4], (4 * Math.SQRT2 - 1) / (1 + Math.SQRT2), 1],
   ['a circle between parallel sides', [-0.5, 0, 0.6, 8.5, 0, 0.6], [-1, -1, 9, 1], 1, 1],
   ['three sides', [50, 0, 1], [0, 0, 4, 3], 1.5, 0],
-  ['two sides, though an edge passes through its centre', [4, 0, 0, 4, 1, 0], [3.9, 0, 4.1, 1], 0.1, 0],
+  ['two sides, though an edge passes through its center', [4, 0, 0, 4, 1, 0], [3.9, 0, 4.1, 1], 0.1, 0],
 ] as const)('the largest empty disc inside a box touches %s', (_, circles, [minX, minY, maxX, maxY], radius, count) => {
   const diagram = library.compute(Float64Array.from(circles))
   const largest = largestEmptyDiscInside(diagram, { bounds: { minX, minY, maxX, maxY } })

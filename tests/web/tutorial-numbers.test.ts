@@ -80,9 +80,9 @@ describe('chapter 4', () => {
     expect([2, 3, 4, 5].map(areJoined)).toEqual([true, false, true, false])
   })
 
-  test('two neighbours are six steps apart among the centres', () => {
-    expect(figure('layers-between').caption).toContain('from centre to centre it takes six steps')
-    expect(measured(/its neighbour is (\d+) steps away/)).toEqual([6])
+  test('two neighbors are six steps apart among the centers', () => {
+    expect(figure('layers-between').caption).toContain('from center to center it takes six steps')
+    expect(measured(/its neighbor is (\d+) steps away/)).toEqual([6])
   })
 
   test('one pair of circles has several borders', () => {

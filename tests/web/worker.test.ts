@@ -227,7 +227,7 @@ describe('a worker', () => {
   })
 })
 
-describe('cancelling', () => {
+describe('canceling', () => {
   it('what waits does not end what runs, from whose progress it is done', async () => {
     const controller = new AbortController()
     const running = worker.compute(THREE, { progress: () => controller.abort('not needed') })

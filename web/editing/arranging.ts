@@ -24,7 +24,7 @@ function digitsOf(value: number): number {
   return Math.max((mantissa.split('.')[1] ?? '').length - Number(exponent), 0)
 }
 
-/** Scaled by a factor about a point: centres and radii. */
+/** Scaled by a factor about a point: centers and radii. */
 export function scaled({ x, y, r }: Circle, about: Point, factor: number): Circle {
   return { x: about.x + (x - about.x) * factor, y: about.y + (y - about.y) * factor, r: r * factor }
 }

@@ -83,7 +83,7 @@ export class CircleTable {
     return ids
   }
 
-  /** The ids of the circles with their centres in a box. */
+  /** The ids of the circles with their centers in a box. */
   within({ minX, minY, maxX, maxY }: Box): number[] {
     const ids: number[] = []
     for (let id = 0; id < this.#size; id++) {
@@ -108,7 +108,7 @@ export class CircleTable {
     return this.#box
   }
 
-  /** A box that a few outliers do not widen: around the middle nine tenths of the centres, by x and by y. */
+  /** A box that a few outliers do not widen: around the middle nine tenths of the centers, by x and by y. */
   core(): Box {
     this.#core ??= coreOf(this.circles())
     return this.#core

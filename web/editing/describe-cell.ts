@@ -7,5 +7,5 @@ export function describeCell(described: Described): [string, readonly number[]] 
   if (hiddenBy !== undefined) return [`Hidden inside circle ${hiddenBy}: it has no cell.`, [hiddenBy]]
   const neighbors = [...described.neighbors]
   const kind = isBounded ? 'Bounded cell' : 'Unbounded cell'
-  return [`${kind}, ${neighbors.length} ${neighbors.length === 1 ? 'neighbour' : 'neighbours'}`, neighbors]
+  return [`${kind}, ${neighbors.length} ${neighbors.length === 1 ? 'neighbor' : 'neighbors'}`, neighbors]
 }

@@ -286,7 +286,7 @@ export class EditorActions implements Hands {
     this.select(selection.includes(id) ? selection.filter((other) => other !== id) : [...selection, id])
   }
 
-  /** Selects the circles with their centres in a box, beside those that are. */
+  /** Selects the circles with their centers in a box, beside those that are. */
   selectWithin(box: Box): void {
     const { selection } = this.#store.get()
     this.select([...new Set([...selection, ...this.#editing.circles.within(box)])])
@@ -321,14 +321,14 @@ export class EditorActions implements Hands {
     return next !== undefined
   }
 
-  /** Selects the neighbour in a direction, of length 1. */
+  /** Selects the neighbor in a direction, of length 1. */
   selectNeighbor(direction: readonly [number, number]): void {
     const { circle } = this.#store.get()
     const next = circle === undefined ? undefined : nextInDirection(circle, this.#neighbors(), direction)
     if (next !== undefined) this.goTo(next.id)
   }
 
-  /** A circle that is dragged, touching neighbours or on the grid if it is so near, in units; `sizes`: its radius changes. */
+  /** A circle that is dragged, touching neighbors or on the grid if it is so near, in units; `sizes`: its radius changes. */
   snapped(circle: Circle, within: number, sizes: boolean): Circle {
     const snapping = { others: this.#neighbors(), grid: roundStep(GRID / this.#view.camera.scale), within }
     return sizes ? snappedInSize(circle, snapping) : snappedInPlace(circle, snapping)
@@ -447,7 +447,7 @@ export class EditorActions implements Hands {
     return fitted(box, this.#view.size, this.#padding())
   }
 
-  /** Has the view show the centre of a circle, where it does not. */
+  /** Has the view show the center of a circle, where it does not. */
   #reveal(id: number): void {
     const circle = this.#editing.circles.get(id)
     if (circle !== undefined && !this.#shows(circle)) {

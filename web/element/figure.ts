@@ -132,7 +132,7 @@ export class Figure {
     return this.store.get().step
   }
 
-  /** Has all drawn in the colours that there are now. */
+  /** Has all drawn in the colors that there are now. */
   restyle(): void {
     this.view.restyle()
     this.stepping.restyle()

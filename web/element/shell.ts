@@ -20,7 +20,7 @@ export class Shell {
   readonly #problem = make('p', 'problem')
   readonly #about = make('p', 'visually-hidden')
   readonly #keys = make('p', 'visually-hidden')
-  /** Called where colours may be others. */
+  /** Called where colors may be others. */
   onrestyle: () => void = () => {}
   #hiding: ReturnType<typeof setTimeout> | undefined
 
@@ -52,7 +52,7 @@ export class Shell {
     this.#problem.role = 'alert'
     this.#problem.hidden = true
     this.frame.append(this.figure, this.#fallback, this.controls, this.#hint, this.#problem)
-    // Its colours take a moment to change, which is told of: nothing else tells of a custom property, or of a page that turns dark.
+    // Its colors take a moment to change, which is told of: nothing else tells of a custom property, or of a page that turns dark.
     const probe = make('span', 'probe')
     probe.addEventListener('transitionrun', () => this.onrestyle())
     const stage = make('div', 'stage')

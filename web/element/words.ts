@@ -40,11 +40,11 @@ function english(lang: string): Words {
     lang,
     label: 'Circles and their Voronoi diagram',
     keys:
-      'Enter selects a circle. Tab goes to the next one, Control and an arrow key to the neighbour on that side, Escape ' +
+      'Enter selects a circle. Tab goes to the next one, Control and an arrow key to the neighbor on that side, Escape ' +
       'lets go. The arrow keys move what is selected, plus and minus change its size; Shift makes the step bigger, Alt ' +
       'finer. Delete removes it. Without a selected circle the arrow keys move the picture, plus and minus zoom and 0 fits it.',
     keysToLook:
-      'Enter selects a circle. Tab goes to the next one, Control and an arrow key to the neighbour on that side, Escape ' +
+      'Enter selects a circle. Tab goes to the next one, Control and an arrow key to the neighbor on that side, Escape ' +
       'lets go. The arrow keys move the picture, plus and minus zoom and 0 fits it.',
     wheelHint: 'Ctrl and the wheel zoom; so does the wheel alone after a click',
     met: 'The circles are as they are to be.',

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The diagrams that are confused with that of circles: of their centres, and by their power.
+ * Two related diagrams for comparison: the ordinary Voronoi diagram of the centers, and the power diagram.
  *
  * @module circle-voronoi/comparison
  */
@@ -16,20 +16,21 @@ import { checkLoadOptions, type LoadOptions } from './wasm/load-options.ts'
 import { compileWasm, instantiate, unwrap } from './wasm/wasm.ts'
 
 /**
- * Diagrams of the same circles by other distances, to show how they differ.
+ * Computes diagrams of the same circles by other metrics, to show how they differ.
  *
  * @category Comparison
  */
 export interface Comparison {
   /**
-   * The diagram of `circles`, as `compute` takes them, by another distance: with `centers` the ordinary Voronoi diagram of
-   * the centres, with `power` the power diagram, with `circles` that of `compute`. The methods of the result and the
-   * functions of cells and curves take that distance too.
+   * Computes the diagram of `circles` by another metric: with `centers` the ordinary Voronoi diagram of the centers,
+   * with `power` the power diagram, with `circles` the result of `compute`. The methods of the result, and functions of
+   * cells and curves, use this metric too.
    *
-   * Of `centers`: a vertex has the distance from its three centres as its radius, and of circles with one centre the first
-   * has a cell. Of `power`: the radius of a vertex is that of the circle at right angles to its three, or, negative, the
-   * root of minus their power where they overlap; a circle without a cell is listed as hidden by `NONE`, though no circle
-   * need contain it; a circle's centre may lie outside its cell; and no certificate is made.
+   * With `centers`, the radius of a vertex is its distance from its three centers, and if several circles have the same
+   * center, the first one has the cell. With `power`, the radius of a vertex is that of the circle at right angles to
+   * its three circles, or, where they overlap, the negative root of minus their power. A circle without a cell is
+   * listed as hidden by `NONE`, because no circle need contain it; the center of a circle may lie outside its cell; and
+   * there is no certificate.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
@@ -37,7 +38,7 @@ export interface Comparison {
 }
 
 /**
- * Loads what makes power diagrams, a WebAssembly module of its own, beside a loaded library.
+ * Loads the WebAssembly module for power diagrams, in addition to a loaded library.
  *
  * @param options `wasm`: `circle-voronoi-comparison.wasm`. Default: the file beside this module.
  * @throws CircleVoronoiError `notLoaded`, `badArgument`, `badOption`
@@ -65,8 +66,8 @@ export async function loadComparison(library: CircleVoronoi, options: LoadOption
       if (metric !== 'centers') {
         throw new CircleVoronoiError('badOption', -1, 'Unknown metric: the choice is circles, centers or power.')
       }
-      const centres = library.compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
-      return new Diagram({ ...centres, metric, circles: coordinates })
+      const centers = library.compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
+      return new Diagram({ ...centers, metric, circles: coordinates })
     },
   }
 }

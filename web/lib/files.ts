@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Files as the command line reads and writes them, to the byte.
+ * Reads and writes the files of the command line, with the same bytes.
  *
  * @module circle-voronoi/files
  */
@@ -24,7 +24,7 @@ import { checkLoadOptions, type LoadOptions } from './wasm/load-options.ts'
 import { compileWasm, instantiate, unwrap } from './wasm/wasm.ts'
 
 /**
- * The formats of circles.
+ * The formats of files of circles.
  *
  * @category Files
  * @example
@@ -32,7 +32,7 @@ import { compileWasm, instantiate, unwrap } from './wasm/wasm.ts'
  */
 export const CIRCLE_FORMATS = ['csv', 'json', 'geojson'] as const
 /**
- * The formats of diagrams. Those from `svg` to `obj` are drawn within bounds.
+ * The formats of files of diagrams. The formats from `svg` to `obj` are clipped to bounds.
  *
  * @category Files
  * @example
@@ -43,7 +43,7 @@ const DRAWN: readonly string[] = ['svg', 'geojson', 'geojsonl', 'wkt', 'obj']
 const DRAWN_OPTIONS = ['bounds', 'maxDistance', 'tolerance'] as const
 
 /**
- * How circles are written.
+ * Options for writing circles.
  *
  * @category Files
  */
@@ -53,43 +53,43 @@ export interface CircleFileOptions {
 }
 
 /**
- * How a diagram is written.
+ * Options for writing diagrams.
  *
  * @category Files
  */
 export interface DiagramFileOptions {
   /**
-   * `json`, which is read again; `csv`: vertices and edges; `stats`; `svg`: a drawing with true curves, a group for each
-   * layer; `geojson`: cells as polygons, with circle, r, area and neighbors; `geojsonl`: one a line; `wkt`: a line for
-   * each circle; `obj`: edges and cells. Default: `json`.
+   * The format. `json` can be read again; `csv`: vertices and edges; `stats`: counters and times; `svg`: a drawing with
+   * true curves, one group for each layer; `geojson`: cells as polygons, with circle, r, area and neighbors;
+   * `geojsonl`: one cell per line; `wkt`: one line for each circle; `obj`: edges and cells. Default: `json`.
    */
   readonly format?: (typeof DIAGRAM_FORMATS)[number] | undefined
-  /** What is drawn is clipped to this box. Default: one with room for a twentieth of the circles' extent around them. */
+  /** The box to clip to. Default: the bounding box of the circles plus a margin of a twentieth of its size. */
   readonly bounds?: Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | undefined
-  /** Cells and edges that are drawn are cut at this distance from their circles. Default: they are not. */
+  /** The distance from their circles at which cells and edges are cut. Default: no limit. */
   readonly maxDistance?: number | undefined
   /** The largest distance from the true curves, above 0. Default: a hundred-thousandth of the box. */
   readonly tolerance?: number | undefined
   /**
-   * How many digits coordinates and areas have after the decimal point at most, from 0. Circles keep those that they
-   * have, and polygons that would cross themselves keep all. Rounded far, a diagram in `json` is not one that is
-   * certified. Default: enough for a tenth of the tolerance; all of them in `json` and `csv`.
+   * The largest number of digits after the decimal point of coordinates and areas, from 0. Circles are not rounded, and
+   * polygons that rounding would make cross themselves are not rounded either. A `json` diagram with few digits may
+   * fail certification. Default: enough digits for a tenth of the tolerance; all digits in `json` and `csv`.
    */
   readonly digits?: number | undefined
 }
 
 /**
- * How a file is read.
+ * Options for reading.
  *
  * @category Files
  */
 export interface ReadOptions {
-  /** What it is called in errors. Default: `the text`. */
+  /** The name of the file in errors. Default: `the text`. */
   readonly name?: string | undefined
 }
 
 /**
- * How a file of circles is read.
+ * Options for reading circles.
  *
  * @category Files
  */
@@ -99,31 +99,32 @@ export interface ReadCirclesOptions extends ReadOptions {
 }
 
 /**
- * The readers and writers, loaded. Texts to be read may be bytes in UTF-8. All throw a `CircleVoronoiError`.
+ * The loaded readers and writers. Texts to read may be UTF-8 bytes. All methods throw a `CircleVoronoiError`.
  *
  * @category Files
  */
 export interface Files {
   /**
-   * Circles from CSV (x, y, r, or columns found by name), JSON (`[[x, y, r], ...]` or objects) or GeoJSON points with a
-   * property r: x, y, r of each.
+   * Reads circles from CSV (x, y, r, or columns found by name), JSON (`[[x, y, r], ...]` or objects) or GeoJSON points
+   * with a property r, and returns x, y, r of each.
    *
    * @throws CircleVoronoiError whose message begins with the file's name and the line: `badInput`, and what `compute`
    *   would refuse
    */
   readCircles(text: string | Uint8Array, options?: ReadCirclesOptions): Float64s
   /**
-   * A diagram from JSON, judged: its certificate says whether it is right. Of a power diagram there is no proof.
+   * Reads a diagram from JSON and checks it: its certificate says whether it is correct. There is no certificate for
+   * power diagrams.
    *
    * @throws CircleVoronoiError as `readCircles`
    */
   readDiagram(text: string | Uint8Array, options?: ReadOptions): Diagram
-  /** Whether a text is meant for `readDiagram` and not for `readCircles`. */
+  /** Returns whether a text contains a diagram for `readDiagram` rather than circles for `readCircles`. */
   holdsDiagram(text: string | Uint8Array): boolean
-  /** Circles as `readCircles` reads them, to the bit. */
+  /** Writes circles. `readCircles` reads the same bits again. */
   writeCircles(circles: Circles, options?: CircleFileOptions): string
   /**
-   * A diagram, which is judged anew.
+   * Writes a diagram and checks it again.
    *
    * @throws CircleVoronoiError `notCertified`, if something is to be drawn of a diagram that is not right; `badOption`, also
    *   if it is to be drawn of a power diagram, of which there is no proof; `badInput`, if arrays are not those of a diagram
@@ -132,7 +133,7 @@ export interface Files {
 }
 
 /**
- * Loads the readers and writers, a WebAssembly module of its own.
+ * Loads the WebAssembly module with the readers and writers.
  *
  * @param options `wasm`: `circle-voronoi-files.wasm`. Default: the file beside this module.
  * @throws CircleVoronoiError `notLoaded`, `badOption`

@@ -10,7 +10,7 @@ import type { Float64s } from './base/types.ts'
 import type { Edit } from './wasm/editor.ts'
 
 /**
- * What a link may have: letters, bytes of JSON once it is unpacked, circles, edits, and values of layers.
+ * The limits of links: letters, bytes of unpacked JSON, circles, edits, and values of layers.
  *
  * @category Links
  * @example
@@ -25,7 +25,7 @@ export const LINK_LIMITS = {
 } as const
 
 /**
- * A layer's setting, or settings.
+ * The setting of a layer, or its settings.
  *
  * @category Links
  */
@@ -38,41 +38,41 @@ export type LayerValue =
   | { readonly [name: string]: LayerValue }
 
 /**
- * The part of the plane that is looked at.
+ * The part of the plane that a link shows.
  *
  * @category Links
  */
 export interface LinkView {
-  /** Its middle. */
+  /** The center of the view. */
   readonly x: number
   readonly y: number
-  /** So many units are seen at least, in both directions. Above 0. */
+  /** The smallest visible width or height in units of the input, above 0. */
   readonly span: number
 }
 
 /**
- * What a link says. What it does not say is left to whoever opens it.
+ * The content of a link. Fields that are missing are left to the page that opens it.
  *
  * @category Links
  */
 export interface LinkState {
-  /** Circles of its own: x, y and r of each. */
+  /** The circles: x, y and r of each. */
   readonly circles?: Float64s | undefined
-  /** Or the name of a data set. */
+  /** The name of a data set, instead of circles. */
   readonly dataSet?: string | undefined
-  /** What was done with them, in order; their ids are those of `DiagramEditor`. */
+  /** The edits in order; ids are those of `DiagramEditor`. */
   readonly edits?: readonly Edit[] | undefined
   readonly view?: LinkView | undefined
-  /** The settings of layers by their names, whichever there are. */
+  /** The settings of layers by name. */
   readonly layers?: Readonly<Record<string, LayerValue>> | undefined
-  /** A step of the method, where it is played step by step: a whole number from 0. */
+  /** The step at which the method is shown, a whole number from 0. */
   readonly step?: number | undefined
-  /** Which one, as the option of `trace`. */
+  /** The method that is shown step by step, as in the option of `trace`. */
   readonly method?: string | undefined
 }
 
 /**
- * What a link is made of: circles may be given in any form.
+ * The content of a link to encode; circles may be given in any form.
  *
  * @category Links
  */
@@ -86,7 +86,7 @@ const DEEPEST_LAYER = 8
 const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers', 'step', 'method'] as const
 
 /**
- * The text that says a state. All numbers are exact; only -0 is 0.
+ * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
  *
  * @throws CircleVoronoiError `badArgument`, also for circles that `compute` would refuse; `tooManyCircles`, if a state is beyond `LINK_LIMITS`; `notLoaded`, where there is no
  *   `CompressionStream`
@@ -104,7 +104,7 @@ export async function encodeLink(state: LinkInput): Promise<string> {
 }
 
 /**
- * The same at once, for a page that is about to go: not compressed, it is several times as long.
+ * Encodes a state immediately, for a page that is about to close. The text is not compressed and several times as long.
  *
  * @throws CircleVoronoiError as `encodeLink`, but for `notLoaded`
  *
@@ -143,8 +143,8 @@ function jsonOf(state: LinkInput): string {
 }
 
 /**
- * Returns what a link says. Its circles, those of its edits included, are circles that `compute` takes. An editor finds out
- * whether the edits fit the circles.
+ * Decodes the text of a link. Its circles, including those of its edits, are valid input for `compute`. Whether the
+ * edits fit the circles is checked by an editor.
  *
  * @param text what stands after the `#` of an address, with it or without
  * @throws CircleVoronoiError `badInput`; `tooManyCircles`, if it is beyond `LINK_LIMITS`; `notLoaded`, where there is no

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Diagrams computed and edited in a worker, with progress and cancelling.
+ * Computes and edits diagrams in a worker, with progress and cancellation.
  *
  * @module circle-voronoi/worker
  */
@@ -22,32 +22,32 @@ export type { AsyncDiagramEditor, AsyncEditorMethods } from './threads/worker-ed
 export type { Disposal, LoadOptions, Options }
 
 /**
- * How a diagram is computed in a worker.
+ * Options of `compute` in a worker.
  *
  * @category Workers
  */
 export interface AsyncOptions extends Options {
-  /** Aborting it cancels the computation at once, and rejects the promise with the signal's reason. */
+  /** A signal that cancels the computation at once; the promise is rejected with the reason of the signal. */
   readonly signal?: AbortSignal | undefined
 }
 
 /**
- * What a worker does.
+ * The methods of a worker.
  *
  * @category Workers
  */
 export interface WorkerMethods {
   /**
-   * As `compute` of the library, elsewhere: what waits or goes on here is not held up. Arrays are handed over to the
-   * worker and back without a copy, but for the one of the input. What `progress` throws cancels the computation and
-   * rejects the promise.
+   * Computes a diagram in the worker, with the arguments of `compute` of the library, without blocking this thread.
+   * Arrays are transferred to the worker and back; only the input is copied. An error thrown by `progress` cancels the
+   * computation and rejects the promise.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`; the reason of `signal`; a `DOMException` named
    * AbortError if the worker is disposed of. Each as a rejection.
    */
   compute(circles: Circles, options?: AsyncOptions): Promise<Diagram>
   /**
-   * An editor, as `edit` of the library makes, in a thread of its own beside the one that computes.
+   * Creates an editor in a thread of its own, with the arguments of `edit` of the library.
    *
    * @throws CircleVoronoiError as `edit`; a `DOMException` named AbortError if the worker is disposed of. Each as a rejection.
    *
@@ -60,20 +60,20 @@ export interface WorkerMethods {
    * ```
    */
   edit(circles: Circles | DiagramData): Promise<AsyncDiagramEditor>
-  /** Ends the worker and its editors, and cancels what they have to do. */
+  /** Ends the worker and its editors and cancels their work. */
   dispose(): void
 }
 
 /**
- * Computes diagrams in a worker of its own, one after the other; `using` disposes of it.
+ * A worker that computes one diagram after the other. `using` disposes of it.
  *
  * @category Workers
  */
 export type CircleVoronoiWorker = WorkerMethods & Disposal
 
 /**
- * A worker, in a page, in another worker or in Node. Its thread starts with the first computation; while it is idle it
- * does not keep Node from ending.
+ * Creates a worker in a page, in another worker or in Node. Its thread starts with the first computation. An idle
+ * worker does not keep Node from exiting.
  *
  * @category Workers
  * @example
@@ -158,7 +158,7 @@ class Client implements CircleVoronoiWorker {
     this.#module ??= compileCircleVoronoi(this.#loadOptions)
     this.#module
       .then((module) => {
-        // It may have been cancelled meanwhile.
+        // It may have been canceled meanwhile.
         if (this.#jobs[0] === job) this.#run(job, module)
       })
       .catch((error) => {

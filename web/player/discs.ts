@@ -43,7 +43,7 @@ export function waitingCount(trace: Trace, state: TraceState, after: number): nu
   return count
 }
 
-/** A directed edge as seen from the centre of one of its circles: an angle in turns, and whether it starts there. */
+/** A directed edge as seen from the center of one of its circles: an angle in turns, and whether it starts there. */
 export interface RingMark {
   readonly angle: number
   readonly isOut: boolean

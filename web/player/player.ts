@@ -36,7 +36,7 @@ export interface Player {
   pause(): void
   /** Shows a step, or the nearest one that there is. */
   stepTo(step: number): void
-  /** Other colours are told of, which the player cannot hear of by itself. */
+  /** Other colors are told of, which the player cannot hear of by itself. */
   restyle(): void
   /** Shows the diagram again. */
   dispose(): void

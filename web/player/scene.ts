@@ -7,7 +7,7 @@ import type { AboveLayer } from '../view/layers.ts'
 import { FinishedArcs } from './finished-arcs.ts'
 import { kindAt, type Step } from './steps.ts'
 
-/** The colours of what is drawn, as a canvas knows them. */
+/** The colors of what is drawn, as a canvas knows them. */
 export interface Colors {
   readonly past: string
   readonly sample: string
@@ -241,7 +241,7 @@ function pointsOf(trace: Trace, events: Int32Array): Float64Array {
   )
 }
 
-/** From each centre to the samples of its circle that come next. */
+/** From each center to the samples of its circle that come next. */
 function raysOf(trace: Trace, from: number, circleOf: CircleOf): Float64Array {
   const rays: number[] = []
   for (let k = from; k < trace.length && kindAt(trace, k) === 'sampleTaken'; k++) {

@@ -40,9 +40,9 @@ export function sentenceOf(trace: Trace, step: Step, tested: readonly number[] =
     }
     case 'centers':
     case 'flipCenters':
-      return `The Delaunay graph of the centres has ${plural(count, 'edge')}.`
+      return `The Delaunay graph of the centers has ${plural(count, 'edge')}.`
     case 'angles':
-      return 'At each centre, the angles between these edges are divided by rays.'
+      return 'At each center, the angles between these edges are divided by rays.'
     case 'samples':
       return `${plural(count, 'sample')} lie where edges and rays leave their circles.`
     case 'sampleGraph':
@@ -59,7 +59,7 @@ export function sentenceOf(trace: Trace, step: Step, tested: readonly number[] =
     }
     case 'place': {
       const [a, b] = (event as TraceEvent).circles
-      const against = tested.length > 0 ? ` It meets neither foot's neighbours, ${listOf(tested)}.` : ''
+      const against = tested.length > 0 ? ` It meets neither foot's neighbors, ${listOf(tested)}.` : ''
       return `The disc of circles ${a} and ${b} is empty: directed edges ${a}→${b} and ${b}→${a} are placed.${against}`
     }
     case 'form':
@@ -71,7 +71,7 @@ export function sentenceOf(trace: Trace, step: Step, tested: readonly number[] =
     case 'stale':
       return `The directed edges of disc ${(event as TraceEvent).circles.join('·')} are gone or no longer next to each other: it is dropped.`
     case 'branch':
-      return `The disc of ${circlesText((event as TraceEvent).circles)} is empty: its centre ${atText(event as TraceEvent)} is a vertex, at distance ${radiusOf(event as TraceEvent)} from all three.`
+      return `The disc of ${circlesText((event as TraceEvent).circles)} is empty: its center ${atText(event as TraceEvent)} is a vertex, at distance ${radiusOf(event as TraceEvent)} from all three.`
     case 'finish': {
       const edges = during('directedEdgeDeleted').map(arrow)
       return `${plural(edges.length, 'segment')} end there: directed edges ${edges.join(', ')} are deleted.`
@@ -81,7 +81,7 @@ export function sentenceOf(trace: Trace, step: Step, tested: readonly number[] =
     case 'again':
       return `The judge found the diagram wrong: round ${((event as TraceEvent).numbers[0] ?? 0) + 1} begins with more samples.`
     case 'ties':
-      return 'Four or more circles touch one disc: its triangles are settled by the places of the centres.'
+      return 'Four or more circles touch one disc: its triangles are settled by the places of the centers.'
     case 'flipDiscs':
       return `${plural(during('faceMade').filter(({ circles }) => circles.length === 3).length, 'triangle')}, each with the disc that touches its three circles.`
     case 'editBegin':
@@ -137,7 +137,7 @@ function testText(event: TraceEvent): string {
     case 'hullNotConvex':
       return `Circle ${a} lies within the tangent line of circles ${b} and ${c}: it leaves the hull.`
     case 'circleShrunk':
-      return `Circle ${a} has shrunk to radius ${radiusOf(event)}: there it touches a disc of its neighbours.`
+      return `Circle ${a} has shrunk to radius ${radiusOf(event)}: there it touches a disc of its neighbors.`
     default:
       return `The disc beside the edge ${a}–${b}, with radius ${radiusOf(event)}, meets circle ${c}: the edge is wrong.`
   }

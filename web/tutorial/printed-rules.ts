@@ -33,7 +33,7 @@ export interface Printed {
   readonly leftoverCircles: Int32s
   /** x, y and r of its disc. */
   readonly leftoverDiscs: Float64s
-  /** The way from the centre of either circle to its footpoint, of any length: x and y each. */
+  /** The way from the center of either circle to its footpoint, of any length: x and y each. */
   readonly leftoverFeet: Float64s
 }
 

@@ -68,7 +68,7 @@ export function radiiOf(
 }
 
 /**
- * The radius that a circle had: that of the one with its centre, for places in the list change when others go; where it was
+ * The radius that a circle had: that of the one with its center, for places in the list change when others go; where it was
  * moved and none came or went, that of the one at its place.
  */
 function radiusIn(base: Float64Array, circles: Float64Array, first: number): number | undefined {

@@ -144,13 +144,13 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  /** Press where the centre is to be, drag to the rim. */
+  /** Press where the center is to be, drag to the rim. */
   const addCircle = (from: Point): Gesture => {
     const gesture = hands.beginGesture()
     const { x, y } = planeAt(from)
     let added: Promise<readonly number[]> | undefined
     let last: Circle = { x, y, r: 0 }
-    let isCancelled = false
+    let isCanceled = false
     const circleTo = (to: Point, snaps: boolean): Circle => {
       const point = planeAt(to)
       const circle = { x, y, r: Math.hypot(point.x - x, point.y - y) }
@@ -163,13 +163,13 @@ export function gesturesOf(view: View, hands: Hands) {
         const isFirst = added === undefined
         added ??= hands.add([circle], gesture)
         added.then(([id]) => {
-          const isWanted = !isCancelled && (isFirst || circle === last)
+          const isWanted = !isCanceled && (isFirst || circle === last)
           if (id !== undefined && isWanted) hands.set([{ id, circle: last }], gesture)
         })
       },
       click: () => hands.addFitting({ x, y }),
       cancel() {
-        isCancelled = true
+        isCanceled = true
         hands.cancel(gesture)
       },
     }

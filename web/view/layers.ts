@@ -3,9 +3,9 @@ import { refuseArgument, shown } from '../lib/base/check.ts'
 import type { Point } from '../lib/index.ts'
 import type { LayerValue } from '../lib/link.ts'
 
-/** What the colour of a cell says. `different`: no two neighbours have one colour. `gap`: how near the nearest other circle is. */
+/** What the color of a cell says. `different`: no two neighbors have one color. `gap`: how near the nearest other circle is. */
 export const CELL_COLORS = ['none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
-/** One of `CELL_COLORS`: what the colour of a cell says. */
+/** One of `CELL_COLORS`: what the color of a cell says. */
 export type CellColors = (typeof CELL_COLORS)[number]
 
 /** What the touching disc method makes on its way, for so many circles at most. */
@@ -30,7 +30,7 @@ export const SAMPLES: Readonly<
 /** What a client adds of its own, in the units of the circles. */
 export interface DataLayer {
   readonly id: string
-  /** A CSS colour. */
+  /** A CSS color. */
   readonly color: string
   /** x and y each, drawn as dots. */
   readonly points?: Float64Array
@@ -68,13 +68,13 @@ export interface Layers {
   readonly hull: boolean
   /** A segment for each two circles whose cells share an edge. */
   readonly dual: boolean
-  /** The same of the Voronoi diagram of the centres. */
+  /** The same of the Voronoi diagram of the centers. */
   readonly delaunay: boolean
-  /** The Voronoi diagram of the centres. */
+  /** The Voronoi diagram of the centers. */
   readonly ordinary: boolean
   /** The power diagram of the circles. */
   readonly power: boolean
-  /** The largest disc that meets no circle, with its centre inside the hull. */
+  /** The largest disc that meets no circle, with its center inside the hull. */
   readonly largestDisc: boolean
   /** The path between two points that keeps farthest from all circles. */
   readonly path: { readonly from: Point; readonly to: Point } | undefined

@@ -30,7 +30,7 @@ let shared: { painter: Painter; views: number } | undefined
 
 /**
  * Shows circles and their diagram in an element, which keeps its own size. Many may be on one page: nothing is shared but the
- * thread that computes and paints, and nothing outside of the element is touched or listened to but the colour scheme.
+ * thread that computes and paints, and nothing outside of the element is touched or listened to but the color scheme.
  *
  * @throws CircleVoronoiError `badArgument`, as `View.setLayers`
  */

@@ -72,10 +72,10 @@ export function listenToPointer(
   const whenKnown = (begun: Promise<Gesture>): Gesture => {
     let known: Gesture | undefined
     let last: Parameters<Gesture['move']> | undefined
-    let isCancelled = false
+    let isCanceled = false
     const then = begun.then((gesture) => {
       known = gesture
-      if (last !== undefined && !isCancelled) gesture.move(...last)
+      if (last !== undefined && !isCanceled) gesture.move(...last)
       return gesture
     })
     wait(then)
@@ -87,7 +87,7 @@ export function listenToPointer(
       click: () => wait(then.then((gesture) => gesture.click?.())),
       end: () => wait(then.then((gesture) => gesture.end?.())),
       cancel() {
-        isCancelled = true
+        isCanceled = true
         known?.cancel?.()
       },
     }

@@ -229,7 +229,7 @@ export interface Described {
   readonly neighbors: Int32Array
   /** The outline of the cell within the box that is looked at (`replay`). */
   readonly outline: Float64Array
-  /** Those of the neighbours. */
+  /** Those of the neighbors. */
   readonly neighborhood: Float64Array
 }
 
@@ -251,7 +251,7 @@ export interface Trial {
   readonly taken: readonly Taken[]
 }
 
-/** What a circle would take from another one, whose centre is x, y. */
+/** What a circle would take from another one, whose center is x, y. */
 export interface Taken extends Point {
   readonly id: number
   /** Infinite where a part has no end, NaN where that is not known. */
@@ -286,7 +286,7 @@ export interface MethodFound {
 
 /** How many cells there are of each kind. */
 export interface Distribution {
-  /** Of each number of neighbours. */
+  /** Of each number of neighbors. */
   readonly degrees: Int32Array
   /** Of those that do not go to infinity, in classes of one width from 0 on; what is larger is in the last one. */
   readonly areas: Int32Array
@@ -296,7 +296,7 @@ export interface Distribution {
   readonly certificate: Certificate
 }
 
-/** What a cell measures: its area, how many neighbours it has, and how far the circle is from the nearest other one. */
+/** What a cell measures: its area, how many neighbors it has, and how far the circle is from the nearest other one. */
 export type Column = 'area' | 'degree' | 'gap'
 
 /** Numbers of circles: of a hidden one NaN, of an area without end infinity. */

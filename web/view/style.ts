@@ -5,7 +5,7 @@ export const DISC_OPACITY = 0.85
 export const DOT_RADIUS = 1.5
 /** How many tints circles and cells have by size. */
 export const TINTS = 6
-/** Every map takes at most so many colours that are chosen greedily, the cells with fewest neighbours last. */
+/** Every map takes at most so many colors that are chosen greedily, the cells with fewest neighbors last. */
 export const MAP_COLORS = 6
 
 const COLORS = [
@@ -32,11 +32,11 @@ const COLORS = [
   'missedEdges',
 ] as const
 
-/** The colours of the drawing: CSS colours. */
+/** The colors of the drawing: CSS colors. */
 export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
   /** From the smallest to the largest. */
   readonly tints: readonly string[]
-  /** For neighbours to differ. */
+  /** For neighbors to differ. */
   readonly map: readonly string[]
   /** A cell has the tint of its circle, so much weaker. */
   readonly cellOpacity: number
@@ -47,9 +47,9 @@ export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
  * or else that of the theme.
  */
 export function readStyle(element: Element): Style {
-  // As numbers: a worker knows neither the scheme nor the system's colours.
+  // As numbers: a worker knows neither the scheme nor the system's colors.
   const probe = element.appendChild(document.createElement('span'))
-  // The system's colours are named where they are to be: data keeps its own.
+  // The system's colors are named where they are to be: data keeps its own.
   probe.style.setProperty('forced-color-adjust', 'none')
   const color = (name: string) => {
     const property = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
@@ -77,7 +77,7 @@ export function isDark({ paper }: Style): boolean {
   return red + green + blue < 1.5 * 255
 }
 
-/** Of a computed colour, which says it only if it is not 1. */
+/** Of a computed color, which says it only if it is not 1. */
 function opacityOf(color: string): number {
   return Number(/^rgba\(.*, ([\d.e-]+)\)$/.exec(color)?.[1] ?? 1)
 }

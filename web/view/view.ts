@@ -502,7 +502,7 @@ export class View {
     return edited
   }
 
-  /** The scheme, the system's colours, style sheets and the pixels of the screen may be others later. */
+  /** The scheme, the system's colors, style sheets and the pixels of the screen may be others later. */
   #watchSurroundings(): void {
     const { signal } = this.#watching
     // WebKit runs the modules of a page before its style sheets are there.

@@ -10,7 +10,7 @@ export const CIRCLES = [
   { x: 0, y: 8, r: 1 },
 ]
 
-/** Too many to be done before they are cancelled. */
+/** Too many to be done before they are canceled. */
 const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).map((value, i) =>
   i % 3 === 2 ? Math.abs(value) / 1000 : value,
 )
@@ -23,7 +23,7 @@ export async function use(options, comparisonOptions) {
   const power = computeComparison(CIRCLES, 'power')
   const worker = createWorker(options)
   const stages = []
-  const cancelled = await cancelledIn(worker)
+  const canceled = await canceledIn(worker)
   const there = await worker.compute(CIRCLES, { progress: (stage) => stages.push(stage) })
   worker.dispose()
   return JSON.stringify({
@@ -33,7 +33,7 @@ export async function use(options, comparisonOptions) {
     path: there.render() === here.render(),
     power: [...power.vertices.slice(0, 2)],
     stages: stages.includes('certify'),
-    cancelled,
+    canceled,
     code: codeOf(() => library.compute([{ x: 0, y: 0, r: -1 }])),
   })
 }
@@ -46,7 +46,7 @@ function codeOf(action) {
   }
 }
 
-async function cancelledIn(worker) {
+async function canceledIn(worker) {
   const controller = new AbortController()
   const progress = () => controller.abort('changed my mind')
   return worker.compute(MANY, { progress, signal: controller.signal }).catch((reason) => reason)

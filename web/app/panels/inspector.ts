@@ -10,7 +10,7 @@ import { byId } from './by-id.ts'
 type Field = 'x' | 'y' | 'r'
 const FIELDS: readonly Field[] = ['x', 'y', 'r']
 
-/** The numbers, the cell and the neighbours of the selected circle. Returns how to move the focus there. */
+/** The numbers, the cell and the neighbors of the selected circle. Returns how to move the focus there. */
 export function mountInspector(store: Store<State>, actions: PageActions): () => void {
   const panel = byId('inspector', HTMLElement)
   const title = byId('inspector-title', HTMLHeadingElement)

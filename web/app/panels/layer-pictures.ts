@@ -30,7 +30,7 @@ const PICTURES = {
 
 export type Pictured = keyof typeof PICTURES
 
-/** What a layer shows, in its colour. */
+/** What a layer shows, in its color. */
 export function pictureOf(layer: Pictured): TemplateResult {
   return html`<svg class="picture" viewBox="0 0 32 22" aria-hidden="true">${PICTURES[layer]}</svg>`
 }

@@ -29,13 +29,13 @@ const NEAR_ZERO = 1e-9
 const FARTHEST = 0.25
 
 const COLOR_NAMES: Readonly<Record<CellColors, string>> = {
-  none: 'no colour',
+  none: 'no color',
   radius: 'by radius',
   area: 'by area',
-  degree: 'by neighbours',
+  degree: 'by neighbors',
   gap: 'by nearest distance',
   index: 'by number',
-  different: 'neighbours differ',
+  different: 'neighbors differ',
 }
 const CANDIDATE_NAMES: Readonly<Record<Candidates, string>> = {
   dynamic: 'dynamic samples',
@@ -146,8 +146,8 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
     </fieldset>
     <fieldset>
       <legend>Compare</legend>
-      ${toggle('dual', 'Dual graph')} ${toggle('delaunay', 'Delaunay of centres')}
-      ${toggle('ordinary', 'Voronoi of centres')} ${toggle('power', 'Power diagram')}
+      ${toggle('dual', 'Dual graph')} ${toggle('delaunay', 'Delaunay of centers')}
+      ${toggle('ordinary', 'Voronoi of centers')} ${toggle('power', 'Power diagram')}
     </fieldset>
     ${(edited?.counts.circles ?? 0) > MOST_TRACED ? nothing : methodLayers(layers, edited?.counts.circles ?? 0, found?.method)}
   `
@@ -244,7 +244,7 @@ function key(colors: CellColors): unknown {
     { length: isMap ? MAP_COLORS : TINTS },
     (_, k) => svg`<rect class=${`${isMap ? 'm' : 't'}${k}`} x=${16 * k} width="16" height="8" />`,
   )
-  const [first, last] = ENDS[colors] ?? ['at most six colours', '']
+  const [first, last] = ENDS[colors] ?? ['at most six colors', '']
   return html`<div class="key">
     <span>${first}</span><svg viewBox="0 0 96 8" aria-hidden="true">${swatches}</svg><span>${last}</span>
   </div>`

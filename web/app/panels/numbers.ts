@@ -125,8 +125,8 @@ function distributionOf({ certificate, medianArea, areas, areaStep, degrees }: D
       <div class="chart" role="img" aria-label=${`Histogram of areas up to ${text(largest)}; larger ones are in the last bar`}></div>
     </figure>
     <figure>
-      <figcaption>Neighbours: ${mean.toFixed(2)} on average</figcaption>
-      <div class="chart" role="img" aria-label="Histogram of the number of neighbours"></div>
+      <figcaption>Neighbors: ${mean.toFixed(2)} on average</figcaption>
+      <div class="chart" role="img" aria-label="Histogram of the number of neighbors"></div>
     </figure>
     <p class="certificate">
       ${

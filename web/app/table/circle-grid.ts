@@ -19,11 +19,11 @@ const REST = 300
 const MEASURED: readonly Measured[] = ['area', 'degree', 'gap']
 const HEADINGS: Readonly<Record<Column, Heading>> = {
   id: { name: '#', title: 'Number of the circle', isEditable: false },
-  x: { name: 'x', title: 'Centre', isEditable: true },
-  y: { name: 'y', title: 'Centre', isEditable: true },
+  x: { name: 'x', title: 'Center', isEditable: true },
+  y: { name: 'y', title: 'Center', isEditable: true },
   r: { name: 'r', title: 'Radius', isEditable: true },
   area: { name: 'area', title: 'Area of the cell', isEditable: false },
-  degree: { name: 'nbrs', title: 'Neighbours: how many cells border on this one', isEditable: false },
+  degree: { name: 'nbrs', title: 'Neighbors: how many cells border on this one', isEditable: false },
   gap: { name: 'nearest', title: 'Distance of the nearest other circle', isEditable: false },
 }
 

@@ -4,7 +4,8 @@
 export const COORDINATE_LIMIT = 1e150
 
 /**
- * The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers.
+ * The largest coordinate of a region, in absolute value. It is a hundred times the limit of circles and keeps areas
+ * finite.
  *
  * @category Cells
  * @example

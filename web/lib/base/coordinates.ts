@@ -4,14 +4,14 @@ import { CircleVoronoiError } from './errors.ts'
 import type { Circle, Float64s } from './types.ts'
 
 /**
- * A circle as an object, or as an array of its x, y and r.
+ * A circle, given as an object or as an array of x, y and r.
  *
  * @category Loading
  */
 export type CircleLike = Circle | ArrayLike<number>
 
 /**
- * Circles: x, y, r of each in one typed array, or anything that can be gone through with `for of`.
+ * Circles, given as one typed array with x, y, r of each, or as any iterable.
  *
  * @category Loading
  */
@@ -31,7 +31,7 @@ export function coordinatesOf(circles: Circles): Float64s {
 }
 
 /**
- * What of a datum is asked for, as d3-delaunay asks for it.
+ * An accessor function, as in d3-delaunay.
  *
  * @category Loading
  */

@@ -3,7 +3,7 @@ import { checkCircles, checkData, checkIndex } from './check.ts'
 import type { Circle, DiagramData, Edge, Vertex } from './types.ts'
 
 /**
- * "None": the unbounded end of an edge.
+ * Stands for "none", for example at the unbounded end of an edge.
  *
  * @category Diagrams
  * @example
@@ -13,7 +13,7 @@ import type { Circle, DiagramData, Edge, Vertex } from './types.ts'
 export const NONE = -1
 
 /**
- * Circle `i` of a flat array of x, y, r.
+ * Returns circle `i` of a flat array of x, y, r.
  *
  * @throws CircleVoronoiError `badArgument`, if there is none
  *
@@ -28,7 +28,7 @@ export function circleAt(circles: Float64Array, i: number): Circle {
 }
 
 /**
- * Vertex `v` of a diagram.
+ * Returns vertex `v` of a diagram.
  *
  * @throws CircleVoronoiError `badArgument`, if there is none
  *
@@ -44,7 +44,7 @@ export function vertexAt(diagram: DiagramData, v: number): Vertex {
 }
 
 /**
- * Edge `e` of a diagram.
+ * Returns edge `e` of a diagram.
  *
  * @throws CircleVoronoiError `badArgument`, if there is none
  *

@@ -21,26 +21,28 @@ export const ERROR_CODES = [
 ] as const
 
 /**
- * What went wrong:
- * - `nonFinite`: a coordinate or a radius is NaN or infinite;
- * - `negativeRadius`: a radius is below zero;
- * - `coordinateTooLarge`: a coordinate or a radius exceeds 1e150, or a vertex lies beyond the doubles;
- * - `tooManyCircles`: the input, or the candidates asked for, do not fit in memory;
- * - `badOption`: an option is out of its range;
- * - `notCertified`: no construction led to a certified diagram;
- * - `unknownCircle`: an editor has no circle with this id;
- * - `badInput`: the input cannot be read as circles;
- * - `badArgument`: a method or a function was given what it cannot take;
- * - `badArithmetic`: the program rounds otherwise than to nearest (in C++ only);
- * - `notLoaded`: the WebAssembly cannot be loaded; `cause` says why;
- * - `internal`: the program itself failed; please report it with the input.
+ * The reason of an error.
+ *
+ * - `nonFinite`: a coordinate or a radius is NaN or infinite
+ * - `negativeRadius`: a radius is negative
+ * - `coordinateTooLarge`: a coordinate or a radius exceeds 1e150, or a vertex is too far away for a floating-point
+ *   number
+ * - `tooManyCircles`: the input, or the requested number of candidates, does not fit in memory
+ * - `badOption`: an option is invalid
+ * - `notCertified`: no construction led to a certified diagram
+ * - `unknownCircle`: an editor has no circle with this id
+ * - `badInput`: the input cannot be read as circles
+ * - `badArgument`: another argument of a method or function is invalid
+ * - `badArithmetic`: the program does not round to nearest (in C++ only)
+ * - `notLoaded`: the WebAssembly cannot be loaded; `cause` is the reason
+ * - `internal`: the library itself failed; please report the input
  *
  * @category Errors
  */
 export type ErrorCode = (typeof ERROR_CODES)[number] | 'badArgument' | 'notLoaded'
 
 /**
- * What every function of this library throws. `message` is one sentence.
+ * The error that all functions of this library throw. `message` is one sentence.
  *
  * @category Errors
  * @example
@@ -53,9 +55,9 @@ export type ErrorCode = (typeof ERROR_CODES)[number] | 'badArgument' | 'notLoade
  */
 export class CircleVoronoiError extends Error {
   override readonly name = 'CircleVoronoiError'
-  /** What went wrong. */
+  /** The reason. */
   readonly code: ErrorCode
-  /** Index of the circle concerned, for an editor its id; or -1. */
+  /** Index of the circle with the problem (its id in an editor), or -1. */
   readonly circle: number
 
   /** `options`: its cause, if there is one. */

@@ -5,7 +5,7 @@ import { lengthOf } from './scale.ts'
 import type { DiagramData } from './types.ts'
 
 /**
- * The distance from a circle of the diagram to the point (x, y), in the diagram's metric.
+ * Returns the distance from a circle of the diagram to the point (x, y), in the metric of the diagram.
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -19,8 +19,8 @@ export function distanceToCircle(diagram: DiagramData, circle: number, x: number
   checkIndex(circle, circles.length / 3, 'distanceToCircle', 'circle')
   checkNumber(x, 'distanceToCircle', 'x')
   checkNumber(y, 'distanceToCircle', 'y')
-  const toCentre = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
+  const toCenter = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
   const r = at(circles, 3 * circle + 2)
-  if (metric === 'circles') return toCentre - r
-  return metric === 'centers' ? toCentre : (toCentre - r) * (toCentre + r)
+  if (metric === 'circles') return toCenter - r
+  return metric === 'centers' ? toCenter : (toCenter - r) * (toCenter + r)
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * Numbers whose memory can be handed over to a worker: `Float64Array<ArrayBuffer>`, also before TypeScript 5.7.
+ * A `Float64Array` whose memory can be transferred to a worker: `Float64Array<ArrayBuffer>`, also before TypeScript
+ * 5.7.
  *
  * @category Diagrams
  */
@@ -10,7 +11,7 @@ export interface Float64s extends Float64Array {
 }
 
 /**
- * Indices, likewise.
+ * An `Int32Array` whose memory can be transferred to a worker.
  *
  * @category Diagrams
  */
@@ -19,8 +20,8 @@ export interface Int32s extends Int32Array {
 }
 
 /**
- * A circle with centre (x, y) and radius r >= 0; r = 0 is a point. As an additive weight (the option `weights`) r has any
- * sign. Mathematics is y-up.
+ * A circle with center (x, y) and radius r >= 0; a circle with r = 0 is a point. As an additive weight (the option
+ * `weights`), r may have any sign. The y axis points up.
  *
  * @category Diagrams
  */
@@ -31,7 +32,7 @@ export interface Circle {
 }
 
 /**
- * A Voronoi vertex: the centre of the disc that touches its three circles from outside. `r` is signed: it is
+ * A Voronoi vertex: the center and radius of the disc that touches three circles from outside. The radius `r` is
  * negative where the three circles overlap.
  *
  * @category Diagrams
@@ -43,8 +44,8 @@ export interface Vertex {
 }
 
 /**
- * An arc of the bisector of circles `left` and `right`, as seen when going from vertex `start` to vertex `end`; an end
- * at infinity is `NONE`. Two circles may share several edges.
+ * An edge: an arc of the bisector of the circles `left` and `right`, as seen on the way from vertex `start` to vertex
+ * `end`. An end at infinity is `NONE`. Two circles may share several edges.
  *
  * @category Diagrams
  */
@@ -56,7 +57,7 @@ export interface Edge {
 }
 
 /**
- * A circle without a cell, and a circle that contains it and is not hidden itself: of several the largest, of equal ones
+ * A hidden circle, which has no cell, and a visible circle that contains it: the largest one, and of several equal ones
  * the first.
  *
  * @category Diagrams
@@ -67,62 +68,65 @@ export interface HiddenCircle {
 }
 
 /**
- * The outcome of judging a diagram: a proof that it is the Voronoi diagram, or the first thing that is wrong.
+ * The result of checking a diagram: a proof that it is the Voronoi diagram, or the first flaw.
  *
  * @category Diagrams
  */
 export interface Certificate {
   readonly certified: boolean
-  /** The first flaw by the name of the C++ enumeration `Flaw` (circle_voronoi/certificate.h); `none` if certified. */
+  /**
+   * The first flaw, named as in the C++ enumeration `Flaw` (circle_voronoi/certificate.h); `none` if the diagram is
+   * certified.
+   */
   readonly flaw: string
-  /** The circle concerned, or `NONE`. */
+  /** The circle with the flaw, or `NONE`. */
   readonly circle: number
-  /** The vertex concerned, or `NONE`. */
+  /** The vertex with the flaw, or `NONE`. */
   readonly vertex: number
-  /** The edge concerned, or `NONE`. */
+  /** The edge with the flaw, or `NONE`. */
   readonly edge: number
-  /** One sentence; empty if certified. */
+  /** A sentence that describes the flaw; empty if the diagram is certified. */
   readonly message: string
 }
 
 /**
- * How much each stage had to do.
+ * Counters of the work that each stage did.
  *
  * @category Diagrams
  */
 export interface Counts {
-  /** Input circles. */
+  /** Number of input circles. */
   readonly circles: number
-  /** Of these, hidden ones. */
+  /** Number of hidden circles. */
   readonly hidden: number
-  /** Sample points on circles. */
+  /** Number of sample points on circles. */
   readonly samples: number
-  /** Candidate pairs, each with one antipodal disc. */
+  /** Number of candidate pairs, each with one antipodal disc. */
   readonly antipodalDiscs: number
-  /** Three-touch discs formed. */
+  /** Number of three-touch discs formed. */
   readonly threeTouchDiscs: number
-  /** Discs taken from the queue. */
+  /** Number of discs taken from the queue. */
   readonly events: number
-  /** Cycles of leftover directed edges; 1 in a right diagram of two circles or more. */
+  /** Number of cycles of leftover directed edges; 1 in a correct diagram of two or more circles. */
   readonly leftoverCycles: number
-  /** How often the touching disc method took more samples and tried again. */
+  /** Number of times that the touching disc method added samples and started again. */
   readonly resamplings: number
-  /** Edges flipped. */
+  /** Number of edge flips. */
   readonly flips: number
-  /** Places where a local diagram was spliced in. */
+  /** Number of places where a locally computed diagram was spliced in. */
   readonly repairs: number
-  /** Predicates decided in floating point, with an error bound. */
+  /** Number of predicates decided in floating point with an error bound. */
   readonly filtered: number
-  /** Predicates decided so with twice the digits: near ties. */
+  /** Number of predicates decided with twice the digits, because they were nearly ties. */
   readonly refined: number
-  /** Predicates decided by the exact in-circle test of centres (equal radii). */
+  /** Number of predicates decided by the exact in-circle test of centers (equal radii). */
   readonly inCircle: number
-  /** Predicates decided in full integer arithmetic. */
+  /** Number of predicates decided in exact integer arithmetic. */
   readonly exact: number
 }
 
 /**
- * Wall-clock seconds of each stage.
+ * Wall-clock time of each stage in seconds.
  *
  * @category Diagrams
  */
@@ -138,89 +142,94 @@ export interface Seconds {
 }
 
 /**
- * How a diagram came about.
+ * How a diagram was computed.
  *
  * @category Diagrams
  */
 export interface Stats {
-  /** The method asked for. */
+  /** The requested method. */
   readonly method: string
-  /** The construction that made the result: `flip`, `repair`, `insert`, `touching-disc` or `apollonius-graph`. */
+  /** The construction that produced the result: `flip`, `repair`, `insert`, `touching-disc` or `apollonius-graph`. */
   readonly way: string
-  /** The candidates of the touching disc method, or empty. */
+  /** The kind of candidates of the touching disc method; empty for other methods. */
   readonly candidates: string
   readonly counts: Counts
   readonly seconds: Seconds
 }
 
 /**
- * What the indices of a snapshot of an editor stand for.
+ * The ids and numbers that an editor uses for the circles, vertices and edges of a snapshot.
  *
  * @category Diagrams
  */
 export interface SnapshotNumbers {
-  /** How many changes the editor had made. */
+  /** The number of changes that the editor had made. */
   readonly revision: number
-  /** For each circle its id. */
+  /** The id of each circle. */
   readonly circles: Int32s
-  /** For each vertex its number. */
+  /** The number of each vertex in changes. */
   readonly vertices: Int32s
-  /** For each edge its number. */
+  /** The number of each edge in changes. */
   readonly edges: Int32s
   /**
-   * For each hidden circle the id of the one that the editor keeps it with: a visible one that contains it. Only until a change is
-   * applied: then `hidden` says it.
+   * For each hidden circle the id of a visible circle that contains it, as the editor stores it. Present only until the
+   * first change is applied; from then on `hidden` contains this circle.
    */
   readonly hiders?: Int32s
 }
 
 /**
- * The Voronoi diagram of n circles, by indices into flat arrays. Plain data: it can be posted to and from a worker, and
- * `new Diagram(data)` gives it its methods back.
+ * The Voronoi diagram of n circles as flat arrays with indices. It is plain data that can be posted to and from a
+ * worker; `new Diagram(data)` adds the methods.
  *
- * A vertex that touches more than three circles appears as several vertices joined by edges of length zero, so every
+ * A vertex that touches more than three circles appears as several vertices joined by edges of length zero. So every
  * vertex has exactly three circles and three edges.
  *
- * An edge seen from one of its two cells is a *side* of that cell: a half-edge. Side 2 e of edge e belongs to the left
- * circle and runs from start to end; side 2 e + 1, its twin, belongs to the right circle and runs back. So every side has
- * its own cell on its left, and the sides of a cell run counter-clockwise around it.
+ * A *side* (half-edge) is an edge seen from one of its two cells. Side 2 e of edge e belongs to the left circle and
+ * runs from start to end. Its twin, side 2 e + 1, belongs to the right circle and runs back. So every side has its own
+ * cell on its left, and the sides of a cell run counter-clockwise around it.
  *
  * @category Diagrams
  */
 export interface DiagramData {
-  /** The distance that makes the cells. */
+  /** The metric that defines the cells. */
   readonly metric: Metric
-  /** Whether the radii are additive weights of any sign: the option `weights`. */
+  /** Whether the radii are additive weights of any sign (the option `weights`). */
   readonly weights: boolean
-  /** Three per circle: x, y, r, in input order. */
+  /** Three numbers for each circle, in input order: x, y, r. */
   readonly circles: Float64s
-  /** Three per vertex: x, y, r. */
+  /** Three numbers for each vertex: x, y, r. */
   readonly vertices: Float64s
-  /** Three per vertex: its circles, counter-clockwise. */
+  /** Three circles for each vertex, counter-clockwise. */
   readonly vertexCircles: Int32s
-  /** Four per edge: left, right, start, end. */
+  /** Four numbers for each edge: left circle, right circle, start vertex, end vertex. */
   readonly edges: Int32s
-  /** Two per hidden circle: circle, by; in increasing order of `circle`. */
+  /** Two numbers for each hidden circle, in increasing order of `circle`: circle, by. */
   readonly hidden: Int32s
-  /** The circles on the convex hull, counter-clockwise; a circle recurs if the hull touches it more than once. */
+  /**
+   * The circles on the convex hull, counter-clockwise. A circle appears several times if the hull touches it more than
+   * once.
+   */
   readonly hull: Int32s
   /**
-   * Two per edge: for each side the one that follows it around its cell. Where the cell goes to infinity, the next side
-   * after one that ends there begins there.
+   * Two numbers for each edge: for each of its sides, the next side around the cell. In an unbounded cell, the side
+   * that ends at infinity is followed by the side that begins there.
    */
   readonly nextSide: Int32s
-  /** Three per vertex: the sides that begin there, the first of the first of its circles, and so on. */
+  /**
+   * Three sides for each vertex, which begin there; the first one belongs to the first circle of the vertex, and so on.
+   */
   readonly vertexSides: Int32s
-  /** For each circle the smallest of its sides; `NONE` if it has no cell, or its cell is the whole plane. */
+  /** The smallest side of each circle; `NONE` if the circle has no cell, or its cell is the whole plane. */
   readonly firstSide: Int32s
   readonly certificate: Certificate
   readonly stats: Stats
-  /** Of a snapshot of an editor: what its circles, vertices and edges are called in changes. */
+  /** The ids and numbers of an editor; only in snapshots of an editor. */
   readonly numbers?: SnapshotNumbers
 }
 
 /**
- * A point of the plane; mathematics is y-up, and counter-clockwise is positive.
+ * A point of the plane. The y axis points up, and counter-clockwise is positive.
  *
  * @category Diagrams
  */
@@ -230,7 +239,7 @@ export interface Point {
 }
 
 /**
- * A difference of points, or a direction of any length.
+ * A difference between two points, or a direction of any length.
  *
  * @category Diagrams
  */
@@ -240,18 +249,19 @@ export interface Vector {
 }
 
 /**
- * The distance from circle (c, r) to a point p that makes a diagram: a point belongs to the cell of the circle of smallest
- * distance.
- * - `circles`: |p - c| - r, negative inside: the Voronoi diagram of circles;
- * - `centers`: |p - c|: the ordinary Voronoi diagram of the centres;
- * - `power`: |p - c|^2 - r^2: the power (Laguerre) diagram.
+ * The distance from a circle (c, r) to a point p that defines a diagram. A point belongs to the cell of the circle with
+ * the smallest distance.
+ *
+ * - `circles`: |p - c| - r, negative inside the circle: the Voronoi diagram of circles
+ * - `centers`: |p - c|: the ordinary Voronoi diagram of the centers
+ * - `power`: |p - c|^2 - r^2: the power (Laguerre) diagram
  *
  * @category Diagrams
  */
 export type Metric = (typeof METRICS)[number]
 
 /**
- * Their names.
+ * The names of all metrics.
  *
  * @category Diagrams
  * @example
@@ -272,7 +282,7 @@ export interface Box {
 }
 
 /**
- * `dispose` for `using`, to compilers that know it.
+ * Support for `using`, in versions of TypeScript that know it.
  *
  * @category Editing
  */
@@ -281,19 +291,22 @@ export type Disposal = SymbolConstructor extends { readonly dispose: infer Key e
   : unknown
 
 /**
- * What curves are drawn on: the part of `CanvasRenderingContext2D` and `Path2D` that is used.
+ * A target for drawing: the methods of `CanvasRenderingContext2D` and `Path2D` that the library uses.
  *
  * @category Drawing
  */
 export interface PathSink {
-  /** Begins a part of the path at (x, y). */
+  /** Starts a new subpath at (x, y). */
   moveTo(x: number, y: number): void
-  /** A segment to (x, y). */
+  /** Adds a segment to (x, y). */
   lineTo(x: number, y: number): void
-  /** A cubic Bezier curve to (x, y), with two control points. */
+  /** Adds a cubic Bézier curve to (x, y) with two control points. */
   bezierCurveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void
-  /** An arc of a circle, by growing angles in radians, or by falling ones if `counterclockwise`. */
+  /**
+   * Adds an arc of a circle. Angles are in radians; the arc runs towards larger angles, or towards smaller ones if
+   * `counterclockwise`.
+   */
   arc(x: number, y: number, radius: number, startAngle: number, endAngle: number, counterclockwise?: boolean): void
-  /** A segment back to where the part began. */
+  /** Closes the current subpath. */
   closePath(): void
 }

@@ -14,7 +14,7 @@ import { type Bisector, inPlane, pointOf } from './bisector.ts'
 import type { BoundedCurve } from './curve.ts'
 
 /**
- * A conic section as a rational quadratic Bezier curve, with the weights 1, `weight`, 1 of its points.
+ * A conic section as a rational quadratic Bézier curve; its three points have the weights 1, `weight`, 1.
  *
  * @category Curves
  */
@@ -26,7 +26,7 @@ export interface RationalBezier {
 }
 
 /**
- * A cubic Bezier curve.
+ * A cubic Bézier curve.
  *
  * @category Curves
  */
@@ -38,7 +38,7 @@ export interface CubicBezier {
 }
 
 /**
- * A bounded arc exactly.
+ * Converts a bounded arc to a rational Bézier curve, exactly.
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -54,7 +54,7 @@ export function rationalBezier(curve: BoundedCurve): RationalBezier {
 }
 
 /**
- * The point at 0 <= u <= 1 of a rational Bezier curve.
+ * Returns the point of a rational Bézier curve at the parameter 0 <= u <= 1.
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -78,9 +78,9 @@ export function bezierPointAt(bezier: RationalBezier, u: number): Point {
 }
 
 /**
- * A bounded arc as cubic Bezier curves that keep within `tolerance` of it: each has the arc's tangents at both ends and
- * meets it in the middle, or is straight, and is as long as the tolerance allows. A tolerance below 1e-12 of the arc's
- * extent counts as that.
+ * Converts a bounded arc to cubic Bézier curves within `tolerance` of it, as few as possible. Each curve has the
+ * tangents of the arc at both ends and meets it in the middle, or is straight. The smallest effective tolerance is
+ * 1e-12 of the extent of the arc.
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -112,7 +112,7 @@ export function cubicBeziers(curve: BoundedCurve, tolerance: number): CubicBezie
 }
 
 /**
- * Draws a bounded arc, from its start, where the path already is, as the curves of `cubicBeziers`.
+ * Draws a bounded arc as the curves of `cubicBeziers`. The path must already be at the start of the arc.
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -167,8 +167,8 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
 }
 
 /**
- * A bounded arc as the points of a polyline that keeps within `tolerance` of it, two at least, with chords as long as the
- * tolerance allows. A tolerance below 1e-9 of the arc's extent counts as that.
+ * Converts a bounded arc to the points of a polyline within `tolerance` of it: at least two points, and as few as
+ * possible. The smallest effective tolerance is 1e-9 of the extent of the arc.
  *
  * @throws CircleVoronoiError `badArgument`
  *

@@ -8,12 +8,12 @@ import { METRICS, type Metric } from '../base/types.ts'
 
 /**
  * The bisector of two circles, the points at the same distance from both: one branch of a hyperbola whose foci are the
- * centres and whose axis has length 2 |a| = |r_left - r_right|, bent around the smaller circle. Seen from the centre of
+ * centers and whose axis has length 2 |a| = |r_left - r_right|, bent around the smaller circle. Seen from the center of
  * the smaller circle, the origin,
  *
  *     point(s) = origin + (apex - |a| (s - 1)^2 / (2 s)) along + b (s - 1 / s) / 2 across,      0 < s < infinity,
  *
- * so s = 1 is the apex, on the line of centres, and growing s has the left circle on its left. With s = e^t this is the
+ * so s = 1 is the apex, on the line of centers, and growing s has the left circle on its left. With s = e^t this is the
  * usual (|a| cosh t, b sinh t), without cancellation near the smaller circle and without functions that differ between
  * platforms. For equal radii a is 0 and the branch is a straight line, as it is for the other metrics.
  *
@@ -26,7 +26,7 @@ import { METRICS, type Metric } from '../base/types.ts'
  * @category Curves
  */
 export interface Bisector {
-  /** The foci: the centre of the left circle, */
+  /** The foci: the center of the left circle, */
   readonly left: Point
   /** and of the right one. */
   readonly right: Point
@@ -34,7 +34,7 @@ export interface Bisector {
   readonly unit: number
   /** (r_left - r_right) / 2 */
   readonly a: number
-  /** a^2 + b^2 = c^2, where c is half the distance of the centres; above 0 */
+  /** a^2 + b^2 = c^2, where c is half the distance of the centers; above 0 */
   readonly b: number
   /** The focus of the smaller circle, the left one if radii are equal. */
   readonly origin: Point
@@ -44,7 +44,7 @@ export interface Bisector {
   readonly across: Vector
   /**
    * The distance c - |a| from the origin to the apex. For the metric `power` it is where the radical axis crosses the line
-   * of centres, and may be negative.
+   * of centers, and may be negative.
    */
   readonly apex: number
 }
@@ -60,9 +60,9 @@ const FINEST = 2 ** -900
 const FARTHEST_APEX = 1e300
 
 /**
- * The bisector of two circles with cells; `circles`: x, y, r each.
+ * Returns the bisector of two circles that both have cells. `circles` has x, y, r of each circle.
  *
- * @throws CircleVoronoiError `badArgument`, if there are no such circles, or they have one centre, or of an unknown metric
+ * @throws CircleVoronoiError `badArgument`, if there are no such circles, or they have one center, or of an unknown metric
  *
  * @category Curves
  * @example
@@ -74,19 +74,19 @@ export function bisector(circles: Float64Array, left: number, right: number, met
   checkIndex(right, circles.length / 3, 'bisector', 'circle')
   if (!METRICS.includes(metric)) refuseArgument(`There is no metric ${shown(metric)}.`)
   const isSame = (k: number) => circles[3 * left + k] === circles[3 * right + k]
-  if (isSame(0) && isSame(1)) refuseArgument('bisector takes two circles with different centres.')
+  if (isSame(0) && isSame(1)) refuseArgument('bisector takes two circles with different centers.')
   return bisectorOf(circles, left, right, metric)
 }
 
 /** The same of checked arguments. */
 export function bisectorOf(circles: Float64Array, left: number, right: number, metric: Metric): Bisector {
-  const leftCentre = { x: at(circles, 3 * left), y: at(circles, 3 * left + 1) }
-  const rightCentre = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
+  const leftCenter = { x: at(circles, 3 * left), y: at(circles, 3 * left + 1) }
+  const rightCenter = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
   const leftRadius = at(circles, 3 * left + 2)
   const rightRadius = at(circles, 3 * right + 2)
   const originIsLeft = metric !== 'circles' || leftRadius <= rightRadius
-  const origin = originIsLeft ? leftCentre : rightCentre
-  const toOther = between(origin, originIsLeft ? rightCentre : leftCentre)
+  const origin = originIsLeft ? leftCenter : rightCenter
+  const toOther = between(origin, originIsLeft ? rightCenter : leftCenter)
   const unit = unitFor(largestOf(toOther))
   const { x, y } = measuredIn(unit, toOther)
   const d = length({ x, y })
@@ -96,8 +96,8 @@ export function bisectorOf(circles: Float64Array, left: number, right: number, m
   const shift =
     metric === 'power' ? ((leftRadius - rightRadius) / unit) * ((leftRadius + rightRadius) / unit / (2 * d)) : 0
   return {
-    left: leftCentre,
-    right: rightCentre,
+    left: leftCenter,
+    right: rightCenter,
     unit,
     a: difference / 2,
     // Not c^2 - a^2, which cancels for a circle almost inside the other.
@@ -110,7 +110,7 @@ export function bisectorOf(circles: Float64Array, left: number, right: number, m
 }
 
 /**
- * The point of the bisector with parameter 0 < s < infinity.
+ * Returns the point of the bisector at the parameter 0 < s < infinity.
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -138,7 +138,7 @@ export function inPlane({ origin, unit, along, across }: Bisector, u: number, v:
 }
 
 /**
- * The parameter of the point of the bisector next to (x, y), a point on it but for rounding.
+ * Returns the parameter of a point (x, y) that lies on the bisector up to rounding.
  *
  * @throws CircleVoronoiError `badArgument`
  *

@@ -18,14 +18,14 @@ export interface EdgeCurve {
   readonly bisector: Bisector
   readonly from: number
   readonly to: number
-  /** `undefined`: at infinity. */
+  /** The start point; `undefined` at infinity. */
   readonly start: Point | undefined
-  /** `undefined`: at infinity. */
+  /** The end point; `undefined` at infinity. */
   readonly end: Point | undefined
 }
 
 /**
- * An arc with two ends.
+ * A bounded arc.
  *
  * @category Curves
  */
@@ -35,7 +35,7 @@ export interface BoundedCurve extends EdgeCurve {
 }
 
 /**
- * Whether an arc has two ends.
+ * Returns whether an arc is bounded.
  *
  * @category Curves
  * @example
@@ -47,9 +47,9 @@ export function isBoundedCurve(curve: EdgeCurve): curve is BoundedCurve {
 }
 
 /**
- * The curve of edge `edge` of a diagram. Where it ends more than 2^900 times as far away as the two centres are from each
- * other, they are moved apart to 2^-900 of that: that cannot be seen from there, and parameters stay in the range of
- * numbers.
+ * Returns the curve of edge `edge` of a diagram. If the edge ends more than 2^900 times as far away as the distance of
+ * its two centers, the centers are moved apart to 2^-900 of that distance. This change is invisible from there, and it
+ * keeps parameters in the range of numbers.
  *
  * @throws CircleVoronoiError `badArgument`, if there is no such edge
  *

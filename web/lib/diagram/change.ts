@@ -2,57 +2,60 @@
 import type { Float64s, Int32s } from '../base/types.ts'
 
 /**
- * How an edit was done; each is certified. `local`: by flips around the circles concerned. `patch`: where these led astray, by
- * a diagram of the circles around, spliced in. `whole`: by computing everything.
+ * How an edit was made; the result is certified in each case. `local`: by flips around the circles concerned. `patch`:
+ * the flips failed, and a diagram of the surrounding circles was computed and spliced in. `whole`: the whole diagram
+ * was computed.
  *
  * @category Editing
  */
 export type EditWay = 'local' | 'patch' | 'whole'
 
 /**
- * What an edit, or a batch, did to a diagram.
+ * The effect of an edit, or of a batch of edits, on a diagram.
  *
- * Circles go by their ids. Each vertex and each edge has a number, which stays its own until it goes, and may then be that of
- * another: an edge with another end is another edge, and so is a vertex whose circle has moved. Who takes away what goes, then
- * puts what comes into its place, has the diagram as it is now; `Diagram.apply` does so. Its circles and vertices equal those of
- * `DiagramEditor.snapshot` to the bit, at any scale.
+ * Circles are named by their ids. Each vertex and each edge has a number, which may be reused after the vertex or edge
+ * is removed. An edge that gets another end counts as a new edge, and a vertex whose circle moves counts as a new
+ * vertex. To update a copy of the diagram, take away the removed parts and then add the added ones, as `Diagram.apply`
+ * does. The circles and vertices then equal those of `DiagramEditor.snapshot` to the bit, at any scale.
  *
  * @category Editing
  */
 export interface Change {
-  /** How many changes the editor has made, with this one. */
+  /** The number of changes that the editor has made, including this one. */
   readonly revision: number
   readonly way: EditWay
-  /** In the order of the edits. */
+  /** Ids of the inserted circles, in the order of the edits. */
   readonly inserted: Int32s
   readonly removed: Int32s
   readonly replaced: Int32s
-  /** Three for each circle inserted, then for each replaced: x, y, r. */
+  /** Three numbers for each inserted circle, then for each replaced circle: x, y, r. */
   readonly circles: Float64s
-  /** Circles that no longer have a cell, or came without one. */
+  /** Circles that lost their cell, or were inserted without one. */
   readonly hidden: Int32s
   /**
-   * Two for each of those, and for each circle that another hides than before: the circle, and a visible one that contains it;
-   * of several the one that it is kept with.
+   * Two ids for each circle in `hidden`, and for each hidden circle that got another hider: the circle, and a visible
+   * circle that contains it.
    */
   readonly hiders: Int32s
-  /** Circles that were hidden and have a cell again. */
+  /** Circles that were hidden and now have a cell. */
   readonly shown: Int32s
-  /** Circles whose cells have another outline, new ones included. */
+  /** Circles whose cells changed, including new circles. */
   readonly cells: Int32s
   readonly removedVertices: Int32s
   readonly addedVertices: Int32s
-  /** Three for each vertex added: x, y, r. */
+  /** Three numbers for each added vertex: x, y, r. */
   readonly vertices: Float64s
-  /** Three for each vertex added: its circles, counter-clockwise, the least first. */
+  /** Three ids for each added vertex: its circles, counter-clockwise, the smallest id first. */
   readonly vertexCircles: Int32s
   readonly removedEdges: Int32s
   readonly addedEdges: Int32s
-  /** Four for each edge added: left, right, start, end; an unbounded end is `NONE`. */
+  /**
+   * Four numbers for each added edge: left circle, right circle, start vertex, end vertex; an unbounded end is `NONE`.
+   */
   readonly edges: Int32s
   /**
-   * Two for each side to infinity that another follows than before: the side, and the next one around its cell. Side 2 e is
-   * that of the left circle of the edge with number e, 2 e + 1 that of the right one.
+   * Two numbers for each unbounded side that is followed by another side than before: the side, and the next side
+   * around its cell. Side 2 e belongs to the left circle of edge e, side 2 e + 1 to the right circle.
    */
   readonly hullSides: Int32s
 }

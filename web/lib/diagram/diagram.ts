@@ -41,37 +41,37 @@ import { Finder } from './finder.ts'
 import { before } from './link-sides.ts'
 
 /**
- * The cell of a circle. Its sides are listed counter-clockwise; where it goes to infinity, the next side after one that ends
- * there begins there. There are none if the cell is the whole plane.
+ * The Voronoi cell of a circle. Its sides are listed counter-clockwise. In an unbounded cell, the side that ends at
+ * infinity is followed by the side that begins there. A cell that is the whole plane has no sides.
  *
  * @category Diagrams
  */
 export interface Cell {
   readonly circle: number
-  /** For each side 2 e, or 2 e + 1 if the cell is on the right of edge e. */
+  /** One number for each side: 2 e if the cell is on the left of edge e, 2 e + 1 if it is on the right. */
   readonly sides: Int32Array
-  /** For each side its edge. */
+  /** The edge of each side. */
   readonly edges: Int32Array
-  /** For each side the circle across; one recurs if the two cells share several edges. */
+  /** The circle across each side. A circle appears several times if the two cells share several edges. */
   readonly neighbors: Int32Array
-  /** For each side the vertex where it begins, or `NONE` if it comes from infinity. */
+  /** The vertex where each side begins, or `NONE` if the side comes from infinity. */
   readonly vertices: Int32Array
-  /** Whether it does not go to infinity. */
+  /** Whether the cell is bounded. */
   readonly isBounded: boolean
 }
 
 /**
- * The Voronoi diagram of n circles: flat arrays, and what one asks of them. A structured clone, as `postMessage` makes, is
- * its `DiagramData`; `new Diagram(data)` gives that its methods back, `Diagram.fromJSON` those of JSON. There is nothing to
- * free.
+ * The Voronoi diagram of n circles: flat arrays, and methods that draw, measure and query them. A structured clone, for
+ * example one made by `postMessage`, is plain `DiagramData`; `new Diagram(data)` restores the methods, and
+ * `Diagram.fromJSON` reads JSON. Nothing has to be freed.
  *
- * What draws takes one object of options: on a `context` (a canvas, a `Path2D` or any other `PathSink`) it draws, without
- * one it returns the `d` attribute of an SVG path. Curves are Bezier curves no farther than `tolerance` from the true ones,
- * by default a hundred-thousandth of the bounds. `bounds` are a box or a convex polygon in the units of the input, by
- * default a box with room for a twentieth of the circles' extent around them.
+ * Drawing methods take one object of options. With a `context` (a canvas, a `Path2D` or any other `PathSink`) they
+ * draw; without one they return the `d` attribute of an SVG path. Curves are approximated by Bézier curves within
+ * `tolerance`, by default a hundred-thousandth of the bounds. `bounds` is a box or a convex polygon in the units of the
+ * input; the default is the bounding box of the circles plus a margin of a twentieth of its size.
  *
- * The methods presume a certified diagram. What is made to answer them, in linear time, is made once, when first needed.
- * All throw a `CircleVoronoiError`: `badOption`, if options make no sense, `badArgument`, if something else does not.
+ * The methods expect a certified diagram. Data structures that they need are built in linear time on first use. All
+ * methods throw a `CircleVoronoiError`: `badOption` for options that make no sense, `badArgument` for other arguments.
  *
  * @category Diagrams
  * @example
@@ -103,7 +103,7 @@ export class Diagram implements DiagramData {
   #patch: DiagramPatch | undefined
   #lastRegion: ConvexPolygon | undefined
 
-  /** Around the arrays of `data`, which are not copied. `recompute`: what `update` calls. */
+  /** Wraps the arrays of `data` without copying them. `update` calls `recompute`. */
   constructor(data: DiagramData, recompute?: (circles: Float64s) => DiagramData) {
     checkData(data, 'new Diagram')
     this.metric = data.metric
@@ -124,8 +124,9 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * The diagram of a JSON file, or of what `JSON.parse` makes of one, as `JSON.stringify(diagram)` and the command line
-   * write it: numbers to the bit. It is not judged; `certify` of the library does that.
+   * Reads a diagram from the text of a JSON file or from the object that `JSON.parse` makes of it, as
+   * `JSON.stringify(diagram)` and the command line write it. Numbers round-trip exactly. The diagram is not checked;
+   * use `certify` of the library for that.
    *
    * @throws CircleVoronoiError `badInput`, if it is no such file or an index is none of its circles or vertices;
    *   `negativeRadius`, `coordinateTooLarge`
@@ -134,14 +135,14 @@ export class Diagram implements DiagramData {
     return new Diagram(dataFrom(json))
   }
 
-  /** What `JSON.stringify` writes: a file as the command line writes and reads it. Only the sign of a zero is lost. */
+  /** Returns the content of a JSON file as the command line writes and reads it. Only the sign of a zero is lost. */
   toJSON(): DiagramFile {
     return fileOf(this)
   }
 
   /**
-   * Computes the diagram anew after `circles` was changed in place, with the options of the first time. If that fails,
-   * the diagram stays as it was.
+   * Computes the diagram again after `circles` was changed in place, with the original options. If that fails, the
+   * diagram stays unchanged.
    *
    * @throws CircleVoronoiError as `compute`; `badArgument`, if the diagram was not made by `compute` here
    */
@@ -156,10 +157,11 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Follows an editor: makes this, a snapshot of it, the diagram after its next change, in the time that the change takes. The
-   * arrays are changed in place; one that has to be longer or shorter is another then. `cells` and what `find` has made stay
-   * good. Indices have no gaps: where a circle, a vertex or an edge goes, the last one may take its index. `indexOf` has a
-   * circle's index, `numbers.circles` the ids. Of a hidden circle `by` is one that contains it, not always the largest.
+   * Applies the next change of an editor to this snapshot of it, in time proportional to the change. Arrays are changed
+   * in place; an array whose length changes is replaced. `cells` and the search structure of `find` stay valid. Indices
+   * have no gaps: when a circle, vertex or edge is removed, the last one may take its index. Use `indexOf` to find the
+   * index of a circle and `numbers.circles` for the ids. The `by` of a hidden circle is a circle that contains it, but
+   * not always the largest.
    *
    * @throws CircleVoronoiError `badArgument`, if the diagram is no snapshot of an editor, or a change has been left out
    *
@@ -185,7 +187,7 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * Of a snapshot of an editor the index of the circle with this id; `NONE` if there is none.
+   * Returns the index of the circle with this id in a snapshot of an editor, or `NONE` if there is none.
    *
    * @throws CircleVoronoiError `badArgument`, if it is no such snapshot
    */
@@ -200,22 +202,22 @@ export class Diagram implements DiagramData {
     return this.#patch
   }
 
-  /** The sides of all cells in order. */
+  /** The cells with their sides. */
   get cells(): Cells {
     this.#cells ??= new Cells(this)
     return this.#cells
   }
 
   /**
-   * The triangles of the dual, three circles each, counter-clockwise: `vertexCircles` by the name that d3-delaunay has
-   * for it. Two of them may share two circles or all three.
+   * The triangles of the dual, three circles each, counter-clockwise. This is `vertexCircles` under the name that
+   * d3-delaunay uses. Two triangles may share two circles or all three.
    */
   get triangles(): Int32Array {
     return this.vertexCircles
   }
 
   /**
-   * For each half-edge of the dual its opposite, or -1 at the hull, as in d3-delaunay: half-edge 3 t + k leads from the
+   * The opposite of each half-edge of the dual, or -1 on the hull, as in d3-delaunay. Half-edge 3 t + k leads from the
    * k-th circle of triangle t to the next one.
    */
   get halfedges(): Int32Array {
@@ -223,7 +225,7 @@ export class Diagram implements DiagramData {
     return this.#halfedges
   }
 
-  /** The cell of circle `i`; `undefined` if it is hidden, or there is no such circle. */
+  /** Returns the cell of circle `i`, or `undefined` if the circle is hidden or does not exist. */
   cell(i: number): Cell | undefined {
     checkNumber(i, 'cell', 'the index of a circle')
     const { cells } = this
@@ -240,15 +242,15 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * The circles whose cells share an edge with that of circle `i`, counter-clockwise: one recurs if they share several.
-   * None if `i` is hidden.
+   * Returns the circles whose cells share an edge with the cell of circle `i`, counter-clockwise. A circle appears once
+   * for each shared edge. The result is empty if circle `i` is hidden.
    */
   neighbors(i: number): Int32Array {
     this.#checkCircle(i, 'neighbors')
     return this.cells.neighbors(i)
   }
 
-  /** Whether (x, y) is in the cell of circle `i`: no circle is nearer, up to rounding. False if `i` is hidden. */
+  /** Returns whether (x, y) lies in the cell of circle `i`, up to rounding. Returns false if circle `i` is hidden. */
   contains(i: number, x: number, y: number): boolean {
     this.#checkCircle(i, 'contains')
     checkNumber(x, 'contains', 'x')
@@ -257,9 +259,10 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * The circle nearest to (x, y), by the signed distance to its boundary or the diagram's other metric; one of them, if
-   * several are up to rounding. A walk from a circle near the point, or from `hint` if that is nearer: for circles spread
-   * evenly a step or two. `NONE` if there are no circles, or a coordinate is not finite.
+   * Returns the circle nearest to (x, y) by the signed distance to its boundary, or by the metric of the diagram. If
+   * several circles are equally near up to rounding, it returns one of them; if there are no circles or a coordinate is
+   * not finite, `NONE`. The search walks from a circle near the point, or from `hint` if that is nearer, and needs a
+   * step or two if the circles are spread evenly.
    */
   find(x: number, y: number, hint: number = NONE): number {
     checkNumber(x, 'find', 'x')
@@ -269,7 +272,10 @@ export class Diagram implements DiagramData {
     return this.#finder.find(x, y, hint)
   }
 
-  /** For each of many points, x and y each, the same; it is fastest if points near in the list are near in the plane. */
+  /**
+   * Returns the circle nearest to each of many points, given as x and y of each. This is fastest if consecutive points
+   * are close to each other.
+   */
   findAll(points: Float64Array | Float32Array | readonly number[]): Int32Array {
     const isList = points instanceof Float64Array || points instanceof Float32Array || Array.isArray(points)
     if (!isList) refuseArgument(`findAll takes a Float64Array of x and y for each point, not ${shown(points)}.`)
@@ -281,7 +287,7 @@ export class Diagram implements DiagramData {
     return this.#finder.findAll(coordinates)
   }
 
-  /** What of edge `e` lies in the bounds. */
+  /** Draws the part of edge `e` inside the bounds. */
   edgePath(e: number, options?: PolygonOptions & TextOptions): string
   edgePath(e: number, options: PolygonOptions & ContextOptions): void
   edgePath(e: number, options: DrawOptions = {}): string | undefined {
@@ -290,8 +296,8 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * The outline of what of the cell of circle `i` lies in the bounds: a closed counter-clockwise path for each of its parts,
-   * nothing if it is hidden.
+   * Draws the outline of the part of cell `i` inside the bounds: a closed counter-clockwise path for each connected
+   * piece, and nothing if circle `i` is hidden.
    */
   cellPath(i: number, options?: PolygonOptions & TextOptions): string
   cellPath(i: number, options: PolygonOptions & ContextOptions): void
@@ -302,7 +308,7 @@ export class Diagram implements DiagramData {
     )
   }
 
-  /** All edges within the bounds. */
+  /** Draws all edges inside the bounds. */
   render(options?: PolygonOptions & TextOptions): string
   render(options: PolygonOptions & ContextOptions): void
   render(options: DrawOptions = {}): string | undefined {
@@ -311,14 +317,14 @@ export class Diagram implements DiagramData {
     })
   }
 
-  /** The bounds themselves. */
+  /** Draws the outline of the bounds. */
   renderBounds(options?: PolygonOptions & TextOptions): string
   renderBounds(options: PolygonOptions & ContextOptions): void
   renderBounds(options: DrawOptions = {}): string | undefined {
     return this.#drawn('renderBounds', options, (sink, { region }) => drawRegion(sink, region))
   }
 
-  /** All circles, hidden ones too. */
+  /** Draws all circles, including hidden ones. */
   renderCircles(options?: TextOptions): string
   renderCircles(options: ContextOptions): void
   renderCircles(options: TextOptions | ContextOptions = {}): string | undefined {
@@ -328,7 +334,7 @@ export class Diagram implements DiagramData {
     })
   }
 
-  /** The dual: a segment from centre to centre for each edge. */
+  /** Draws the dual: a segment between the centers of the two circles of each edge. */
   renderDual(options?: TextOptions): string
   renderDual(options: ContextOptions): void
   renderDual(options: TextOptions | ContextOptions = {}): string | undefined {
@@ -336,7 +342,7 @@ export class Diagram implements DiagramData {
     return drawn(options, undefined, (sink) => drawDual(sink, this))
   }
 
-  /** The convex hull of the circles: arcs and the tangent segments between them. */
+  /** Draws the convex hull of the circles: arcs and the tangent segments between them. */
   renderHull(options?: TextOptions): string
   renderHull(options: ContextOptions): void
   renderHull(options: TextOptions | ContextOptions = {}): string | undefined {
@@ -345,10 +351,10 @@ export class Diagram implements DiagramData {
   }
 
   /**
-   * What of the cell of circle `i` lies in the bounds as a closed polygon, counter-clockwise, its first point again at the
-   * end; `undefined` if there is nothing. Of a cell that the bounds cut apart the ring goes to each further part and back
-   * along one segment, so that its area and what is inside are right; `outline` has the parts. Neighbours share their
-   * points bit for bit.
+   * Returns the part of cell `i` inside the bounds as a closed counter-clockwise polygon that repeats its first point
+   * at the end, or `undefined` if the part is empty. If the bounds cut the cell into several pieces, the ring goes to
+   * each further piece and back along the same segment, so that its area and inside are correct; `cellOutline` returns
+   * the pieces. Neighboring cells share their points bit for bit.
    */
   cellPolygon(i: number, options: PolygonOptions = {}): Polygon | undefined {
     this.#checkCircle(i, 'cellPolygon')
@@ -356,7 +362,7 @@ export class Diagram implements DiagramData {
     return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))
   }
 
-  /** The polygons of all cells that have one, each with the `index` of its circle. */
+  /** Generates the polygons of all cells that are not empty, each with the `index` of its circle. */
   *cellPolygons(options: PolygonOptions = {}): Generator<Polygon & { index: number }, void> {
     for (let index = 0; index < this.circles.length / 3; index++) {
       const polygon = this.cellPolygon(index, options)
@@ -364,42 +370,48 @@ export class Diagram implements DiagramData {
     }
   }
 
-  /** The convex hull of the circles as a closed polygon, counter-clockwise, its first point again at the end. */
+  /**
+   * Returns the convex hull of the circles as a closed counter-clockwise polygon that repeats its first point at the
+   * end.
+   */
   hullPolygon(options: Pick<PolygonOptions, 'tolerance'> = {}): Polygon | undefined {
     checkDrawOptions(options, 'hullPolygon', ['tolerance'])
     return hullRing(this, toleranceOf(options, this.#defaultBounds()))
   }
 
   /**
-   * The outline of a cell inside some bounds, counter-clockwise: nothing if they do not meet, several loops if the bounds cut
-   * the cell apart.
+   * Returns the outline of the part of cell `i` inside the bounds: counter-clockwise loops, none if the part is empty,
+   * several if the bounds cut the cell into pieces.
    */
   cellOutline(i: number, options: BoundsOptions = {}): Outline {
     return this.#outline(i, 'cellOutline', options)
   }
 
-  /** The area of what of the cell of circle `i` lies in the bounds; 0 if it is hidden. Exact up to rounding. */
+  /** Returns the area of the part of cell `i` inside the bounds, exact up to rounding; 0 if circle `i` is hidden. */
   cellArea(i: number, options: BoundsOptions = {}): number {
     return outlineArea(this.#outline(i, 'cellArea', options))
   }
 
-  /** Its centre of mass, likewise; `undefined` if there is nothing. */
+  /**
+   * Returns the centroid of the part of cell `i` inside the bounds, exact up to rounding, or `undefined` if the part is
+   * empty.
+   */
   cellCentroid(i: number, options: BoundsOptions = {}): Point | undefined {
     const outline = this.#outline(i, 'cellCentroid', options)
     return outline.length === 0 ? undefined : outlineCentroid(outline)
   }
 
-  /** The length of its outline, likewise; 0 if there is nothing. */
+  /** Returns the perimeter of the part of cell `i` inside the bounds, exact up to rounding; 0 if the part is empty. */
   cellPerimeter(i: number, options: BoundsOptions = {}): number {
     return outlinePerimeter(this.#outline(i, 'cellPerimeter', options))
   }
 
-  /** The areas of all cells. */
+  /** Returns the area of each cell inside the bounds. */
   cellAreas(options: BoundsOptions = {}): Float64Array {
     return this.#ofEach('cellAreas', options, 1, (outline) => [outlineArea(outline)])
   }
 
-  /** The centres of mass of all cells, x and y each; NaN where there is nothing. */
+  /** Returns the centroid of each cell inside the bounds, as x and y; NaN for an empty cell. */
   cellCentroids(options: BoundsOptions = {}): Float64Array {
     return this.#ofEach('cellCentroids', options, 2, (outline) => {
       if (outline.length === 0) return [Number.NaN, Number.NaN]
@@ -408,7 +420,7 @@ export class Diagram implements DiagramData {
     })
   }
 
-  /** The lengths of the outlines of all cells. */
+  /** Returns the perimeter of each cell inside the bounds. */
   cellPerimeters(options: BoundsOptions = {}): Float64Array {
     return this.#ofEach('cellPerimeters', options, 1, (outline) => [outlinePerimeter(outline)])
   }

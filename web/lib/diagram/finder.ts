@@ -5,7 +5,7 @@ import { facing, turn } from '../base/scale.ts'
 import type { Vector } from '../base/types.ts'
 import type { Cells } from '../regions/cells.ts'
 
-/** Up to so many sides it is quicker to ask every neighbour, and the nearest one makes the longest step. */
+/** Up to so many sides it is quicker to ask every neighbor, and the nearest one makes the longest step. */
 const FEW_SIDES = 24
 /** Of a difference of distances, of the numbers that it is made of: more than twice what its operations may lose. */
 const ROUNDING = 2 ** -49
@@ -20,11 +20,11 @@ const FEW_CIRCLES = 16
 /**
  * Finds the nearest circle by a walk through the cells.
  *
- * From cell i the walk goes on to a neighbour that is nearer to p, until there is none. That cannot end too early: the
- * cells are star-shaped around their centres, so if p is outside cell i, the segment from c_i to p leaves it across a side,
- * and from there on it is nearer to the neighbour across that side (the points nearer to i than to j are star-shaped around
+ * From cell i the walk goes on to a neighbor that is nearer to p, until there is none. That cannot end too early: the
+ * cells are star-shaped around their centers, so if p is outside cell i, the segment from c_i to p leaves it across a side,
+ * and from there on it is nearer to the neighbor across that side (the points nearer to i than to j are star-shaped around
  * c_i too). Of a cell with many sides that one is found by bisection. For the metric `power` cells are intersections of
- * half-planes, one for each neighbour, and one of them excludes p.
+ * half-planes, one for each neighbor, and one of them excludes p.
  *
  * A grid of starting circles makes the walk short: for circles spread evenly a step or two.
  */
@@ -35,7 +35,7 @@ export class Finder {
   readonly #minY: number = 0
   readonly #columns: number = 0
   /**
-   * Of a bucket. Centres on one line leave a grid without width or height, as does the smallest number; any size does there.
+   * Of a bucket. Centers on one line leave a grid without width or height, as does the smallest number; any size does there.
    */
   readonly #width: number = 1
   readonly #height: number = 1
@@ -186,7 +186,7 @@ export class Finder {
     return starts
   }
 
-  /** A neighbour nearer to the point than the circle itself, or `NONE`. */
+  /** A neighbor nearer to the point than the circle itself, or `NONE`. */
   #nearerNeighbor(circle: number, x: number, y: number): number {
     const cells = this.#cells
     const { circles, metric, edges, nextSide, firstSide } = cells.diagram
@@ -203,15 +203,15 @@ export class Finder {
     let most = 0
     let nearest = NONE
     const r = at(circles, 3 * circle + 2)
-    const toCentre = plainDistance(circles, circle, x, y)
+    const toCenter = plainDistance(circles, circle, x, y)
     do {
       // neighborOf(side), to which calls are too much here.
       const neighbor = at(edges, 4 * (side >> 1) + 1 - (side & 1))
       side = at(nextSide, side)
       const toOther = plainDistance(circles, neighbor, x, y)
       const otherR = at(circles, 3 * neighbor + 2)
-      let lead = metric === 'centers' ? toCentre - toOther : toCentre - r - (toOther - otherR)
-      if (metric === 'power' || !isClear(lead, toCentre, r, toOther, otherR)) lead = cells.lead(neighbor, circle, x, y)
+      let lead = metric === 'centers' ? toCenter - toOther : toCenter - r - (toOther - otherR)
+      if (metric === 'power' || !isClear(lead, toCenter, r, toOther, otherR)) lead = cells.lead(neighbor, circle, x, y)
       if (lead > most) {
         most = lead
         nearest = neighbor
@@ -225,10 +225,10 @@ export class Finder {
     const { circles, metric } = this.#cells.diagram
     if (metric === 'circles') {
       const [r, otherR] = [at(circles, 3 * circle + 2), at(circles, 3 * other + 2)]
-      const toCentre = plainDistance(circles, circle, x, y)
+      const toCenter = plainDistance(circles, circle, x, y)
       const toOther = plainDistance(circles, other, x, y)
-      const lead = toOther - otherR - (toCentre - r)
-      if (isClear(lead, toCentre, r, toOther, otherR)) return lead
+      const lead = toOther - otherR - (toCenter - r)
+      if (isClear(lead, toCenter, r, toOther, otherR)) return lead
     }
     return this.#cells.lead(circle, other, x, y)
   }
@@ -248,7 +248,7 @@ export class Finder {
     return low
   }
 
-  /** The direction from the cell's centre in which a side begins. */
+  /** The direction from the cell's center in which a side begins. */
   #beginningOf(side: number): Vector {
     const { circles, vertices } = this.#cells.diagram
     const circle = this.#cells.circleOf(side)
@@ -280,7 +280,7 @@ function manySidesOf(cells: Cells): Map<number, Int32Array | undefined> {
   return sides
 }
 
-/** The distance from the centre of a circle, without care for numbers whose squares are beyond the range of numbers. */
+/** The distance from the center of a circle, without care for numbers whose squares are beyond the range of numbers. */
 function plainDistance(circles: Float64Array, circle: number, x: number, y: number): number {
   const dx = x - at(circles, 3 * circle)
   const dy = y - at(circles, 3 * circle + 1)
@@ -291,8 +291,8 @@ function plainDistance(circles: Float64Array, circle: number, x: number, y: numb
  * Whether a lead that was found by plain distances is right in its sign. What rounding may decide, here or beyond the range of
  * squares, is to be asked with care.
  */
-function isClear(lead: number, toCentre: number, r: number, toOther: number, otherR: number): boolean {
-  return Math.abs(lead) > ROUNDING * (toCentre + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL
+function isClear(lead: number, toCenter: number, r: number, toOther: number, otherR: number): boolean {
+  return Math.abs(lead) > ROUNDING * (toCenter + toOther + Math.abs(r) + Math.abs(otherR)) + SMALL
 }
 
 /** Whether turning counter-clockwise from `reference` one meets v no later than w. */

@@ -6,23 +6,27 @@ import { exportTolerance } from '../regions/export-box.ts'
 import { SvgPath } from './svg-path.ts'
 
 /**
- * What curves and cells are clipped to.
+ * Options for clipping curves and cells.
  *
  * @category Drawing
  */
 export interface BoundsOptions {
-  /** In the units of the input. Default: a box with room for a twentieth of the circles' extent around them. */
+  /**
+   * The region to clip to, in the units of the input. Default: the bounding box of the circles plus a margin of a
+   * twentieth of its size.
+   */
   readonly bounds?: Bounds | undefined
   /**
-   * Cells and edges are cut at this distance from their circles: a cell by the circle of radius r + maxDistance around the
-   * same centre, so that together they are the union of the circles grown by it, and none overlap. Below 0 it is what lies
-   * so deep inside the circles. The default bounds have room for it. Default: they are not cut.
+   * The distance from their circles at which cells and edges are cut. A cell is cut by the circle of radius r +
+   * maxDistance around the same center, so all cells together are the union of the grown circles and do not overlap. A
+   * negative distance keeps the points that deep inside the circles. The default bounds have room for the grown
+   * circles. Default: no limit.
    */
   readonly maxDistance?: number | undefined
 }
 
 /**
- * How closely curves are drawn, and where.
+ * Options for the accuracy of curves, and for clipping.
  *
  * @category Drawing
  */
@@ -32,32 +36,32 @@ export interface PolygonOptions extends BoundsOptions {
 }
 
 /**
- * How something is written as the `d` attribute of an SVG path.
+ * Options for returning the `d` attribute of an SVG path.
  *
  * @category Drawing
  */
 export interface TextOptions {
   readonly context?: undefined
   /**
-   * How many digits numbers have after the decimal point, from 0. Default: enough for a tenth of the tolerance; all of
-   * them where there is no tolerance.
+   * The number of digits after the decimal point, from 0. Default: enough for a tenth of the tolerance; all digits if
+   * there is no tolerance.
    */
   readonly digits?: number | undefined
 }
 
 /**
- * What something is drawn on.
+ * Options for drawing on a context.
  *
  * @category Drawing
  */
 export interface ContextOptions {
-  /** A canvas, a `Path2D` or any other `PathSink`. */
+  /** The target: a canvas context, a `Path2D` or any other `PathSink`. */
   readonly context: PathSink
   readonly digits?: undefined
 }
 
 /**
- * Where, how closely and on what something is drawn. Without a context it is returned as text.
+ * Options for drawing. Without a `context`, the drawing is returned as text.
  *
  * @category Drawing
  */

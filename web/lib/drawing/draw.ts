@@ -80,7 +80,7 @@ function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: 
 
 /**
  * Whether an edge with two ends is drawn as its chord, by a bound that spares its curve: of most that are. With d the
- * distance of the centres, |a| the difference of the radii by two and L the chord, the error is at most |a| (w - 1)
+ * distance of the centers, |a| the difference of the radii by two and L the chord, the error is at most |a| (w - 1)
  * (`traceArc`), and w - 1 at most L^2 / (8 b^2), 4 b^2 = d^2 - (2 a)^2.
  */
 function isNearChord({ circles, edges, vertices, metric }: DiagramData, e: number, tolerance: number): boolean {
@@ -149,7 +149,7 @@ export function drawRegion(sink: PathSink, { corners }: ConvexPolygon): void {
   sink.closePath()
 }
 
-/** Draws a segment from centre to centre for each edge. */
+/** Draws a segment from center to center for each edge. */
 export function drawDual(sink: PathSink, { circles, edges }: DiagramData): void {
   for (let e = 0; e < edges.length; e += 4) {
     const [left, right] = [at(edges, e), at(edges, e + 1)]
@@ -168,7 +168,7 @@ export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number):
 }
 
 /**
- * Spares the work for most of the edges outside a small region: the distance from the left centre grows along a branch from
+ * Spares the work for most of the edges outside a small region: the distance from the left center grows along a branch from
  * its apex either way, so it is largest at a vertex.
  */
 function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): boolean {
@@ -193,7 +193,7 @@ function holdsDisc(region: ConvexPolygon, { x, y }: Point, radius: number): bool
   return [-radius, radius].every((dx) => [-radius, radius].every((dy) => region.contains({ x: x + dx, y: y + dy })))
 }
 
-/** At most the distance from a circle's centre to the region. */
+/** At most the distance from a circle's center to the region. */
 function distanceTo({ box }: ConvexPolygon, { circles }: DiagramData, circle: number): number {
   const x = at(circles, 3 * circle)
   const y = at(circles, 3 * circle + 1)

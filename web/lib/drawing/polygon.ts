@@ -9,14 +9,14 @@ import { convexHull } from '../regions/hull.ts'
 import type { SharedPiece } from '../regions/outline.ts'
 
 /**
- * A closed ring of points x, y, counter-clockwise: the last is the first again.
+ * A closed counter-clockwise ring of points x, y that repeats its first point at the end.
  *
  * @category Cells
  */
 export type Polygon = [x: number, y: number][]
 
 /**
- * The loops of an outline as one ring: from the first point it goes to each further loop and back. Neighbours share their
+ * The loops of an outline as one ring: from the first point it goes to each further loop and back. Neighbors share their
  * points bit for bit.
  */
 export function ringOf(outline: readonly (readonly SharedPiece[])[], tolerance: number): Polygon | undefined {

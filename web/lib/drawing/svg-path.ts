@@ -7,7 +7,7 @@ import { DecimalText } from './decimal.ts'
 const FEW_COMMANDS = 500
 
 /**
- * Collects what is drawn as the `d` attribute of an SVG path.
+ * Collects drawing commands as the `d` attribute of an SVG path.
  *
  * @category Drawing
  * @example
@@ -24,12 +24,12 @@ export class SvgPath implements PathSink {
   #x = Number.NaN
   #y = Number.NaN
 
-  /** `digits`: how many of them numbers have after the decimal point; all, if it is left out or more than doubles have. */
+  /** `digits` is the number of digits after the decimal point. By default numbers have all their digits. */
   constructor(digits = Number.POSITIVE_INFINITY) {
     this.#decimal = new DecimalText(digits)
   }
 
-  /** The text; empty if nothing was drawn. */
+  /** Returns the text, which is empty if nothing was drawn. */
   toString(): string {
     this.#flush()
     return this.#text

@@ -13,32 +13,32 @@ import { LineCrossing } from '../regions/clip.ts'
 import { Heap } from './heap.ts'
 
 /**
- * A path among circles that keeps as far from all of them as any path between its ends can.
+ * A path among circles with the largest possible distance from all of them.
  *
  * @category Questions
  */
 export interface ClearestPath {
-  /** The least distance from a circle along the path; negative if the path cannot but enter circles. */
+  /** The smallest distance from a circle along the path; negative if every path enters circles. */
   readonly clearance: number
   /**
-   * The edges to follow, in order. The first is followed from `entry`, the last up to `exit`. Where the path goes around
-   * everything, an edge that leads to infinity is followed by one that comes back.
+   * The edges to follow, in order: the first from `entry`, the last up to `exit`. If the path goes around everything,
+   * an edge that leads to infinity is followed by one that comes back.
    */
   readonly edges: Int32Array
   /**
-   * Where the path from p meets an edge, straight away from the centre of the circle nearest to p. `undefined` if the way
-   * leads straight to infinity.
+   * The point where the path from p meets the first edge, after going straight away from the center of the nearest
+   * circle; `undefined` if the path leads straight to infinity.
    */
   readonly entry: Point | undefined
-  /** Where it leaves an edge for q, likewise. */
+  /** The point where the path leaves the last edge for q; `undefined` if the path comes straight from infinity. */
   readonly exit: Point | undefined
 }
 
 /**
- * The path of greatest clearance from p to q, in O(n log n). The diagram is of the metric `circles`, and of one circle or
- * more.
+ * Finds the path of greatest clearance from p to q, in O(n log n). The diagram must have the metric `circles` and at
+ * least one circle.
  *
- * To move straight away from the nearest centre until an edge is met never loses clearance. As that carries every path onto
+ * To move straight away from the nearest center until an edge is met never loses clearance. As that carries every path onto
  * the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
  *
  * @throws CircleVoronoiError `badArgument`
@@ -70,7 +70,7 @@ export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
   }
 }
 
-/** Where the ray from a cell's centre through a point leaves the cell. */
+/** Where the ray from a cell's center through a point leaves the cell. */
 interface Exit {
   readonly edge: number
   /** On the curve of the edge. */

@@ -20,13 +20,12 @@ const ROUNDING_OF_DEPTH = 2 ** -48
 const ROUNDING_OF_PLACE = 2 ** -31
 
 /**
- * The largest disc that meets no circle but for touching, of those that lie inside a region as a whole; it may touch sides
- * of the region in place of circles. Where circles cover the region there is none: then it is that of
- * `largestEmptyDiscCenteredIn`, whose radius is not above 0. `undefined` if there are no circles. The diagram is of the
- * metric `circles`. Each circle is tried with each of the segments, some two for each side, of the region's medial axis.
+ * Finds the largest empty disc that lies completely inside a region; it may touch sides of the region as well as circles. If
+ * circles cover the region, the result is that of `largestEmptyDiscCenteredIn`, whose radius is then not positive. Returns
+ * `undefined` if there are no circles. The diagram must have the metric `circles`. Each circle is tried with each of the segments, some two for each side, of the region's medial axis.
  *
  * The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
- * along an edge where a circle alone bounds it (there it grows away from the centre, or from the apex); nor where one
+ * along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
  * circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
  * circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All of
  * these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
@@ -41,8 +40,8 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
   checkDiagram(diagram, 'largestEmptyDiscInside')
   checkMetric(diagram, 'largestEmptyDiscInside', 'circles')
   const region = regionOf(options, 'largestEmptyDiscInside')
-  const centred = largestEmptyDiscCenteredIn(diagram, { bounds: region })
-  if (centred === undefined || centred.disc.r <= 0) return centred
+  const centered = largestEmptyDiscCenteredIn(diagram, { bounds: region })
+  if (centered === undefined || centered.disc.r <= 0) return centered
   const sides = sidesOf(region)
   const ridges = ridgesOf(region, sides)
   let best: EmptyDisc | undefined
@@ -156,7 +155,7 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
 }
 
 /**
- * The centres of discs that touch the two circles of an edge and a side. With n the normal of the side, D the depth of the
+ * The centers of discs that touch the two circles of an edge and a side. With n the normal of the side, D the depth of the
  * curve's origin, and r the radius of its circle, the distance from the circle is the depth where
  * (P - Q) s^2 - 2 K s + (P + Q) = 0, P = c + |a| n . along, Q = b n . across, K = D + r + c n . along + |a|, and
  * K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n . along + |a|)).
@@ -182,7 +181,7 @@ function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sid
   )
 }
 
-/** The centres of discs that touch a circle and the two sides of a ridge. */
+/** The centers of discs that touch a circle and the two sides of a ridge. */
 function placesAlongRidge({ circles }: Diagram, circle: number, { from, to, depthFrom, depthTo }: Ridge): Point[] {
   const c = circleAt(circles, circle)
   const toFrom = between(c, from)

@@ -15,20 +15,20 @@ import { type RegionOptions, regionOf } from '../regions/convex-polygon.ts'
 import { hullCircleAt, hullGrowth } from '../regions/hull.ts'
 
 /**
- * A disc that meets no circle but for touching.
+ * A disc that touches circles but does not overlap any.
  *
  * @category Questions
  */
 export interface EmptyDisc {
   readonly disc: Vertex
-  /** The circles it touches, of up to three of them. */
+  /** The circles that the disc touches, up to three. */
   readonly circles: readonly number[]
 }
 
 /**
- * The largest disc that meets no circle but for touching, of those with their centre inside a region, which they may stick
- * out of: the place in the region that is farthest from all circles. Its radius is negative if circles cover the region.
- * `undefined` if there are no circles. The diagram is of the metric `circles`.
+ * Finds the largest empty disc whose center lies in a region: the point of the region that is farthest from all circles. The
+ * disc may stick out of the region. Its radius is negative if circles cover the region. Returns `undefined` if there are no
+ * circles. The diagram must have the metric `circles`.
  *
  * The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
  * cell it is convex along every line.
@@ -65,13 +65,13 @@ export function largestEmptyDiscCenteredIn(diagram: Diagram, options: RegionOpti
 }
 
 /**
- * The same inside the convex hull of the circles (`hull`). Its radius is not negative.
+ * Finds the largest empty disc whose center lies in the convex hull of the circles. Its radius is not negative.
  *
  * What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
- * from infinity by an edge of i and j. Seen from there every circle's centre is below the tangent line. So
- *   - an edge is never parallel to the line: at such a point its two circles' centres would lie in one direction;
- *   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centres lie
- *     outermost, never the third, since the unit vectors from the centres to the vertex lie on a convex arc;
+ * from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
+ *   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
+ *   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie
+ *     outermost, never the third, since the unit vectors from the centers to the vertex lie on a convex arc;
  *   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
  * So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
  * inside the hull.

@@ -6,28 +6,32 @@ import { lengthOf } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
 
 /**
- * A diagram with vertices of any degree: vertices joined by edges of length near zero are one (paper, section 8).
+ * A diagram with vertices of any degree, in which vertices joined by edges of length near zero are merged (paper,
+ * section 8).
  *
  * @category Questions
  */
 export interface MergedDiagram {
-  /** Three for each merged vertex: x, y, signed radius; those of its member of smallest index. */
+  /** Three numbers for each merged vertex: x, y and signed radius of its member with the smallest index. */
   readonly vertices: Float64Array
-  /** One more than merged vertices: where each begins in `circles`, and the end. */
+  /** For each merged vertex the index in `circles` where its circles begin, and at the end the length of `circles`. */
   readonly firstCircle: Int32Array
   /**
-   * The circles of merged vertex v, counter-clockwise around it from the smallest index, are those from `firstCircle[v]` up
-   * to before `firstCircle[v + 1]`. A circle recurs if its cell meets the vertex more than once.
+   * The circles of merged vertex v stand from `firstCircle[v]` up to before `firstCircle[v + 1]`, counter-clockwise
+   * from the smallest index. A circle appears several times if its cell meets the vertex more than once.
    */
   readonly circles: Int32Array
-  /** Four per edge that remains, in the order of the diagram: left, right, start, end; the last two are merged vertices. */
+  /**
+   * Four numbers for each edge that remains, in the order of the diagram: left circle, right circle, and the merged
+   * vertices where it starts and ends.
+   */
   readonly edges: Int32Array
   /** For each vertex of the diagram its merged vertex. */
   readonly mergedVertex: Int32Array
 }
 
 /**
- * Merges the vertices of a certified diagram whose edges are not longer than `nearZero`, in the units of the input. A
+ * Merges vertices of a certified diagram that are joined by edges not longer than `nearZero`, in the units of the input. A
  * negative `nearZero`, the default, stands for a small multiple of the rounding error of each vertex. The circles around
  * each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as long as
  * `nearZero`.

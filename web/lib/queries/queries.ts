@@ -8,8 +8,8 @@ import { lengthOf } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
 
 /**
- * The pairs of circles whose cells share an edge, the smaller index first, in increasing order, each once: two indices
- * each.
+ * Returns the pairs of circles whose cells share an edge, as two indices each. The smaller index comes first; pairs are
+ * sorted, and each appears once.
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -40,7 +40,7 @@ export function neighborPairs(diagram: DiagramData): Int32Array {
  * @category Questions
  */
 export interface ClosestPair {
-  /** The smaller index. */
+  /** The circle with the smaller index. */
   readonly first: number
   readonly second: number
   /** |c - c'| - r - r': negative if the two overlap. */
@@ -48,7 +48,7 @@ export interface ClosestPair {
 }
 
 /**
- * The two visible circles with the smallest gap; `undefined` if fewer than two are visible.
+ * Finds the two visible circles with the smallest gap. Returns `undefined` if fewer than two circles are visible.
  *
  * They share an edge: a circle k nearer than gap / 2 to the middle of their gap would have a smaller gap to each.
  *

@@ -12,7 +12,7 @@ export interface Limits {
   readonly maxDistance: number | undefined
 }
 
-/** The radius, perhaps not above 0, of the disc around the centre of a circle that the distance keeps. */
+/** The radius, perhaps not above 0, of the disc around the center of a circle that the distance keeps. */
 export function reachFrom({ circles, metric }: DiagramData, circle: number, maxDistance: number): number {
   return (metric === 'circles' ? at(circles, 3 * circle + 2) : 0) + maxDistance
 }

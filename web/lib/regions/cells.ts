@@ -7,7 +7,7 @@ import type { DiagramData } from '../base/types.ts'
 import { type EdgeCurve, edgeCurve, reversed } from '../curves/curve.ts'
 
 /**
- * The cells of a diagram, which must be certified, or a comparison diagram: what its arrays say of sides.
+ * The cells of a diagram and their sides. The diagram must be certified, or a comparison diagram.
  *
  * @category Cells
  * @example
@@ -19,18 +19,21 @@ import { type EdgeCurve, edgeCurve, reversed } from '../curves/curve.ts'
 export class Cells {
   readonly diagram: DiagramData
 
-  /** Of a diagram, which is not copied. */
+  /** Wraps a diagram without copying it. */
   constructor(diagram: DiagramData) {
     this.diagram = diagram
   }
 
-  /** Hidden circles have no cell. */
+  /** Returns whether a circle has a cell; hidden circles have none. */
   exists(circle: number): boolean {
     const { firstSide, hull } = this.diagram
     return (firstSide[circle] ?? NONE) !== NONE || (hull.length === 1 && hull[0] === circle)
   }
 
-  /** The largest distance from the circle's centre to a point of its cell; infinite for an unbounded one, NaN for none. */
+  /**
+   * Returns the largest distance from the center of a circle to a point of its cell: infinity for an unbounded cell,
+   * NaN if there is no cell.
+   */
   reach(circle: number): number {
     if (!this.exists(circle)) return Number.NaN
     const { firstSide, nextSide } = this.diagram
@@ -46,14 +49,14 @@ export class Cells {
     return reach
   }
 
-  /** Whether there is a cell, and it does not go to infinity. */
+  /** Returns whether a circle has a bounded cell. */
   isBounded(circle: number): boolean {
     return this.reach(circle) < Number.POSITIVE_INFINITY
   }
 
   /**
-   * The sides of a cell, counter-clockwise; none if there is no cell, or it is the whole plane. Where the cell goes to
-   * infinity, the next side after one that ends there begins there.
+   * Returns the sides of a cell, counter-clockwise; none if there is no cell or it is the whole plane. In an unbounded
+   * cell, the side that ends at infinity is followed by the side that begins there.
    */
   sides(circle: number): Int32Array {
     const { firstSide, nextSide } = this.diagram
@@ -65,41 +68,44 @@ export class Cells {
     return Int32Array.from(sides)
   }
 
-  /** The circle whose cell the side belongs to. */
+  /** Returns the circle whose cell a side belongs to. */
   circleOf(side: number): number {
     return at(this.diagram.edges, 4 * (side >> 1) + (side & 1))
   }
 
-  /** The circle on the other side of the edge. */
+  /** Returns the circle on the other side of the edge. */
   neighborOf(side: number): number {
     return this.circleOf(side ^ 1)
   }
 
-  /** The vertex where a side begins, or `NONE`. */
+  /** Returns the vertex where a side begins, or `NONE` if it comes from infinity. */
   originOf(side: number): number {
     return at(this.diagram.edges, 4 * (side >> 1) + 2 + (side & 1))
   }
 
-  /** The vertex where a side ends, or `NONE`. */
+  /** Returns the vertex where a side ends, or `NONE` if it goes to infinity. */
   targetOf(side: number): number {
     return this.originOf(side ^ 1)
   }
 
-  /** The curve of a side, with its cell on the left. */
+  /** Returns the curve of a side, with its cell on the left. */
   curveOf(side: number): EdgeCurve {
     const curve = edgeCurve(this.diagram, side >> 1)
     return side & 1 ? reversed(curve) : curve
   }
 
-  /** The circles across the sides of a cell, in their order: a circle recurs if the two share several edges. */
+  /**
+   * Returns the circle across each side of a cell, in order. A circle appears several times if the two cells share
+   * several edges.
+   */
   neighbors(circle: number): Int32Array {
     return this.sides(circle).map((side) => this.neighborOf(side))
   }
 
   /**
-   * Whether no circle is nearer to (x, y), up to rounding. It suffices to ask the neighbours: a ray from the centre that
-   * leaves the cell across a side stays nearer to the neighbour there, and for the metric `power` a cell is the
-   * intersection of half-planes, one for each neighbour. False for a hidden circle.
+   * Whether no circle is nearer to (x, y), up to rounding. It suffices to ask the neighbors: a ray from the center that
+   * leaves the cell across a side stays nearer to the neighbor there, and for the metric `power` a cell is the
+   * intersection of half-planes, one for each neighbor. False for a hidden circle.
    */
   contains(circle: number, x: number, y: number): boolean {
     return (
@@ -108,8 +114,9 @@ export class Cells {
   }
 
   /**
-   * How much nearer (x, y) is to one circle than to another, negative if the other is nearer: the difference of their
-   * distances, but without cancellation where the point is far away. Of the metric `power` it is divided by a length.
+   * Returns how much nearer (x, y) is to one circle than to another: the difference of their distances, negative if the
+   * other circle is nearer, computed without cancellation for points far away. For the metric `power` the difference is
+   * divided by a length.
    */
   lead(circle: number, other: number, x: number, y: number): number {
     // |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d))
@@ -130,7 +137,7 @@ export class Cells {
     return ((product - (difference / unit) * ((c.r + d.r) / sumUnit)) / (size / sumUnit)) * unit
   }
 
-  /** The distance from the centre of the side's circle to where it begins, which the side before has, too. */
+  /** The distance from the center of the side's circle to where it begins, which the side before has, too. */
   #reachOf(side: number): number {
     const origin = this.originOf(side)
     if (origin === NONE) return Number.POSITIVE_INFINITY

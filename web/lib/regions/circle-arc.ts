@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arcs of circles in outlines: counter-clockwise and of a quarter turn at most, so that the ends and the radius say where
-// the centre is, to the left of the chord.
+// the center is, to the left of the chord.
 
 /** A region's area and the integrals of x and y over it, relative to a point, all lengths in some unit. */
 export interface Moments {
@@ -31,8 +31,8 @@ export function arcLength({ curve: { start, end }, r }: OutlinePiece): number {
 }
 
 /**
- * The region between an arc and its chord, as that of a curve. The centre of mass is 2 / 3 sin^3 h / (h - sin h cos h) radii
- * from the circle's centre, and the chord cos h.
+ * The region between an arc and its chord, as that of a curve. The center of mass is 2 / 3 sin^3 h / (h - sin h cos h) radii
+ * from the circle's center, and the chord cos h.
  */
 export function momentsOverChord({ curve, r }: OutlinePiece, reference: Point, unit: number): Moments {
   const chord = measuredIn(unit, between(curve.start, curve.end))
@@ -72,9 +72,9 @@ export function traceCircleArc(sink: PathSink, { curve: { start, end }, r }: Out
   const chord = between(start, end)
   const size = lengthOf(chord)
   const { sine, cosine } = halfAngleOf(start, end, r)
-  const toCentre = (r * cosine) / size
-  const x = start.x + chord.x / 2 - toCentre * chord.y
-  const y = start.y + chord.y / 2 + toCentre * chord.x
+  const toCenter = (r * cosine) / size
+  const x = start.x + chord.x / 2 - toCenter * chord.y
+  const y = start.y + chord.y / 2 + toCenter * chord.x
   const from = Math.atan2(start.y - y, start.x - x)
   sink.arc(x, y, r, from, from + 2 * Math.asin(sine))
 }

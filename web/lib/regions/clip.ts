@@ -30,7 +30,8 @@ interface Span {
 }
 
 /**
- * The pieces of an arc inside a region, in order: bounded, and several if the arc leaves the region and comes back.
+ * Returns the pieces of an arc inside a region, in order. Each piece is bounded; there are several if the arc leaves
+ * the region and comes back.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
  *
@@ -58,7 +59,7 @@ export function partsInside(whole: EdgeCurve, region: ConvexPolygon): Part[] {
 }
 
 /**
- * The part of a curve whose points are up to a distance from the origin of its bisector, the centre of the smaller circle:
+ * The part of a curve whose points are up to a distance from the origin of its bisector, the center of the smaller circle:
  * bounded, if there is one. The distance apex + c (cosh t - 1) grows from the apex to both sides: it is from 1 / s to s.
  */
 export function partNear(whole: EdgeCurve, reach: number): Part | undefined {

@@ -6,14 +6,14 @@ import { facing, largestOf, turn } from '../base/scale.ts'
 import type { Box, Point, Vector } from '../base/types.ts'
 
 /**
- * What curves and cells are clipped to: a box, also as `[minX, minY, maxX, maxY]`, or a convex polygon.
+ * A region to clip to: a box, also as `[minX, minY, maxX, maxY]`, or a convex polygon.
  *
  * @category Cells
  */
 export type Bounds = Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | ConvexPolygon
 
 /**
- * Where something is looked for, or what it is clipped to.
+ * Options that name a region.
  *
  * @category Cells
  */
@@ -28,7 +28,7 @@ export function regionOf(options: RegionOptions, caller: string): ConvexPolygon 
 }
 
 /**
- * The closed region that curves and cells are clipped to.
+ * A convex polygon, as a closed region for clipping.
  *
  * @category Cells
  * @example
@@ -37,11 +37,11 @@ export function regionOf(options: RegionOptions, caller: string): ConvexPolygon 
  * diagram.cellArea(0, { bounds: triangle }) // 12
  */
 export class ConvexPolygon {
-  /** Counter-clockwise. */
+  /** The corners, counter-clockwise. */
   readonly corners: readonly Point[]
-  /** The smallest box around it. */
+  /** The bounding box. */
   readonly box: Box
-  /** Whether it is known to be that. */
+  /** Whether the polygon was made from a box. */
   readonly isBox: boolean
 
   private constructor(corners: readonly Point[], isBox = false) {
@@ -57,7 +57,7 @@ export class ConvexPolygon {
   }
 
   /**
-   * From corners in counter-clockwise order; corners on the line through their neighbours are allowed.
+   * Creates a polygon from its corners in counter-clockwise order. Corners may lie on the line through their neighbors.
    *
    * @throws CircleVoronoiError `badOption`, if there are fewer than three corners, a coordinate is not finite or exceeds
    * `REGION_LIMIT`, two corners in a row are equal, or they do not turn left exactly once.
@@ -85,7 +85,7 @@ export class ConvexPolygon {
   }
 
   /**
-   * The polygon of some bounds.
+   * Creates the polygon of some bounds.
    *
    * @throws CircleVoronoiError `badOption`, if they are neither a polygon nor a box of four numbers, or a box that is
    * empty, or a coordinate is not finite or exceeds `REGION_LIMIT`.
@@ -105,17 +105,17 @@ export class ConvexPolygon {
     return new ConvexPolygon(corners, true)
   }
 
-  /** Corner `k`, where side `k` begins. */
+  /** Returns corner `k`, where side `k` begins. */
   corner(k: number): Point {
     return this.corners[k] as Point
   }
 
-  /** The corner at which side `k` ends. */
+  /** Returns the corner where side `k` ends. */
   cornerAfter(k: number): Point {
     return this.corners[k + 1 === this.corners.length ? 0 : k + 1] as Point
   }
 
-  /** Whether a point is inside or on the boundary. */
+  /** Returns whether a point lies inside or on the boundary. */
   contains(p: Point): boolean {
     return this.corners.every((corner, k) => turn(between(corner, this.cornerAfter(k)), between(corner, p)) >= 0)
   }
@@ -127,14 +127,14 @@ export class ConvexPolygon {
     return reach
   }
 
-  /** The area. */
+  /** Returns the area. */
   area(): number {
     const first = this.corner(0)
     const twice = (k: number) => cross(between(first, this.corner(k)), between(first, this.cornerAfter(k)))
     return this.corners.reduce((sum, _, k) => sum + twice(k), 0) / 2
   }
 
-  /** The mean of the corners, which lies inside. */
+  /** Returns the mean of the corners, which lies inside. */
   middle(): Point {
     const { length } = this.corners
     return {

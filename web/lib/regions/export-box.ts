@@ -9,8 +9,8 @@ const LEAST_MARGIN = 2 ** -50
 const TOLERANCE = 1e-5
 
 /**
- * The box that drawings are clipped to by default: with room for a twentieth of the circles' extent around them, and
- * before that for a maximum distance around each; `circles`: x, y, r each.
+ * Returns the box that drawings are clipped to by default: the bounding box of the circles, each grown by
+ * `maxDistance`, plus a margin of a twentieth of its size. `circles` has x, y, r of each circle.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
  *
@@ -42,7 +42,7 @@ export function exportBox(circles: Float64Array, maxDistance = 0): Box {
   return { minX: minX - margin, minY: minY - margin, maxX: maxX + margin, maxY: maxY + margin }
 }
 
-/** How far drawn curves may be from the true ones by default: a hundred-thousandth of the box. */
+/** Returns the default tolerance of drawn curves: a hundred-thousandth of the box. */
 export function exportTolerance({ minX, minY, maxX, maxY }: Box): number {
   return TOLERANCE * Math.max(maxX - minX, maxY - minY)
 }

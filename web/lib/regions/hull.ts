@@ -7,24 +7,24 @@ import type { Circle, DiagramData, Point } from '../base/types.ts'
 import { pointOn, tangentNormal } from '../curves/tangent.ts'
 
 /**
- * An arc of a circle on the convex hull, counter-clockwise from `start` to `end`. A point (radius 0) has an arc too: it
- * turns, but has no length.
+ * An arc of a circle on the convex hull, counter-clockwise from `start` to `end`. A point (radius 0) has an arc of
+ * length zero with an angle.
  *
  * @category Questions
  */
 export interface HullArc {
   readonly circle: number
-  /** Of its circle, grown as `convexHull` says. */
+  /** The radius of the circle, grown as described at `convexHull`. */
   readonly r: number
   readonly start: Point
   readonly end: Point
-  /** From 0 to 2 pi. */
+  /** The angle of the arc, from 0 to 2 pi. */
   readonly angle: number
 }
 
 /**
- * The convex hull of circles: arcs, each joined to the next by the tangent segment from its end to the next start, the last
- * to the first. The angles add up to 2 pi.
+ * The convex hull of circles: arcs, each joined to the next by the tangent segment from its end to the start of the
+ * next arc, and the last arc to the first. The angles add up to 2 pi.
  *
  * @category Questions
  */
@@ -39,7 +39,7 @@ const THREE_QUARTER_TURN = 1.5 * Math.PI
 
 /**
  * The hull of a certified diagram, in the order of `diagram.hull`. That of a single circle is the circle: one arc of 2 pi.
- * For the metrics `centers` and `power` it is the hull of the centres. Where weights on the hull are negative, it is that of
+ * For the metrics `centers` and `power` it is the hull of the centers. Where weights on the hull are negative, it is that of
  * all circles grown by the amount that makes the least of these a point.
  *
  * @throws CircleVoronoiError `badArgument`

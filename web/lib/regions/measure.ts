@@ -19,7 +19,8 @@ import type { Outline, OutlinePiece } from './outline-piece.ts'
 const ROUNDING_OF_AREA = 2 ** -44
 
 /**
- * Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone.
+ * Returns the area of an outline, exact up to rounding: polygons plus closed forms for the parts between arcs and their
+ * chords, which need only square roots.
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -34,8 +35,8 @@ export function outlineArea(outline: Outline): number {
 }
 
 /**
- * The centre of mass, likewise. Of an outline without area but for rounding it is that of its end points; (0, 0) if it is
- * empty.
+ * Returns the centroid of an outline, exact up to rounding. For an outline without area it is the centroid of its end
+ * points; for an empty outline, (0, 0).
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -61,7 +62,7 @@ export function outlineCentroid(outline: Outline): Point {
 }
 
 /**
- * The length of all pieces, likewise (`arcLength`).
+ * Returns the total length of an outline, exact up to rounding (see `curveLength`).
  *
  * @throws CircleVoronoiError `badArgument`
  *
@@ -79,8 +80,8 @@ function lengthOfPiece(piece: OutlinePiece): number {
 }
 
 /**
- * The length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which takes some
- * tens of square roots whatever the arc.
+ * Returns the length of a bounded arc, up to rounding of its ends: an elliptic integral by Carlson's duplication, which
+ * takes a few dozen square roots for every arc.
  *
  * @throws CircleVoronoiError `badArgument`
  *

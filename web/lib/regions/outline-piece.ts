@@ -7,22 +7,27 @@ import type { BoundedCurve } from '../curves/curve.ts'
  * @category Cells
  */
 export interface OutlinePiece {
-  /** Of an arc of a circle its chord. */
+  /** The curve of the piece; for an arc of a circle, its chord. */
   readonly curve: BoundedCurve
-  /** The side of the cell (see `Cells`); `NONE`: a piece of the boundary of the region, or an arc of a circle. */
+  /**
+   * The side of the cell (see `Cells`), or `NONE` for a piece of the boundary of the region and for an arc of a circle.
+   */
   readonly side: number
-  /** The circle on the other side; `NONE` likewise. */
+  /**
+   * The circle on the other side of the edge, or `NONE` for a piece of the boundary of the region and for an arc of a
+   * circle.
+   */
   readonly neighbor: number
   /**
-   * Of an arc of the circle around the cell's centre that a maximum distance makes: its radius, else 0. The arc is
-   * counter-clockwise and of a quarter turn at most, so that its ends and radius say where the centre is.
+   * The radius of an arc of a circle around the center of the cell, which a maximum distance makes; 0 for other pieces.
+   * Such an arc is counter-clockwise and at most a quarter turn, so its ends and its radius determine its center.
    */
   readonly r: number
 }
 
 /**
- * Closed loops of pieces, counter-clockwise, one for each component: the end of a piece is the start of the next. Pieces
- * of length zero occur.
+ * An outline: closed counter-clockwise loops of pieces, one for each connected component. Each piece ends where the
+ * next one starts. Pieces of length zero may occur.
  *
  * @category Cells
  */

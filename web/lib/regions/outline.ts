@@ -170,7 +170,7 @@ function clearPlace(cells: Cells, circle: number, ring: Ring, passages: readonly
   return clear
 }
 
-/** How much nearer the circle is to a point than its nearest neighbour. */
+/** How much nearer the circle is to a point than its nearest neighbor. */
 function leadAt(cells: Cells, circle: number, { x, y }: Point): number {
   let least = Number.POSITIVE_INFINITY
   for (const side of cells.sides(circle)) least = Math.min(least, cells.lead(circle, cells.neighborOf(side), x, y))

@@ -38,14 +38,14 @@ export interface RingElement {
 export class Ring {
   /** None if region and disc have nothing in common. */
   readonly elements: readonly RingElement[]
-  readonly #centre: Point
+  readonly #center: Point
   /** How far the start of each element is along the line, and the whole length. */
   readonly #reach: Float64Array
 
   /** The disc has a radius above 0. */
   constructor(region: ConvexPolygon, disc?: Circle) {
     this.elements = disc === undefined ? sidesOf(region) : commonOf(region, disc)
-    this.#centre = disc ?? { x: 0, y: 0 }
+    this.#center = disc ?? { x: 0, y: 0 }
     this.#reach = new Float64Array(this.elements.length + 1)
     this.elements.forEach(({ start, end }, k) => {
       this.#reach[k + 1] = at(this.#reach, k) + lengthOf(between(start, end))
@@ -122,14 +122,14 @@ export class Ring {
     return k
   }
 
-  /** Of an arc: where the ray from the centre through the point of the chord meets it. */
+  /** Of an arc: where the ray from the center through the point of the chord meets it. */
   #pointOn({ start, end, r }: RingElement, share: number): Point {
     const chord = between(start, end)
     const p = { x: start.x + share * chord.x, y: start.y + share * chord.y }
     if (r === 0) return p
-    const v = between(this.#centre, p)
+    const v = between(this.#center, p)
     const factor = r / lengthOf(v)
-    return { x: this.#centre.x + factor * v.x, y: this.#centre.y + factor * v.y }
+    return { x: this.#center.x + factor * v.x, y: this.#center.y + factor * v.y }
   }
 
   #shareOn({ start, end, r }: RingElement, p: Point): number {
@@ -138,7 +138,7 @@ export class Ring {
       return clamped(dot(measuredIn(size, between(start, end)), between(start, p)) / size)
     }
     const unit = unitFor(r)
-    const seen = (q: Point) => measuredIn(unit, between(this.#centre, q))
+    const seen = (q: Point) => measuredIn(unit, between(this.#center, q))
     const before = cross(seen(start), seen(p))
     const whole = before + cross(seen(p), seen(end))
     return whole > 0 ? clamped(before / whole) : before > 0 ? 1 : 0
@@ -199,9 +199,9 @@ function chordOf(from: Point, to: Point, hasFrom: boolean, hasTo: boolean, disc:
   const unit = unitFor(disc.r)
   const size = lengthOf(between(from, to)) / unit
   const along = measuredIn(size, measuredIn(unit, between(from, to)))
-  const toCentre = measuredIn(unit, between(from, disc))
-  const foot = dot(along, toCentre)
-  const height = Math.abs(cross(along, toCentre))
+  const toCenter = measuredIn(unit, between(from, disc))
+  const foot = dot(along, toCenter)
+  const height = Math.abs(cross(along, toCenter))
   const r = disc.r / unit
   const half = Math.sqrt(Math.max((r - height) * (r + height), 0))
   const first = hasFrom ? 0 : clamped((foot - half) / size)

@@ -6,41 +6,42 @@ import type { Change } from '../diagram/change.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import type { Edit } from '../wasm/editor.ts'
 
-/** What an editor in a worker does. */
+/** The methods of an editor in a worker. */
 export interface AsyncEditorMethods {
-  /** Called with each change, in their order, before its promise is fulfilled. */
+  /** A callback for each change, called in order, before the promise of the change is fulfilled. */
   onchange: ((change: Change) => void) | undefined
-  /** As `insert` of an editor. */
+  /** Inserts a circle, as `insert` of `DiagramEditor` does. */
   insert(circle: CircleLike, hint?: number): Promise<Change>
-  /** As `remove`. */
+  /** Removes a circle, as `remove` of `DiagramEditor` does. */
   remove(id: number): Promise<Change>
   /**
-   * As `replace`. Where a circle is to be replaced again, or removed, before the first has begun, only the last is done, and all
-   * of these promises get its change: so a drag is never behind by more than what is under way.
+   * Moves or resizes a circle, as `replace` of `DiagramEditor` does. If a circle is replaced again or removed before a
+   * pending replacement has begun, only the last request is carried out, and all promises get its change. So a drag
+   * never falls behind by more than one edit.
    */
   replace(id: number, circle: CircleLike): Promise<Change>
-  /** As `apply`. */
+  /** Applies all edits or none, as `apply` of `DiagramEditor` does. */
   apply(edits: Iterable<Edit>): Promise<Change>
-  /** As `nearest`. */
+  /** Finds the nearest circle, as `nearest` of `DiagramEditor` does. */
   nearest(x: number, y: number, hint?: number): Promise<number>
-  /** As `size`. */
+  /** Returns the number of circles. */
   size(): Promise<number>
-  /** As `circle`. */
+  /** Returns the circle with this id, or `undefined` if there is none. */
   circle(id: number): Promise<Circle | undefined>
-  /** As `isHidden`. */
+  /** Returns whether a circle is hidden. */
   isHidden(id: number): Promise<boolean>
-  /** As `ids`. */
+  /** Returns the ids of all circles in increasing order. */
   ids(): Promise<Int32s>
-  /** As `snapshot`: here, and for `Diagram.apply` of the changes that come after. */
+  /** Returns a copy of the current diagram in this thread. `Diagram.apply` updates it with later changes. */
   snapshot(): Promise<Diagram>
-  /** As `certificate`. */
+  /** Checks the whole diagram again in linear time. */
   certificate(): Promise<Certificate>
-  /** Ends its thread, and rejects what has not been answered. */
+  /** Ends the thread of the editor and rejects all pending requests. */
   dispose(): void
 }
 
 /**
- * A `DiagramEditor` in a thread of its own. What is asked is answered in order, but for replacements that are merged. Errors are
- * those of `DiagramEditor`, or a `DOMException` named AbortError if it is disposed of; each as a rejection.
+ * A `DiagramEditor` in a thread of its own. Requests are answered in order, except for replacements that are combined.
+ * Promises are rejected with the errors of `DiagramEditor`, or with a `DOMException` named AbortError after `dispose`.
  */
 export type AsyncDiagramEditor = AsyncEditorMethods & Disposal

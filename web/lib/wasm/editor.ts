@@ -20,16 +20,16 @@ export type Edit =
   | { readonly kind: 'replace'; readonly id: number; readonly circle: CircleLike }
 
 /**
- * What an editor does.
+ * The methods of an editor.
  *
  * @category Editing
  */
 export interface EditorMethods {
-  /** Called with each change, before the method that made it returns. */
+  /** A callback for each change, called before the method that made the change returns. */
   onchange: ((change: Change) => void) | undefined
   /**
-   * A new circle; its id is `inserted[0]` of the change. `hint`: a circle nearby, if one is known; what was edited last is one
-   * anyway.
+   * Inserts a circle. Its id is `inserted[0]` of the change. `hint` is the id of a nearby circle, if you know one; by
+   * default the search starts at the last edit.
    *
    * @throws CircleVoronoiError as `compute`, `badArgument`
    */
@@ -37,57 +37,60 @@ export interface EditorMethods {
   /** @throws CircleVoronoiError `unknownCircle`, `badArgument` */
   remove(id: number): Change
   /**
-   * Moves or resizes a circle, or both.
+   * Moves or resizes a circle.
    *
    * @throws CircleVoronoiError `unknownCircle`; as `compute`, `badArgument`
    */
   replace(id: number, circle: CircleLike): Change
   /**
-   * All or none of the edits, one after the other: `{ kind: 'insert', circle }`, `{ kind: 'remove', id }`,
-   * `{ kind: 'replace', id, circle }`. A circle that comes and goes in it is in no list of the change.
+   * Applies all edits in order, or none of them if one is invalid: `{ kind: 'insert', circle }`, `{ kind: 'remove', id
+   * }`, `{ kind: 'replace', id, circle }`. A circle that is both inserted and removed appears in no list of the change.
    *
    * @throws CircleVoronoiError as the methods above
    */
   apply(edits: Iterable<Edit>): Change
   /**
-   * The circle of smallest signed distance, one of them up to rounding where several are. `NONE` if there are no circles, or a
-   * coordinate is not finite.
+   * Returns the circle with the smallest signed distance to (x, y). If several circles are equally near up to rounding,
+   * it returns one of them; if there are no circles or a coordinate is not finite, `NONE`.
    */
   nearest(x: number, y: number, hint?: number): number
-  /** How many circles there are, hidden ones included. */
+  /** Returns the number of circles, including hidden ones. */
   size(): number
-  /** A circle as it is now; `undefined` if there is none with this id. */
+  /** Returns the circle with this id, or `undefined` if there is none. */
   circle(id: number): Circle | undefined
   /**
-   * Whether a circle has no cell.
+   * Returns whether a circle is hidden and has no cell.
    *
    * @throws CircleVoronoiError `unknownCircle`
    */
   isHidden(id: number): boolean
-  /** The ids of all circles, in increasing order. */
+  /** Returns the ids of all circles in increasing order. */
   ids(): Int32s
   /**
-   * The diagram as it is now, its circles in the order of their ids: linear time. It stays as it is; `Diagram.apply` has it
-   * follow the changes that come after, in the time that they take.
+   * Returns a copy of the current diagram in linear time, with its circles in the order of their ids. The copy does not
+   * change by itself; `Diagram.apply` updates it with later changes, in time proportional to each change.
    */
   snapshot(): Diagram
-  /** All judged once more: linear time. It is certified, as each edit was. */
+  /** Checks the whole diagram again in linear time. Each edit has already been certified. */
   certificate(): Certificate
-  /** Frees the memory. Whatever is asked afterwards is an error. */
+  /** Frees the memory. Calling any method afterwards throws. */
   dispose(): void
 }
 
 /**
- * A certified Voronoi diagram whose circles come, go, move and grow.
+ * Maintains a certified Voronoi diagram while circles are inserted, removed, moved and resized.
  *
- * An edit changes what is around it and leaves the rest: microseconds, however many circles there are. It is certified by what
- * it changes before it is believed. One that is refused changes nothing. Circles have ids, from 0: one stays the same circle
- * through all edits, and is never given to another. A circle inside another is hidden, and has a cell again when that goes. The
- * diagram does not depend on the edits that led to it: it is that of `compute`.
+ * An edit changes only its surroundings and takes microseconds, regardless of the number of circles. Each edit is
+ * certified by checking the parts that it changed. An edit that is refused changes nothing. Circles have ids, counted
+ * from 0; an id stays with its circle and is never reused. A circle inside another one is hidden, and gets a cell again
+ * when the outer circle goes. The diagram does not depend on the edits that led to it: it equals the result of
+ * `compute`.
  *
- * Errors have the id of the circle concerned as `circle`, -1 if it is new. `badArgument`, whatever is asked after `dispose`.
+ * Errors contain the id of the circle as `circle`, or -1 for a new circle. After `dispose`, every method throws
+ * `badArgument`.
  *
- * It holds memory in WebAssembly: `dispose` frees it, as does `using`, or the garbage collector at some time.
+ * The editor holds WebAssembly memory. `dispose` or `using` frees it; otherwise the garbage collector does so at some
+ * point.
  *
  * @example
  * ```js
@@ -106,7 +109,7 @@ export interface EditorMethods {
 export type DiagramEditor = EditorMethods & Disposal
 
 /**
- * A copy of the circles that are to be edited.
+ * Copies the circles to edit.
  *
  * @throws CircleVoronoiError `badInput`, `badArgument`
  */
@@ -117,7 +120,7 @@ export function editedCircles(circles: Circles | DiagramData): Float64s {
   return coordinatesOf(circles.circles)
 }
 
-/** An edit that was checked, as plain data. */
+/** A checked edit as plain data. */
 export interface CheckedEdit {
   readonly kind: string
   readonly id?: number

@@ -4,7 +4,7 @@ import { CircleVoronoiError } from '../base/errors.ts'
 import type { DiagramData } from '../base/types.ts'
 
 /**
- * What of a diagram is judged.
+ * The parts of a diagram that `certify` reads.
  *
  * @category Loading
  */

@@ -21,7 +21,7 @@ import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
 /**
- * What is known of the circles that a diagram has not been told of: their centres are outside the box, whose sides may be
+ * What is known about circles that are not part of the input: their centers lie outside the box, whose sides may be
  * infinite, and their radii are at most `maxRadius`.
  *
  * @category Loading
@@ -32,39 +32,41 @@ export interface Known {
 }
 
 /**
- * Which parts of a diagram are those of the whole diagram, whatever lies outside.
+ * The parts of a diagram that also belong to the diagram of all circles, regardless of the circles outside.
  *
  * @category Loading
  */
 export interface FinalCells {
   /**
-   * Of each circle by how much the box has to be widened on all sides, with the diagram computed anew, until its cell, or
-   * what hides it, is sure to be final. 0: it is; `Infinity` for an unbounded cell.
+   * For each circle, how far the box has to be widened on all sides, and the diagram computed again, until the cell of
+   * the circle (or the circle that hides it) is guaranteed to be final: 0 if it is final, `Infinity` for an unbounded
+   * cell.
    */
   readonly neededHalo: Float64Array
-  /** Of each vertex 1 if it is final, else 0. */
+  /** For each vertex 1 if it is final, otherwise 0. */
   readonly vertices: Uint8Array
-  /** Of each edge likewise. */
+  /** For each edge 1 if it is final, otherwise 0. */
   readonly edges: Uint8Array
 }
 
 /**
- * The library, loaded.
+ * The loaded library.
  *
  * @category Loading
  */
 export interface CircleVoronoi {
   /**
-   * The Voronoi diagram of `circles`: x, y, r of each in one `Float64Array` or `Float32Array`, or a list of objects
-   * `{ x, y, r }` or arrays `[x, y, r]`. They may be disjoint, intersecting, tangent, nested, equal or points, in any
-   * position, and any number from 0. The input is copied.
+   * Computes the Voronoi diagram of any number of circles, given as x, y, r of each in one `Float64Array` or
+   * `Float32Array`, or as a list of objects `{ x, y, r }` or arrays `[x, y, r]`. They may be disjoint, intersecting,
+   * tangent, nested, equal or points, in any position. The input is copied.
    *
    * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
    */
   compute(circles: Circles, options?: Options): Diagram
   /**
-   * The same of the circles that three functions find in data, as `Delaunay.from` of d3-delaunay: each is called with a
-   * datum, its index and the data. Default: x, y and r of an object, or the first three items of an array.
+   * Computes the diagram of circles that three accessor functions find in data, like `Delaunay.from` of d3-delaunay.
+   * Each function is called with a datum, its index and the data. By default x, y and r are the properties of an
+   * object, or the first three items of an array.
    *
    * @throws CircleVoronoiError as `compute`; what the functions throw
    */
@@ -75,7 +77,7 @@ export interface CircleVoronoi {
     fr: Accessor<Datum>,
     options?: Options,
   ): Diagram
-  /** The same of data that have x, y and r, or are arrays of them. */
+  /** Computes the diagram of data that have the properties x, y and r, or are arrays of these three. */
   from<Datum extends CircleLike>(
     data: Iterable<Datum>,
     fx?: Accessor<Datum>,
@@ -84,29 +86,30 @@ export interface CircleVoronoi {
     options?: Options,
   ): Diagram
   /**
-   * The diagram of `circles`, and all that was done on the way to it: by the touching disc method, by flips (`method: 'auto'`
-   * or `'flip'`), or by the option `edits` from the diagram before them.
+   * Computes the diagram of `circles` and records each step on the way: of the touching disc method, of flips (`method:
+   * 'auto'` or `'flip'`), or, with the option `edits`, of edits to the diagram of `circles`.
    *
    * @throws CircleVoronoiError as `compute`, and `DiagramEditor.apply`
    */
   trace(circles: Circles, options?: TraceOptions): Trace
   /**
-   * An editor of the diagram of `circles`, or of a diagram's: circle i gets id i. Additive weights cannot be edited.
+   * Creates an editor for the diagram of `circles`, or for the circles of a diagram. Circle i gets the id i. Diagrams
+   * with additive weights cannot be edited.
    *
    * @throws CircleVoronoiError as `compute`; `badArgument`, if it is a diagram with weights or of another metric
    */
   edit(circles: Circles | DiagramData): DiagramEditor
   /**
-   * Judges in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, however it was
-   * made; only its typed arrays are looked at. `compute` has done so for its results.
+   * Checks in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, whatever made
+   * it. Only its typed arrays are read. `compute` has already checked its results.
    *
    * @throws CircleVoronoiError if an array has the wrong type or length, or a circle is none.
    */
   certify(diagram: Verifiable): Certificate
   /**
-   * Tells in linear time what of a certified diagram is final: the same in the diagram of all circles, whatever others
-   * there are outside. A cell is final if it is bounded and the discs of its vertices, widened by `maxRadius`, lie within
-   * the box.
+   * Finds in linear time the parts of a certified diagram that stay the same in the diagram of all circles, whatever
+   * circles there are outside the box. A cell is final if it is bounded and the discs of its vertices, widened by
+   * `maxRadius`, lie inside the box.
    *
    * @throws CircleVoronoiError `badArgument` if the box or the radius is none; `badInput` if an array has the wrong type or
    *   length; `badOption` if the box is empty or the radius negative or not finite.

@@ -4,12 +4,12 @@ import { defaultWasm } from './default-wasm.ts'
 import { type CompiledWasm, compileWasm, type WasmSource } from './wasm.ts'
 
 /**
- * How the WebAssembly is found.
+ * Options for loading.
  *
  * @category Loading
  */
 export interface LoadOptions {
-  /** `circle-voronoi.wasm`. Default: the file beside this module; Node reads it from the disk. */
+  /** The source of `circle-voronoi.wasm`. Default: the file next to this module; Node reads it from disk. */
   readonly wasm?: WasmSource | Promise<WasmSource> | undefined
 }
 

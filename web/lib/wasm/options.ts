@@ -3,57 +3,62 @@ import { checkOptionNames, refuseOption, shown } from '../base/check.ts'
 import type { Seconds } from '../base/types.ts'
 
 /**
- * A stage of the computation:
- * - `hide`: circles that another contains are found, and the centres of the rest are triangulated;
- * - `sample`, `pair`, `touch`: the touching disc method, its points on circles, its pairs of circles, its event loop;
- * - `flip`: edges of a triangulation are flipped;
- * - `repair`: what is wrong in places is computed anew;
- * - `certify`: the result is judged.
+ * A stage of the computation.
+ *
+ * - `hide`: finds hidden circles and triangulates the centers of the others
+ * - `sample`, `pair`, `touch`: the touching disc method: sample points, candidate pairs, event loop
+ * - `flip`: flips edges of the triangulation
+ * - `repair`: computes parts with flaws again
+ * - `certify`: checks the result
  *
  * @category Loading
  */
 export type Stage = Exclude<keyof Seconds, 'total'>
 
 /**
- * Told when a stage begins (`done` is 0) and, in those of the touching disc method (`sample`, `pair`, `touch`), which
- * part of it is done, up to 1. Which stages there are depends on the method and the input.
+ * A callback for progress. It is called with `done` = 0 when a stage begins, and in the stages of the touching disc
+ * method (`sample`, `pair`, `touch`) also with the completed fraction. The method and the input determine which stages
+ * there are.
  *
  * @category Loading
  */
 export type Progress = (stage: Stage, done: number) => void
 
 /**
- * How a diagram is computed.
+ * Options of `compute`.
  *
  * @category Loading
  */
 export interface Options {
   /**
-   * Whether the radii are additive weights, which may be negative: a point belongs to the circle of least distance less
-   * weight, so that one number added to all changes nothing. Default: false, and a negative radius is an error.
+   * Whether the radii are additive weights, which may be negative. A point belongs to the circle with the least
+   * distance minus weight, so adding one number to all weights changes nothing. Default: false; a negative radius is
+   * then an error.
    */
   readonly weights?: boolean | undefined
   /**
-   * How the diagram is built. `auto` (the default): the fastest construction that leads to a certified diagram.
-   * `touching-disc`: the paper's method, candidate pairs and then the event loop. `flip`: edge flips from the Delaunay
-   * triangulation of the centres. The last two may give a wrong diagram; its certificate then says so.
+   * The construction method. `auto` (default): the fastest construction that leads to a certified diagram.
+   * `touching-disc`: the method of the paper, candidate pairs followed by the event loop. `flip`: edge flips that start
+   * from the Delaunay triangulation of the centers. The last two may give a wrong diagram; its certificate says so.
    */
   readonly method?: 'auto' | 'touching-disc' | 'flip' | undefined
   /**
-   * For the touching disc method: which pairs of circles get an antipodal disc, neighbours in the Delaunay graph of
-   * dynamically chosen samples, of equally spaced samples, or every pair (quadratic, at most 10,000 circles). Default:
-   * `dynamic`.
+   * For the touching disc method: which pairs of circles get an antipodal disc. These are neighbors in the Delaunay
+   * graph of dynamically chosen samples (`dynamic`, default) or of equally spaced samples (`uniform`), or all pairs
+   * (`all-pairs`: quadratic, at most 10,000 circles).
    */
   readonly candidates?: 'dynamic' | 'uniform' | 'all-pairs' | undefined
   /**
-   * `dynamic`: samples inside each angle of a Delaunay face, 0 to 1000, default 1.
-   * `uniform`: samples on each circle, 1 to 1000, default 50.
-   * `all-pairs` takes none.
+   * The number of samples. `dynamic`: inside each angle of a Delaunay face, 0 to 1000, default 1. `uniform`: on each
+   * circle, 1 to 1000, default 50. `all-pairs` uses none.
    */
   readonly samples?: number | undefined
-  /** `dynamic`: if the diagram is not certified, take more samples near what is wrong and try again. Default: false. */
+  /**
+   * For `dynamic` candidates: whether to add samples near flaws and try again if the diagram is not certified. Default:
+   * false.
+   */
   readonly resample?: boolean | undefined
-  /** Called during the computation. If it throws, the computation ends, and `compute` throws the same. */
+  /** A callback for progress. If it throws, the computation ends and `compute` throws the same error. */
   readonly progress?: Progress | undefined
 }
 

@@ -12,7 +12,7 @@ import type { Options } from './options.ts'
  * Of the touching disc method: candidates (paper, sections 4.1 and 5), then the event loop (Algorithms 2 and 3).
  *
  * - `roundBegun`: all begins anew, as by the option `resample`, and is counted anew. The first event is one;
- * - `centersJoined`: an edge of the Delaunay graph of the visible circles' centres;
+ * - `centersJoined`: an edge of the Delaunay graph of the visible circles' centers;
  * - `sampleTaken`: `disc` is the point, of radius 0, on its circle less the smallest of all radii;
  * - `samplesJoined`: an edge of the Delaunay graph of the samples, of which `numbers` are two;
  * - `pairFound`: two circles get an antipodal disc;
@@ -30,10 +30,10 @@ import type { Options } from './options.ts'
  *   vertex of the diagram; or of two, an unbounded end. `numbers` is its number, which may be that of another later;
  * - `discNotEmpty`: the disc of a face meets `circles[2]`, or ties with it: the edge between the first two goes;
  *   `discMissing`: three circles of a face have no disc, and the edge between the first two goes; `tangentNotClear`: the
- *   tangent line of two neighbours on the hull meets the third circle; `hullNotConvex`: the first circle lies within the
- *   tangent line of the others, its neighbours on the hull, and leaves it;
+ *   tangent line of two neighbors on the hull meets the third circle; `hullNotConvex`: the first circle lies within the
+ *   tangent line of the others, its neighbors on the hull, and leaves it;
  * - `circleInserted`, `circleRemoved`, `circleReplaced`: an edit of the first circle, by its id; `disc` is the circle;
- *   `circleShrunk`: so far, on its way out, where it touches a disc of its neighbours.
+ *   `circleShrunk`: so far, on its way out, where it touches a disc of its neighbors.
  *
  * @category Tracing
  * @example
@@ -74,35 +74,38 @@ export const TRACE_KINDS = [
 export type TraceKind = (typeof TRACE_KINDS)[number]
 
 /**
- * Those of `compute`, but that the method is `touching-disc` by default; or edits.
+ * Options of `trace`: those of `compute`, with `touching-disc` as the default method, or a list of edits.
  *
  * @category Tracing
  */
 export interface TraceOptions extends Options {
-  /** Edits of the diagram of `circles`, which is there before: circle i has id i. No other option goes with them. */
+  /** Edits to the diagram of `circles`, in which circle i has the id i. They cannot be combined with other options. */
   readonly edits?: Iterable<Edit> | undefined
 }
 
 /**
- * The events field by field.
+ * The events as arrays, one for each field.
  *
  * @category Tracing
  */
 export interface TraceArrays {
-  /** Of each event its index in `TRACE_KINDS`. */
+  /** The kind of each event, as an index in `TRACE_KINDS`. */
   readonly kinds: Uint8Array
-  /** Three of each: x, y and r of a disc; 0 or NaN where there is none. */
+  /** Three numbers for each event: x, y and r of a disc; 0 or NaN if the event has none. */
   readonly discs: Float64s
-  /** Three of each, `NONE` where there is none; of a three-touch disc clockwise, as the directed edges 0 to 1 and 1 to 2. */
+  /**
+   * Three circles for each event, `NONE` if it has fewer. Those of a three-touch disc are clockwise, like the directed
+   * edges from the first to the second and from the second to the third.
+   */
   readonly circles: Int32s
-  /** Of each the vertex that is made or where a segment ends, or `NONE`. */
+  /** For each event the vertex that is made, or where a segment ends; otherwise `NONE`. */
   readonly vertices: Int32s
-  /** Two of each, `NONE` where there is none: samples, directed edges, a face or a round, counted from 0. */
+  /** Two numbers for each event, `NONE` if it has fewer: samples, directed edges, a face or a round, counted from 0. */
   readonly numbers: Int32s
 }
 
 /**
- * What happened.
+ * One event.
  *
  * @category Tracing
  */
@@ -115,14 +118,14 @@ export interface TraceEvent {
 }
 
 /**
- * What is there after some events, each as a list of events by their indices.
+ * The state after some events. Each list contains indices of events.
  *
  * @category Tracing
  */
 export interface TraceState {
   /** The event that began the round. */
   readonly round: number
-  /** The edges of the centres' Delaunay graph. */
+  /** The edges of the Delaunay graph of the centers. */
   readonly centerEdges: Int32Array
   readonly samples: Int32Array
   readonly sampleEdges: Int32Array
@@ -130,13 +133,13 @@ export interface TraceState {
   /** Antipodal discs that were accepted. */
   readonly antipodalDiscs: Int32Array
   readonly branchDiscs: Int32Array
-  /** Segments that are finished. */
+  /** Finished segments. */
   readonly segments: Int32Array
-  /** The placings of directed edges that are there. */
+  /** The events that placed the current directed edges. */
   readonly directedEdges: Int32Array
-  /** The three-touch discs that wait, the next one first: by radius, then by their directed edges. */
+  /** The three-touch discs in the queue, the next one first: sorted by radius, then by their directed edges. */
   readonly queue: Int32Array
-  /** The makings of faces that are there. */
+  /** The events that made the current faces. */
   readonly faces: Int32Array
   /** The edits of circles so far, of all rounds. */
   readonly edits: Int32Array
@@ -169,7 +172,7 @@ const WITHOUT_DISC = ['roundBegun', 'centersJoined', 'samplesJoined', 'pairFound
 const EDGES = 2 ** 26
 
 /**
- * What was done, event by event, and the diagram that came of it, which may be wrong where its certificate says so.
+ * The events of a construction, and the resulting diagram, which may be wrong if its certificate says so.
  *
  * @category Tracing
  * @example
@@ -190,7 +193,7 @@ export class Trace implements TraceArrays {
   ]
   readonly #spacing: number
 
-  /** Of a diagram and the events that led to it, which are not copied. */
+  /** Combines a diagram with the events that led to it, which are not copied. */
   constructor(diagram: Diagram, { kinds, discs, circles, vertices, numbers }: TraceArrays) {
     this.diagram = diagram
     this.kinds = kinds
@@ -202,7 +205,7 @@ export class Trace implements TraceArrays {
     this.#spacing = Math.max(1024, 16 * Math.ceil(Math.sqrt(kinds.length)))
   }
 
-  /** How many events there are. */
+  /** The number of events. */
   get length(): number {
     return this.kinds.length
   }
@@ -227,8 +230,8 @@ export class Trace implements TraceArrays {
   }
 
   /**
-   * What is there after the first `k` events, `k` from 0 to `length`: in the time that it takes to look once at each kind of
-   * event so far, as the rest is kept now and then.
+   * Returns the state after the first `k` events, with `k` from 0 to `length`. It takes the time to look once at the
+   * kind of each event so far, because snapshots of the state are kept now and then.
    *
    * @throws CircleVoronoiError `badArgument`, if there are not so many events
    */

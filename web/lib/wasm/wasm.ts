@@ -2,7 +2,7 @@
 import { CircleVoronoiError, type ErrorCode, reasonOf } from '../base/errors.ts'
 
 /**
- * `WebAssembly.Module`, where the types of the DOM are known: Node's leave it out.
+ * `WebAssembly.Module`, if the DOM types are available (the types of Node lack it).
  *
  * @category Loading
  */
@@ -11,8 +11,8 @@ export type CompiledWasm = typeof globalThis extends { WebAssembly: { Module: { 
   : never
 
 /**
- * Where a WebAssembly module comes from: its address (a page resolves a relative one against itself; Node takes `file:`
- * and, if it is asked to, `https:`), the answer of a `fetch`, the bytes, or the compiled module.
+ * The source of a WebAssembly module: its URL (pages resolve relative URLs against themselves; Node accepts `file:` and
+ * `https:`), the `Response` of a `fetch`, the bytes, or the compiled module.
  *
  * @category Loading
  */

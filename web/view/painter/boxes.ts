@@ -64,7 +64,7 @@ export function addBox(boxes: Float64Array, k: number, others: Float64Array, j: 
 /**
  * Has box k hold an edge, one that goes to infinity as far as `reach`.
  *
- * Along the line through the two centres an arc goes away from its apex, across it always on: it lies in the rectangle in
+ * Along the line through the two centers an arc goes away from its apex, across it always on: it lies in the rectangle in
  * that direction that its ends and, if it is between them, its apex span.
  */
 export function addEdge(boxes: Float64Array, k: number, diagram: Diagram, edge: number, reach: number): void {

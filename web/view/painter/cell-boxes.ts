@@ -29,24 +29,24 @@ export function cellBoxes(diagram: Diagram, reach: number): Float64Array {
   return boxes
 }
 
-/** Adds the centre of a circle and those of its neighbours. */
+/** Adds the center of a circle and those of its neighbors. */
 export function addStar(boxes: Float64Array, k: number, diagram: Diagram, i: number): void {
-  for (const j of [i, ...diagram.neighbors(i)]) addCentre(boxes, k, diagram, j)
+  for (const j of [i, ...diagram.neighbors(i)]) addCenter(boxes, k, diagram, j)
 }
 
-/** Boxes around each circle's centre and those of its neighbours, by the circles' ids. */
+/** Boxes around each circle's center and those of its neighbors, by the circles' ids. */
 export function starBoxes(diagram: Diagram): Float64Array {
   const { circles, edges } = diagram
   const boxes = emptyBoxes(idCount(diagram))
-  for (let i = 0; i < circles.length / 3; i++) addCentre(boxes, idOf(diagram, i), diagram, i)
+  for (let i = 0; i < circles.length / 3; i++) addCenter(boxes, idOf(diagram, i), diagram, i)
   for (let e = 0; e < edges.length; e += 4) {
-    addCentre(boxes, idOf(diagram, at(edges, e)), diagram, at(edges, e + 1))
-    addCentre(boxes, idOf(diagram, at(edges, e + 1)), diagram, at(edges, e))
+    addCenter(boxes, idOf(diagram, at(edges, e)), diagram, at(edges, e + 1))
+    addCenter(boxes, idOf(diagram, at(edges, e + 1)), diagram, at(edges, e))
   }
   return boxes
 }
 
-function addCentre(boxes: Float64Array, k: number, { circles }: Diagram, i: number): void {
+function addCenter(boxes: Float64Array, k: number, { circles }: Diagram, i: number): void {
   addAround(boxes, k, at(circles, 3 * i), at(circles, 3 * i + 1), 0)
 }
 

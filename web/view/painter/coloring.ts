@@ -5,10 +5,10 @@ import { MAP_COLORS } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
 
 /**
- * A colour for each cell that none of its neighbours has, one of six.
+ * A color for each cell that none of its neighbors has, one of six.
  *
  * The cells and who borders on whom are a planar graph. So is each part of it, and each has a cell with at most five
- * neighbours: taken away one after the other and put back in reverse, each finds a colour that none of these five has.
+ * neighbors: taken away one after the other and put back in reverse, each finds a color that none of these five has.
  */
 export class Coloring {
   /** By the circles' ids. */
@@ -23,8 +23,8 @@ export class Coloring {
   }
 
   /**
-   * Follows a change to cells: those that changed are told by their ids. False: all had to be coloured anew, else only these
-   * may have another colour.
+   * Follows a change to cells: those that changed are told by their ids. False: all had to be colored anew, else only these
+   * may have another color.
    */
   follow(diagram: Diagram, changed: Iterable<number>): boolean {
     for (const id of changed) {
@@ -84,7 +84,7 @@ function colored(diagram: Diagram): Uint8Array {
   return byId
 }
 
-/** All circles, each with the fewest neighbours of those that come no earlier. */
+/** All circles, each with the fewest neighbors of those that come no earlier. */
 function smallestLast(diagram: Diagram): Int32Array {
   const count = diagram.circles.length / 3
   const degrees = new Int32Array(count)

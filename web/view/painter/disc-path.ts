@@ -9,7 +9,7 @@ const PIECES = 8
 const FULL_TURN = 2 * Math.PI
 
 /**
- * Adds a circle to a path: centre in pixels from the top left of the frame, which may be far outside. Of a large one only
+ * Adds a circle to a path: center in pixels from the top left of the frame, which may be far outside. Of a large one only
  * what can be seen in the frame is there, as a curve that goes around outside of it: right to fill, and to stroke.
  */
 export function addDisc(path: PathSink, { width, height }: Frame, x: number, y: number, radius: number): void {

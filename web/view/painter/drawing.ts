@@ -11,7 +11,7 @@ export interface Drawing {
   cover(color: string): void
   fill(path: PathSink, color: string, opacity?: number): void
   stroke(path: PathSink, color: string, width: number, dash?: readonly number[], opacity?: number): void
-  /** A word in the middle of a place, `size` high, with a rim of another colour so that it is read on anything. */
+  /** A word in the middle of a place, `size` high, with a rim of another color so that it is read on anything. */
   write(text: string, x: number, y: number, size: number, color: string, rim: string): void
 }
 

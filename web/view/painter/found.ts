@@ -76,7 +76,7 @@ function pathOf(diagram: Diagram, from: Point, to: Point, tolerance: number, rea
   return { clearance, outline }
 }
 
-/** Straight away from the centre of the nearest circle. */
+/** Straight away from the center of the nearest circle. */
 function farFrom(diagram: Diagram, { x, y }: Point, reach: number): Point {
   const nearest = circleAt(diagram.circles, diagram.find(x, y))
   const [dx, dy] = [x - nearest.x, y - nearest.y]

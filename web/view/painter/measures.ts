@@ -11,7 +11,7 @@ import { idOf } from './cell-boxes.ts'
 /** So many cells say which are the small ones. */
 const MOST_SAMPLES = 2000
 
-/** The tints of cells by a measure: each tint as many as others, equal measures one; the number of neighbours up to 4, 5 … 8, more. */
+/** The tints of cells by a measure: each tint as many as others, equal measures one; the number of neighbors up to 4, 5 … 8, more. */
 export class Measures {
   readonly measure: Measure
   readonly #diagram: Diagram
@@ -79,7 +79,7 @@ export function cellArea({ cells }: Diagram, i: number): number {
   return outlineArea([pieces])
 }
 
-/** The distance from a circle to the nearest other one, a neighbour: negative if they overlap. */
+/** The distance from a circle to the nearest other one, a neighbor: negative if they overlap. */
 function gap(diagram: Diagram, i: number): number {
   const { circles } = diagram
   let least = Number.POSITIVE_INFINITY

@@ -25,7 +25,7 @@ import type {
   Wish,
 } from '../protocol.ts'
 import type { Style } from '../style.ts'
-import { Centres } from './centres.ts'
+import { Centers } from './centers.ts'
 import { commandsOf } from './commands.ts'
 import { distributionOf } from './distribution.ts'
 import { CanvasDrawing, type Drawing } from './drawing.ts'
@@ -52,7 +52,7 @@ const STROKE = 4
 
 /** What is found in so many seconds is found with each edit. */
 const QUICK = 0.005
-/** Of a circle with more neighbours, its own cell stands out alone. */
+/** Of a circle with more neighbors, its own cell stands out alone. */
 const MOST_NEIGHBORS = 500
 
 /** The circles of one view, and what of their picture the view has been given. */
@@ -93,7 +93,7 @@ export class PaintedScene {
   }
 
   dispose(): void {
-    this.#picture.centres?.dispose()
+    this.#picture.centers?.dispose()
     this.#picture.editor.dispose()
   }
 
@@ -105,10 +105,10 @@ export class PaintedScene {
     this.#isFound = false
     picture.layers = layers
     if (!layers.delaunay && !layers.ordinary) {
-      picture.centres?.dispose()
-      picture.centres = undefined
+      picture.centers?.dispose()
+      picture.centers = undefined
     } else {
-      picture.centres ??= new Centres(this.#library, picture.diagram)
+      picture.centers ??= new Centers(this.#library, picture.diagram)
     }
     if (!layers.power) picture.power = undefined
     const isSame = candidates === layers.candidates && sampleCount === layers.sampleCount

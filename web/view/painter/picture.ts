@@ -7,7 +7,7 @@ import { TINTS } from '../style.ts'
 import { BoxIndex } from './box-index.ts'
 import { addAround, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
-import type { Centres } from './centres.ts'
+import type { Centers } from './centers.ts'
 import { Coloring } from './coloring.ts'
 import { Measures } from './measures.ts'
 import type { MethodResult } from './method-layers.ts'
@@ -33,7 +33,7 @@ export interface Difference {
 /** A layer of a client, and where its parts are. */
 export interface IndexedData {
   readonly layer: Pick<DataLayer, 'points' | 'segments' | 'discs'>
-  /** A CSS colour, or the name of a style's. */
+  /** A CSS color, or the name of a style's. */
   readonly color: string
   readonly points: BoxIndex | undefined
   readonly segments: BoxIndex | undefined
@@ -51,8 +51,8 @@ export class Picture {
   readonly cellWidth: number
   /** How far edges go that go to infinity. */
   readonly reach: number
-  /** The diagram of the centres, if a layer shows something of it. */
-  centres: Centres | undefined
+  /** The diagram of the centers, if a layer shows something of it. */
+  centers: Centers | undefined
   /** The power diagram of the circles as they are, likewise. */
   power: Ghost | undefined
   data: readonly IndexedData[] = []
@@ -64,7 +64,7 @@ export class Picture {
   #areas: Measures | undefined
   #gaps: Measures | undefined
   #coloring: Coloring | undefined
-  /** Boxes around circles' centres and those of their neighbours, by ids, once they are asked for. */
+  /** Boxes around circles' centers and those of their neighbors, by ids, once they are asked for. */
   #stars: BoxIndex | undefined
   #hiddenBy: Map<number, number[]> | undefined
 
@@ -117,7 +117,7 @@ export class Picture {
     return tint
   }
 
-  /** Which colour the cell of circle `i` has, of those that the layer of cells shows. */
+  /** Which color the cell of circle `i` has, of those that the layer of cells shows. */
   colorOf(i: number): number {
     return this.#coloring?.colorOf(idOf(this.diagram, i)) ?? this.#measures?.tintOf(i) ?? 0
   }
@@ -139,7 +139,7 @@ export class Picture {
     return this.#indicesOf(this.index.search(box))
   }
 
-  /** The same of circles from whose centres segments to their neighbours' centres may meet a box. */
+  /** The same of circles from whose centers segments to their neighbors' centers may meet a box. */
   starsIn(box: Box): number[] {
     this.#stars ??= new BoxIndex(starBoxes(this.diagram))
     return this.#indicesOf(this.#stars.search(box))
@@ -154,7 +154,7 @@ export class Picture {
   /**
    * Makes the change of an edit its own, and returns boxes around all that looks different now. Where a circle comes, nothing
    * changes outside its cell; where one goes, nothing outside the cell it had; where one moves, nothing outside both. Only
-   * where something is shown that depends on a whole cell, it is those of the neighbours, too.
+   * where something is shown that depends on a whole cell, it is those of the neighbors, too.
    */
   apply(change: Change): Difference {
     const { removed, replaced, inserted, cells, hidden, shown } = change
@@ -175,7 +175,7 @@ export class Picture {
     this.#gaps?.forget(changed)
     const isFollowed = this.#coloring?.follow(this.diagram, changed) ?? true
     const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown], cells)]
-    boxes.push(...(this.centres?.apply(change).boxes ?? []))
+    boxes.push(...(this.centers?.apply(change).boxes ?? []))
     return {
       boxes: boxes.filter(({ minX, maxX }) => minX <= maxX),
       isEverywhere: !isFollowed || isMethodShown || this.#layers.power,

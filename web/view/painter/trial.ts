@@ -44,8 +44,8 @@ export function trialOf(
 }
 
 /**
- * Only circles near the one that is tried decide about its cell. If each circle that it takes from has all of its neighbours
- * here, its cell was the one that it has among all: for a cell depends on its neighbours alone. So what is taken here is taken
+ * Only circles near the one that is tried decide about its cell. If each circle that it takes from has all of its neighbors
+ * here, its cell was the one that it has among all: for a cell depends on its neighbors alone. So what is taken here is taken
  * there, and as nothing else is, the cell is the same.
  */
 function localDiagram(library: CircleVoronoi, whole: Diagram, { x, y, r }: Circle, nearest: number): Local {
@@ -70,7 +70,7 @@ function localDiagram(library: CircleVoronoi, whole: Diagram, { x, y, r }: Circl
   }
 }
 
-/** Those that lose something to the circle: its neighbours, and those that it hides. */
+/** Those that lose something to the circle: its neighbors, and those that it hides. */
 function robbed({ diagram, tried }: Local): number[] {
   const { hidden } = diagram
   const ks = new Set<number>(diagram.cells.exists(tried) ? diagram.neighbors(tried) : [])

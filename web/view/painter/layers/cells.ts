@@ -8,10 +8,10 @@ import { type Layer, type Painting, shareOf } from '../painting.ts'
 const CELLS_PER_PATH = 64
 /** The tints of circles' sizes are background: they are not missed where cells are small, in pixels. */
 const TINTED_CELL = [6, 12] as const
-/** Of colours that were asked for. */
+/** Of colors that were asked for. */
 const OPACITY = 0.7
 
-/** The colours of cells. */
+/** The colors of cells. */
 export const cells: Layer = {
   id: 'cells',
   isOn: (layers) => layers.cells !== 'none',

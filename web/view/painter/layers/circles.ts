@@ -9,7 +9,7 @@ import { type Layer, type Painting, shareOf } from '../painting.ts'
 /** Dots fade in where cells are so wide, in pixels. */
 const CELL_WITH_DOTS = [4, 8] as const
 const HIDDEN_LINE = 1.25
-/** Discs let the colour of their cells through that was asked for. */
+/** Discs let the color of their cells through that was asked for. */
 const PLAIN_OPACITY = 0.45
 
 /** The discs of visible circles; their rims are drawn later. */

@@ -19,14 +19,14 @@ export const edges: Layer = {
   },
 }
 
-/** The Voronoi diagram of the centres. */
+/** The Voronoi diagram of the centers. */
 export const ordinary: Layer = {
   id: 'ordinary',
   isOn: (layers) => layers.ordinary,
   draw(painting) {
-    const { centres } = painting.picture
-    if (centres === undefined) return
-    const { picture } = centres
+    const { centers } = painting.picture
+    if (centers === undefined) return
+    const { picture } = centers
     const seen = picture.circlesIn(painting.limits.region.box)
     strokeEdges(painting, picture.diagram, seen, (path) => strokeGhost(painting, path, painting.style.ordinary))
   },

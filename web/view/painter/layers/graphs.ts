@@ -16,13 +16,13 @@ export const dual: Layer = {
   draw: (painting) => strokeDual(painting, painting.picture, painting.style.dual),
 }
 
-/** The same of the centres' Voronoi diagram: their Delaunay graph. */
+/** The same of the centers' Voronoi diagram: their Delaunay graph. */
 export const delaunay: Layer = {
   id: 'delaunay',
   isOn: (layers) => layers.delaunay,
   draw(painting) {
-    const { centres } = painting.picture
-    if (centres !== undefined) strokeDual(painting, centres.picture, painting.style.delaunay)
+    const { centers } = painting.picture
+    if (centers !== undefined) strokeDual(painting, centers.picture, painting.style.delaunay)
   },
 }
 

@@ -7,7 +7,7 @@ import { addSegment } from '../segment-path.ts'
 const LINE = 1.25
 const DOT = 2
 
-/** From each hidden circle a line to the centre of one that contains it. */
+/** From each hidden circle a line to the center of one that contains it. */
 export const hiders: Layer = {
   id: 'hidden',
   isOn: (layers) => layers.hidden,

@@ -4,10 +4,10 @@ import type { Change, CircleVoronoi, Diagram, Edit } from '../../lib/index.ts'
 import { idOf } from './cell-boxes.ts'
 import { type Difference, Picture } from './picture.ts'
 
-/** The Voronoi diagram of the circles' centres, which follows that of the circles: an editor of points. */
-export class Centres {
+/** The Voronoi diagram of the circles' centers, which follows that of the circles: an editor of points. */
+export class Centers {
   readonly picture: Picture
-  /** Of each circle's id that of its centre. */
+  /** Of each circle's id that of its center. */
   readonly #ids = new Map<number, number>()
 
   constructor(library: CircleVoronoi, diagram: Diagram) {
