@@ -13,7 +13,7 @@ import {
 } from '../../web/lib/link.ts'
 import { library } from './library.ts'
 
-const TOO_MUCH = expect.objectContaining({ code: 'tooManyCircles', message: 'This is too much for a link.' })
+const TOO_MUCH = expect.objectContaining({ code: 'tooManyCircles', message: 'Too large for a link.' })
 
 const finite = fc.double({ noNaN: true, noDefaultInfinity: true }).map((value) => value + 0)
 const coordinate = fc.double({ min: -1e150, max: 1e150, noNaN: true }).map((value) => value + 0)

@@ -98,7 +98,7 @@ export class Keeping {
     }
   }
 
-  /** `undefined`: there is too much for a link. */
+  /** `undefined`: too large for a link. */
   async #linkOf(state: LinkInput): Promise<string | undefined> {
     try {
       return await this.#links.linkOf(state)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Has the site work without a network once it was loaded. Each version of the site has a cache with all of its files, checked
+// Makes the site work offline after the first visit. Each version of the site has a cache with all of its files, checked
 // by their hashes. A page is that of the newest whole version, and names its parts by what is in them, so that no page has
 // parts of two. The version before is kept as well, for pages that are still open: a library that lets the newest version take
 // over either deletes what these have yet to load or has it wait until all of them are closed.

@@ -229,7 +229,7 @@ export class EditorActions implements Hands {
   toggleSnapping(): void {
     const isSnapping = !this.snaps
     this.#store.update((state) => ({ ...state, isSnapping }))
-    this.#say(isSnapping ? 'What is dragged snaps' : 'What is dragged does not snap')
+    this.#say(isSnapping ? 'Snapping is on' : 'Snapping is off')
   }
 
   async removeSelected(): Promise<void> {

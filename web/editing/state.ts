@@ -33,7 +33,7 @@ export interface State {
   /** Which method that is; `undefined`: as usual. */
   readonly method: string | undefined
   readonly tool: Tool
-  /** Whether what is dragged snaps, without a key. */
+  /** Whether dragged circles snap without a key. */
   readonly isSnapping: boolean
   /** What is said to who does not see it. */
   readonly said: string

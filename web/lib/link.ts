@@ -304,5 +304,5 @@ function refuse(reason: string): never {
 }
 
 function tooMuch(): never {
-  throw new CircleVoronoiError('tooManyCircles', -1, 'This is too much for a link.')
+  throw new CircleVoronoiError('tooManyCircles', -1, 'Too large for a link.')
 }

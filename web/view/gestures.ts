@@ -16,7 +16,7 @@ export interface Held {
 export interface Hands {
   /** What a press does: `add`: it becomes a circle. */
   readonly tool: 'select' | 'pan' | 'add'
-  /** Whether what is dragged snaps, without a key. */
+  /** Whether dragged circles snap without a key. */
   readonly snaps: boolean
   /** A circle as it is now; `undefined`: there is none, or it is not to be changed. */
   circle(id: number): Circle | undefined

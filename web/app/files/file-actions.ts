@@ -114,7 +114,7 @@ export class FileActions {
     return link
   }
 
-  /** Empty, if there is too much for a link. */
+  /** Empty if the content is too large for a link. */
   async #link(state = this.#actions.linkState()): Promise<string> {
     try {
       return await this.#links.linkOf(state ?? {})

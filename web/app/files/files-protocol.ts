@@ -17,7 +17,7 @@ export type FilesRequest =
       readonly request: number
       readonly circles: Float64s
       readonly format: SavedFormat
-      /** What opens the same again; empty: there is too much for a link. */
+      /** What opens the same again; empty: too large for a link. */
       readonly link: string
     }
   | { readonly kind: 'link'; readonly request: number; readonly state: LinkInput }

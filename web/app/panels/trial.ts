@@ -28,6 +28,6 @@ function body(trial: Trial) {
       ${named.map(({ id, area }) => html`<div><dt>circle ${id}</dt><dd>${areaText(area)}</dd></div>`)}
     </dl>
     ${taken.length > named.length ? html`<p>and ${taken.length - named.length} more</p>` : undefined}
-    <p>Release: it is added. Escape: it is not.</p>
+    <p>Release to add, Esc to cancel.</p>
   `
 }
