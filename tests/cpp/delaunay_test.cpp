@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "fixtures.h"
 #include "oracle.h"
 #include "random.h"

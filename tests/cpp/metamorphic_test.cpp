@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "compare.h"
 #include "delaunay.h"
 #include "random.h"

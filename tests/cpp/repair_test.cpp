@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "dual_edits.h"
 #include "judge.h"
 #include "report.h"

@@ -82,7 +82,7 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeAround(int likely, int
   return CutEdge{likely, {}};
 }
 
-CellInserter::Disc CellInserter::discOf(const Predicates::Triple& corners) const {
+CellInserter::Disc CellInserter::faceDisc(const Predicates::Triple& corners) const {
   return {corners, predicates_.disc(corners)};
 }
 
@@ -92,7 +92,7 @@ bool CellInserter::isTangentLine(const Disc& disc) {
   return std::find(disc.corners.begin(), disc.corners.end(), kInfinity) != disc.corners.end();
 }
 
-int CellInserter::order(int a, int b, const Disc& first, const Disc& second) const {
+int CellInserter::orderAlongEdge(int a, int b, const Disc& first, const Disc& second) const {
   const int from = predicates_.looksFromFirst(a, b) ? a : b;
   const int sign = turn(from, first, second);
   return from == a ? sign : -sign;
@@ -106,20 +106,20 @@ CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   if (b == kInfinity) {
     const bool hasStart = predicates_.tangentSide(a, d, i) > 0;
     const bool hasEnd = predicates_.tangentSide(c, a, i) > 0;
-    const bool isWithin = turns(a, discAt(t), discOf({a, i, kInfinity}), discAt(h)) > 0;
+    const bool isWithin = turns(a, discAt(t), faceDisc({a, i, kInfinity}), discAt(h)) > 0;
     return {hasStart || hasEnd || isWithin, hasStart, hasEnd && !hasStart};
   }
   // The edge goes from the disc of t to that of h. On its bisector the cell of i begins at `enter`, ends at `leave`.
-  const Disc enter = discOf({a, b, i});
-  const Disc leave = discOf({b, a, i});
-  const bool hasStart = leave.disc.exists && (d == kInfinity || order(a, b, discAt(t), leave) > 0);
-  const bool hasEnd = enter.disc.exists && (c == kInfinity || order(a, b, enter, discAt(h)) > 0);
+  const Disc enter = faceDisc({a, b, i});
+  const Disc leave = faceDisc({b, a, i});
+  const bool hasStart = leave.disc.exists && (d == kInfinity || orderAlongEdge(a, b, discAt(t), leave) > 0);
+  const bool hasEnd = enter.disc.exists && (c == kInfinity || orderAlongEdge(a, b, enter, discAt(h)) > 0);
   if (!leave.disc.exists && !enter.disc.exists) {
     const int side = predicates_.tangentSide(a, b, i);
     return {side > 0 || (side == 0 && liesNearer(i, a, b)), false, false};
   }
   if (!leave.disc.exists || !enter.disc.exists) return {hasStart || hasEnd, false, false};
-  if (order(a, b, enter, leave) >= 0) return {hasStart && hasEnd, false, false};
+  if (orderAlongEdge(a, b, enter, leave) >= 0) return {hasStart && hasEnd, false, false};
   return {hasStart || hasEnd, hasStart, !hasStart};
 }
 
@@ -235,7 +235,7 @@ bool CellInserter::isWithin(int h, const Disc& lost) const {
   const int b = dual_.target(h);
   if (!discs_.exists(h / 3)) return true;
   if (a == kInfinity || b == kInfinity || isTangentLine(lost)) return false;
-  return order(a, b, discAt(h), lost) < 0;
+  return orderAlongEdge(a, b, discAt(h), lost) < 0;
 }
 
 bool CellInserter::removeLost() {

@@ -126,12 +126,12 @@ class CellInserter {
   /// The same around one cell: from an edge that is likely to be cut to both sides.
   std::optional<CutEdge> cutEdgeAround(int likely, int i);
 
-  Disc discOf(const Predicates::Triple& corners) const;
+  Disc faceDisc(const Predicates::Triple& corners) const;
   Disc discAt(int h) const;
   static bool isTangentLine(const Disc& disc);
 
   /// 1 if a disc comes before another along the bisector of a and b with a on the left, 0 if they are the same.
-  int order(int a, int b, const Disc& first, const Disc& second) const;
+  int orderAlongEdge(int a, int b, const Disc& first, const Disc& second) const;
 
   Cut cutOf(int h, int i) const;
 

@@ -109,7 +109,7 @@ ChangeRecorder::Mark& ChangeRecorder::markOf(int slot) {
 void ChangeRecorder::recordCircles(Change& change, const EditState& state) {
   for (const EditState::SavedSite& saved : state.siteLog) {
     if (saved.before != kNone) continue;
-    const std::int32_t id = state.sites[saved.slot].id;
+    const CircleId id = state.sites[saved.slot].id;
     const bool was = saved.site.id != kNone;
     const bool is = id != kNone;
     const bool isVisible = state.isVisible(saved.slot);
@@ -187,7 +187,8 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
         if (dual.origin[h] == kInfinity || dual.target(h) == kInfinity) state.edgeNumber[h] = kNone;
         continue;
       }
-      const int number = reused < change.removedEdges.size() ? change.removedEdges[reused++] : state.edgePlaces.take();
+      const EdgeIndex number =
+          reused < change.removedEdges.size() ? change.removedEdges[reused++] : EdgeIndex(state.edgePlaces.take());
       state.edgeNumber[h] = state.edgeNumber[t] = number;
       addEdge(change, state, h);
       addCell(dual.origin[h]);
@@ -226,7 +227,7 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
   reserveRemoved(change, faces, 3 * faces / 2);
   reserveAdded(change, facesAfter, 3 * facesAfter / 2);
   change.cells.reserve(static_cast<std::size_t>(after.visibleCount));
-  before.ids.forEach([&](std::int32_t id, int slot) {
+  before.ids.forEach([&](CircleId id, int slot) {
     const int now = after.ids.slotOf(id);
     if (now == kNone) {
       change.removed.push_back(id);
@@ -236,7 +237,7 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
     if (before.isVisible(slot) && !after.isVisible(now)) change.hidden.push_back(id);
     if (!before.isVisible(slot) && after.isVisible(now)) change.shown.push_back(id);
   });
-  after.ids.forEach([&](std::int32_t id, int slot) {
+  after.ids.forEach([&](CircleId id, int slot) {
     const int was = before.ids.slotOf(id);
     if (was == kNone) change.inserted.push_back(id);
     if (after.isVisible(slot)) {

@@ -101,8 +101,8 @@ bool StepJudge::areEdgesRight(EditState& state) {
         return false;
       }
       const EdgeTurns turns = turnsOf(discs, dual, state.circles, state.predicates, h);
-      if (turns.order < 0) return false;
-      if (turns.order == 0 && !isSettledTie(dual, h, state.circles)) unsettled_.push_back(h);
+      if (turns.endOrder < 0) return false;
+      if (turns.endOrder == 0 && !isSettledTie(dual, h, state.circles)) unsettled_.push_back(h);
       state.proof[h].passes = turns.passesAtOrigin;
       state.proof[t].passes = turns.passesAtTarget;
       addTurns(a, b, turns.passesAtOrigin);

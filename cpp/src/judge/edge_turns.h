@@ -12,7 +12,7 @@ namespace circle_voronoi {
 /// comes before the face on its left: the region of the origin turns from the disc of the one to that of the other, by
 /// less than a full turn.
 struct EdgeTurns {
-  int order = 1;                ///< of the ends (orderOfEnds); 1 if the edge is not bounded
+  int endOrder = 1;             ///< of the ends (orderOfEnds); 1 if the edge is not bounded
   bool passesAtOrigin = false;  ///< whether the turn passes the axis (Predicates::isLower) from below
   bool passesAtTarget = false;  ///< the same around the other circle, by the twin
 };

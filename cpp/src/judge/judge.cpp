@@ -110,8 +110,8 @@ class Judge {
   /// Whether the ends of an edge are in order; notes how often the two regions beside it pass the axis along it.
   bool checkEdge(int h) {
     const EdgeTurns turns = turnsOf(*this, dual_, circles_, predicates_, h);
-    if (turns.order < 0) return false;
-    if (turns.order == 0) ties_.push_back(h);
+    if (turns.endOrder < 0) return false;
+    if (turns.endOrder == 0) ties_.push_back(h);
     noteTurn(dual_.origin[h], dual_.target(h), turns.passesAtOrigin);
     noteTurn(dual_.target(h), dual_.origin[h], turns.passesAtTarget);
     return true;

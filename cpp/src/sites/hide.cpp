@@ -163,7 +163,7 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
     all.hider[copy] = all.hider[original] == kNone ? original : all.hider[original];
   }
   VisibleCircles result = withoutHidden(ordered, all);
-  result.diagram = std::move(dual);
+  result.dual = std::move(dual);
   result.flips = inserted->flips;
   result.signs = predicatesApart.counts();
   result.signs += predicates.counts();

@@ -17,6 +17,7 @@ export const ERROR_CODES = [
   'unknownCircle',
   'badInput',
   'badArithmetic',
+  'notWritten',
   'internal',
 ] as const
 
@@ -32,6 +33,7 @@ export const ERROR_CODES = [
  * - `badInput`: the input cannot be read as circles;
  * - `badArgument`: a method or a function was given what it cannot take;
  * - `badArithmetic`: the program rounds otherwise than to nearest (in C++ only);
+ * - `notWritten`: a stream did not accept all of the text (in C++ only);
  * - `notLoaded`: the WebAssembly cannot be loaded; `cause` says why;
  * - `internal`: the program itself failed; please report it with the input.
  *

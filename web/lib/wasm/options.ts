@@ -4,7 +4,7 @@ import type { Seconds } from '../base/types.ts'
 
 /**
  * A stage of the computation:
- * - `hide`: circles that another contains are found, and the centres of the rest are triangulated;
+ * - `triangulate`: the hidden circles are found, and the centers of the others are triangulated;
  * - `sample`, `pair`, `touch`: the touching disc method, its points on circles, its pairs of circles, its event loop;
  * - `flip`: edges of a triangulation are flipped;
  * - `repair`: what is wrong in places is computed anew;
