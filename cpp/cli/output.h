@@ -42,8 +42,8 @@ ExportOptions exportOptions(const Output& output);
 /// certified, or if something could not be written.
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress);
 
-/// Writes circles without a diagram. Errors call the input `name`. Throws Failure if the format is only for diagrams, or
-/// if something could not be written.
+/// Writes circles without a diagram. Errors call the input `name`. Throws Failure if the format is only for diagrams,
+/// or if something could not be written.
 void writeCircles(const Output& output, const std::string& name, std::span<const Circle> circles,
                   ProgressLine& progress);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The editor as a part of the module of bindings.cpp. Its only caller is web/lib/wasm/module-editor.ts. An editor is its address,
-// and lives until `deleteEditor`. A change is one array of bytes, as an object of arrays would take longer than the
-// edit.
+// The editor as a part of the module of bindings.cpp. Its only caller is web/lib/wasm/module-editor.ts. An editor is
+// its address, and lives until `deleteEditor`. A change is one array of bytes, as an object of arrays would take longer
+// than the edit.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 

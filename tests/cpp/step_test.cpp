@@ -78,7 +78,7 @@ TEST(Step, ALargerUnitKeepsTheBitsOfDirections) {
   const auto directions = [&] {
     std::vector<Vector> all;
     for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
-      if (state.dual.origin[h] != kInfinity) all.push_back(state.discs.direction(h));
+      if (state.dual.origin[h] != kPointAtInfinity) all.push_back(state.discs.direction(h));
     }
     return all;
   };

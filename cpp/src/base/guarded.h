@@ -46,8 +46,8 @@ inline Error errorWith(ErrorCode code, const char* message) noexcept {
   return error;
 }
 
-/// Returns the error for the current exception. Rethrows exceptions of callbacks. Not inlined, because it is longer than
-/// most of its callers.
+/// Returns the error for the current exception. Rethrows exceptions of callbacks. Not inlined, because it is longer
+/// than most of its callers.
 [[gnu::noinline]] inline Error errorInFlight() {
   try {
     throw;

@@ -63,8 +63,8 @@ void tellOfCenters(const Dual& centers, const Observer& observer) {
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {
     const int i = centers.origin[h];
     const int j = centers.target(h);
-    // Each edge once; kInfinity is below the indices of circles.
-    if (i != kInfinity && i < j) observer({TraceKind::centersJoined, {}, {i, j, kNone}, kNone});
+    // Each edge once; kPointAtInfinity is below the indices of circles.
+    if (i != kPointAtInfinity && i < j) observer({TraceKind::centersJoined, {}, {i, j, kNone}, kNone});
   }
 }
 
@@ -130,7 +130,7 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
   std::set<int> around = named;
   for (int h = 0; h < centres.halfEdgeCount(); ++h) {
     const int i = centres.origin[h];
-    if (i != kInfinity && (named.empty() || named.contains(centres.target(h)))) around.insert(i);
+    if (i != kPointAtInfinity && (named.empty() || named.contains(centres.target(h)))) around.insert(i);
   }
   return {around.begin(), around.end()};
 }
@@ -207,7 +207,7 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journ
     if (!isRight(*dual)) return std::nullopt;
   }
   for (int& corner : dual->origin) {
-    if (corner != kInfinity) corner = sites.indices[corner];
+    if (corner != kPointAtInfinity) corner = sites.indices[corner];
   }
   return dual;
 }

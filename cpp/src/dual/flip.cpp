@@ -100,8 +100,8 @@ class Flipper {
              (!discs_.exists(t / 3) && isTopOf(b, a, d) && predicates_.tangentSide(a, b, d) >= 0);
     }
     // A circle that leaves the hull gets a vertex with its neighbours there.
-    if (b == kInfinity) return predicates_.disc({a, d, c}).exists;
-    if (a == kInfinity) return predicates_.disc({b, c, d}).exists;
+    if (b == kPointAtInfinity) return predicates_.disc({a, d, c}).exists;
+    if (a == kPointAtInfinity) return predicates_.disc({b, c, d}).exists;
     return true;
   }
 

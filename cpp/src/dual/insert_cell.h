@@ -88,7 +88,7 @@ class CellInserter {
   };
 
   struct CutEdge {
-    int h = kInfinity;
+    int h = kPointAtInfinity;
     Cut cut;
   };
 
@@ -173,7 +173,7 @@ class CellInserter {
   bool remove(int circle);
 
   void noteEdge(int h) {
-    if (dual_.origin[h] != kInfinity) edgeOf_[dual_.origin[h]] = h;
+    if (dual_.origin[h] != kPointAtInfinity) edgeOf_[dual_.origin[h]] = h;
   }
   void link(int h, int t) {
     dual_.twin[h] = t;
@@ -189,7 +189,7 @@ class CellInserter {
   std::vector<Link> stack_;
   std::vector<int> hidden_;  ///< the circles that the new one hides
   std::vector<int> lost_;    ///< those of them that still have a cell
-  int hider_ = kInfinity;
+  int hider_ = kPointAtInfinity;
   std::int64_t flips_ = 0;
 };
 

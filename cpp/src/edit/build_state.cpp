@@ -64,7 +64,7 @@ void fillProof(EditState& state) {
     state.discs.update(face);
     const auto corners = cornersOf(dual, 3 * face);
     for (int k = 0; k < 3; ++k) {
-      if (corners[k] == kInfinity) continue;
+      if (corners[k] == kPointAtInfinity) continue;
       state.noteEdge(3 * face + k);
       state.proof[3 * face + k].isLower =
           state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], state.discs[face]));

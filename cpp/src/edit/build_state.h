@@ -27,7 +27,8 @@ bool rescale(EditState& state, double unit);
 /// Rescales a state so that these circles, which are larger than it can hold, have room. Returns whether it did.
 bool makeRoom(EditState& state, std::span<const Circle> circles);
 
-/// Returns the circles of a vertex, starting with the lowest id, so that its disc has the same bits however it was found.
+/// Returns the circles of a vertex, starting with the lowest id, so that its disc has the same bits however it was
+/// found.
 std::array<int, 3> slotsOfVertex(const EditState& state, int face);
 
 /// Returns the disc of a vertex in the unit of the input; nothing if a number exceeds the largest double.

@@ -61,7 +61,7 @@ HullStep hullStep(const Dual& dual, int h) {
 /// The half-edge between two circles in a face at infinity.
 int hullEdge(const Dual& dual, int face) {
   int h = 3 * face;
-  while (dual.origin[Dual::previous(h)] != kInfinity) ++h;
+  while (dual.origin[Dual::previous(h)] != kPointAtInfinity) ++h;
   return h;
 }
 
@@ -134,7 +134,7 @@ std::optional<Error> ChangeRecorder::recordVertices(Change& change, EditState& s
   for (EditState::SavedFace& saved : state.faceLog) {
     if (saved.before != kNone) continue;
     const auto corners = cornersOf(state.dual, 3 * saved.face);
-    const auto isMoved = [&](int slot) { return slot != kInfinity && marks_[slot].isMoved; };
+    const auto isMoved = [&](int slot) { return slot != kPointAtInfinity && marks_[slot].isMoved; };
     const bool isInUse = state.isInUse(saved.face);
     saved.isChanged = isInUse != saved.wasInUse() || corners != saved.origin ||
                       (isInUse && std::any_of(corners.begin(), corners.end(), isMoved));
@@ -158,7 +158,7 @@ bool isOtherEdge(const EditState& state, const EditState::SavedFace& saved, std:
 void ChangeRecorder::recordEdges(Change& change, EditState& state) {
   const Dual& dual = state.dual;
   const auto addCell = [&](int slot) {
-    if (slot == kInfinity || !state.isVisible(slot)) return;
+    if (slot == kPointAtInfinity || !state.isVisible(slot)) return;
     Mark& mark = markOf(slot);
     if (!mark.hasCell) change.cells.push_back(state.sites[slot].id);
     mark.hasCell = true;
@@ -184,7 +184,7 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
       if (!state.isInUse(saved.face) || !isOtherEdge(state, saved, k)) continue;
       if (!state.isEdge(h)) {
         // At infinity, or a part of one that the other half adds.
-        if (dual.origin[h] == kInfinity || dual.target(h) == kInfinity) state.edgeNumber[h] = kNone;
+        if (dual.origin[h] == kPointAtInfinity || dual.target(h) == kPointAtInfinity) state.edgeNumber[h] = kNone;
         continue;
       }
       const EdgeIndex number =

@@ -10,7 +10,7 @@ void EditState::sizeToPlaces() {
   edgeNumber.resize(3 * faces, kNone);
   discs.resize(static_cast<int>(faces));
   // By its size faces are counted: should memory run out in between, the others are no smaller.
-  dual.origin.resize(3 * faces, kInfinity);
+  dual.origin.resize(3 * faces, kPointAtInfinity);
   savedFaceAt_.resize(faces, kNone);
   const auto slots = static_cast<std::size_t>(sitePlaces.count());
   circles.resize(slots);

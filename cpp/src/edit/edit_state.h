@@ -84,7 +84,8 @@ class EditState final : public DualKeeper {
   /// Returns whether a half-edge stands for an edge of the diagram: of two twins one does, whose origin is the left
   /// circle.
   bool isEdge(int h) const {
-    return isInUse(h / 3) && h < dual.twin[h] && dual.origin[h] != kInfinity && dual.target(h) != kInfinity;
+    return isInUse(h / 3) && h < dual.twin[h] && dual.origin[h] != kPointAtInfinity &&
+           dual.target(h) != kPointAtInfinity;
   }
   Circle inputOf(int slot) const {
     const Circle& c = circles[slot];
@@ -95,7 +96,7 @@ class EditState final : public DualKeeper {
     return predicates.contains(circles[slot], circles[other]) &&
            !(circles[slot] == circles[other] && sites[slot].id > sites[other].id);
   }
-  CircleId idOf(int corner) const { return corner == kInfinity ? CircleId() : sites[corner].id; }
+  CircleId idOf(int corner) const { return corner == kPointAtInfinity ? CircleId() : sites[corner].id; }
   LiveDual live() { return {dual, discs, edgeOf, isHidden, *this}; }
 
   // --- changes ---
@@ -113,7 +114,7 @@ class EditState final : public DualKeeper {
     dual.twin[t] = h;
   }
   void noteEdge(int h) {
-    if (dual.origin[h] != kInfinity) edgeOf[dual.origin[h]] = h;
+    if (dual.origin[h] != kPointAtInfinity) edgeOf[dual.origin[h]] = h;
   }
 
   // A circle that is neither in a list nor in the dual counts as hidden.
@@ -139,7 +140,8 @@ class EditState final : public DualKeeper {
 
     bool wasInUse() const { return twin[0] != kNone; }
     bool wasVertex() const {
-      return wasInUse() && origin[0] != kInfinity && origin[1] != kInfinity && origin[2] != kInfinity;
+      return wasInUse() && origin[0] != kPointAtInfinity && origin[1] != kPointAtInfinity &&
+             origin[2] != kPointAtInfinity;
     }
   };
   struct SavedSite {

@@ -103,7 +103,7 @@ class DiagramEditor::Editor {
   void takeAllBack() {
     state_->takeAllBack();
     if (!teller_) return;
-    teller_->setShrinking(kInfinity);
+    teller_->setShrinking(kPointAtInfinity);
     teller_->tellChanges();
     events_.clear();  // it was never done
   }

@@ -30,7 +30,7 @@ Dual compacted(const EditState& state, const std::vector<int>& siteOf) {
     if (!state.isInUse(h / 3)) continue;
     const int origin = state.dual.origin[h];
     const int t = state.dual.twin[h];
-    dual.origin.push_back(origin == kInfinity ? kInfinity : siteOf[origin]);
+    dual.origin.push_back(origin == kPointAtInfinity ? kPointAtInfinity : siteOf[origin]);
     dual.twin.push_back(3 * placeOf[t / 3] + t % 3);
   }
   return dual;

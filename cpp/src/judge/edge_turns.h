@@ -42,9 +42,10 @@ EdgeTurns turnsOf(const Discs& discs, const Dual& dual, std::span<const Circle> 
   const int t = dual.twin[h];
   const int a = dual.origin[h];
   const int b = dual.origin[t];
-  if (b == kInfinity) return {1, passes(h), false};
-  if (a == kInfinity) return {1, false, passes(t)};
-  const bool isBounded = dual.origin[Dual::previous(h)] != kInfinity && dual.origin[Dual::previous(t)] != kInfinity;
+  if (b == kPointAtInfinity) return {1, passes(h), false};
+  if (a == kPointAtInfinity) return {1, false, passes(t)};
+  const bool isBounded =
+      dual.origin[Dual::previous(h)] != kPointAtInfinity && dual.origin[Dual::previous(t)] != kPointAtInfinity;
   if (!isBounded) return {1, passes(h), passes(t)};
   const int larger = fromLarger(dual, h, predicates);
   const int order = orderOfEnds(dual, larger, discs.toDisc(cornerBefore(larger)), discs.toDisc(larger), predicates);

@@ -35,7 +35,7 @@ class Judge {
     return {dual_.origin[3 * face], dual_.origin[3 * face + 1], dual_.origin[3 * face + 2]};
   }
 
-  static bool isFinite(int corner) { return corner != kInfinity; }
+  static bool isFinite(int corner) { return corner != kPointAtInfinity; }
 
   Verdict checkAdjacency() const {
     const int faceCount = circleCount_ < 2 ? 0 : 2 * circleCount_ - 2;
@@ -84,7 +84,7 @@ class Judge {
       if (dual_.twin[h] < h) continue;
       const int a = dual_.origin[h];
       const int b = dual_.target(h);
-      if (a == kInfinity || b == kInfinity) continue;
+      if (a == kPointAtInfinity || b == kPointAtInfinity) continue;
       const Circle& one = circles_[a];
       const Circle& other = circles_[b];
       if (isLonger(between(one, other), std::abs(one.r - other.r))) continue;
@@ -99,7 +99,7 @@ class Judge {
     const FaceDisc disc = predicates_.disc(corners);
     error_[face] = disc.error;
     for (int i = 0; i < 3 && disc.exists; ++i) {
-      if (corners[i] == kInfinity) continue;
+      if (corners[i] == kPointAtInfinity) continue;
       const Direction toDisc = predicates_.direction(corners[i], disc);
       toDisc_[3 * face + i] = {toDisc.x, toDisc.y};
       isLower_[3 * face + i] = predicates_.isLower(corners[i], corners, toDisc);
