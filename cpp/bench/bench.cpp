@@ -22,8 +22,8 @@
 
 #include "child.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi_families/families.h"
 #include "cliffs.h"
 #include "edits.h"
 #include "files.h"

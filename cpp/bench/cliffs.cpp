@@ -11,7 +11,7 @@
 
 #include "child.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "variants.h"
 
 namespace {
@@ -48,7 +48,7 @@ Cost costOf(const std::vector<Circle>& circles) {
     return cost;
   }
   const Stats& stats = diagram.value().stats;
-  std::strncpy(cost.way, stats.way.c_str(), sizeof cost.way - 1);
+  std::strncpy(cost.way, wayName(stats.way.value()).data(), sizeof cost.way - 1);
   cost.flips = static_cast<double>(stats.counts.flips);
   cost.filtered = static_cast<double>(stats.counts.filtered);
   cost.refined = static_cast<double>(stats.counts.refined);

@@ -10,11 +10,11 @@
 #include <iterator>
 #include <optional>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi_families/families.h"
 #include "median.h"
 
 namespace circle_voronoi::bench {
@@ -45,7 +45,7 @@ std::string readAll(const fs::path& file) {
 template <class Write>
 void writeTo(const fs::path& file, Write write) {
   std::ofstream out(file, std::ios::binary);
-  write(out);
+  if (!write(out)) std::abort();
 }
 
 /// A line of the table for each task.
@@ -53,18 +53,19 @@ void benchCircles(const std::string& name, const std::vector<Circle>& circles, c
                   int repetitions) {
   const Diagram diagram = compute(circles).value();
   const auto path = [&](const char* file) { return folder / file; };
-  writeTo(path("circles.csv"), [&](std::ostream& out) { writeCirclesCsv(out, circles); });
+  writeTo(path("circles.csv"), [&](std::ostream& out) { return writeCirclesCsv(out, circles); });
   std::vector<Task> tasks = {
       {"compute", [&] { (void)compute(circles); }},
       {"csv read", [&] { (void)readCircles(readAll(path("circles.csv")), "csv"); }},
-      {"json written", [&] { writeTo(path("json"), [&](std::ostream& out) { writeJson(out, diagram); }); }},
+      {"json written", [&] { writeTo(path("json"), [&](std::ostream& out) { return writeJson(out, diagram); }); }},
       {"certify",
        [&] {
          const auto read = readDiagram(readAll(path("json")), "json");
          if (!certify(read.value()).value().certified()) std::abort();
        }},
-      {"geojson written", [&] { writeTo(path("geojson"), [&](std::ostream& out) { writeGeoJson(out, diagram); }); }},
-      {"svg written", [&] { writeTo(path("svg"), [&](std::ostream& out) { writeSvg(out, diagram); }); }}};
+      {"geojson written",
+       [&] { writeTo(path("geojson"), [&](std::ostream& out) { return writeGeoJson(out, diagram); }); }},
+      {"svg written", [&] { writeTo(path("svg"), [&](std::ostream& out) { return writeSvg(out, diagram); }); }}};
   for (int i = 0; i < repetitions; ++i) {
     for (Task& task : tasks) task.seconds.push_back(processorSeconds(task.run));
   }

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/progress.h"
 #include "commands.h"

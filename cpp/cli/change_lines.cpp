@@ -39,9 +39,9 @@ class LineWriter {
   void put(const Circle& c) { numbers(c.x, c.y, c.r); }
   void put(const Vertex& v) { numbers(v.x, v.y, v.r); }
   void put(const std::array<CircleId, 3>& ids) { numbers(ids[0], ids[1], ids[2]); }
-  void put(const EditedHider& hider) { numbers(hider.circle, hider.by); }
-  void put(const EditedEdge& edge) { numbers(edge.left, edge.right, edge.start, edge.end); }
-  void put(const EditedSide& side) { numbers(side.side, side.next); }
+  void put(const HiddenCircle& hider) { numbers(hider.circle, hider.by); }
+  void put(const Edge& edge) { numbers(edge.left, edge.right, edge.start, edge.end); }
+  void put(const HullSide& side) { numbers(side.side, side.next); }
 
   std::ostream& out_;
   bool isFirst_ = true;

@@ -21,8 +21,8 @@
 namespace circle_voronoi::cli {
 namespace {
 
-const auto kMethodChoices = choicesOf(kMethods);
-const auto kCandidatesChoices = choicesOf(kCandidates);
+const auto kMethodChoices = choices<Method>();
+const auto kCandidatesChoices = choices<Candidates>();
 
 struct ComputeArguments {
   std::string input;
@@ -30,7 +30,7 @@ struct ComputeArguments {
   bool weights = Options{}.weights;
   std::string method{nameOf(Options{}.method)};
   std::string candidates{nameOf(Options{}.candidates)};
-  int samples = Options{}.samples;
+  std::optional<int> samples = Options{}.samples;
   bool resample = Options{}.resample;
   std::string trace;
   TilePart tile;

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/progress.h"
 #include "commands.h"
@@ -24,9 +24,10 @@ struct ConvertArguments {
 };
 
 void convertCircles(const ConvertArguments& arguments, const std::string& text, ProgressLine& progress) {
-  const auto circles = readCircles(text, inputName(arguments.input), {arguments.weights});
+  const std::string name = inputName(arguments.input);
+  const auto circles = readCircles(text, name, {arguments.weights});
   if (!circles) throw Failure{kBadInput, circles.error().message};
-  writeCircles(arguments.output, circles.value(), progress);
+  writeCircles(arguments.output, name, *circles, progress);
 }
 
 void convertDiagram(const ConvertArguments& arguments, const std::string& text, ProgressLine& progress) {
@@ -37,7 +38,7 @@ void convertDiagram(const ConvertArguments& arguments, const std::string& text, 
   auto read = readDiagram(text, name);
   if (!read) throw Failure{kBadInput, read.error().message};
   Diagram& diagram = read.value();
-  if (arguments.circlesAlone) return writeCircles(arguments.output, diagram.circles, progress);
+  if (arguments.circlesAlone) return writeCircles(arguments.output, name, diagram.circles, progress);
   progress.show(stageName(Stage::certify));
   // What is written is drawn from the diagram, so it has to be one, whatever its file says.
   const auto certificate = certify(diagram);

@@ -16,6 +16,7 @@
 #include "output.h"
 #include "progress_line.h"
 #include "trace_lines.h"
+#include "weights_option.h"
 
 namespace circle_voronoi::cli {
 namespace {
@@ -25,34 +26,36 @@ struct EditArguments {
   std::string script;
   std::string changes;
   std::string trace;
+  bool weights = EditorOptions{}.weights;
   Output output;
   std::string progress = "auto";
 };
 
-std::vector<Circle> readEditedCircles(const std::string& input) {
+/// Reads the circles to be edited. Sets `weights` if the file of a diagram says so.
+std::vector<Circle> readEditedCircles(const std::string& input, bool& weights) {
   const std::string name = inputName(input);
   const std::string text = readText(input);
   if (!holdsDiagram(text)) {
-    auto circles = readCircles(text, name);
+    auto circles = readCircles(text, name, {weights});
     if (!circles) fail(circles.error(), "");
-    return std::move(circles).value();
+    return *std::move(circles);
   }
   auto diagram = readDiagram(text, name);
   if (!diagram) fail(diagram.error(), "");
-  if (diagram.value().weights) throw Failure{kBadInput, name + ": weights cannot be edited, only circles."};
-  const Metric metric = diagram.value().metric;
+  weights = diagram->weights;
+  const Metric metric = diagram->metric;
   if (metric != Metric::circles) {
     throw Failure{kBadInput, name + ": the metric " + std::string(metricName(metric)) +
                                  " cannot be edited, only that of circles."};
   }
-  return std::move(diagram).value().circles;
+  return std::move(diagram->circles);
 }
 
 /// Makes the edits of a script, and tells each change.
-void makeEdits(DiagramEditor& editor, const std::string& script, std::ostream* changes, ProgressLine& progress) {
+void makeEdits(DiagramEditor& editor, const EditArguments& arguments, std::ostream* changes, ProgressLine& progress) {
   progress.show("read");
-  const std::string name = inputName(script);
-  const std::vector<ScriptEdit> edits = readScript(readText(script), name);
+  const std::string name = inputName(arguments.script);
+  const std::vector<ScriptEdit> edits = readScript(readText(arguments.script), name, arguments.weights);
   double done = 0;
   for (const auto& [edit, line] : edits) {
     progress.show("edit", done++ / static_cast<double>(edits.size()));
@@ -72,12 +75,12 @@ void runEdit(EditArguments& arguments) {
       {{"--output", arguments.output.file}, {"--changes", arguments.changes}, {"--trace", arguments.trace}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
-  const std::vector<Circle> circles = readEditedCircles(arguments.input);
+  const std::vector<Circle> circles = readEditedCircles(arguments.input, arguments.weights);
   progress.show("compute");
-  auto made = DiagramEditor::from(circles);
+  auto made = DiagramEditor::from(circles, {arguments.weights});
   if (!made) fail(made.error(), inputName(arguments.input) + ": ");
   DiagramEditor editor = std::move(made).value();
-  const auto makeAll = [&](std::ostream* changes) { makeEdits(editor, arguments.script, changes, progress); };
+  const auto makeAll = [&](std::ostream* changes) { makeEdits(editor, arguments, changes, progress); };
   const auto makeAndWrite = [&](const std::string& file) {
     if (file.empty()) return makeAll(nullptr);
     writeText(file, [&](std::ostream& out) { makeAll(&out); });
@@ -88,10 +91,10 @@ void runEdit(EditArguments& arguments) {
     // One file is written after the other.
     std::ostringstream changes;
     writeText(arguments.trace, [&](std::ostream& out) {
-      const auto error = editor.observe([&out](const TraceEvent& event) { writeTraceEvent(out, event); });
-      if (error) fail(*error, inputName(arguments.input) + ": ");
+      const auto observed = editor.observe([&out](const TraceEvent& event) { writeTraceEvent(out, event); });
+      if (!observed) fail(observed.error(), inputName(arguments.input) + ": ");
       makeAll(arguments.changes.empty() ? nullptr : &changes);
-      editor.observe({});
+      (void)editor.observe({});  // nothing to fail
     });
     if (!arguments.changes.empty()) writeText(arguments.changes, [&](std::ostream& out) { out << changes.str(); });
   }
@@ -118,6 +121,7 @@ void addEditCommand(CLI::App& program) {
       ->type_name("FILE");
   command->add_option("--trace", arguments->trace, "Write what happens to this file, a line of JSON an event")
       ->type_name("FILE");
+  addWeightsOption(*command, arguments->weights);
   addOutputOptions(*command, arguments->output);
   addProgressOption(*command, arguments->progress);
   command->footer(

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "box.h"
-#include "circle_voronoi/compute.h"
+#include "circle_voronoi/limits.h"
 #include "failure.h"
 #include "utf8.h"
 
@@ -37,7 +37,7 @@ std::string quoted(std::string_view text) {
 
 class LineReader {
  public:
-  LineReader(std::string_view line, std::string place) : place_(std::move(place)) {
+  LineReader(std::string_view line, std::string place, bool weights) : place_(std::move(place)), weights_(weights) {
     while (!line.empty()) fields_.push_back(trimmed(takeUpTo(',', line)));
   }
 
@@ -60,7 +60,7 @@ class LineReader {
   CircleId id(std::size_t fieldCount) const {
     expectFields(fieldCount);
     const std::string_view field = fields_[1];
-    CircleId value = 0;
+    std::int32_t value = 0;
     const char* end = field.data() + field.size();
     const auto [stop, code] = std::from_chars(field.data(), end, value);
     if (code != std::errc() || stop != end) fail(quoted(field) + " is no id.");
@@ -77,27 +77,28 @@ class LineReader {
       numbers[k] = *value;
     }
     const Circle circle = {numbers[0], numbers[1], numbers[2]};
-    if (circle.r < 0) fail("The radius is negative.");
-    if (std::max({std::abs(circle.x), std::abs(circle.y), circle.r}) > kCoordinateLimit) {
+    if (circle.r < 0 && !weights_) fail("The radius is negative.");
+    if (std::max({std::abs(circle.x), std::abs(circle.y), std::abs(circle.r)}) > kCoordinateLimit) {
       fail("A coordinate or the radius is beyond 1e150.");
     }
     return circle;
   }
 
   std::string place_;
+  bool weights_;
   std::vector<std::string_view> fields_;
 };
 
 }  // namespace
 
-std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name) {
+std::vector<ScriptEdit> readScript(std::string_view text, const std::string& name, bool weights) {
   if (isUtf16(text)) throw Failure{kBadInput, name + ":1: the text is UTF-16; it has to be UTF-8."};
   text = withoutByteOrderMark(text);
   std::vector<ScriptEdit> edits;
   for (int line = 1; !text.empty(); ++line) {
     const std::string_view content = trimmed(takeUpTo('\n', text));
     if (content.empty() || content.front() == '#') continue;
-    edits.push_back({LineReader(content, name + ":" + std::to_string(line) + ": ").read(), line});
+    edits.push_back({LineReader(content, name + ":" + std::to_string(line) + ": ", weights).read(), line});
   }
   return edits;
 }

@@ -21,22 +21,27 @@ struct ExitMeaning {
   std::string_view meaning;
 };
 
-/// What each exit status says, as --help and the manual page have it.
+/// The meaning of each exit status, for --help and the manual page.
 inline constexpr std::array<ExitMeaning, 4> kExitMeanings = {
     {{kSuccess, "All is well."},
      {kFailure, "A file cannot be read or written, or a diagram is not certified."},
      {kBadInput, "The circles, the diagram or the command line are wrong."},
      {kNotFinal, "Circles of a tile's core are not final; what is written is."}}};
 
-/// Thrown by a command: how the program ends, and one sentence why.
+/// Thrown by a command: the exit status of the program, and one sentence that says why.
 struct Failure {
   ExitStatus status;
   std::string message;
 };
 
-/// Ends a command with what the library refuses, `where` before it.
+/// Throws Failure with an error of the library, after `where`.
 [[noreturn]] inline void fail(const Error& error, const std::string& where) {
   throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, where + error.message};
+}
+
+/// Throws Failure if a writer failed, except if its stream did: `writeText` reports that, with the reason.
+inline void checkWritten(const Result<void>& written, const std::string& where) {
+  if (!written && written.error().code != ErrorCode::notWritten) fail(written.error(), where);
 }
 
 }  // namespace circle_voronoi::cli

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi_families/families.h"
 #include "commands.h"
 #include "failure.h"
 #include "files.h"
@@ -38,7 +38,7 @@ void runGenerate(const GenerateArguments& arguments) {
     throw Failure{kBadInput, arguments.output.file + ": generate writes csv, not " + ending + "; see convert."};
   }
   const auto circles = generate(*family, static_cast<std::size_t>(arguments.count), arguments.seed);
-  writeText(arguments.output.file, [&](std::ostream& out) { writeCirclesCsv(out, circles); });
+  writeText(arguments.output.file, [&](std::ostream& out) { checkWritten(writeCirclesCsv(out, circles), ""); });
 }
 
 /// A line for each family: its name and what it is.

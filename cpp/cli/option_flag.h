@@ -4,21 +4,21 @@
 #include <map>
 #include <string>
 
-#include "circle_voronoi/option_names.h"
+#include "option_names.h"
 
 namespace circle_voronoi::cli {
 
-/// How an option of `compute` is given on the command line.
+/// Returns the name of an option of `compute` on the command line.
 template <class Value>
 std::string flagOf(Value Options::*field) {
   return "--" + std::string(nameOf(field));
 }
 
-/// The values that an option of `compute` may have, by their names.
-template <class Values>
-auto choicesOf(const Values& values) {
-  std::map<std::string, decltype(values[0].value)> choices;
-  for (const auto& [name, value] : values) choices.emplace(name, value);
+/// Returns the values of an option of `compute` by their names.
+template <class Value>
+std::map<std::string, Value> choices() {
+  std::map<std::string, Value> choices;
+  for (const auto& [name, value] : namedValues<Value>()) choices.emplace(name, value);
   return choices;
 }
 

@@ -21,14 +21,13 @@ namespace {
 constexpr const char* kDefaultFormat = "json";
 const std::vector<std::string> kFormats = {"json", "csv", "svg", "geojson", "geojsonl", "wkt", "obj", "stats"};
 
-void writeAllLines(std::ostream& out, const Diagram& diagram, const ExportOptions& options) {
-  writeGeoJsonLines(out, diagram, options);
-}
-
-using WriteExport = void (*)(std::ostream&, const Diagram&, const ExportOptions&);
-/// The formats that need a certified diagram.
-const std::map<std::string, WriteExport> kExports = {
-    {"svg", writeSvg}, {"geojson", writeGeoJson}, {"geojsonl", writeAllLines}, {"wkt", writeWkt}, {"obj", writeObj}};
+using WriteExport = Result<void> (*)(std::ostream&, const Diagram&, const ExportOptions&);
+/// The formats that draw a diagram.
+const std::map<std::string, WriteExport> kExports = {{"svg", writeSvg},
+                                                     {"geojson", writeGeoJson},
+                                                     {"geojsonl", writeGeoJsonLines},
+                                                     {"wkt", writeWkt},
+                                                     {"obj", writeObj}};
 
 /// An option that is given and that only drawings of a diagram use, or null.
 const char* drawingOption(const Output& output) {
@@ -38,15 +37,17 @@ const char* drawingOption(const Output& output) {
                                 : nullptr;
 }
 
-using WriteCircles = void (*)(std::ostream&, std::span<const Circle>);
+using WriteCircles = Result<void> (*)(std::ostream&, std::span<const Circle>);
 const std::map<std::string, WriteCircles> kCircleFormats = {
     {"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}};
 
-void write(const Output& output, ProgressLine& progress, const std::function<void(std::ostream&)>& writer) {
+/// `name` is what the input is called.
+void write(const Output& output, const std::string& name, ProgressLine& progress,
+           const std::function<Result<void>(std::ostream&)>& writer) {
   // The terminal, or the program that reads the text, may use the same screen.
   if (output.file == kStandardStream) progress.end();
   progress.show("write");
-  writeText(output.file, writer);
+  writeText(output.file, [&](std::ostream& out) { checkWritten(writer(out), name + ": "); });
 }
 
 }  // namespace
@@ -130,18 +131,16 @@ ExportOptions exportOptions(const Output& output) {
 
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress) {
   const auto found = kExports.find(output.format);
-  if (found != kExports.end() && !diagram.certificate.certified()) {
-    throw Failure{kFailure, name + ": the diagram is not certified: " + diagram.certificate.message};
-  }
-  write(output, progress, [&](std::ostream& out) {
+  write(output, name, progress, [&](std::ostream& out) {
     if (found != kExports.end()) return found->second(out, diagram, exportOptions(output));
     if (output.format == "stats") return writeStatsJson(out, diagram);
     if (output.format == "csv") return writeDiagramCsv(out, diagram, output.digits);
-    writeJson(out, diagram, output.digits);
+    return writeJson(out, diagram, output.digits);
   });
 }
 
-void writeCircles(const Output& output, std::span<const Circle> circles, ProgressLine& progress) {
+void writeCircles(const Output& output, const std::string& name, std::span<const Circle> circles,
+                  ProgressLine& progress) {
   if (output.digits) throw Failure{kBadInput, "--digits is for diagrams; circles keep the digits that they have."};
   if (const char* unused = drawingOption(output))
     throw Failure{kBadInput, std::string(unused) + " is for diagrams; circles are written as they are."};
@@ -150,7 +149,7 @@ void writeCircles(const Output& output, std::span<const Circle> circles, Progres
     throw Failure{kBadInput,
                   "Circles alone cannot be written as " + output.format + "; compute writes their diagram so."};
   }
-  write(output, progress, [&](std::ostream& out) { found->second(out, circles); });
+  write(output, name, progress, [&](std::ostream& out) { return found->second(out, circles); });
 }
 
 }  // namespace circle_voronoi::cli

@@ -14,10 +14,10 @@
 
 namespace circle_voronoi::cli {
 
-/// What is written, how and where: the options that commands share.
+/// What to write, how and where: the options that commands share.
 struct Output {
   std::string file = kStandardStream;
-  std::string format;    ///< empty until settled: that of the file's name, or else json
+  std::string format;    ///< empty until `settle` chooses it
   std::string bounds;    ///< MINX,MINY,MAXX,MAXY; empty: the default
   double tolerance = 0;  ///< 0: the default
   std::optional<double> maxDistance = {};
@@ -25,24 +25,26 @@ struct Output {
 };
 
 void addOutputFile(CLI::App& command, Output& output);
-/// Adds the options above.
+/// Adds these options to a command.
 void addOutputOptions(CLI::App& command, Output& output);
 
-/// What the name of a file ends in, in small letters and without the point; empty if in nothing.
+/// Returns the extension of a file in lower case, without the dot; empty if there is none.
 std::string endingOf(const std::string& file);
 
-/// Chooses the format if the user has not, before any work is done. Throws Failure if the file's ending is that of no
-/// format, or if an option is given that the format does not use.
+/// Chooses the format by the extension of the file, or json, if the user has not chosen one. Called before any work.
+/// Throws Failure if no format has this extension, or if an option is given that the format does not use.
 void settle(Output& output);
 
-/// The box, the tolerance, the maximum distance and the digits that the user gave.
+/// Returns the box, the tolerance, the maximum distance and the digits that the user gave.
 ExportOptions exportOptions(const Output& output);
 
-/// Writes a diagram. `name` is what the input is called. Throws Failure if the format needs a certified
-/// diagram and this is not, or if anything could not be written.
+/// Writes a diagram. Errors call the input `name`. Throws Failure if the format draws the diagram and it is not
+/// certified, or if something could not be written.
 void writeDiagram(const Output& output, const std::string& name, const Diagram& diagram, ProgressLine& progress);
 
-/// Writes circles alone. Throws Failure if the format is one of a diagram only, or if anything could not be written.
-void writeCircles(const Output& output, std::span<const Circle> circles, ProgressLine& progress);
+/// Writes circles without a diagram. Errors call the input `name`. Throws Failure if the format is only for diagrams,
+/// or if something could not be written.
+void writeCircles(const Output& output, const std::string& name, std::span<const Circle> circles,
+                  ProgressLine& progress);
 
 }  // namespace circle_voronoi::cli

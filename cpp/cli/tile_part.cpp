@@ -112,11 +112,13 @@ class FinalPart {
   std::vector<std::uint8_t> isOpen_;
 };
 
-void write(const Output& output, const Tile& tile, const Diagram& diagram, const FinalPart& part) {
+void write(const Output& output, const std::string& name, const Tile& tile, const Diagram& diagram,
+           const FinalPart& part) {
   const Selection selection = {tile.ids, part.isOwner()};
   writeText(output.file, [&](std::ostream& out) {
-    if (output.format == "csv") return writePartsCsv(out, diagram, selection);
-    writeGeoJsonLines(out, diagram, exportOptions(output), selection);
+    checkWritten(output.format == "csv" ? writePartsCsv(out, diagram, selection)
+                                        : writePartsGeoJsonLines(out, diagram, selection, exportOptions(output)),
+                 name + ": ");
   });
 }
 
@@ -178,10 +180,10 @@ void computeTilePart(const TilePart& part, const Output& output, const std::stri
   if (output.file == kStandardStream) progress.end();
   progress.show("write");
   if (!part.open.empty()) {
-    writeText(part.open, [&](std::ostream& out) { writeTile(out, found.left(), found.isOpen()); });
+    writeText(part.open, [&](std::ostream& out) { checkWritten(writeTile(out, found.left(), found.isOpen()), ""); });
   }
   // Last, so that where it is, all is.
-  write(output, tile.value(), diagram.value(), found);
+  write(output, name, *tile, *diagram, found);
   progress.end();
   if (const std::string problem = found.problem(); !problem.empty()) throw Failure{kNotFinal, name + ": " + problem};
 }

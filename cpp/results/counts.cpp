@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "experiments.h"
 #include "method.h"
 
@@ -20,7 +20,7 @@ Json countDiscs(const Parameters& parameters) {
                       {"threeTouchDiscs", counts.threeTouchDiscs},
                       {"certified", diagram.certificate.certified()},
                       {"seconds",
-                       {{"centres", seconds.hide},
+                       {{"centres", seconds.triangulate},
                         {"sample", seconds.sample},
                         {"pair", seconds.pair},
                         {"touch", seconds.touch},

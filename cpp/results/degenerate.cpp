@@ -3,12 +3,12 @@
 #include <cmath>
 #include <map>
 
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/merged.h"
 #include "circle_voronoi/queries.h"
+#include "circle_voronoi_families/families.h"
+#include "circle_voronoi_families/figures.h"
 #include "experiments.h"
 #include "figure.h"
-#include "figures.h"
 #include "method.h"
 
 namespace circle_voronoi::results {

@@ -126,6 +126,7 @@ SvgLayer leftoverLayer(std::span<const Circle> circles, const PrintedResult& pri
 
 SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& printed, const Box& box) {
   SvgLayer layer{.name = "segments"};
+  const auto region = ConvexPolygon::from(box);
   for (const PrintedSegment& segment : printed.segments) {
     EdgeCurve curve;
     curve.bisector = bisector(at(circles, segment.b), at(circles, segment.a));
@@ -137,7 +138,7 @@ SvgLayer segmentsLayer(std::span<const Circle> circles, const PrintedResult& pri
       std::swap(curve.from, curve.to);
       std::swap(curve.start, curve.end);
     }
-    for (const EdgeCurve& part : clip(curve, box)) layer.arcs.push_back(part);
+    for (const EdgeCurve& part : clip(curve, *region)) layer.arcs.push_back(part);
   }
   return layer;
 }
@@ -155,9 +156,9 @@ void draw(const std::filesystem::path& folder, const std::string& name, std::spa
     // A tenth of a pixel.
     figure.frame.tolerance = 0.1 * std::max(box.maxX - box.minX, box.maxY - box.minY) / figure.pixels;
   }
-  writeSvgFigure(file, diagram, figure);
+  const auto written = writeSvgFigure(file, diagram, figure);
   file.close();
-  if (!file) throw std::runtime_error("Cannot write " + path.string());
+  if (!written || !file) throw std::runtime_error("Cannot write " + path.string());
 }
 
 }  // namespace circle_voronoi::results

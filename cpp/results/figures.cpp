@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "figures.h"
+#include "circle_voronoi_families/figures.h"
 
 #include <algorithm>
 #include <map>
 
 #include "centres.h"
 #include "circle_voronoi/cells.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "delaunay.h"
 #include "experiments.h"
 #include "figure.h"

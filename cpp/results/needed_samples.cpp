@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "experiments.h"
 #include "method.h"
 #include "mismatches.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "experiments.h"
 #include "method.h"
 

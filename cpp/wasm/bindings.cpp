@@ -5,15 +5,16 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/final_cells.h"
-#include "circle_voronoi/option_names.h"
+#include "option_names.h"
 #include "trace_arrays.h"
 #include "values.h"
 
@@ -32,7 +33,7 @@ std::string take(const val& given, std::string_view, bool& field) {
   return "";
 }
 
-std::string take(const val& given, std::string_view name, int& field) {
+std::string take(const val& given, std::string_view name, std::optional<int>& field) {
   if (!given.isNumber()) return "The number of " + std::string(name) + " is not a number.";
   field = given.as<int>();
   return "";
@@ -40,7 +41,7 @@ std::string take(const val& given, std::string_view name, int& field) {
 
 template <class Value>
 std::string take(const val& given, std::string_view name, Value& field) {
-  const auto& values = valuesLike(field);
+  const auto values = namedValues<Value>();
   const std::string text = given.isString() ? given.as<std::string>() : "";
   std::string names;
   for (const auto& value : values) {

@@ -4,7 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
-#include "power_diagram.h"
+#include "circle_voronoi/comparison.h"
 #include "values.h"
 
 namespace {

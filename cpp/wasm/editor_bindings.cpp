@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The editor as a part of the module of bindings.cpp. Its only caller is web/lib/wasm/module-editor.ts. An editor is its address,
-// and lives until `deleteEditor`. A change is one array of bytes, as an object of arrays would take longer than the
-// edit.
+// The editor as a part of the module of bindings.cpp. Its only caller is web/lib/wasm/module-editor.ts. An editor is
+// its address, and lives until `deleteEditor`. A change is one array of bytes, as an object of arrays would take longer
+// than the edit.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -79,7 +79,7 @@ val createEditor(const val& coordinates) {
 void deleteEditor(std::uintptr_t address) { delete &sessionOf(address); }
 
 /// One edit (Edit) and a hint for a new circle.
-val editValue(std::uintptr_t address, int kind, CircleId id, double x, double y, double r, CircleId hint) {
+val editValue(std::uintptr_t address, int kind, std::int32_t id, double x, double y, double r, std::int32_t hint) {
   return valueOf([&] {
     Session& session = sessionOf(address);
     const Edit edit = {static_cast<Edit::Kind>(kind), id, {x, y, r}};
@@ -92,7 +92,7 @@ val editValue(std::uintptr_t address, int kind, CircleId id, double x, double y,
 std::vector<Edit> editsFrom(const val& numbers) {
   std::vector<Edit> edits;
   for (const auto& [kind, id, x, y, r] : itemsFrom<double, std::array<double, 5>>(numbers)) {
-    edits.push_back({static_cast<Edit::Kind>(static_cast<int>(kind)), static_cast<CircleId>(id), {x, y, r}});
+    edits.push_back({static_cast<Edit::Kind>(static_cast<int>(kind)), static_cast<std::int32_t>(id), {x, y, r}});
   }
   return edits;
 }
@@ -109,21 +109,21 @@ val traceEditsValue(std::uintptr_t address, const val& numbers) {
   return valueOf([&] {
     DiagramEditor& editor = sessionOf(address).editor;
     TraceArrays events;
-    if (const auto error = editor.observe(events.observer())) return errorValue(*error);
+    if (const auto observed = editor.observe(events.observer()); !observed) return errorValue(observed.error());
     const Result<Change> change = editor.apply(editsFrom(numbers));
-    editor.observe({});
+    (void)editor.observe({});  // nothing to fail
     return change.ok() ? events.value() : errorValue(change.error());
   });
 }
 
-CircleId nearestId(std::uintptr_t address, double x, double y, CircleId hint) {
+std::int32_t nearestId(std::uintptr_t address, double x, double y, std::int32_t hint) {
   return sessionOf(address).editor.nearest({x, y}, hint);
 }
 
 double sizeOf(std::uintptr_t address) { return static_cast<double>(sessionOf(address).editor.size()); }
 
 /// x, y, r and whether it is hidden; undefined if there is none.
-val circleValue(std::uintptr_t address, CircleId id) {
+val circleValue(std::uintptr_t address, std::int32_t id) {
   const DiagramEditor& editor = sessionOf(address).editor;
   const auto circle = editor.circle(id);
   if (!circle) return val::undefined();

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "figures.h"
+#include "circle_voronoi_families/figures.h"
 #include "values.h"
 
 namespace {

@@ -11,32 +11,32 @@
 #include <string_view>
 #include <utility>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
-#include "stats.h"
-#include "validate.h"
 #include "values.h"
 
 namespace {
 
 using namespace circle_voronoi;
 
-void writeAllLines(std::ostream& out, const Diagram& diagram, const ExportOptions& options) {
-  writeGeoJsonLines(out, diagram, options);
+Result<void> writeStats(std::ostream& out, const Diagram& diagram, std::optional<int>) {
+  return writeStatsJson(out, diagram);
 }
-
-void writeStats(std::ostream& out, const Diagram& diagram, std::optional<int>) { writeStatsJson(out, diagram); }
 
 template <class Write>
 using Formats = std::pair<std::string_view, Write>;
 
-/// The formats that need a certified diagram.
-constexpr std::array<Formats<void (*)(std::ostream&, const Diagram&, const ExportOptions&)>, 5> kExports = {
-    {{"svg", writeSvg}, {"geojson", writeGeoJson}, {"geojsonl", writeAllLines}, {"wkt", writeWkt}, {"obj", writeObj}}};
-constexpr std::array<Formats<void (*)(std::ostream&, const Diagram&, std::optional<int>)>, 3> kOthers = {
+/// The formats that draw a diagram.
+constexpr std::array<Formats<Result<void> (*)(std::ostream&, const Diagram&, const ExportOptions&)>, 5> kExports = {
+    {{"svg", writeSvg},
+     {"geojson", writeGeoJson},
+     {"geojsonl", writeGeoJsonLines},
+     {"wkt", writeWkt},
+     {"obj", writeObj}}};
+constexpr std::array<Formats<Result<void> (*)(std::ostream&, const Diagram&, std::optional<int>)>, 3> kOthers = {
     {{"json", writeJson}, {"csv", writeDiagramCsv}, {"stats", writeStats}}};
-constexpr std::array<Formats<void (*)(std::ostream&, std::span<const Circle>)>, 3> kCircleFormats = {
+constexpr std::array<Formats<Result<void> (*)(std::ostream&, std::span<const Circle>)>, 3> kCircleFormats = {
     {{"csv", writeCirclesCsv}, {"geojson", writeCirclesGeoJson}, {"json", writeCirclesJson}}};
 
 template <class List>
@@ -44,8 +44,11 @@ auto named(const List& list, std::string_view name) {
   return std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == name; });
 }
 
-/// `{text}`, in UTF-8.
-val textValue(const std::ostringstream& out) {
+/// `{text}`, in UTF-8, of what `write` writes to a stream.
+template <class Write>
+val textValue(Write write) {
+  std::ostringstream out;
+  if (const Result<void> written = write(out); !written) return errorValue(written.error());
   const std::string text = out.str();
   val result = val::object();
   result.set("text",
@@ -60,13 +63,15 @@ Error unknownFormat(const std::string& format) {
 
 Stats statsFrom(const val& value) {
   Stats stats;
-  stats.method = value["method"].as<std::string>();
-  stats.way = value["way"].as<std::string>();
-  stats.candidates = value["candidates"].as<std::string>();
-  for (const auto& [name, field] : kCounts) {
-    stats.counts.*field = static_cast<std::int64_t>(value["counts"][std::string(name)].as<double>());
+  stats.method = methodFromName(value["method"].as<std::string>());
+  stats.way = wayFromName(value["way"].as<std::string>());
+  stats.candidates = candidatesFromName(value["candidates"].as<std::string>());
+  for (const auto& [name, member] : kCountMembers) {
+    stats.counts.*member = static_cast<std::int64_t>(value["counts"][std::string(name)].as<double>());
   }
-  for (const auto& [name, field] : kSeconds) stats.seconds.*field = value["seconds"][std::string(name)].as<double>();
+  for (const auto& [name, member] : kSecondsMembers) {
+    stats.seconds.*member = value["seconds"][std::string(name)].as<double>();
+  }
   return stats;
 }
 
@@ -138,11 +143,7 @@ val writeCirclesValue(const val& coordinates, const std::string& format) {
     const auto found = named(kCircleFormats, format);
     if (found == kCircleFormats.end()) return errorValue(unknownFormat(format));
     const std::vector<Circle> circles = itemsFrom<double, Circle>(coordinates);
-    // What is written can be read.
-    if (const auto valid = validate(circles, true); !valid) return errorValue(valid.error());
-    std::ostringstream out;
-    found->second(out, circles);
-    return textValue(out);
+    return textValue([&](std::ostream& out) { return found->second(out, circles); });
   });
 }
 
@@ -150,9 +151,6 @@ val writeCirclesValue(const val& coordinates, const std::string& format) {
 val writeDiagramValue(const val& value, const std::string& format, const val& options) {
   return valueOf([&] {
     Diagram diagram = diagramFrom(value);
-    if (diagram.vertexCircles.size() != diagram.vertices.size()) {
-      return errorValue({ErrorCode::badInput, kNone, "There are not as many vertexCircles as vertices."});
-    }
     diagram.metric = metricFrom(value["metric"].as<std::string>());
     const auto found = named(kExports, format);
     const bool isDrawn = found != kExports.end();
@@ -160,19 +158,12 @@ val writeDiagramValue(const val& value, const std::string& format, const val& op
     const auto error = isDrawn || isJudged(diagram) ? judge(diagram) : std::nullopt;
     if (error) return errorValue(*error);
     diagram.stats = statsFrom(value["stats"]);
-    std::ostringstream out;
-    if (!isDrawn) {
-      const auto other = named(kOthers, format);
-      if (other == kOthers.end()) return errorValue(unknownFormat(format));
-      other->second(out, diagram, digitsFrom(options));
-      return textValue(out);
+    if (isDrawn) {
+      return textValue([&](std::ostream& out) { return found->second(out, diagram, exportOptionsFrom(options)); });
     }
-    if (!diagram.certificate.certified()) {
-      return errorValue({ErrorCode::notCertified, diagram.certificate.circle,
-                         "The diagram is not certified: " + diagram.certificate.message});
-    }
-    found->second(out, diagram, exportOptionsFrom(options));
-    return textValue(out);
+    const auto other = named(kOthers, format);
+    if (other == kOthers.end()) return errorValue(unknownFormat(format));
+    return textValue([&](std::ostream& out) { return other->second(out, diagram, digitsFrom(options)); });
   });
 }
 

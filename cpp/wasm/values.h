@@ -6,14 +6,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <new>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
-#include "guarded.h"
+#include "circle_voronoi/stats.h"
 
 namespace circle_voronoi {
 
@@ -73,33 +77,27 @@ inline val certificateValue(const Certificate& certificate) {
   return result;
 }
 
-/// Sets a property of `object` for each field; a JavaScript number holds every count that fits in memory.
-template <class Struct, class... Fields>
-void setFields(val& object, const Struct& values, const std::array<const char*, sizeof...(Fields)>& names,
-               Fields Struct::*... fields) {
-  static_assert(sizeof(Struct) == sizeof...(Fields) * sizeof(std::int64_t), "each field has a name");
-  std::size_t i = 0;
-  (object.set(names[i++], static_cast<double>(values.*fields)), ...);
+/// An object with a property for each member; a JavaScript number holds every count that fits in memory.
+template <class Struct, class Members>
+val membersValue(const Struct& values, const Members& members) {
+  val result = val::object();
+  for (const auto& [name, member] : members) result.set(std::string(name), static_cast<double>(values.*member));
+  return result;
+}
+
+/// The name of a value, empty if there is none.
+template <class Value>
+std::string nameValue(std::optional<Value> value, std::string_view name(Value)) {
+  return value ? std::string(name(*value)) : "";
 }
 
 inline val statsValue(const Stats& stats) {
-  val counts = val::object();
-  setFields(counts, stats.counts,
-            {"circles", "hidden", "samples", "antipodalDiscs", "threeTouchDiscs", "events", "leftoverCycles",
-             "resamplings", "flips", "repairs", "filtered", "refined", "inCircle", "exact"},
-            &Counts::circles, &Counts::hidden, &Counts::samples, &Counts::antipodalDiscs, &Counts::threeTouchDiscs,
-            &Counts::events, &Counts::leftoverCycles, &Counts::resamplings, &Counts::flips, &Counts::repairs,
-            &Counts::filtered, &Counts::refined, &Counts::inCircle, &Counts::exact);
-  val seconds = val::object();
-  setFields(seconds, stats.seconds, {"hide", "sample", "pair", "touch", "flip", "repair", "certify", "total"},
-            &Seconds::hide, &Seconds::sample, &Seconds::pair, &Seconds::touch, &Seconds::flip, &Seconds::repair,
-            &Seconds::certify, &Seconds::total);
   val result = val::object();
-  result.set("method", stats.method);
-  result.set("way", stats.way);
-  result.set("candidates", stats.candidates);
-  result.set("counts", counts);
-  result.set("seconds", seconds);
+  result.set("method", nameValue(stats.method, methodName));
+  result.set("way", nameValue(stats.way, wayName));
+  result.set("candidates", nameValue(stats.candidates, candidatesName));
+  result.set("counts", membersValue(stats.counts, kCountMembers));
+  result.set("seconds", membersValue(stats.seconds, kSecondsMembers));
   return result;
 }
 
@@ -111,9 +109,9 @@ inline val diagramValue(const Diagram& diagram) {
   result.set("edges", int32Array(diagram.edges));
   result.set("hidden", int32Array(diagram.hidden));
   result.set("hull", int32Array(diagram.hull));
-  result.set("nextSide", int32Array(diagram.nextSide));
-  result.set("vertexSides", int32Array(diagram.vertexSides));
-  result.set("firstSide", int32Array(diagram.firstSide));
+  result.set("nextSide", int32Array(diagram.links.nextSide));
+  result.set("vertexSides", int32Array(diagram.links.vertexSides));
+  result.set("firstSide", int32Array(diagram.links.firstSide));
   result.set("certificate", certificateValue(diagram.certificate));
   result.set("stats", statsValue(diagram.stats));
   return result;
@@ -129,18 +127,26 @@ inline Diagram diagramFrom(const val& value) {
   diagram.edges = itemsFrom<std::int32_t, Edge>(value["edges"]);
   diagram.hidden = itemsFrom<std::int32_t, HiddenCircle>(value["hidden"]);
   diagram.hull = itemsFrom<std::int32_t, CircleIndex>(value["hull"]);
-  diagram.nextSide = itemsFrom<std::int32_t, SideIndex>(value["nextSide"]);
-  diagram.vertexSides = itemsFrom<std::int32_t, std::array<SideIndex, 3>>(value["vertexSides"]);
-  diagram.firstSide = itemsFrom<std::int32_t, SideIndex>(value["firstSide"]);
+  diagram.links.nextSide = itemsFrom<std::int32_t, SideIndex>(value["nextSide"]);
+  diagram.links.vertexSides = itemsFrom<std::int32_t, std::array<SideIndex, 3>>(value["vertexSides"]);
+  diagram.links.firstSide = itemsFrom<std::int32_t, SideIndex>(value["firstSide"]);
   return diagram;
 }
 
-/// The value that `body` makes of a result, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception
-/// would reach JavaScript as a bare number.
+/// The value that `body` makes, or `{error: {code, circle, message}}`. Nothing is thrown: a C++ exception would
+/// reach JavaScript as a bare number.
 template <class Body>
 val valueOf(Body body) {
-  const Result<val> value = guarded([&]() -> Result<val> { return body(); });
-  return value.ok() ? value.value() : errorValue(value.error());
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return errorValue({ErrorCode::tooManyCircles, kNone, "There is not enough memory."});
+  } catch (const std::exception& exception) {
+    return errorValue({ErrorCode::internal, kNone, exception.what()});
+  } catch (...) {
+    // A callback has stopped the computation, which its caller knows.
+    return errorValue({ErrorCode::internal, kNone, "The computation failed."});
+  }
 }
 
 }  // namespace circle_voronoi

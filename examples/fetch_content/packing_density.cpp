@@ -49,11 +49,15 @@ int main(int count, char** arguments) {
     return 1;
   }
 
-  const cv::ConvexPolygon box = boundingBox(circles);
+  const auto box = cv::ConvexPolygon::from(boundingBox(circles));
+  if (!box) {
+    std::cerr << box.error().message << '\n';
+    return 2;
+  }
   std::cout << "circle,area,density\n";
   for (cv::CircleIndex i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    if (!diagram.value().hasCell(i)) continue;
-    const double area = cv::area(cv::outline(diagram.value(), i, box));
+    if (!diagram->hasCell(i)) continue;
+    const double area = cv::area(cv::outline(*diagram, i, *box));
     const double r = circles[static_cast<std::size_t>(i)].r;
     std::cout << i << ',' << area << ',' << std::numbers::pi * r * r / area << '\n';
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A thousand discs that bounce in a box: bouncing_discs [FRAMES]
 //
-// Two discs that touch are neighbours in their Voronoi diagram, so who may collide is found among its edges. The
-// diagram is kept by edits: each disc moves, and what that changes is applied to the edges.
+// Two discs that touch are neighbors in their Voronoi diagram, so only discs that share an edge can collide. Edits keep
+// the diagram up to date: each disc moves, and the program applies the change to its list of edges.
 #include <circle_voronoi/editor.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::vector<Disc> discsAtTheStart() {
   return discs;
 }
 
-/// Moves a disc; at the walls it turns back.
+/// Moves a disc. It turns back at the walls.
 void move(Disc& disc) {
   auto& [x, y, r] = disc.circle;
   x += disc.velocity.x * kTimeStep;
@@ -54,7 +54,7 @@ void move(Disc& disc) {
   if (y < r || y > kHeight - r) disc.velocity.y = std::copysign(disc.velocity.y, y < r ? 1 : -1);
 }
 
-/// Two discs that touch and come nearer bounce; their masses are their areas.
+/// Lets two discs bounce if they touch and approach each other. Their masses are their areas.
 void bounce(Disc& a, Disc& b) {
   const cv::Point d = {b.circle.x - a.circle.x, b.circle.y - a.circle.y};
   const double distance = std::hypot(d.x, d.y);
@@ -68,8 +68,8 @@ void bounce(Disc& a, Disc& b) {
   b.velocity = {b.velocity.x + impulse / massB * d.x, b.velocity.y + impulse / massB * d.y};
 }
 
-/// The edges of the diagram by their numbers; of a number that is free, no circles.
-void follow(std::vector<cv::EditedEdge>& edges, const cv::Change& change) {
+/// Applies a change to the edges, which are listed by number. An edge that does not exist has no circles.
+void follow(std::vector<cv::Edge>& edges, const cv::Change& change) {
   for (const auto number : change.removedEdges) edges[static_cast<std::size_t>(number)] = {};
   for (std::size_t i = 0; i < change.addedEdges.size(); ++i) {
     const auto number = static_cast<std::size_t>(change.addedEdges[i]);
@@ -99,7 +99,7 @@ int main(int count, char** arguments) {
   cv::DiagramEditor& editor = made.value();
   const auto all = editor.all();
   if (!all) return fail(all.error());
-  std::vector<cv::EditedEdge> edges;
+  std::vector<cv::Edge> edges;
   follow(edges, all.value());
 
   std::vector<double> milliseconds;

@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/editor.h"
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi_families/families.h"
 #include "guarded.h"
 
 namespace {
@@ -232,7 +232,7 @@ TEST(Allocation, MayFailInReadersOfCircles) {
   const auto circles = someCircles();
   for (const auto write : {writeCirclesCsv, writeCirclesJson, writeCirclesGeoJson}) {
     std::ostringstream text;
-    write(text, circles);
+    ASSERT_TRUE(write(text, circles));
     const std::string written = text.str();
     failEachAllocation([&] { return readCircles(written, "file"); },
                        [&](const std::vector<Circle>& read) { ASSERT_TRUE(read == circles); });
@@ -249,7 +249,7 @@ TEST(Allocation, MayFailInTheReaderOfDiagrams) {
   const auto circles = someCircles();
   const Diagram diagram = compute(circles).value();
   std::ostringstream text;
-  writeJson(text, diagram);
+  EXPECT_TRUE(writeJson(text, diagram));
   const std::string written = text.str();
   failEachAllocation([&] { return readDiagram(written, "file"); },
                      [&](const Diagram& read) { ASSERT_TRUE(read.edges == diagram.edges); });

@@ -6,7 +6,7 @@
 #include <cfenv>
 #include <vector>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 

@@ -9,10 +9,11 @@
 #include <numbers>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "far_apart.h"
 #include "fixtures.h"
 #include "random.h"
+#include "regions.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -107,7 +108,7 @@ TEST(Cells, SidesTurnCounterClockwiseAndLinkUp) {
     EXPECT_EQ(count, 2 * diagram.edges.size());
     for (const HiddenCircle& hidden : diagram.hidden) {
       EXPECT_FALSE(diagram.hasCell(hidden.circle));
-      EXPECT_TRUE(outline(diagram, hidden.circle, boxAround(circles, 1.1)).empty());
+      EXPECT_TRUE(outline(diagram, hidden.circle, test::regionOf(boxAround(circles, 1.1))).empty());
     }
   }
 }
@@ -124,7 +125,7 @@ TEST(Cells, ContainWhatIsNearest) {
       const Point p = randomPoint(box, random);
       const double least = distance(Metric::circles, circles[static_cast<std::size_t>(nearest(circles, p))], p);
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-        const double own = distance(diagram, i, p);
+        const double own = distanceFrom(diagram, i, p);
         EXPECT_EQ(contains(diagram, i, p), diagram.hasCell(i) && own == least) << i;
       }
     }
@@ -141,10 +142,10 @@ TEST(Cells, AreasAddUpToTheRegion) {
       const Diagram diagram = diagramOf(circles);
       // Cells between circles that touch inside but for rounding are narrower than the rounding of their vertices.
       const double rounding = family.family == Family::nestedTangent ? 1e-8 : 1e-12;
-      expectPartition(diagram, boxAround(circles, 1.5), rounding);
-      expectPartition(diagram, boxAround(circles, 1), rounding);
-      expectPartition(diagram, boxAround(circles, 1000), rounding);
-      expectPartition(diagram, boxAround(circles, 0.3), rounding);
+      expectPartition(diagram, test::regionOf(boxAround(circles, 1.5)), rounding);
+      expectPartition(diagram, test::regionOf(boxAround(circles, 1)), rounding);
+      expectPartition(diagram, test::regionOf(boxAround(circles, 1000)), rounding);
+      expectPartition(diagram, test::regionOf(boxAround(circles, 0.3)), rounding);
       expectPartition(diagram, randomPolygon(boxAround(circles, 1), random), rounding);
     }
   }
@@ -168,7 +169,7 @@ TEST(Cells, AreasAndCentroidsAreThoseOfPixels) {
     }
   }
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    const Outline parts = outline(diagram, i, box);
+    const Outline parts = outline(diagram, i, test::regionOf(box));
     const auto& [count, x, y] = sums[i];
     EXPECT_NEAR(area(parts), count * width * height, perimeter(parts) * (width + height) / 4 + 4 * width * height) << i;
     if (count < 1000) continue;
@@ -182,7 +183,7 @@ TEST(Cells, AreaCentroidAndPerimeterAreThoseOfAFinePolygon) {
   for (const Family family : {Family::logUniform, Family::twoHuge, Family::intersecting, Family::chaos}) {
     const auto circles = generate(family, 10, 5);
     const Diagram diagram = diagramOf(circles);
-    const ConvexPolygon region = boxAround(circles, 1.3);
+    const ConvexPolygon region = test::regionOf(boxAround(circles, 1.3));
     const double size = std::sqrt(region.area());
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
       const Outline parts = outline(diagram, i, region);
@@ -216,10 +217,10 @@ TEST(Cells, OneCircleHasTheWholeBox) {
   const Diagram diagram = diagramOf(circles);
   const Box box = {2, 3, 5, 4};
   EXPECT_TRUE(diagram.sides(0).empty());
-  EXPECT_EQ(area(outline(diagram, 0, box)), 3);
-  EXPECT_EQ(perimeter(outline(diagram, 0, box)), 8);
-  EXPECT_EQ(centroid(outline(diagram, 0, box)), (Point{3.5, 3.5}));
-  EXPECT_TRUE(outline(diagram, 1, box).empty());
+  EXPECT_EQ(area(outline(diagram, 0, test::regionOf(box))), 3);
+  EXPECT_EQ(perimeter(outline(diagram, 0, test::regionOf(box))), 8);
+  EXPECT_EQ(centroid(outline(diagram, 0, test::regionOf(box))), (Point{3.5, 3.5}));
+  EXPECT_TRUE(outline(diagram, 1, test::regionOf(box)).empty());
 }
 
 TEST(Cells, ARegionMayCutACellApart) {
@@ -228,34 +229,34 @@ TEST(Cells, ARegionMayCutACellApart) {
   const Diagram diagram = diagramOf(circles);
   // The branch bends around the small circle; a box below its apex sees the large circle's cell on both sides of it.
   const Box box = {-8, 10.3, 8, 14};
-  EXPECT_EQ(outline(diagram, 1, box).size(), 1U);
-  const Outline parts = outline(diagram, 0, Box{-8, 10.5, 8, 14});
+  EXPECT_EQ(outline(diagram, 1, test::regionOf(box)).size(), 1U);
+  const Outline parts = outline(diagram, 0, test::regionOf(Box{-8, 10.5, 8, 14}));
   EXPECT_EQ(parts.size(), 2U);
-  EXPECT_NEAR(area(parts) + area(outline(diagram, 1, Box{-8, 10.5, 8, 14})), 16 * 3.5, 1e-12);
+  EXPECT_NEAR(area(parts) + area(outline(diagram, 1, test::regionOf(Box{-8, 10.5, 8, 14}))), 16 * 3.5, 1e-12);
 }
 
 TEST(Cells, ABoundaryAlongAnEdgeIsNoTrouble) {
   const std::vector<Circle> circles = {{0, 0, 0.5}, {2, 0, 0.5}, {0, 2, 0.5}, {2, 2, 0.5}};
   const Diagram diagram = diagramOf(circles);
   for (const Box& box : {Box{0, 0, 1, 1}, Box{0, 0, 1, 2}, Box{-1, -1, 1, 3}, Box{1, 1, 2, 2}, Box{0, 0, 2, 2}}) {
-    expectPartition(diagram, box);
+    expectPartition(diagram, test::regionOf(box));
   }
-  EXPECT_EQ(area(outline(diagram, 3, Box{1, 1, 2, 2})), 1);
+  EXPECT_EQ(area(outline(diagram, 3, test::regionOf(Box{1, 1, 2, 2}))), 1);
 }
 
 TEST(Cells, TwoSidesOfARegionMayLieOnTheBoundaryOfACell) {
   const std::vector<Circle> circles = {{25, 0, 1}, {27, 0, 1}, {21, 0, 1}};
   const Diagram diagram = diagramOf(circles);
-  expectPartition(diagram, Box{23, -1, 26, 1});
+  expectPartition(diagram, test::regionOf(Box{23, -1, 26, 1}));
 }
 
 TEST(Cells, AnEdgeMayTouchTheBoundary) {
   const std::vector<Circle> circles = {{1, 3, 0}, {1, 0, 1}};  // the apex of their edge is (1, 2)
   const Diagram diagram = diagramOf(circles);
   for (const Box& box : {Box{1, 0, 3, 2}, Box{0, 0, 2, 2}, Box{0, 2, 2, 3}, Box{-1, 1, 1, 2}}) {
-    expectPartition(diagram, box);
+    expectPartition(diagram, test::regionOf(box));
   }
-  EXPECT_EQ(area(outline(diagram, 0, Box{0, 0, 2, 2})), 0);
+  EXPECT_EQ(area(outline(diagram, 0, test::regionOf(Box{0, 0, 2, 2}))), 0);
 }
 
 /// The distance from the centre of circle i at which its cell ends in a direction: where another circle becomes as
@@ -286,7 +287,8 @@ TEST(Cells, OfTheBronzeFilterHaveTheAreasOfAQuadratureOverAllCircles) {
       sum += end * end / 2;
     }
     const double expected = sum * kFullTurn / kRays;
-    EXPECT_NEAR(area(outline(diagram, static_cast<std::int32_t>(i), box)), expected, 1e-3 * expected) << i;
+    EXPECT_NEAR(area(outline(diagram, static_cast<std::int32_t>(i), test::regionOf(box))), expected, 1e-3 * expected)
+        << i;
   }
 }
 
@@ -294,9 +296,9 @@ TEST(Cells, OfTheBronzeFilterFillItsBox) {
   const auto circles = test::readFixture("bronzefilter");
   const Diagram diagram = diagramOf(circles);
   const Box box = boxAround(circles, 1.02);
-  expectPartition(diagram, box);
+  expectPartition(diagram, test::regionOf(box));
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-    EXPECT_EQ(area(outline(diagram, i, box)) > 0, diagram.hasCell(i)) << i;
+    EXPECT_EQ(area(outline(diagram, i, test::regionOf(box))) > 0, diagram.hasCell(i)) << i;
   }
 }
 
@@ -314,7 +316,7 @@ TEST(Cells, TheirOutlinesHaveNoSegmentWithoutLength) {
   const std::vector<Circle> circles = {{-1, 1, 0.5}, {1, -1, 0.5}};
   const Diagram diagram = compute(circles).value();
   for (const std::int32_t circle : {0, 1}) {
-    const Outline shape = outline(diagram, circle, Box{0, 0, 4, 4});
+    const Outline shape = outline(diagram, circle, test::regionOf(Box{0, 0, 4, 4}));
     ASSERT_EQ(shape.size(), 1U);
     for (const OutlinePiece& piece : shape[0]) {
       if (piece.side == kNone) {

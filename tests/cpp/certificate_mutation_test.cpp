@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "compare.h"
 #include "dual_edits.h"
 #include "report.h"
@@ -251,8 +251,8 @@ bool makeVertexInfinite(Diagram& diagram, Circles, Random& random) {
 
 bool exchangeNextSides(Diagram& diagram, Circles, Random& random) {
   if (diagram.edges.empty()) return false;
-  SideIndex& i = pick(diagram.nextSide, random);
-  SideIndex& j = pick(diagram.nextSide, random);
+  SideIndex& i = pick(diagram.links.nextSide, random);
+  SideIndex& j = pick(diagram.links.nextSide, random);
   if (i == j) return false;
   std::swap(i, j);
   return true;
@@ -260,23 +260,23 @@ bool exchangeNextSides(Diagram& diagram, Circles, Random& random) {
 
 bool turnSidesOfVertex(Diagram& diagram, Circles, Random& random) {
   if (diagram.vertices.empty()) return false;
-  auto& sides = pick(diagram.vertexSides, random);
+  auto& sides = pick(diagram.links.vertexSides, random);
   std::rotate(sides.begin(), sides.begin() + 1, sides.end());
   return true;
 }
 
 bool replaceFirstSide(Diagram& diagram, Circles, Random& random) {
   if (diagram.edges.empty()) return false;
-  SideIndex& first = pick(diagram.firstSide, random);
+  SideIndex& first = pick(diagram.links.firstSide, random);
   const SideIndex other = static_cast<std::int32_t>(random.below(2 * diagram.edges.size()));
   return other != std::exchange(first, other);
 }
 
 bool forgetSides(Diagram& diagram, Circles, Random&) {
   if (diagram.edges.empty()) return false;
-  diagram.nextSide.clear();
-  diagram.vertexSides.clear();
-  diagram.firstSide.clear();
+  diagram.links.nextSide.clear();
+  diagram.links.vertexSides.clear();
+  diagram.links.firstSide.clear();
   return true;
 }
 

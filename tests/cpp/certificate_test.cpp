@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "circle_voronoi/certificate.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "dual_edits.h"

@@ -11,7 +11,7 @@
 
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/convex_polygon.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "random.h"
 #include "vectors.h"
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi_families/families.h"
 #include "cli.h"
 #include "fixtures.h"
 
@@ -57,7 +57,7 @@ TEST_F(CliConvert, CirclesGoThroughEveryFormatToTheBit) {
   auto circles = generate(Family::logUniform, 50, 1);
   circles[7].x = -0.0;
   std::ostringstream csv;
-  writeCirclesCsv(csv, circles);
+  EXPECT_TRUE(writeCirclesCsv(csv, circles));
   std::string text = csv.str();
   for (const char* format : {"geojson", "json", "geojson", "csv", "json", "csv"}) {
     text = textOf("convert - --format " + std::string(format), text);
@@ -159,13 +159,13 @@ TEST_F(CliConvert, ADiagramKeepsItsStats) {
 TEST_F(CliConvert, StatsThatFitNothingAreLeftOut) {
   Json json = Json::parse(readFile(computed()));
   json["stats"] =
-      Json::parse(R"({"method": "\"quoted\"", "way": 7, "counts": [1], "seconds": {"hide": "long", "total": 2},
+      Json::parse(R"({"method": "\"quoted\"", "way": 7, "counts": [1], "seconds": {"triangulate": "long", "total": 2},
                                   "certificate": {"certified": false, "message": "wrong"}})");
   const Json stats = Json::parse(textOf("convert - --format stats", json.dump()));
   EXPECT_EQ(stats.at("method"), "");
   EXPECT_EQ(stats.at("way"), "");
   EXPECT_EQ(stats.at("counts").at("circles"), 0);
-  EXPECT_EQ(stats.at("seconds").at("hide"), 0);
+  EXPECT_EQ(stats.at("seconds").at("triangulate"), 0);
   EXPECT_EQ(stats.at("seconds").at("total"), 2);
   EXPECT_EQ(stats.at("certificate").at("certified"), true) << "judged, not believed";
   json.erase("stats");
@@ -187,7 +187,7 @@ TEST_F(CliConvert, RefusesWhatCannotBe) {
   Json moved = Json::parse(readFile(computed()));
   moved["vertices"][7]["x"] = moved["vertices"][7]["x"].get<double>() + 0.001;
   const std::string wrong = write("wrong.json", moved.dump());
-  expectFailure(run("convert --format svg " + wrong), 1, "wrong.json: the diagram is not certified: Vertex 7");
+  expectFailure(run("convert --format svg " + wrong), 1, "wrong.json: The diagram is not certified: Vertex 7");
   EXPECT_EQ(Json::parse(textOf("convert --format stats " + wrong)).at("certificate").at("vertex"), 7);
 }
 

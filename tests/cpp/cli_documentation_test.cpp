@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "cli.h"
 
 namespace circle_voronoi {

@@ -115,8 +115,12 @@ TEST_F(CliEdit, ChangesHaveTheNumbersOfTheLibrary) {
   const Json written = Json::parse(readFile(path("changes.jsonl")));
   const Change change = editor.insert({3, 4, 0.5}).value();
   Json edges = Json::array();
-  for (const EditedEdge& edge : change.edges) {
-    for (const std::int32_t number : {edge.left, edge.right, edge.start, edge.end}) edges.push_back(number);
+  for (const Edge& edge : change.edges) {
+    const auto& [left, right, start, end] = edge;
+    for (const std::int32_t number :
+         {std::int32_t{left}, std::int32_t{right}, std::int32_t{start}, std::int32_t{end}}) {
+      edges.push_back(number);
+    }
   }
   ASSERT_FALSE(change.edges.empty());
   EXPECT_EQ(written["edges"], edges);
@@ -126,7 +130,7 @@ TEST_F(CliEdit, ChangesHaveTheNumbersOfTheLibrary) {
   }
   EXPECT_EQ(written["vertices"], vertices);
   Json sides = Json::array();
-  for (const EditedSide& side : change.hullSides) {
+  for (const HullSide& side : change.hullSides) {
     for (const std::int32_t number : {side.side, side.next}) sides.push_back(number);
   }
   EXPECT_EQ(written["hullSides"], sides);
@@ -156,13 +160,28 @@ TEST_F(CliEdit, SaysInWhichLineAnEditIsWrong) {
   expectRefusal(",\n", "standard input:1: \"\" is no edit; an edit is insert,x,y,r or remove,id or replace,id,x,y,r.");
 }
 
+TEST_F(CliEdit, EditsWeights) {
+  const std::string script = write("script.csv", "insert,3,4,-0.5\nreplace,1,5,0,-2\n");
+  const std::string circles = write("weights.csv", "0,0,-1\n5,0,1\n");
+  expectFailure(run("edit " + circles + " --script " + script), 2, "negative");
+  const Json edited = Json::parse(textOf("edit --weights " + circles + " --script " + script));
+  EXPECT_EQ(edited["weights"], true);
+  const Json computed = Json::parse(textOf("compute --weights -", "0,0,-1\n5,0,-2\n3,4,-0.5\n"));
+  EXPECT_EQ(edited["circles"], computed["circles"]);
+  EXPECT_EQ(edited["vertices"], computed["vertices"]);
+  // A diagram says itself that its radii are weights.
+  textOf("compute --weights -o " + path("weights.json") + " " + circles);
+  EXPECT_EQ(textOf("edit " + path("weights.json") + " --script " + script),
+            textOf("edit --weights " + circles + " --script " + script));
+  expectFailure(run("edit " + circles + " --script " + write("bad.csv", "insert,3,4,-0.5\n")), 2, "negative");
+  expectFailure(run("edit " + path("weights.json") + " --script " + write("bad.csv", "insert,3,4,-1e151\n")), 2,
+                "bad.csv:1: A coordinate or the radius is beyond 1e150.");
+}
+
 TEST_F(CliEdit, RefusesWhatMakesNoSense) {
   expectFailure(run("edit - --script -", ""), 2, "The circles and the script cannot both be standard input.");
   expectFailure(run("edit " + circles_ + " --script - --changes -", ""), 2,
                 "--changes and --output cannot both be standard output.");
-  textOf("compute - --weights -o " + path("weights.json"), "0,0,-1\n5,0,1\n");
-  expectFailure(run("edit " + path("weights.json") + " --script -", ""), 2,
-                path("weights.json") + ": weights cannot be edited, only circles.");
   Json others = Json::parse(textOf("compute " + circles_));
   for (const std::string metric : {"centers", "power"}) {
     others["metric"] = metric;

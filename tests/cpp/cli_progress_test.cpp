@@ -57,7 +57,7 @@ TEST_F(CliProgress, IsShownOnATerminalForWorkOverASecondAndNotElsewhere) {
 
 TEST_F(CliProgress, SaysEachStageWhereItIsAskedFor) {
   const std::string text = shell(quick(" --progress always")).err;
-  for (const char* stage : {"read", "hide", "flip", "certify", "write"}) {
+  for (const char* stage : {"read", "triangulate", "flip", "certify", "write"}) {
     EXPECT_TRUE(std::regex_search(text, std::regex(std::string(stage) + ", \\d+ s"))) << stage << " in " << text;
   }
   EXPECT_EQ(shown(text), "");

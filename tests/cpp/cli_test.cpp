@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "fixtures.h"
 
 namespace circle_voronoi {

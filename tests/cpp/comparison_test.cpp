@@ -13,10 +13,11 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/finder.h"
+#include "circle_voronoi_families/families.h"
 #include "far_apart.h"
 #include "random.h"
+#include "regions.h"
 
 namespace circle_voronoi {
 namespace {
@@ -57,10 +58,11 @@ TEST_P(Comparison, CellsContainWhatIsNearestAndFillTheBox) {
           largest = std::max({largest, std::abs(p.x), std::abs(p.y), c.r});
         }
         const double rounding = 1e-14 * largest * (GetParam() == Metric::power ? largest : 1);
-        ASSERT_LE(distance(diagram, finder.find(p), p), least + rounding);
+        ASSERT_LE(distanceFrom(diagram, finder.find(p), p), least + rounding);
       }
       double sum = 0;
-      for (std::size_t i = 0; i < count; ++i) sum += area(outline(diagram, static_cast<std::int32_t>(i), box));
+      for (std::size_t i = 0; i < count; ++i)
+        sum += area(outline(diagram, static_cast<std::int32_t>(i), test::regionOf(box)));
       EXPECT_NEAR(sum / ((box.maxX - box.minX) * (box.maxY - box.minY)), 1, 1e-9);
     }
   }

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "fixtures.h"
 #include "report.h"
 #include "tie_inputs.h"
@@ -21,21 +22,21 @@ namespace circle_voronoi {
 namespace {
 
 struct WayCase {
-  std::string way;
+  Way way;
   std::vector<Circle> circles;
   int repairs;
 };
 
 // All but the first touch one disc from inside, so that their three-touch discs nearly coincide.
-const std::vector<WayCase> kWays = {{"flip", {{0, 0, 1}, {10, 0, 4}, {4, 8, 2}, {5, 3, 0}}, 0},
-                                    {"repair", {{30, 16, 25}, {3, 4, 54}, {1, 0, 58}, {24, -10, 33}}, 1},
-                                    {"insert",
+const std::vector<WayCase> kWays = {{Way::flip, {{0, 0, 1}, {10, 0, 4}, {4, 8, 2}, {5, 3, 0}}, 0},
+                                    {Way::repair, {{30, 16, 25}, {3, 4, 54}, {1, 0, 58}, {24, -10, 33}}, 1},
+                                    {Way::insert,
                                      {{0, 0, 4.2652012471865333e+58},
                                       {-2.9415181015079542e+58, -3.088594006583352e+58, 0},
                                       {-3.088594006583352e+58, 2.9415181015079542e+58, 0},
                                       {-3.6768976268849428e+57, -8.8245543045238622e+57, 3.3827458167341471e+58}},
                                      0},
-                                    {"insert",
+                                    {Way::insert,
                                      {{0, 0, 6.343317977441683e-56},
                                       {-8.7494041068161149e-57, 1.6405132700280215e-56, 4.4840696047432588e-56},
                                       {-1.749880821363223e-56, 3.281026540056043e-56, 2.6248212320448346e-56},
@@ -47,12 +48,12 @@ const std::vector<WayCase> kWays = {{"flip", {{0, 0, 1}, {10, 0, 4}, {4, 8, 2}, 
 
 TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
   for (const auto& [way, circles, repairs] : kWays) {
-    SCOPED_TRACE(way);
+    SCOPED_TRACE(wayName(way));
     const auto diagram = compute(circles);
     ASSERT_TRUE(diagram.ok()) << diagram.error().message;
     const Stats& stats = diagram.value().stats;
     EXPECT_EQ(stats.way, way);
-    EXPECT_EQ(stats.counts.flips > 0, way != "flip");
+    EXPECT_EQ(stats.counts.flips > 0, way != Way::flip);
     EXPECT_EQ(stats.counts.repairs, repairs);
     EXPECT_TRUE(certify(diagram.value()).value().certified());
     // Told step by step it is the same.
@@ -64,7 +65,7 @@ TEST(Construct, TakesEachWayWhereTheOnesBeforeFail) {
     // Flips on their own end in another dual, and say so.
     Options options;
     options.method = Method::flip;
-    EXPECT_EQ(compute(circles, options).value().certificate.certified(), way == "flip");
+    EXPECT_EQ(compute(circles, options).value().certificate.certified(), way == Way::flip);
   }
 }
 
@@ -75,13 +76,14 @@ std::int64_t decisions(const Counts& counts) {
 
 // Flips tell repair where they end wrong, and one judgement follows: no second look at all faces.
 TEST(Construct, RepairCostsWhatItsPatchesCost) {
-  const auto perCircle = [](std::uint64_t seed, const char* way) {
+  const auto perCircle = [](std::uint64_t seed, Way way) {
     const Stats stats = compute(generate(Family::oneHuge, 1000, seed)).value().stats;
     EXPECT_EQ(stats.way, way);
-    EXPECT_EQ(stats.counts.repairs, std::string(way) == "repair");
+    EXPECT_EQ(stats.counts.repairs, way == Way::repair);
     return decisions(stats.counts) / stats.counts.circles;
   };
-  for (const std::uint64_t seed : {39, 398}) EXPECT_LE(perCircle(seed, "repair"), perCircle(1, "flip") + 2) << seed;
+  for (const std::uint64_t seed : {39, 398})
+    EXPECT_LE(perCircle(seed, Way::repair), perCircle(1, Way::flip) + 2) << seed;
 }
 
 TEST(Construct, CountsTheSignsOfFlipsToo) {
@@ -89,7 +91,7 @@ TEST(Construct, CountsTheSignsOfFlipsToo) {
   Options flip;
   flip.method = Method::flip;
   const Stats stats = compute(circles).value().stats;
-  EXPECT_EQ(stats.way, "flip");
+  EXPECT_EQ(stats.way, Way::flip);
   EXPECT_EQ(decisions(stats.counts), decisions(compute(circles, flip).value().stats.counts));
 }
 
@@ -108,7 +110,7 @@ TEST(Construct, NearTiesRarelyNeedIntegers) {
 
 TEST(Construct, CountsWhatInsertionTookWhereItToldTheHiddenCircles) {
   const Stats stats = compute(variants().back().make(Family::nearNested, 4000, 1)).value().stats;
-  EXPECT_EQ(stats.way, "insert");
+  EXPECT_EQ(stats.way, Way::insert);
   EXPECT_GT(stats.counts.flips, 0);
   EXPECT_GT(decisions(stats.counts), stats.counts.circles);
 }
@@ -140,8 +142,8 @@ TEST(Construct, TheLaterWaysAreRare) {
     const auto diagram = compute(circles);
     ASSERT_TRUE(diagram.ok()) << what << ": " << diagram.error().message << test::describe(circles);
     ++trials;
-    flip += diagram.value().stats.way == "flip";
-    repair += diagram.value().stats.way == "repair";
+    flip += diagram.value().stats.way == Way::flip;
+    repair += diagram.value().stats.way == Way::repair;
   };
   for (const FamilyInfo& family : families()) {
     // Near ties inside one circle, which flips from the triangulation of the centres often find no way through.
@@ -166,7 +168,7 @@ TEST(Construct, EveryStageHasItsTime) {
     const Seconds seconds = compute(circles).value().stats.seconds;
     EXPECT_GT(seconds.flip, 0);
     EXPECT_GT(seconds.certify, 0);
-    EXPECT_EQ(seconds.repair > 0, way == "repair");
+    EXPECT_EQ(seconds.repair > 0, way == Way::repair);
     EXPECT_GE(seconds.total, seconds.flip + seconds.repair + seconds.certify);
   }
 }

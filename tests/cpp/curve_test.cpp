@@ -10,8 +10,9 @@
 
 #include "chord.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "random.h"
+#include "regions.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -298,7 +299,7 @@ TEST(Curve, ANeedleThinnerThanRoundingRunsFromVertexToVertex) {
             EXPECT_LE(distanceBetween(pointAt(curve.bisector, s), vertex), 1e-8 * std::abs(vertex.x));
           }
         }
-        for (const EdgeCurve& piece : clip(curve, box)) {
+        for (const EdgeCurve& piece : clip(curve, test::regionOf(box))) {
           for (const Point p : polyline(piece, 1e-3 * scale)) {
             EXPECT_GE(std::min({p.x - box.minX, p.y - box.minY, box.maxX - p.x, box.maxY - p.y}), -1e-2 * scale);
           }
@@ -391,7 +392,7 @@ TEST(Curve, ClippingKeepsWhatIsInsideTheBox) {
     const double width = random.logUniform(-2, 1);
     const double height = random.logUniform(-2, 1);
     const Box box = {p.x - width * random.unit() * 1.2, p.y - height * random.unit() * 1.2, p.x + width, p.y + height};
-    const auto pieces = clip(curve, box);
+    const auto pieces = clip(curve, test::regionOf(box));
     if (pieces.size() > 1) ++severalPieces;
     const double scale = std::max({std::abs(p.x), std::abs(p.y), left.r, right.r, width, height, 1.0});
     for (const EdgeCurve& piece : pieces) {
@@ -423,7 +424,7 @@ TEST(Curve, ClippedWhereItEndsIsOnePiece) {
     curve.end = pointAt(curve.bisector, to);
     const bool isAbove = curve.start.y + curve.end.y > 0;
     const Box there = isAbove ? Box{-5, 0, 5, 5} : Box{-5, -5, 5, 0};
-    const auto pieces = clip(curve, there);
+    const auto pieces = clip(curve, test::regionOf(there));
     ASSERT_EQ(pieces.size(), 1U);
     EXPECT_EQ(pieces[0].from, from);
     EXPECT_EQ(pieces[0].to, to);

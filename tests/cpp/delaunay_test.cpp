@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "fixtures.h"
 #include "oracle.h"
 #include "random.h"
@@ -50,7 +50,7 @@ void expectSound(const Delaunay& triangulation, const Points& points) {
     ASSERT_EQ(dual.twin[dual.twin[h]], h);
     ASSERT_EQ(dual.origin[dual.twin[h]], dual.target(h));
   }
-  int last = kInfinity;
+  int last = kPointAtInfinity;
   for (int h = 0; h < dual.halfEdgeCount(); h += 3) {
     const int smallest = std::min({dual.origin[h], dual.origin[h + 1], dual.origin[h + 2]});
     ASSERT_GE(smallest, last);
@@ -80,7 +80,7 @@ void expectAsByCgal(const Points& points) {
   for (const auto& face : faces) {
     for (int i = 0; i < 3; ++i) {
       const auto [a, b] = std::minmax(face[i], face[(i + 1) % 3]);
-      if (a != kInfinity) expected.emplace(a, b);
+      if (a != kPointAtInfinity) expected.emplace(a, b);
     }
   }
   EXPECT_EQ(edges, expected);
@@ -158,7 +158,7 @@ TEST(Delaunay, DoesNotDependOnTheOrder) {
   Points shuffled;
   for (const int i : order) shuffled.push_back(points[i]);
   Delaunay triangulation = delaunay(shuffled);
-  for (int& corner : triangulation.dual.origin) corner = corner == kInfinity ? kInfinity : order[corner];
+  for (int& corner : triangulation.dual.origin) corner = corner == kPointAtInfinity ? kPointAtInfinity : order[corner];
   EXPECT_EQ(facesOf(triangulation.dual), facesOf(delaunay(points).dual));
 }
 

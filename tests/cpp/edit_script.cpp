@@ -158,7 +158,7 @@ std::string Mirror::apply(const Change& change) {
     if (!circles_.contains(id)) return "replaces a circle that is not there";
     circles_[id] = *circle++;
   }
-  const auto byCircle = [](const EditedHider& hider) { return hider.circle; };
+  const auto byCircle = [](const HiddenCircle& hider) { return hider.circle; };
   for (const CircleId id : change.hidden) {
     if (!circles_.contains(id) || hidden_.contains(id)) return "hides a circle that is hidden";
     if (std::ranges::count(change.hiders, id, byCircle) != 1) return "hides a circle by none, or by two";
@@ -188,7 +188,7 @@ std::string Mirror::apply(const Change& change) {
   const std::set<CircleId> cells(change.cells.begin(), change.cells.end());
   if (cells.size() != change.cells.size()) return "names a cell twice";
   for (std::size_t i = 0; i < change.addedEdges.size(); ++i) {
-    const EditedEdge& edge = change.edges[i];
+    const Edge& edge = change.edges[i];
     if (!edges_.try_emplace(change.addedEdges[i], edge).second) return "adds an edge that is there";
     if (!cells.contains(edge.left) || !cells.contains(edge.right)) return "leaves out a cell";
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "circle_voronoi/editor.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 
 namespace circle_voronoi::test {
 
@@ -31,7 +31,7 @@ class Mirror {
   std::map<CircleId, Circle> circles_;
   std::map<CircleId, CircleId> hidden_;  ///< and who hides them
   std::map<std::int32_t, Corner> vertices_;
-  std::map<std::int32_t, EditedEdge> edges_;
+  std::map<std::int32_t, Edge> edges_;
   std::map<std::int32_t, std::int32_t> hullSides_;  ///< and which side follows
 };
 

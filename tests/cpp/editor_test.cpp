@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "edit_script.h"
 #include "random.h"
 #include "report.h"
@@ -212,11 +212,13 @@ TEST(Editor, RefusesWithoutATrace) {
   DiagramEditor editor = editorOf(generate(Family::hidden, 40, 1));
   const auto before = editor.snapshot().value();
   const Change allBefore = editor.all().value();
-  const auto expectRefusal = [&](const std::vector<Edit>& edits, ErrorCode code, std::int64_t index) {
+  const auto expectRefusal = [&](const std::vector<Edit>& edits, ErrorCode code, std::int64_t edit,
+                                 CircleId circle = kNone) {
     const auto change = editor.apply(edits);
     ASSERT_FALSE(change.ok());
     EXPECT_EQ(change.error().code, code);
-    EXPECT_EQ(change.error().circle, index);
+    EXPECT_EQ(change.error().edit, edit);
+    EXPECT_EQ(change.error().circle, circle);
     EXPECT_EQ(editor.size(), 40U);
     EXPECT_EQ(test::differenceToTheBit(editor.snapshot().value(), before), "");
     const Change all = editor.all().value();
@@ -228,16 +230,16 @@ TEST(Editor, RefusesWithoutATrace) {
   const Edit away = {Edit::Kind::remove, 7, {}};
   const Edit moves = {Edit::Kind::replace, 8, {0.2, 0.3, 0.5}};
   expectRefusal({{Edit::Kind::insert, kNone, {kInfinite, 0, 0}}}, ErrorCode::nonFinite, 0);
-  expectRefusal({good, away, {Edit::Kind::replace, 3, {0, 0, -1}}}, ErrorCode::negativeRadius, 2);
+  expectRefusal({good, away, {Edit::Kind::replace, 3, {0, 0, -1}}}, ErrorCode::negativeRadius, 2, 3);
   expectRefusal({good, {Edit::Kind::insert, kNone, {0, 1e151, 0}}}, ErrorCode::coordinateTooLarge, 1);
-  expectRefusal({good, away, moves, away}, ErrorCode::unknownCircle, 3);
-  expectRefusal({good, {Edit::Kind::replace, 41, {}}}, ErrorCode::unknownCircle, 1);
+  expectRefusal({good, away, moves, away}, ErrorCode::unknownCircle, 3, 7);
+  expectRefusal({good, {Edit::Kind::replace, 41, {}}}, ErrorCode::unknownCircle, 1, 41);
   expectRefusal({{Edit::Kind::remove, -1, {}}}, ErrorCode::unknownCircle, 0);
   // The same where so much is edited that everything would be computed.
   std::vector<Edit> many(100, good);
   many.push_back(away);
   many.push_back(away);
-  expectRefusal(many, ErrorCode::unknownCircle, 101);
+  expectRefusal(many, ErrorCode::unknownCircle, 101, 7);
   // And the first new circle has the first new id.
   EXPECT_EQ(changeOf(editor.insert({0.5, 0.5, 0.1})).inserted, std::vector<CircleId>{40});
 }
@@ -248,8 +250,8 @@ TEST(Editor, ARefusedBatchLeavesTheListsOfHiddenCirclesAlone) {
   const std::vector<Circle> circles = {{0, 0, 9}, {40, 0, 1}, {0, 40, 1},  {-40, -40, 1},
                                        {1, 0, 1}, {-3, 0, 1}, {0, 4, 0.5}, {0, -4, 0.25}};
   const Edit unknown = {Edit::Kind::remove, 99, {}};
-  for (const CircleId refused : {4, 5, 6, 7}) {
-    for (const CircleId next : {4, 5, 6, 7}) {
+  for (const std::int32_t refused : {4, 5, 6, 7}) {
+    for (const std::int32_t next : {4, 5, 6, 7}) {
       SCOPED_TRACE(std::to_string(refused) + ", then " + std::to_string(next));
       DiagramEditor editor = editorOf(circles);
       EXPECT_FALSE(editor.apply(std::vector<Edit>{{Edit::Kind::remove, refused, {}}, unknown}).ok());
@@ -321,17 +323,17 @@ TEST(Editor, SaysWhatTheIndicesOfASnapshotStandFor) {
   EXPECT_EQ(snapshot.vertices, all.vertices);
   const auto idOf = [&](CircleIndex i) { return numbers.circles[static_cast<std::size_t>(i)]; };
   const auto numberOf = [&](VertexIndex v) {
-    return v == kNone ? kNone : numbers.vertices[static_cast<std::size_t>(v)];
+    return v == kNone ? VertexIndex() : numbers.vertices[static_cast<std::size_t>(v)];
   };
   ASSERT_EQ(numbers.edges, all.addedEdges);
   for (std::size_t e = 0; e < snapshot.edges.size(); ++e) {
     const auto& [left, right, start, end] = snapshot.edges[e];
-    EXPECT_EQ(all.edges[e], (EditedEdge{idOf(left), idOf(right), numberOf(start), numberOf(end)}));
+    EXPECT_EQ(all.edges[e], (Edge{idOf(left), idOf(right), numberOf(start), numberOf(end)}));
   }
   ASSERT_EQ(numbers.hiders.size(), all.hiders.size());
   EXPECT_FALSE(numbers.hiders.empty());
   for (std::size_t i = 0; i < numbers.hiders.size(); ++i) {
-    EXPECT_EQ(all.hiders[i], (EditedHider{idOf(snapshot.hidden[i].circle), numbers.hiders[i]}));
+    EXPECT_EQ(all.hiders[i], (HiddenCircle{idOf(snapshot.hidden[i].circle), numbers.hiders[i]}));
   }
 }
 
@@ -354,7 +356,7 @@ TEST(Editor, GrowsBeyondTheScaleAtTheStart) {
       expectRight(editor);
     }
   }
-  for (CircleId id = 47; id >= 30; --id) {
+  for (std::int32_t id = 47; id >= 30; --id) {
     ASSERT_EQ(mirror.apply(changeOf(editor.remove(id))), "");
     expectRight(editor);
   }
@@ -451,7 +453,7 @@ TEST(Editor, FindsTheNearestCircle) {
       const auto distance = [&](const Circle& c) { return std::hypot(c.x - p.x, c.y - p.y) - c.r; };
       double least = std::numeric_limits<double>::infinity();
       for (const Circle& c : circles) least = std::min(least, distance(c));
-      const CircleId hint = static_cast<CircleId>(random.below(400));
+      const auto hint = static_cast<std::int32_t>(random.below(400));
       for (const CircleId id : {editor.nearest(p), editor.nearest(p, hint)}) {
         EXPECT_LE(distance(*editor.circle(id)), least + 1e-9 * (std::abs(least) + 1)) << familyName(family);
         EXPECT_FALSE(editor.isHidden(id));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 
 namespace circle_voronoi::test {
 

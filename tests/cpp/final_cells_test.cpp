@@ -21,7 +21,7 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "random.h"
 #include "report.h"
 #include "tie_inputs.h"

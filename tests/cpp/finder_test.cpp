@@ -7,7 +7,7 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "far_apart.h"
 #include "random.h"
 
@@ -43,9 +43,10 @@ TEST(Finder, FindsANearestCircle) {
         double least = distance(Metric::circles, circles[0], p);
         for (const Circle& c : circles) least = std::min(least, distance(Metric::circles, c, p));
         const double rounding = 1e-14 * (std::abs(p.x) + std::abs(p.y) + std::abs(least));
-        ASSERT_LE(distance(diagram, found[k], p), least + rounding) << "point " << k;
+        ASSERT_LE(distanceFrom(diagram, found[k], p), least + rounding) << "point " << k;
         const auto hint = static_cast<std::int32_t>(random.below(circles.size()));
-        ASSERT_LE(distance(diagram, finder.find(p, hint), p), least + rounding) << "point " << k << " from " << hint;
+        ASSERT_LE(distanceFrom(diagram, finder.find(p, hint), p), least + rounding)
+            << "point " << k << " from " << hint;
       }
     }
   }

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <vector>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "dual_edits.h"
 #include "hide.h"
 #include "report.h"
@@ -101,6 +101,36 @@ TEST(Flip, EndsWhereItWouldGoRoundInCircles) {
     EXPECT_GT(flips.wrong.size(), 0U);
     EXPECT_LT(flips.wrong.size(), 5U);
   }
+}
+
+class NoWatcher final : public FaceWatcher {
+ public:
+  void willChange(int) override {}
+};
+
+// Duals so wrong that flips come to their limit: the edge they stop at is as wrong as those that still wait.
+TEST(Flip, TellsOfEveryWrongFaceWhereItStopsAtItsLimit) {
+  const std::uint64_t seed = test::seedOr(1);
+  int stopped = 0;
+  for (std::uint64_t trial = 0; trial < 300; ++trial) {
+    SCOPED_TRACE(trial);
+    Random random(seed * 1'000'003 + trial);
+    const auto circles = visibleCircles(Family::logUniform, 40 + random.below(40), random.next());
+    Dual dual = *solve(circles);
+    test::flipRandomEdges(dual, 300, random);
+    Predicates predicates(circles);
+    FaceDiscs discs(circles, dual, predicates);
+    std::vector<int> edges;
+    for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+      if (h < dual.twin[h] && discs.flawOf(h) != Flaw::none) edges.push_back(h);
+    }
+    NoWatcher watcher;
+    const Flips flips = flipFrom(dual, discs, edges, watcher);
+    stopped += flips.count == 100 + 4 * static_cast<std::int64_t>(edges.size());
+    EXPECT_EQ(flips.wrong, wrongFaces(discs));
+  }
+  EXPECT_GT(stopped, 10);
+  std::cout << stopped << " stopped at the limit\n";
 }
 
 }  // namespace

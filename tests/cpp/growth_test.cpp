@@ -32,7 +32,7 @@ constexpr Limits kDegenerate = {300, 80};
 struct Work {
   double steps = 0;
   double exact = 0;
-  std::string way;
+  Way way = Way::flip;
 };
 
 Work workOn(const std::vector<Circle>& circles) {
@@ -42,7 +42,7 @@ Work workOn(const std::vector<Circle>& circles) {
   const std::int64_t signs = counts.filtered + counts.refined + counts.inCircle + counts.exact;
   const std::int64_t discs = counts.samples + counts.antipodalDiscs + counts.threeTouchDiscs + counts.events;
   return {static_cast<double>(signs + discs + counts.flips), static_cast<double>(counts.exact),
-          diagram.value().stats.way};
+          diagram.value().stats.way.value()};
 }
 
 TEST(Growth, OfEveryFamilyIsThatOfNLogN) {
@@ -60,11 +60,11 @@ TEST(Growth, OfEveryFamilyIsThatOfNLogN) {
       const double steps = many.steps / kMany;
       const double exact = many.exact / kMany;
       std::cout << std::setw(40) << std::left << name << std::right << std::setw(8) << steps << std::setw(8) << exact
-                << std::setw(8) << growth << "  " << many.way << '\n';
+                << std::setw(8) << growth << "  " << wayName(many.way) << '\n';
       const Limits& limits = family.isDegenerate ? kDegenerate : kGeneral;
       // What the Apollonius graph does is not counted.
-      EXPECT_NE(few.way, "apollonius-graph");
-      EXPECT_NE(many.way, "apollonius-graph");
+      EXPECT_NE(few.way, Way::apolloniusGraph);
+      EXPECT_NE(many.way, Way::apolloniusGraph);
       // Nor what the search for hidden circles does, which insertion takes over from.
       if (few.way == many.way) {
         EXPECT_LE(growth, kMostGrowth);

@@ -7,8 +7,9 @@
 #include <algorithm>
 
 #include "brute_force.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "judge.h"
 #include "report.h"
 #include "tie_inputs.h"
@@ -91,9 +92,9 @@ TEST(Hide, InsertionLeavesTheDiagramOfTheVisibleCircles) {
     const auto circles = validate(generate(family.family, 500, seed)).value().circles;
     const VisibleCircles visible = hide(order(circles), -1000);
     if (visible.centres) continue;  // the triangulation has shown that none is hidden
-    ASSERT_TRUE(visible.diagram) << family.name;
+    ASSERT_TRUE(visible.dual) << family.name;
     Predicates predicates(visible.circles);
-    EXPECT_TRUE(judge(visible.circles, *visible.diagram, predicates).isRight()) << family.name;
+    EXPECT_TRUE(judge(visible.circles, *visible.dual, predicates).isRight()) << family.name;
   }
 }
 

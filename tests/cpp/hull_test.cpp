@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "fixtures.h"
 #include "vectors.h"
 

@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "face_discs.h"
 #include "flip.h"
 #include "hide.h"
@@ -116,7 +116,7 @@ TEST(Insert, IsTheWayWhereCirclesAllButHideOneAnother) {
   const auto diagram = compute(tangentInside(2000));
   ASSERT_TRUE(diagram);
   EXPECT_TRUE(diagram.value().certificate.certified());
-  EXPECT_EQ(diagram.value().stats.way, "insert");
+  EXPECT_EQ(diagram.value().stats.way, Way::insert);
 }
 
 }  // namespace

@@ -6,17 +6,18 @@
 #include <sstream>
 #include <string>
 
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi_families/families.h"
 
 namespace circle_voronoi {
 namespace {
 
 std::string written(const Diagram& diagram) {
   std::ostringstream text;
-  writeJson(text, diagram);
+  EXPECT_TRUE(writeJson(text, diagram));
   return text.str();
 }
 
@@ -43,9 +44,9 @@ TEST(ReadDiagram, ReadsBackWhatWasWrittenToTheBit) {
     EXPECT_EQ(read.edges, diagram.edges);
     EXPECT_EQ(read.hidden, diagram.hidden);
     EXPECT_EQ(read.hull, diagram.hull);
-    EXPECT_EQ(read.nextSide, diagram.nextSide);
-    EXPECT_EQ(read.vertexSides, diagram.vertexSides);
-    EXPECT_EQ(read.firstSide, diagram.firstSide);
+    EXPECT_EQ(read.links.nextSide, diagram.links.nextSide);
+    EXPECT_EQ(read.links.vertexSides, diagram.links.vertexSides);
+    EXPECT_EQ(read.links.firstSide, diagram.links.firstSide);
     EXPECT_TRUE(certify(read).value().certified());
   }
 }
@@ -57,7 +58,7 @@ TEST(ReadDiagram, ReadsTheMetric) {
     const auto read = readDiagram(written(diagram), "file");
     ASSERT_TRUE(read.ok()) << read.error().message;
     EXPECT_EQ(read.value().metric, metric);
-    EXPECT_EQ(read.value().nextSide, diagram.nextSide);
+    EXPECT_EQ(read.value().links.nextSide, diagram.links.nextSide);
   }
 }
 

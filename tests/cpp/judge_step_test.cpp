@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
 #include <vector>
 
 #include "build_state.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "judge.h"
 #include "random.h"
 #include "report.h"
 #include "shrink_cell.h"
+#include "trace_replay.h"
 
 namespace circle_voronoi {
 namespace {
@@ -19,9 +19,7 @@ namespace {
 using Verdict = StepJudge::Verdict;
 
 std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
-  std::vector<std::int32_t> ids(circles.size());
-  std::iota(ids.begin(), ids.end(), 0);
-  return std::move(buildState(circles, ids)).value();
+  return buildState(circles, test::firstIds(circles.size()), false).value();
 }
 
 /// Flips an edge, right or wrong; whether that left no loop.

@@ -41,15 +41,17 @@ Verdict judged(const std::vector<Circle>& circles, const Dual& dual) {
 /// Circles in a row: the faces are all at infinity, the hull goes a, b, c, b.
 Dual rowInOrder(const std::array<int, 3>& circles) {
   const auto [a, b, c] = circles;
-  return {{b, a, kInfinity, c, b, kInfinity, b, c, kInfinity, a, b, kInfinity}, {9, 11, 4, 6, 2, 7, 3, 5, 10, 0, 8, 1}};
+  return {{b, a, kPointAtInfinity, c, b, kPointAtInfinity, b, c, kPointAtInfinity, a, b, kPointAtInfinity},
+          {9, 11, 4, 6, 2, 7, 3, 5, 10, 0, 8, 1}};
 }
 
 const std::vector<Circle> kTriangle = {{0, 0, 1}, {10, 0, 2}, {4, 8, 1}};
-const Dual kTriangleDual = dualOfFaces({{0, 1, 2}, {1, 0, kInfinity}, {2, 1, kInfinity}, {0, 2, kInfinity}});
+const Dual kTriangleDual =
+    dualOfFaces({{0, 1, 2}, {1, 0, kPointAtInfinity}, {2, 1, kPointAtInfinity}, {0, 2, kPointAtInfinity}});
 
 const std::vector<Circle> kSquare = {{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}};
 const std::vector<Triple> kOutsideOfSquare = {
-    {1, 0, kInfinity}, {2, 1, kInfinity}, {3, 2, kInfinity}, {0, 3, kInfinity}};
+    {1, 0, kPointAtInfinity}, {2, 1, kPointAtInfinity}, {3, 2, kPointAtInfinity}, {0, 3, kPointAtInfinity}};
 
 Dual squareWith(const Triple& first, const Triple& second) {
   std::vector<Triple> faces = kOutsideOfSquare;
@@ -65,7 +67,8 @@ TEST(Judge, AcceptsFewerThanTwoCirclesWithoutFaces) {
 }
 
 TEST(Judge, AcceptsTwoCirclesAndATriangle) {
-  EXPECT_TRUE(judged({{0, 0, 1}, {5, 0, 2}}, dualOfFaces({{0, 1, kInfinity}, {1, 0, kInfinity}})).isRight());
+  EXPECT_TRUE(
+      judged({{0, 0, 1}, {5, 0, 2}}, dualOfFaces({{0, 1, kPointAtInfinity}, {1, 0, kPointAtInfinity}})).isRight());
   EXPECT_TRUE(judged(kTriangle, kTriangleDual).isRight());
 }
 
@@ -101,7 +104,8 @@ TEST(Judge, RefusesAnEdgeFromACircleToItself) {
 }
 
 TEST(Judge, RefusesAFaceTheOtherWayRound) {
-  const Dual mirrored = dualOfFaces({{1, 0, 2}, {0, 1, kInfinity}, {1, 2, kInfinity}, {2, 0, kInfinity}});
+  const Dual mirrored =
+      dualOfFaces({{1, 0, 2}, {0, 1, kPointAtInfinity}, {1, 2, kPointAtInfinity}, {2, 0, kPointAtInfinity}});
   const Verdict verdict = judged(kTriangle, mirrored);
   EXPECT_EQ(verdict.flaw, Flaw::vertexWithoutDisc);
   EXPECT_EQ(verdict.face, 0);
@@ -151,7 +155,7 @@ TEST(Judge, RefusesAHullThatLeavesACircleOut) {
 // Three circles and infinity make a sphere of 4 faces, nine others a torus of 18: together as many as a sphere of
 // twelve circles and infinity. The torus would have to lie in the plane without an end.
 TEST(Judge, RefusesASphereAndATorus) {
-  std::vector<Triple> faces = {{0, 1, 2}, {1, 0, kInfinity}, {2, 1, kInfinity}, {0, 2, kInfinity}};
+  std::vector<Triple> faces = {{0, 1, 2}, {1, 0, kPointAtInfinity}, {2, 1, kPointAtInfinity}, {0, 2, kPointAtInfinity}};
   const auto at = [](int x, int y) { return 3 + x % 3 + 3 * (y % 3); };
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 3; ++x) {

@@ -13,8 +13,9 @@
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "random.h"
+#include "regions.h"
 #include "report.h"
 #include "tie_inputs.h"
 
@@ -132,7 +133,7 @@ double extentOf(const Circles& circles) {
 std::int32_t nearestOf(const Diagram& diagram, Point p) {
   std::int32_t nearest = 0;
   for (std::int32_t i = 1; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
-    if (distance(diagram, i, p) < distance(diagram, nearest, p)) nearest = i;
+    if (distanceFrom(diagram, i, p) < distanceFrom(diagram, nearest, p)) nearest = i;
   }
   return nearest;
 }
@@ -188,7 +189,7 @@ void expectSound(const Diagram& diagram, std::int32_t circle, const Outline& out
         ASSERT_EQ(piece.neighbor, kNone);
       }
       for (const Point& p : {piece.curve.start, piece.curve.end}) {
-        ASSERT_LE(distance(diagram, circle, p), maxDistance + rounding) << "cell " << circle << " piece " << k;
+        ASSERT_LE(distanceFrom(diagram, circle, p), maxDistance + rounding) << "cell " << circle << " piece " << k;
       }
     }
   }
@@ -197,17 +198,17 @@ void expectSound(const Diagram& diagram, std::int32_t circle, const Outline& out
 TEST(MaxDistance, OfOneCircleIsADisc) {
   const Circles circles = {{3, 4, 2}};
   const Diagram diagram = diagramOf(circles);
-  const Outline disc = outline(diagram, 0, 1);
+  const Outline disc = bufferOutline(diagram, 0, 1);
   ASSERT_EQ(disc.size(), 1U);
   EXPECT_NEAR(area(disc), 9 * kPi, 1e-14 * 9 * kPi);
   EXPECT_NEAR(perimeter(disc), 6 * kPi, 1e-14 * 6 * kPi);
   EXPECT_NEAR(centroid(disc).x, 3, 1e-15);
   EXPECT_NEAR(centroid(disc).y, 4, 1e-15);
-  EXPECT_NEAR(area(outline(diagram, 0, -1)), kPi, 1e-14);
-  EXPECT_TRUE(outline(diagram, 0, -2).empty());
-  EXPECT_TRUE(outline(diagram, 0, -3).empty());
+  EXPECT_NEAR(area(bufferOutline(diagram, 0, -1)), kPi, 1e-14);
+  EXPECT_TRUE(bufferOutline(diagram, 0, -2).empty());
+  EXPECT_TRUE(bufferOutline(diagram, 0, -3).empty());
   // A quarter, all, and nothing of it in a box; and a box inside it.
-  const auto inBox = [&](const Box& box) { return outline(diagram, 0, box, 1); };
+  const auto inBox = [&](const Box& box) { return clippedBufferOutline(diagram, 0, test::regionOf(box), 1); };
   EXPECT_NEAR(area(inBox({3, 4, 9, 9})), 9 * kPi / 4, 1e-13);
   EXPECT_NEAR(perimeter(inBox({3, 4, 9, 9})), 6 + 6 * kPi / 4, 1e-13);
   EXPECT_EQ(area(inBox({-9, -9, 9, 9})), area(disc));
@@ -230,13 +231,13 @@ TEST(MaxDistance, ARegionWithItsCornersOnTheCircleIsWhole) {
   for (const auto& [x, y, reach] : {std::array{3.0, 4.0, 5.0}, std::array{5.0, 12.0, 13.0}, std::array{8.0, 15.0, 17.0},
                                     std::array{7.0, 24.0, 25.0}, std::array{20.0, 21.0, 29.0},
                                     std::array{33.0, 56.0, 65.0}, std::array{16.0, 63.0, 65.0}}) {
-    const Outline box = outline(diagram, 0, Box{-x, -y, x, y}, reach);
+    const Outline box = clippedBufferOutline(diagram, 0, test::regionOf(Box{-x, -y, x, y}), reach);
     ASSERT_EQ(box.size(), 1U);
     EXPECT_EQ(box[0].size(), 4U) << reach;
     EXPECT_EQ(area(box), 4 * x * y);
     EXPECT_EQ(perimeter(box), 4 * (x + y));
     const ConvexPolygon triangle = ConvexPolygon::from(std::vector<Point>{{0, 0}, {x, y}, {-y, x}}).value();
-    const Outline half = outline(diagram, 0, triangle, reach);
+    const Outline half = clippedBufferOutline(diagram, 0, triangle, reach);
     ASSERT_EQ(half.size(), 1U);
     EXPECT_EQ(half[0].size(), 3U) << reach;
     EXPECT_NEAR(area(half), reach * reach / 2, 1e-12);
@@ -248,11 +249,11 @@ TEST(MaxDistance, OfTwoEqualCirclesIsTwoDiscsCutAlongALine) {
   const Diagram diagram = diagramOf(circles);
   const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);
   for (const std::int32_t i : {0, 1}) {
-    const Outline apart = outline(diagram, i, 0.5);
+    const Outline apart = bufferOutline(diagram, i, 0.5);
     EXPECT_NEAR(area(apart), 2.25 * kPi, 1e-14 * 8);
     // They touch, in a point of both.
-    EXPECT_NEAR(area(outline(diagram, i, 1)), 4 * kPi, 1e-13);
-    const Outline cut = outline(diagram, i, 2);
+    EXPECT_NEAR(area(bufferOutline(diagram, i, 1)), 4 * kPi, 1e-13);
+    const Outline cut = bufferOutline(diagram, i, 2);
     EXPECT_NEAR(area(cut), 9 * kPi - segment, 1e-13);
     EXPECT_NEAR(perimeter(cut), 6 * kPi - 6 * std::acos(2 / 3.0) + 2 * std::sqrt(5), 1e-13);
     EXPECT_EQ(std::ranges::count(cut.at(0), 1 - i, &OutlinePiece::neighbor), 1);
@@ -268,8 +269,8 @@ TEST(MaxDistance, OfNestedTangentAndHugeCirclesAddsUpToTheUnion) {
     double sum = 0;
     const Box box = {-50, -50, 50, 40};
     for (std::int32_t i = 0; i < 10; ++i) {
-      expectSound(diagram, i, outline(diagram, i, d), d, 1e-8);
-      sum += area(outline(diagram, i, box, d));
+      expectSound(diagram, i, bufferOutline(diagram, i, d), d, 1e-8);
+      sum += area(clippedBufferOutline(diagram, i, test::regionOf(box), d));
     }
     EXPECT_NEAR(sum, unionAreaIn(grownBy(circles, d), box), 1e-3) << d;
   }
@@ -292,7 +293,7 @@ TEST(MaxDistance, AreasAddUpToThatOfTheUnionOfTheGrownCircles) {
                                                                      : 1e-8;
       double sum = 0;
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-        const Outline cut = outline(diagram, i, d);
+        const Outline cut = bufferOutline(diagram, i, d);
         ASSERT_LE(cut.size(), 1U);
         expectSound(diagram, i, cut, d, 1e-7 * (extent + d));
         EXPECT_GE(area(cut), -rounding * (extent + d) * (extent + d));
@@ -318,7 +319,7 @@ TEST(MaxDistance, InABoxAreasAddUpToThatOfTheUnionThere) {
     const double d = size * random.logUniform(-2, 0.5);
     double sum = 0;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-      const Outline cut = outline(diagram, i, box, d);
+      const Outline cut = clippedBufferOutline(diagram, i, test::regionOf(box), d);
       expectSound(diagram, i, cut, d, 1e-7 * extent);
       sum += area(cut);
     }
@@ -342,8 +343,8 @@ TEST(MaxDistance, APointIsInTheOutlineOfItsNearestCircleAlone) {
     std::vector<Outline> free;
     std::vector<Outline> boxed;
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-      free.push_back(outline(diagram, i, d));
-      boxed.push_back(outline(diagram, i, box, d));
+      free.push_back(bufferOutline(diagram, i, d));
+      boxed.push_back(clippedBufferOutline(diagram, i, test::regionOf(box), d));
     }
     for (int k = 0; k < 60; ++k) {
       // Half of them about the boundary of a grown circle.
@@ -353,15 +354,15 @@ TEST(MaxDistance, APointIsInTheOutlineOfItsNearestCircleAlone) {
       const Point p = {c.x + reach * std::cos(angle), c.y + reach * std::sin(angle)};
       const std::int32_t nearest = nearestOf(diagram, p);
       const double margin = 1e-4 * (extent + c.r + d);
-      if (std::abs(distance(diagram, nearest, p) - d) < margin) continue;
+      if (std::abs(distanceFrom(diagram, nearest, p) - d) < margin) continue;
       bool isOnBorder = false;
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-        isOnBorder =
-            isOnBorder || (i != nearest && distance(diagram, i, p) < distance(diagram, nearest, p) + 2 * margin);
+        isOnBorder = isOnBorder ||
+                     (i != nearest && distanceFrom(diagram, i, p) < distanceFrom(diagram, nearest, p) + 2 * margin);
       }
       if (isOnBorder) continue;
-      const bool isNear = distance(diagram, nearest, p) < d;
-      const ConvexPolygon region = box;
+      const bool isNear = distanceFrom(diagram, nearest, p) < d;
+      const ConvexPolygon region = test::regionOf(box);
       for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
         const auto at = static_cast<std::size_t>(i);
         EXPECT_EQ(windings(free[at], p, margin / 10), i == nearest && isNear ? 1 : 0) << i;
@@ -391,8 +392,8 @@ TEST(MaxDistance, OfTiesAddsUpToTheUnion) {
         if (!(std::abs(d) < 1e6)) continue;
         double sum = 0;
         for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-          expectSound(diagram, i, outline(diagram, i, d), d, 1e-7 * (extent + std::abs(d)));
-          sum += area(outline(diagram, i, d));
+          expectSound(diagram, i, bufferOutline(diagram, i, d), d, 1e-7 * (extent + std::abs(d)));
+          sum += area(bufferOutline(diagram, i, d));
         }
         const double size = extent + std::abs(d);
         EXPECT_NEAR(sum, unionArea(circles, d), 1e-7 * size * size) << d;
@@ -407,10 +408,10 @@ TEST(MaxDistance, BothSidesOfAnEdgeAreCutInTheSamePoints) {
   const Diagram diagram = diagramOf(circles);
   std::size_t cut = 0;
   for (std::int32_t i = 0; i < 200; ++i) {
-    for (const Loop& loop : outline(diagram, i, 0.3)) {
+    for (const Loop& loop : bufferOutline(diagram, i, 0.3)) {
       for (const OutlinePiece& piece : loop) {
         if (piece.side == kNone) continue;
-        const Outline across = outline(diagram, piece.neighbor, 0.3);
+        const Outline across = bufferOutline(diagram, piece.neighbor, 0.3);
         const auto back = std::ranges::find(across.at(0), piece.side ^ 1, &OutlinePiece::side);
         ASSERT_NE(back, across.at(0).end());
         EXPECT_EQ(back->curve.start, piece.curve.end);
@@ -431,8 +432,8 @@ TEST(MaxDistance, IsTheSameAtEveryScaleAndOfWeights) {
     for (Circle& c : scaled) c = {c.x * scale, c.y * scale, c.r * scale};
     const Diagram other = diagramOf(scaled);
     for (std::int32_t i = 0; i < 30; ++i) {
-      const Outline expected = outline(diagram, i, 0.25);
-      const Outline actual = outline(other, i, 0.25 * scale);
+      const Outline expected = bufferOutline(diagram, i, 0.25);
+      const Outline actual = bufferOutline(other, i, 0.25 * scale);
       ASSERT_EQ(actual.size(), expected.size());
       EXPECT_NEAR(perimeter(actual) / scale, perimeter(expected), 1e-12 * perimeter(expected));
       EXPECT_NEAR(centroid(actual).x / scale, centroid(expected).x, 1e-9);
@@ -443,8 +444,8 @@ TEST(MaxDistance, IsTheSameAtEveryScaleAndOfWeights) {
   const Circles weights = grownBy(circles, -8);
   const Diagram weighted = compute(weights, options).value();
   for (std::int32_t i = 0; i < 30; ++i) {
-    const double expected = area(outline(diagram, i, 0.25));
-    EXPECT_NEAR(area(outline(weighted, i, 8.25)), expected, 1e-9 * (1 + expected));
+    const double expected = area(bufferOutline(diagram, i, 0.25));
+    EXPECT_NEAR(area(bufferOutline(weighted, i, 8.25)), expected, 1e-9 * (1 + expected));
   }
 }
 
@@ -453,8 +454,8 @@ TEST(MaxDistance, OfTheCentresIsCutAroundThese) {
   const Circles circles = {{0, 0, 1}, {4, 0, 0.5}};
   const Diagram diagram = computeComparison(circles, Metric::centers).value();
   const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);
-  EXPECT_NEAR(area(outline(diagram, 0, 3)), 9 * kPi - segment, 1e-13);
-  EXPECT_NEAR(area(outline(diagram, 1, 3)), 9 * kPi - segment, 1e-13);
+  EXPECT_NEAR(area(bufferOutline(diagram, 0, 3)), 9 * kPi - segment, 1e-13);
+  EXPECT_NEAR(area(bufferOutline(diagram, 1, 3)), 9 * kPi - segment, 1e-13);
 }
 
 /// The rings of polygons in well-known text, a list for each line.
@@ -490,11 +491,11 @@ TEST(MaxDistance, FilesHaveTheCutCells) {
   options.maxDistance = d;
   options.tolerance = tolerance;
   std::ostringstream wkt;
-  writeWkt(wkt, diagram, options);
+  EXPECT_TRUE(writeWkt(wkt, diagram, options));
   const auto cells = ringsOf(wkt.str());
   ASSERT_EQ(cells.size(), circles.size());
   for (std::int32_t i = 0; i < 60; ++i) {
-    const Outline exact = outline(diagram, i, d);
+    const Outline exact = bufferOutline(diagram, i, d);
     const auto& rings = cells[static_cast<std::size_t>(i)];
     ASSERT_EQ(rings.size(), exact.size()) << i;
     if (rings.empty()) continue;
@@ -504,16 +505,16 @@ TEST(MaxDistance, FilesHaveTheCutCells) {
   }
 
   std::ostringstream geojson;
-  writeGeoJson(geojson, diagram, options);
+  EXPECT_TRUE(writeGeoJson(geojson, diagram, options));
   for (std::int32_t i = 0; i < 60; ++i) {
     const std::string key = "\"circle\":" + std::to_string(i) + ",";
     const std::string text = geojson.str().substr(geojson.str().find(key));
-    const double exact = area(outline(diagram, i, exportBox(circles, d), d));
+    const double exact = area(clippedBufferOutline(diagram, i, test::regionOf(exportBox(circles, d)), d));
     EXPECT_NEAR(std::stod(text.substr(text.find("\"area\":") + 7)), exact, 1e-12);
   }
 
   std::ostringstream obj;
-  writeObj(obj, diagram, options);
+  EXPECT_TRUE(writeObj(obj, diagram, options));
   std::istringstream lines(obj.str());
   std::size_t points = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -521,13 +522,13 @@ TEST(MaxDistance, FilesHaveTheCutCells) {
     std::istringstream numbers(line.substr(2));
     Point p;
     numbers >> p.x >> p.y;
-    EXPECT_LE(distance(diagram, nearestOf(diagram, p), p), d + tolerance);
+    EXPECT_LE(distanceFrom(diagram, nearestOf(diagram, p), p), d + tolerance);
     ++points;
   }
   EXPECT_GT(points, 100U);
 
   std::ostringstream svg;
-  writeSvg(svg, diagram, options);
+  EXPECT_TRUE(writeSvg(svg, diagram, options));
   const std::string drawing = svg.str();
   const auto count = [&](const std::string& what) {
     std::size_t found = 0;
@@ -548,7 +549,7 @@ TEST(MaxDistance, FilesEndWhereCirclesAreHardlySeenFromTheOrigin) {
     for (const double tolerance : {1e-9, 1e-5, 1.0}) {
       options.tolerance = tolerance * radius;
       std::ostringstream out;
-      writeWkt(out, diagram, options);
+      EXPECT_TRUE(writeWkt(out, diagram, options));
       // What rounding of its points can make is no area.
       EXPECT_TRUE(out.str().starts_with(radius > 1000 ? "POLYGON ((" : "POLYGON EMPTY")) << radius;
       EXPECT_LT(out.str().size(), 20'000'000U) << radius;

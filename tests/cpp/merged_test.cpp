@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "near_vertices.h"
 
 namespace circle_voronoi {

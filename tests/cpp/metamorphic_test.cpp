@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "compare.h"
 #include "delaunay.h"
 #include "random.h"
@@ -187,7 +187,7 @@ Diagram delaunayDiagram(const Circles& circles) {
   }
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
     const int t = dual.twin[h];
-    if (h > t || dual.origin[h] == kInfinity || dual.origin[t] == kInfinity) continue;
+    if (h > t || dual.origin[h] == kPointAtInfinity || dual.origin[t] == kPointAtInfinity) continue;
     diagram.edges.push_back({dual.origin[h], dual.origin[t], vertexOf[t / 3], vertexOf[h / 3]});
   }
   for (std::size_t i = 0; i < circles.size(); ++i) {

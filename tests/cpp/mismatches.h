@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 
 namespace circle_voronoi::test {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brute_force.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "compare.h"
 
 namespace circle_voronoi {

@@ -7,6 +7,7 @@
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
+#include "regions.h"
 
 namespace circle_voronoi {
 namespace {
@@ -29,7 +30,7 @@ std::vector<std::int32_t> neighborsOf(const std::vector<OutlinePiece>& loop) {
 }
 
 TEST(Outline, OfTwoEqualCirclesHalvesTheBox) {
-  const auto outlines = outlinesOf({{0, 0, 1}, {4, 0, 1}}, Box{-1, -3, 5, 3});
+  const auto outlines = outlinesOf({{0, 0, 1}, {4, 0, 1}}, test::regionOf(Box{-1, -3, 5, 3}));
   for (const std::size_t i : {0U, 1U}) {
     ASSERT_EQ(outlines[i].size(), 1U);
     EXPECT_EQ(area(outlines[i]), 18);
@@ -43,7 +44,7 @@ TEST(Outline, OfTwoEqualCirclesHalvesTheBox) {
 }
 
 TEST(Outline, OfFourCirclesQuartersTheBox) {
-  const auto outlines = outlinesOf({{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}}, Box{-2, -2, 6, 6});
+  const auto outlines = outlinesOf({{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}}, test::regionOf(Box{-2, -2, 6, 6}));
   for (const Outline& one : outlines) {
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(area(one), 16);
@@ -66,16 +67,16 @@ TEST(Outline, OfARegionInsideACellIsTheRegion) {
 // The middle of three equal circles in a row has a strip; a box to the side of it sees nothing of it.
 TEST(Outline, OfAStripHasNoMoreThanTheStrip) {
   const std::vector<Circle> row = {{0, 0, 1}, {4, 0, 1}, {8, 0, 1}};
-  const auto across = outlinesOf(row, Box{-10, -1, 20, 1});
+  const auto across = outlinesOf(row, test::regionOf(Box{-10, -1, 20, 1}));
   EXPECT_EQ(area(across[1]), 8);
   EXPECT_EQ(neighborsOf(across[1][0]), (std::vector<std::int32_t>{kNone, kNone, 0, 2}));
-  EXPECT_TRUE(outlinesOf(row, Box{-10, -1, 1, 1})[1].empty());
+  EXPECT_TRUE(outlinesOf(row, test::regionOf(Box{-10, -1, 1, 1}))[1].empty());
 }
 
 TEST(Outline, OfACellThatEndsAtACurveHasItsArea) {
   // The points nearer to a point than to a line: its cell beside a circle so large that it is a line.
   const double huge = 1e6;
-  const auto outlines = outlinesOf({{0, 1, 0}, {0, -1 - huge, huge}}, Box{-2, -4, 2, 4});
+  const auto outlines = outlinesOf({{0, 1, 0}, {0, -1 - huge, huge}}, test::regionOf(Box{-2, -4, 2, 4}));
   // y > x^2 / 4 in the box: 16 - 2 * 8 / 12
   EXPECT_NEAR(area(outlines[0]), 16 - 4.0 / 3, 1e-5);
   EXPECT_NEAR(area(outlines[0]) + area(outlines[1]), 32, 1e-12);
@@ -83,7 +84,7 @@ TEST(Outline, OfACellThatEndsAtACurveHasItsArea) {
 
 // The third point's cell has its corner (2, 1.5) on the box's left side, along which it goes on.
 TEST(Outline, OfACellWithItsCornerOnTheBorderHasNoPieceOfLengthZeroThere) {
-  const auto outlines = outlinesOf({{4, -1, 0}, {0, 4, 0}, {4, 4, 0}}, Box{2, 0, 8, 2});
+  const auto outlines = outlinesOf({{4, -1, 0}, {0, 4, 0}, {4, 4, 0}}, test::regionOf(Box{2, 0, 8, 2}));
   ASSERT_EQ(outlines[2].size(), 1U);
   EXPECT_EQ(outlines[2][0].size(), 4U);
   for (const OutlinePiece& piece : outlines[2][0]) EXPECT_TRUE(piece.curve.start != piece.curve.end);
@@ -95,12 +96,12 @@ TEST(Outline, OfPointsThatAreFarNearerThanTheBoxIsLargeHalvesTheBox) {
   const std::vector<Circle> circles = {{4e-231, 0, 0}, {0, 0, 0}};
   const Diagram diagram = compute(circles).value();
   for (const std::int32_t i : {0, 1}) {
-    EXPECT_NEAR(area(outline(diagram, i, Box{-size, -size, size, size})) / size / size, 2, 1e-12);
+    EXPECT_NEAR(area(outline(diagram, i, test::regionOf(Box{-size, -size, size, size}))) / size / size, 2, 1e-12);
   }
 }
 
 TEST(Outline, OfAHiddenCircleIsEmpty) {
-  const auto outlines = outlinesOf({{0, 0, 5}, {1, 0, 1}}, Box{-2, -2, 2, 2});
+  const auto outlines = outlinesOf({{0, 0, 5}, {1, 0, 1}}, test::regionOf(Box{-2, -2, 2, 2}));
   EXPECT_TRUE(outlines[1].empty());
   EXPECT_EQ(area(outlines[1]), 0);
   EXPECT_EQ(perimeter(outlines[1]), 0);

@@ -49,7 +49,7 @@ class Comparison {
     FaceDisc disc;
   };
 
-  const Circle* at(int i) const { return i == kInfinity ? nullptr : &circles_[i]; }
+  const Circle* at(int i) const { return i == kPointAtInfinity ? nullptr : &circles_[i]; }
 
   void compareContains() {
     for (const Circle& outer : circles_) {
@@ -73,7 +73,7 @@ class Comparison {
   void findFaces() {
     for (int a = 0; a < count_; ++a) {
       for (int b = 0; b < count_; ++b) {
-        for (int c = kInfinity; c < count_; ++c) {
+        for (int c = kPointAtInfinity; c < count_; ++c) {
           if (a == b || b == c || c == a) continue;
           const Triple triple = {a, b, c};
           const exact::Face circles = {at(a), at(b), at(c)};
@@ -113,7 +113,7 @@ class Comparison {
       const auto [a, b, c] = abc;
       for (int d = 0; d < count_; ++d) {
         const auto bad = faces_.find({b, a, d});
-        if (d == c || c == kInfinity || bad == faces_.end()) continue;
+        if (d == c || c == kPointAtInfinity || bad == faces_.end()) continue;
         // Seen from the larger circle; of equal ones from either.
         const int order = circles_[a].r >= circles_[b].r
                               ? exact::crossSign(bad->second.circles, f.circles, circles_[a])
@@ -245,7 +245,7 @@ TEST(Predicates, KnowTheNormalOfATangentHoweverShortItIs) {
     const auto circles = validate(barelyOut(2, random)).value().circles;
     if (exact::contains(circles[0], circles[1])) continue;
     Predicates predicates(circles);
-    const FaceDisc line = predicates.disc({0, 1, kInfinity});
+    const FaceDisc line = predicates.disc({0, 1, kPointAtInfinity});
     EXPECT_LE(line.error, 1e-6 * (std::abs(line.v.x) + std::abs(line.v.y))) << test::describe(circles);
   }
 }

@@ -32,8 +32,8 @@ TEST(ProgressText, SaysNothingBeforeItsDelay) {
   ProgressText text(ProgressText::kDelay);
   EXPECT_EQ(text.show("read", 0, milliseconds(0)), "");
   EXPECT_EQ(text.refresh(milliseconds(900)), "");
-  EXPECT_EQ(text.show("hide", 0.5, milliseconds(999)), "");
-  EXPECT_EQ(text.refresh(milliseconds(1000)), "hide 50 %, 1 s");
+  EXPECT_EQ(text.show("triangulate", 0.5, milliseconds(999)), "");
+  EXPECT_EQ(text.refresh(milliseconds(1000)), "triangulate 50 %, 1 s");
   EXPECT_EQ(text.end(), erased(14));
   ProgressText quick(ProgressText::kDelay);
   EXPECT_EQ(quick.show("read", 0, milliseconds(0)) + quick.show("write", 0, milliseconds(999)) + quick.end(), "");

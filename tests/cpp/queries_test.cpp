@@ -9,10 +9,11 @@
 #include <set>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/hull.h"
+#include "circle_voronoi_families/families.h"
 #include "far_apart.h"
 #include "random.h"
+#include "regions.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -89,7 +90,7 @@ TEST_P(Queries, NoSampledDiscIsLarger) {
       const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
       const double width = size * random.logUniform(-2, 0.3);
       const Box box = {p.x - width, p.y - width / 2, p.x + width, p.y + width / 2};
-      const auto largest = largestEmptyDiscCenteredIn(diagram, box);
+      const auto largest = largestEmptyDiscCenteredIn(diagram, test::regionOf(box));
       ASSERT_TRUE(largest);
       const Vertex& disc = largest->disc;
       EXPECT_TRUE(disc.x >= box.minX && disc.x <= box.maxX && disc.y >= box.minY && disc.y <= box.maxY);
@@ -141,7 +142,7 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
       SCOPED_TRACE(trial);
       const Point p = {random.uniform(whole.minX, whole.maxX), random.uniform(whole.minY, whole.maxY)};
       const double width = size * random.logUniform(-2, 0.3);
-      ConvexPolygon region = Box{p.x - width, p.y - width / 2, p.x + width, p.y + width / 2};
+      ConvexPolygon region = test::regionOf(Box{p.x - width, p.y - width / 2, p.x + width, p.y + width / 2});
       if (trial % 2 == 1) {
         std::vector<Point> corners;
         const std::size_t cornerCount = 3 + random.below(8);
@@ -202,9 +203,9 @@ INSTANTIATE_TEST_SUITE_P(Families, Queries, testing::ValuesIn(allFamilies()), na
 TEST(Queries, NoCirclesHaveNoAnswers) {
   const Diagram diagram = compute({}).value();
   EXPECT_FALSE(closestPair(diagram));
-  EXPECT_FALSE(largestEmptyDiscCenteredIn(diagram, Box{0, 0, 1, 1}));
+  EXPECT_FALSE(largestEmptyDiscCenteredIn(diagram, test::regionOf(Box{0, 0, 1, 1})));
   EXPECT_FALSE(largestEmptyDiscCenteredInHull(diagram));
-  EXPECT_FALSE(largestEmptyDiscInside(diagram, Box{0, 0, 1, 1}));
+  EXPECT_FALSE(largestEmptyDiscInside(diagram, test::regionOf(Box{0, 0, 1, 1})));
 }
 
 TEST(Queries, NeighborPairsAreThoseOfTheEdges) {
@@ -262,7 +263,7 @@ TEST(Queries, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
         // An edge passes through the centre, but neither of its circles touches.
         Case{{{4, 0, 0}, {4, 1, 0}}, {3.9, 0, 4.1, 1}, 0.1, 0}}) {
     const Diagram diagram = compute(circles).value();
-    const auto largest = largestEmptyDiscInside(diagram, box);
+    const auto largest = largestEmptyDiscInside(diagram, test::regionOf(box));
     ASSERT_TRUE(largest);
     EXPECT_NEAR(largest->disc.r, radius, 1e-14);
     EXPECT_EQ(3 - std::ranges::count(largest->circles, kNone), touched);
@@ -273,8 +274,9 @@ TEST(Queries, WhereCirclesCoverTheRegionNoDiscIsInside) {
   const std::vector<Circle> circles = {{0, 0, 10}, {12, 0, 5}};
   const Diagram diagram = compute(circles).value();
   const Box covered = {-1, -2, 3, 2};
-  EXPECT_LT(largestEmptyDiscInside(diagram, covered)->disc.r, 0);
-  EXPECT_EQ(largestEmptyDiscInside(diagram, covered)->disc, largestEmptyDiscCenteredIn(diagram, covered)->disc);
+  EXPECT_LT(largestEmptyDiscInside(diagram, test::regionOf(covered))->disc.r, 0);
+  EXPECT_EQ(largestEmptyDiscInside(diagram, test::regionOf(covered))->disc,
+            largestEmptyDiscCenteredIn(diagram, test::regionOf(covered))->disc);
 }
 
 }  // namespace

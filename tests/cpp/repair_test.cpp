@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "dual_edits.h"
 #include "judge.h"
 #include "report.h"
@@ -179,8 +179,8 @@ TEST(Repair, RepairsAtInfinity) {
   int broken = 0;
   for (int h = 0; h < right.halfEdgeCount(); ++h) {
     Dual dual = right;
-    const bool isAtInfinity = dual.origin[h] == kInfinity || dual.target(h) == kInfinity || !dual.isFinite(h / 3) ||
-                              !dual.isFinite(dual.twin[h] / 3);
+    const bool isAtInfinity = dual.origin[h] == kPointAtInfinity || dual.target(h) == kPointAtInfinity ||
+                              !dual.isFinite(h / 3) || !dual.isFinite(dual.twin[h] / 3);
     if (!isAtInfinity || dual.origin[Dual::previous(h)] == dual.origin[Dual::previous(dual.twin[h])]) continue;
     test::flipEdge(dual, h);
     if (isRight(circles, dual)) continue;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "delaunay.h"
 
 namespace circle_voronoi {

@@ -11,11 +11,12 @@
 #include "circle_voronoi/comparison.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/export.h"
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/merged.h"
 #include "circle_voronoi/queries.h"
+#include "circle_voronoi_families/families.h"
+#include "regions.h"
 
 namespace circle_voronoi {
 namespace {
@@ -57,7 +58,7 @@ void measureCurves(const Diagram& diagram, const Box& box, double tolerance, Mea
     all.add(0, curve.from);
     all.add(0, curve.to);
     all.add(pointAt(curve.bisector, 3));
-    for (const EdgeCurve& piece : clip(curve, box)) {
+    for (const EdgeCurve& piece : clip(curve, test::regionOf(box))) {
       all.add(piece.start);
       all.add(piece.end);
       all.add(1, arcLength(piece));
@@ -71,7 +72,7 @@ void measureCurves(const Diagram& diagram, const Box& box, double tolerance, Mea
 void measureCells(const Diagram& diagram, const Box& box, MeasuresOfCells& all) {
   const Finder finder(diagram);
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
-    const Outline parts = outline(diagram, i, box);
+    const Outline parts = outline(diagram, i, test::regionOf(box));
     for (const auto& loop : parts) {
       for (const OutlinePiece& piece : loop) all.add(piece.curve.start);
     }
@@ -96,9 +97,9 @@ void measureQueries(const Diagram& diagram, const Box& box, MeasuresOfCells& all
     all.add(0, arc.angle);
   }
   if (const auto pair = closestPair(diagram)) all.add(1, pair->gap);
-  all.add(*largestEmptyDiscCenteredIn(diagram, box));
+  all.add(*largestEmptyDiscCenteredIn(diagram, test::regionOf(box)));
   all.add(*largestEmptyDiscCenteredInHull(diagram));
-  all.add(*largestEmptyDiscInside(diagram, box));
+  all.add(*largestEmptyDiscInside(diagram, test::regionOf(box)));
   const ClearestPath path = clearestPath(diagram, {box.minX, box.minY}, {box.maxX, box.maxY / 2});
   all.add(1, path.clearance);
   for (const std::int32_t edge : path.edges) all.add(0, edge);
@@ -170,15 +171,15 @@ TEST(Scale, SmallestNumbersAreRoundedOnly) {
   const Diagram diagram = compute(circles).value();
   const Diagram scaledDiagram = compute(scaled).value();
   for (std::int32_t i = 0; i < 20; ++i) {
-    const Outline parts = outline(diagram, i, box);
-    const Outline scaledParts = outline(scaledDiagram, i, scaledBox);
+    const Outline parts = outline(diagram, i, test::regionOf(box));
+    const Outline scaledParts = outline(scaledDiagram, i, test::regionOf(scaledBox));
     ASSERT_EQ(scaledParts.size(), parts.size());
     // Twelve bits and a few pieces.
     EXPECT_NEAR(perimeter(scaledParts) / scale, perimeter(parts), 0.02);
     EXPECT_NEAR(centroid(scaledParts).x / scale, centroid(parts).x, 0.02);
   }
-  const EmptyDisc disc = *largestEmptyDiscInside(diagram, box);
-  const EmptyDisc scaledDisc = *largestEmptyDiscInside(scaledDiagram, scaledBox);
+  const EmptyDisc disc = *largestEmptyDiscInside(diagram, test::regionOf(box));
+  const EmptyDisc scaledDisc = *largestEmptyDiscInside(scaledDiagram, test::regionOf(scaledBox));
   EXPECT_EQ(scaledDisc.circles, disc.circles);
   EXPECT_NEAR(scaledDisc.disc.r / scale, disc.disc.r, 0.01);
 }
@@ -202,7 +203,7 @@ TEST(Scale, CellsFillTheBoxWhateverLiesBetweenTheirSizes) {
           const Box box = {-1.5 * size, -1.25 * size, 1.75 * size, 2 * size};
           double sum = 0;
           for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
-            const Outline parts = outline(diagram, i, box);
+            const Outline parts = outline(diagram, i, test::regionOf(box));
             for (const auto& loop : parts) {
               for (const auto& piece : loop) {
                 for (const Point& p : polyline(piece.curve, 1e-3 * size)) {

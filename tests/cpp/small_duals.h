@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "circle_voronoi/circle.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "dual.h"
 
 namespace circle_voronoi::test {

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <vector>
 
 #include "build_state.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
+#include "trace_replay.h"
 
 namespace circle_voronoi {
 namespace {
@@ -19,9 +19,7 @@ struct Steps {
   explicit Steps(const std::vector<Circle>& circles) : state(stateOf(circles)), stepper(*state, locator) {}
 
   static std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
-    std::vector<std::int32_t> ids(circles.size());
-    std::iota(ids.begin(), ids.end(), 0);
-    return std::move(buildState(circles, ids)).value();
+    return buildState(circles, test::firstIds(circles.size()), false).value();
   }
 
   Circle scaled(const Circle& circle) const { return *scaledExactly(circle, state->unit); }
@@ -80,7 +78,7 @@ TEST(Step, ALargerUnitKeepsTheBitsOfDirections) {
   const auto directions = [&] {
     std::vector<Vector> all;
     for (int h = 0; h < state.dual.halfEdgeCount(); ++h) {
-      if (state.dual.origin[h] != kInfinity) all.push_back(state.discs.direction(h));
+      if (state.dual.origin[h] != kPointAtInfinity) all.push_back(state.discs.direction(h));
     }
     return all;
   };

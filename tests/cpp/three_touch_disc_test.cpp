@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 
 namespace circle_voronoi {
 namespace {

@@ -58,7 +58,7 @@ TEST(Topology, GoesToTheDualAndBackInEveryFamily) {
 TEST(Topology, OfOneCircleAndOfTwo) {
   EXPECT_EQ(topologyOf(Dual{}, 0).hull, (std::vector<CircleIndex>{}));
   EXPECT_EQ(topologyOf(Dual{}, 1).hull, (std::vector<CircleIndex>{0}));
-  const Topology two = topologyOf(Dual{{0, 1, kInfinity, 1, 0, kInfinity}, {3, 5, 4, 0, 2, 1}}, 2);
+  const Topology two = topologyOf(Dual{{0, 1, kPointAtInfinity, 1, 0, kPointAtInfinity}, {3, 5, 4, 0, 2, 1}}, 2);
   EXPECT_TRUE(two.vertexCircles.empty());
   ASSERT_EQ(two.edges.size(), 1U);
   EXPECT_EQ(two.edges[0].start, kNone);

@@ -83,7 +83,7 @@ class Replay {
   }
 
   void know(const std::vector<Circle>& circles) {
-    for (std::size_t i = 0; i < circles.size(); ++i) circles_.emplace(static_cast<CircleId>(i), circles[i]);
+    for (std::size_t i = 0; i < circles.size(); ++i) circles_.emplace(static_cast<std::int32_t>(i), circles[i]);
   }
 
   /// Circles by the indices of a diagram, which are those of `ids`.
@@ -160,7 +160,7 @@ class Replay {
 /// Of the circles of a diagram that has no others.
 inline std::vector<CircleId> firstIds(std::size_t count) {
   std::vector<CircleId> ids(count);
-  for (std::size_t i = 0; i < count; ++i) ids[i] = static_cast<CircleId>(i);
+  for (std::size_t i = 0; i < count; ++i) ids[i] = static_cast<std::int32_t>(i);
   return ids;
 }
 

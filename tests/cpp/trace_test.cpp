@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 #include "random.h"
 #include "report.h"
 

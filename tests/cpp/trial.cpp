@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "brute_force.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/editor.h"
 #include "compare.h"
 #include "oracle.h"
@@ -30,13 +31,13 @@ TrialResult tryAutomatic(std::span<const Circle> circles, bool isDegenerate) {
   if (!diagram) return {diagram.error().message, "none"};
   const Diagram exact = oracle::exactDiagram(circles);
   const auto problem = isDegenerate ? problemInDegeneratePosition : problemInGeneralPosition;
-  return {problem(diagram.value(), exact, circles), diagram.value().stats.way};
+  return {problem(diagram.value(), exact, circles), std::string(wayName(diagram.value().stats.way.value()))};
 }
 
 TrialResult tryCertified(std::span<const Circle> circles) {
   const auto diagram = certifiedDiagram(circles);
   if (!diagram) return {diagram.error().message, "none"};
-  return {structureProblem(diagram.value(), circles.size()), diagram.value().stats.way};
+  return {structureProblem(diagram.value(), circles.size()), std::string(wayName(diagram.value().stats.way.value()))};
 }
 
 TrialResult tryTiny(std::span<const Circle> circles, bool isDegenerate) {

@@ -11,7 +11,7 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/compute.h"
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 
 namespace circle_voronoi::test {
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "exact.h"
 #include "hide.h"

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "circle_voronoi/cells.h"
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/editor.h"
 #include "circle_voronoi/export.h"
-#include "circle_voronoi/families.h"
 #include "circle_voronoi/final_cells.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/hull.h"
@@ -24,9 +24,11 @@
 #include "circle_voronoi/merged.h"
 #include "circle_voronoi/queries.h"
 #include "circle_voronoi/tile.h"
+#include "circle_voronoi_families/families.h"
 #include "compare.h"
 #include "oracle.h"
 #include "random.h"
+#include "regions.h"
 #include "report.h"
 #include "tie_inputs.h"
 
@@ -187,6 +189,30 @@ TEST(Weights, WithoutThemANegativeRadiusIsAnError) {
   EXPECT_TRUE(compute(Circles{{0, 0, -1e150}, {0, 1, -1e-300}}, kWeights).ok());
 }
 
+TEST(Weights, AnEditorTakesThem) {
+  const std::uint64_t seed = test::seedOr(1);
+  EXPECT_EQ(DiagramEditor::from(kNegative).error().code, ErrorCode::negativeRadius);
+  for (const Family family : {Family::uniform, Family::intersecting, Family::hidden, Family::grid}) {
+    SCOPED_TRACE(familyName(family));
+    Random random(seed);
+    Circles circles = generate(family, 120, seed);
+    const auto lowered = [](Circle c) { return Circle{c.x, c.y, c.r - 2}; };
+    std::ranges::transform(circles, circles.begin(), lowered);
+    auto editor = DiagramEditor::from(circles, {true}).value();
+    for (const Circle& c : generate(family, 120, seed + 1)) {
+      const auto ids = editor.ids();
+      const CircleId id = ids[random.below(ids.size())];
+      ASSERT_TRUE(editor.insert(lowered(c)));
+      ASSERT_TRUE(random.below(2) == 0 ? editor.remove(id) : editor.replace(id, lowered({c.y, c.x, 2 * c.r})));
+    }
+    const Diagram snapshot = editor.snapshot().value();
+    EXPECT_TRUE(snapshot.weights);
+    EXPECT_TRUE(certify(snapshot)->certified());
+    EXPECT_EQ(test::difference(snapshot, compute(editor.circles(), kWeights).value()), "");
+    EXPECT_EQ(editor.insert({0, 0, -INFINITY}).error().code, ErrorCode::nonFinite);
+  }
+}
+
 // Far from the origin of radii rounding is that of the radii, not of what they leave of each other.
 TEST(Weights, LargeOnesRoundNothingElse) {
   const std::uint64_t seed = test::seedOr(1);
@@ -210,7 +236,7 @@ TEST(Weights, CellsAndNearestCirclesStay) {
   const Diagram diagram = compute(weights, kWeights).value();
   const Finder finder(diagram);
   const Finder sameFinder(expected);
-  const ConvexPolygon region = Box{-100, -100, 1100, 1100};
+  const ConvexPolygon region = test::regionOf(Box{-100, -100, 1100, 1100});
   for (std::int32_t i = 0; i < 80; ++i) {
     EXPECT_EQ(area(outline(diagram, i, region)), area(outline(expected, i, region)));
   }
@@ -261,7 +287,7 @@ TEST(Weights, TheHullIsOfGrownCircles) {
 TEST(Weights, FilesSayThatTheyAre) {
   const Diagram diagram = compute(kNegative, kWeights).value();
   std::ostringstream out;
-  writeJson(out, diagram);
+  EXPECT_TRUE(writeJson(out, diagram));
   const std::string text = out.str();
   EXPECT_NE(text.find("\"weights\": true"), std::string::npos);
   const auto read = readDiagram(text, "file");
@@ -280,7 +306,7 @@ TEST(Weights, FilesSayThatTheyAre) {
   EXPECT_EQ(errorAfter("true, \"weights\": true"), "file:2: weights is given twice.");
 
   std::ostringstream plain;
-  writeJson(plain, compute(Circles{{0, 0, 1}}).value());
+  EXPECT_TRUE(writeJson(plain, compute(Circles{{0, 0, 1}}).value()));
   EXPECT_EQ(plain.str().find("weights"), std::string::npos);
   EXPECT_FALSE(readDiagram(plain.str(), "file").value().weights);
 
@@ -295,7 +321,7 @@ TEST(Weights, FilesSayThatTheyAre) {
 TEST(Weights, NegativeOnesAreDrawnAsPoints) {
   const Diagram diagram = compute(kNegative, kWeights).value();
   std::ostringstream svg;
-  writeSvg(svg, diagram);
+  EXPECT_TRUE(writeSvg(svg, diagram));
   const std::string text = svg.str();
   EXPECT_NE(text.find("data-circle=\"0\" class=\"point\" d=\"M0 0h0\""), std::string::npos) << text;
   EXPECT_EQ(text.find("r=\"-"), std::string::npos);
@@ -304,7 +330,7 @@ TEST(Weights, NegativeOnesAreDrawnAsPoints) {
   figure.groups = {"hull"};
   for (const std::vector<Circle>& circles : {kNegative, Circles{{1, 2, -3}}}) {
     std::ostringstream hull;
-    writeSvgFigure(hull, compute(circles, kWeights).value(), figure);
+    EXPECT_TRUE(writeSvgFigure(hull, compute(circles, kWeights).value(), figure));
     EXPECT_NE(hull.str().find("id=\"hull\""), std::string::npos);
     EXPECT_EQ(hull.str().find("r=\"-"), std::string::npos) << hull.str();
     EXPECT_EQ(hull.str().find("A-"), std::string::npos) << hull.str();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Options and their values have one name in TypeScript, for the core, and on the command line, which has those of
-// circle_voronoi/option_names.h; tests/cpp/cli_documentation_test.cpp holds the manual against the command line.
+// cpp/options/option_names.h; tests/cpp/cli_documentation_test.cpp holds the manual against the command line.
 import { execFileSync } from 'node:child_process'
 import { expect, it } from 'vitest'
 import { CIRCLE_FORMATS, DIAGRAM_FORMATS, type DiagramFileOptions, loadFiles } from '../../web/lib/files.ts'

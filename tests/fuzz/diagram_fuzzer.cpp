@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/compute.h"
 #include "fuzz_input.h"
 
@@ -69,7 +70,7 @@ void run(const Input& input) {
     if (!diagram) continue;
     const auto certificate = certify(diagram.value());
     require(certificate.ok() && certificate.value().certified() == diagram.value().certificate.certified(),
-            "certify does not agree with the certificate of " + diagram.value().stats.method);
+            "certify does not agree with the certificate of " + std::string(methodName(options.method)));
   }
 }
 

@@ -48,7 +48,7 @@ void check(const DiagramEditor& editor) {
 circle_voronoi::Edit editOf(std::uint8_t byte, const DiagramEditor& editor, const Circle& circle) {
   using Kind = circle_voronoi::Edit::Kind;
   const std::vector<CircleId> ids = editor.ids();
-  const CircleId id = ids.empty() ? kNone : ids[byte / 4 % ids.size()];
+  const CircleId id = ids.empty() ? CircleId() : ids[byte / 4 % ids.size()];
   switch (byte % 4) {
     case 0:
       return {Kind::remove, id, {}};

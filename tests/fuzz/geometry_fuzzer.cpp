@@ -77,7 +77,7 @@ View viewOf(std::span<const std::uint8_t> bytes) {
 class Checker {
  public:
   Checker(const Diagram& diagram, const Box& box)
-      : circles_(diagram.circles), diagram_(diagram), box_(box), region_(box) {
+      : circles_(diagram.circles), diagram_(diagram), box_(box), region_(*ConvexPolygon::from(box)) {
     size_ = std::max(box.maxX - box.minX, box.maxY - box.minY);
     double largest = std::max({std::abs(box.minX), std::abs(box.minY), std::abs(box.maxX), std::abs(box.maxY)});
     for (const auto& [x, y, r] : circles_) largest = std::max({largest, std::abs(x), std::abs(y), r});
@@ -199,7 +199,7 @@ class Checker {
 
   void checkPolygons() const {
     if (!isLarge_) return;
-    const ExportFrame frame(diagram_, {box_, {}, {}});
+    const ExportFrame frame(diagram_, {box_, {}, {}}, region_);
     const CellPolygons polygons = timed("CellPolygons", [&] { return CellPolygons(frame); });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
       for (const auto& ring : timed("rings", [&] { return polygons.rings(i); })) {

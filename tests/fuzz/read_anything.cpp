@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/certify.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/io.h"
 #include "circle_voronoi/tile.h"
@@ -23,8 +23,8 @@ constexpr std::optional<int> kAllDigits;
 template <class Write, class... Values>
 std::string written(Write write, const Values&... values) {
   std::ostringstream out;
-  write(out, values...);
-  return out.str();
+  const Result<void> done = write(out, values...);
+  return done ? out.str() : done.error().message;
 }
 
 /// -0 and 0 are different.

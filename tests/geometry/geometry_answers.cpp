@@ -168,7 +168,8 @@ class Questions {
     for (std::size_t k = 0; k < regions_.size(); ++k) {
       askOutline(question("outline", i, k), outline(diagram_, i, regions_[k]));
       if (hasDistances()) {
-        askOutline(question("outline at a distance", i, k), outline(diagram_, i, regions_[k], maxDistance_));
+        askOutline(question("outline at a distance", i, k),
+                   clippedBufferOutline(diagram_, i, regions_[k], maxDistance_));
       }
     }
   }
@@ -194,7 +195,7 @@ class Questions {
       const CircleIndex found = finder.find(p);
       const CircleIndex hint = static_cast<std::int32_t>(k % diagram_.circles.size());
       Answer answer(question("place", k));
-      answer << found << finder.find(p, hint) << distance(diagram_, found, p) << contains(diagram_, found, p)
+      answer << found << finder.find(p, hint) << distanceFrom(diagram_, found, p) << contains(diagram_, found, p)
              << contains(diagram_, hint, p) << lead(diagram_, hint, found, p);
       for (const CircleIndex other : neighbors(diagram_, found)) answer << lead(diagram_, found, other, p);
     }

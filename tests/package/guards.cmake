@@ -5,7 +5,7 @@ set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(MAKE_DIRECTORY ${FOLDER})
 
-set(compile ${CXX} -std=c++20 -I${root}/cpp/include)
+set(compile ${CXX} -std=c++20 -I${root}/cpp/include -I${root}/cpp/src/base)
 set(numbers ${root}/cpp/src/numbers)
 
 # The library with flags that change arithmetic.
@@ -33,6 +33,6 @@ expect_error("needs_a_library_built_without_GLIBCXX_USE_CXX11_ABI"
 
 # A library built with them serves such a program and no other. What tells them apart stands for the whole.
 set(empty ${CMAKE_CURRENT_LIST_DIR}/empty.cpp)
-run(${compile} -D_GLIBCXX_DEBUG ${numbers}/abi.cpp ${empty} -o ${FOLDER}/debug)
-run(${compile} -D_GLIBCXX_DEBUG -c ${numbers}/abi.cpp -o ${FOLDER}/abi.o)
+run(${compile} -D_GLIBCXX_DEBUG ${root}/cpp/src/base/abi.cpp ${empty} -o ${FOLDER}/debug)
+run(${compile} -D_GLIBCXX_DEBUG -c ${root}/cpp/src/base/abi.cpp -o ${FOLDER}/abi.o)
 expect_error("needs_a_library_built_without_GLIBCXX_DEBUG" ${compile} ${empty} ${FOLDER}/abi.o -o ${FOLDER}/debug)

@@ -18,7 +18,7 @@ import {
   convexHull,
   cubicBeziers,
   curveLength,
-  distanceToCircle,
+  distanceFrom,
   edgeCurve,
   exportBox,
   largestEmptyDiscCenteredIn,
@@ -235,7 +235,7 @@ function answersOf(diagram, box, maxDistance) {
       const hint = k % count
       say(
         `place ${k}`,
-        ...[found, diagram.find(x, y, hint), distanceToCircle(diagram, found, x, y), diagram.contains(found, x, y)],
+        ...[found, diagram.find(x, y, hint), distanceFrom(diagram, found, x, y), diagram.contains(found, x, y)],
         ...[diagram.contains(hint, x, y), cells.lead(hint, found, x, y)],
         ...Array.from(diagram.neighbors(found), (other) => cells.lead(found, other, x, y)),
       )

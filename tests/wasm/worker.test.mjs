@@ -91,7 +91,10 @@ describe('progress', () => {
   it('tells the stages and the part of the event loop that is done', async () => {
     const told = []
     await worker.compute(MANY, { ...SLOWLY, progress: (stage, done) => told.push({ stage, done }) })
-    assert.deepEqual([...new Set(told.map(({ stage }) => stage))], ['hide', 'sample', 'pair', 'touch', 'certify'])
+    assert.deepEqual(
+      [...new Set(told.map(({ stage }) => stage))],
+      ['triangulate', 'sample', 'pair', 'touch', 'certify'],
+    )
     assert.ok(told.some(({ done }) => done > 0 && done < 1))
   })
 

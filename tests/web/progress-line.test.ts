@@ -49,10 +49,10 @@ it('says nothing before its delay', () => {
   line.begin(1000)
   line.show('read', undefined)
   vi.advanceTimersByTime(999)
-  line.show('hide', undefined)
+  line.show('triangulate', undefined)
   expect(written()).toBe('')
   vi.advanceTimersByTime(1)
-  expect(written()).toBe('hide, 1 s')
+  expect(written()).toBe('triangulate, 1 s')
   line.end()
 })
 

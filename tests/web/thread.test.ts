@@ -129,10 +129,10 @@ describe('a thread in a browser', () => {
       [message, [message.circles.buffer]],
       [message, []],
     ])
-    worker.onmessage?.({ data: { progress: ['hide', 0] } })
+    worker.onmessage?.({ data: { progress: ['triangulate', 0] } })
     worker.onerror?.({ message: 'broken' })
     worker.onerror?.({})
-    expect(told).toEqual([{ progress: ['hide', 0] }, 'broken', 'its file cannot be loaded'])
+    expect(told).toEqual([{ progress: ['triangulate', 0] }, 'broken', 'its file cannot be loaded'])
     thread.keepAlive(true)
     expect(worker.isTerminated).toBe(false)
     thread.terminate()
@@ -213,7 +213,7 @@ describe('what a thread answers', () => {
     expect(said).toHaveLength(1)
     await ask({ ...request(), tellsProgress: true, options: { method: 'touching-disc' } })
     const stages = said.slice(1, -1).map(([reply]) => ('progress' in reply ? reply.progress[0] : undefined))
-    expect([...new Set(stages)]).toEqual(['hide', 'sample', 'pair', 'touch', 'certify'])
+    expect([...new Set(stages)]).toEqual(['triangulate', 'sample', 'pair', 'touch', 'certify'])
     expect(said.at(-1)?.[0]).toMatchObject({ diagram: { stats: { method: 'touching-disc' } } })
   })
 

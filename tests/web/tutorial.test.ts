@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { holds, idsOf, parseCheck } from '../../web/element/check.ts'
-import { distanceToCircle, edgeCurve, isBoundedCurve } from '../../web/lib/index.ts'
+import { distanceFrom, edgeCurve, isBoundedCurve } from '../../web/lib/index.ts'
 import { countSamples, sentenceOf } from '../../web/tutorial/count-samples.ts'
 import { compare, loadPrintedRules, RULES, type Rule, sentenceOf as whatOf } from '../../web/tutorial/printed-rules.ts'
 import { layersFrom } from '../../web/view/layers.ts'
@@ -103,7 +103,7 @@ describe('rules as printed', async () => {
     const discs = [...begins, ...found.leftoverDiscs]
     const covered = Array.from({ length: pairs.length / 2 }, (_, k) => {
       const [x, y, r] = discs.slice(3 * k, 3 * k + 3) as [number, number, number]
-      const by = [0, 1, 2, 3].filter((i) => distanceToCircle(diagram, i, x, y) < r - 1e-9)
+      const by = [0, 1, 2, 3].filter((i) => distanceFrom(diagram, i, x, y) < r - 1e-9)
       return by.length === 0 ? '' : `${pairs.slice(2 * k, 2 * k + 2).sort()} by ${by}`
     })
     expect(new Set(covered)).toEqual(new Set(['', '0,3 by 1', '0,2 by 1']))

@@ -265,7 +265,7 @@ describe('canceling', () => {
       },
     })
     const thread = await asked(1)
-    thread.say({ progress: ['hide', 0] })
+    thread.say({ progress: ['triangulate', 0] })
     expect(await reasonOf(running)).toBe(mine)
     expect(thread.isTerminated).toBe(true)
   })

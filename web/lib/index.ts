@@ -15,7 +15,7 @@ export { REGION_LIMIT } from './base/coordinate-limits.ts'
 export type { Accessor, CircleLike, Circles } from './base/coordinates.ts'
 export { circleAt, edgeAt, NONE, vertexAt } from './base/diagram-data.ts'
 export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './base/errors.ts'
-export { distanceToCircle } from './base/metric.ts'
+export { distanceFrom } from './base/metric.ts'
 export type {
   Box,
   Certificate,

@@ -3,16 +3,16 @@
 
 #include <cstddef>  // the standard library's own macros
 
-// What a program and the library must have in common. Every public header includes this.
+// What a program and the library must have in common. Every public header includes this one.
 
-/// The names of a namespace with this are seen from outside a shared library.
+/// Makes the names of a namespace visible outside a shared library.
 #define CIRCLE_VORONOI_API [[gnu::visibility("default")]]
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-// Containers and strings of the standard library that are laid out differently on both sides would be garbage to each
-// other. So each source that includes this refers to a constant that only a library of the same kind has, and whose
-// name says what is wrong where it is missing.
+// If a program and the library lay out the containers and strings of the standard library differently, each would read
+// garbage from the other. So each source that includes this header refers to a constant that only a matching library
+// defines. Otherwise the linker reports the constant as missing, and its name says what is wrong.
 
 #ifdef _GLIBCXX_DEBUG
 extern const bool needs_a_library_built_with_GLIBCXX_DEBUG;

@@ -11,57 +11,66 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// The circles across the sides of a cell, in their order: a circle recurs if the two share several edges.
-std::vector<CircleIndex> neighbors(const Diagram& diagram, CircleIndex circle);
+/// Returns the circles across the sides of a cell, in the order of the sides. A circle recurs if the two cells share
+/// several edges.
+[[nodiscard]] std::vector<CircleIndex> neighbors(const Diagram& diagram, CircleIndex circle);
 
-/// The distance of p from a circle, by the diagram's metric.
-double distance(const Diagram& diagram, CircleIndex circle, Point p);
+/// Returns the distance of p from a circle in the diagram's metric.
+[[nodiscard]] double distanceFrom(const Diagram& diagram, CircleIndex circle, Point p);
 
-/// How much nearer p is to one circle than to another, negative if the other is nearer: the difference of their
-/// distances, but without cancellation where p is far away. Of the power metric it is divided by a length.
-double lead(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point p);
+/// Returns how much nearer p is to `circle` than to `other`: the difference of their distances, which is negative if
+/// `other` is nearer. It does not cancel if p is far away. For the power metric the difference is divided by a length.
+[[nodiscard]] double lead(const Diagram& diagram, CircleIndex circle, CircleIndex other, Point p);
 
-/// Whether no circle is nearer to p, up to rounding. It suffices to ask the neighbours: a ray from the centre that
-/// leaves the cell across a side stays nearer to the neighbour there, and for the power metric a cell is the
-/// intersection of half-planes, one for each neighbour. False for a hidden circle.
-bool contains(const Diagram& diagram, CircleIndex circle, Point p);
+/// Returns whether a cell contains p, up to rounding. Returns false for a hidden circle.
+///
+/// Only the neighbors are asked. That suffices: a ray from the center that leaves the cell across a side stays nearer
+/// to the neighbor on that side. For the power metric a cell is the intersection of half-planes, one for each neighbor.
+[[nodiscard]] bool contains(const Diagram& diagram, CircleIndex circle, Point p);
 
 /// A piece of the outline of a clipped cell, with the cell on its left.
 struct OutlinePiece {
-  EdgeCurve curve;            ///< bounded; of an arc of a circle its chord
-  SideIndex side = {};        ///< of the cell; kNone: a piece of the boundary of the region, or an arc of a circle
-  CircleIndex neighbor = {};  ///< the circle on the other side; kNone likewise
-  /// Of an arc of the circle around the cell's centre that a maximum distance makes: its radius, else 0. The arc is
-  /// counter-clockwise and of a quarter turn at most, so that its ends and radius say where the centre is.
+  EdgeCurve curve;            ///< bounded; for an arc of a circle, its chord
+  SideIndex side = {};        ///< the side of the cell; kNone on the boundary of the region or on an arc of a circle
+  CircleIndex neighbor = {};  ///< the circle on the other side; kNone where `side` is kNone
+  /// The radius of the arc if a maximum distance cuts the cell here, otherwise 0. The arc belongs to a circle around
+  /// the cell's center. It is counter-clockwise and at most a quarter turn, so its ends and radius determine its
+  /// center.
   double r = 0;
 
-  bool isOnCircle() const { return r > 0; }
+  [[nodiscard]] bool isOnCircle() const { return r > 0; }
 };
 
-/// Closed loops of pieces, counter-clockwise, one for each component: the end of a piece is the start of the next.
-/// Pieces of length zero occur.
+/// Closed loops of pieces, counter-clockwise, one for each component. Each piece ends where the next one starts. Some
+/// pieces have length zero.
 using Outline = std::vector<std::vector<OutlinePiece>>;
 
-/// The part of a cell inside a region: empty if they do not meet, several loops if the region cuts the cell apart.
-Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region);
+/// Returns the outline of the part of a cell inside a region. It is empty if cell and region do not meet. It has
+/// several loops if the region cuts the cell apart.
+[[nodiscard]] Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region);
 
-/// The part of a cell whose points are up to `maxDistance` from its circle: the cell cut by the circle of radius
-/// r + maxDistance around its centre. Cut so, the cells share out the union of all circles grown by that distance, and
-/// no two overlap. Below 0 it is what lies so deep inside the circles. One loop, or none: a cell is star-shaped around
-/// its circle's centre (finder.h), as a disc is, so that what both have in common is in one piece and has no holes.
-/// Each side has one arc of it at most, as the distance grows from the apex to both ends.
+/// Returns the outline of the part of a cell within `maxDistance` of its circle: the cell cut by the circle of radius
+/// r + maxDistance around its center. The parts of all cells do not overlap. Together they cover the union of all
+/// circles grown by that distance. With a negative distance they cover what lies that deep inside the circles.
 ///
-/// Precondition: maxDistance is finite and at most kRegionLimit in absolute value; the metric is not the power.
-Outline outline(const Diagram& diagram, CircleIndex circle, double maxDistance);
-/// The same inside a region.
-Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region, double maxDistance);
+/// The outline has at most one loop: cell and disc are both star-shaped around the center (finder.h), so their
+/// intersection has one component and no holes. It has at most one arc of each side, because the distance grows from
+/// the apex of the side to both ends.
+///
+/// Precondition: maxDistance is finite and at most kRegionLimit in absolute value, and the metric is not the power.
+[[nodiscard]] Outline bufferOutline(const Diagram& diagram, CircleIndex circle, double maxDistance);
+/// Returns the outline of the part of a cell that lies inside a region and within `maxDistance` of its circle.
+/// Precondition: that of bufferOutline.
+[[nodiscard]] Outline clippedBufferOutline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region,
+                                           double maxDistance);
 
-/// Exact up to rounding: polygons, and closed forms for what lies between an arc and its chord, by square roots alone.
-double area(const Outline& outline);
-/// The centre of mass, likewise. Of an outline without area but for rounding it is that of its end points; (0, 0) if it
-/// is empty.
-Point centroid(const Outline& outline);
-/// The length of all pieces, likewise (arcLength).
-double perimeter(const Outline& outline);
+/// Returns the enclosed area, exact up to rounding: polygons, and closed forms with square roots alone for what lies
+/// between an arc and its chord.
+[[nodiscard]] double area(const Outline& outline);
+/// Returns the center of mass, exact up to rounding. If the area is zero up to rounding, returns the center of mass of
+/// the end points; (0, 0) for an empty outline.
+[[nodiscard]] Point centroid(const Outline& outline);
+/// Returns the length of all pieces (arcLength).
+[[nodiscard]] double perimeter(const Outline& outline);
 
 }  // namespace circle_voronoi

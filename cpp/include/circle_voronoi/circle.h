@@ -5,11 +5,11 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// A circle with centre (x, y) and radius r >= 0; r = 0 is a point. As an additive weight (Options::weights) r has any
-/// sign.
+/// A circle with center (x, y) and radius r >= 0. A circle with r = 0 is a point. If radii are additive weights
+/// (Options::weights), r may be negative.
 ///
-/// The distance from a point p to circle i is signed, d_i(p) = |p - c_i| - r_i, negative inside.
-/// Mathematics is y-up, and counter-clockwise is positive.
+/// The distance from a point p to circle i is signed: d_i(p) = |p - c_i| - r_i, which is negative inside the circle.
+/// The y axis points up, and counter-clockwise is positive.
 struct Circle {
   double x = 0;
   double y = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,24 +10,27 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// A path among circles that keeps as far from all of them as any path between its ends can.
+/// A path among circles that stays as far from all of them as any path between the same two points can.
 struct ClearestPath {
-  /// The least distance from a circle along the path; negative if the path cannot but enter circles.
+  /// The smallest distance from a circle along the path; negative if every path enters a circle.
   double clearance = 0;
-  /// The edges to follow, in order. The first is followed from `entry`, the last up to `exit`. Where the path goes
-  /// around everything, an edge that leads to infinity is followed by one that comes back.
+  /// The edges to follow, in order. The path joins the first one at `entry` and leaves the last one at `exit`. If the
+  /// path goes around everything, an edge that leads to infinity is followed by one that comes back.
   std::vector<EdgeIndex> edges;
-  /// Where the path from p meets an edge, straight away from the centre of the circle nearest to p, and where it leaves
-  /// an edge for q. None if the way leads straight to infinity.
+  /// Where the path from p meets the first edge. It gets there straight away from the center of the circle nearest to
+  /// p. Empty if that leads straight to infinity.
   std::optional<Point> entry;
+  /// Where the path leaves the last edge for q. Empty if q is reached straight from infinity.
   std::optional<Point> exit;
 };
 
-/// The path of greatest clearance from p to q, in O(n log n). The cells are those of Metric::circles, of one circle or
-/// more.
+/// Returns a path of greatest clearance from p to q. O(n log n).
 ///
-/// To move straight away from the nearest centre until an edge is met never loses clearance. As that carries every path
-/// onto the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
-ClearestPath clearestPath(const Diagram& diagram, Point p, Point q);
+/// If you move straight away from the nearest center until you meet an edge, you never lose clearance. This carries
+/// every path onto the edges, infinity included. So some path along edges is as clear as any path: the one with the
+/// greatest bottleneck (Dijkstra).
+///
+/// Precondition: the metric is Metric::circles, and there is at least one circle.
+[[nodiscard]] ClearestPath clearestPath(const Diagram& diagram, Point p, Point q);
 
 }  // namespace circle_voronoi

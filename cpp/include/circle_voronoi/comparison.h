@@ -11,16 +11,25 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// The diagram of the same circles by another distance, to show how it differs: with Metric::centers the ordinary
-/// Voronoi diagram of the centres, with Metric::power the power diagram, with Metric::circles that of `compute`. Curves
-/// and cells of the result take the same metric (curve.h, cells.h).
+/// Computes the diagram of the same circles in another metric, to show how it differs. Metric::centers gives the
+/// ordinary Voronoi diagram of the centers, Metric::power the power diagram, and Metric::circles the diagram of
+/// `compute`. Curves and cells of the result use the same metric (curve.h, cells.h).
 ///
-/// Of Metric::centers: a vertex has the distance from its three centres as its radius, and of circles with one centre
-/// the first has a cell. Of Metric::power: the radius of a vertex is that of the circle at right angles to its three,
-/// or, negative, the root of minus their power where they overlap; a circle without a cell is listed as hidden by
-/// kNone, though no circle need contain it; a circle's centre may lie outside its cell; and no certificate is made.
+/// For Metric::centers the radius of a vertex is its distance from its three centers. If circles share a center, the
+/// first of them has the cell.
 ///
-/// Errors: those of `compute`; coordinateTooLarge, if a vertex of the power diagram is beyond the range of numbers.
+/// Errors: those of `compute`; for Metric::power those of `powerDiagram`.
 Result<Diagram> computeComparison(std::span<const Circle> circles, Metric metric);
+
+/// Computes the power diagram, as the dual of CGAL's regular triangulation of the centers with weights r^2. It is exact
+/// for the rounded weights. There is no certificate.
+///
+/// The radius of a vertex is that of the circle that is orthogonal to its three circles. Where these overlap, the
+/// radius is negative: minus the square root of minus their power. A circle without a cell is listed as hidden by
+/// kNone, because no single circle need contain it. The center of a circle may lie outside its cell.
+///
+/// Errors: nonFinite, negativeRadius, coordinateTooLarge (also if a vertex lies beyond the largest double),
+/// tooManyCircles, badArithmetic, internal.
+Result<Diagram> powerDiagram(std::span<const Circle> circles);
 
 }  // namespace circle_voronoi

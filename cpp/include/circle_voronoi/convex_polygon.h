@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/abi.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/limits.h"
 #include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// An axis-parallel rectangle, minX < maxX and minY < maxY.
+/// An axis-parallel rectangle with minX < maxX and minY < maxY.
 struct Box {
   double minX = 0;
   double minY = 0;
@@ -18,32 +21,27 @@ struct Box {
   double maxY = 1;
 };
 
-/// The largest coordinate of a region, in absolute value: a hundred times that of a circle, and areas are numbers.
-inline constexpr double kRegionLimit = 1e152;
-
-/// The closed region that curves and cells are clipped to.
+/// A closed convex region to which curves and cells are clipped.
 class ConvexPolygon {
  public:
-  /// Precondition: the box is one that `from` accepts.
-  ConvexPolygon(const Box& box);
-
-  /// Errors: badOption, if the box is empty, or a coordinate is not finite or exceeds kRegionLimit.
+  /// Makes a polygon from a box.
+  /// Errors: badOption if the box is empty, or a coordinate is not finite or exceeds kRegionLimit.
   static Result<ConvexPolygon> from(const Box& box);
-  /// From corners in counter-clockwise order; corners on the line through their neighbours are allowed.
-  /// Errors: badOption, if there are fewer than three corners, a coordinate is not finite or exceeds kRegionLimit, two
-  /// corners in a row are equal, or they do not turn left exactly once.
+  /// Makes a polygon from its corners in counter-clockwise order. A corner may lie on the line through its neighbors.
+  /// Errors: badOption if there are fewer than three corners, a coordinate is not finite or exceeds kRegionLimit, two
+  /// consecutive corners are equal, or the corners do not turn left exactly once.
   static Result<ConvexPolygon> from(std::span<const Point> corners);
 
-  /// Counter-clockwise.
-  std::span<const Point> corners() const { return corners_; }
-  std::size_t size() const { return corners_.size(); }
-  /// The corner at which side `k`, which begins at corner `k`, ends.
-  Point cornerAfter(std::size_t k) const { return corners_[k + 1 == corners_.size() ? 0 : k + 1]; }
+  /// Returns the corners, counter-clockwise. The polygon must outlive them.
+  [[nodiscard]] std::span<const Point> corners() const { return corners_; }
+  [[nodiscard]] std::size_t size() const { return corners_.size(); }
+  /// Returns the corner where side `k` ends. Side `k` begins at corner `k`.
+  [[nodiscard]] Point cornerAfter(std::size_t k) const { return corners_[k + 1 == corners_.size() ? 0 : k + 1]; }
 
-  bool contains(Point p) const;
-  double area() const;
-  /// The mean of the corners, which lies inside.
-  Point middle() const;
+  [[nodiscard]] bool contains(Point p) const;
+  [[nodiscard]] double area() const;
+  /// Returns the mean of the corners, which lies inside.
+  [[nodiscard]] Point middle() const;
 
  private:
   explicit ConvexPolygon(std::vector<Point> corners) : corners_(std::move(corners)) {}

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,150 +19,145 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// What a circle is called while it is there, from 0. A new circle gets the next number, which is never given again.
-using CircleId = std::int32_t;
+/// The id of a circle in an editor, from 0. A new circle gets the next id. Ids are never reused.
+using CircleId = CircleIndex;
 
-/// How an edit was done. Each is certified.
+/// How an edit was done. The result is certified in each case.
 enum class EditWay {
-  local,  ///< by flips around the circles concerned
-  patch,  ///< where flips led astray, by a diagram of the circles around, spliced in
-  whole,  ///< by computing everything
+  local,  ///< by changes around the circles concerned
+  patch,  ///< where flips did not suffice, by splicing in a diagram of the circles around
+  whole,  ///< by computing the whole diagram
 };
 
-/// What an edge is in a Change: an arc of the bisector of two circles, between two vertices by number, kNone where it
-/// is unbounded (Edge).
-struct EditedEdge {
-  CircleId left = kNone;
-  CircleId right = kNone;
-  std::int32_t start = kNone;
-  std::int32_t end = kNone;
+/// A side that ends at infinity, and the side that follows it around its cell (Links::nextSide).
+struct HullSide {
+  SideIndex side;
+  SideIndex next;
 
-  friend bool operator==(const EditedEdge&, const EditedEdge&) = default;
+  friend bool operator==(const HullSide&, const HullSide&) = default;
 };
 
-/// A hidden circle, and a visible one that contains it: of several the one that it is kept with, where `snapshot` names
-/// the largest.
-struct EditedHider {
-  CircleId circle = kNone;
-  CircleId by = kNone;
-
-  friend bool operator==(const EditedHider&, const EditedHider&) = default;
-};
-
-/// A side that goes to infinity, and the next one around its cell, which comes from there (Diagram::nextSide). Side 2 e
-/// is that of the left circle of the edge with number e, 2 e + 1 that of the right one.
-struct EditedSide {
-  std::int32_t side = kNone;
-  std::int32_t next = kNone;
-
-  friend bool operator==(const EditedSide&, const EditedSide&) = default;
-};
-
-/// What an edit, or a batch, did to a diagram.
+/// What an edit, or a batch of edits, did to a diagram.
 ///
-/// While an editor lives, each vertex and each edge has a number, which stays its own until it goes, and may then be
-/// that of another: an edge with another end is another edge, and so is a vertex whose circle has moved. Numbers stay
-/// below the most vertices and edges that there ever were at a time, and a few for the hull. Who takes away what goes,
-/// then puts what comes into its place, has the diagram as it is now, unbounded edges and the hull included. Its
-/// circles and vertices equal those of `snapshot` to the bit, at any scale.
+/// In an editor, circles have ids, and each vertex and edge has a number that it keeps until it disappears. Here and in
+/// SnapshotNumbers, a CircleId is an id, VertexIndex and EdgeIndex are such numbers, and side 2 e or 2 e + 1 belongs to
+/// the edge with number e. An edge that gets another end is another edge, and a vertex of a circle that moves is
+/// another vertex. Numbers are reused, so they stay below the largest numbers of vertices and edges that ever existed
+/// at a time, plus a few for the hull.
+///
+/// To follow the diagram, take away what disappears, then put what appears into its place. Unbounded edges and the hull
+/// are included. Circles and vertices equal those of `snapshot` to the bit, at any scale.
 struct Change {
   EditWay way = EditWay::local;
 
   std::vector<CircleId> inserted;  ///< in the order of the edits
   std::vector<CircleId> removed;
   std::vector<CircleId> replaced;
-  std::vector<Circle> circles;      ///< those inserted, then those replaced, as they are now
-  std::vector<CircleId> hidden;     ///< circles that no longer have a cell, or came without one
-  std::vector<EditedHider> hiders;  ///< of each of those, and of each that another circle hides than before
-  std::vector<CircleId> shown;      ///< circles that were hidden and have a cell again
-  std::vector<CircleId> cells;      ///< circles whose cells have another outline, new ones included
+  std::vector<Circle> circles;   ///< the inserted circles, then the replaced ones, as they are after the change
+  std::vector<CircleId> hidden;  ///< circles that lost their cell, or were inserted without one
+  /// A hider for each circle in `hidden`, and for each circle whose hider has changed. If several visible circles
+  /// contain it, this is the one the editor keeps it with; a `snapshot` names the largest.
+  std::vector<HiddenCircle> hiders;
+  std::vector<CircleId> shown;  ///< circles that were hidden and have a cell again
+  std::vector<CircleId> cells;  ///< circles whose cells have another outline, including new cells
 
-  std::vector<std::int32_t> removedVertices;
-  std::vector<std::int32_t> addedVertices;
-  std::vector<Vertex> vertices;                        ///< of those added
-  std::vector<std::array<CircleId, 3>> vertexCircles;  ///< of those added: counter-clockwise, the least first
+  std::vector<VertexIndex> removedVertices;
+  std::vector<VertexIndex> addedVertices;
+  std::vector<Vertex> vertices;  ///< of the added vertices
+  std::vector<std::array<CircleId, 3>>
+      vertexCircles;  ///< of the added vertices: counter-clockwise, the lowest id first
 
-  std::vector<std::int32_t> removedEdges;
-  std::vector<std::int32_t> addedEdges;
-  std::vector<EditedEdge> edges;  ///< of those added
+  std::vector<EdgeIndex> removedEdges;
+  std::vector<EdgeIndex> addedEdges;
+  std::vector<Edge> edges;  ///< of the added edges
 
-  std::vector<EditedSide> hullSides;  ///< of sides to infinity that another follows than before
+  std::vector<HullSide> hullSides;  ///< the sides to infinity whose next side has changed
 };
 
 /// What the indices of a snapshot stand for.
 struct SnapshotNumbers {
-  std::vector<CircleId> circles;       ///< of each circle its id
-  std::vector<std::int32_t> vertices;  ///< of each vertex its number
-  std::vector<std::int32_t> edges;     ///< of each edge its number
-  std::vector<CircleId> hiders;        ///< of each hidden circle the one that it is kept with (EditedHider)
+  std::vector<CircleId> circles;      ///< the id of each circle
+  std::vector<VertexIndex> vertices;  ///< the number of each vertex
+  std::vector<EdgeIndex> edges;       ///< the number of each edge
+  std::vector<CircleId> hiders;       ///< for each hidden circle the one the editor keeps it with (Change::hiders)
 };
 
 /// One edit of a batch.
 struct Edit {
   enum class Kind { insert, remove, replace };
   Kind kind = Kind::insert;
-  CircleId id = kNone;  ///< of remove and replace
-  Circle circle;        ///< of insert and replace
+  CircleId id = {};  ///< for remove and replace
+  Circle circle;     ///< for insert and replace
 };
 
-/// A certified Voronoi diagram whose circles come, go, move and grow.
+struct EditorOptions {
+  bool weights = false;  ///< whether radii are additive weights, which may be negative (Options::weights)
+};
+
+/// A certified Voronoi diagram whose circles can be inserted, removed, moved and resized.
 ///
-/// An edit changes what is around it and leaves the rest: microseconds, however many circles there are. It is certified
-/// by what it changes before it is believed (judge of a step, ARCHITECTURE.md). An edit that hides or shows a large
-/// share of the circles computes everything. An edit that is refused, or for which there is no memory, changes nothing.
-/// A circle inside another is hidden, and has a cell again when that goes.
+/// An edit changes its surroundings and leaves the rest alone. It takes microseconds, however many circles there are.
+/// It is certified by what it changes (the judge of a step, ARCHITECTURE.md). An edit that hides or shows a large share
+/// of the circles computes the whole diagram. An edit that fails, for lack of memory or for any other reason, changes
+/// nothing.
 ///
-/// The diagram does not depend on the edits that led to it: it is that of `compute`, where more than three circles
-/// touch one disc as well. Circles may be anything that `compute` takes.
+/// A circle inside another one is hidden. It gets a cell when the other one no longer contains it.
 ///
-/// An editor is for one thread at a time; const functions of one may be called from several.
+/// The diagram does not depend on the edits that led to it. It is the one that `compute` makes, even where more than
+/// three circles touch one disc. The circles may be any that `compute` takes.
+///
+/// Only one thread at a time may use an editor, except that several threads may call const functions.
 class DiagramEditor {
  public:
-  /// Circle i gets id i. Errors are those of `compute`.
-  static Result<DiagramEditor> from(std::span<const Circle> circles);
+  /// Makes an editor. Circle i gets id i. Errors: those of `compute`.
+  static Result<DiagramEditor> from(std::span<const Circle> circles, const EditorOptions& options = {});
 
   DiagramEditor(DiagramEditor&&) noexcept;
   DiagramEditor& operator=(DiagramEditor&&) noexcept;
   ~DiagramEditor();
 
-  // Errors: unknownCircle, and those of `compute`; `circle` is the index of the edit, -1 if it is none of one edit.
-  // `hint`: a circle nearby, if one is known; what was edited last is one anyway.
+  // Errors of the edits below: unknownCircle, and those of `compute`. `Error::circle` is the id of the circle to blame;
+  // kNone if that is a new circle, or no single one. `Error::edit` is the index of the edit to blame; kNone if that is
+  // no single one.
 
-  /// The new id is `inserted[0]`.
+  /// Inserts a circle. Its id is `inserted[0]`. `hint` is a circle nearby, if you know one. By default the search
+  /// starts at the circle that was edited last.
   Result<Change> insert(const Circle& circle, CircleId hint = kNone);
   Result<Change> remove(CircleId id);
   /// Moves or resizes a circle, or both.
   Result<Change> replace(CircleId id, const Circle& circle);
-  /// All or none of the edits, one after the other. A circle that comes and goes in it is in no list.
+  /// Makes all of the edits, one after the other, or none. The change does not mention a circle that one edit inserts
+  /// and a later one removes.
   Result<Change> apply(std::span<const Edit> edits);
 
-  /// Has `observer` told all faces now, as a round, and from then on what each edit does, once it is done (trace.h);
-  /// an empty one ends that, as does an edit for which there is no memory. Circles are named by ids. Where everything
-  /// is computed, a round begins with all faces. Whatever the observer throws passes through; the edit is done then. An
-  /// error if there is no memory.
-  std::optional<Error> observe(const Observer& observer);
+  /// Sets an observer. It is first called for all faces, as a round, and then for each edit once that is done
+  /// (trace.h). If an edit computes the whole diagram, a round with all faces begins. An empty observer ends this. So
+  /// does an edit that runs out of memory. Exceptions of the observer pass through; the edit is then done. Errors:
+  /// tooManyCircles if memory runs out.
+  Result<void> observe(const Observer& observer);
 
-  /// The circle of smallest signed distance, one of them up to rounding where several are; kNone if there is none.
-  CircleId nearest(Point p, CircleId hint = kNone) const;
+  /// Returns the circle with the smallest signed distance from p; of several, one of them up to rounding. Returns kNone
+  /// if there are no circles or p is not finite. `hint` is a circle nearby, if you know one.
+  [[nodiscard]] CircleId nearest(Point p, CircleId hint = kNone) const;
 
-  /// How many circles there are, hidden ones included.
-  std::size_t size() const;
-  /// A circle as it was given; nothing if there is none with this id.
-  std::optional<Circle> circle(CircleId id) const;
-  /// Whether a circle has no cell. Precondition: there is one with this id.
-  bool isHidden(CircleId id) const;
-  /// The ids of all circles, in increasing order.
-  std::vector<CircleId> ids() const;
-  /// The circles, in the order of `ids`.
-  std::vector<Circle> circles() const;
+  /// Returns the number of circles, hidden ones included.
+  [[nodiscard]] std::size_t size() const;
+  /// Returns a circle as it was given; nothing if there is none with this id.
+  [[nodiscard]] std::optional<Circle> circle(CircleId id) const;
+  /// Returns whether a circle has no cell. Precondition: there is a circle with this id.
+  [[nodiscard]] bool isHidden(CircleId id) const;
+  /// Returns the ids of all circles, in increasing order.
+  [[nodiscard]] std::vector<CircleId> ids() const;
+  /// Returns the circles, in the order of `ids`.
+  [[nodiscard]] std::vector<Circle> circles() const;
 
-  /// What makes the diagram of nothing: all vertices and edges with their numbers. Linear time.
+  /// Returns the change from an empty diagram to this one: all vertices and edges with their numbers. Linear time.
   Result<Change> all() const;
-  /// The diagram of `circles()`, as `compute` makes it but for the order of vertices and edges: linear time.
+  /// Returns the diagram of `circles()`, as `compute` makes it except for the order of vertices and edges. Linear time.
   Result<Diagram> snapshot() const;
-  /// What the indices of `snapshot()` stand for, so that changes can be applied to its arrays. Linear time.
+  /// Returns what the indices of `snapshot()` stand for, so that changes can be applied to its arrays. Linear time.
   Result<SnapshotNumbers> numbers() const;
-  /// All judged once more: linear time. It is certified, as each edit was.
+  /// Judges the whole diagram once more. Like each edit, it is certified. Linear time.
   Result<Certificate> certificate() const;
 
  private:

@@ -8,56 +8,85 @@
 #include <variant>
 
 #include "circle_voronoi/abi.h"
+#include "circle_voronoi/index.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// What can be wrong. Hidden, duplicate and tangent circles are results, not errors.
+/// What went wrong. Hidden, duplicate and tangent circles are results, not errors.
 /// The names are the same in TypeScript (`errorCodeName`, `web/lib/base/errors.ts`).
 enum class ErrorCode {
   nonFinite,           ///< a coordinate or a radius is NaN or infinite
-  negativeRadius,      ///< a radius is below zero, and radii are no weights
-  coordinateTooLarge,  ///< a coordinate or a radius exceeds kCoordinateLimit, or a vertex the doubles
-  tooManyCircles,      ///< the input, or the candidates asked for, do not fit in memory or in 32-bit indices
-  badOption,           ///< an option is out of its range
+  negativeRadius,      ///< a radius is negative, and the radii are not weights
+  coordinateTooLarge,  ///< a coordinate or a radius exceeds kCoordinateLimit, or a vertex the largest double
+  tooManyCircles,      ///< the input, or the requested candidates, do not fit in memory or in 32-bit indices
+  badOption,           ///< an option is out of range
   notCertified,        ///< no construction led to a certified diagram
   unknownCircle,       ///< an editor has no circle with this id
-  badInput,            ///< text that cannot be read as circles
-  badArithmetic,       ///< the program rounds otherwise than to nearest, or takes tiny numbers for zero
-  internal,            ///< the program itself failed; please report it with the input
+  badInput,            ///< the text cannot be read as circles, or the parts of an argument do not fit together
+  badArithmetic,       ///< the program does not round to nearest, or flushes tiny numbers to zero
+  notWritten,          ///< a stream did not accept all of the text
+  internal,            ///< the library itself failed; please report it with the input
 };
 
-/// The name of a code, as in the enumeration.
-std::string_view errorCodeName(ErrorCode code);
+/// Returns the name of a code, as in the enumeration. Past the last code the name is empty.
+[[nodiscard]] std::string_view errorCodeName(ErrorCode code);
 
-/// One sentence about what is wrong, and the index of the circle concerned (-1: none). The message is empty if there
-/// was no memory left for it.
+/// What went wrong and where. The message is one sentence; it is empty if there was no memory left for it.
 struct Error {
   ErrorCode code = ErrorCode::badInput;
-  std::int64_t circle = -1;
+  std::int64_t circle = kNone;  ///< the index of the circle, or its id in an editor; kNone if no circle is to blame
   std::string message;
+  std::int64_t edit = kNone;  ///< the index of the edit in its batch (DiagramEditor::apply), otherwise kNone
 };
 
-/// A value or an error. A function that returns it throws nothing, on bad input or when memory runs out, and never
-/// aborts. What a callback of the caller throws passes through it unchanged.
+/// A value or an error. A function that returns a Result throws nothing for bad input or when memory runs out, and it
+/// never aborts. Exceptions that the caller's callbacks and streams throw pass through unchanged.
+///
+/// Check before you access: `value()`, `*` and `->` of an error, and `error()` of a value, throw
+/// std::bad_variant_access.
 template <class T>
-class Result {
+class [[nodiscard]] Result {
  public:
   Result(T value) : state_(std::move(value)) {}
   Result(Error error) : state_(std::move(error)) {}
 
   explicit operator bool() const { return ok(); }
-  bool ok() const { return std::holds_alternative<T>(state_); }
+  [[nodiscard]] bool ok() const { return std::holds_alternative<T>(state_); }
 
-  /// Precondition: ok().
-  const T& value() const& { return std::get<T>(state_); }
-  T& value() & { return std::get<T>(state_); }
-  T&& value() && { return std::get<T>(std::move(state_)); }
+  [[nodiscard]] const T& value() const& { return std::get<T>(state_); }
+  [[nodiscard]] T& value() & { return std::get<T>(state_); }
+  /// Returns a copy, not a reference into a temporary, so `const auto& x = compute(circles).value();` is safe.
+  [[nodiscard]] T value() && { return std::get<T>(std::move(state_)); }
 
-  /// Precondition: !ok().
-  const Error& error() const { return std::get<Error>(state_); }
+  [[nodiscard]] const T& operator*() const& { return value(); }
+  [[nodiscard]] T& operator*() & { return value(); }
+  [[nodiscard]] T operator*() && { return std::move(*this).value(); }
+  [[nodiscard]] const T* operator->() const { return &value(); }
+  [[nodiscard]] T* operator->() { return &value(); }
+
+  /// Returns the value, or `fallback` if there is an error.
+  [[nodiscard]] T value_or(T fallback) const& { return ok() ? value() : std::move(fallback); }
+  [[nodiscard]] T value_or(T fallback) && { return ok() ? std::move(*this).value() : std::move(fallback); }
+
+  [[nodiscard]] const Error& error() const { return std::get<Error>(state_); }
 
  private:
   std::variant<T, Error> state_;
+};
+
+/// Success or an error.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : state_(std::move(error)) {}
+
+  explicit operator bool() const { return ok(); }
+  [[nodiscard]] bool ok() const { return std::holds_alternative<std::monostate>(state_); }
+  [[nodiscard]] const Error& error() const { return std::get<Error>(state_); }
+
+ private:
+  std::variant<std::monostate, Error> state_;
 };
 
 }  // namespace circle_voronoi

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <span>
@@ -14,63 +13,61 @@
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
 #include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// What of a diagram is written, and how closely.
+/// Which part of a diagram is written, and how closely.
 struct ExportOptions {
-  /// Cells and unbounded edges are clipped to it; by default it has room for a twentieth of the circles' extent around
-  /// them, grown by the maximum distance if there is one.
-  std::optional<Box> bounds;
-  /// Cells and edges are cut at this distance from the nearest circle (cells.h), finite and at most kRegionLimit.
+  /// The box to which cells and edges are clipped, one that `ConvexPolygon::from` accepts. By default it is the
+  /// bounding box of the circles with a margin of a twentieth of its size. The circles are first grown by
+  /// `maxDistance`, if that is given.
+  std::optional<Box> bounds = {};
+  /// Cells and edges are cut at this distance from the nearest circle (`bufferOutline`). Finite and at most
+  /// kRegionLimit in absolute value.
   std::optional<double> maxDistance = {};
-  /// The largest distance of what is written from the true curves, above 0; by default a hundred-thousandth of the box.
-  std::optional<double> tolerance;
-  /// How many digits coordinates and areas have after the decimal point at most, from 0; by default those that the
-  /// tolerance asks for. Then rounding may move points by more than the tolerance, and the default box is widened to
-  /// such coordinates.
+  /// The largest distance between what is written and the true curves. Finite and positive. By default a
+  /// hundred-thousandth of the box.
+  std::optional<double> tolerance = {};
+  /// The largest number of digits that coordinates and areas have after the decimal point, from 0. By default as many
+  /// as the tolerance requires. With this option rounding may move points by more than the tolerance, and the default
+  /// box grows to coordinates with that many digits.
   std::optional<int> digits = {};
 };
 
-/// Which circles' parts are written, and by which names; all, and by their indices, where a span is empty.
-struct Selection {
-  std::span<const std::int64_t> ids;       ///< of each circle, increasing
-  std::span<const std::uint8_t> isChosen;  ///< of each circle
+/// Returns the default box if no digits are given.
+[[nodiscard]] Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
 
-  std::int64_t id(CircleIndex circle) const {
-    return ids.empty() || circle == kNone ? std::int64_t{circle} : ids[static_cast<std::size_t>(circle)];
-  }
-  bool contains(CircleIndex circle) const {
-    return isChosen.empty() || isChosen[static_cast<std::size_t>(circle)] != 0;
-  }
-};
-
-/// The box that is used by default where no digits are asked for.
-Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance = {});
-
-// Each writes a certified diagram of `circles`. Polygons of cells are counter-clockwise, and those of neighbours share
-// their points bit for bit; none crosses itself. But a cell that is narrower than the rounding of its vertices, as
-// between circles that touch inside but for rounding, may have a polygon that does, or none.
+// The functions below write a certified diagram to a stream. The polygons of cells are counter-clockwise and do not
+// cross themselves. Those of neighbors share their points bit for bit. A cell that is narrower than the rounding of its
+// vertices may have a polygon that crosses itself, or none. Such cells occur between circles that are tangent inside up
+// to rounding.
 //
-// Coordinates have decimals enough for the tolerance, of which rounding takes at most a tenth: their last place is the
-// largest power of ten that does. Points that meet the box, arcs of the hull, and polygons that would collapse or cross
-// themselves if they were rounded keep all digits; so do radii and areas of GeoJSON and all numbers of CSV, which read
-// back to the same bits. With ExportOptions::digits points that meet the box are rounded along it, and areas are.
+// Coordinates have as many decimals as the tolerance requires. Their last place is the largest power of ten for which
+// rounding uses up at most a tenth of the tolerance. The following keep all their digits: points on the box, arcs of
+// the hull, polygons that would collapse or cross themselves if they were rounded, radii and areas in GeoJSON, and all
+// numbers in CSV. Reading these back gives the same bits. With ExportOptions::digits, areas are rounded, and points on
+// the box are rounded along it.
+//
+// Errors: notCertified if the diagram is not certified; badOption if an option is out of range; notWritten if the
+// stream fails; tooManyCircles if memory runs out. After notWritten or tooManyCircles the stream holds a part of the
+// text. After other errors nothing was written. If the stream throws, its exception passes through.
 
-/// A drawing, y upwards, that fits the box and has nothing of what is outside: groups of class cells, dual, circles,
-/// edges, vertices and hull, styled by a style sheet. Curves are cubic Bezier curves, and arcs of circles are arcs.
-/// Hidden circles have the class hidden, circles too small to be seen, and those of negative radius, the class point.
-void writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+/// Writes a drawing that fits the box, with y pointing up and nothing outside the box. It has the groups cells, dual,
+/// circles, edges, vertices and hull, which are also classes, and a style sheet. Curves are cubic Bezier curves, and
+/// arcs of circles are arcs. Hidden circles have the class hidden. Circles that are too small to be seen and circles of
+/// negative radius have the class point.
+Result<void> writeSvg(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
-/// Marks of one kind in a figure: a group of this class.
+/// A group of marks in a figure.
 struct SvgLayer {
-  std::string name;
-  std::vector<Point> points = {};  ///< strokes of length zero: as wide as the style says
+  std::string name;                ///< the id and the class of the group
+  std::vector<Point> points = {};  ///< strokes of length zero, as wide as the style sheet says
   std::vector<Circle> discs = {};
-  std::vector<std::array<Point, 2>> segments = {};  ///< with an arrowhead at the second point, if they are arrows
-  bool areArrows = false;
-  std::vector<EdgeCurve> arcs = {};  ///< bounded ones
+  std::vector<std::array<Point, 2>> segments = {};
+  bool areArrows = false;            ///< whether segments have an arrowhead at their second point
+  std::vector<EdgeCurve> arcs = {};  ///< bounded arcs
 };
 
 /// A drawing with more, or less, than a diagram has.
@@ -78,33 +75,34 @@ struct SvgFigure {
   ExportOptions frame;
   /// Which groups of `writeSvg` are drawn.
   std::vector<std::string> groups = {"cells", "dual", "circles", "edges", "vertices", "hull"};
-  std::vector<SvgLayer> layers = {};  ///< drawn over these, in their order
+  std::vector<SvgLayer> layers = {};  ///< drawn above the groups, in this order
   std::string style;                  ///< rules of a style sheet, after those of `writeSvg`
-  double pixels = 1000;               ///< the longer side of the drawing, to which strokes and dots refer
+  double pixels = 1000;               ///< the longer side of the drawing, in the unit of strokes and dots; positive
 };
 
-/// The drawing of `writeSvg` as a figure.
-void writeSvgFigure(std::ostream& out, const Diagram& diagram, const SvgFigure& figure);
+/// Writes a figure.
+Result<void> writeSvgFigure(std::ostream& out, const Diagram& diagram, const SvgFigure& figure);
 
-/// RFC 7946: a feature for each circle, its cell as a Polygon, a MultiPolygon if the box cuts it apart, or null if it
-/// is hidden or outside the box; with the properties circle, r, area, neighbors (circles), and hiddenBy of a
-/// hidden circle.
-void writeGeoJson(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+/// Writes the cells as GeoJSON (RFC 7946), with a feature for each circle. Its geometry is a Polygon, a MultiPolygon if
+/// the box cuts the cell apart, or null if the circle is hidden or its cell lies outside the box. The properties are
+/// circle, r, area, neighbors (circles), and for hidden circles hiddenBy.
+Result<void> writeGeoJson(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
-/// The same features of the chosen circles, by their ids, one a line and nothing else: such texts can be put together.
-void writeGeoJsonLines(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {},
-                       const Selection& selection = {});
+/// Writes the features of `writeGeoJson`, one a line, and nothing else. You can concatenate such texts.
+Result<void> writeGeoJsonLines(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
-/// Well-known text: line i is the cell of circle i, POLYGON, MULTIPOLYGON or POLYGON EMPTY.
-void writeWkt(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+/// Writes the cells as well-known text. Line i is the cell of circle i: POLYGON, MULTIPOLYGON or POLYGON EMPTY.
+Result<void> writeWkt(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
-/// Wavefront OBJ in the plane z = 0: the edges as polylines in the object `edges`, the cells as faces in the object
-/// `cells`, in a group for each circle.
-void writeObj(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
+/// Writes Wavefront OBJ in the plane z = 0. The object `edges` has the edges as polylines. The object `cells` has the
+/// cells as faces, with a group for each circle.
+Result<void> writeObj(std::ostream& out, const Diagram& diagram, const ExportOptions& options = {});
 
-/// One table of vertices and edges, with the columns type, index, x, y, radius, circle1, circle2, circle3, start, end:
-/// of a vertex its disc and three circles, of an edge its left and right circle and its vertices, -1 for infinity.
-/// `digits`: how many the discs have after the decimal point at most, from 0; by default all.
-void writeDiagramCsv(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
+/// Writes the vertices and edges as a table with the columns type, index, x, y, r, circle1, circle2, circle3, start,
+/// end. A vertex has its disc and its three circles. An edge has its left and right circle and its vertices, -1 for
+/// infinity. The diagram need not be certified.
+///
+/// `digits` is the largest number of digits that discs have after the decimal point, from 0. By default they have all.
+Result<void> writeDiagramCsv(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
 
 }  // namespace circle_voronoi

@@ -3,18 +3,20 @@
 
 #include <compare>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <type_traits>
 
 #include "circle_voronoi/abi.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// "None" in place of an index: the unbounded end of an edge, no circle, no vertex.
+/// "None" in place of an index: no circle, no vertex, the unbounded end of an edge.
 inline constexpr std::int32_t kNone = -1;
 
-/// An index of one kind, from 0, or kNone. It is a number and may be made of one, but one kind does not turn into
-/// another, nor do two kinds compare.
+/// An index of one kind, counted from 0, or kNone. An index converts to and from an integer, but indices of different
+/// kinds do not convert to each other and cannot be compared.
 template <class Kind>
 class Index {
  public:
@@ -40,12 +42,18 @@ requires(!std::same_as<Kind, Other>) std::strong_ordering operator<=>(Index<Kind
 using CircleIndex = Index<struct OfCircles>;
 using VertexIndex = Index<struct OfVertices>;
 using EdgeIndex = Index<struct OfEdges>;
-/// A side: an edge as one of its two cells has it (Diagram::nextSide).
+/// A side: an edge as seen from one of its two cells (Diagram).
 using SideIndex = Index<struct OfSides>;
 
 }  // namespace circle_voronoi
 
-// So that algorithms of std::ranges compare indices with numbers.
+/// Indices as keys of std::unordered_map and std::unordered_set.
+template <class Kind>
+struct std::hash<circle_voronoi::Index<Kind>> {
+  std::size_t operator()(circle_voronoi::Index<Kind> index) const noexcept { return std::hash<std::int32_t>()(index); }
+};
+
+// So that the algorithms of std::ranges compare indices with integers.
 template <class Kind>
 struct std::common_type<circle_voronoi::Index<Kind>, std::int32_t> {
   using type = std::int32_t;

@@ -4,7 +4,6 @@
 #include <iosfwd>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,45 +18,58 @@ struct ReadOptions {
   bool weights = false;  ///< whether radii may be negative (Options::weights)
 };
 
-/// Reads circles from UTF-8 text, which may begin with a byte-order mark; lines end in LF, CRLF or CR. Text whose first
-/// character is `[` is JSON, `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`; `{` begins a GeoJSON FeatureCollection
-/// of Points with a property `radius` or `r`; all else is a table (CSV):
+/// Reads circles from UTF-8 text. The text may begin with a byte-order mark. Lines end in LF, CRLF or CR. The first
+/// character tells the format:
 ///
-/// - A line for each circle; fields separated by commas, semicolons, tabs or spaces, whichever the first line has, and
-///   perhaps in quotation marks. Lines that begin with `#` and lines without anything are passed over.
-/// - The columns that the first line names, in any order and either case: x, cx, lon or longitude; y, cy, lat or
-///   latitude; r, rad or radius. Other columns are ignored. Without such a line there are three columns: x, y, r.
-/// - Where commas do not separate, or in quotation marks, they may be decimal marks; one text has one kind of these.
+/// - `[` begins JSON: `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`.
+/// - `{` begins a GeoJSON FeatureCollection of Points with a property `radius` or `r`.
+/// - Anything else is a table (CSV) with a line for each circle.
 ///
-/// Errors, each with one sentence that starts with `name:line:`: badInput, also for a text without anything and for a
-/// line of a table beyond 64 MiB, and, so that the line can be named, what `compute` would reject (nonFinite,
-/// negativeRadius, coordinateTooLarge, tooManyCircles).
+/// In a table, commas, semicolons, tabs or spaces separate the fields, whichever occurs in the first line. Fields may
+/// be in quotation marks. Empty lines and lines that begin with `#` are skipped. The first line may name the columns,
+/// in any order and case: x, cx, lon or longitude; y, cy, lat or latitude; r, rad or radius. Other columns are ignored.
+/// Without such a line there are three columns: x, y, r. If commas do not separate the fields, or inside quotation
+/// marks, commas may be decimal marks. A text has one kind of decimal mark.
+///
+/// `name` is what errors call the text. Each message is one sentence that starts with `name:line:`.
+/// Errors: badInput, also for an empty text and for a line of a table longer than 64 MiB; and what `compute` would
+/// reject, so that the message can name the line: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles.
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
-// Each writes circles as `readCircles` reads them: CSV with a header line, JSON objects, GeoJSON Points with the
-// properties circle (the index) and radius. Reading a number back gives the same bits.
+// The functions below write circles so that `readCircles` reads them back to the same bits: as CSV with a header line,
+// as JSON objects, and as GeoJSON Points with the properties circle (the index) and r. Radii may be negative
+// (ReadOptions::weights).
+//
+// Errors: nonFinite, coordinateTooLarge, tooManyCircles, badArithmetic; notWritten if the stream fails. If the stream
+// throws, its exception passes through.
 
-void writeCirclesCsv(std::ostream& out, std::span<const Circle> circles);
-void writeCirclesJson(std::ostream& out, std::span<const Circle> circles);
-void writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles);
+Result<void> writeCirclesCsv(std::ostream& out, std::span<const Circle> circles);
+Result<void> writeCirclesJson(std::ostream& out, std::span<const Circle> circles);
+Result<void> writeCirclesGeoJson(std::ostream& out, std::span<const Circle> circles);
 
-/// Writes a diagram in the project's JSON format, version 1 (README), which says of radii that are weights that they
-/// are. Reading a number back gives the same bits, unless `digits` says how many vertices and their radii have after
-/// the decimal point at most, from 0: circles keep theirs. `certify` takes vertices that are rounded far for wrong.
-void writeJson(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
-
-/// Reads what `writeJson` wrote, or anybody else in that format: numbers to the bit. Other keys than those of the
-/// format are skipped, `stats` is read as far as it is there, and its certificate is not believed: that is for
-/// `certify` to judge. Sides are linked (linkSides) if the diagram fits together.
+/// Writes a diagram in the project's JSON format, version 1 (README). It records whether radii are weights.
 ///
-/// Errors as those of `readCircles`; badInput for another format or version as well. Indices need not fit the circles.
+/// `digits` is the largest number of digits that vertices and their radii have after the decimal point, from 0. Circles
+/// keep all their digits. By default all numbers read back to the same bits. If you round vertices too far, `certify`
+/// rejects them.
+///
+/// Errors: badOption if `digits` is negative; badInput if there are not as many vertexCircles as vertices; notWritten
+/// if the stream fails.
+Result<void> writeJson(std::ostream& out, const Diagram& diagram, std::optional<int> digits = {});
+
+/// Reads a diagram in the format of `writeJson`, to the bit. Unknown keys are skipped. Of `stats` whatever is present
+/// is read, except for the certificate: call `certify` to get one. If the diagram fits together, its sides are linked
+/// (linkSides). The indices need not fit the circles.
+///
+/// Errors: those of `readCircles`; badInput also for another format or version.
 Result<Diagram> readDiagram(std::string_view text, std::string_view name);
 
-/// Whether text is meant for `readDiagram` and not for `readCircles`: a JSON object with the key `format`, as far as it
-/// is well-formed, and none of GeoJSON's before it.
-bool holdsDiagram(std::string_view text);
+/// Returns whether a text is meant for `readDiagram` and not for `readCircles`: a JSON object with the key `format`, as
+/// far as it is well-formed, and no key of GeoJSON before that.
+[[nodiscard]] bool holdsDiagram(std::string_view text);
 
-/// Writes the `stats` object of that format alone.
-void writeStatsJson(std::ostream& out, const Diagram& diagram);
+/// Writes only the `stats` object of the format of `writeJson`.
+/// Errors: notWritten if the stream fails.
+Result<void> writeStatsJson(std::ostream& out, const Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -2,36 +2,36 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "circle_voronoi/abi.h"
-#include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// A diagram with vertices of any degree: vertices joined by edges of length near zero are one (paper, section 8).
+/// A diagram with vertices of any degree: vertices joined by edges of length near zero are merged (paper, section 8).
 struct MergedDiagram {
-  /// For each merged vertex its centre and signed radius: those of its member of smallest index.
+  /// The center and signed radius of each merged vertex: those of its member with the smallest index.
   std::vector<Vertex> vertices;
-  /// The circles of merged vertex v, counter-clockwise around it from the smallest index, are
-  /// circles[firstCircle[v]] up to before circles[firstCircle[v + 1]]. A circle recurs if its cell meets the vertex
-  /// more than once.
+  /// The circles around merged vertex v are circles[firstCircle[v]] to circles[firstCircle[v + 1] - 1].
   std::vector<std::int32_t> firstCircle;
+  /// The circles around each merged vertex, counter-clockwise from the smallest index. A circle recurs if its cell
+  /// meets the vertex more than once.
   std::vector<CircleIndex> circles;
-  /// The edges that remain, in the order of the diagram, between merged vertices.
+  /// The remaining edges, between merged vertices, in the order of the diagram.
   std::vector<Edge> edges;
   /// For each vertex of the diagram its merged vertex.
   std::vector<VertexIndex> mergedVertex;
 };
 
-/// Merges the vertices of a certified diagram whose edges are not longer than `nearZero`, in the units of the input.
-/// A negative `nearZero`, the default, stands for a small multiple of the rounding error of each vertex. The circles
-/// around each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as
-/// long as `nearZero`.
+/// Merges the vertices of a certified diagram whose edges are not longer than `nearZero`, in the units of the input. By
+/// default the limit is a small multiple of the rounding error of each vertex.
 ///
-/// Precondition: `diagram` is certified.
-MergedDiagram mergeVertices(const Diagram& diagram, double nearZero = -1);
+/// The circles around each merged vertex do not depend on the order of the input, as long as no edge is about as long
+/// as `nearZero`.
+///
+/// Precondition: the diagram is certified.
+[[nodiscard]] MergedDiagram mergeVertices(const Diagram& diagram, std::optional<double> nearZero = {});
 
 }  // namespace circle_voronoi

@@ -9,16 +9,17 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// The distance from a circle that makes a diagram: a point belongs to the cell of the circle of smallest distance.
+/// The distance from a circle that defines a diagram. A point belongs to the cell of the nearest circle.
 enum class Metric {
   circles,  ///< |p - c| - r, signed: the Voronoi diagram of circles
-  centers,  ///< |p - c|: the ordinary Voronoi diagram of the centres
+  centers,  ///< |p - c|: the ordinary Voronoi diagram of the centers
   power,    ///< |p - c|^2 - r^2: the power (Laguerre) diagram
 };
 
-/// Its name, as in the enumeration.
-std::string_view metricName(Metric metric);
+/// Returns the name of a metric, as in the enumeration.
+[[nodiscard]] std::string_view metricName(Metric metric);
 
-double distance(Metric metric, const Circle& circle, Point p);
+/// Returns the distance of p from a circle.
+[[nodiscard]] double distance(Metric metric, const Circle& circle, Point p);
 
 }  // namespace circle_voronoi

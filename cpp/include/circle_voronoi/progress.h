@@ -8,15 +8,15 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// A stage of `compute`, named as its time in Seconds.
-enum class Stage { hide, sample, pair, touch, flip, repair, certify };
+/// A stage of `compute`, named like its time in Seconds.
+enum class Stage { triangulate, sample, pair, touch, flip, repair, certify };
 
-/// The name of a stage, as in JSON and JavaScript: that of the enumerator.
-std::string_view stageName(Stage stage);
+/// Returns the name of a stage, as in the enumeration, in JSON and in JavaScript.
+[[nodiscard]] std::string_view stageName(Stage stage);
 
-/// Told when a stage begins (0) and, in those of the touching disc method (sample, pair, touch), which part of it is
-/// done, up to 1. Which stages there are, and how often, is up to the method and the input. What it throws passes
-/// through `compute`, which is how to cancel one.
+/// A callback that `compute` calls when a stage begins, with `done` = 0. The stages of the touching disc method
+/// (sample, pair, touch) also call it with the part of the stage that is done, up to 1. Which stages run, and how
+/// often, depends on the method and the input. To cancel a computation, throw: the exception passes through `compute`.
 using Progress = std::function<void(Stage stage, double done)>;
 
 }  // namespace circle_voronoi

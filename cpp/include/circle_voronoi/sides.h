@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <ranges>
 #include <vector>
@@ -12,8 +11,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// The sides of a cell from the first, each found from the one before: a range of SideIndex, which the diagram must
-/// outlive.
+/// The sides of a cell in counter-clockwise order: a range of SideIndex. The diagram must outlive it.
 class Sides : public std::ranges::view_base {
  public:
   class Iterator {
@@ -41,16 +39,16 @@ class Sides : public std::ranges::view_base {
    private:
     const SideIndex* next_ = nullptr;
     SideIndex first_;
-    SideIndex side_;  ///< kNone: behind the last
+    SideIndex side_;  ///< kNone after the last side
   };
 
   Sides(const std::vector<SideIndex>& nextSide, SideIndex first) : next_(nextSide.data()), first_(first) {}
 
-  Iterator begin() const { return {next_, first_}; }
-  Iterator end() const { return {}; }
-  bool empty() const { return first_ == kNone; }
-  /// Of sides that are not empty.
-  SideIndex front() const { return first_; }
+  [[nodiscard]] Iterator begin() const { return {next_, first_}; }
+  [[nodiscard]] Iterator end() const { return {}; }
+  [[nodiscard]] bool empty() const { return first_ == kNone; }
+  /// Returns the first side. Precondition: the range is not empty.
+  [[nodiscard]] SideIndex front() const { return first_; }
 
  private:
   const SideIndex* next_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -18,24 +19,26 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// Circles of a part of the whole, which go by their ids there.
+/// The circles of one part of a large input. Ids tell which circles of the whole input they are.
 struct Tile {
   std::vector<Circle> circles;
-  std::vector<std::int64_t> ids;   ///< of each circle, from 0; increasing, as what is final depends on their order
-  std::vector<std::uint8_t> done;  ///< of each circle: whether what it owns is written already, or elsewhere
+  /// The id of each circle, from 0. Ids increase, because what is final depends on the order of the circles.
+  std::vector<std::int64_t> ids;
+  /// For each circle, whether its parts are already written, or are written elsewhere.
+  std::vector<std::uint8_t> done;
 };
 
-/// Reads a tile from a table as `readCircles` does, with two columns more if a header names them: id or fid, whole
-/// numbers from 0, else the rows are numbered from 0; and done, 0 or 1, else 0. The circles are put in the order of
-/// their ids.
+/// Reads a tile from a table like `readCircles`, with two optional columns. `id` or `fid` has integers from 0; by
+/// default the rows are numbered from 0. `done` has 0 or 1; by default 0. The circles are sorted by id.
 ///
 /// Errors: those of `readCircles`; badInput also if the text is JSON, or two circles have the same id.
 Result<Tile> readTile(std::string_view text, std::string_view name, const ReadOptions& options = {});
 
-/// Reads the same table piece by piece, in memory for a piece, as its lines come: any number of circles. The result
-/// does not depend on where the text is divided into pieces: neither the circles nor the first error.
+/// Reads the table of `readTile` piece by piece, for any number of circles. It needs memory for one piece. Circles come
+/// in the order of the lines. The circles and the first error do not depend on where the text is cut into pieces.
 ///
-/// Errors: those of `readTile`, but equal ids; badInput also if the first 64 MiB have neither a header nor a circle.
+/// Errors: those of `readTile`, except that equal ids are allowed; badInput also if the first 64 MiB have neither a
+/// header nor a circle.
 class TileStream {
  public:
   explicit TileStream(std::string name, const ReadOptions& options = {});
@@ -43,9 +46,9 @@ class TileStream {
   TileStream& operator=(TileStream&&) noexcept;
   ~TileStream();
 
-  /// The circles of the lines that this piece of the text completes, in their order.
+  /// Reads a piece. Returns the circles of the lines that it completes.
   Result<Tile> read(std::string_view piece);
-  /// Those of the last line, if it does not end.
+  /// Ends the text. Returns the circle of the last line if that has no line end.
   Result<Tile> end();
 
  private:
@@ -53,18 +56,39 @@ class TileStream {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Writes a table that `readTile` reads: the chosen circles, with the columns id, x, y, r and done.
-void writeTile(std::ostream& out, const Tile& tile, std::span<const std::uint8_t> isChosen);
+/// Which circles' parts are written, and what the circles are called. The spans must outlive the selection.
+struct Selection {
+  std::span<const std::int64_t> ids;       ///< the id of each circle, increasing; empty: ids are indices
+  std::span<const std::uint8_t> isChosen;  ///< whether each circle is chosen; empty: all are
 
-/// What the chosen circles own: of a vertex and of an edge the circle with the lowest id is the owner, of a cell and of
-/// a hidden circle it is that circle. One line each, so that the lines of all tiles are those of the whole in another
-/// order. The columns are type, x, y, radius, circle1, circle2, circle3, circle4:
+  [[nodiscard]] std::int64_t id(CircleIndex circle) const {
+    return ids.empty() || circle == kNone ? std::int64_t{circle} : ids[static_cast<std::size_t>(circle)];
+  }
+  [[nodiscard]] bool contains(CircleIndex circle) const {
+    return isChosen.empty() || isChosen[static_cast<std::size_t>(circle)] != 0;
+  }
+};
+
+// The functions below fail with badInput if a span of the selection, or a list of the tile, does not have an entry for
+// each circle, and with notWritten if the stream fails.
+
+/// Writes the chosen circles as a table that `readTile` reads, with the columns id, x, y, r and done.
+Result<void> writeTile(std::ostream& out, const Tile& tile, std::span<const std::uint8_t> isChosen);
+
+/// Writes the parts of the diagram that the chosen circles own, one a line. A vertex and an edge belong to their circle
+/// with the lowest id. So the lines of all tiles together are the lines of the whole diagram in another order. The
+/// columns are type, x, y, r, circle1, circle2, circle3, circle4:
 ///
-/// - vertex: its disc and its three circles counter-clockwise, from the lowest id. No other vertex has these three in
-///   this order.
-/// - edge: its left circle, which has the lower id, and its right one; then the third circles of the vertices where it
-///   starts and ends, -1 for infinity.
-/// - hidden: a circle, and the one that hides it.
-void writePartsCsv(std::ostream& out, const Diagram& diagram, const Selection& selection);
+/// - vertex: its disc and its three circles counter-clockwise, from the lowest id. No other vertex has these three
+///   circles in this order.
+/// - edge: its left circle, which has the lower id, and its right circle; then the third circles of the vertices where
+///   it starts and ends, -1 for infinity.
+/// - hidden: a circle, and the circle that hides it.
+Result<void> writePartsCsv(std::ostream& out, const Diagram& diagram, const Selection& selection);
+
+/// Writes the features of `writeGeoJsonLines` for the chosen circles only, with ids in place of indices.
+/// Errors: also those of `writeGeoJsonLines`.
+Result<void> writePartsGeoJsonLines(std::ostream& out, const Diagram& diagram, const Selection& selection,
+                                    const ExportOptions& options = {});
 
 }  // namespace circle_voronoi

@@ -3,15 +3,14 @@
 
 #include "circle_voronoi/compute.h"
 #include "guarded.h"
-#include "power_diagram.h"
 #include "validate.h"
 
 namespace circle_voronoi {
 
 Result<Diagram> computeComparison(std::span<const Circle> circles, Metric metric) {
   if (metric == Metric::circles) return compute(circles);
+  if (metric == Metric::power) return powerDiagram(circles);
   return guarded([&]() -> Result<Diagram> {
-    if (metric == Metric::power) return powerDiagram(circles);
     // Without radii nobody would see what is wrong with them.
     const auto scaled = validate(circles);
     if (!scaled) return scaled.error();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "power_diagram.h"
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_2.h>
 
@@ -13,6 +11,8 @@
 #include <tuple>
 #include <vector>
 
+#include "circle_voronoi/comparison.h"
+#include "guarded.h"
 #include "spatial_order.h"
 #include "topology.h"
 #include "validate.h"
@@ -198,28 +198,29 @@ Diagram powerDiagramOf(std::span<const Circle> circles, int scaling) {
     addChain(chain, diagram);
   }
   if (!diagram.hull.empty()) rotateHull(diagram.hull);
-  diagram.stats.method = "power";
   return diagram;
 }
 
 }  // namespace
 
 Result<Diagram> powerDiagram(std::span<const Circle> circles) {
-  const auto scaled = validate(circles);
-  if (!scaled) return scaled.error();
-  Diagram diagram = powerDiagramOf(scaled.value().circles, std::ilogb(scaled.value().unit));
-  diagram.circles.assign(circles.begin(), circles.end());
-  diagram.metric = Metric::power;
-  linkSides(diagram);
-  for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
-    const auto& [x, y, radius] = diagram.vertices[v];
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius)) {
-      const std::int32_t circle = diagram.vertexCircles[v][0];
-      return Error{ErrorCode::coordinateTooLarge, circle,
-                   "A vertex of circle " + std::to_string(circle) + " is beyond the range of numbers."};
+  return guarded([&]() -> Result<Diagram> {
+    const auto scaled = validate(circles);
+    if (!scaled) return scaled.error();
+    Diagram diagram = powerDiagramOf(scaled.value().circles, std::ilogb(scaled.value().unit));
+    diagram.circles.assign(circles.begin(), circles.end());
+    diagram.metric = Metric::power;
+    linkSides(diagram);
+    for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
+      const auto& [x, y, radius] = diagram.vertices[v];
+      if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius)) {
+        const std::int32_t circle = diagram.vertexCircles[v][0];
+        return Error{ErrorCode::coordinateTooLarge, circle,
+                     "A vertex of circle " + std::to_string(circle) + " is beyond the range of numbers."};
+      }
     }
-  }
-  return diagram;
+    return diagram;
+  });
 }
 
 }  // namespace circle_voronoi

@@ -33,7 +33,7 @@ Dual apolloniusGraph(std::span<const Circle> circles) {
   Dual dual;
   if (graph.dimension() < 2) return dual;
   const auto cornerOf = [&](Graph::Vertex_handle vertex) {
-    if (graph.is_infinite(vertex)) return kInfinity;
+    if (graph.is_infinite(vertex)) return kPointAtInfinity;
     const auto& site = vertex->site();
     return indexOf.at(
         {CGAL::to_double(site.point().x()), CGAL::to_double(site.point().y()), CGAL::to_double(site.weight())});

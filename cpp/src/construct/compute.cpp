@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "certificate_message.h"
-#include "circle_voronoi/option_names.h"
 #include "construct.h"
 #include "diagram_of.h"
 #include "guarded.h"
@@ -21,8 +20,8 @@ namespace circle_voronoi {
 namespace {
 
 int sampleCount(const Options& options) {
-  if (options.samples != -1) return options.samples;
-  return options.candidates == Candidates::uniform ? kDefaultUniformSamples : kDefaultDynamicSamples;
+  return options.samples.value_or(options.candidates == Candidates::uniform ? kDefaultUniformSamples
+                                                                            : kDefaultDynamicSamples);
 }
 
 /// An error if an option is out of its range for this many circles.
@@ -39,8 +38,8 @@ std::optional<Error> checkOptions(const Options& options, std::size_t circleCoun
   if (samples >= fewest && samples <= kMaxSamples) return std::nullopt;
   return Error{ErrorCode::badOption, -1,
                "The number of samples is " + std::to_string(samples) + "; with " +
-                   std::string(nameOf(options.candidates)) + " candidates it is from " + std::to_string(fewest) +
-                   " to " + std::to_string(kMaxSamples) + "."};
+                   std::string(candidatesName(options.candidates)) + " candidates it is from " +
+                   std::to_string(fewest) + " to " + std::to_string(kMaxSamples) + "."};
 }
 
 /// Translates the events of visible, scaled circles to those of the input.
@@ -58,14 +57,14 @@ Observer observerOfInput(const Observer& observer, const std::vector<int>& visib
 Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scaled, const Options& options) {
   Journal journal(options.progress);
   Stats& stats = journal.stats;
-  stats.method = nameOf(options.method);
+  stats.method = options.method;
   stats.counts.circles = static_cast<std::int64_t>(scaled.circles.size());
   Sites sites;
   {
-    const Stopwatch watch = journal.enter(Stage::hide);
+    const Stopwatch watch = journal.enter(Stage::triangulate);
     VisibleCircles visible = hide(order(scaled.circles));
     // Another method makes its own.
-    if (options.method != Method::automatic) visible.diagram.reset();
+    if (options.method != Method::automatic) visible.dual.reset();
     sites = triangulate(std::move(visible));
     if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) return *std::move(error);
     scaled.circles = {};  // the sites have them
@@ -82,7 +81,7 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
       construction = constructByFlips(sites, observer, journal);
       break;
     case Method::touchingDisc: {
-      stats.candidates = nameOf(options.candidates);
+      stats.candidates = options.candidates;
       Options complete = options;
       complete.samples = sampleCount(options);
       construction = constructByTouchingDisc(sites, complete, observer, journal);

@@ -63,8 +63,8 @@ void tellOfCenters(const Dual& centers, const Observer& observer) {
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {
     const int i = centers.origin[h];
     const int j = centers.target(h);
-    // Each edge once; kInfinity is below the indices of circles.
-    if (i != kInfinity && i < j) observer({TraceKind::centersJoined, {}, {i, j, kNone}, kNone});
+    // Each edge once; kPointAtInfinity is below the indices of circles.
+    if (i != kPointAtInfinity && i < j) observer({TraceKind::centersJoined, {}, {i, j, kNone}, kNone});
   }
 }
 
@@ -130,7 +130,7 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
   std::set<int> around = named;
   for (int h = 0; h < centres.halfEdgeCount(); ++h) {
     const int i = centres.origin[h];
-    if (i != kInfinity && (named.empty() || named.contains(centres.target(h)))) around.insert(i);
+    if (i != kPointAtInfinity && (named.empty() || named.contains(centres.target(h)))) around.insert(i);
   }
   return {around.begin(), around.end()};
 }
@@ -164,7 +164,7 @@ std::optional<Dual> insertedAll(const Sites& sites, Journal& journal) {
 /// Repairs a dual in patches that grow until none is seen to be wrong.
 void repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::repair);
-  journal.stats.way = "repair";
+  journal.stats.way = Way::repair;
   for (const int reach : {2, 4, 8, 16}) {
     if (wrong.empty()) break;
     journal.stats.counts.repairs += repair(
@@ -207,7 +207,7 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journ
     if (!isRight(*dual)) return std::nullopt;
   }
   for (int& corner : dual->origin) {
-    if (corner != kInfinity) corner = sites.indices[corner];
+    if (corner != kPointAtInfinity) corner = sites.indices[corner];
   }
   return dual;
 }
@@ -215,8 +215,8 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journ
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
                                      Journal& journal) {
   const int n = static_cast<int>(sites.circles.size());
-  std::vector<int> angular(n, options.samples);
-  journal.stats.way = "touching-disc";
+  std::vector<int> angular(n, *options.samples);
+  journal.stats.way = Way::touchingDisc;
   for (int round = 0;; ++round) {
     if (observer) observer({TraceKind::roundBegun, {}, {kNone, kNone, kNone}, kNone, {round, kNone}});
     Samples samples;
@@ -226,7 +226,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       const bool isDynamic = options.candidates == Candidates::dynamic;
       if (observer && isDynamic) tellOfCenters(sites.centres, observer);
       samples = isDynamic ? sampleDynamically(sites.circles, sites.centres, angular, tell)
-                          : sampleUniformly(sites.circles, options.samples, tell);
+                          : sampleUniformly(sites.circles, *options.samples, tell);
       journal.stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
       if (observer) tellOfSamples(samples, observer);
     }
@@ -261,7 +261,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
 }
 
 Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal) {
-  journal.stats.way = "flip";
+  journal.stats.way = Way::flip;
   FaceTeller teller(sites.centres, sites.circles, observer);
   teller.tellRound(0);
   if (observer) tellOfCenters(sites.centres, observer);
@@ -282,18 +282,18 @@ Construction constructAutomatically(Sites& sites, const Observer& observer, Jour
     teller.tellRound(round++);
     return isCertified(dual, teller);
   };
-  if (sites.diagram) {
-    journal.stats.way = "insert";
+  if (sites.dual) {
+    journal.stats.way = Way::insert;
     journal.stats.counts.flips += sites.flips;
     addCounts(sites.signs, journal.stats.counts);
-    result.topology = topologyOf(*sites.diagram, static_cast<int>(sites.circles.size()));
-    result.certificate = certificateOf(Verdict{}, *sites.diagram, result.topology);
-    FaceTeller teller(*sites.diagram, sites.circles, observer);
+    result.topology = topologyOf(*sites.dual, static_cast<int>(sites.circles.size()));
+    result.certificate = certificateOf(Verdict{}, *sites.dual, result.topology);
+    FaceTeller teller(*sites.dual, sites.circles, observer);
     teller.tellRound(round);
     teller.tellChanges();
     return result;
   }
-  journal.stats.way = "flip";
+  journal.stats.way = Way::flip;
   {
     Dual dual = std::move(sites.centres);
     FaceTeller teller(dual, sites.circles, observer);
@@ -302,9 +302,9 @@ Construction constructAutomatically(Sites& sites, const Observer& observer, Jour
     teller.tellChanges();
     if (flipAndRepair(dual, sites, teller, journal) && isCertified(dual, teller)) return result;
   }
-  journal.stats.way = "insert";
+  journal.stats.way = Way::insert;
   if (auto dual = insertedAll(sites, journal); dual && isRightAnew(*dual)) return result;
-  journal.stats.way = "apollonius-graph";
+  journal.stats.way = Way::apolloniusGraph;
   Dual dual = apolloniusGraph(sites.circles);
   isRightAnew(dual);
   return result;

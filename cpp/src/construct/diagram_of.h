@@ -16,7 +16,7 @@ namespace circle_voronoi {
 /// Error: coordinateTooLarge.
 Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, double unit);
 
-/// That a vertex of a right diagram has no place among the doubles.
+/// Makes the error for a vertex of a right diagram that exceeds the largest double.
 Error vertexBeyondDoubles(const std::array<CircleIndex, 3>& circles);
 
 }  // namespace circle_voronoi

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "circle_voronoi/diagram.h"
 #include "circle_voronoi/progress.h"
+#include "circle_voronoi/stats.h"
 #include "stopwatch.h"
 
 namespace circle_voronoi {
 
-/// What a computation notes as it goes: its statistics and, for who listens, where it is.
+/// Records the statistics of a computation, and reports its progress.
 class Journal {
  public:
   /// `progress` must outlive the journal.
@@ -15,7 +15,7 @@ class Journal {
 
   Stats stats;
 
-  /// Tells that a stage begins; the time until the end of what is returned is the stage's.
+  /// Begins a stage. The time until the end of the returned stopwatch counts as the stage's.
   [[nodiscard]] Stopwatch enter(Stage stage) {
     tell(stage, 0);
     return Stopwatch(secondsOf(stage));

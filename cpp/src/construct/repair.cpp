@@ -73,13 +73,13 @@ bool replacePatch(std::span<const Circle> circles, Dual& dual, const Patch& patc
     }
   }
   sortUnique(corners);
-  std::erase(corners, kInfinity);
+  std::erase(corners, kPointAtInfinity);
 
   std::vector<Circle> local;
   for (const int i : corners) local.push_back(circles[i]);
   const auto solved = solve(local);
   if (!solved) return false;
-  const auto globalOf = [&](int i) { return i == kInfinity ? kInfinity : corners[i]; };
+  const auto globalOf = [&](int i) { return i == kPointAtInfinity ? kPointAtInfinity : corners[i]; };
 
   // A triple of circles has one counter-clockwise disc, so its corners name a half-edge of the local dual.
   std::map<Triple, int> localHalfEdges;

@@ -77,7 +77,10 @@ class Flipper {
         left_.push_back(h);
         continue;
       }
-      if (flips_ == limit) return;
+      if (flips_ == limit) {
+        stack_.push_back(h);
+        return;
+      }
       if (flips_ - start == next) {
         milestone = quad;
         next = 2 * next + 1;
@@ -97,13 +100,13 @@ class Flipper {
              (!discs_.exists(t / 3) && isTopOf(b, a, d) && predicates_.tangentSide(a, b, d) >= 0);
     }
     // A circle that leaves the hull gets a vertex with its neighbours there.
-    if (b == kInfinity) return predicates_.disc({a, d, c}).exists;
-    if (a == kInfinity) return predicates_.disc({b, c, d}).exists;
+    if (b == kPointAtInfinity) return predicates_.disc({a, d, c}).exists;
+    if (a == kPointAtInfinity) return predicates_.disc({b, c, d}).exists;
     return true;
   }
 
-  /// The length of the common tangents of two circles, squared.
-  double tangentLength(int i, int j) const {
+  /// The squared length of the common tangents of two circles.
+  double squaredTangentLength(int i, int j) const {
     const Circle& a = circles_[i];
     const Circle& b = circles_[j];
     const Vector v = between(a, b);
@@ -112,8 +115,8 @@ class Flipper {
 
   /// Where a disc is lost its circles come to lie along one tangent line: c, in the middle, crosses that of a and b.
   bool isTopOf(int a, int b, int c) const {
-    const double ab = tangentLength(a, b);
-    return ab >= tangentLength(b, c) && ab >= tangentLength(c, a);
+    const double ab = squaredTangentLength(a, b);
+    return ab >= squaredTangentLength(b, c) && ab >= squaredTangentLength(c, a);
   }
 
   /// Faces (a, b, c) and (b, a, d) become (a, d, c) and (b, c, d).

@@ -89,7 +89,7 @@ class Inserter : private DualKeeper {
       : circles_(circles),
         predicates_(predicates),
         discs_(circles, dual_, predicates),
-        edgeOf_(circles.size(), kInfinity),
+        edgeOf_(circles.size(), kPointAtInfinity),
         isHidden_(circles.size()),
         inserter_({dual_, discs_, edgeOf_, isHidden_, *this}),
         waiting_(circles.size()) {
@@ -122,7 +122,7 @@ class Inserter : private DualKeeper {
   }
 
   void start(int a, int b) {
-    dual_.origin = {a, b, kInfinity, b, a, kInfinity};
+    dual_.origin = {a, b, kPointAtInfinity, b, a, kPointAtInfinity};
     dual_.twin = {3, 5, 4, 0, 2, 1};
     waiting_.resize(6);
     edgeOf_[a] = 0;
@@ -158,7 +158,7 @@ class Inserter : private DualKeeper {
   /// The bisector of a half-edge.
   Bisector bisectorOf(int h) const {
     const int b = dual_.target(h);
-    return b == kInfinity ? Bisector() : Bisector(circles_[dual_.origin[h]], circles_[b]);
+    return b == kPointAtInfinity ? Bisector() : Bisector(circles_[dual_.origin[h]], circles_[b]);
   }
 
   /// Whether all went well.
@@ -218,7 +218,7 @@ class Inserter : private DualKeeper {
     int spoke = first;
     do {
       const int a = dual_.target(spoke);
-      if (a != kInfinity) settleBeside(i, dual_.twin[spoke]);
+      if (a != kPointAtInfinity) settleBeside(i, dual_.twin[spoke]);
       spoke = dual_.twin[Dual::previous(spoke)];
     } while (spoke != first);
     if (!arrivals_.empty()) settleInside(i);
@@ -264,8 +264,8 @@ class Inserter : private DualKeeper {
   Met nearer(const Met& first, const Met& second, int j) const {
     if (first.nearness != second.nearness) return first.nearness > second.nearness ? first : second;
     // A bisector that it never meets, or two parts of one bisector.
-    const bool isFirstAtInfinity = dual_.target(first.h) == kInfinity;
-    if (isFirstAtInfinity != (dual_.target(second.h) == kInfinity)) return isFirstAtInfinity ? first : second;
+    const bool isFirstAtInfinity = dual_.target(first.h) == kPointAtInfinity;
+    if (isFirstAtInfinity != (dual_.target(second.h) == kPointAtInfinity)) return isFirstAtInfinity ? first : second;
     return !spans(first.h, j) && spans(second.h, j) ? second : first;
   }
 
@@ -285,8 +285,8 @@ class Inserter : private DualKeeper {
     for (const int j : arrivals_) {
       const Ray ray(circles_[i], circles_[j]);
       const bool areFew = sectors_.size() <= kFewSectors;
-      int h = areFew ? kInfinity : sectorByAngle(ray, j);
-      if (h == kInfinity) {
+      int h = areFew ? kPointAtInfinity : sectorByAngle(ray, j);
+      if (h == kPointAtInfinity) {
         Met met = {first, bisectorOf(first).nearness(ray)};
         for (const Sector& sector : sectors_) met = nearer(met, {sector.h, sector.bisector.nearness(ray)}, j);
         h = met.h;
@@ -302,7 +302,8 @@ class Inserter : private DualKeeper {
     Bisector bisector;
   };
 
-  /// The sector of the new cell that has the centre of circle j, or kInfinity if rounding has put them out of order.
+  /// The sector of the new cell that has the centre of circle j, or kPointAtInfinity if rounding has put them out of
+  /// order.
   int sectorByAngle(const Ray& ray, int j) const {
     const double angle = angleOf(ray.to);
     const auto after = std::upper_bound(sectors_.begin(), sectors_.end(), angle,
@@ -314,7 +315,7 @@ class Inserter : private DualKeeper {
     };
     const bool isThere = spans(sector.h, j) && isBefore(dual_.twin[Dual::previous(sector.h)]) &&
                          isBefore(Dual::next(dual_.twin[sector.h]));
-    return isThere ? sector.h : kInfinity;
+    return isThere ? sector.h : kPointAtInfinity;
   }
 
   /// The dual without the faces that were removed.

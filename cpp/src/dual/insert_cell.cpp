@@ -40,7 +40,7 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeBeyond(int start, int 
     int h = spokes[next];
     do {
       const int beyond = dual_.twin[h];
-      if (dual_.origin[beyond] != kInfinity && seen.insert(dual_.origin[beyond]).second) {
+      if (dual_.origin[beyond] != kPointAtInfinity && seen.insert(dual_.origin[beyond]).second) {
         auto edge = cutEdgeAround(beyond, i);
         if (!edge || edge->cut.isCut) return edge;
         spokes.push_back(beyond);
@@ -52,11 +52,11 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeBeyond(int start, int 
 }
 
 int CellInserter::nearestAround(int start, int i) {
-  int nearest = dual_.target(start) == kInfinity ? dual_.twin[Dual::previous(start)] : start;
+  int nearest = dual_.target(start) == kPointAtInfinity ? dual_.twin[Dual::previous(start)] : start;
   int h = nearest;
   do {
     const int b = dual_.target(h);
-    if (b != kInfinity && leadAt(i, dual_.target(nearest), b).value > 0) nearest = h;
+    if (b != kPointAtInfinity && leadAt(i, dual_.target(nearest), b).value > 0) nearest = h;
     h = dual_.twin[Dual::previous(h)];
   } while (h != start);
   return nearest;
@@ -64,7 +64,7 @@ int CellInserter::nearestAround(int start, int i) {
 
 std::optional<CellInserter::CutEdge> CellInserter::cutEdgeAround(int likely, int i) {
   const auto isHider = [&](int a) {
-    if (a == kInfinity || !hides(a, i)) return false;
+    if (a == kPointAtInfinity || !hides(a, i)) return false;
     hider_ = a;
     return true;
   };
@@ -82,17 +82,17 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeAround(int likely, int
   return CutEdge{likely, {}};
 }
 
-CellInserter::Disc CellInserter::discOf(const Predicates::Triple& corners) const {
+CellInserter::Disc CellInserter::faceDisc(const Predicates::Triple& corners) const {
   return {corners, predicates_.disc(corners)};
 }
 
 CellInserter::Disc CellInserter::discAt(int h) const { return {cornersOf(dual_, h), discs_[h / 3]}; }
 
 bool CellInserter::isTangentLine(const Disc& disc) {
-  return std::find(disc.corners.begin(), disc.corners.end(), kInfinity) != disc.corners.end();
+  return std::find(disc.corners.begin(), disc.corners.end(), kPointAtInfinity) != disc.corners.end();
 }
 
-int CellInserter::order(int a, int b, const Disc& first, const Disc& second) const {
+int CellInserter::orderAlongEdge(int a, int b, const Disc& first, const Disc& second) const {
   const int from = predicates_.looksFromFirst(a, b) ? a : b;
   const int sign = turn(from, first, second);
   return from == a ? sign : -sign;
@@ -100,26 +100,26 @@ int CellInserter::order(int a, int b, const Disc& first, const Disc& second) con
 
 CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   const auto [a, b, c] = cornersOf(dual_, h);
-  if (hides(i, a) || (b != kInfinity && hides(i, b))) return {true, true, false};
+  if (hides(i, a) || (b != kPointAtInfinity && hides(i, b))) return {true, true, false};
   const int t = dual_.twin[h];
   const int d = dual_.origin[Dual::previous(t)];
-  if (b == kInfinity) {
+  if (b == kPointAtInfinity) {
     const bool hasStart = predicates_.tangentSide(a, d, i) > 0;
     const bool hasEnd = predicates_.tangentSide(c, a, i) > 0;
-    const bool isWithin = turns(a, discAt(t), discOf({a, i, kInfinity}), discAt(h)) > 0;
+    const bool isWithin = turns(a, discAt(t), faceDisc({a, i, kPointAtInfinity}), discAt(h)) > 0;
     return {hasStart || hasEnd || isWithin, hasStart, hasEnd && !hasStart};
   }
   // The edge goes from the disc of t to that of h. On its bisector the cell of i begins at `enter`, ends at `leave`.
-  const Disc enter = discOf({a, b, i});
-  const Disc leave = discOf({b, a, i});
-  const bool hasStart = leave.disc.exists && (d == kInfinity || order(a, b, discAt(t), leave) > 0);
-  const bool hasEnd = enter.disc.exists && (c == kInfinity || order(a, b, enter, discAt(h)) > 0);
+  const Disc enter = faceDisc({a, b, i});
+  const Disc leave = faceDisc({b, a, i});
+  const bool hasStart = leave.disc.exists && (d == kPointAtInfinity || orderAlongEdge(a, b, discAt(t), leave) > 0);
+  const bool hasEnd = enter.disc.exists && (c == kPointAtInfinity || orderAlongEdge(a, b, enter, discAt(h)) > 0);
   if (!leave.disc.exists && !enter.disc.exists) {
     const int side = predicates_.tangentSide(a, b, i);
     return {side > 0 || (side == 0 && liesNearer(i, a, b)), false, false};
   }
   if (!leave.disc.exists || !enter.disc.exists) return {hasStart || hasEnd, false, false};
-  if (order(a, b, enter, leave) >= 0) return {hasStart && hasEnd, false, false};
+  if (orderAlongEdge(a, b, enter, leave) >= 0) return {hasStart && hasEnd, false, false};
   return {hasStart || hasEnd, hasStart, !hasStart};
 }
 
@@ -134,7 +134,7 @@ bool CellInserter::liesNearer(int i, int a, int b) const {
 void CellInserter::renewDisc(int face, int i) {
   bool isLost = false;
   for (const int corner : cornersOf(dual_, 3 * face)) {
-    if (corner == i || corner == kInfinity) continue;
+    if (corner == i || corner == kPointAtInfinity) continue;
     if (!isHidden_[corner] && hides(i, corner)) {
       keeper_.willHide(corner);
       isHidden_[corner] = 1;
@@ -185,7 +185,7 @@ bool CellInserter::isLost(const Link& link, int i) const {
 bool CellInserter::isHullLost(const Link& link) const {
   const Disc border = discAt(link.h);
   const Disc beyond = discAt(dual_.twin[link.h]);
-  const bool isOutgoing = dual_.origin[link.h] != kInfinity;
+  const bool isOutgoing = dual_.origin[link.h] != kPointAtInfinity;
   const int from = isOutgoing ? dual_.origin[link.h] : dual_.target(link.h);
   const int sign = turns(from, border, beyond, link.near);
   if (sign != 0) return isOutgoing ? sign > 0 : sign < 0;
@@ -199,7 +199,9 @@ int CellInserter::turns(int from, const Disc& first, const Disc& second, const D
   return turn(from, first, second) + turn(from, second, third) + turn(from, third, first);
 }
 
-bool CellInserter::isAtInfinity(int h) const { return dual_.origin[h] == kInfinity || dual_.target(h) == kInfinity; }
+bool CellInserter::isAtInfinity(int h) const {
+  return dual_.origin[h] == kPointAtInfinity || dual_.target(h) == kPointAtInfinity;
+}
 
 int CellInserter::turn(int from, const Disc& first, const Disc& second) const {
   const int sign =
@@ -234,8 +236,8 @@ bool CellInserter::isWithin(int h, const Disc& lost) const {
   const int a = dual_.origin[h];
   const int b = dual_.target(h);
   if (!discs_.exists(h / 3)) return true;
-  if (a == kInfinity || b == kInfinity || isTangentLine(lost)) return false;
-  return order(a, b, discAt(h), lost) < 0;
+  if (a == kPointAtInfinity || b == kPointAtInfinity || isTangentLine(lost)) return false;
+  return orderAlongEdge(a, b, discAt(h), lost) < 0;
 }
 
 bool CellInserter::removeLost() {

@@ -88,7 +88,7 @@ class CellInserter {
   };
 
   struct CutEdge {
-    int h = kInfinity;
+    int h = kPointAtInfinity;
     Cut cut;
   };
 
@@ -126,12 +126,12 @@ class CellInserter {
   /// The same around one cell: from an edge that is likely to be cut to both sides.
   std::optional<CutEdge> cutEdgeAround(int likely, int i);
 
-  Disc discOf(const Predicates::Triple& corners) const;
+  Disc faceDisc(const Predicates::Triple& corners) const;
   Disc discAt(int h) const;
   static bool isTangentLine(const Disc& disc);
 
   /// 1 if a disc comes before another along the bisector of a and b with a on the left, 0 if they are the same.
-  int order(int a, int b, const Disc& first, const Disc& second) const;
+  int orderAlongEdge(int a, int b, const Disc& first, const Disc& second) const;
 
   Cut cutOf(int h, int i) const;
 
@@ -173,7 +173,7 @@ class CellInserter {
   bool remove(int circle);
 
   void noteEdge(int h) {
-    if (dual_.origin[h] != kInfinity) edgeOf_[dual_.origin[h]] = h;
+    if (dual_.origin[h] != kPointAtInfinity) edgeOf_[dual_.origin[h]] = h;
   }
   void link(int h, int t) {
     dual_.twin[h] = t;
@@ -189,7 +189,7 @@ class CellInserter {
   std::vector<Link> stack_;
   std::vector<int> hidden_;  ///< the circles that the new one hides
   std::vector<int> lost_;    ///< those of them that still have a cell
-  int hider_ = kInfinity;
+  int hider_ = kPointAtInfinity;
   std::int64_t flips_ = 0;
 };
 

@@ -88,7 +88,7 @@ FaceTeller::Face FaceTeller::faceAt(int face) {
   const auto corners = cornersOf(dual_, 3 * face);
   // The one after infinity, or the least.
   for (int k = 0; k < 3; ++k) {
-    if (corners[k] == kInfinity) {
+    if (corners[k] == kPointAtInfinity) {
       first = (k + 1) % 3;
       break;
     }
@@ -105,9 +105,9 @@ FaceTeller::Face FaceTeller::faceAt(int face) {
 
 bool FaceTeller::hasDisc(const std::array<int, 3>& corners) {
   for (int k = 0; k < 3; ++k) {
-    if (corners[k] == kInfinity || corners[k] == shrinking_) return false;
+    if (corners[k] == kPointAtInfinity || corners[k] == shrinking_) return false;
     for (int other = 0; other < 3; ++other) {
-      if (other == k || corners[other] == kInfinity) continue;
+      if (other == k || corners[other] == kPointAtInfinity) continue;
       if (predicates_.contains(circles_[corners[k]], circles_[corners[other]])) return false;
     }
   }
@@ -118,7 +118,7 @@ bool FaceTeller::isChanged(int face) {
   const Face now = faceAt(face);
   const Face& told = told_[face];
   if (now.corners != told.corners) return true;
-  if (shrinking_ != kInfinity && now.has(shrinking_)) return false;
+  if (shrinking_ != kPointAtInfinity && now.has(shrinking_)) return false;
   return now.hasDisc() ? now.disc != told.disc : told.hasDisc() && now.isThere();
 }
 
@@ -136,14 +136,14 @@ void FaceTeller::tellReason(int f, int g) {
     const int d = second.corners[(i + 2) % 3];
     const bool isEdge = second.corners[i % 3] == b && second.corners[(i + 1) % 3] == a;
     if (!isEdge || !made.has(c) || !made.has(d) || !other.has(c) || !other.has(d)) continue;
-    if (shrinking_ != kInfinity && (a == shrinking_ || b == shrinking_)) {
+    if (shrinking_ != kPointAtInfinity && (a == shrinking_ || b == shrinking_)) {
       const Circle& circle = circles_[shrinking_];
       const Face& whole = made.has(shrinking_) ? other : made;
       const Vertex shrunk = {circle.x, circle.y, circle.r - depth(whole.disc, circle)};
       if (whole.hasDisc()) tellEvent(TraceKind::circleShrunk, shrunk, shrinking_, kNone, kNone);
-    } else if (a == kInfinity || b == kInfinity) {
+    } else if (a == kPointAtInfinity || b == kPointAtInfinity) {
       tellEvent(TraceKind::hullNotConvex, kNoDisc, std::max(a, b), c, d);
-    } else if (c == kInfinity || d == kInfinity) {
+    } else if (c == kPointAtInfinity || d == kPointAtInfinity) {
       tellEvent(TraceKind::tangentNotClear, kNoDisc, a, b, std::max(c, d));
     } else {
       // The disc that reaches farther over the rim of the circle opposite. Where a flip is taken back none does.

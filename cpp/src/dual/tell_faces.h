@@ -47,16 +47,16 @@ class FaceTeller final : public FaceWatcher {
   /// Tells that a circle comes, goes or becomes another.
   void tellCircle(TraceKind kind, int i, const Circle& circle) const;
 
-  /// The circle that shrinks on its way out, or kInfinity. Faces that it gets then have no discs.
+  /// The circle that shrinks on its way out, or kPointAtInfinity. Faces that it gets then have no discs.
   void setShrinking(int circle) { shrinking_ = circle; }
 
  private:
   struct Face {
     /// The circle of lowest index first, infinity last; all at infinity: there is no such face.
-    std::array<int, 3> corners = {kInfinity, kInfinity, kInfinity};
+    std::array<int, 3> corners = {kPointAtInfinity, kPointAtInfinity, kPointAtInfinity};
     Vertex disc;  ///< NaN: it has none
 
-    bool isThere() const { return corners[0] != kInfinity; }
+    bool isThere() const { return corners[0] != kPointAtInfinity; }
     bool has(int corner) const { return corners[0] == corner || corners[1] == corner || corners[2] == corner; }
     bool hasDisc() const { return !std::isnan(disc.r); }
   };
@@ -73,7 +73,7 @@ class FaceTeller final : public FaceWatcher {
   Predicates predicates_;
   std::vector<Face> told_;  ///< of each face what was told of it last
   std::vector<int> looked_;
-  int shrinking_ = kInfinity;
+  int shrinking_ = kPointAtInfinity;
 };
 
 }  // namespace circle_voronoi

@@ -11,13 +11,13 @@ namespace circle_voronoi {
 /// Circles that wait, each in a list of a half-edge. A list moves as a whole in one step.
 class WaitingCircles {
  public:
-  explicit WaitingCircles(std::size_t circleCount) : next_(circleCount, kEnd), listOf_(circleCount, kInfinity) {}
+  explicit WaitingCircles(std::size_t circleCount) : next_(circleCount, kEnd), listOf_(circleCount, kPointAtInfinity) {}
 
-  /// The half-edge in whose list a circle was put last, or kInfinity if it does not wait.
+  /// The half-edge in whose list a circle was put last, or kPointAtInfinity if it does not wait.
   int listOf(int circle) const { return listOf_[circle]; }
 
   /// From now on the circle does not wait; it is taken out of its list as that is taken.
-  void leave(int circle) { listOf_[circle] = kInfinity; }
+  void leave(int circle) { listOf_[circle] = kPointAtInfinity; }
 
   /// Makes room for the lists of so many half-edges.
   void resize(std::size_t halfEdgeCount) { lists_.resize(halfEdgeCount); }
@@ -42,7 +42,7 @@ class WaitingCircles {
   /// Appends those of a list that still wait, and leaves it empty.
   void take(int h, std::vector<int>& taken) {
     for (int circle = lists_[h].first; circle != kEnd; circle = next_[circle]) {
-      if (listOf_[circle] != kInfinity) taken.push_back(circle);
+      if (listOf_[circle] != kPointAtInfinity) taken.push_back(circle);
     }
     lists_[h] = {};
   }

@@ -33,8 +33,8 @@ struct Scaled {
 };
 
 /// The circles in a unit that leaves room to grow, if that rounds none of them.
-Result<Scaled> scale(std::span<const Circle> circles) {
-  auto validated = validate(circles);
+Result<Scaled> scale(std::span<const Circle> circles, bool weights) {
+  auto validated = validate(circles, weights);
   if (!validated) return validated.error();
   auto& [scaled, unit] = validated.value();
   for (const double factor : {kRoom, 1.0}) {
@@ -64,7 +64,7 @@ void fillProof(EditState& state) {
     state.discs.update(face);
     const auto corners = cornersOf(dual, 3 * face);
     for (int k = 0; k < 3; ++k) {
-      if (corners[k] == kInfinity) continue;
+      if (corners[k] == kPointAtInfinity) continue;
       state.noteEdge(3 * face + k);
       state.proof[3 * face + k].isLower =
           state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], state.discs[face]));
@@ -90,7 +90,7 @@ std::optional<Circle> scaledExactly(const Circle& circle, double unit) {
   const double factor = 1 / unit;
   // Adding zero turns -0 into +0, as in validate.
   const Circle scaled = {circle.x * factor + 0.0, circle.y * factor + 0.0, circle.r * factor + 0.0};
-  if (std::max({std::abs(scaled.x), std::abs(scaled.y), scaled.r}) >= kLargestScaled) return std::nullopt;
+  if (std::max({std::abs(scaled.x), std::abs(scaled.y), std::abs(scaled.r)}) >= kLargestScaled) return std::nullopt;
   if (Circle{scaled.x * unit, scaled.y * unit, scaled.r * unit} != circle) return std::nullopt;
   return scaled;
 }
@@ -120,7 +120,7 @@ bool rescale(EditState& state, double unit) {
 }
 
 bool makeRoom(EditState& state, std::span<const Circle> circles) {
-  const auto validated = validate(circles);
+  const auto validated = validate(circles, state.weights);
   if (!validated || validated.value().unit <= state.unit) return false;
   return rescale(state, validated.value().unit * kRoom) || rescale(state, validated.value().unit);
 }
@@ -146,20 +146,25 @@ std::optional<Error> vertexError(const EditState& state) {
   return std::nullopt;
 }
 
-Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const std::int32_t> ids) {
-  auto scaledOrError = scale(circles);
+Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, std::span<const CircleId> ids,
+                                              bool weights) {
+  auto scaledOrError = scale(circles, weights);
   if (!scaledOrError) return scaledOrError.error();
   const Scaled& scaled = scaledOrError.value();
   const Progress silent;
   Journal journal(silent);
   Sites sites = triangulate(hide(order(scaled.circles)));
-  if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) return *std::move(error);
+  if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) {
+    if (error->circle != kNone) error->circle = ids[static_cast<std::size_t>(error->circle)];
+    return *std::move(error);
+  }
   const Construction construction = constructAutomatically(sites, {}, journal);
   if (!construction.certificate.certified()) {
-    return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
+    return Error{ErrorCode::notCertified, kNone, "No construction led to a certified diagram."};
   }
 
   auto state = std::make_unique<EditState>();
+  state->weights = weights;
   state->unit = scaled.unit;
   state->hasScale = std::any_of(circles.begin(), circles.end(), [](const Circle& c) { return c != Circle{}; });
   state->circleCount = static_cast<int>(circles.size());

@@ -61,7 +61,7 @@ HullStep hullStep(const Dual& dual, int h) {
 /// The half-edge between two circles in a face at infinity.
 int hullEdge(const Dual& dual, int face) {
   int h = 3 * face;
-  while (dual.origin[Dual::previous(h)] != kInfinity) ++h;
+  while (dual.origin[Dual::previous(h)] != kPointAtInfinity) ++h;
   return h;
 }
 
@@ -109,7 +109,7 @@ ChangeRecorder::Mark& ChangeRecorder::markOf(int slot) {
 void ChangeRecorder::recordCircles(Change& change, const EditState& state) {
   for (const EditState::SavedSite& saved : state.siteLog) {
     if (saved.before != kNone) continue;
-    const std::int32_t id = state.sites[saved.slot].id;
+    const CircleId id = state.sites[saved.slot].id;
     const bool was = saved.site.id != kNone;
     const bool is = id != kNone;
     const bool isVisible = state.isVisible(saved.slot);
@@ -134,7 +134,7 @@ std::optional<Error> ChangeRecorder::recordVertices(Change& change, EditState& s
   for (EditState::SavedFace& saved : state.faceLog) {
     if (saved.before != kNone) continue;
     const auto corners = cornersOf(state.dual, 3 * saved.face);
-    const auto isMoved = [&](int slot) { return slot != kInfinity && marks_[slot].isMoved; };
+    const auto isMoved = [&](int slot) { return slot != kPointAtInfinity && marks_[slot].isMoved; };
     const bool isInUse = state.isInUse(saved.face);
     saved.isChanged = isInUse != saved.wasInUse() || corners != saved.origin ||
                       (isInUse && std::any_of(corners.begin(), corners.end(), isMoved));
@@ -158,7 +158,7 @@ bool isOtherEdge(const EditState& state, const EditState::SavedFace& saved, std:
 void ChangeRecorder::recordEdges(Change& change, EditState& state) {
   const Dual& dual = state.dual;
   const auto addCell = [&](int slot) {
-    if (slot == kInfinity || !state.isVisible(slot)) return;
+    if (slot == kPointAtInfinity || !state.isVisible(slot)) return;
     Mark& mark = markOf(slot);
     if (!mark.hasCell) change.cells.push_back(state.sites[slot].id);
     mark.hasCell = true;
@@ -184,10 +184,11 @@ void ChangeRecorder::recordEdges(Change& change, EditState& state) {
       if (!state.isInUse(saved.face) || !isOtherEdge(state, saved, k)) continue;
       if (!state.isEdge(h)) {
         // At infinity, or a part of one that the other half adds.
-        if (dual.origin[h] == kInfinity || dual.target(h) == kInfinity) state.edgeNumber[h] = kNone;
+        if (dual.origin[h] == kPointAtInfinity || dual.target(h) == kPointAtInfinity) state.edgeNumber[h] = kNone;
         continue;
       }
-      const int number = reused < change.removedEdges.size() ? change.removedEdges[reused++] : state.edgePlaces.take();
+      const EdgeIndex number =
+          reused < change.removedEdges.size() ? change.removedEdges[reused++] : EdgeIndex(state.edgePlaces.take());
       state.edgeNumber[h] = state.edgeNumber[t] = number;
       addEdge(change, state, h);
       addCell(dual.origin[h]);
@@ -226,7 +227,7 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
   reserveRemoved(change, faces, 3 * faces / 2);
   reserveAdded(change, facesAfter, 3 * facesAfter / 2);
   change.cells.reserve(static_cast<std::size_t>(after.visibleCount));
-  before.ids.forEach([&](std::int32_t id, int slot) {
+  before.ids.forEach([&](CircleId id, int slot) {
     const int now = after.ids.slotOf(id);
     if (now == kNone) {
       change.removed.push_back(id);
@@ -236,7 +237,7 @@ Result<Change> ChangeRecorder::recordWhole(const EditState& before, const EditSt
     if (before.isVisible(slot) && !after.isVisible(now)) change.hidden.push_back(id);
     if (!before.isVisible(slot) && after.isVisible(now)) change.shown.push_back(id);
   });
-  after.ids.forEach([&](std::int32_t id, int slot) {
+  after.ids.forEach([&](CircleId id, int slot) {
     const int was = before.ids.slotOf(id);
     if (was == kNone) change.inserted.push_back(id);
     if (after.isVisible(slot)) {

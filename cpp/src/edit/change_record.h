@@ -10,13 +10,13 @@
 
 namespace circle_voronoi {
 
-/// Tells what has become of a diagram.
+/// Records what has changed in a diagram.
 class ChangeRecorder {
  public:
-  /// What has changed in a state since it was kept; gives numbers to new edges.
+  /// Returns what has changed in a state since it was kept. Gives numbers to new edges.
   Result<Change> record(EditState& state, EditWay way);
 
-  /// What makes of one state another that was built anew, with numbers of its own.
+  /// Returns the change from one state to another that was built anew, with numbers of its own.
   Result<Change> recordWhole(const EditState& before, const EditState& after);
 
  private:
@@ -32,8 +32,8 @@ class ChangeRecorder {
   void recordEdges(Change& change, EditState& state);
   void recordHull(Change& change, const EditState& state);
 
-  std::vector<Mark> marks_;  ///< of each slot
-  std::vector<int> marked_;  ///< those that have any
+  std::vector<Mark> marks_;  ///< for each slot
+  std::vector<int> marked_;  ///< the slots with a mark
 };
 
 }  // namespace circle_voronoi

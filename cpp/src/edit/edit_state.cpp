@@ -10,7 +10,7 @@ void EditState::sizeToPlaces() {
   edgeNumber.resize(3 * faces, kNone);
   discs.resize(static_cast<int>(faces));
   // By its size faces are counted: should memory run out in between, the others are no smaller.
-  dual.origin.resize(3 * faces, kInfinity);
+  dual.origin.resize(3 * faces, kPointAtInfinity);
   savedFaceAt_.resize(faces, kNone);
   const auto slots = static_cast<std::size_t>(sitePlaces.count());
   circles.resize(slots);
@@ -60,7 +60,8 @@ int EditState::addSite(const Circle& scaled) {
   if (slot >= static_cast<int>(savedSiteAt_.size())) sizeToPlaces();
   willChangeSite(slot);
   ids.add(nextId, slot);
-  sites[slot] = {nextId++};
+  sites[slot] = {nextId};
+  ++nextId;
   circles[slot] = scaled;
   isHidden[slot] = 1;
   ++circleCount;
@@ -162,7 +163,7 @@ void EditState::prepareToKeep() {
 
 void EditState::keep() noexcept {
   for (const SavedSite& saved : siteLog) {
-    const std::int32_t id = saved.site.id;
+    const CircleId id = saved.site.id;
     if (id != kNone && sites[saved.slot].id != id && ids.slotOf(id) != kNone) ids.remove(id);
     savedSiteAt_[saved.slot] = kNone;
   }

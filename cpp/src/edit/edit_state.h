@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "circle_voronoi/circle.h"
+#include "circle_voronoi/editor.h"
 #include "circle_voronoi/index.h"
 #include "dual.h"
 #include "dual_keeper.h"
@@ -19,41 +20,41 @@
 
 namespace circle_voronoi {
 
-/// What an editor knows of the circle in a slot besides the circle itself. Those that are hidden are in a list of one
-/// visible circle that contains them.
+/// What an editor knows about the circle in a slot, besides the circle itself. A hidden circle is in the list of one
+/// visible circle that contains it.
 struct Site {
-  std::int32_t id = kNone;  ///< kNone: the slot is free
-  int hider = kNone;        ///< of a hidden circle the slot in whose list it is
-  int firstHidden = kNone;  ///< of a visible one the first of its list
+  CircleId id;              ///< kNone: the slot is free
+  int hider = kNone;        ///< for a hidden circle the slot in whose list it is
+  int firstHidden = kNone;  ///< for a visible circle the first of its list
   int next = kNone;
   int previous = kNone;
 
   friend bool operator==(const Site&, const Site&) = default;
 };
 
-/// What the proof of a diagram keeps of a half-edge.
+/// What the proof of a diagram records for a half-edge.
 struct HalfEdgeProof {
   bool isLower = false;  ///< whether its disc lies in the lower half, seen from its origin
   bool passes = false;   ///< whether the region of its origin passes the axis along its edge (edge_turns.h)
 };
 
-/// A certified diagram in the making: all of it, and how to take back what has changed since it was last kept.
+/// The whole diagram of an editor, and a log to undo the changes since it was last kept.
 ///
-/// Circles are in slots, times 1 / unit; vertices are faces of the dual, those at infinity among them. A number that
-/// becomes free is used again, so that arrays have few gaps. Whoever changes a face or a site says so before.
+/// Circles are in slots, divided by the unit. Vertices are faces of the dual, including those at infinity. Free numbers
+/// are reused, so that arrays have few gaps. Announce a change of a face or a site before you make it.
 class EditState final : public DualKeeper {
  public:
   EditState() : predicates(circles), discs(circles, dual, predicates) {}
   EditState(const EditState&) = delete;
   EditState& operator=(const EditState&) = delete;
 
-  // Of each slot.
+  // For each slot.
   std::vector<Circle> circles;
   std::vector<Site> sites;
   std::vector<char> isHidden;
-  std::vector<int> edgeOf;  ///< of a visible circle a half-edge that starts from it, if there is one
+  std::vector<int> edgeOf;  ///< for a visible circle a half-edge that starts from it, if there is one
 
-  // Of each face, or half-edge.
+  // For each face or half-edge.
   Dual dual;  ///< of the visible circles; a face that is not in use has no twins
   Predicates predicates;
   FaceDiscs discs;
@@ -62,14 +63,15 @@ class EditState final : public DualKeeper {
 
   double unit = 1;        ///< a circle of the input = one of `circles` * unit
   bool hasScale = false;  ///< whether a number of the input was not 0 when the unit was chosen
-  /// The input, where a unit rounds some of it; else empty.
+  /// The input, if the unit rounds some of it; otherwise empty.
   std::vector<Circle> inexact;
+  bool weights = false;  ///< whether radii are additive weights
   IdTable ids;
-  std::int32_t nextId = 0;
+  CircleId nextId = 0;
   int circleCount = 0;
   int visibleCount = 0;
   int faceCount = 0;
-  /// Who tells of the faces that change, if somebody does.
+  /// Reports the faces that change to an observer, if there is one.
   FaceTeller* teller = nullptr;
   Places facePlaces;
   Places sitePlaces;
@@ -77,22 +79,24 @@ class EditState final : public DualKeeper {
 
   bool isVisible(int slot) const { return sites[slot].id != kNone && !isHidden[slot]; }
   bool isInUse(int face) const { return dual.twin[3 * face] != kNone; }
-  /// Whether a face is a vertex of the diagram.
+  /// Returns whether a face is a vertex of the diagram.
   bool isVertex(int face) const { return isInUse(face) && dual.isFinite(face); }
-  /// Whether a half-edge is the one of its two that makes them an edge of the diagram: the left circle is its origin.
+  /// Returns whether a half-edge stands for an edge of the diagram: of two twins one does, whose origin is the left
+  /// circle.
   bool isEdge(int h) const {
-    return isInUse(h / 3) && h < dual.twin[h] && dual.origin[h] != kInfinity && dual.target(h) != kInfinity;
+    return isInUse(h / 3) && h < dual.twin[h] && dual.origin[h] != kPointAtInfinity &&
+           dual.target(h) != kPointAtInfinity;
   }
   Circle inputOf(int slot) const {
     const Circle& c = circles[slot];
     return inexact.empty() ? Circle{c.x * unit, c.y * unit, c.r * unit} : inexact[slot];
   }
-  /// Whether one circle hides another: it contains it, and of identical ones it has the lower id.
+  /// Returns whether one circle hides another: it contains it. Of identical circles the one with the lower id hides.
   bool hides(int slot, int other) {
     return predicates.contains(circles[slot], circles[other]) &&
            !(circles[slot] == circles[other] && sites[slot].id > sites[other].id);
   }
-  std::int32_t idOf(int corner) const { return corner == kInfinity ? kNone : sites[corner].id; }
+  CircleId idOf(int corner) const { return corner == kPointAtInfinity ? CircleId() : sites[corner].id; }
   LiveDual live() { return {dual, discs, edgeOf, isHidden, *this}; }
 
   // --- changes ---
@@ -110,15 +114,15 @@ class EditState final : public DualKeeper {
     dual.twin[t] = h;
   }
   void noteEdge(int h) {
-    if (dual.origin[h] != kInfinity) edgeOf[dual.origin[h]] = h;
+    if (dual.origin[h] != kPointAtInfinity) edgeOf[dual.origin[h]] = h;
   }
 
-  // A circle that is in no list, nor in the dual, counts as hidden.
+  // A circle that is neither in a list nor in the dual counts as hidden.
 
-  /// A slot for a circle with a new id.
+  /// Adds a circle with a new id. Returns its slot.
   int addSite(const Circle& scaled);
   void removeSite(int slot);
-  /// Puts a circle into the list of one that contains it, or takes it out.
+  /// Puts a circle into the list of a circle that contains it, or takes it out.
   void attach(int slot, int hider);
   void detach(int slot);
 
@@ -136,7 +140,8 @@ class EditState final : public DualKeeper {
 
     bool wasInUse() const { return twin[0] != kNone; }
     bool wasVertex() const {
-      return wasInUse() && origin[0] != kInfinity && origin[1] != kInfinity && origin[2] != kInfinity;
+      return wasInUse() && origin[0] != kPointAtInfinity && origin[1] != kPointAtInfinity &&
+             origin[2] != kPointAtInfinity;
     }
   };
   struct SavedSite {
@@ -148,17 +153,17 @@ class EditState final : public DualKeeper {
 
     bool wasVisible() const { return site.id != kNone && !isHidden; }
   };
-  /// What has changed since the diagram was kept, in the state before: each face and each site once a step.
+  /// The former state of what has changed since the diagram was kept: each face and each site once per step.
   std::vector<SavedFace> faceLog;
   std::vector<SavedSite> siteLog;
 
-  /// A step begins: from now on all that changes is saved anew.
+  /// Begins a step: from now on every change is saved anew.
   struct Mark {
     std::size_t faces;
     std::size_t sites;
     Places::Mark facePlaces;
     Places::Mark sitePlaces;
-    std::int32_t nextId;
+    CircleId nextId;
     int circleCount;
     int visibleCount;
     int faceCount;
@@ -166,7 +171,7 @@ class EditState final : public DualKeeper {
   Mark beginStep();
   void takeBack(const Mark& mark) noexcept;
   const SavedFace* savedInStep(int face) const { return find(faceLog, savedFaceAt_[face], stepFaces_); }
-  /// In the state that is kept; null if it has not changed.
+  /// Returns a face in the state that was kept; null if it has not changed.
   const SavedFace* firstSaved(int face) const {
     int at = savedFaceAt_[face];
     while (at != kNone && faceLog[at].before != kNone) at = faceLog[at].before;
@@ -175,10 +180,10 @@ class EditState final : public DualKeeper {
   std::size_t stepFaces() const { return stepFaces_; }
   std::size_t stepSites() const { return stepSites_; }
 
-  /// Of the faces that have changed in this step, all corners learn a half-edge again.
+  /// Gives all corners of the faces that have changed in this step a half-edge again.
   void noteEdges();
 
-  /// Makes all that has changed the state to come back to. `prepareToKeep` first: it takes what memory that needs.
+  /// Makes the present state the one to come back to. Call `prepareToKeep` first: it allocates the memory for that.
   void prepareToKeep();
   void keep() noexcept;
   void takeAllBack() noexcept;

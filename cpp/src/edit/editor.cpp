@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <new>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "build_state.h"
 #include "change_record.h"
-#include "circle_voronoi/compute.h"
+#include "circle_voronoi/certify.h"
 #include "guarded.h"
 #include "snapshot.h"
 #include "step.h"
@@ -20,14 +19,9 @@
 namespace circle_voronoi {
 namespace {
 
-Error unknownCircle(CircleId id, std::int64_t index) {
-  return {ErrorCode::unknownCircle, index, "There is no circle with id " + std::to_string(id) + "."};
-}
-
-/// An error that is none of one edit.
-Error withoutCircle(Error error) {
-  error.circle = -1;
-  return error;
+Error unknownCircle(CircleId id, std::size_t edit) {
+  return {ErrorCode::unknownCircle, id, "There is no circle with id " + std::to_string(id) + ".",
+          static_cast<std::int64_t>(edit)};
 }
 
 /// More edits than this share of the circles, and a few, are done by computing all.
@@ -82,7 +76,7 @@ class DiagramEditor::Editor {
   Result<Change> apply(std::span<const Edit> edits, CircleId hint) {
     if (auto error = refusalOf(edits)) return *std::move(error);
     if (edits.size() > static_cast<std::size_t>(std::numeric_limits<CircleId>::max() - state_->nextId)) {
-      return Error{ErrorCode::tooManyCircles, -1, "There are no ids left."};
+      return Error{ErrorCode::tooManyCircles, kNone, "There are no ids left."};
     }
     try {
       auto change = areFew(edits) ? applyLocally(edits, hint) : std::nullopt;
@@ -109,7 +103,7 @@ class DiagramEditor::Editor {
   void takeAllBack() {
     state_->takeAllBack();
     if (!teller_) return;
-    teller_->setShrinking(kInfinity);
+    teller_->setShrinking(kPointAtInfinity);
     teller_->tellChanges();
     events_.clear();  // it was never done
   }
@@ -161,11 +155,16 @@ class DiagramEditor::Editor {
   }
 
   /// What is wrong with an edit, whatever the others do.
-  static std::optional<Error> refusalOf(std::span<const Edit> edits) {
+  std::optional<Error> refusalOf(std::span<const Edit> edits) const {
     for (std::size_t i = 0; i < edits.size(); ++i) {
-      if (edits[i].kind == Edit::Kind::remove) continue;
-      const auto checked = validate({&edits[i].circle, 1}, false, i);
-      if (!checked) return checked.error();
+      const Edit& edit = edits[i];
+      if (edit.kind == Edit::Kind::remove) continue;
+      const auto objection = objectionTo(edit.circle, state_->weights);
+      if (!objection) continue;
+      const bool isNew = edit.kind == Edit::Kind::insert;
+      const std::string who = isNew ? "The new circle" : "Circle " + std::to_string(edit.id);
+      return Error{objection->code, isNew ? CircleId() : edit.id, who + " " + objection->what,
+                   static_cast<std::int64_t>(i)};
     }
     return std::nullopt;
   }
@@ -180,7 +179,7 @@ class DiagramEditor::Editor {
       int slot = kNone;
       if (edit.kind != Edit::Kind::insert) {
         slot = slotOf(edit.id);
-        if (slot == kNone) return unknownCircle(edit.id, static_cast<std::int64_t>(i));
+        if (slot == kNone) return unknownCircle(edit.id, i);
       }
       std::optional<EditWay> done;
       if (edit.kind == Edit::Kind::remove) {
@@ -195,9 +194,7 @@ class DiagramEditor::Editor {
       tellRest();
       way = std::max(way, *done);
     }
-    auto change = recorder_.record(*state_, way);
-    if (!change) return withoutCircle(change.error());
-    return change;
+    return recorder_.record(*state_, way);
   }
 
   /// Gives the state a larger unit if an edit is beyond the one it has. Who watches was told of discs in that unit.
@@ -224,7 +221,7 @@ class DiagramEditor::Editor {
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
       if (edit.kind == Edit::Kind::insert) {
-        ids.push_back(ids.empty() ? firstNew : std::max(firstNew, ids.back() + 1));
+        ids.push_back(ids.empty() ? firstNew : std::max(firstNew, CircleId(ids.back() + 1)));
         circles.push_back(edit.circle);
         isThere.push_back(1);
         tellEdit(edit, ids.back(), edit.circle);
@@ -232,7 +229,7 @@ class DiagramEditor::Editor {
       }
       const auto found = static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), edit.id) - ids.begin());
       if (found == ids.size() || ids[found] != edit.id || isThere[found] == 0) {
-        return unknownCircle(edit.id, static_cast<std::int64_t>(i));
+        return unknownCircle(edit.id, i);
       }
       tellEdit(edit, edit.id, edit.kind == Edit::Kind::remove ? circles[found] : edit.circle);
       if (edit.kind == Edit::Kind::remove) {
@@ -249,10 +246,10 @@ class DiagramEditor::Editor {
     }
     ids.resize(count);
     circles.resize(count);
-    auto built = buildState(circles, ids);
-    if (!built) return withoutCircle(built.error());
+    auto built = buildState(circles, ids, state_->weights);
+    if (!built) return built.error();
     auto state = std::move(built).value();
-    state->nextId = firstNew + static_cast<CircleId>(newOnes);
+    state->nextId = firstNew + static_cast<std::int32_t>(newOnes);
     state->keep();
     auto change = recorder_.recordWhole(*state_, *state);
     if (change) {
@@ -299,12 +296,11 @@ DiagramEditor::DiagramEditor(DiagramEditor&&) noexcept = default;
 DiagramEditor& DiagramEditor::operator=(DiagramEditor&&) noexcept = default;
 DiagramEditor::~DiagramEditor() = default;
 
-Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles) {
+Result<DiagramEditor> DiagramEditor::from(std::span<const Circle> circles, const EditorOptions& options) {
   return guarded([&]() -> Result<DiagramEditor> {
-    if (const auto checked = validate(circles); !checked) return checked.error();
-    std::vector<CircleId> ids(circles.size());
-    std::iota(ids.begin(), ids.end(), 0);
-    auto state = buildState(circles, ids);
+    std::vector<CircleId> ids;
+    for (std::size_t i = 0; i < circles.size(); ++i) ids.push_back(static_cast<std::int32_t>(i));
+    auto state = buildState(circles, ids, options.weights);
     if (!state) return state.error();
     if (auto error = vertexError(*state.value())) return *std::move(error);
     return DiagramEditor(std::make_unique<Editor>(std::move(state).value()));
@@ -328,13 +324,13 @@ Result<Change> DiagramEditor::replace(CircleId id, const Circle& circle) {
 
 Result<Change> DiagramEditor::apply(std::span<const Edit> edits) { return editor_->edited(edits, kNone); }
 
-std::optional<Error> DiagramEditor::observe(const Observer& observer) {
-  auto error = guarded([&]() -> std::optional<Error> {
+Result<void> DiagramEditor::observe(const Observer& observer) {
+  auto done = guarded([&]() -> Result<void> {
     editor_->observe(observer);
-    return std::nullopt;
+    return {};
   });
-  if (!error) editor_->handOut();
-  return error;
+  if (done) editor_->handOut();
+  return done;
 }
 
 CircleId DiagramEditor::nearest(Point p, CircleId hint) const {

@@ -3,24 +3,23 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "circle_voronoi/index.h"
+#include "circle_voronoi/editor.h"
 
 namespace circle_voronoi {
 
-/// Where the circles of ids are kept. Ids are never used again; the memory of those that are gone is, page by page.
+/// Maps the ids of circles to their slots. Ids are never reused. The memory of removed ids is freed page by page.
 class IdTable {
  public:
-  /// kNone if there is no such circle.
-  int slotOf(std::int32_t id) const {
+  /// Returns kNone if there is no such circle.
+  int slotOf(CircleId id) const {
     if (id < 0 || pageOf(id) >= pages_.size() || !pages_[pageOf(id)]) return kNone;
     return pages_[pageOf(id)]->slots[at(id)];
   }
 
-  void add(std::int32_t id, int slot) {
+  void add(CircleId id, int slot) {
     if (pageOf(id) >= pages_.size()) pages_.resize(pageOf(id) + 1);
     auto& page = pages_[pageOf(id)];
     if (!page) {
@@ -31,7 +30,7 @@ class IdTable {
     ++page->count;
   }
 
-  void remove(std::int32_t id) noexcept {
+  void remove(CircleId id) noexcept {
     auto& page = pages_[pageOf(id)];
     page->slots[at(id)] = kNone;
     if (--page->count == 0) page.reset();
@@ -43,7 +42,8 @@ class IdTable {
     for (std::size_t p = 0; p < pages_.size(); ++p) {
       if (!pages_[p]) continue;
       for (std::size_t i = 0; i < kPage; ++i) {
-        if (pages_[p]->slots[i] != kNone) function(static_cast<std::int32_t>(p * kPage + i), pages_[p]->slots[i]);
+        if (pages_[p]->slots[i] != kNone)
+          function(CircleId(static_cast<std::int32_t>(p * kPage + i)), pages_[p]->slots[i]);
       }
     }
   }
@@ -54,8 +54,8 @@ class IdTable {
     std::array<int, kPage> slots;
     int count = 0;
   };
-  static std::size_t pageOf(std::int32_t id) { return static_cast<std::size_t>(id) / kPage; }
-  static std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id) % kPage; }
+  static std::size_t pageOf(CircleId id) { return static_cast<std::size_t>(id) / kPage; }
+  static std::size_t at(CircleId id) { return static_cast<std::size_t>(id) % kPage; }
 
   std::vector<std::unique_ptr<Page>> pages_;
 };

@@ -41,7 +41,7 @@ StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved) {
           dual.origin[t] != dual.target(h) || dual.target(t) != dual.origin[h] || dual.origin[h] == dual.target(h)) {
         return Verdict::broken;
       }
-      if (dual.origin[h] != kInfinity && !state.isVisible(dual.origin[h])) return Verdict::broken;
+      if (dual.origin[h] != kPointAtInfinity && !state.isVisible(dual.origin[h])) return Verdict::broken;
       if (isChanged) state.willChange(t / 3);
     }
     if (!isChanged) continue;
@@ -52,7 +52,7 @@ StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved) {
       continue;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      if (corners[k] == kInfinity) continue;
+      if (corners[k] == kPointAtInfinity) continue;
       state.proof[3 * static_cast<std::size_t>(face) + k].isLower =
           state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], disc));
     }
@@ -61,10 +61,10 @@ StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved) {
 }
 
 void StepJudge::addTurns(int around, int neighbor, int count) {
-  if (around == kInfinity) return;
+  if (around == kPointAtInfinity) return;
   touched_.push_back(around);
   turns_[around] += count;
-  if (neighbor == kInfinity) hullTurns_ += count;
+  if (neighbor == kPointAtInfinity) hullTurns_ += count;
 }
 
 /// The changed edges: none of two neighbours hides the other, and ends are in order. Counts what turns are no more, and
@@ -95,14 +95,14 @@ bool StepJudge::areEdgesRight(EditState& state) {
       if (!isOther || (h > t && state.savedInStep(t / 3) != nullptr)) continue;
       const int a = dual.origin[h];
       const int b = dual.origin[t];
-      if (a != kInfinity && b != kInfinity &&
+      if (a != kPointAtInfinity && b != kPointAtInfinity &&
           (state.predicates.contains(state.circles[a], state.circles[b]) ||
            state.predicates.contains(state.circles[b], state.circles[a]))) {
         return false;
       }
       const EdgeTurns turns = turnsOf(discs, dual, state.circles, state.predicates, h);
-      if (turns.order < 0) return false;
-      if (turns.order == 0 && !isSettledTie(dual, h, state.circles)) unsettled_.push_back(h);
+      if (turns.endOrder < 0) return false;
+      if (turns.endOrder == 0 && !isSettledTie(dual, h, state.circles)) unsettled_.push_back(h);
       state.proof[h].passes = turns.passesAtOrigin;
       state.proof[t].passes = turns.passesAtTarget;
       addTurns(a, b, turns.passesAtOrigin);

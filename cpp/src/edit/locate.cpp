@@ -46,7 +46,7 @@ int sectorOf(const EditState& state, int h, Point p) {
   int nearest = h;
   double least = std::numeric_limits<double>::infinity();
   do {
-    if (const int to = dual.target(spoke); to != kInfinity) {
+    if (const int to = dual.target(spoke); to != kPointAtInfinity) {
       if (const double distance = distanceFrom(p, state.circles[to]); distance < least) {
         least = distance;
         nearest = spoke;
@@ -83,7 +83,7 @@ Place Locator::locate(const EditState& state, Point p, int hint) const {
   while (true) {
     h = sectorOf(state, h, p);
     const int next = state.dual.target(h);
-    if (next == kInfinity) break;
+    if (next == kPointAtInfinity) break;
     const double distance = distanceFrom(p, state.circles[next]);
     if (!(distance < least)) break;
     least = distance;

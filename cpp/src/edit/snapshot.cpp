@@ -30,7 +30,7 @@ Dual compacted(const EditState& state, const std::vector<int>& siteOf) {
     if (!state.isInUse(h / 3)) continue;
     const int origin = state.dual.origin[h];
     const int t = state.dual.twin[h];
-    dual.origin.push_back(origin == kInfinity ? kInfinity : siteOf[origin]);
+    dual.origin.push_back(origin == kPointAtInfinity ? kPointAtInfinity : siteOf[origin]);
     dual.twin.push_back(3 * placeOf[t / 3] + t % 3);
   }
   return dual;
@@ -42,11 +42,11 @@ Result<Diagram> snapshotOf(const EditState& state) {
   std::vector<Circle> circles;
   std::vector<int> slotOf;  // of each circle
   circles.reserve(static_cast<std::size_t>(state.circleCount));
-  state.ids.forEach([&](std::int32_t, int slot) {
+  state.ids.forEach([&](CircleId, int slot) {
     slotOf.push_back(slot);
     circles.push_back(state.inputOf(slot));
   });
-  const auto scaled = validate(circles);
+  const auto scaled = validate(circles, state.weights);
   if (!scaled) return scaled.error();
 
   // Hiders are searched for in spatial order, of which the slots know nothing any more after many edits.
@@ -77,8 +77,8 @@ Result<Diagram> snapshotOf(const EditState& state) {
   if (auto error = refusalOfHidden(scaled.value().circles, sites.hidden)) return *std::move(error);
 
   Stats stats;
-  stats.method = "auto";
-  stats.way = "edit";
+  stats.method = Method::automatic;
+  stats.way = Way::edit;
   stats.counts.circles = static_cast<std::int64_t>(circles.size());
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
   const Dual dual = compacted(state, siteOf);
@@ -86,14 +86,17 @@ Result<Diagram> snapshotOf(const EditState& state) {
   construction.topology = topologyOf(dual, static_cast<int>(sites.circles.size()));
   construction.certificate = certificateOf(Verdict{}, dual, construction.topology);
   auto diagram = diagramOf(circles, std::move(construction), std::move(sites), scaled.value().unit);
-  if (diagram) diagram.value().stats = std::move(stats);
+  if (diagram) {
+    diagram->weights = state.weights;
+    diagram->stats = stats;
+  }
   return diagram;
 }
 
 SnapshotNumbers numbersOf(const EditState& state) {
   SnapshotNumbers numbers;
   numbers.circles.reserve(static_cast<std::size_t>(state.circleCount));
-  state.ids.forEach([&](std::int32_t id, int slot) {
+  state.ids.forEach([&](CircleId id, int slot) {
     numbers.circles.push_back(id);
     if (!state.isVisible(slot)) numbers.hiders.push_back(state.sites[state.sites[slot].hider].id);
   });

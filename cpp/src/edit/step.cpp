@@ -135,7 +135,7 @@ bool Stepper::takeOut(int slot) {
   if (!shrinker_.takeOut(state_, slot)) return false;
   if (state_.teller != nullptr) {
     state_.teller->tell();
-    state_.teller->setShrinking(kInfinity);
+    state_.teller->setShrinking(kPointAtInfinity);
   }
   --state_.visibleCount;
   state_.willChangeSite(slot);
@@ -193,7 +193,7 @@ int Stepper::neighborOf(int slot) const {
   if (first == kNone) return kNone;
   int h = first;
   do {
-    if (state_.dual.target(h) != kInfinity) return state_.dual.target(h);
+    if (state_.dual.target(h) != kPointAtInfinity) return state_.dual.target(h);
     h = state_.dual.twin[Dual::previous(h)];
   } while (h != first);
   return kNone;
@@ -208,8 +208,8 @@ bool Stepper::staysNear(int slot, const Circle& circle) const {
   int h = first;
   do {
     const int neighbor = dual.target(h);
-    if (neighbor != kInfinity && (distanceFrom(centreOf(circle), state_.circles[neighbor]) <= -circle.r ||
-                                  covers(circle, state_.circles[neighbor]))) {
+    if (neighbor != kPointAtInfinity && (distanceFrom(centreOf(circle), state_.circles[neighbor]) <= -circle.r ||
+                                         covers(circle, state_.circles[neighbor]))) {
       return false;
     }
     h = dual.twin[Dual::previous(h)];

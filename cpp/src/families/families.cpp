@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "circle_voronoi/families.h"
+#include "circle_voronoi_families/families.h"
 
 #include <array>
 

@@ -10,22 +10,23 @@
 
 namespace circle_voronoi {
 
-/// What is kept of cells and edges: what lies inside a region, up to a distance from the nearest circle, or both. The
-/// library of files takes these functions from this one.
+/// Which parts of cells and edges are kept: those inside a region, those within a distance of the nearest circle, or
+/// those that are both. The functions below are exported because the library for files calls them.
 struct Limits {
   const ConvexPolygon* region = nullptr;
   std::optional<double> maxDistance = {};
 
-  /// The radius, perhaps not above 0, of the disc around the centre of a circle that the distance keeps.
+  /// Returns the radius of the disc around the center of a circle that the distance keeps. It may be negative.
   double reachFrom(const Diagram& diagram, CircleIndex circle) const {
     const double r = diagram.metric == Metric::circles ? diagram.circles[static_cast<std::size_t>(circle)].r : 0;
     return r + *maxDistance;
   }
 };
 
-/// The parts of an edge that are kept, in its direction.
-CIRCLE_VORONOI_API std::vector<Part> keptParts(const Diagram& diagram, EdgeIndex edge, const Limits& limits);
+/// Returns the kept parts of an edge, in its direction.
+CIRCLE_VORONOI_API std::vector<CurvePart> keptParts(const Diagram& diagram, EdgeIndex edge, const Limits& limits);
 
-CIRCLE_VORONOI_API Outline outline(const Diagram& diagram, CircleIndex circle, const Limits& limits);
+/// Returns the outline of the kept part of a cell.
+CIRCLE_VORONOI_API Outline limitedOutline(const Diagram& diagram, CircleIndex circle, const Limits& limits);
 
 }  // namespace circle_voronoi

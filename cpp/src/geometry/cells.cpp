@@ -18,7 +18,7 @@ std::vector<CircleIndex> neighbors(const Diagram& diagram, CircleIndex circle) {
   return result;
 }
 
-double distance(const Diagram& diagram, CircleIndex circle, Point p) {
+double distanceFrom(const Diagram& diagram, CircleIndex circle, Point p) {
   return distance(diagram.metric, circleAt(diagram, circle), p);
 }
 

@@ -62,7 +62,8 @@ class PathFinder {
     leave(from);
     settle();
     ClearestPath path = arrive(from, to);
-    path.clearance = std::min({path.clearance, distance(diagram_, fromCircle, p), distance(diagram_, toCircle, q)});
+    path.clearance =
+        std::min({path.clearance, distanceFrom(diagram_, fromCircle, p), distanceFrom(diagram_, toCircle, q)});
     if (from.edge != kNone) path.entry = from.point;
     if (to.edge != kNone) path.exit = to.point;
     return path;
@@ -83,7 +84,7 @@ class PathFinder {
 
   /// The least distance from its circles along a part of an edge: at the apex if that is inside, else at an end.
   double clearanceOf(const EdgeCurve& curve, EdgeIndex edge, double from, double to) const {
-    const auto at = [&](double s) { return distance(diagram_, edgeAt(edge).left, pointAt(curve.bisector, s)); };
+    const auto at = [&](double s) { return distanceFrom(diagram_, edgeAt(edge).left, pointAt(curve.bisector, s)); };
     if (from <= 1 && 1 <= to) return at(1);
     return from > 1 ? at(from) : at(to);
   }
@@ -119,7 +120,7 @@ class PathFinder {
       if (node == infinity_) {
         std::ranges::for_each(toInfinity_, follow);
       } else {
-        for (const SideIndex side : diagram_.vertexSides[node]) follow(Diagram::edgeOf(side));
+        for (const SideIndex side : diagram_.links.vertexSides[node]) follow(Diagram::edgeOf(side));
       }
     }
   }

@@ -109,11 +109,11 @@ bool LineCrossing::isRight(double from, double to) const {
   return (std::abs(first) > std::abs(second) ? first : second) > 0;
 }
 
-std::vector<Part> partsInside(const EdgeCurve& whole, const ConvexPolygon& region) {
+std::vector<CurvePart> partsInside(const EdgeCurve& whole, const ConvexPolygon& region) {
   const EdgeCurve curve = seenFrom(whole, reachFrom(whole.bisector.origin, region));
-  std::vector<Part> parts;
+  std::vector<CurvePart> parts;
   for (const Span& span : spansInside(curve, region)) {
-    Part part = {curve, span.cutFrom, span.cutTo};
+    CurvePart part = {curve, span.cutFrom, span.cutTo};
     part.curve.from = span.from;
     part.curve.to = span.to;
     if (span.cutFrom != kNone) part.curve.start = onSide(region, span.cutFrom, pointAt(curve.bisector, span.from));
@@ -124,13 +124,13 @@ std::vector<Part> partsInside(const EdgeCurve& whole, const ConvexPolygon& regio
 }
 
 // The distance apex + c (cosh t - 1) grows from the apex to both sides: the part is from 1 / s to s.
-std::optional<Part> partNear(const EdgeCurve& whole, double reach) {
+std::optional<CurvePart> partNear(const EdgeCurve& whole, double reach) {
   const EdgeCurve curve = seenFrom(whole, reach);
   const auto& bisector = curve.bisector;
   const double rise = (reach / bisector.unit - bisector.apex) / (bisector.apex + std::abs(bisector.a));
   if (!(rise > 0)) return std::nullopt;
   const double most = parameterAtRise(rise);
-  Part part = {curve};
+  CurvePart part = {curve};
   if (curve.from < 1 / most) {
     part.cutFrom = kCircleOfRing;
     part.curve.from = 1 / most;
@@ -147,7 +147,7 @@ std::optional<Part> partNear(const EdgeCurve& whole, double reach) {
 
 std::vector<EdgeCurve> clip(const EdgeCurve& curve, const ConvexPolygon& region) {
   std::vector<EdgeCurve> pieces;
-  for (const Part& part : partsInside(curve, region)) pieces.push_back(part.curve);
+  for (const CurvePart& part : partsInside(curve, region)) pieces.push_back(part.curve);
   return pieces;
 }
 

@@ -9,30 +9,30 @@
 
 namespace circle_voronoi {
 
-/// A part of a curve inside a region, and the sides of the region, or its circle (ring.h), that cut it off, on which
-/// its ends lie then; kNone where it ends with the curve.
-struct Part {
+/// A part of a curve inside a region. `cutFrom` and `cutTo` are the sides of the region, or its circle (ring.h), on
+/// which the ends of the part lie; kNone if the part ends where the curve does.
+struct CurvePart {
   EdgeCurve curve;
   std::int32_t cutFrom = kNone;
   std::int32_t cutTo = kNone;
 };
 
-/// The parts of a curve inside a region, in order: bounded.
-std::vector<Part> partsInside(const EdgeCurve& curve, const ConvexPolygon& region);
+/// Returns the parts of a curve inside a region, in order. They are bounded.
+std::vector<CurvePart> partsInside(const EdgeCurve& curve, const ConvexPolygon& region);
 
-/// The part of a curve whose points are up to a distance from the origin of its bisector, the centre of the smaller
-/// circle: bounded, if there is one.
-std::optional<Part> partNear(const EdgeCurve& curve, double reach);
+/// Returns the part of a curve within a distance of the origin of its bisector, the center of the smaller circle. It is
+/// bounded. Returns nothing if there is none.
+std::optional<CurvePart> partNear(const EdgeCurve& curve, double reach);
 
-/// Where a branch crosses the line through a point along a direction.
+/// The crossings of a branch and the line through a point in a direction.
 class LineCrossing {
  public:
   LineCrossing(const Bisector& bisector, Point p, Vector direction);
 
-  /// The parameters, increasing: none, one or two.
+  /// Returns the parameters in increasing order: none, one or two.
   const std::vector<double>& parameters() const { return parameters_; }
 
-  /// Whether the branch is to the right of the line between two parameters; ends at infinity are 0 and infinity.
+  /// Returns whether the branch lies right of the line between two parameters, which may be 0 and infinity.
   /// Precondition: it does not cross the line between them.
   bool isRight(double from, double to) const;
 

@@ -42,16 +42,14 @@ const char* problemOf(std::span<const Point> corners) {
 
 }  // namespace
 
-ConvexPolygon::ConvexPolygon(const Box& box)
-    : corners_{{box.minX, box.minY}, {box.maxX, box.minY}, {box.maxX, box.maxY}, {box.minX, box.maxY}} {}
-
 Result<ConvexPolygon> ConvexPolygon::from(const Box& box) {
   return guarded([&]() -> Result<ConvexPolygon> {
     if (!isInRange(box.minX) || !isInRange(box.minY) || !isInRange(box.maxX) || !isInRange(box.maxY)) {
       return fail("A coordinate of the box is not finite, or beyond 1e152.");
     }
     if (!(box.minX < box.maxX && box.minY < box.maxY)) return fail("The box is empty.");
-    return ConvexPolygon(box);
+    return ConvexPolygon(
+        std::vector<Point>{{box.minX, box.minY}, {box.maxX, box.minY}, {box.maxX, box.maxY}, {box.minX, box.maxY}});
   });
 }
 

@@ -47,7 +47,30 @@ bool noLater(Vector reference, Vector v, Vector w) {
 
 }  // namespace
 
-Finder::Finder(const Diagram& diagram) : diagram_(diagram) {
+class Finder::Walker {
+ public:
+  explicit Walker(const Diagram& diagram);
+  CircleIndex find(Point p, CircleIndex hint) const;
+
+ private:
+  CircleIndex startNear(Point p) const;
+  CircleIndex nearerNeighbor(CircleIndex circle, Point p) const;
+  std::span<const SideIndex> manySides(CircleIndex circle) const;
+
+  const Diagram& diagram_;
+  Point corner_;
+  double width_ = 1;  ///< of a bucket
+  double height_ = 1;
+  std::size_t columns_ = 0;
+  std::size_t rows_ = 0;
+  std::vector<CircleIndex> starts_;  ///< a visible circle for each bucket, row by row
+  /// Cells with many sides, increasing, and their sides: those of the k-th from firstOfMany_[k] to firstOfMany_[k + 1].
+  std::vector<CircleIndex> many_;
+  std::vector<std::size_t> firstOfMany_ = {0};
+  std::vector<SideIndex> sidesOfMany_;
+};
+
+Finder::Walker::Walker(const Diagram& diagram) : diagram_(diagram) {
   const auto& circles = diagram.circles;
   Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
   std::size_t visible = 0;
@@ -113,18 +136,18 @@ Finder::Finder(const Diagram& diagram) : diagram_(diagram) {
 }
 
 /// The sides of a cell with more than kFewSides; none of another.
-std::span<const SideIndex> Finder::manySides(CircleIndex circle) const {
+std::span<const SideIndex> Finder::Walker::manySides(CircleIndex circle) const {
   const auto found = std::ranges::lower_bound(many_, circle);
   if (found == many_.end() || *found != circle) return {};
   const auto k = static_cast<std::size_t>(found - many_.begin());
   return std::span(sidesOfMany_).subspan(firstOfMany_[k], firstOfMany_[k + 1] - firstOfMany_[k]);
 }
 
-CircleIndex Finder::startNear(Point p) const {
+CircleIndex Finder::Walker::startNear(Point p) const {
   return starts_[bucketOf(p.y - corner_.y, height_, rows_) * columns_ + bucketOf(p.x - corner_.x, width_, columns_)];
 }
 
-CircleIndex Finder::find(Point p, CircleIndex hint) const {
+CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
   if (starts_.empty()) return kNone;
   CircleIndex circle = startNear(p);
   if (hint != kNone && diagram_.hasCell(hint) && lead(diagram_, hint, circle, p) > 0) circle = hint;
@@ -143,15 +166,8 @@ CircleIndex Finder::find(Point p, CircleIndex hint) const {
   }
 }
 
-std::vector<CircleIndex> Finder::findAll(std::span<const Point> points) const {
-  std::vector<CircleIndex> result;
-  result.reserve(points.size());
-  for (const Point& p : points) result.push_back(find(p, result.empty() ? CircleIndex() : result.back()));
-  return result;
-}
-
 /// A neighbour nearer to p than the circle itself, or kNone.
-CircleIndex Finder::nearerNeighbor(CircleIndex circle, Point p) const {
+CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, Point p) const {
   double most = 0;
   CircleIndex nearest;
   const auto ask = [&](SideIndex side) {
@@ -176,6 +192,20 @@ CircleIndex Finder::nearerNeighbor(CircleIndex circle, Point p) const {
   const auto k = static_cast<std::size_t>(after - sides.begin()) + sides.size();
   for (const std::size_t offset : {0U, 1U, 2U, 3U}) ask(sides[(k + 1 - offset) % sides.size()]);
   return nearest;
+}
+
+Finder::Finder(const Diagram& diagram) : walker_(std::make_unique<Walker>(diagram)) {}
+Finder::Finder(Finder&&) noexcept = default;
+Finder& Finder::operator=(Finder&&) noexcept = default;
+Finder::~Finder() = default;
+
+CircleIndex Finder::find(Point p, CircleIndex hint) const { return walker_->find(p, hint); }
+
+std::vector<CircleIndex> Finder::findAll(std::span<const Point> points) const {
+  std::vector<CircleIndex> result;
+  result.reserve(points.size());
+  for (const Point& p : points) result.push_back(find(p, result.empty() ? CircleIndex() : result.back()));
+  return result;
 }
 
 }  // namespace circle_voronoi

@@ -135,13 +135,12 @@ class Search {
     const double depth = depthOf(p);
     if (!(depth > radius())) return;
     const CircleIndex nearest = finder_.find(p, circle);
-    const double distance = circle_voronoi::distance(diagram_, nearest, p);
+    const double distance = distanceFrom(diagram_, nearest, p);
     if (circle == kNone) {
       if (distance <= depth) circle = nearest;
     } else {
       const double size = std::abs(p.x) + std::abs(p.y) + depth + std::abs(this->circle(circle).r);
-      if (nearest != circle && nearest != other &&
-          circle_voronoi::distance(diagram_, circle, p) > distance + kRounding * size)
+      if (nearest != circle && nearest != other && distanceFrom(diagram_, circle, p) > distance + kRounding * size)
         return;
       // It may touch but sides.
       if (distance > depth + kRounding * size + kRoundingOfPlace * depth) circle = other = kNone;
@@ -168,7 +167,7 @@ class Search {
       };
       // Along an edge the distance is largest at one of its ends.
       if (std::max(radiusAt(start), radiusAt(end)) <= radius()) continue;
-      for (const Part& part : partsInside(edgeCurve(diagram_, e), region_)) {
+      for (const CurvePart& part : partsInside(edgeCurve(diagram_, e), region_)) {
         const Bisector& bisector = part.curve.bisector;
         const double r = std::min(circle(left).r, circle(right).r) / bisector.unit;
         const double a = std::abs(bisector.a);

@@ -21,7 +21,7 @@ class Largest {
   }
   /// A disc that touches one circle, or two, around p.
   void offer(const Diagram& diagram, Point p, CircleIndex circle, CircleIndex other = kNone) {
-    offer({p.x, p.y, distance(diagram, circle, p)}, {circle, other, kNone});
+    offer({p.x, p.y, distanceFrom(diagram, circle, p)}, {circle, other, kNone});
   }
 
   double radius() const { return best_ ? best_->disc.r : -kInfinite; }
@@ -110,7 +110,7 @@ std::optional<EmptyDisc> largestEmptyDiscCenteredInHull(const Diagram& diagram) 
         if (dot(normal, vectorTo(touch, {diagram.vertices[v].x, diagram.vertices[v].y})) > 0) {
           if (isOutside[v]) continue;  // only rounding leads to a vertex twice
           isOutside[v] = true;
-          for (const SideIndex next : diagram.vertexSides[v]) {
+          for (const SideIndex next : diagram.links.vertexSides[v]) {
             if (next != Diagram::twin(side)) pending.push_back(next);
           }
           continue;

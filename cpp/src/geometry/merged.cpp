@@ -52,11 +52,11 @@ double roundingError(const Diagram& diagram, VertexIndex v) {
 }
 
 /// Whether an edge between vertices is of length near zero.
-bool isShortEdge(const Diagram& diagram, const Edge& edge, double nearZero) {
+bool isShortEdge(const Diagram& diagram, const Edge& edge, std::optional<double> nearZero) {
   if (edge.start == kNone || edge.end == kNone) return false;
   const Vertex& s = diagram.vertices[edge.start];
   const Vertex& t = diagram.vertices[edge.end];
-  const double limit = nearZero >= 0 ? nearZero : roundingError(diagram, edge.start) + roundingError(diagram, edge.end);
+  const double limit = nearZero ? *nearZero : roundingError(diagram, edge.start) + roundingError(diagram, edge.end);
   return !(lengthOf({t.x - s.x, t.y - s.y}) > limit);
 }
 
@@ -71,7 +71,7 @@ std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram) {
   return std::move(sets).first();
 }
 
-MergedDiagram mergeVertices(const Diagram& diagram, double nearZero) {
+MergedDiagram mergeVertices(const Diagram& diagram, std::optional<double> nearZero) {
   const std::size_t count = diagram.vertices.size();
   Sets sets(count);
   std::vector<bool> isShort(diagram.edges.size(), false);
@@ -100,12 +100,12 @@ MergedDiagram mergeVertices(const Diagram& diagram, double nearZero) {
   std::vector<std::vector<CircleIndex>> around(merged.vertices.size());
   for (std::size_t v = 0; v < count; ++v) {
     auto& list = around[merged.mergedVertex[v]];
-    for (const SideIndex start : diagram.vertexSides[v]) {
+    for (const SideIndex start : diagram.links.vertexSides[v]) {
       for (SideIndex side = start; !isShort[Diagram::edgeOf(side)] && !isMet[side];) {
         isMet[side] = true;
         list.push_back(diagram.circleOf(side));
         side = Diagram::twin(side);
-        do side = diagram.nextSide[side];
+        do side = diagram.links.nextSide[side];
         while (isShort[Diagram::edgeOf(side)]);
       }
     }

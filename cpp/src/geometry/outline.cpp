@@ -85,8 +85,8 @@ class Clipper {
 
   /// The pieces of a side inside the region. Both sides of an edge are cut in the edge's own direction, so that the
   /// cells on either side meet bit for bit.
-  std::vector<Part> piecesOf(SideIndex side) const {
-    std::vector<Part> pieces = keptParts(diagram_, Diagram::edgeOf(side), limits_);
+  std::vector<CurvePart> piecesOf(SideIndex side) const {
+    std::vector<CurvePart> pieces = keptParts(diagram_, Diagram::edgeOf(side), limits_);
     if (side % 2 == 0) return pieces;
     std::ranges::reverse(pieces);
     for (auto& [piece, cutFrom, cutTo] : pieces) {
@@ -227,7 +227,7 @@ Moments momentsOf(const Outline& outline, double unit) {
 
 }  // namespace
 
-std::vector<Part> keptParts(const Diagram& diagram, EdgeIndex edge, const Limits& limits) {
+std::vector<CurvePart> keptParts(const Diagram& diagram, EdgeIndex edge, const Limits& limits) {
   const EdgeCurve curve = edgeCurve(diagram, edge);
   if (!limits.maxDistance) return partsInside(curve, *limits.region);
   const Edge& between = diagram.edges[static_cast<std::size_t>(edge)];
@@ -235,15 +235,15 @@ std::vector<Part> keptParts(const Diagram& diagram, EdgeIndex edge, const Limits
       partNear(curve, std::min(limits.reachFrom(diagram, between.left), limits.reachFrom(diagram, between.right)));
   if (!near) return {};
   if (limits.region == nullptr) return {*near};
-  std::vector<Part> parts = partsInside(near->curve, *limits.region);
-  for (Part& part : parts) {
+  std::vector<CurvePart> parts = partsInside(near->curve, *limits.region);
+  for (CurvePart& part : parts) {
     if (part.cutFrom == kNone) part.cutFrom = near->cutFrom;
     if (part.cutTo == kNone) part.cutTo = near->cutTo;
   }
   return parts;
 }
 
-Outline outline(const Diagram& diagram, CircleIndex circle, const Limits& limits) {
+Outline limitedOutline(const Diagram& diagram, CircleIndex circle, const Limits& limits) {
   if (!diagram.hasCell(circle)) return {};
   std::optional<Circle> disc;
   if (limits.maxDistance) {
@@ -255,15 +255,16 @@ Outline outline(const Diagram& diagram, CircleIndex circle, const Limits& limits
 }
 
 Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region) {
-  return outline(diagram, circle, Limits{&region});
+  return limitedOutline(diagram, circle, {&region});
 }
 
-Outline outline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region, double maxDistance) {
-  return outline(diagram, circle, Limits{&region, maxDistance});
+Outline clippedBufferOutline(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& region,
+                             double maxDistance) {
+  return limitedOutline(diagram, circle, {&region, maxDistance});
 }
 
-Outline outline(const Diagram& diagram, CircleIndex circle, double maxDistance) {
-  return outline(diagram, circle, Limits{nullptr, maxDistance});
+Outline bufferOutline(const Diagram& diagram, CircleIndex circle, double maxDistance) {
+  return limitedOutline(diagram, circle, {nullptr, maxDistance});
 }
 
 double area(const Outline& outline) {

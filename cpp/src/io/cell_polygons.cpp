@@ -205,7 +205,7 @@ std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
   if (!frame_.limits.maxDistance) return wrong;
   for (CircleIndex i = 0; i < circleCount(); ++i) {
     if (isWhole(i)) continue;
-    for (const auto& loop : outline(frame_.diagram, i, frame_.limits)) {
+    for (const auto& loop : limitedOutline(frame_.diagram, i, frame_.limits)) {
       const std::size_t size = loop.size();
       for (std::size_t k = 0; k < size; ++k) {
         const OutlinePiece& before = loop[(k + size - 1) % size];
@@ -248,7 +248,7 @@ bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
 
 /// The same of the parts of another edge, which have to stay in the box.
 bool CellPolygons::partsTurnRight(EdgeIndex edge) const {
-  const auto isRight = [&](const Part& part) {
+  const auto isRight = [&](const CurvePart& part) {
     const Ring points = pointsOfPart(edge, part.curve);
     const auto isIn = [&](Point p) { return frame_.region.contains(p); };
     return std::ranges::all_of(points, isIn) && turnsRight(edge, points);
@@ -407,7 +407,7 @@ std::vector<CellPolygons::Ring> CellPolygons::rings(CircleIndex circle) const {
     keep(wholeRing(circle));
     return rings;
   }
-  for (const auto& loop : outline(frame_.diagram, circle, frame_.limits)) {
+  for (const auto& loop : limitedOutline(frame_.diagram, circle, frame_.limits)) {
     if (!keep(ringOf(circle, loop, true))) keep(ringOf(circle, loop, false));
   }
   return rings;
@@ -416,7 +416,7 @@ std::vector<CellPolygons::Ring> CellPolygons::rings(CircleIndex circle) const {
 std::vector<CellPolygons::Ring> CellPolygons::polylines(EdgeIndex edge) const {
   if (isInside(edge)) return {pointsOf({{}, 2 * edge, kNone})};
   std::vector<Ring> lines;
-  for (const Part& part : keptParts(frame_.diagram, edge, frame_.limits)) {
+  for (const CurvePart& part : keptParts(frame_.diagram, edge, frame_.limits)) {
     lines.push_back(pointsOf({part.curve, 2 * edge, kNone}));
   }
   return lines;
@@ -441,7 +441,7 @@ double CellPolygons::area(CircleIndex circle) const {
     }
     if (isSafe(sum) && sum > 0) return sum;
   }
-  return circle_voronoi::area(outline(frame_.diagram, circle, frame_.limits));
+  return circle_voronoi::area(limitedOutline(frame_.diagram, circle, frame_.limits));
 }
 
 }  // namespace circle_voronoi

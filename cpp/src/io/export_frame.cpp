@@ -2,15 +2,19 @@
 #include "export_frame.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "checks.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// Of the farthest coordinate.
+/// The smallest margin, as a share of the farthest coordinate.
 constexpr double kLeastMargin = 0x1p-50;
 constexpr double kMargin = 0.05;
 constexpr double kTolerance = 1e-5;
-/// What rounding may take of the tolerance, in each coordinate.
+/// The share of the tolerance that rounding may use up, in each coordinate.
 constexpr double kRoundingShare = 0.1;
 
 double sizeOf(const Box& box) { return std::max(box.maxX - box.minX, box.maxY - box.minY); }
@@ -28,7 +32,7 @@ DecimalGrid gridOf(const Diagram& diagram, const ExportOptions& options) {
   return DecimalGrid(kRoundingShare * toleranceOf(boxOf(diagram, options), options));
 }
 
-/// With digits the default box is widened to where the grid has points.
+/// With digits the default box grows to points of the grid.
 Box boxOf(const Diagram& diagram, const ExportOptions& options, const DecimalGrid& grid) {
   const Box box = boxOf(diagram, options);
   if (options.bounds || !options.digits) return box;
@@ -50,17 +54,34 @@ Box exportBox(std::span<const Circle> circles, std::optional<double> maxDistance
   const auto bottom = [&](const Circle& c) { return -(c.y - size(c)); };
   Box box = {-left(reach(left)), -bottom(reach(bottom)), right(reach(right)), top(reach(top))};
   const double farthest = std::max({-box.minX, -box.minY, box.maxX, box.maxY});
-  // So that rounding leaves something of it.
+  // Large enough not to be lost in rounding.
   const double margin = std::max(sizeOf(box) > 0 ? kMargin * sizeOf(box) : 1, kLeastMargin * farthest);
   return {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
 }
 
-ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options)
+Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& options) {
+  if (auto checked = checkVertices(diagram); !checked) return checked.error();
+  if (!diagram.certificate.certified()) {
+    return Error{ErrorCode::notCertified, diagram.certificate.circle,
+                 "The diagram is not certified: " + diagram.certificate.message};
+  }
+  if (auto checked = checkDigits(options.digits); !checked) return checked.error();
+  if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance))) {
+    return errorWith(ErrorCode::badOption, "The tolerance must be finite and positive.");
+  }
+  // Not a number is not up to the limit, either.
+  if (options.maxDistance && !(std::abs(*options.maxDistance) <= kRegionLimit)) {
+    return errorWith(ErrorCode::badOption, "The maximum distance must be finite and at most 1e152.");
+  }
+  return ConvexPolygon::from(boxOf(diagram, options, gridOf(diagram, options)));
+}
+
+ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion)
     : diagram(its),
       hasDigits(options.digits.has_value()),
       grid(gridOf(its, options)),
       box(boxOf(its, options, grid)),
-      region(box),
+      region(std::move(itsRegion)),
       limits{&region, options.maxDistance},
       tolerance(std::max(toleranceOf(box, options) - grid.error(), toleranceOf(box, options) / 2)) {}
 

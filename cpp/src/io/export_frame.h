@@ -5,40 +5,58 @@
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/export.h"
 #include "digits.h"
+#include "guarded.h"
+#include "writer.h"
 
 namespace circle_voronoi {
 
+/// Returns the box to which a diagram is clipped.
+/// Errors: notCertified if the diagram is not certified; badInput if there are not as many vertexCircles as vertices;
+/// badOption if an option is out of range.
+Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& options);
+
 /// What every writer of a drawing needs: the diagram, the region, and how closely curves and coordinates are written.
 struct ExportFrame {
-  ExportFrame(const Diagram& its, const ExportOptions& options);
+  /// `itsRegion` is that of `exportRegion`.
+  ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion);
   ExportFrame(const ExportFrame&) = delete;
   ExportFrame& operator=(const ExportFrame&) = delete;
 
   Point round(Point p) const { return {grid.round(p.x), grid.round(p.y)}; }
-  /// A point that is kept in the box: rounded along it, if digits are asked for.
+  /// Returns a point on the boundary of the box, rounded along it if digits are given.
   Point roundInBox(Point p) const;
   double area(double value) const { return hasDigits ? grid.round(value) : value; }
 
-  /// Whether a vertex is not beyond the maximum distance.
+  /// Returns whether a vertex lies within the maximum distance.
   bool isNear(VertexIndex vertex) const {
     return !limits.maxDistance || diagram.vertices[static_cast<std::size_t>(vertex)].r <= *limits.maxDistance;
   }
 
   const Diagram& diagram;
-  bool hasDigits;  ///< whether digits are asked for
+  bool hasDigits;  ///< whether digits are given
   DecimalGrid grid;
   Box box;
   ConvexPolygon region;  ///< the box
   Limits limits;         ///< of cells and edges
-  double tolerance;      ///< of curves: what rounding leaves of it
+  double tolerance;      ///< of curves: the part that rounding leaves
 };
 
-/// The curve of a piece of an outline, which is not of the region's boundary, in the direction of its edge: the same
-/// bits from either side.
+/// Returns the curve of a piece of an outline in the direction of its edge, with the same bits for both cells.
+/// Precondition: the piece does not belong to the region's boundary.
 EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece);
 
-/// Whether an edge is kept as a whole, and lies so far inside the box that it does so when its points are rounded. Then
-/// so do its ends.
+/// Returns whether the whole edge is kept, and it and its ends stay inside the box when their points are rounded.
 bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve);
+
+/// Writes to a stream what `body` writes to a Writer, in an ExportFrame. Errors: also those of `exportRegion`.
+template <class Body>
+Result<void> writingIn(std::ostream& stream, const Diagram& diagram, const ExportOptions& options, Body body) {
+  return guarded([&]() -> Result<void> {
+    auto region = exportRegion(diagram, options);
+    if (!region) return region.error();
+    const ExportFrame frame(diagram, options, *std::move(region));
+    return writing(stream, [&](Writer& out) { body(out, frame); });
+  });
+}
 
 }  // namespace circle_voronoi

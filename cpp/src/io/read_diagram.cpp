@@ -8,7 +8,7 @@
 #include "circle_voronoi/io.h"
 #include "guarded.h"
 #include "json_reader.h"
-#include "stats.h"
+#include "read_stats.h"
 #include "text.h"
 #include "validate.h"
 

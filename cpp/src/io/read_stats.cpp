@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <string>
+#include "read_stats.h"
 
-#include "stats.h"
+#include <algorithm>
+#include <optional>
 
 namespace circle_voronoi {
 namespace {
 
-/// Names have small letters and hyphens. Nothing else is taken, as it is written again without escapes.
-void take(JsonReader& reader, std::string& name) {
+template <class Value>
+void take(JsonReader& reader, std::optional<Value> fromName(std::string_view), std::optional<Value>& value) {
   if (reader.kind() != JsonKind::string) return reader.skip();
-  const std::string_view text = reader.string();
-  const auto fits = [](char c) { return c == '-' || (c >= 'a' && c <= 'z'); };
-  if (std::ranges::all_of(text, fits)) name = text;
+  value = fromName(reader.string());
 }
 
 void take(JsonReader& reader, std::int64_t& count) {
@@ -26,15 +24,15 @@ void take(JsonReader& reader, double& seconds) {
 }
 
 template <class Struct, class Field, std::size_t count>
-void takeFields(JsonReader& reader, const std::array<NamedField<Struct, Field>, count>& fields, Struct& values) {
+void takeFields(JsonReader& reader, const std::array<NamedMember<Struct, Field>, count>& fields, Struct& values) {
   if (reader.kind() != JsonKind::object) return reader.skip();
   reader.enterObject();
   while (const auto key = reader.nextKey()) {
-    const auto field = std::ranges::find(fields, *key, &NamedField<Struct, Field>::name);
+    const auto field = std::ranges::find(fields, *key, &NamedMember<Struct, Field>::name);
     if (field == fields.end()) {
       reader.skip();
     } else {
-      take(reader, values.*(field->field));
+      take(reader, values.*(field->member));
     }
   }
 }
@@ -50,15 +48,15 @@ Stats readStats(JsonReader& reader) {
   reader.enterObject();
   while (const auto key = reader.nextKey()) {
     if (*key == "method") {
-      take(reader, stats.method);
+      take(reader, methodFromName, stats.method);
     } else if (*key == "way") {
-      take(reader, stats.way);
+      take(reader, wayFromName, stats.way);
     } else if (*key == "candidates") {
-      take(reader, stats.candidates);
+      take(reader, candidatesFromName, stats.candidates);
     } else if (*key == "counts") {
-      takeFields(reader, kCounts, stats.counts);
+      takeFields(reader, kCountMembers, stats.counts);
     } else if (*key == "seconds") {
-      takeFields(reader, kSeconds, stats.seconds);
+      takeFields(reader, kSecondsMembers, stats.seconds);
     } else {
       reader.skip();
     }

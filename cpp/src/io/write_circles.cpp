@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "circle_voronoi/io.h"
+#include "validate.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -14,31 +15,42 @@ void writeLines(Writer& out, std::span<const Circle> circles, Item item) {
   }
 }
 
+/// Writes circles that `readCircles` accepts.
+template <class Body>
+Result<void> writingCircles(std::ostream& stream, std::span<const Circle> circles, Body body) {
+  const auto valid = guarded([&] { return validate(circles, true); });
+  if (!valid) return valid.error();
+  return writing(stream, body);
+}
+
 }  // namespace
 
-void writeCirclesCsv(std::ostream& stream, std::span<const Circle> circles) {
-  Writer out(stream);
-  out << "x,y,r\n";
-  for (const Circle& c : circles) out << c.x << "," << c.y << "," << c.r << "\n";
+Result<void> writeCirclesCsv(std::ostream& stream, std::span<const Circle> circles) {
+  return writingCircles(stream, circles, [&](Writer& out) {
+    out << "x,y,r\n";
+    for (const Circle& c : circles) out << c.x << "," << c.y << "," << c.r << "\n";
+  });
 }
 
-void writeCirclesJson(std::ostream& stream, std::span<const Circle> circles) {
-  Writer out(stream);
-  out << "[";
-  writeLines(out, circles, [](Writer& line, std::int64_t, const Circle& c) {
-    line << "{\"x\": " << c.x << ", \"y\": " << c.y << ", \"r\": " << c.r << "}";
+Result<void> writeCirclesJson(std::ostream& stream, std::span<const Circle> circles) {
+  return writingCircles(stream, circles, [&](Writer& out) {
+    out << "[";
+    writeLines(out, circles, [](Writer& line, std::int64_t, const Circle& c) {
+      line << "{\"x\": " << c.x << ", \"y\": " << c.y << ", \"r\": " << c.r << "}";
+    });
+    out << "\n]\n";
   });
-  out << "\n]\n";
 }
 
-void writeCirclesGeoJson(std::ostream& stream, std::span<const Circle> circles) {
-  Writer out(stream);
-  out << R"({"type":"FeatureCollection","features":[)";
-  writeLines(out, circles, [](Writer& line, std::int64_t i, const Circle& c) {
-    line << R"({"type":"Feature","properties":{"circle":)" << i << R"(,"r":)" << c.r
-         << R"(},"geometry":{"type":"Point","coordinates":[)" << c.x << "," << c.y << "]}}";
+Result<void> writeCirclesGeoJson(std::ostream& stream, std::span<const Circle> circles) {
+  return writingCircles(stream, circles, [&](Writer& out) {
+    out << R"({"type":"FeatureCollection","features":[)";
+    writeLines(out, circles, [](Writer& line, std::int64_t i, const Circle& c) {
+      line << R"({"type":"Feature","properties":{"circle":)" << i << R"(,"r":)" << c.r
+           << R"(},"geometry":{"type":"Point","coordinates":[)" << c.x << "," << c.y << "]}}";
+    });
+    out << "\n]}\n";
   });
-  out << "\n]}\n";
 }
 
 }  // namespace circle_voronoi

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cell_polygons.h"
+#include "checks.h"
 #include "circle_voronoi/export.h"
+#include "circle_voronoi/tile.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -33,9 +35,8 @@ void writeGeometry(Writer& out, const std::vector<std::vector<Point>>& rings) {
 }
 
 /// Writes the cell of each chosen circle as a feature, with a separator between them; whether there is one.
-bool writeFeatures(Writer& out, const Diagram& diagram, const ExportOptions& options, const Selection& selection,
-                   std::string_view separator) {
-  const ExportFrame frame(diagram, options);
+bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selection, std::string_view separator) {
+  const Diagram& diagram = frame.diagram;
   const CellPolygons polygons(frame);
   std::vector<std::int32_t> hiders(diagram.circles.size(), kNone);
   for (const auto& [circle, by] : diagram.hidden) hiders[static_cast<std::size_t>(circle)] = by;
@@ -47,8 +48,8 @@ bool writeFeatures(Writer& out, const Diagram& diagram, const ExportOptions& opt
         << diagram.circles[static_cast<std::size_t>(i)].r << R"(,"area":)" << frame.area(polygons.area(i))
         << R"(,"neighbors":[)";
     std::string_view comma;
-    for (const SideIndex side : frame.diagram.sides(i)) {
-      out << comma << selection.id(frame.diagram.neighborOf(side));
+    for (const SideIndex side : diagram.sides(i)) {
+      out << comma << selection.id(diagram.neighborOf(side));
       comma = ",";
     }
     out << "]";
@@ -66,17 +67,24 @@ bool writeFeatures(Writer& out, const Diagram& diagram, const ExportOptions& opt
 
 }  // namespace
 
-void writeGeoJson(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
-  Writer out(stream);
-  out << R"({"type":"FeatureCollection","features":[)" << (diagram.circles.empty() ? "" : "\n");
-  writeFeatures(out, diagram, options, {}, ",\n");
-  out << "\n]}\n";
+Result<void> writeGeoJson(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
+  return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
+    out << R"({"type":"FeatureCollection","features":[)" << (diagram.circles.empty() ? "" : "\n");
+    writeFeatures(out, frame, {}, ",\n");
+    out << "\n]}\n";
+  });
 }
 
-void writeGeoJsonLines(std::ostream& stream, const Diagram& diagram, const ExportOptions& options,
-                       const Selection& selection) {
-  Writer out(stream);
-  if (writeFeatures(out, diagram, options, selection, "\n")) out << "\n";
+Result<void> writeGeoJsonLines(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
+  return writePartsGeoJsonLines(stream, diagram, {}, options);
+}
+
+Result<void> writePartsGeoJsonLines(std::ostream& stream, const Diagram& diagram, const Selection& selection,
+                                    const ExportOptions& options) {
+  if (auto checked = checkSelection(selection, diagram.circles.size()); !checked) return checked;
+  return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
+    if (writeFeatures(out, frame, selection, "\n")) out << "\n";
+  });
 }
 
 }  // namespace circle_voronoi

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks.h"
 #include "circle_voronoi/io.h"
+#include "circle_voronoi/stats.h"
 #include "digits.h"
-#include "stats.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -19,7 +20,7 @@ void writeLines(Writer& out, std::size_t count, Item item) {
 }
 
 template <class Struct, class Field, std::size_t count>
-void writeFields(Writer& out, const Struct& values, const std::array<NamedField<Struct, Field>, count>& fields) {
+void writeFields(Writer& out, const Struct& values, const std::array<NamedMember<Struct, Field>, count>& fields) {
   std::string_view separator = "{";
   for (const auto& [name, field] : fields) {
     out << separator << "\"" << name << "\": " << values.*field;
@@ -28,25 +29,28 @@ void writeFields(Writer& out, const Struct& values, const std::array<NamedField<
   out << "}";
 }
 
+template <class Value>
+std::string_view nameOr(std::optional<Value> value, std::string_view name(Value)) {
+  return value ? name(*value) : std::string_view();
+}
+
 void writeStats(Writer& out, const Diagram& diagram, std::string_view indent) {
   const auto& [method, way, candidates, counts, seconds] = diagram.stats;
   const Certificate& certificate = diagram.certificate;
-  out << "{\"method\": \"" << method << "\", \"way\": \"" << way << "\", \"candidates\": \"" << candidates << "\",\n"
+  out << "{\"method\": \"" << nameOr(method, methodName) << "\", \"way\": \"" << nameOr(way, wayName)
+      << "\", \"candidates\": \"" << nameOr(candidates, candidatesName) << "\",\n"
       << indent << " \"certificate\": {\"certified\": " << (certificate.certified() ? "true" : "false")
       << ", \"flaw\": \"" << flawName(certificate.flaw) << "\", \"circle\": " << certificate.circle
       << ", \"vertex\": " << certificate.vertex << ", \"edge\": " << certificate.edge << ", \"message\": \""
       << certificate.message << "\"},\n"
       << indent << " \"counts\": ";
-  writeFields(out, counts, kCounts);
+  writeFields(out, counts, kCountMembers);
   out << ",\n" << indent << " \"seconds\": ";
-  writeFields(out, seconds, kSeconds);
+  writeFields(out, seconds, kSecondsMembers);
   out << "}";
 }
 
-}  // namespace
-
-void writeJson(std::ostream& stream, const Diagram& diagram, std::optional<int> digits) {
-  Writer out(stream);
+void writeDiagram(Writer& out, const Diagram& diagram, std::optional<int> digits) {
   const DecimalGrid grid(digits);
   out << "{\"format\": \"circle-voronoi\", \"version\": 1,\n ";
   if (diagram.metric != Metric::circles) out << "\"metric\": \"" << metricName(diagram.metric) << "\",\n ";
@@ -84,10 +88,19 @@ void writeJson(std::ostream& stream, const Diagram& diagram, std::optional<int> 
   out << "}\n";
 }
 
-void writeStatsJson(std::ostream& stream, const Diagram& diagram) {
-  Writer out(stream);
-  writeStats(out, diagram, "");
-  out << "\n";
+}  // namespace
+
+Result<void> writeJson(std::ostream& stream, const Diagram& diagram, std::optional<int> digits) {
+  if (auto checked = checkDigits(digits); !checked) return checked;
+  if (auto checked = checkVertices(diagram); !checked) return checked;
+  return writing(stream, [&](Writer& out) { writeDiagram(out, diagram, digits); });
+}
+
+Result<void> writeStatsJson(std::ostream& stream, const Diagram& diagram) {
+  return writing(stream, [&](Writer& out) {
+    writeStats(out, diagram, "");
+    out << "\n";
+  });
 }
 
 }  // namespace circle_voronoi

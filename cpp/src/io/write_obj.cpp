@@ -16,20 +16,20 @@ void writeElement(Writer& out, std::string_view element, const std::vector<Point
 
 }  // namespace
 
-void writeObj(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
-  Writer out(stream);
-  const ExportFrame frame(diagram, options);
-  const CellPolygons polygons(frame);
-  std::int64_t count = 0;
-  out << "# Voronoi diagram of circles\no edges\n";
-  for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
-    for (const auto& line : polygons.polylines(e)) writeElement(out, "l", line, count);
-  }
-  out << "o cells\n";
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
-    out << "g circle" << i << "\n";
-    for (const auto& ring : polygons.rings(i)) writeElement(out, "f", ring, count);
-  }
+Result<void> writeObj(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
+  return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
+    const CellPolygons polygons(frame);
+    std::int64_t count = 0;
+    out << "# Voronoi diagram of circles\no edges\n";
+    for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+      for (const auto& line : polygons.polylines(e)) writeElement(out, "l", line, count);
+    }
+    out << "o cells\n";
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
+      out << "g circle" << i << "\n";
+      for (const auto& ring : polygons.rings(i)) writeElement(out, "f", ring, count);
+    }
+  });
 }
 
 }  // namespace circle_voronoi

@@ -148,7 +148,7 @@ void writeCells(Writer& out, const Drawing& drawing) {
       out << "Z\"/>\n";
       return;
     }
-    const Outline loops = outline(diagram, i, drawing.frame.limits);
+    const Outline loops = limitedOutline(diagram, i, drawing.frame.limits);
     if (loops.empty()) return;
     begin();
     for (const auto& loop : loops) {
@@ -178,7 +178,7 @@ void writeEdges(Writer& out, const Drawing& drawing) {
     const auto parts = keptParts(diagram, e, frame.limits);
     if (parts.empty()) continue;
     begin();
-    for (const Part& part : parts) {
+    for (const CurvePart& part : parts) {
       writePoint(out, "M", frame.round(part.curve.start));
       const auto points = innerPoints(frame, part.curve);
       trace(out, points.begin(), points.end(), frame.round(part.curve.end));
@@ -308,43 +308,48 @@ void writeLayer(Writer& out, const ExportFrame& frame, const SvgLayer& layer, do
 
 }  // namespace
 
-void writeSvg(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
-  SvgFigure figure;
-  figure.frame = options;
-  writeSvgFigure(stream, diagram, figure);
+Result<void> writeSvg(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
+  return guarded([&] {
+    SvgFigure figure;
+    figure.frame = options;
+    return writeSvgFigure(stream, diagram, figure);
+  });
 }
 
-void writeSvgFigure(std::ostream& stream, const Diagram& diagram, const SvgFigure& figure) {
-  Writer out(stream);
-  const ExportFrame frame(diagram, figure.frame);
-  const Drawing drawing(frame);
-  const double width = frame.box.maxX - frame.box.minX;
-  const double height = frame.box.maxY - frame.box.minY;
-  const double unit = std::max(width, height) / figure.pixels;  // what a pixel stands for
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
-      << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height << "\">\n"
-      << "<title>Voronoi diagram of circles</title>\n<desc>" << static_cast<std::int64_t>(diagram.circles.size())
-      << " circles, " << static_cast<std::int64_t>(diagram.hidden.size()) << " of them hidden; "
-      << static_cast<std::int64_t>(diagram.vertices.size()) << " vertices, "
-      << static_cast<std::int64_t>(diagram.edges.size()) << " edges</desc>\n"
-      << kStyle << (frame.limits.maxDistance ? kStyleOfCutCells : "") << figure.style
-      << "</style>\n<g transform=\"scale(1,-1)\">\n";
-  const auto group = [&](std::string_view name, auto write) {
-    out << "<g id=\"" << name << "\" class=\"" << name << "\">\n";
-    write();
-    out << "</g>\n";
-  };
-  const auto ownGroup = [&](std::string_view name, auto write) {
-    if (std::ranges::find(figure.groups, name) != figure.groups.end()) group(name, write);
-  };
-  ownGroup("cells", [&] { writeCells(out, drawing); });
-  ownGroup("dual", [&] { writeDual(out, frame); });
-  ownGroup("circles", [&] { writeCircles(out, frame, kPointPixels * unit); });
-  ownGroup("edges", [&] { writeEdges(out, drawing); });
-  ownGroup("vertices", [&] { writeVertices(out, drawing, frame.grid.round(kVertexPixels * unit)); });
-  ownGroup("hull", [&] { writeHull(out, frame); });
-  for (const SvgLayer& layer : figure.layers) group(layer.name, [&] { writeLayer(out, frame, layer, unit); });
-  out << "</g>\n</svg>\n";
+Result<void> writeSvgFigure(std::ostream& stream, const Diagram& diagram, const SvgFigure& figure) {
+  if (!(figure.pixels > 0) || std::isinf(figure.pixels)) {
+    return errorWith(ErrorCode::badOption, "The number of pixels must be finite and positive.");
+  }
+  return writingIn(stream, diagram, figure.frame, [&](Writer& out, const ExportFrame& frame) {
+    const Drawing drawing(frame);
+    const double width = frame.box.maxX - frame.box.minX;
+    const double height = frame.box.maxY - frame.box.minY;
+    const double unit = std::max(width, height) / figure.pixels;  // what a pixel stands for
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width / unit << "\" height=\"" << height / unit
+        << "\" viewBox=\"" << frame.box.minX << " " << -frame.box.maxY << " " << width << " " << height << "\">\n"
+        << "<title>Voronoi diagram of circles</title>\n<desc>" << static_cast<std::int64_t>(diagram.circles.size())
+        << " circles, " << static_cast<std::int64_t>(diagram.hidden.size()) << " of them hidden; "
+        << static_cast<std::int64_t>(diagram.vertices.size()) << " vertices, "
+        << static_cast<std::int64_t>(diagram.edges.size()) << " edges</desc>\n"
+        << kStyle << (frame.limits.maxDistance ? kStyleOfCutCells : "") << figure.style
+        << "</style>\n<g transform=\"scale(1,-1)\">\n";
+    const auto group = [&](std::string_view name, auto write) {
+      out << "<g id=\"" << name << "\" class=\"" << name << "\">\n";
+      write();
+      out << "</g>\n";
+    };
+    const auto ownGroup = [&](std::string_view name, auto write) {
+      if (std::ranges::find(figure.groups, name) != figure.groups.end()) group(name, write);
+    };
+    ownGroup("cells", [&] { writeCells(out, drawing); });
+    ownGroup("dual", [&] { writeDual(out, frame); });
+    ownGroup("circles", [&] { writeCircles(out, frame, kPointPixels * unit); });
+    ownGroup("edges", [&] { writeEdges(out, drawing); });
+    ownGroup("vertices", [&] { writeVertices(out, drawing, frame.grid.round(kVertexPixels * unit)); });
+    ownGroup("hull", [&] { writeHull(out, frame); });
+    for (const SvgLayer& layer : figure.layers) group(layer.name, [&] { writeLayer(out, frame, layer, unit); });
+    out << "</g>\n</svg>\n";
+  });
 }
 
 }  // namespace circle_voronoi

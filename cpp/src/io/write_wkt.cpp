@@ -20,22 +20,22 @@ void writePolygon(Writer& out, const std::vector<Point>& ring) {
 
 }  // namespace
 
-void writeWkt(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
-  Writer out(stream);
-  const ExportFrame frame(diagram, options);
-  const CellPolygons polygons(frame);
-  polygons.visit([&](std::int32_t i) {
-    const auto rings = polygons.rings(i);
-    if (rings.empty()) {
-      out << "POLYGON EMPTY\n";
-      return;
-    }
-    out << (rings.size() == 1 ? "POLYGON " : "MULTIPOLYGON (");
-    for (std::size_t k = 0; k < rings.size(); ++k) {
-      if (k > 0) out << ", ";
-      writePolygon(out, rings[k]);
-    }
-    out << (rings.size() == 1 ? "\n" : ")\n");
+Result<void> writeWkt(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
+  return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
+    const CellPolygons polygons(frame);
+    polygons.visit([&](std::int32_t i) {
+      const auto rings = polygons.rings(i);
+      if (rings.empty()) {
+        out << "POLYGON EMPTY\n";
+        return;
+      }
+      out << (rings.size() == 1 ? "POLYGON " : "MULTIPOLYGON (");
+      for (std::size_t k = 0; k < rings.size(); ++k) {
+        if (k > 0) out << ", ";
+        writePolygon(out, rings[k]);
+      }
+      out << (rings.size() == 1 ? "\n" : ")\n");
+    });
   });
 }
 

@@ -3,26 +3,28 @@
 
 #include <charconv>
 #include <cstdint>
+#include <exception>
 #include <ostream>
 #include <string_view>
 #include <vector>
 
+#include "circle_voronoi/error.h"
 #include "digits.h"
+#include "guarded.h"
 
 namespace circle_voronoi {
 
-/// Collects text and hands it to the stream in large pieces.
+/// Collects text and passes it to a stream in large pieces.
 class Writer {
  public:
   explicit Writer(std::ostream& out) : out_(out), text_(kPiece) {}
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
-  ~Writer() { flush(); }
 
   Writer& operator<<(std::string_view text) {
     if (text.size() > text_.size() - size_) flush();
     if (text.size() > text_.size()) {
-      out_.write(text.data(), static_cast<std::streamsize>(text.size()));
+      pass(text);
     } else {
       size_ += text.copy(text_.data() + size_, text.size());
     }
@@ -31,9 +33,17 @@ class Writer {
 
   Writer& operator<<(std::int64_t value) { return integer(value); }
   Writer& operator<<(std::int32_t value) { return integer(value); }
-  /// The shortest digits that read back to the same bits.
+  /// Writes the shortest digits that read back to the same bits.
   Writer& operator<<(double value) {
     return append([value](char* to) { return writeDigits(to, value); });
+  }
+
+  /// Passes on the rest. Errors: notWritten. Without this call the rest is lost: a destructor could not report a full
+  /// disk.
+  Result<void> finish() {
+    flush();
+    if (!out_) return errorWith(ErrorCode::notWritten, "The stream did not accept all of the text.");
+    return {};
   }
 
  private:
@@ -53,13 +63,32 @@ class Writer {
   }
 
   void flush() {
-    out_.write(text_.data(), static_cast<std::streamsize>(size_));
+    pass({text_.data(), size_});
     size_ = 0;
+  }
+
+  /// The stream is the caller's, and so are its exceptions.
+  void pass(std::string_view text) {
+    try {
+      out_.write(text.data(), static_cast<std::streamsize>(text.size()));
+    } catch (...) {
+      throw CallbackThrew{std::current_exception()};
+    }
   }
 
   std::ostream& out_;
   std::vector<char> text_;
   std::size_t size_ = 0;
 };
+
+/// Writes to a stream what `body` writes to a Writer.
+template <class Body>
+Result<void> writing(std::ostream& stream, Body body) {
+  return guarded([&]() -> Result<void> {
+    Writer out(stream);
+    body(out);
+    return out.finish();
+  });
+}
 
 }  // namespace circle_voronoi

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/certify.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,7 +9,6 @@
 
 #include "adjacency.h"
 #include "certificate_message.h"
-#include "circle_voronoi/certificate.h"
 #include "guarded.h"
 #include "judge.h"
 #include "prefetch.h"
@@ -27,23 +28,24 @@ struct Visible {
 
 /// The part of a diagram that is not as its sides are linked, or a certificate without a flaw.
 Certificate judgeSides(const Diagram& diagram) {
-  const auto right = adjacencyOf(diagram);
+  const Links& links = diagram.links;
+  const auto right = linksOf(diagram);
   // A diagram whose dual is right fits together.
-  if (!right || diagram.nextSide.size() != right->nextSide.size() ||
-      diagram.vertexSides.size() != right->vertexSides.size() || diagram.firstSide.size() != right->firstSide.size()) {
+  if (!right || links.nextSide.size() != right->nextSide.size() ||
+      links.vertexSides.size() != right->vertexSides.size() || links.firstSide.size() != right->firstSide.size()) {
     return {Flaw::adjacency, 0, kNone, kNone, {}};
   }
   const auto firstDifference = [](const auto& a, const auto& b) {
     const auto [found, other] = std::mismatch(a.begin(), a.end(), b.begin());
     return found == a.end() ? kNone : static_cast<std::int32_t>(found - a.begin());
   };
-  if (const SideIndex side = firstDifference(diagram.nextSide, right->nextSide); side != kNone) {
+  if (const SideIndex side = firstDifference(links.nextSide, right->nextSide); side != kNone) {
     return {Flaw::adjacency, diagram.circleOf(side), kNone, kNone, {}};
   }
-  if (const VertexIndex vertex = firstDifference(diagram.vertexSides, right->vertexSides); vertex != kNone) {
+  if (const VertexIndex vertex = firstDifference(links.vertexSides, right->vertexSides); vertex != kNone) {
     return {Flaw::adjacency, kNone, vertex, kNone, {}};
   }
-  const CircleIndex circle = firstDifference(diagram.firstSide, right->firstSide);
+  const CircleIndex circle = firstDifference(links.firstSide, right->firstSide);
   return {circle == kNone ? Flaw::none : Flaw::adjacency, circle, kNone, kNone, {}};
 }
 

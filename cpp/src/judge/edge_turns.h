@@ -12,7 +12,7 @@ namespace circle_voronoi {
 /// comes before the face on its left: the region of the origin turns from the disc of the one to that of the other, by
 /// less than a full turn.
 struct EdgeTurns {
-  int order = 1;                ///< of the ends (orderOfEnds); 1 if the edge is not bounded
+  int endOrder = 1;             ///< of the ends (orderOfEnds); 1 if the edge is not bounded
   bool passesAtOrigin = false;  ///< whether the turn passes the axis (Predicates::isLower) from below
   bool passesAtTarget = false;  ///< the same around the other circle, by the twin
 };
@@ -42,9 +42,10 @@ EdgeTurns turnsOf(const Discs& discs, const Dual& dual, std::span<const Circle> 
   const int t = dual.twin[h];
   const int a = dual.origin[h];
   const int b = dual.origin[t];
-  if (b == kInfinity) return {1, passes(h), false};
-  if (a == kInfinity) return {1, false, passes(t)};
-  const bool isBounded = dual.origin[Dual::previous(h)] != kInfinity && dual.origin[Dual::previous(t)] != kInfinity;
+  if (b == kPointAtInfinity) return {1, passes(h), false};
+  if (a == kPointAtInfinity) return {1, false, passes(t)};
+  const bool isBounded =
+      dual.origin[Dual::previous(h)] != kPointAtInfinity && dual.origin[Dual::previous(t)] != kPointAtInfinity;
   if (!isBounded) return {1, passes(h), passes(t)};
   const int larger = fromLarger(dual, h, predicates);
   const int order = orderOfEnds(dual, larger, discs.toDisc(cornerBefore(larger)), discs.toDisc(larger), predicates);

@@ -69,9 +69,9 @@ class FaceDiscs {
     const int c = dual_.origin[Dual::previous(h)];
     const int d = dual_.origin[Dual::previous(t)];
     // Counter-clockwise the hull goes d, a, c or c, b, d.
-    if (b == kInfinity) return flawAtInfinity(d, h, c);
-    if (a == kInfinity) return flawAtInfinity(c, t, d);
-    if (c == kInfinity || d == kInfinity) return Flaw::none;
+    if (b == kPointAtInfinity) return flawAtInfinity(d, h, c);
+    if (a == kPointAtInfinity) return flawAtInfinity(c, t, d);
+    if (c == kPointAtInfinity || d == kPointAtInfinity) return Flaw::none;
     const int larger = fromLarger(dual_, h, predicates_);
     const int smaller = larger == h ? t : h;
     const int from = dual_.origin[larger];

@@ -35,7 +35,7 @@ class Judge {
     return {dual_.origin[3 * face], dual_.origin[3 * face + 1], dual_.origin[3 * face + 2]};
   }
 
-  static bool isFinite(int corner) { return corner != kInfinity; }
+  static bool isFinite(int corner) { return corner != kPointAtInfinity; }
 
   Verdict checkAdjacency() const {
     const int faceCount = circleCount_ < 2 ? 0 : 2 * circleCount_ - 2;
@@ -84,7 +84,7 @@ class Judge {
       if (dual_.twin[h] < h) continue;
       const int a = dual_.origin[h];
       const int b = dual_.target(h);
-      if (a == kInfinity || b == kInfinity) continue;
+      if (a == kPointAtInfinity || b == kPointAtInfinity) continue;
       const Circle& one = circles_[a];
       const Circle& other = circles_[b];
       if (isLonger(between(one, other), std::abs(one.r - other.r))) continue;
@@ -99,7 +99,7 @@ class Judge {
     const FaceDisc disc = predicates_.disc(corners);
     error_[face] = disc.error;
     for (int i = 0; i < 3 && disc.exists; ++i) {
-      if (corners[i] == kInfinity) continue;
+      if (corners[i] == kPointAtInfinity) continue;
       const Direction toDisc = predicates_.direction(corners[i], disc);
       toDisc_[3 * face + i] = {toDisc.x, toDisc.y};
       isLower_[3 * face + i] = predicates_.isLower(corners[i], corners, toDisc);
@@ -110,8 +110,8 @@ class Judge {
   /// Whether the ends of an edge are in order; notes how often the two regions beside it pass the axis along it.
   bool checkEdge(int h) {
     const EdgeTurns turns = turnsOf(*this, dual_, circles_, predicates_, h);
-    if (turns.order < 0) return false;
-    if (turns.order == 0) ties_.push_back(h);
+    if (turns.endOrder < 0) return false;
+    if (turns.endOrder == 0) ties_.push_back(h);
     noteTurn(dual_.origin[h], dual_.target(h), turns.passesAtOrigin);
     noteTurn(dual_.target(h), dual_.origin[h], turns.passesAtTarget);
     return true;

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "circle_voronoi/circle.h"
-#include "circle_voronoi/diagram.h"
 #include "circle_voronoi/point.h"
+#include "circle_voronoi/vertex.h"
 
 namespace circle_voronoi::exact {
 
@@ -62,7 +62,7 @@ int crossSign(const Face& first, const Face& second, const Circle& from);
 /// of it. `from` is a corner of the face.
 int overlapSign(const Face& face, const Circle* other, const Circle& from);
 
-/// The sign that decides a near tie (refined_turn.h): 0 if one disc touches the circles of the face and `other`, which
+/// The sign that decides a near tie (refined.h): 0 if one disc touches the circles of the face and `other`, which
 /// may be the point at infinity too. `from` is a corner of the face.
 int touchSign(const Face& face, const Circle* other, const Circle& from);
 

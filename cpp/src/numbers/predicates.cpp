@@ -17,9 +17,9 @@ using Triple = Predicates::Triple;
 
 /// The circles of a face, rotated so that a point at infinity comes last.
 exact::Face facing(std::span<const Circle> circles, const Triple& face) {
-  const auto at = [&](int i) { return i == kInfinity ? nullptr : &circles[i]; };
-  if (face[0] == kInfinity) return {at(face[1]), at(face[2]), nullptr};
-  if (face[1] == kInfinity) return {at(face[2]), at(face[0]), nullptr};
+  const auto at = [&](int i) { return i == kPointAtInfinity ? nullptr : &circles[i]; };
+  if (face[0] == kPointAtInfinity) return {at(face[1]), at(face[2]), nullptr};
+  if (face[1] == kPointAtInfinity) return {at(face[2]), at(face[0]), nullptr};
   return {at(face[0]), at(face[1]), at(face[2])};
 }
 

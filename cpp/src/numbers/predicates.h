@@ -37,7 +37,7 @@ struct FaceDisc {
   Vector v;
   double w = 0;
   double error = 0;
-  int origin = kInfinity;
+  int origin = kPointAtInfinity;
   bool exists = false;
 };
 
@@ -53,7 +53,7 @@ class Predicates {
 
   using Triple = std::array<int, 3>;
 
-  /// The disc of three circles counter-clockwise; one of them may be kInfinity.
+  /// The disc of three circles counter-clockwise; one of them may be kPointAtInfinity.
   FaceDisc disc(const Triple& face);
 
   /// The direction to a disc from circle `from`, a corner of its face.

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "circle_voronoi/circle.h"
-#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/vertex.h"
 #include "vectors.h"
 
 namespace circle_voronoi {

@@ -128,7 +128,7 @@ class Triangulator {
 
  private:
   struct HalfEdge {
-    int origin;  ///< index into corners_, or kInfinity
+    int origin;  ///< index into corners_, or kPointAtInfinity
     int twin;
   };
 
@@ -307,8 +307,8 @@ void Triangulator::join(int left, int right) {
   }
 
   // The tangent joins the parts, with infinity on both of its sides.
-  const int above = addFace(left, right, kInfinity);
-  const int below = addFace(right, left, kInfinity);
+  const int above = addFace(left, right, kPointAtInfinity);
+  const int below = addFace(right, left, kPointAtInfinity);
   link(above, below);
   toInfinity_[left] = below + 1;
   if (atLeft == kNone) {
@@ -341,7 +341,7 @@ void Triangulator::join(int left, int right) {
       const int outer = previous(atU);
       const int inner = twinOf(outer);
       const int a = originOf(previous(inner));
-      if (a == kInfinity) break;
+      if (a == kPointAtInfinity) break;
       const Lifted liftedA = lift(corners_[a], origin);
       if (!isInCircle(left, right, u, a, r, liftedU, liftedA)) break;
       ++steps_;
@@ -349,7 +349,7 @@ void Triangulator::join(int left, int right) {
       link(inner, twinOf(next(atU)));
       link(next(atU), previous(inner));
       halfEdges_[outer].origin = a;
-      halfEdges_[inner].origin = kInfinity;
+      halfEdges_[inner].origin = kPointAtInfinity;
       u = a;
       liftedU = liftedA;
     }
@@ -361,7 +361,7 @@ void Triangulator::join(int left, int right) {
       const int outer = next(atW);
       const int inner = twinOf(outer);
       const int a = originOf(previous(inner));
-      if (a == kInfinity) break;
+      if (a == kPointAtInfinity) break;
       const Lifted liftedA = lift(corners_[a], origin);
       if (!isInCircle(left, right, w, a, r, liftedW, liftedA)) break;
       ++steps_;
@@ -369,7 +369,7 @@ void Triangulator::join(int left, int right) {
       link(inner, twinOf(previous(atW)));
       link(previous(atW), next(inner));
       halfEdges_[previous(atW)].origin = a;
-      halfEdges_[next(inner)].origin = kInfinity;
+      halfEdges_[next(inner)].origin = kPointAtInfinity;
       w = a;
       liftedW = liftedA;
     }
@@ -402,7 +402,9 @@ void Triangulator::join(int left, int right) {
 Dual Triangulator::takeDual() {
   corners_ = {};
   toInfinity_ = {};
-  const auto indexOf = [&](int h) { return originOf(h) == kInfinity ? kInfinity : indices_[originOf(h)]; };
+  const auto indexOf = [&](int h) {
+    return originOf(h) == kPointAtInfinity ? kPointAtInfinity : indices_[originOf(h)];
+  };
   // Number the faces by their smallest corner, so that the faces around a circle are near in memory.
   const std::size_t faceCount = halfEdges_.size() / 3;
   std::vector<int> first(representative_.size() + 2, 0);
@@ -436,7 +438,7 @@ std::vector<std::array<int, 2>> Triangulator::edges(const Done& progress) const 
     // Both halves have different origins unless the edge goes to infinity.
     const int a = h.origin;
     const int b = originOf(h.twin);
-    if (a != kInfinity && a < b) edges.push_back({indices_[a], indices_[b]});
+    if (a != kPointAtInfinity && a < b) edges.push_back({indices_[a], indices_[b]});
   });
   return edges;
 }

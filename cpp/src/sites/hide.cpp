@@ -37,7 +37,7 @@ bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& 
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
     const int i = dual.origin[h];
     const int j = dual.target(h);
-    if (i != kInfinity && j != kInfinity && mayReach(circles[i], circles[j], smallest)) return false;
+    if (i != kPointAtInfinity && j != kPointAtInfinity && mayReach(circles[i], circles[j], smallest)) return false;
   }
   return true;
 }
@@ -143,7 +143,7 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   }
   Dual& dual = inserted->dual;
   for (int& corner : dual.origin) {
-    if (corner != kInfinity) corner = numbers[corner];
+    if (corner != kPointAtInfinity) corner = numbers[corner];
   }
   const Part visible(ordered, std::move(seen));
   const Part hidden(ordered, std::move(rest));
@@ -163,7 +163,7 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
     all.hider[copy] = all.hider[original] == kNone ? original : all.hider[original];
   }
   VisibleCircles result = withoutHidden(ordered, all);
-  result.diagram = std::move(dual);
+  result.dual = std::move(dual);
   result.flips = inserted->flips;
   result.signs = predicatesApart.counts();
   result.signs += predicates.counts();

@@ -19,10 +19,10 @@ struct VisibleCircles {
   std::vector<int> indices;          ///< of each its index in the input
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
   std::optional<Dual> centres;       ///< their centres' Delaunay triangulation, where it has shown that none is hidden
-  std::optional<Dual> diagram;       ///< the dual of their Voronoi diagram, proven, where it took that to find them
+  std::optional<Dual> dual;          ///< the dual of their Voronoi diagram, proven, where it took that to find them
   std::int64_t steps = 0;            ///< taken to find them: boxes and circles looked at, edges flipped
-  std::int64_t flips = 0;            ///< of these, the edges that the construction of `diagram` flipped
-  FilterCounts signs;                ///< that `diagram` and its proof took
+  std::int64_t flips = 0;            ///< of these, the edges that the construction of `dual` flipped
+  FilterCounts signs;                ///< that `dual` and its proof took
 };
 
 /// A search for hiders of ordinary circles takes ten to twenty.

@@ -12,14 +12,14 @@ Sites triangulate(VisibleCircles visible) {
   Dual centres;
   if (visible.centres) {
     centres = *std::move(visible.centres);
-  } else if (!visible.diagram) {
+  } else if (!visible.dual) {
     centres = delaunay(centresOf(visible.circles)).dual;
   }
   return {std::move(visible.circles),
           std::move(visible.indices),
           std::move(visible.hidden),
           std::move(centres),
-          std::move(visible.diagram),
+          std::move(visible.dual),
           visible.flips,
           visible.signs};
 }

@@ -17,10 +17,10 @@ struct Sites {
   std::vector<Circle> circles;       ///< the visible ones, neighbours near one another
   std::vector<int> indices;          ///< of each its index in the input
   std::vector<HiddenCircle> hidden;  ///< by input indices, increasing in `circle`
-  Dual centres;                      ///< the Delaunay triangulation of their centres; empty where `diagram` is there
-  std::optional<Dual> diagram;       ///< the dual of their Voronoi diagram, proven, if it took that to find them
-  std::int64_t flips = 0;            ///< that `diagram` took
-  FilterCounts signs;                ///< that `diagram` and its proof took
+  Dual centres;                      ///< the Delaunay triangulation of their centres; empty where `dual` is there
+  std::optional<Dual> dual;          ///< the dual of their Voronoi diagram, proven, if it took that to find them
+  std::int64_t flips = 0;            ///< that `dual` took
+  FilterCounts signs;                ///< that `dual` and its proof took
 };
 
 /// Triangulates the centres of visible circles, unless their diagram is there.

@@ -85,7 +85,7 @@ std::int64_t countDynamically(const Dual& centres, std::span<const int> angular)
   std::int64_t count = 0;
   for (int h = 0; h < centres.halfEdgeCount(); ++h) {
     const int i = centres.origin[h];
-    if (i == kInfinity || centres.target(h) == kInfinity) continue;
+    if (i == kPointAtInfinity || centres.target(h) == kPointAtInfinity) continue;
     count += centres.isFinite(h / 3) ? 1 + angular[i] : 1;
   }
   return count;
@@ -99,7 +99,7 @@ Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, 
   for (int h = 0; h < centres.halfEdgeCount(); ++h) {
     const int i = centres.origin[h];
     const int j = centres.target(h);
-    if (i == kInfinity || j == kInfinity) continue;
+    if (i == kPointAtInfinity || j == kPointAtInfinity) continue;
     const Vector along = unit(between(circles[i], circles[j]));
     sampler.add(i, along);
     if (!centres.isFinite(h / 3)) continue;

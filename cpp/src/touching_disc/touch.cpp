@@ -102,7 +102,7 @@ class Touch {
     });
   }
 
-  Vertex discOf(const AntipodalDisc& disc) const {
+  Vertex placedDisc(const AntipodalDisc& disc) const {
     const Circle& a = circles_[disc.a];
     const Vector v = between(a, circles_[disc.b]);
     const double part = (a.r + disc.r) / length(v);
@@ -149,7 +149,7 @@ class Touch {
     const auto& [radius, a, b, slotA, slotB] = antipodal;
     const Vector v = between(circles_[a], circles_[b]);
     const Vector back = {-v.x, -v.y};
-    const Vertex disc = discOf(antipodal);
+    const Vertex disc = placedDisc(antipodal);
     if (isUsed(a, slotA, b, v) || isUsed(b, slotB, a, back)) {
       tell({TraceKind::antipodalDiscUsed, disc, {a, b, kNone}, kNone});
       return;

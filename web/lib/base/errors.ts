@@ -17,6 +17,7 @@ export const ERROR_CODES = [
   'unknownCircle',
   'badInput',
   'badArithmetic',
+  'notWritten',
   'internal',
 ] as const
 
@@ -34,6 +35,7 @@ export const ERROR_CODES = [
  * - `badInput`: the input cannot be read as circles
  * - `badArgument`: another argument of a method or function is invalid
  * - `badArithmetic`: the program does not round to nearest (in C++ only)
+ * - `notWritten`: a stream did not accept the whole text (in C++ only)
  * - `notLoaded`: the WebAssembly cannot be loaded; `cause` is the reason
  * - `internal`: the library itself failed; please report the input
  *

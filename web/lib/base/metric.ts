@@ -11,14 +11,14 @@ import type { DiagramData } from './types.ts'
  *
  * @category Diagrams
  * @example
- * distanceToCircle(diagram, 1, 6, 4) // 3
+ * distanceFrom(diagram, 1, 6, 4) // 3
  */
-export function distanceToCircle(diagram: DiagramData, circle: number, x: number, y: number): number {
-  checkData(diagram, 'distanceToCircle')
+export function distanceFrom(diagram: DiagramData, circle: number, x: number, y: number): number {
+  checkData(diagram, 'distanceFrom')
   const { circles, metric } = diagram
-  checkIndex(circle, circles.length / 3, 'distanceToCircle', 'circle')
-  checkNumber(x, 'distanceToCircle', 'x')
-  checkNumber(y, 'distanceToCircle', 'y')
+  checkIndex(circle, circles.length / 3, 'distanceFrom', 'circle')
+  checkNumber(x, 'distanceFrom', 'x')
+  checkNumber(y, 'distanceFrom', 'y')
   const toCenter = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
   const r = at(circles, 3 * circle + 2)
   if (metric === 'circles') return toCenter - r

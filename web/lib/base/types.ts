@@ -131,7 +131,8 @@ export interface Counts {
  * @category Diagrams
  */
 export interface Seconds {
-  readonly hide: number
+  /** Ordering, finding hidden circles, and the Delaunay triangulation of the centers. */
+  readonly triangulate: number
   readonly sample: number
   readonly pair: number
   readonly touch: number

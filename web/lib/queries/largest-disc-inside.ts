@@ -2,7 +2,7 @@
 
 import { checkDiagram, checkMetric } from '../base/check.ts'
 import { at, circleAt, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { distanceToCircle } from '../base/metric.ts'
+import { distanceFrom } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
@@ -52,7 +52,7 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
     const inside = depthOf(p)
     if (!(inside > radius())) return
     const nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
-    const empty = distanceToCircle(diagram, nearest, p.x, p.y)
+    const empty = distanceFrom(diagram, nearest, p.x, p.y)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
     if (circles[0] === undefined) {
@@ -60,7 +60,7 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
       return
     }
     const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleAt(diagram.circles, circles[0]).r)
-    if (!circles.includes(nearest) && distanceToCircle(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    if (!circles.includes(nearest) && distanceFrom(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
     // It may touch but sides.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
     best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }

@@ -2,7 +2,7 @@
 
 import { checkDiagram, checkMetric } from '../base/check.ts'
 import { at, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { distanceToCircle } from '../base/metric.ts'
+import { distanceFrom } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
 import { largestOf } from '../base/scale.ts'
 import type { DiagramData, Point, Vertex } from '../base/types.ts'
@@ -149,7 +149,7 @@ class Largest {
 
   /** The disc around a point that touches these circles. */
   offerAround({ x, y }: Point, ...circles: readonly number[]): void {
-    this.#offer({ x, y, r: distanceToCircle(this.#diagram, circles[0] as number, x, y) }, circles)
+    this.#offer({ x, y, r: distanceFrom(this.#diagram, circles[0] as number, x, y) }, circles)
   }
 
   /** A point of a circle that has grown. */

@@ -67,33 +67,29 @@ export class Editor implements EditorMethods {
   insert(circle: CircleLike, hint: number = NONE): Change {
     const { x, y, r } = checkedCircle(circle, NONE)
     checkNumber(hint, 'insert', 'hint')
-    return this.#changed(NONE, this.#module.editCircle(this.#live(), INSERT, NONE, x, y, r, hint))
+    return this.#changed(this.#module.editCircle(this.#live(), INSERT, NONE, x, y, r, hint))
   }
 
   remove(id: number): Change {
     checkId(id, 'remove')
-    return this.#changed(id, this.#module.editCircle(this.#live(), REMOVE, id, 0, 0, 0, NONE))
+    return this.#changed(this.#module.editCircle(this.#live(), REMOVE, id, 0, 0, 0, NONE))
   }
 
   replace(id: number, circle: CircleLike): Change {
     checkId(id, 'replace')
     const { x, y, r } = checkedCircle(circle, id)
-    return this.#changed(id, this.#module.editCircle(this.#live(), REPLACE, id, x, y, r, NONE))
+    return this.#changed(this.#module.editCircle(this.#live(), REPLACE, id, x, y, r, NONE))
   }
 
   apply(edits: Iterable<Edit>): Change {
     const checked = checkedEdits(edits)
-    const result = this.#module.applyEdits(this.#live(), numbersOf(checked))
-    return this.#changed('error' in result ? (checked[result.error.circle]?.id ?? NONE) : NONE, result)
+    return this.#changed(this.#module.applyEdits(this.#live(), numbersOf(checked)))
   }
 
   /** The same, told event by event. */
   trace(edits: Iterable<Edit>): TraceArrays {
     const checked = checkedEdits(edits)
-    const result = this.#module.traceEdits(this.#live(), numbersOf(checked))
-    if (!('error' in result)) return result
-    const { code, circle, message } = result.error
-    return refuse(code as ErrorCode, checked[circle]?.id ?? NONE, message)
+    return unwrap(this.#module.traceEdits(this.#live(), numbersOf(checked)))
   }
 
   nearest(x: number, y: number, hint: number = NONE): number {
@@ -151,11 +147,10 @@ export class Editor implements EditorMethods {
     return this.#address
   }
 
-  /** `id`: of the circle that an error is about. */
-  #changed(id: number, result: Uint8Array | WasmError): Change {
-    if ('error' in result) refuse(result.error.code as ErrorCode, id, result.error.message)
+  #changed(result: Uint8Array | WasmError): Change {
+    const bytes = unwrap(result)
     this.#revision += 1
-    const change = changeOf(result, this.#revision)
+    const change = changeOf(bytes, this.#revision)
     this.onchange?.(change)
     return change
   }

@@ -5,7 +5,7 @@ import type { Seconds } from '../base/types.ts'
 /**
  * A stage of the computation.
  *
- * - `hide`: finds hidden circles and triangulates the centers of the others
+ * - `triangulate`: finds hidden circles and triangulates the centers of the others
  * - `sample`, `pair`, `touch`: the touching disc method: sample points, candidate pairs, event loop
  * - `flip`: flips edges of the triangulation
  * - `repair`: computes parts with flaws again

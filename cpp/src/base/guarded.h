@@ -11,17 +11,17 @@
 
 namespace circle_voronoi {
 
-/// What a callback of the caller threw, on its way to the caller.
+/// Carries an exception of the caller's callback or stream back to the caller.
 struct CallbackThrew {
   std::exception_ptr thrown;
 };
 
-/// Thrown where an error is the result of the whole.
+/// Thrown to make an error the result of the whole function.
 struct Refusal {
   Error error;
 };
 
-/// A callback whose exceptions `guarded` lets through; an empty one stays empty. It refers to `callback`.
+/// Returns a callback whose exceptions `guarded` lets through. It refers to `callback`. An empty one stays empty.
 template <class Callback>
 Callback lettingThrough(const Callback& callback) {
   if (!callback) return {};
@@ -34,7 +34,7 @@ Callback lettingThrough(const Callback& callback) {
   };
 }
 
-/// An error with a message if there is memory for it.
+/// Makes an error, with its message if there is memory for it.
 inline Error errorWith(ErrorCode code, const char* message) noexcept {
   Error error;
   error.code = code;
@@ -46,8 +46,8 @@ inline Error errorWith(ErrorCode code, const char* message) noexcept {
   return error;
 }
 
-/// The error that the exception in flight stands for; one of a callback goes on as it came. One function for all
-/// callers, whose code would be longer than their own.
+/// Returns the error for the current exception. Rethrows exceptions of callbacks. Not inlined, because it is longer
+/// than most of its callers.
 [[gnu::noinline]] inline Error errorInFlight() {
   try {
     throw;
@@ -66,8 +66,7 @@ inline Error errorWith(ErrorCode code, const char* message) noexcept {
   }
 }
 
-/// The result of `function`; an error if anything is thrown in it but by a callback (lettingThrough), whose exception
-/// goes on as it came.
+/// Returns the result of `function`, or an error if it throws. Exceptions of callbacks (lettingThrough) pass through.
 template <class Function>
 auto guarded(Function function) -> decltype(function()) {
   try {

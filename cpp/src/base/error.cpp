@@ -23,6 +23,8 @@ std::string_view errorCodeName(ErrorCode code) {
       return "badInput";
     case ErrorCode::badArithmetic:
       return "badArithmetic";
+    case ErrorCode::notWritten:
+      return "notWritten";
     case ErrorCode::internal:
       return "internal";
   }

@@ -13,7 +13,7 @@ class Linker {
  public:
   explicit Linker(const Diagram& diagram) : diagram_(diagram) {}
 
-  std::optional<Adjacency> run() {
+  std::optional<Links> run() {
     if (!hasValidIndices()) return std::nullopt;
     result_.nextSide.assign(2 * diagram_.edges.size(), kNone);
     result_.vertexSides.assign(diagram_.vertexCircles.size(), kNoSides);
@@ -102,15 +102,15 @@ class Linker {
 
   const Diagram& diagram_;
   std::vector<std::pair<Step, SideIndex>> fromInfinity_;
-  Adjacency result_;
+  Links result_;
 };
 
 }  // namespace
 
-std::optional<Adjacency> adjacencyOf(const Diagram& diagram) { return Linker(diagram).run(); }
+std::optional<Links> linksOf(const Diagram& diagram) { return Linker(diagram).run(); }
 
 bool linkSides(Diagram& diagram) {
-  auto found = adjacencyOf(diagram);
+  auto found = linksOf(diagram);
   const bool fits = found.has_value();
   if (!fits) {
     found.emplace();
@@ -118,9 +118,7 @@ bool linkSides(Diagram& diagram) {
     found->vertexSides.assign(diagram.vertexCircles.size(), kNoSides);
     found->firstSide.assign(diagram.circles.size(), kNone);
   }
-  diagram.nextSide = std::move(found->nextSide);
-  diagram.vertexSides = std::move(found->vertexSides);
-  diagram.firstSide = std::move(found->firstSide);
+  diagram.links = *std::move(found);
   return fits;
 }
 

@@ -58,7 +58,7 @@ class DualBuilder {
       if (i == j) return Misfit{Flaw::badIndex, i};
       const auto face = static_cast<int>(dual_.origin.size() / 3);
       if (!hullFaces_.emplace(key(j, i), face).second) return Misfit{Flaw::adjacency, i};
-      dual_.origin.insert(dual_.origin.end(), {j, i, kInfinity});
+      dual_.origin.insert(dual_.origin.end(), {j, i, kPointAtInfinity});
     }
     return std::nullopt;
   }
@@ -131,13 +131,13 @@ Topology topologyOf(const Dual& dual, int circleCount) {
   }
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
     const int t = dual.twin[h];
-    if (h > t || dual.origin[h] == kInfinity || dual.origin[t] == kInfinity) continue;
+    if (h > t || dual.origin[h] == kPointAtInfinity || dual.origin[t] == kPointAtInfinity) continue;
     topology.edges.push_back({dual.origin[h], dual.origin[t], vertexOf[t / 3], vertexOf[h / 3]});
   }
   if (circleCount == 1) topology.hull.push_back(0);
   if (atInfinity == kNone) return topology;
   int start = 3 * atInfinity;
-  while (dual.origin[start] != kInfinity) ++start;
+  while (dual.origin[start] != kPointAtInfinity) ++start;
   int h = start;
   do {
     topology.hull.push_back(dual.target(h));

@@ -4,6 +4,6 @@
 namespace circle_voronoi {
 
 /// The point at infinity as a corner of a face.
-inline constexpr int kInfinity = -1;
+inline constexpr int kPointAtInfinity = -1;
 
 }  // namespace circle_voronoi

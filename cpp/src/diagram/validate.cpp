@@ -8,20 +8,24 @@
 #include <string>
 
 #include "arithmetic.h"
-#include "circle_voronoi/compute.h"
+#include "circle_voronoi/limits.h"
 #include "estimate.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// Half-edges, six a circle and more for samples, must stay within 32-bit indices.
-constexpr std::size_t kMaxCircles = 100'000'000;
-
-Error errorOf(ErrorCode code, std::size_t circle, const char* what) {
-  return {code, static_cast<std::int64_t>(circle), "Circle " + std::to_string(circle) + " " + what};
-}
+double sizeOf(const Circle& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.r)}); }
 
 }  // namespace
+
+std::optional<Objection> objectionTo(const Circle& c, bool weights) {
+  if (!std::isfinite(c.x)) return Objection{ErrorCode::nonFinite, "has an x that is not a finite number."};
+  if (!std::isfinite(c.y)) return Objection{ErrorCode::nonFinite, "has a y that is not a finite number."};
+  if (!std::isfinite(c.r)) return Objection{ErrorCode::nonFinite, "has a radius that is not a finite number."};
+  if (c.r < 0 && !weights) return Objection{ErrorCode::negativeRadius, "has a negative radius."};
+  if (sizeOf(c) <= kCoordinateLimit) return std::nullopt;
+  return Objection{ErrorCode::coordinateTooLarge, "has a coordinate or a radius beyond 1e150."};
+}
 
 Result<ScaledCircles> validate(std::span<const Circle> circles, bool weights, std::size_t first) {
   if (circles.size() > kMaxCircles) {
@@ -36,17 +40,12 @@ Result<ScaledCircles> validate(std::span<const Circle> circles, bool weights, st
   }
   double largest = 0;
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    const Circle& c = circles[i];
-    if (!std::isfinite(c.x)) return errorOf(ErrorCode::nonFinite, first + i, "has an x that is not a finite number.");
-    if (!std::isfinite(c.y)) return errorOf(ErrorCode::nonFinite, first + i, "has a y that is not a finite number.");
-    if (!std::isfinite(c.r))
-      return errorOf(ErrorCode::nonFinite, first + i, "has a radius that is not a finite number.");
-    if (c.r < 0 && !weights) return errorOf(ErrorCode::negativeRadius, first + i, "has a negative radius.");
-    const double size = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.r)});
-    if (size > kCoordinateLimit) {
-      return errorOf(ErrorCode::coordinateTooLarge, first + i, "has a coordinate or a radius beyond 1e150.");
+    if (const auto objection = objectionTo(circles[i], weights)) {
+      const std::size_t circle = first + i;
+      return Error{objection->code, static_cast<std::int64_t>(circle),
+                   "Circle " + std::to_string(circle) + " " + objection->what};
     }
-    largest = std::max(largest, size);
+    largest = std::max(largest, sizeOf(circles[i]));
   }
 
   int exponent = 0;

@@ -13,7 +13,7 @@
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
-/// Families of inputs for tests, benchmarks and demonstrations.
+/// Families of input circles for tests, benchmarks and demonstrations.
 enum class Family {
   // disjoint circles of comparable or different sizes
   uniform,
@@ -39,7 +39,7 @@ enum class Family {
   hidden,
   duplicates,
   chaos,
-  // centres or circles in special position
+  // centers or circles in special position
   collinear,
   collinearVaried,
   nearCollinear,
@@ -77,17 +77,18 @@ struct FamilyInfo {
   Family family;
   std::string_view name;
   std::string_view description;
-  bool isDisjoint;    ///< no two circles have an inner point in common, but for rounding where they are tangent
-  bool isDegenerate;  ///< more than three circles touch one disc, but for rounding, or circles share a tangent line
+  bool isDisjoint;    ///< no two circles overlap, except for rounding if they are tangent
+  bool isDegenerate;  ///< up to rounding, more than three circles touch one disc, or circles share a tangent line
 };
 
-/// All families, in the order of the enumeration.
-std::span<const FamilyInfo> families();
+/// Returns all families, in the order of the enumeration.
+[[nodiscard]] std::span<const FamilyInfo> families();
 
-std::string_view familyName(Family family);
-std::optional<Family> familyFromName(std::string_view name);
+[[nodiscard]] std::string_view familyName(Family family);
+/// Returns the family with a name; nothing if there is none.
+[[nodiscard]] std::optional<Family> familyFromName(std::string_view name);
 
-/// Exactly `count` circles of a family. The same arguments give the same bits on every platform.
-std::vector<Circle> generate(Family family, std::size_t count, std::uint64_t seed);
+/// Returns exactly `count` circles of a family. The same arguments give the same bits on every platform.
+[[nodiscard]] std::vector<Circle> generate(Family family, std::size_t count, std::uint64_t seed);
 
 }  // namespace circle_voronoi

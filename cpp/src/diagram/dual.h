@@ -11,8 +11,8 @@ namespace circle_voronoi {
 /// A triangulation of the sphere (the plane and the point at infinity) in half-edges; the dual of a Voronoi diagram.
 ///
 /// Half-edge h runs from corner origin[h] to corner origin[next(h)] with face h / 3 on its left; twin[h] runs the
-/// other way with the neighbouring face on its left. Corners are circle indices or kInfinity. Two corners may share
-/// several edges. With m >= 2 corners besides infinity there are 2 m - 2 faces, collinear centres included
+/// other way with the neighbouring face on its left. Corners are circle indices or kPointAtInfinity. Two corners may
+/// share several edges. With m >= 2 corners besides infinity there are 2 m - 2 faces, collinear centres included
 /// (Euler, m + 1 vertices on the sphere).
 struct Dual {
   std::vector<int> origin;
@@ -22,7 +22,8 @@ struct Dual {
   int halfEdgeCount() const { return static_cast<int>(origin.size()); }
   int target(int h) const { return origin[next(h)]; }
   bool isFinite(int face) const {
-    return origin[3 * face] != kInfinity && origin[3 * face + 1] != kInfinity && origin[3 * face + 2] != kInfinity;
+    return origin[3 * face] != kPointAtInfinity && origin[3 * face + 1] != kPointAtInfinity &&
+           origin[3 * face + 2] != kPointAtInfinity;
   }
 
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }

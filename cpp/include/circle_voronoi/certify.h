@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "circle_voronoi/abi.h"
+#include "circle_voronoi/certificate.h"
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
+
+namespace CIRCLE_VORONOI_API circle_voronoi {
+
+/// Judges whether a diagram is the Voronoi diagram of its circles, whatever program made it. Linear time.
+///
+/// All signs are exact: a diagram is certified if and only if its topology is right. Edges of length zero may point
+/// either way. The vertices must be right up to rounding: the center and the radius of each vertex touch its three
+/// circles to 40 bits, relative to the larger of the disc and the coordinates. No vertex is right whose disc has a
+/// coordinate or a radius beyond the largest double. Two distinct vertices may have equal coordinates.
+///
+/// `certify` reads everything but `stats` and the diagram's own `certificate`. The links must be those of `linkSides`.
+/// For Metric::centers the radii are ignored. For Metric::power there is no certificate.
+///
+/// Errors: nonFinite, negativeRadius (unless the radii are weights), coordinateTooLarge, tooManyCircles, badArithmetic;
+/// badOption for Metric::power; internal.
+Result<Certificate> certify(const Diagram& diagram);
+
+}  // namespace circle_voronoi

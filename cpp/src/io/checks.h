@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
+#include "circle_voronoi/tile.h"
+#include "guarded.h"
+
+namespace circle_voronoi {
+
+/// Errors: badInput if there are not as many vertexCircles as vertices.
+inline Result<void> checkVertices(const Diagram& diagram) {
+  if (diagram.vertexCircles.size() == diagram.vertices.size()) return {};
+  return errorWith(ErrorCode::badInput, "There are not as many vertexCircles as vertices.");
+}
+
+/// Errors: badOption if a number of digits after the decimal point is negative.
+inline Result<void> checkDigits(std::optional<int> digits) {
+  if (!digits || *digits >= 0) return {};
+  return errorWith(ErrorCode::badOption, "The number of digits must not be negative.");
+}
+
+/// Errors: badInput if a span of a selection does not have an entry for each circle.
+inline Result<void> checkSelection(const Selection& selection, std::size_t circleCount) {
+  const auto fits = [&](std::size_t size) { return size == 0 || size == circleCount; };
+  if (fits(selection.ids.size()) && fits(selection.isChosen.size())) return {};
+  return errorWith(ErrorCode::badInput, "The selection does not have as many entries as there are circles.");
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "circle_voronoi/stats.h"
+#include "json_reader.h"
+
+namespace circle_voronoi {
+
+/// Reads the `stats` of a diagram as far as they are present. What is missing, unknown or of another type stays empty.
+/// A certificate is skipped.
+Stats readStats(JsonReader& reader);
+
+}  // namespace circle_voronoi
