@@ -3,7 +3,6 @@
 import { checkNumber, refuseArgument } from '../base/check.ts'
 import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
-import type { ErrorCode } from '../base/errors.ts'
 import type { Certificate, Circle, Float64s, Int32s } from '../base/types.ts'
 import { type Change, changeOf } from '../diagram/change.ts'
 import { Diagram } from '../diagram/diagram.ts'
