@@ -42,7 +42,7 @@ export default defineConfig({
   },
   // The page as `npm start` serves it; the tests' builds are up to date by then.
   webServer: {
-    command: `vite preview --port ${PORT} --strictPort`,
+    command: `node_modules/.bin/vite preview --port ${PORT} --strictPort`,
     url: `http://localhost:${PORT}`,
     reuseExistingServer: false,
   },

@@ -210,7 +210,7 @@ void printBatches(const EditInput& input, unsigned limit) {
       Random random(1);
       std::vector<Edit> edits;
       for (std::size_t i = 0; i < count; ++i) {
-        const auto id = static_cast<CircleId>(random.below(input.circles.size()));
+        const auto id = static_cast<CircleId>(static_cast<int>(random.below(input.circles.size())));
         const Circle& to = input.supply[i % input.supply.size()];
         edits.push_back({Edit::Kind::replace, id, to});
       }
@@ -269,7 +269,7 @@ std::vector<WorstEdit> worstEdits(const Circles& circles) {
       around[i].x += 3 * side;
     }
   }
-  const auto last = static_cast<CircleId>(circles.size());
+  const auto last = static_cast<CircleId>(static_cast<int>(circles.size()));
   const auto inserted = [](const Circle& circle) { return Edit{Edit::Kind::insert, kNone, circle}; };
   const auto replaced = [&](const Circle& circle) { return Edit{Edit::Kind::replace, last, circle}; };
   const Edit removed = {Edit::Kind::remove, last, {}};

@@ -70,6 +70,14 @@ def compute_tiles(client, level, tiles, task, ending):
         future.result()  # throws what the task threw
         done += 1
         show(done, len(tiles), begin)
+    keep_only(level / "parts", [f"{name}.{ending}" for name, *_ in tiles])
+
+
+def keep_only(folder, names):
+    """Removes what programs that were killed had begun to write beside the files that are wanted."""
+    for file in folder.iterdir():
+        if file.name not in names:
+            file.unlink(missing_ok=True)
 
 
 def show(done, tiles, begin):
@@ -131,6 +139,7 @@ def main():
         (level / "parts").mkdir(exist_ok=True)
         part = level / "parts" / f"all.{ending}"
         client.submit(task, str(circles), str(part), None, PLANE, PLANE, retries=RETRIES, pure=False).result()
+        keep_only(level / "parts", [part.name])
     if cluster:
         cluster.close()
     print(f"{folder}/*/parts: done; {left} circles in the last.", file=sys.stderr)
