@@ -6,7 +6,7 @@
 namespace circle_voronoi {
 
 /// The touching disc method's options; its own number of samples if none is given.
-inline Options touchingDisc(Candidates candidates, int samples = -1) {
+inline Options touchingDisc(Candidates candidates, std::optional<int> samples = {}) {
   Options options;
   options.method = Method::touchingDisc;
   options.candidates = candidates;

@@ -159,7 +159,7 @@ TEST(ComputeOptions, SamplesAreChecked) {
   const Case kCases[] = {{Candidates::dynamic, 0, true},   {Candidates::dynamic, kMaxSamples, true},
                          {Candidates::dynamic, -2, false}, {Candidates::dynamic, kMaxSamples + 1, false},
                          {Candidates::uniform, 0, false},  {Candidates::uniform, 1, true},
-                         {Candidates::uniform, -1, true}};
+                         {Candidates::uniform, -1, false}};
   for (const auto& [candidates, samples, isGood] : kCases) {
     Options options;
     options.method = Method::touchingDisc;

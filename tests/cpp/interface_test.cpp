@@ -73,7 +73,8 @@ TEST(Result, ThrowsWhereItIsMisused) {
 
 TEST(Index, IsAKeyOfHashTables) {
   std::unordered_set<CircleIndex> circles;
-  for (const auto& triple : compute(kCircles)->vertexCircles) circles.insert(triple.begin(), triple.end());
+  const auto diagram = compute(kCircles);
+  for (const auto& triple : diagram->vertexCircles) circles.insert(triple.begin(), triple.end());
   EXPECT_EQ(circles, (std::unordered_set<CircleIndex>{0, 1, 2}));
   std::unordered_map<EdgeIndex, int> counts;
   ++counts[EdgeIndex(4)];

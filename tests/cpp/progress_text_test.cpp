@@ -34,7 +34,7 @@ TEST(ProgressText, SaysNothingBeforeItsDelay) {
   EXPECT_EQ(text.refresh(milliseconds(900)), "");
   EXPECT_EQ(text.show("triangulate", 0.5, milliseconds(999)), "");
   EXPECT_EQ(text.refresh(milliseconds(1000)), "triangulate 50 %, 1 s");
-  EXPECT_EQ(text.end(), erased(14));
+  EXPECT_EQ(text.end(), erased(21));
   ProgressText quick(ProgressText::kDelay);
   EXPECT_EQ(quick.show("read", 0, milliseconds(0)) + quick.show("write", 0, milliseconds(999)) + quick.end(), "");
 }

@@ -43,7 +43,7 @@ std::vector<Options> manualOptions() {
   options.samples = 5;
   list.push_back(options);
   options.candidates = Candidates::allPairs;
-  options.samples = -1;
+  options.samples = std::nullopt;
   list.push_back(options);
   return list;
 }

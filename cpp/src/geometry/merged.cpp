@@ -63,10 +63,9 @@ bool isShortEdge(const Diagram& diagram, const Edge& edge, std::optional<double>
 }  // namespace
 
 std::vector<std::int32_t> firstVerticesHere(const Diagram& diagram) {
-  constexpr double kByRounding = -1;
   Sets sets(diagram.vertices.size());
   for (const Edge& edge : diagram.edges) {
-    if (isShortEdge(diagram, edge, kByRounding)) sets.unite(edge.start, edge.end);
+    if (isShortEdge(diagram, edge, std::nullopt)) sets.unite(edge.start, edge.end);
   }
   return std::move(sets).first();
 }

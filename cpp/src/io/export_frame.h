@@ -48,15 +48,20 @@ EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece);
 /// Returns whether the whole edge is kept, and it and its ends stay inside the box when their points are rounded.
 bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve);
 
+/// Writes to a stream what `body` writes to a Writer, in an ExportFrame. Call it within `guarded` (unguardedWriting).
+/// Errors: also those of `exportRegion`.
+template <class Body>
+Result<void> unguardedWritingIn(std::ostream& stream, const Diagram& diagram, const ExportOptions& options, Body body) {
+  auto region = exportRegion(diagram, options);
+  if (!region) return region.error();
+  const ExportFrame frame(diagram, options, *std::move(region));
+  return unguardedWriting(stream, [&](Writer& out) { body(out, frame); });
+}
+
 /// Writes to a stream what `body` writes to a Writer, in an ExportFrame. Errors: also those of `exportRegion`.
 template <class Body>
 Result<void> writingIn(std::ostream& stream, const Diagram& diagram, const ExportOptions& options, Body body) {
-  return guarded([&]() -> Result<void> {
-    auto region = exportRegion(diagram, options);
-    if (!region) return region.error();
-    const ExportFrame frame(diagram, options, *std::move(region));
-    return writing(stream, [&](Writer& out) { body(out, frame); });
-  });
+  return guarded([&] { return unguardedWritingIn(stream, diagram, options, body); });
 }
 
 }  // namespace circle_voronoi

@@ -306,21 +306,12 @@ void writeLayer(Writer& out, const ExportFrame& frame, const SvgLayer& layer, do
   out << "\"/>\n";
 }
 
-}  // namespace
-
-Result<void> writeSvg(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
-  return guarded([&] {
-    SvgFigure figure;
-    figure.frame = options;
-    return writeSvgFigure(stream, diagram, figure);
-  });
-}
-
-Result<void> writeSvgFigure(std::ostream& stream, const Diagram& diagram, const SvgFigure& figure) {
+/// Within `guarded`.
+Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const SvgFigure& figure) {
   if (!(figure.pixels > 0) || std::isinf(figure.pixels)) {
     return errorWith(ErrorCode::badOption, "The number of pixels must be finite and positive.");
   }
-  return writingIn(stream, diagram, figure.frame, [&](Writer& out, const ExportFrame& frame) {
+  return unguardedWritingIn(stream, diagram, figure.frame, [&](Writer& out, const ExportFrame& frame) {
     const Drawing drawing(frame);
     const double width = frame.box.maxX - frame.box.minX;
     const double height = frame.box.maxY - frame.box.minY;
@@ -350,6 +341,20 @@ Result<void> writeSvgFigure(std::ostream& stream, const Diagram& diagram, const 
     for (const SvgLayer& layer : figure.layers) group(layer.name, [&] { writeLayer(out, frame, layer, unit); });
     out << "</g>\n</svg>\n";
   });
+}
+
+}  // namespace
+
+Result<void> writeSvg(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
+  return guarded([&] {
+    SvgFigure figure;
+    figure.frame = options;
+    return writeFigure(stream, diagram, figure);
+  });
+}
+
+Result<void> writeSvgFigure(std::ostream& stream, const Diagram& diagram, const SvgFigure& figure) {
+  return guarded([&] { return writeFigure(stream, diagram, figure); });
 }
 
 }  // namespace circle_voronoi

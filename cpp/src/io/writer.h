@@ -81,14 +81,19 @@ class Writer {
   std::size_t size_ = 0;
 };
 
+/// Writes to a stream what `body` writes to a Writer. Call it within `guarded`, and only one: the exceptions of the
+/// stream would not get through a second one.
+template <class Body>
+Result<void> unguardedWriting(std::ostream& stream, Body body) {
+  Writer out(stream);
+  body(out);
+  return out.finish();
+}
+
 /// Writes to a stream what `body` writes to a Writer.
 template <class Body>
 Result<void> writing(std::ostream& stream, Body body) {
-  return guarded([&]() -> Result<void> {
-    Writer out(stream);
-    body(out);
-    return out.finish();
-  });
+  return guarded([&] { return unguardedWriting(stream, body); });
 }
 
 }  // namespace circle_voronoi

@@ -81,12 +81,12 @@ VisibleCircles withoutHidden(const OrderedCircles& ordered, const Hiders& found)
 }
 
 /// Some of the circles that were ordered.
-struct Part {
+struct SomeCircles {
   std::vector<Circle> circles;
   std::vector<int> indices;
   std::vector<int> places;  ///< of each its place in the order
 
-  Part(const OrderedCircles& ordered, std::vector<int> places_) : places(std::move(places_)) {
+  SomeCircles(const OrderedCircles& ordered, std::vector<int> places_) : places(std::move(places_)) {
     for (const int i : places) {
       circles.push_back(ordered.circles[i]);
       indices.push_back(ordered.indices[i]);
@@ -116,7 +116,7 @@ struct LargestOfEachCentre {
 /// The visible circles as those that insertion leaves a cell, with a proof; nothing if there is none.
 std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   const LargestOfEachCentre largest(ordered.circles);
-  const Part apart(ordered, largest.places);
+  const SomeCircles apart(ordered, largest.places);
   Predicates predicatesApart(apart.circles);
   auto inserted = insertAll(apart.circles, predicatesApart);
   if (!inserted) return std::nullopt;
@@ -145,8 +145,8 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   for (int& corner : dual.origin) {
     if (corner != kPointAtInfinity) corner = numbers[corner];
   }
-  const Part visible(ordered, std::move(seen));
-  const Part hidden(ordered, std::move(rest));
+  const SomeCircles visible(ordered, std::move(seen));
+  const SomeCircles hidden(ordered, std::move(rest));
 
   Predicates predicates(visible.circles);
   const Verdict verdict = judge(visible.circles, dual, predicates);
