@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the focus and the selection go, and which keys work where.
-import { CircleTable } from '../../web/editing/circle-table.ts'
+
 import { fitted, toScreen } from '../../web/view/camera.ts'
+import { CircleTable } from '../../web/view/circle-table.ts'
 import { dataSet, expect, PADDING, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')

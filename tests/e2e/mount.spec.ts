@@ -12,7 +12,7 @@ const test = testOf('two-views', async (page) => {
 })
 
 const circleOf = (page: Page, name: 'one' | 'other', id: number) =>
-  page.evaluate(([name, id]) => views[name].circle(id), [name, id] as const)
+  page.evaluate(([name, id]) => views[name].circles.get(id), [name, id] as const)
 
 test('two views on one page know nothing of each other', async ({ opened: page }) => {
   const other = page.locator('#other')
@@ -91,7 +91,7 @@ test('a view is written as an SVG and as a PNG that look alike', async ({ opened
     const before = await views.one.toSVG()
     const marked = new Promise<void>((resolve) => views.one.on('marked', ({ selected }) => selected && resolve()))
     views.one.select(0)
-    views.one.choose([views.one.circle(0) as Circle, views.one.circle(1) as Circle])
+    views.one.choose([views.one.circles.get(0) as Circle, views.one.circles.get(1) as Circle])
     await marked
     return {
       isUnmarked: before === (await views.one.toSVG()),

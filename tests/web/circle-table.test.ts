@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { CircleTable } from '../../web/editing/circle-table.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
 import { boundingBox } from '../../web/view/camera.ts'
+import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 
-const NONE = new Int32Array()
+/** The change that one edit makes; `id`: of the circle that comes. */
+function changeOf(edit: Edit, id: number): CircleChange {
+  const ids = Int32Array.of(id)
+  if (edit.kind === 'remove') return { ...NO_CHANGE, removed: ids }
+  const { x, y, r } = edit.circle as Circle
+  const circles = Float64Array.of(x, y, r)
+  return { ...NO_CHANGE, ...(edit.kind === 'insert' ? { inserted: ids } : { replaced: ids }), circles }
+}
+
 const value = fc.double({ min: -100, max: 100, noNaN: true })
 const arbitraryCircle = fc.record({ x: value, y: value, r: fc.double({ min: 0, max: 9, noNaN: true }) })
 
@@ -18,9 +26,9 @@ describe('CircleTable', () => {
 
   it('has room for circles that come, and gaps where some have gone', () => {
     const table = new CircleTable(Float64Array.of(0, 0, 1, 5, 5, 2))
-    table.apply([{ kind: 'insert', circle: { x: 9, y: 9, r: 9 } }], Int32Array.of(2))
+    table.follow(changeOf({ kind: 'insert', circle: { x: 9, y: 9, r: 9 } }, 2))
     expect(table.circles()).toEqual(Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 9))
-    table.apply([{ kind: 'remove', id: 1 }], NONE)
+    table.follow(changeOf({ kind: 'remove', id: 1 }, 1))
     expect(table.circles()).toEqual(Float64Array.of(0, 0, 1, 9, 9, 9))
     expect([table.get(1), table.get(2)]).toEqual([undefined, { x: 9, y: 9, r: 9 }])
     expect([table.next(1, 1), table.next(1, -1), table.next(3, 1)]).toEqual([2, 0, undefined])
@@ -45,7 +53,7 @@ describe('CircleTable', () => {
           const ids = [...model.keys()]
           const id = step.kind === 'insert' ? count++ : ids[step.k % ids.length]
           if (id === undefined) continue
-          table.apply([step.kind === 'insert' ? step : ({ ...step, id } as Edit)], Int32Array.of(id))
+          table.follow(changeOf(step.kind === 'insert' ? step : ({ ...step, id } as Edit), id))
           if (step.kind === 'remove') model.delete(id)
           else model.set(id, step.circle)
         }
@@ -70,7 +78,7 @@ describe('CircleTable', () => {
 
   it('has the circles whose centers are on the rim of a box, and those whose rims are at a point', () => {
     const table = new CircleTable(Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 0))
-    table.apply([{ kind: 'remove', id: 2 }], NONE)
+    table.follow(changeOf({ kind: 'remove', id: 2 }, 2))
     expect(table.within({ minX: 0, minY: 0, maxX: 5, maxY: 5 })).toEqual([0, 1])
     expect([table.hasAt({ x: 1, y: 0 }, 0), table.hasAt({ x: 2, y: 0 }, 1), table.hasAt({ x: 9, y: 9 }, 1)]).toEqual([
       true,
@@ -85,11 +93,11 @@ describe('CircleTable', () => {
       Float64Array.from({ length: 3 * 21 }, (_, k) => (k % 3 === 2 ? 1 : Math.floor(k / 3))),
     )
     expect([table.box(), table.core()]).toEqual([square(-1, 21), square(1, 19)])
-    table.apply([{ kind: 'insert', circle: { x: 90, y: 90, r: 2 } }], Int32Array.of(21))
+    table.follow(changeOf({ kind: 'insert', circle: { x: 90, y: 90, r: 2 } }, 21))
     expect([table.box(), table.core()]).toEqual([square(-1, 92), square(2, 19)])
-    table.apply([{ kind: 'remove', id: 0 }], NONE)
+    table.follow(changeOf({ kind: 'remove', id: 0 }, 0))
     expect([table.box(), table.core()]).toEqual([square(0, 92), square(2, 20)])
-    table.apply([{ kind: 'replace', id: 21, circle: { x: 0, y: 0, r: 5 } }], NONE)
+    table.follow(changeOf({ kind: 'replace', id: 21, circle: { x: 0, y: 0, r: 5 } }, 21))
     expect([table.box(), table.core()]).toEqual([square(-5, 21), square(1, 19)])
   })
 

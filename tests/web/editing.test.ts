@@ -1,32 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { type Computer, Editing } from '../../web/editing/editing.ts'
-import type { Circle, DiagramEditor, Edit } from '../../web/lib/index.ts'
-import { library } from './library.ts'
+import { Editing } from '../../web/editing/editing.ts'
+import type { Circle, Edit } from '../../web/lib/index.ts'
+import { LibraryComputer } from './computer.ts'
 
 const TWO = Float64Array.of(0, 0, 1, 5, 5, 2)
 
 /** Editing with an editor of the library as what computes: each answer comes a turn later. */
 async function started(circles = TWO) {
-  let editor: DiagramEditor = library.edit([])
   const asked: (readonly Edit[])[] = []
   const problems: string[] = []
   const outcomes: number[] = []
   let failure: string | undefined
-  const computer: Computer = {
-    async setCircles(circles) {
-      editor = library.edit(circles)
-      return resultOf(editor, new Int32Array())
-    },
-    async apply(edits) {
-      asked.push(edits)
-      await new Promise((resolve) => setTimeout(resolve))
-      const message = failure
-      failure = undefined
-      if (message !== undefined) throw new Error(message)
-      return resultOf(editor, editor.apply(edits).inserted)
-    },
+  const computer = new LibraryComputer(async () => {
+    await new Promise((resolve) => setTimeout(resolve))
+    const message = failure
+    failure = undefined
+    if (message !== undefined) throw new Error(message)
+  })
+  const apply = computer.apply.bind(computer)
+  computer.apply = (edits) => {
+    asked.push(edits)
+    return apply(edits)
   }
   const editing = new Editing(
     computer,
@@ -44,12 +40,8 @@ async function started(circles = TWO) {
     outcomes,
     fail,
     circles: () => [...editing.circles.circles()],
-    editor: () => editor,
+    editor: () => computer.editor,
   }
-}
-
-function resultOf(editor: DiagramEditor, inserted: Int32Array) {
-  return { counts: { circles: editor.size(), hidden: 0, vertices: 0, edges: 0 }, inserted, seconds: 0 }
 }
 
 function sceneOf(circles: Float64Array<ArrayBuffer>, dataSet = 'two') {
@@ -100,6 +92,20 @@ describe('Editing', () => {
     expect(circles()).toEqual([...TWO, 9, 9, 3])
     await editing.undo()
     expect(circles()).toEqual([...TWO])
+  })
+
+  it('follows a batch in which a circle comes and goes', async () => {
+    const { editing, circles, editor } = await started()
+    const insert = (x: number): Edit => ({ kind: 'insert', circle: { x, y: 9, r: 1 } })
+    const edited = await editing.edit([insert(20), insert(30), { kind: 'remove', id: 2 }, ...moved(3, 40)])
+    expect([...(edited?.inserted ?? [])]).toEqual([3])
+    expect(circles()).toEqual([...TWO, 40, 0, 1])
+    expect([...editing.circles.ids()]).toEqual([...editor().ids()])
+    await editing.undo()
+    expect(circles()).toEqual([...TWO])
+    await editing.redo()
+    expect(circles()).toEqual([...TWO, 40, 0, 1])
+    expect([...editing.circles.ids()]).toEqual([...editor().ids()])
   })
 
   it('finds a circle that came back, though it has another id', async () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
-import type { Step } from '../../web/editing/circle-table.ts'
 import { EMPTY_HISTORY, idsOnceOpened, record, renamed } from '../../web/editing/history.ts'
+import type { Step } from '../../web/view/circle-table.ts'
 
 const CIRCLE = { x: 0, y: 0, r: 1 }
 const back = (id: number, x: number): Step => ({ kind: 'replace', id, circle: { x, y: 0, r: 1 } })

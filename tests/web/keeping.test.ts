@@ -15,9 +15,9 @@ import type { Recipe } from '../../web/app/generators/generators.ts'
 import { Keeping } from '../../web/app/keeping.ts'
 import type { LinkWriter } from '../../web/app/link-writer.ts'
 import { SceneStorage } from '../../web/app/scene-storage.ts'
-import { CircleTable } from '../../web/editing/circle-table.ts'
 import { cameraOf, circlesOfLink, viewOfLink } from '../../web/editing/scene-link.ts'
 import { decodeLink, encodeLink, LINK_LIMITS, type LinkInput } from '../../web/lib/link.ts'
+import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 5, 5, 2, 9, 9, 1)
@@ -27,7 +27,7 @@ describe('what a link says of circles', () => {
   it('is their data set, and what was done with them', () => {
     const table = new CircleTable(THREE.slice())
     expect(circlesOfLink(scene, table)).toEqual({ dataSet: 'three' })
-    table.apply([{ kind: 'remove', id: 1 }], new Int32Array())
+    table.follow({ ...NO_CHANGE, removed: Int32Array.of(1) })
     const edits = [{ kind: 'remove', id: 1 }]
     expect(circlesOfLink(scene, table)).toEqual({ dataSet: 'three', edits })
   })
@@ -36,7 +36,7 @@ describe('what a link says of circles', () => {
     const table = new CircleTable(THREE.slice())
     expect(circlesOfLink({ ...scene, dataSet: '' }, table)).toEqual({ circles: THREE })
     expect(circlesOfLink({ ...scene, isEdited: true }, table)).toEqual({ circles: THREE })
-    for (const id of [0, 1, 2]) table.apply([{ kind: 'replace', id, circle: { x: id, y: 0, r: 0 } }], new Int32Array())
+    table.follow({ ...NO_CHANGE, replaced: Int32Array.of(0, 1, 2), circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0) })
     expect(circlesOfLink(scene, table)).toEqual({ circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0) })
   })
 
@@ -59,7 +59,7 @@ describe('what a link says of circles', () => {
             : 'circle' in step
               ? { kind: 'replace' as const, id, circle: step.circle }
               : { kind: 'remove' as const, id }
-          table.apply([edit], editor.apply([edit]).inserted)
+          table.follow(editor.apply([edit]))
         }
         const { edits = [], dataSet } = circlesOfLink({ ...scene, circles: many }, table)
         expect(dataSet).toBe('three')

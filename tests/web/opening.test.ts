@@ -6,12 +6,11 @@ import { Editing } from '../../web/editing/editing.ts'
 import { EditorActions, type Opened } from '../../web/editing/editor-actions.ts'
 import { INITIAL_STATE } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
-import type { DiagramEditor } from '../../web/lib/index.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import type { Camera } from '../../web/view/camera.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import type { View } from '../../web/view/view.ts'
-import { library } from './library.ts'
+import { LibraryComputer } from './computer.ts'
 
 const FIRST = { ...opened(0, 0, 1, 5, 5, 2), edits: [{ kind: 'remove' as const, id: 0 }], layers: { hull: true } }
 const SECOND = opened(1, 1, 1, 2, 2, 2, 3, 3, 3)
@@ -23,7 +22,6 @@ function opened(...circles: number[]): Opened {
 
 /** Actions on a view that computes a turn later. */
 function started() {
-  let editor: DiagramEditor = library.edit([])
   const later = () => new Promise((resolve) => setTimeout(resolve))
   const view = {
     camera: { x: 0, y: 0, scale: 1 } as Camera,
@@ -36,24 +34,9 @@ function started() {
       view.layers = { ...view.layers, ...layers }
     },
   }
-  const result = (inserted: Int32Array = new Int32Array()) => ({
-    counts: { circles: editor.size(), hidden: 0, vertices: 0, edges: 0 },
-    inserted,
-    seconds: 0,
-  })
   const store = createStore(INITIAL_STATE)
   const editing = new Editing(
-    {
-      async setCircles(circles) {
-        await later()
-        editor = library.edit(circles)
-        return result()
-      },
-      async apply(edits) {
-        await later()
-        return result(editor.apply(edits).inserted)
-      },
-    },
+    new LibraryComputer(later),
     () => {},
     (problem) => store.update((state) => ({ ...state, problem })),
   )

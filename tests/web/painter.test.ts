@@ -2,7 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { type Circle, CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import { BasePicture } from '../../web/view/base-picture.ts'
-import { CircleLog } from '../../web/view/circle-log.ts'
+import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { Painter, type PainterScene } from '../../web/view/painter.ts'
 import type { FromPainter, Marks, ToPainter, Wish } from '../../web/view/protocol.ts'
 import { library, seededRandom } from './library.ts'
@@ -45,7 +45,7 @@ function opened(revision: number): FromPainter {
   return { kind: 'opened', scene: 1, revision, counts: COUNTS, seconds: 0 }
 }
 
-function edited(revision: number, inserted: readonly number[] = []): FromPainter {
+function edited(revision: number, change: Partial<CircleChange> = {}): FromPainter {
   return {
     kind: 'edited',
     scene: 1,
@@ -54,7 +54,7 @@ function edited(revision: number, inserted: readonly number[] = []): FromPainter
     grid: -1,
     patches: [],
     boxes: [],
-    inserted: Int32Array.from(inserted),
+    change: { ...NO_CHANGE, ...change },
     marks: NO_MARKS,
     found: undefined,
     seconds: 0,
@@ -109,7 +109,7 @@ describe('the painter', () => {
     worker().answer(opened(1))
     await open
     const edit = scene.edit([{ kind: 'replace', id: 1, circle: { x: 6, y: 0, r: 1 } }])
-    worker().answer(edited(2))
+    worker().answer(edited(2, { replaced: Int32Array.of(1), circles: Float64Array.of(6, 0, 1) }))
     await edit
     scene.look(wish, {} as never)
     scene.mark(1, undefined)
@@ -122,9 +122,8 @@ describe('the painter', () => {
       worker()
         .of('open')
         .map((message) => message.circles),
-    ).toEqual([circles])
-    const [restored] = worker().of('edit')
-    expect(restored?.edits).toEqual([{ kind: 'replace', id: 1, circle: { x: 6, y: 0, r: 1 } }])
+    ).toEqual([Float64Array.of(0, 0, 1, 6, 0, 1)])
+    expect(worker().of('edit')[0]?.edits).toEqual([])
     expect(
       worker()
         .of('look')
@@ -222,7 +221,8 @@ describe('what another thread has to know', () => {
     for (let round = 0; round < 20; round++) {
       const circles = Float64Array.from({ length: 3 * Math.floor(8 * random()) }, random)
       const editor = library.edit(circles)
-      const log = new CircleLog(circles)
+      const table = new CircleTable(circles.slice())
+      let next = circles.length / 3
       for (let k = 0; k < 40; k++) {
         const ids = editor.ids()
         const id = ids[Math.floor(random() * ids.length)]
@@ -230,17 +230,24 @@ describe('what another thread has to know', () => {
         const edits: Edit[] = []
         if (choice < 0.5 || id === undefined) edits.push({ kind: 'insert', circle: circleOf() })
         else if (choice < 0.7) edits.push({ kind: 'remove', id })
-        else edits.push({ kind: 'replace', id, circle: circleOf() }, { kind: 'insert', circle: circleOf() })
+        else if (choice < 0.9)
+          edits.push({ kind: 'replace', id, circle: circleOf() }, { kind: 'insert', circle: circleOf() })
+        else {
+          const come = { kind: 'insert', circle: circleOf() } as const
+          edits.push(come, { kind: 'remove', id: next }, come)
+        }
         // One that is refused takes no number.
         expect(() => editor.apply([...edits, { kind: 'remove', id: 1e6 }])).toThrow()
-        log.add(edits, editor.apply(edits).inserted)
+        table.follow(editor.apply(edits))
+        next += edits.filter(({ kind }) => kind === 'insert').length
       }
-      const other = library.edit(log.opened)
-      other.apply(log.edits())
+      const restoring = table.restoring()
+      const other = library.edit(restoring.circles)
+      other.apply(restoring.edits)
       expect([...other.ids()]).toEqual([...editor.ids()])
       for (const id of editor.ids()) expect(other.circle(id)).toEqual(editor.circle(id))
-      const next = circleOf()
-      expect([...other.insert(next).inserted]).toEqual([...editor.insert(next).inserted])
+      const another = circleOf()
+      expect([...other.insert(another).inserted]).toEqual([...editor.insert(another).inserted])
     }
   })
 })

@@ -2,8 +2,8 @@
 import { describe, expect, it } from 'vitest'
 import { editsOf, numberOf, rowsOf } from '../../web/app/table/numbers-written.ts'
 import { BY_ID, COLUMNS, isMeasured, ordered, placesOf } from '../../web/app/table/order.ts'
-import { CircleTable } from '../../web/editing/circle-table.ts'
 import { circleAt } from '../../web/lib/index.ts'
+import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { cellArea } from '../../web/view/painter/measures.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { tabulated, tabulatedAll } from '../../web/view/painter/tabulate.ts'
@@ -26,7 +26,7 @@ describe('the order of rows', () => {
 
   it('has what the thread has measured, and last those without a number', () => {
     const circles = new CircleTable(FOUR)
-    circles.apply([{ kind: 'remove', id: 1 }], new Int32Array())
+    circles.follow({ ...NO_CHANGE, removed: Int32Array.of(1) })
     const table = { ids: Int32Array.of(0, 2, 3), columns: [Float64Array.of(Number.NaN, Number.POSITIVE_INFINITY, 2)] }
     expect([...ordered(circles, { column: 'area', isDescending: false }, table)]).toEqual([3, 2, 0])
     expect([...ordered(circles, { column: 'area', isDescending: true }, table)]).toEqual([2, 3, 0])

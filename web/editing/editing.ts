@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Circle, Edit } from '../lib/index.ts'
+import type { CircleTable, Step } from '../view/circle-table.ts'
 import type { Edited } from '../view/painter.ts'
-import { CircleTable, type Step } from './circle-table.ts'
 import { EMPTY_HISTORY, type History, idsOnceOpened, type Opening, record, renamed, type Scene } from './history.ts'
 
 /** Who computes: a view. */
 export interface Computer {
+  /** The circles as they are. */
+  readonly circles: CircleTable
   setCircles(circles: Float64Array): Promise<Edited>
   apply(edits: readonly Edit[]): Promise<Edited>
 }
@@ -38,7 +40,6 @@ export class Editing {
   readonly #computer: Computer
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (problem: string, error: Error) => void
-  #table = new CircleTable(new Float64Array())
   #scene: Scene | undefined
   /** Where they are not the same: the ids by the numbers of circles, and the numbers by the ids. */
   readonly #ids = new Map<number, number>()
@@ -59,7 +60,7 @@ export class Editing {
   }
 
   get circles(): CircleTable {
-    return this.#table
+    return this.#computer.circles
   }
 
   /** What was opened: the circles as they were then. */
@@ -113,7 +114,7 @@ export class Editing {
 
   async #apply(edits: readonly Edit[], gesture: number): Promise<Edited> {
     const edited = await this.#computer.apply(edits)
-    this.#history = record(this.#history, this.#table.apply(edits, edited.inserted), gesture)
+    this.#history = record(this.#history, edited.back, gesture)
     return edited
   }
 
@@ -145,11 +146,10 @@ export class Editing {
     if (entry === undefined) return undefined
     if (entry.kind === 'opening') return this.#openAgain(entry, from, to)
     const edited = await this.#computer.apply(entry.steps.map(plain))
-    const steps = this.#table.apply(entry.steps, edited.inserted)
     const former = entry.steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
     for (const [formerId, id] of ids) this.#rename(formerId, id)
-    const back = { ...entry, steps }
+    const back = { ...entry, steps: edited.back }
     const history = {
       ...this.#history,
       [from]: this.#history[from].slice(0, -1),
@@ -173,7 +173,6 @@ export class Editing {
 
   async #become(scene: Scene): Promise<Edited> {
     const edited = await this.#computer.setCircles(scene.circles)
-    this.#table = new CircleTable(scene.circles.slice())
     this.#scene = scene
     this.#ids.clear()
     this.#numbers.clear()
@@ -184,15 +183,15 @@ export class Editing {
   #before(): Opening[] {
     if (this.#scene === undefined) return []
     const { dataSet, isEdited } = this.#scene
-    const circles = this.#table.circles()
+    const circles = this.circles.circles()
     const scene = { circles, dataSet, isEdited: isEdited || !isSame(circles, this.#scene.circles) }
-    return [{ kind: 'opening', scene, ids: this.#table.ids() }]
+    return [{ kind: 'opening', scene, ids: this.circles.ids() }]
   }
 
   /** A circle as it will be once all that was asked is done, if nothing is refused. */
   latest(id: number): Circle | undefined {
     const last = this.#jobs.findLast(({ made }) => made.has(id))
-    return last === undefined ? this.#table.get(id) : last.made.get(id)
+    return last === undefined ? this.circles.get(id) : last.made.get(id)
   }
 
   #ask(gesture: number, edits: readonly Edit[], run: () => Promise<Edited | undefined>): Promise<Edited | undefined> {
@@ -210,10 +209,10 @@ export class Editing {
     for (let job = this.#jobs[0]; job !== undefined; job = this.#jobs[0]) {
       let edited: Edited | undefined
       try {
-        const before = this.#table
+        const before = this.circles
         edited = await job.run()
         if (edited !== undefined) {
-          this.#onOutcome({ edited, history: this.#history, isOpened: this.#table !== before })
+          this.#onOutcome({ edited, history: this.#history, isOpened: this.circles !== before })
         }
       } catch (error) {
         if (!(error instanceof Error)) throw error

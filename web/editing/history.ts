@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../lib/index.ts'
-import type { Step } from './circle-table.ts'
+import type { Step } from '../view/circle-table.ts'
 
 /** Circles that are opened at once. */
 export interface Scene {

@@ -3,7 +3,7 @@ import { at } from '../lib/base/diagram-data.ts'
 import type { Circle, Edit } from '../lib/index.ts'
 import { LINK_LIMITS, type LinkState, type LinkView } from '../lib/link.ts'
 import type { Camera, Size } from '../view/camera.ts'
-import type { CircleTable } from './circle-table.ts'
+import type { CircleTable } from '../view/circle-table.ts'
 import type { Scene } from './history.ts'
 
 /** What a link says of circles that were opened as `scene` and are now those of a table: whichever is shorter. */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Circle } from '../lib/index.ts'
+import type { CircleTable } from '../view/circle-table.ts'
 import { DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { Described, Found } from '../view/protocol.ts'
-import type { CircleTable } from './circle-table.ts'
 import type { Outcome } from './editing.ts'
 import { EMPTY_HISTORY, type History } from './history.ts'
 

@@ -26,7 +26,7 @@ export class PlainHands implements Hands {
   }
 
   circle(id: number): Circle | undefined {
-    return this.#isEditable ? this.#view.circle(id) : undefined
+    return this.#isEditable ? this.#view.circles.get(id) : undefined
   }
 
   beginGesture(): number {
@@ -63,10 +63,10 @@ export class PlainHands implements Hands {
   set(circles: readonly Held[], gesture: number): void {
     if (gesture !== this.#lastGesture) return
     for (const { id } of circles) {
-      const before = this.#view.circle(id)
+      const before = this.#view.circles.get(id)
       if (before !== undefined && !this.#before.has(id)) this.#before.set(id, before)
     }
-    const there = circles.filter(({ id }) => this.#view.circle(id) !== undefined)
+    const there = circles.filter(({ id }) => this.#view.circles.get(id) !== undefined)
     this.#edit(there.map(({ id, circle }) => ({ kind: 'replace', id, circle })))
   }
 

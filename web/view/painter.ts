@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Circle, Edit, Options } from '../lib/index.ts'
-import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
+import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
-import { CircleLog } from './circle-log.ts'
+import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { Layers } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
 import { newPainterWorker, PAINTER_NAME, painterFile } from './painter-file.ts'
@@ -32,6 +32,8 @@ export interface Edited {
   readonly counts: Counts
   /** The ids of the circles that came, in the order of the edits. */
   readonly inserted: Int32Array
+  /** The edits that undo it. */
+  readonly back: readonly Step[]
   /** How long it took. */
   readonly seconds: number
 }
@@ -65,7 +67,7 @@ interface Scene {
   readonly events: PictureEvents
   readonly waiting: Map<number, Waiting>
   /** What another thread has to know to go on where this one fails. */
-  log: CircleLog
+  circles: CircleTable
   look: ToPainter | undefined
   mark: ToPainter | undefined
   layers: ToPainter | undefined
@@ -99,7 +101,7 @@ export class Painter {
     const scene: Scene = {
       events,
       waiting: new Map(),
-      log: new CircleLog(new Float64Array()),
+      circles: new CircleTable(new Float64Array()),
       look: undefined,
       mark: undefined,
       layers: undefined,
@@ -108,7 +110,7 @@ export class Painter {
     this.#worker?.postMessage({ kind: 'add', scene: number } satisfies ToPainter)
     const isClosed = () => !this.#scenes.has(number)
     return new PainterScene(number, {
-      circle: (id) => scene.log.circle(id),
+      circles: () => scene.circles,
       post: (message) => {
         if (isClosed()) return
         if (message.kind === 'look') scene.look = message
@@ -165,12 +167,13 @@ export class Painter {
       (module) => worker.postMessage({ kind: 'start', module } satisfies ToPainter),
       (error: Error) => fail(error.message),
     )
-    for (const [scene, { log, look, mark, layers }] of this.#scenes) {
+    for (const [scene, { circles, look, mark, layers }] of this.#scenes) {
       const known = { scene, revision: RESTORED }
+      const restoring = circles.restoring()
       worker.postMessage({ kind: 'add', scene } satisfies ToPainter)
       if (layers !== undefined) worker.postMessage(layers)
-      worker.postMessage({ kind: 'open', circles: log.opened, ...known } satisfies ToPainter)
-      worker.postMessage({ kind: 'edit', edits: log.edits(), ...known } satisfies ToPainter)
+      worker.postMessage({ kind: 'open', circles: restoring.circles, ...known } satisfies ToPainter)
+      worker.postMessage({ kind: 'edit', edits: restoring.edits, ...known } satisfies ToPainter)
       if (look !== undefined) worker.postMessage(look)
       if (mark !== undefined) worker.postMessage(mark)
     }
@@ -198,10 +201,10 @@ export class Painter {
       waiting.reject(new CircleVoronoiError(message.code, message.circle, message.message))
       return
     }
-    const inserted = message.kind === 'edited' ? message.inserted : new Int32Array()
-    if (waiting.message.kind === 'open') scene.log = new CircleLog(waiting.message.circles)
-    else scene.log.add(waiting.message.edits, inserted)
-    waiting.resolve({ counts: message.counts, seconds: message.seconds, inserted })
+    if (waiting.message.kind === 'open') scene.circles = new CircleTable(waiting.message.circles.slice())
+    const { change = NO_CHANGE } = message
+    const back = scene.circles.follow(change)
+    waiting.resolve({ counts: message.counts, seconds: message.seconds, inserted: change.inserted, back })
   }
 
   #fail(reason: string): void {
@@ -236,7 +239,7 @@ const RESTORED = 0
 
 /** How a scene talks to the thread. */
 interface Line {
-  circle(id: number): Circle | undefined
+  circles(): CircleTable
   post(message: ToPainter): void
   /** Posts it, too. */
   edited(message: Waiting['message']): Promise<Edited>
@@ -292,9 +295,9 @@ export class PainterScene {
     return (await this.#line.ask<{ trial: Trial | undefined }>({ kind: 'try', scene: this.#scene, circle }))?.trial
   }
 
-  /** A circle as it is after all edits that are done. */
-  circle(id: number): Circle | undefined {
-    return this.#line.circle(id)
+  /** The circles as they are after all edits that are done; another table for other circles. */
+  get circles(): CircleTable {
+    return this.#line.circles()
   }
 
   /** What a frame shows, without what stands out: the elements of an SVG. `undefined`: it could not be drawn. */

@@ -14,6 +14,7 @@ import type {
 } from '../lib/index.ts'
 import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
+import type { CircleChange } from './circle-table.ts'
 import type { Layers } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Style } from './style.ts'
@@ -132,6 +133,7 @@ export type FromPainter =
       readonly revision: number
       readonly counts: Counts
       readonly seconds: number
+      readonly change?: undefined
     }
   | {
       readonly kind: 'edited'
@@ -139,9 +141,10 @@ export type FromPainter =
       readonly revision: number
       readonly counts: Counts
       readonly grid: number
-      readonly patches: readonly Patch[] /** Around all that looks different. */
+      readonly patches: readonly Patch[]
+      /** Around all that looks different. */
       readonly boxes: readonly Box[]
-      readonly inserted: Int32Array
+      readonly change: CircleChange
       readonly marks: Marks
       /** `undefined`: not yet. */
       readonly found: Found | undefined

@@ -3,6 +3,7 @@ import type { Box, Circle, Edit, Options, Point } from '../lib/index.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import { BasePicture } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
+import type { CircleTable } from './circle-table.ts'
 import { type AboveLayer, checkLayers, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'
 import { drawOverlay, HANDLE_RADIUS, handleOf, NOTHING_STANDS_OUT, type StandingOut } from './overlay.ts'
 import { CanvasDrawing, type Drawing, SvgDrawing, svgOf } from './painter/drawing.ts'
@@ -162,9 +163,9 @@ export class View {
     return this.#told(this.#scene.edit(edits))
   }
 
-  /** A circle as it is after all edits that are done. */
-  circle(id: number): Circle | undefined {
-    return this.#scene.circle(id)
+  /** The circles as they are after all edits that are done; another table for other circles. */
+  get circles(): CircleTable {
+    return this.#scene.circles
   }
 
   /** Has a function called with each event of a kind, and returns what ends that. */

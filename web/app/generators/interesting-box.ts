@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleTable } from '../../editing/circle-table.ts'
+
 import type { Box, Float64s } from '../../lib/index.ts'
 import { boundingBox } from '../../view/camera.ts'
+import { CircleTable } from '../../view/circle-table.ts'
 
 /** Where the whole is so many times as large as what most circles fill, that is what there is to see. */
 const FAR = 8

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { CircleTable } from '../../editing/circle-table.ts'
+import type { CircleTable } from '../../view/circle-table.ts'
 import type { Column as Measured, Tabulated } from '../../view/protocol.ts'
 
 /** What the table shows of each circle. */

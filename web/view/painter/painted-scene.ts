@@ -5,6 +5,7 @@ import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Comparison } from '../../lib/comparison.ts'
 import type { Box, Circle, CircleVoronoi, Diagram, Edit, Options } from '../../lib/index.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
+import type { CircleChange } from '../circle-table.ts'
 import { DEFAULT_LAYERS, isMethodShown, type Layers } from '../layers.ts'
 import type {
   Column,
@@ -248,7 +249,7 @@ export class PaintedScene {
   edit(edits: readonly Edit[]): {
     patches: Patch[]
     boxes: readonly Box[]
-    inserted: Int32Array
+    change: CircleChange
     found: Found | undefined
   } {
     const change = this.#picture.editor.apply(edits)
@@ -256,7 +257,13 @@ export class PaintedScene {
     const patches = this.#repaint(boxes)
     if (isEverywhere) this.#restart()
     this.#isFound = false
-    return { patches, boxes, inserted: change.inserted, found: this.isFoundQuickly ? this.find() : undefined }
+    const { inserted, removed, replaced, circles } = change
+    return {
+      patches,
+      boxes,
+      change: { inserted, removed, replaced, circles },
+      found: this.isFoundQuickly ? this.find() : undefined,
+    }
   }
 
   /** Looks at something from now on, and says whether that is another box, or of another scale. */

@@ -74,7 +74,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     case 'edit':
       try {
-        const { patches, boxes, inserted, found } = scene.edit(message.edits)
+        const { patches, boxes, change, found } = scene.edit(message.edits)
         post(
           {
             kind: 'edited',
@@ -84,7 +84,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
             grid: scene.grid,
             patches,
             boxes,
-            inserted,
+            change,
             marks: scene.marks(),
             found,
             seconds: secondsSince(start),

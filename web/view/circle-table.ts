@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
-import type { Box, Circle, Edit, Float64s, Point } from '../lib/index.ts'
-import { boundingBox } from '../view/camera.ts'
+import type { Box, Change, Circle, Edit, Float64s, Point } from '../lib/index.ts'
+import { boundingBox } from './camera.ts'
+
+/** What of a change a table follows. */
+export type CircleChange = Pick<Change, 'inserted' | 'removed' | 'replaced' | 'circles'>
+
+export const NO_CHANGE: CircleChange = {
+  inserted: new Int32Array(),
+  removed: new Int32Array(),
+  replaced: new Int32Array(),
+  circles: new Float64Array(),
+}
 
 /** An edit that brings back a circle which had another id. */
 export type Step = Edit & { readonly formerId?: number }
@@ -9,7 +19,7 @@ export type Step = Edit & { readonly formerId?: number }
 /** Of so many circles the core is computed. */
 const CORE_SAMPLE = 1000
 
-/** Circles by their ids, as a `DiagramEditor` gives them: each new one the next id. */
+/** The circles of a `DiagramEditor`, by the ids that it gives them. */
 export class CircleTable {
   #numbers: Float64s
   #isThere: Uint8Array
@@ -37,30 +47,37 @@ export class CircleTable {
     return undefined
   }
 
-  /** Makes edits its own; `inserted`: the ids of those that come. Returns the edits that go back, in their order. */
-  apply(edits: readonly Edit[], inserted: Int32Array): Step[] {
+  /** Follows a change of the editor. Returns the edits that undo it. */
+  follow({ inserted, removed, replaced, circles }: CircleChange): Step[] {
     this.#box = undefined
     this.#core = undefined
     const back: Step[] = []
-    let next = 0
-    for (const edit of edits) {
-      if (edit.kind === 'insert') {
-        const id = at(inserted, next++)
-        this.#put(id, edit.circle as Circle)
-        back.push({ kind: 'remove', id })
-        continue
-      }
-      const circle = this.get(edit.id) as Circle
-      if (edit.kind === 'replace') {
-        this.#put(edit.id, edit.circle as Circle)
-        back.push({ kind: 'replace', id: edit.id, circle })
-      } else {
-        this.#isThere[edit.id] = 0
-        this.#count -= 1
-        back.push({ kind: 'insert', circle, formerId: edit.id })
-      }
+    const newCircle = (k: number): Circle => ({
+      x: at(circles, 3 * k),
+      y: at(circles, 3 * k + 1),
+      r: at(circles, 3 * k + 2),
+    })
+    inserted.forEach((id, k) => {
+      this.#put(id, newCircle(k))
+      back.push({ kind: 'remove', id })
+    })
+    replaced.forEach((id, k) => {
+      back.push({ kind: 'replace', id, circle: this.get(id) as Circle })
+      this.#put(id, newCircle(inserted.length + k))
+    })
+    for (const id of removed) {
+      back.push({ kind: 'insert', circle: this.get(id) as Circle, formerId: id })
+      this.#isThere[id] = 0
+      this.#count -= 1
     }
     return back.reverse()
+  }
+
+  /** How another editor gets the same circles by the same ids: what it opens, and the edits after that. */
+  restoring(): { readonly circles: Float64s; readonly edits: readonly Edit[] } {
+    const edits: Edit[] = []
+    for (let id = 0; id < this.#size; id++) if (this.#isThere[id] !== 1) edits.push({ kind: 'remove', id })
+    return { circles: this.#numbers.slice(0, 3 * this.#size), edits }
   }
 
   /** x, y and r of all circles, in the order of their ids. */

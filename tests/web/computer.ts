@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Computer } from '../../web/editing/editing.ts'
+import type { Change, DiagramEditor } from '../../web/lib/index.ts'
+import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
+import { library } from './library.ts'
+
+/** What computes for `Editing`: an editor of the library. `before` is waited for. */
+export class LibraryComputer implements Computer {
+  circles = new CircleTable(new Float64Array())
+  editor: DiagramEditor = library.edit([])
+  readonly #before: () => Promise<unknown>
+
+  constructor(before: () => Promise<unknown>) {
+    this.#before = before
+  }
+
+  async setCircles(circles: Float64Array) {
+    await this.#before()
+    this.editor = library.edit(circles)
+    this.circles = new CircleTable(Float64Array.from(circles))
+    return this.#edited()
+  }
+
+  async apply(edits: Parameters<Computer['apply']>[0]) {
+    await this.#before()
+    return this.#edited(this.editor.apply(edits))
+  }
+
+  #edited(change: Pick<Change, keyof typeof NO_CHANGE> = NO_CHANGE) {
+    const counts = { circles: this.editor.size(), hidden: 0, vertices: 0, edges: 0 }
+    return { counts, inserted: change.inserted, back: this.circles.follow(change), seconds: 0 }
+  }
+}
