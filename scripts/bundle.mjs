@@ -54,10 +54,22 @@ async function element() {
       painter: 'web/view/painter/start-thread.ts',
     },
   })
-  await build({
+  await elementBundle()
+  copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)
+  const { manifest } = await import('./manifest.mjs')
+  writeFileSync(`${ROOT}dist/element/custom-elements.json`, `${JSON.stringify(manifest(), undefined, 2)}\n`)
+}
+
+/** The one file is a function, whose text its thread runs where a page cannot take a worker from a file. */
+async function elementBundle() {
+  const { outputFiles } = await build({
     ...BUNDLED,
+    banner: {},
+    format: 'iife',
+    globalName: 'exported',
+    define: { 'import.meta.url': 'addressOfFile' },
+    write: false,
     entryPoints: ['web/element/bundle.ts'],
-    outfile: 'dist/element/bundle.js',
     plugins: [
       styles,
       wasmInside,
@@ -66,9 +78,14 @@ async function element() {
       wasmBeside,
     ],
   })
-  for (const name of ['element.css', 'custom-elements.json']) {
-    copyFileSync(`${ROOT}web/element/${name}`, `${ROOT}dist/element/${name}`)
-  }
+  const names = 'CircleVoronoiElement,defineCircleVoronoi'
+  writeFileSync(
+    `${ROOT}dist/element/bundle.js`,
+    `${BUNDLED.banner.js}
+function wholeFile(addressOfFile){${outputFiles[0].text}return exported}
+const{${names}}=wholeFile(import.meta.url);export{${names}}
+`,
+  )
 }
 
 /** What of the declarations in build/element-types belongs to the element: those of dist/lib are there. */

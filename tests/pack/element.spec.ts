@@ -213,7 +213,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await told()
   await element.evaluate((element: Element) => element.setAttribute('layers', 'hull nonsense'))
   expect(await told()).toEqual(['error of circle-voronoi'])
-  await expect(element.getByRole('alert')).toHaveText('There is no layer nonsense.')
+  await expect(element.getByRole('alert')).toHaveText(/^There is no layer nonsense\. The layers are circles, /)
   const refused = await element.evaluate((element: Element) =>
     element.setState({ circles: [[0, 0, -1]] }).catch((error: Error) => error.message),
   )
@@ -536,10 +536,10 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
 
   const problem = element.locator('[part~="problem"]')
   await element.evaluate((element: Element) => element.setAttribute('layers', 'nonsense'))
-  await expect(problem).toHaveText('There is no layer nonsense.')
+  await expect(problem).toHaveText(/^There is no layer nonsense\. The layers are circles, /)
   const { x, y: above } = (await element.boundingBox()) as { x: number; y: number }
   for (const step of [20, 60, 100, 140]) await page.mouse.move(x + step, above + step)
-  await expect(problem).toHaveText('There is no layer nonsense.')
+  await expect(problem).toHaveText(/^There is no layer nonsense\. The layers are circles, /)
   await element.evaluate((element: Element) => element.setAttribute('layers', ''))
 
   const states = await element.evaluate(async (element: Element) => {
@@ -795,4 +795,370 @@ test.describe('without scripts', () => {
     const [caption, last] = [page.getByText('Each point belongs'), page.getByRole('row', { name: /hazel/ })]
     expect((await caption.boundingBox())?.y).toBeGreaterThan((await last.boundingBox())?.y as number)
   })
+})
+
+const THREE = '[[0,0,2],[10,0,1],[5,8,1.5]]'
+const FLAT = [0, 0, 2, 10, 0, 1, 5, 8, 1.5]
+
+/** Opens a page with some markup and the element's module; what the elements say is kept in `told`. */
+async function open(page: Page, name: string, body: string, lang = 'en'): Promise<void> {
+  await page.addInitScript(() => {
+    const told: string[] = []
+    document.addEventListener('error', (event) => {
+      const { detail } = event as unknown as CustomEvent<{ error: Error }>
+      if (detail) told.push(detail.error.message)
+    })
+    Object.assign(globalThis, { told })
+  })
+  writeExample(
+    `${name}.html`,
+    `<!doctype html><html lang="${lang}"><title>${name}</title><link rel="icon" href="data:,">
+    <script type="module" src="../../dist/element/index.js"></script>${body}`,
+  )
+  await page.goto(`${server.address}build/examples/${name}.html`)
+}
+
+/** The errors since the last time. */
+const errors = (page: Page): Promise<string[]> =>
+  page.evaluate(() => (globalThis as unknown as { told: string[] }).told.splice(0))
+
+test('a property that becomes undefined or null is not set', async ({ page }) => {
+  const { problems, asked } = watch(page)
+  await open(page, 'unset', `<circle-voronoi circles="${THREE}" layers="hull" view="5 4 30"></circle-voronoi>`)
+  await shown(page)
+  for (const nothing of [undefined, null]) {
+    const seen = await page.locator('circle-voronoi').evaluate(async (element: Element, nothing) => {
+      const properties = [
+        'alt',
+        'check',
+        'controls',
+        'lang',
+        'method',
+        'name',
+        'readonly',
+        'samples',
+        'selection',
+        'src',
+        'step',
+      ]
+      const values = ['A', { circles: 3 }, '', 'de', 'flip', 'a', true, 2, [0], 'x.csv', 0]
+      const any = element as unknown as Record<string, unknown>
+      any.circles = [[1, 1, 1]]
+      any.layers = { dual: true }
+      any.view = { x: 1, y: 1, span: 4 }
+      for (const [k, name] of properties.entries()) if (name !== 'src') any[name] = values[k]
+      for (const name of [...properties, 'circles', 'layers', 'view']) any[name] = nothing
+      await element.updateComplete
+      const { layers, view } = element
+      return {
+        circles: [...element.circles],
+        attributes: element.getAttributeNames().sort(),
+        layers: [layers.hull, layers.dual],
+        view,
+      }
+    }, nothing)
+    expect(seen).toEqual({
+      circles: FLAT,
+      attributes: ['circles', 'layers', 'view'],
+      layers: [true, false],
+      view: { x: 5, y: 4, span: 30 },
+    })
+  }
+  expect(asked.filter((url) => /undefined|null/.test(url))).toEqual([])
+  expect(await errors(page)).toEqual([])
+  expect(problems).toEqual([])
+})
+
+test('a typo is told, with what is allowed instead, and changes nothing', async ({ page }) => {
+  const { problems } = watch(page)
+  const wrong = `layers="dsic" method="magic" controls="buttns" check='{"cell": 7, "edges": 3}'`
+  await open(page, 'typos', `<circle-voronoi circles="${THREE}" ${wrong}></circle-voronoi>`)
+  await shown(page)
+  const element = page.locator('circle-voronoi')
+  const alert = element.getByRole('alert')
+  const sentences = {
+    layer: /^There is no layer dsic\. The layers are circles, .*disc, /,
+    method: 'The method must be auto, touching-disc or flip (got "magic").',
+    controls: 'The controls must be buttons or player, or both (got "buttns").',
+    check: 'The check cannot be read: there is no circle 7. The circles have the numbers 0 to 2.',
+  }
+  // It stays once the circles are there.
+  for (const text of Object.values(sentences))
+    await expect(alert).toContainText(
+      new RegExp(typeof text === 'string' ? text.replace(/[().]/g, '\\$&') : text.source.slice(1)),
+    )
+  expect(await errors(page)).toHaveLength(4)
+  await element.evaluate((element: Element) => {
+    for (const name of ['layers', 'method', 'controls', 'check']) element.removeAttribute(name)
+  })
+  await expect(alert).toBeHidden()
+  const acts: [string, unknown, string | RegExp][] = [
+    ['layers', { dsic: true }, sentences.layer],
+    [
+      'layers',
+      { cells: 'typo' },
+      'The layer cells must be none, radius, area, degree, gap, index or different (got "typo").',
+    ],
+    ['layers', { hull: 1 }, 'The layer hull must be true or false (got 1).'],
+    ['method', 'magic', sentences.method],
+    ['controls', 'buttns', sentences.controls],
+    ['check', { cell: 1, edgse: 3 }, /a cell has no edgse; it has .*edges/],
+    [
+      'check',
+      { cell: 3, edges: 3 },
+      'The check cannot be read: there is no circle 3. The circles have the numbers 0 to 2.',
+    ],
+    ['circles', [[0, 0]], 'Circle 0 does not have three numbers x, y and r.'],
+    ['samples', 'many', 'The samples must be a whole number from 0 (got "many").'],
+    ['view', { x: 1, y: 2 }, 'A view is three numbers: x, y and a span above 0.'],
+  ]
+  for (const [name, value, text] of acts) {
+    await element.evaluate(
+      (element: Element, [name, value]) => Object.assign(element, { [name as string]: value }),
+      [name, value],
+    )
+    await expect(alert).toHaveText(text)
+    await expect.poll(async () => (await errors(page)).length).toBe(1)
+    await element.evaluate((element: Element, name) => Object.assign(element, { [name]: undefined }), name)
+    await expect(alert).toBeHidden()
+  }
+  expect(await circlesOf(page)).toEqual(FLAT)
+  expect(problems).toEqual([])
+})
+
+test('a state that says nothing of circles leaves them, and what it does not say', async ({ page }) => {
+  await open(page, 'states', `<circle-voronoi circles="${THREE}" layers="hull"></circle-voronoi>`)
+  await shown(page)
+  const states = await page.locator('circle-voronoi').evaluate(async (element: Element) => {
+    await element.setState({})
+    const nothing = element.getState()
+    await element.setState({ view: { x: 4, y: 4, span: 20 } })
+    const viewed = element.getState()
+    await element.setState({ layers: { dual: true } })
+    await element.setState({ edits: [{ kind: 'remove', id: 1 }] })
+    return [nothing, viewed, element.getState()]
+  })
+  const circles = [
+    [0, 0, 2],
+    [10, 0, 1],
+    [5, 8, 1.5],
+  ]
+  expect(states).toEqual([
+    { circles, layers: { hull: true } },
+    { circles, layers: { hull: true }, view: { x: 4, y: 4, span: 20 } },
+    { circles: [circles[0], circles[2]], layers: { dual: true }, view: { x: 4, y: 4, span: 20 } },
+  ])
+})
+
+test('where nothing can be computed, that is said, and what stands between the tags is shown', async ({ page }) => {
+  const inside = `<p slot="poster">loading…</p><table><tr><td>0</td><td>0</td><td>2</td></tr></table>`
+  await page.addInitScript(() => {
+    if (!location.hash.includes('worker')) return
+    globalThis.Worker = class {
+      constructor() {
+        throw new Error('There are no threads here.')
+      }
+    } as unknown as typeof Worker
+  })
+  await page.route('**/circle-voronoi.wasm', (route) => route.fulfill({ status: 404 }))
+  await open(page, 'failing', `<circle-voronoi>${inside}</circle-voronoi>`)
+  const alert = page.locator('circle-voronoi').getByRole('alert')
+  for (const [hash, message] of [
+    ['', /^The diagram could not be computed: The WebAssembly cannot be loaded from http:[^ ]+: [^.]*404[^.]*\.$/],
+    ['#worker', 'The diagram could not be computed: There are no threads here.'],
+  ] as const) {
+    await page.goto('about:blank')
+    await page.goto(`${server.address}build/examples/failing.html${hash}`)
+    await shown(page)
+    await expect(alert).toHaveText(message)
+    const told = await errors(page)
+    expect(told).toHaveLength(1)
+    expect(told[0]).toMatch(message)
+    await expect(page.getByText('loading…')).toBeHidden()
+    await expect(page.getByRole('cell', { name: '2' })).toBeVisible()
+    await expect(page.locator('circle-voronoi').locator('.fallback')).toBeVisible()
+  }
+})
+
+test('no promise of an element stays open that is in no page', async ({ page }) => {
+  await open(page, 'away', `<div style="height: 5000px"></div><circle-voronoi circles="${THREE}"></circle-voronoi>`)
+  const settled = await page.locator('circle-voronoi').evaluate(async (element: Element) => {
+    await customElements.whenDefined('circle-voronoi')
+    const never = document.createElement('circle-voronoi')
+    await never.ready
+    const before = element.ready
+    element.remove()
+    await before
+    await element.ready
+    // Its circles are shown once it is back.
+    document.body.prepend(element)
+    await element.ready
+    return [...element.circles]
+  })
+  expect(settled).toEqual(FLAT)
+})
+
+test('in one file inside the page itself', async ({ page }) => {
+  const { problems, asked } = watch(page)
+  const here = await serve(
+    ROOT,
+    "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; img-src data:",
+  )
+  try {
+    const bundle = readFileSync(join(ROOT, 'dist/element/bundle.js'), 'utf8')
+    writeExample(
+      'inline.html',
+      `<!doctype html><html lang="en"><title>Inline</title><link rel="icon" href="data:,">
+      <script type="module">${bundle}</script><circle-voronoi circles="${THREE}" controls></circle-voronoi>`,
+    )
+    await page.goto(`${here.address}build/examples/inline.html`)
+    await expectToBeLive(page)
+    expect(asked.filter((url) => url.startsWith('http'))).toEqual([`${here.address}build/examples/inline.html`])
+    expect(problems).toEqual([])
+  } finally {
+    await here.close()
+  }
+})
+
+for (const build of ['index', 'bundle']) {
+  test(`in a frame that has no origin, by ${build}.js`, async ({ page }) => {
+    const { problems } = watch(page)
+    const here = await serve(ROOT, "default-src * data: blob: 'unsafe-inline' 'wasm-unsafe-eval'")
+    try {
+      writeExample(
+        'framed.html',
+        `<!doctype html><html lang="en"><title>Framed</title><link rel="icon" href="data:,">
+        <script type="module" src="../../dist/element/${build}.js"></script><circle-voronoi circles="${THREE}"></circle-voronoi>`,
+      )
+      writeExample(
+        'sandbox.html',
+        `<!doctype html><html lang="en"><title>Sandbox</title><link rel="icon" href="data:,">
+        <iframe sandbox="allow-scripts" src="framed.html" title="Figure" style="width: 600px; height: 400px"></iframe>`,
+      )
+      await page.goto(`${here.address}build/examples/sandbox.html`)
+      const element = page.frameLocator('iframe').locator('circle-voronoi')
+      const seen = await element.evaluate(async (element: Element) => {
+        await element.ready
+        await element.updateComplete
+        return [...element.circles]
+      })
+      await expect(element.getByRole('alert')).toBeHidden()
+      expect(seen).toEqual(FLAT)
+      expect(problems).toEqual([])
+    } finally {
+      await here.close()
+    }
+  })
+}
+
+test('an application keeps the circles of events, and sets older ones again', async ({ page }) => {
+  await open(page, 'kept', `<circle-voronoi circles="${THREE}"></circle-voronoi>`)
+  await shown(page)
+  const seen = await page.locator('circle-voronoi').evaluate(async (element: Element) => {
+    const kept: Float64Array[] = []
+    element.addEventListener('circleschange', ({ detail }) => kept.push(detail.circles))
+    for (const x of [1, 2]) {
+      element.circles = [[x, 0, 1]]
+      await element.updateComplete
+    }
+    element.circles = kept[1] as Float64Array
+    await element.updateComplete
+    const count = kept.length
+    element.circles = kept[0] as Float64Array
+    await element.updateComplete
+    return { count, first: [...element.circles] }
+  })
+  // The newest one is what is shown already.
+  expect(seen).toEqual({ count: 2, first: [1, 0, 1] })
+})
+
+test('layers that cannot be sent change nothing', async ({ page }) => {
+  await open(page, 'unsendable', `<circle-voronoi circles="${THREE}" layers="hull"></circle-voronoi>`)
+  await shown(page)
+  const element = page.locator('circle-voronoi')
+  const layers = await element.evaluate((element: Element) => {
+    element.layers = { dual: true, data: [{ id: 'a', color: 'red', points: [0, 0], act: () => {} } as never] }
+    return [element.layers, element.getState().layers] as const
+  })
+  expect(layers[0]).toMatchObject({ hull: true, dual: false, data: [] })
+  expect(layers[1]).toEqual({ hull: true })
+  await expect(element.getByRole('alert')).toHaveText(/could not be cloned/)
+  expect(await errors(page)).toHaveLength(1)
+})
+
+test('what is drawn as an SVG and as a PNG is what is seen', async ({ page }) => {
+  await open(
+    page,
+    'pictures',
+    `<style>circle-voronoi { width: 300px; --circle-voronoi-paper: #ffe; --circle-voronoi-edge: #a00 }</style>
+    <circle-voronoi circles="${THREE}" layers="hull dual largest-disc" view="5 4 30"></circle-voronoi>`,
+  )
+  await shown(page)
+  const element = page.locator('circle-voronoi')
+  const share = (kind: 'svg' | 'png') =>
+    element.evaluate(async (element: Element, kind) => {
+      const canvases = [...(element.shadowRoot as ShadowRoot).querySelectorAll('canvas')]
+      const { width, height } = canvases[0] as HTMLCanvasElement
+      const context = new OffscreenCanvas(width, height).getContext('2d') as OffscreenCanvasRenderingContext2D
+      const pixels = (images: readonly CanvasImageSource[]) => {
+        context.clearRect(0, 0, width, height)
+        for (const image of images) context.drawImage(image, 0, 0, width, height)
+        return context.getImageData(0, 0, width, height).data
+      }
+      const image = new Image()
+      if (kind === 'svg') {
+        image.src = `data:image/svg+xml,${encodeURIComponent(await element.toSVG())}`
+        await image.decode()
+      }
+      const drawing = kind === 'svg' ? image : await createImageBitmap(await element.toPNG(1))
+      const [drawn, seen] = [pixels([drawing]), pixels(canvases)]
+      let others = 0
+      // Rims are blended another way.
+      for (let k = 0; k < seen.length; k++) if (Math.abs((seen[k] as number) - (drawn[k] as number)) > 96) others += 1
+      return others / seen.length
+    }, kind)
+  for (const kind of ['svg', 'png'] as const) expect(await share(kind), kind).toBeLessThan(0.002)
+})
+
+test('in German where the page is: the method, what is read out, and what is wrong', async ({ page }) => {
+  const { problems } = watch(page)
+  await open(page, 'german', `<circle-voronoi circles="${THREE}" controls="buttons player"></circle-voronoi>`, 'de')
+  await shown(page)
+  const element = page.locator('circle-voronoi')
+  const player = element.locator('.player')
+  await expect(player.locator('.sentence')).toHaveText('Es gibt 3 Kreise.')
+  await expect(player).toHaveAttribute('lang', 'de')
+  await expect(element.getByRole('region', { name: 'Die Methode Schritt für Schritt' })).toBeVisible()
+  await expect(element.getByRole('slider', { name: 'Schritt' })).toBeVisible()
+  await expect(element.getByText('So funktioniert es')).toBeVisible()
+  await element.getByRole('application').focus()
+  await page.keyboard.press('Enter')
+  const said = element.locator('[aria-live="polite"]').last()
+  await expect(said).toHaveText(/^Kreis \d\. (Unbegrenzte|Begrenzte) Zelle, 2 Nachbarn$/)
+  await page.keyboard.press('Delete')
+  await expect(said).toHaveText(/^Kreis \d gelöscht$/)
+  const alert = element.getByRole('alert')
+  await element.evaluate((element: Element) => element.setAttribute('layers', 'dsic'))
+  await expect(alert).toHaveText(/^Es gibt keine Ebene dsic\. Ebenen sind circles, /)
+  await expect(alert).toHaveAttribute('lang', 'de')
+  await element.evaluate((element: Element) => {
+    element.removeAttribute('layers')
+    element.circles = [[0, 0, -1]]
+  })
+  await expect(alert).toHaveText('Kreis 0: Der Radius darf nicht negativ sein.')
+  expect(problems).toEqual([])
+})
+
+test('a property takes what its attribute does, as frameworks set it', async ({ page }) => {
+  await open(page, 'strings', '<circle-voronoi></circle-voronoi>')
+  const seen = await page.locator('circle-voronoi').evaluate(async (element: Element, circles) => {
+    await customElements.whenDefined('circle-voronoi')
+    Object.assign(element, { circles, layers: 'dual no-edges', view: '5 4 30', step: '2', controls: true })
+    await element.ready
+    await element.updateComplete
+    const { dual, edges } = element.layers
+    return { circles: [...element.circles], layers: [dual, edges], view: element.view, step: element.step }
+  }, THREE)
+  expect(seen).toEqual({ circles: FLAT, layers: [true, false], view: { x: 5, y: 4, span: 30 }, step: 2 })
+  expect(await errors(page)).toEqual([])
 })

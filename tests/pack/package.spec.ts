@@ -49,11 +49,13 @@ test('holds the built library and nothing else', () => {
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
   // The names of what two modules of the element have in common are those of its contents.
-  const shared = /^dist\/element\/(chunk|comparison|player)-[A-Z0-9]+\.js$/
+  const shared = /^dist\/element\/(chunk|comparison|german|player)-[A-Z0-9]+\.js$/
   expect(files.filter((name) => shared.test(name))).not.toHaveLength(0)
   const element = [
     ...['index', 'define', 'painter', 'bundle'].map((name) => `${name}.js`),
-    ...['index', 'define', 'bundle', 'exports', 'circle-voronoi-element', 'check-types'].map((name) => `${name}.d.ts`),
+    ...['index', 'define', 'bundle', 'exports', 'circle-voronoi-element', 'check-types', 'frameworks'].map(
+      (name) => `${name}.d.ts`,
+    ),
     ...['element.css', 'custom-elements.json'],
   ].map((name) => `dist/element/${name}`)
   expect(files.filter((name) => !shared.test(name)).sort()).toEqual(

@@ -5,8 +5,8 @@ import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import { mountControls } from '../../web/element/controls.ts'
 import type { Figure } from '../../web/element/figure.ts'
+import { loadWords, wordsOf } from '../../web/element/language.ts'
 import type { Shell } from '../../web/element/shell.ts'
-import { wordsOf } from '../../web/element/words.ts'
 
 class FakeElement {
   parentElement: FakeElement | undefined
@@ -43,7 +43,8 @@ beforeEach(() => {
 })
 afterEach(() => vi.unstubAllGlobals())
 
-it('buttons that others have taken the place of hear of nothing more', () => {
+it('buttons that others have taken the place of hear of nothing more', async () => {
+  await loadWords('de')
   const store = createStore<State>(INITIAL_STATE)
   const controls = new FakeElement()
   const mount = (lang: string, isReadonly: boolean) =>

@@ -2,6 +2,7 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { Editing } from '../../web/editing/editing.ts'
+import { problemOf } from '../../web/editing/problem.ts'
 import type { Circle, Edit } from '../../web/lib/index.ts'
 import { LibraryComputer } from './computer.ts'
 
@@ -27,7 +28,7 @@ async function started(circles = TWO) {
   const editing = new Editing(
     computer,
     () => outcomes.push(asked.length),
-    (problem) => problems.push(problem),
+    (error) => problems.push(problemOf(error, editing.scene !== undefined)),
   )
   await editing.open(sceneOf(circles))
   const fail = (message: string) => {

@@ -2,14 +2,31 @@
 // What an element reads: attributes, data, checks; and what its manifest says of it.
 import { readFileSync } from 'node:fs'
 import { describe, expect, test } from 'vitest'
-import { parseControls, parseLayers, parseStep, parseView } from '../../web/element/attributes.ts'
-import { holds, idsOf, parseCheck } from '../../web/element/check.ts'
+import { manifest } from '../../scripts/manifest.mjs'
+import { problemOf } from '../../web/editing/problem.ts'
+import {
+  parseControls,
+  parseLayers,
+  parseMethod,
+  parseSamples,
+  parseStep,
+  parseView,
+} from '../../web/element/attributes.ts'
+import { checkCircles, holds, idsOf, parseCheck } from '../../web/element/check.ts'
 import { CircleVoronoiElement } from '../../web/element/circle-voronoi-element.ts'
+import { loadWords, wordsOf } from '../../web/element/language.ts'
 import { readCircles } from '../../web/element/read-circles.ts'
-import { wordsOf } from '../../web/element/words.ts'
+import { ENGLISH } from '../../web/element/refusals.ts'
 import { loadFiles } from '../../web/lib/files.ts'
+import { CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
+import { questionAfter } from '../../web/player/prediction.ts'
+import { sentenceOf } from '../../web/player/sentences.ts'
+import { stepsOf } from '../../web/player/steps.ts'
+import { ENGLISH_PLAYER, type PlayerWords } from '../../web/player/words.ts'
 import { CELL_COLORS, DEFAULT_LAYERS, keptLayers } from '../../web/view/layers.ts'
 import type { CellFacts, Facts } from '../../web/view/protocol.ts'
+import { Refusal } from '../../web/view/refusal.ts'
+import { library } from './library.ts'
 
 const read = (path: string) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8')
 
@@ -46,7 +63,7 @@ describe('circles', () => {
     ['[[1, 2]]', 'Circle 0 does not have three numbers x, y and r.'],
     ['[1, 2]', 'Three numbers per circle are needed, but there are 2.'],
     ['{"circles": 7}', 'The circles are neither a typed array nor a list, but 7.'],
-    ['[[1, 2, 3]', /^The circles are no JSON: /],
+    ['[[1, 2, 3]', /^The circles are not valid JSON: /],
     ['{"features": [null]}', 'Circle 0 does not have three numbers x, y and r.'],
   ])('%j is refused', (text, message) => {
     expect(() => readCircles(text)).toThrow(message)
@@ -67,12 +84,32 @@ describe('attributes', () => {
     expect(parseLayers('')).toEqual(DEFAULT_LAYERS)
   })
 
-  test.each(['nonsense', 'hull=2', 'cells=blue', 'cells', 'max-distance=far', 'max-distance', 'path', '__proto__'])(
+  test.each(['nonsense', 'hull=2', 'no-nearZero', 'cells', 'max-distance', 'path', '__proto__'])(
     'there is no layer %s',
     (word) => {
-      expect(() => parseLayers(`hull ${word}`)).toThrow(`There is no layer ${word}.`)
+      expect(() => parseLayers(`hull ${word}`)).toThrow(
+        `There is no layer ${word}. The layers are circles, cells, edges, vertices, near-zero, hidden, disc, hull,`,
+      )
     },
   )
+
+  test.each([
+    ['cells=blue', 'The layer cells must be none, radius, area, degree, gap, index or different (got "blue").'],
+    ['max-distance=far', 'The layer maxDistance must be a number (got "far").'],
+    ['near-zero=-1', 'The layer nearZero must be a number from 0 (got -1).'],
+    ['{"dsic": true}', /^There is no layer dsic\. /],
+    ['{"dual"', /^The layers are not valid JSON: /],
+  ])('a layer cannot be as in %s', (text, message) => {
+    expect(() => parseLayers(text)).toThrow(message)
+  })
+
+  test('a method and samples are those of the library', () => {
+    expect(parseMethod('flip')).toBe('flip')
+    expect(() => parseMethod('magic')).toThrow('The method must be auto, touching-disc or flip (got "magic").')
+    expect(parseSamples('3')).toBe(3)
+    for (const text of ['', 'many', '-1', '1.5'])
+      expect(() => parseSamples(text)).toThrow('The samples must be a whole')
+  })
 
   test('a view is three numbers', () => {
     expect(parseView('1, -2.5  4')).toEqual({ x: 1, y: -2.5, span: 4 })
@@ -91,18 +128,26 @@ describe('attributes', () => {
     for (const text of ['', 'controls', 'true']) expect(both(text)).toEqual([true, false])
     expect(both('player')).toEqual([false, true])
     expect(both(' buttons  player ')).toEqual([true, true])
+    for (const text of ['buttns', 'player buttns', 'false', 'true player']) {
+      expect(() => parseControls(text)).toThrow(`The controls must be buttons or player, or both (got "${text}").`)
+    }
   })
 })
 
 describe('what it says', () => {
   const counts = { circles: 12345, hidden: 1, vertices: 1, edges: 2 }
 
-  test('is in the language of its page, if that is known, with its numbers', () => {
+  test('is in the language of its page, if that is known, with its numbers', async () => {
     const english = (number: string) =>
       `${number} circles, 1 of them hidden inside others; the diagram has 1 vertex and 2 edges.`
     const german = (number: string) =>
       `${number} Kreise, 1 davon in anderen verborgen; das Diagramm hat 1 Ecke und 2 Kanten.`
     expect(wordsOf('en').describe(counts)).toBe(english('12,345'))
+    // It is loaded where it is needed.
+    for (const lang of ['', 'fr', 'den', 'zh-Hant', 'en']) expect(loadWords(lang)).toBeUndefined()
+    expect(wordsOf('de')).toMatchObject({ lang: 'en' })
+    await loadWords('de')
+    expect(loadWords('de')).toBeUndefined()
     expect(wordsOf('de').describe(counts)).toBe(german('12.345'))
     expect(wordsOf('de-CH').describe(counts)).toMatch(/^12[^.]345 Kreise/)
     expect(wordsOf('DE').describe({ ...counts, circles: 1, hidden: 0 })).toMatch(/^1 Kreis; /)
@@ -112,12 +157,62 @@ describe('what it says', () => {
     expect(wordsOf('en-@').describe(counts)).toBe(english('12,345'))
   })
 
-  test('is all there in each language', () => {
-    const [english, german] = [wordsOf('en'), wordsOf('de')]
-    const texts = (words: typeof english) => [...Object.values(words), ...Object.values(words.buttons)].map(String)
-    expect(Object.keys(german)).toEqual(Object.keys(english))
-    expect(Object.keys(german.buttons)).toEqual(Object.keys(english.buttons))
-    for (const [k, text] of texts(german).entries()) expect(text, texts(english)[k]).not.toBe('')
+  test('is all there in each language, and another text in each', async () => {
+    await loadWords('de')
+    const german = wordsOf('de')
+    const english = { ...ENGLISH, coded: () => 'Circle' }
+    for (const [one, other] of [
+      [wordsOf('en').editing, german.editing],
+      [wordsOf('en').buttons, german.buttons],
+      [english, german.others?.refusals],
+      [ENGLISH_PLAYER, { ...german.others?.player, told: undefined }],
+    ] as [object, object][]) {
+      const names = (words: object) =>
+        Object.entries(words).flatMap(([name, value]) => (value === undefined ? [] : [name]))
+      expect(names(other).sort()).toEqual(names(one).sort())
+    }
+    expect(german.others?.refusals.coded(new CircleVoronoiError('negativeRadius', 3, ''))).toBe(
+      'Kreis 3: Der Radius darf nicht negativ sein.',
+    )
+    expect(problemOf(new Error('It broke.'), true, german.others?.refusals)).toBe(
+      'It broke. Nichts hat sich geändert. Versuchen Sie es noch einmal.',
+    )
+    expect(problemOf(new Refusal(ENGLISH, (words) => words.noCircles), true, german.others?.refusals)).toBe(
+      'Darin sind keine Kreise.',
+    )
+  })
+
+  test('of every step of the method is another sentence in German', async () => {
+    await loadWords('de')
+    const german = wordsOf('de').others?.player as PlayerWords
+    const circles = [
+      [0, 0, 2],
+      [10, 1, 1],
+      [5, 8, 1.5],
+      [2, 6, 0.8],
+      [9, 6, 2.2],
+      [6, 3, 0.6],
+      [12, 10, 1],
+      [9, 6, 1],
+    ]
+    const edits: Edit[] = [
+      { kind: 'insert', circle: { x: 4, y: 4, r: 1 } },
+      { kind: 'remove', id: 0 },
+      { kind: 'replace', id: 1, circle: { x: 8, y: 1, r: 1.5 } },
+    ]
+    for (const options of [{}, { method: 'auto' }, { edits }] as const) {
+      const trace = library.trace(circles, options)
+      const steps = stepsOf(trace)
+      for (const [k, step] of steps.entries()) {
+        const [one, other] = [sentenceOf(trace, step, [1, 2]), sentenceOf(trace, step, [1, 2], german)]
+        expect(other, one).not.toBe(one)
+        expect(other).not.toMatch(/undefined|NaN|\b(the|circle|disc|edge)s?\b/)
+        // Both tell of the same circles.
+        const numbers = (text: string) => (text.match(/\d+(\.\d+)?/g) ?? []).sort()
+        if (step.line !== 'finish') expect(numbers(other), one).toEqual(numbers(one))
+        expect(questionAfter(trace, steps, k, german)?.right).toBe(questionAfter(trace, steps, k)?.right)
+      }
+    }
   })
 })
 
@@ -148,6 +243,14 @@ describe('a check', () => {
     expect(holds(parseCheck(JSON.stringify(given)), facts)).toBe(expected)
   })
 
+  test('is of circles that have been there', () => {
+    const check = parseCheck('{ "any": [{ "not": { "cell": 3, "edges": 3 } }, { "cell": 0, "neighbor": 5 }] }')
+    expect(() => checkCircles(check, 6)).not.toThrow()
+    expect(() => checkCircles(check, 5)).toThrow('there is no circle 5. The circles have the numbers 0 to 4.')
+    expect(() => checkCircles(check, 3)).toThrow('there is no circle 3. ')
+    expect(() => checkCircles(check, 0)).toThrow('there is no circle 3. There are no circles.')
+  })
+
   test('knows which circles it is about', () => {
     const text =
       '{ "all": [{ "cell": 3, "edges": 3 }, { "not": { "any": [{ "cell": 5, "x": 1 }, { "circles": 2 }] } }] }'
@@ -155,7 +258,7 @@ describe('a check', () => {
   })
 
   test.each([
-    ['edges == 3', 'it is no JSON'],
+    ['edges == 3', 'it is not valid JSON'],
     ['[]', 'each part is an object'],
     ['{}', 'a part says nothing'],
     ['{"cell": 3}', 'it says nothing of the cell'],
@@ -165,8 +268,11 @@ describe('a check', () => {
     ['{"cell": 1, "edges": {}}', 'edges is a number, or an object with min and max'],
     ['{"cell": 1, "edges": {"least": 1}}', 'edges is a number, or an object with min and max'],
     ['{"cell": 1, "bounded": 1}', 'bounded is true or false'],
-    ['{"cell": 1, "constructor": 1}', 'a cell has no constructor'],
-    ['{"area": 1}', 'a diagram has no area'],
+    [
+      '{"cell": 1, "constructor": 1}',
+      'a cell has no constructor; it has edges, neighbors, area, x, y, r, neighbor, bounded and hidden',
+    ],
+    ['{"area": 1}', 'a diagram has no area; it has circles, hidden, vertices and edges'],
     ['{"all": []}', 'all has a list'],
     ['{"any": {"circles": 1}}', 'any has a list'],
     ['{"not": {"circles": 1}, "circles": 1}', 'not stands alone'],
@@ -186,21 +292,35 @@ test('a check may be as deep and have as many parts as it may, and no more', () 
   expect(() => parseCheck(many(200))).toThrow('it has too many parts')
 })
 
+interface Named {
+  readonly name: string
+  readonly description: string
+  readonly fieldName?: string
+}
+interface Manifest {
+  readonly modules: readonly [
+    {
+      readonly declarations: readonly [
+        Readonly<
+          Record<'attributes' | 'members' | 'events' | 'slots' | 'cssParts' | 'cssProperties', readonly Named[]>
+        >,
+      ]
+    },
+  ]
+}
+
 describe('the manifest', () => {
-  const [{ declarations }] = JSON.parse(read('web/element/custom-elements.json')).modules
+  const [{ declarations }] = (manifest() as Manifest).modules
   const [element] = declarations
-  const names = (list: { name: string }[]) => list.map(({ name }) => name)
+  const names = (list: readonly { name: string }[]) => list.map(({ name }) => name)
 
   test('has the members and attributes that there are', () => {
     const prototype = Object.getOwnPropertyNames(CircleVoronoiElement.prototype)
     const ofElements =
       /^(constructor|.*Callback|addEventListener|focus|form|validity|validationMessage|checkValidity|reportValidity)$/
-    // `ready` is a field.
-    expect(names(element.members).sort()).toEqual(
-      [...prototype.filter((name) => !ofElements.test(name)), 'ready'].sort(),
-    )
-    // Every element has a language.
-    for (const { fieldName } of element.attributes) expect([...prototype, 'lang']).toContain(fieldName)
+    expect(names(element.members).sort()).toEqual(prototype.filter((name) => !ofElements.test(name)).sort())
+    for (const { name, description } of element.members) expect(description, name).toMatch(/\.$/)
+    for (const { fieldName } of element.attributes) expect(prototype).toContain(fieldName)
     // Its name is read when it is needed.
     const observed = names(element.attributes).filter((name) => name !== 'name')
     expect(observed.sort()).toEqual([...CircleVoronoiElement.observedAttributes].sort())
@@ -219,6 +339,7 @@ describe('the manifest', () => {
   test('is told of in docs/element.md', () => {
     const page = read('docs/element.md')
     const { attributes, members, events, slots, cssParts } = element
+    expect(names(events)).toContain('circleschange')
     for (const { name } of [...attributes, ...members, ...events, ...slots, ...cssParts]) {
       if (name !== '') expect(page, name).toMatch(new RegExp(`\`${name}[\`(]`))
     }

@@ -36,7 +36,11 @@ describe('what a link says of circles', () => {
     const table = new CircleTable(THREE.slice())
     expect(circlesOfLink({ ...scene, dataSet: '' }, table)).toEqual({ circles: THREE })
     expect(circlesOfLink({ ...scene, isEdited: true }, table)).toEqual({ circles: THREE })
-    table.follow({ ...NO_CHANGE, replaced: Int32Array.of(0, 1, 2), circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0) })
+    table.follow({
+      ...NO_CHANGE,
+      replaced: Int32Array.of(0, 1, 2),
+      circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0),
+    })
     expect(circlesOfLink(scene, table)).toEqual({ circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0) })
   })
 

@@ -5,7 +5,14 @@ import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { saidOf } from '../../web/app/panels/method-found.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import { type Edit, mergeVertices, neighborPairs } from '../../web/lib/index.ts'
-import { checkLayers, DEFAULT_LAYERS, keptLayers, type Layers, layersFrom } from '../../web/view/layers.ts'
+import {
+  checkedLayers,
+  checkLayers,
+  DEFAULT_LAYERS,
+  keptLayers,
+  type Layers,
+  layersFrom,
+} from '../../web/view/layers.ts'
 import { idOf } from '../../web/view/painter/cell-boxes.ts'
 import { Centers } from '../../web/view/painter/centers.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
@@ -367,16 +374,30 @@ describe('layers that are set', () => {
   }
 
   it('are refused, if there is nothing that could be drawn of one', () => {
-    const ofData = 'The layer data is an array of objects whose points, segments and discs are arrays of numbers.'
     for (const data of [undefined, null, 5, {}, 'data', [5], [null], [{ points: 5 }], [{ discs: null }]]) {
-      expect(refusal({ data })).toBe(ofData)
+      expect(refusal({ data })).toMatch(
+        /^The layer data must be an array of objects whose points, segments and discs are arrays of numbers \(got .*\)\.$/,
+      )
     }
     expect(refusal({ path: { from: { x: 0, y: 0 } } })).toBe(
-      'The layer path goes from a point { x, y } to another one.',
+      'The layer path must be two points { from: { x, y }, to: { x, y } } (got {"from":{"x":0,"y":0}}).',
     )
-    expect(refusal({ cells: 'red' })).toBe('The layer cells cannot be "red".')
-    expect(refusal({ sampleCount: -1 })).toBe('The layer sampleCount cannot be -1.')
-    expect(refusal({ maxDistance: Number.NaN })).toBe('The layer maxDistance cannot be NaN.')
+    expect(refusal({ cells: 'red' })).toBe(
+      'The layer cells must be none, radius, area, degree, gap, index or different (got "red").',
+    )
+    expect(refusal({ candidates: 'red' })).toBe(
+      'The layer candidates must be dynamic, uniform or all-pairs (got "red").',
+    )
+    expect(refusal({ sampleCount: -1 })).toBe('The layer sampleCount must be a whole number from 0 to 20 (got -1).')
+    expect(refusal({ maxDistance: 'far' })).toBe('The layer maxDistance must be a number (got "far").')
+    expect(refusal({ nearZero: -1 })).toBe('The layer nearZero must be a number from 0 (got -1).')
+    expect(refusal({ hull: 'yes' })).toBe('The layer hull must be true or false (got "yes").')
+    expect(refusal({ dsic: true })).toMatch(/^There is no layer dsic\. The layers are circles, cells, .* and data\.$/)
+  })
+
+  it('are as by default where nothing is said of them', () => {
+    expect(checkedLayers({ hull: true, nearZero: null, cells: undefined })).toEqual({ ...DEFAULT_LAYERS, hull: true })
+    expect(() => checkedLayers([])).toThrow('The layers must be an object (got []).')
   })
 
   it('are taken, if they can be drawn', () => {

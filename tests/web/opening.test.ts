@@ -38,7 +38,7 @@ function started() {
   const editing = new Editing(
     new LibraryComputer(later),
     () => {},
-    (problem) => store.update((state) => ({ ...state, problem })),
+    ({ message }) => store.update((state) => ({ ...state, problem: message })),
   )
   const actions = new EditorActions(store, editing, view as unknown as View, () => ({
     ...{ top: 0, right: 0, bottom: 0, left: 0 },

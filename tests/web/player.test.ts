@@ -4,11 +4,12 @@ import { type Circle, Diagram, TRACE_KINDS, Trace } from '../../web/lib/index.ts
 import { ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from '../../web/player/discs.ts'
 import { arcOf } from '../../web/player/finished-arcs.ts'
 import { questionAfter } from '../../web/player/prediction.ts'
-import { PROGRAMS, textOf } from '../../web/player/program.ts'
+import { PROGRAMS } from '../../web/player/program.ts'
 import { circlesAt, sceneOf } from '../../web/player/scene.ts'
 import { flipOf, numberOf, sentenceOf } from '../../web/player/sentences.ts'
 import { concerns, kindAt, nextStep, programOf, type Step, sortOf, stepsOf } from '../../web/player/steps.ts'
 import { columnsOf } from '../../web/player/timeline.ts'
+import { ENGLISH_PLAYER } from '../../web/player/words.ts'
 import { MOST_PLAYED } from '../../web/view/layers.ts'
 import { traced } from '../../web/view/painter/traced.ts'
 import { library, seededRandom } from './library.ts'
@@ -390,6 +391,6 @@ describe('questions', () => {
     }
     expect(asked).toBeGreaterThan(5)
     expect(flipOf([], [])).toBeUndefined()
-    expect(textOf('flip')).toContain('replace')
+    expect(ENGLISH_PLAYER.lines.flip).toContain('replace')
   })
 })

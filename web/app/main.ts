@@ -2,6 +2,7 @@
 
 import { Editing } from '../editing/editing.ts'
 import { listenToKeyboard } from '../editing/keyboard.ts'
+import { problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
 import { INITIAL_STATE, type State, stateAfter } from '../editing/state.ts'
 import { createStore } from '../editing/store.ts'
@@ -58,7 +59,7 @@ const editing = new Editing(
     // With the picture of the same edit.
     if (store.get().selection.length > 0) choose()
   },
-  (problem) => store.update((state) => ({ ...state, problem })),
+  (error) => store.update((state) => ({ ...state, problem: problemOf(error, editing.scene !== undefined) })),
 )
 
 /** What the panels at the top and at the bottom cover, the table and the player beside, and a margin. */

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Circle, Edit } from '../lib/index.ts'
 import type { CircleTable, Step } from '../view/circle-table.ts'
 import type { Edited } from '../view/painter.ts'
@@ -39,7 +38,7 @@ interface Job {
 export class Editing {
   readonly #computer: Computer
   readonly #onOutcome: (outcome: Outcome) => void
-  readonly #onProblem: (problem: string, error: Error) => void
+  readonly #onProblem: (error: Error) => void
   #scene: Scene | undefined
   /** Where they are not the same: the ids by the numbers of circles, and the numbers by the ids. */
   readonly #ids = new Map<number, number>()
@@ -49,11 +48,7 @@ export class Editing {
   #jobs: Job[] = []
   #lastGesture = 0
 
-  constructor(
-    computer: Computer,
-    onOutcome: (outcome: Outcome) => void,
-    onProblem: (problem: string, error: Error) => void,
-  ) {
+  constructor(computer: Computer, onOutcome: (outcome: Outcome) => void, onProblem: (error: Error) => void) {
     this.#computer = computer
     this.#onOutcome = onOutcome
     this.#onProblem = onProblem
@@ -216,10 +211,7 @@ export class Editing {
         }
       } catch (error) {
         if (!(error instanceof Error)) throw error
-        this.#onProblem(
-          error instanceof CircleVoronoiError ? error.message : `${error.message} Nothing has changed. Try again.`,
-          error,
-        )
+        this.#onProblem(error)
       }
       this.#jobs.shift()
       for (const { resolve } of job.waiting) resolve(edited)

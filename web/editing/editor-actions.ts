@@ -13,6 +13,7 @@ import { cameraOf, circlesOfLink, viewOfLink } from './scene-link.ts'
 import { shortest } from './shortest.ts'
 import type { State, Tool } from './state.ts'
 import type { Store } from './store.ts'
+import { ENGLISH_EDITING } from './words.ts'
 
 /** How far one may zoom in from the picture without outliers, and out from the whole one. */
 const LARGEST_ZOOM = 1e7
@@ -45,6 +46,8 @@ export type HowOpened = 'opened' | 'refused' | 'superseded'
 export class EditorActions implements Hands {
   /** Whether circles are only looked at and selected. */
   isReadonly = false
+  /** What is read out. */
+  words = ENGLISH_EDITING
   readonly #store: Store<State>
   readonly #editing: Editing
   readonly #view: View
@@ -168,7 +171,7 @@ export class EditorActions implements Hands {
     if (edited === undefined) return []
     const ids = [...edited.inserted]
     this.select(ids)
-    this.#say(ids.length === 1 ? `Circle ${ids[0]} added` : `${ids.length} circles added`)
+    this.#say(ids.length === 1 ? this.words.added(ids[0] as number) : this.words.addedMany(ids.length))
     return ids
   }
 
@@ -229,7 +232,7 @@ export class EditorActions implements Hands {
   toggleSnapping(): void {
     const isSnapping = !this.snaps
     this.#store.update((state) => ({ ...state, isSnapping }))
-    this.#say(isSnapping ? 'Snapping is on' : 'Snapping is off')
+    this.#say(isSnapping ? this.words.snaps : this.words.snapsNot)
   }
 
   async removeSelected(): Promise<void> {
@@ -237,7 +240,8 @@ export class EditorActions implements Hands {
     if (ids.length === 0) return
     this.select([])
     const edited = await this.#editing.edit(ids.map((id) => ({ kind: 'remove', id })))
-    if (edited !== undefined) this.#say(ids.length === 1 ? `Circle ${ids[0]} deleted` : `${ids.length} circles deleted`)
+    if (edited === undefined) return
+    this.#say(ids.length === 1 ? this.words.deleted(ids[0] as number) : this.words.deletedMany(ids.length))
   }
 
   /** Moves by steps that leave the numbers short. */
@@ -264,7 +268,10 @@ export class EditorActions implements Hands {
     const changed = this.held().map(({ id, circle }) => ({ id, circle: change(circle) }))
     this.set(changed, gesture)
     const [only, ...others] = changed
-    if (only !== undefined) this.#say(others.length === 0 ? textOf(only) : `${changed.length} circles moved`)
+    if (only === undefined) return
+    const { x, y, r } = only.circle
+    const numbers = () => this.words.numbers(only.id, shortest(x), shortest(y), shortest(r))
+    this.#say(others.length === 0 ? numbers() : this.words.moved(changed.length))
   }
 
   select(ids: readonly number[]): void {
@@ -349,7 +356,7 @@ export class EditorActions implements Hands {
 
   #saySelected(): void {
     const count = this.#store.get().selection.length
-    if (count !== 1) this.#say(`${count} circles selected`)
+    if (count !== 1) this.#say(this.words.selected(count))
   }
 
   hover(id: number | undefined): void {
@@ -462,10 +469,6 @@ export class EditorActions implements Hands {
     const { x, y } = toScreen(camera, size, point)
     return x >= left && x <= size.width - right && y >= top && y <= size.height - bottom
   }
-}
-
-function textOf({ id, circle: { x, y, r } }: Held): string {
-  return `Circle ${id}: x ${shortest(x)}, y ${shortest(y)}, r ${shortest(r)}`
 }
 
 function isSame(camera: Camera, other: Camera): boolean {

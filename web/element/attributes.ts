@@ -1,71 +1,123 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in attributes that are more than a word.
-import type { LayerValue, LinkView } from '../lib/link.ts'
-import { CELL_COLORS, DEFAULT_LAYERS, type Layers, layersFrom } from '../view/layers.ts'
+import { reasonOf } from '../lib/base/errors.ts'
+import type { LinkView } from '../lib/link.ts'
+import type { Options } from '../lib/wasm/options.ts'
+import { checkedLayers, DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
+import { shownValue } from '../view/refusal.ts'
+import { type ElementRefusals, refuse } from './refusals.ts'
+
+/** Layers that are a number. */
+const NUMBERS = ['nearZero', 'maxDistance']
+/** Those that a word may say. */
+const WORDS = Object.entries(DEFAULT_LAYERS).flatMap(([name, value]) =>
+  typeof value === 'boolean' || name === 'cells' || NUMBERS.includes(name)
+    ? [name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)]
+    : [],
+)
 
 /**
  * The layers that a text says: words, `hull` for a layer that is drawn, `no-edges` for one that is not, `cells=degree` and
  * `max-distance=2` for others; or an object in JSON.
  *
- * @throws Error that names the word which is none
+ * @throws Refusal that names the word which is none, and those that there are
  */
 export function parseLayers(text: string): Layers {
-  if (text.trim().startsWith('{')) {
-    try {
-      return layersFrom(JSON.parse(text))
-    } catch (error) {
-      throw new Error(`The layers are no JSON: ${(error as Error).message}.`)
-    }
-  }
-  const kept: Record<string, LayerValue> = {}
-  for (const word of text.split(/[\s,]+/).filter((word) => word !== '')) {
+  if (text.trim().startsWith('{')) return checkedLayers(parseJson(text, (words) => words.layers))
+  const given: Record<string, unknown> = {}
+  for (const word of wordsIn(text)) {
     const [name, value] = word.split('=') as [string, string | undefined]
     const isOff = name.startsWith('no-')
     const layer = camelCase(isOff ? name.slice(3) : name)
     const known = Object.hasOwn(DEFAULT_LAYERS, layer) ? DEFAULT_LAYERS[layer as keyof Layers] : undefined
-    const isNumber = layer === 'maxDistance' || layer === 'nearZero'
-    if (typeof known === 'boolean' && value === undefined) kept[layer] = !isOff
-    else if (layer === 'cells' && isOff) kept.cells = 'none'
-    else if (layer === 'cells' && (CELL_COLORS as readonly (string | undefined)[]).includes(value)) {
-      kept.cells = value as string
-    } else if (isNumber && value !== undefined && Number.isFinite(Number(value))) kept[layer] = Number(value)
-    else throw new Error(`There is no layer ${word}.`)
+    if (typeof known === 'boolean' && value === undefined) given[layer] = !isOff
+    else if (layer === 'cells' && isOff) given.cells = 'none'
+    else if (layer === 'cells' && value !== undefined) given.cells = value
+    // What is no number is refused as it stands there.
+    else if (NUMBERS.includes(layer) && value) given[layer] = Number.isFinite(Number(value)) ? Number(value) : value
+    else refuse((words) => words.noLayer(word, WORDS))
   }
-  return layersFrom(kept)
+  return checkedLayers(given)
+}
+
+/** What can be looked at. */
+export function checkedView({ x, y, span }: LinkView): LinkView {
+  if (![x, y, span].every(Number.isFinite) || !(span > 0)) refuse((words) => words.view)
+  return { x, y, span }
 }
 
 /**
  * The view that a text says: x and y of its middle, and how many units are seen at least in both directions.
  *
- * @throws Error
+ * @throws Refusal
  */
 export function parseView(text: string): LinkView {
-  const [x, y, span, ...more] = text
-    .trim()
-    .split(/[\s,]+/)
-    .map(Number) as [number, number, number]
-  if (![x, y, span].every(Number.isFinite) || !(span > 0) || more.length > 0) {
-    throw new Error('A view is three numbers: x, y and a span above 0.')
-  }
-  return { x, y, span }
+  const [x, y, span, ...more] = wordsIn(text).map(Number) as [number, number, number]
+  if (more.length > 0) refuse((words) => words.view)
+  return checkedView({ x, y, span })
 }
 
 /**
  * The step that a text says.
  *
- * @throws Error
+ * @throws Refusal
  */
 export function parseStep(text: string): number {
-  const step = text.trim() === '' ? Number.NaN : Number(text)
-  if (!(Number.isSafeInteger(step) && step >= 0)) throw new Error(`A step is a whole number from 0, not ${text}.`)
-  return step
+  return wholeNumberOf(text) ?? refuse((words) => words.step(text))
 }
 
-/** What of controls there is; `null`: none. Without words there are buttons. */
+/**
+ * How many samples a text says.
+ *
+ * @throws Refusal
+ */
+export function parseSamples(text: string): number {
+  return wholeNumberOf(text) ?? refuse((words) => words.must(words.samples, words.wholeNumber(0), shownValue(text)))
+}
+
+export type Method = Exclude<Options['method'], undefined>
+const METHODS: readonly Method[] = ['auto', 'touching-disc', 'flip']
+
+/** @throws Refusal */
+export function parseMethod(text: string): Method {
+  const method = METHODS.find((name) => name === text)
+  return method ?? refuse((words) => words.must(words.method, words.oneOf(METHODS), shownValue(text)))
+}
+
+const CONTROLS = ['buttons', 'player']
+/** What HTML has for an attribute that is there. */
+const BARE = ['controls', 'true']
+
+/**
+ * What of controls there is; `null`: none. Without words there are buttons.
+ *
+ * @throws Refusal
+ */
 export function parseControls(text: string | null): { readonly hasButtons: boolean; readonly hasPlayer: boolean } {
-  const words = (text ?? '').split(/\s+/).filter((word) => word !== '')
+  const words = wordsIn(text ?? '')
+  const isWrong =
+    words.some((word) => !CONTROLS.includes(word)) && !(words.length === 1 && BARE.includes(words[0] as string))
+  if (isWrong) refuse((said) => said.must(said.controls, said.someOf(CONTROLS), shownValue(text)))
   const hasPlayer = words.includes('player')
   return { hasButtons: text !== null && (!hasPlayer || words.length > 1), hasPlayer }
+}
+
+/** @throws Refusal */
+export function parseJson(text: string, what: (words: ElementRefusals) => string): unknown {
+  try {
+    return JSON.parse(text)
+  } catch (error) {
+    return refuse((words) => words.notJson(what(words), reasonOf(error)), 'badInput')
+  }
+}
+
+function wholeNumberOf(text: string): number | undefined {
+  const number = text.trim() === '' ? Number.NaN : Number(text)
+  return Number.isSafeInteger(number) && number >= 0 ? number : undefined
+}
+
+function wordsIn(text: string): string[] {
+  return text.split(/[\s,]+/).filter((word) => word !== '')
 }
 
 function camelCase(name: string): string {

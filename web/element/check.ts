@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CellFacts, Facts } from '../view/protocol.ts'
 import type { CellCheck, Check, NumberCondition } from './check-types.ts'
+import { type ElementRefusals, refuse } from './refusals.ts'
 
 const DEEPEST = 8
 const MOST_PARTS = 200
 const CELL_NUMBERS = ['edges', 'neighbors', 'area', 'x', 'y', 'r'] as const
 const CELL_FLAGS = ['bounded', 'hidden'] as const
+const CELL_NAMES = [...CELL_NUMBERS, 'neighbor', ...CELL_FLAGS]
 const DIAGRAM_NUMBERS = ['circles', 'hidden', 'vertices', 'edges'] as const
 
 /**
  * The check that a text in JSON says.
  *
- * @throws Error with one sentence that says what is wrong with it
+ * @throws Refusal that says what is wrong with it
  */
 export function parseCheck(text: string): Check {
   let given: unknown
   try {
     given = JSON.parse(text)
   } catch {
-    refuse('it is no JSON')
+    refuseCheck((words) => words.checkNotJson)
   }
   checkCheck(given, DEEPEST, { left: MOST_PARTS })
   return given as Check
@@ -36,6 +38,25 @@ export function withIds(check: Check, idOf: (number: number) => number): Check {
     cell: idOf(check.cell),
     ...(check.neighbor !== undefined && { neighbor: idOf(check.neighbor) }),
   }
+}
+
+/**
+ * Whether all circles of a check are there, or have been. `count`: of the numbers that circles have had.
+ *
+ * @throws Refusal
+ */
+export function checkCircles(check: Check, count: number): void {
+  const missing = numbersIn(check).find((number) => number >= count)
+  if (missing !== undefined) refuseCheck((words) => words.checkMissing(missing, count))
+}
+
+/** All circles that a check names. */
+function numbersIn(check: Check): number[] {
+  if ('all' in check) return check.all.flatMap(numbersIn)
+  if ('any' in check) return check.any.flatMap(numbersIn)
+  if ('not' in check) return numbersIn(check.not)
+  if (!('cell' in check)) return []
+  return check.neighbor === undefined ? [check.cell] : [check.cell, check.neighbor]
 }
 
 /** The circles that a check is about. */
@@ -73,29 +94,29 @@ function isMet(condition: NumberCondition | undefined, value: number): boolean {
 
 function checkCheck(given: unknown, depth: number, parts: { left: number }): void {
   parts.left -= 1
-  if (depth === 0 || parts.left < 0) refuse('it has too many parts')
-  if (!isRecord(given)) refuse('each part is an object')
+  if (depth === 0 || parts.left < 0) refuseCheck((words) => words.checkParts)
+  if (!isRecord(given)) refuseCheck((words) => words.checkObject)
   const names = Object.keys(given)
   const [name] = names
-  if (name === undefined) refuse('a part says nothing')
+  if (name === undefined) refuseCheck((words) => words.checkNothing)
   if (name === 'all' || name === 'any' || name === 'not') {
-    if (names.length > 1) refuse(`${name} stands alone`)
+    if (names.length > 1) refuseCheck((words) => words.checkAlone(name))
     const inner = name === 'not' ? [given.not] : given[name]
-    if (!Array.isArray(inner) || inner.length === 0) refuse(`${name} has a list`)
+    if (!Array.isArray(inner) || inner.length === 0) refuseCheck((words) => words.checkList(name))
     for (const part of inner) checkCheck(part, depth - 1, parts)
     return
   }
   const isOfCell = 'cell' in given
-  if (isOfCell && names.length === 1) refuse('it says nothing of the cell')
+  if (isOfCell && names.length === 1) refuseCheck((words) => words.checkNoCell)
   for (const [name, value] of Object.entries(given)) {
     if (isOfCell && (name === 'cell' || name === 'neighbor')) {
-      if (!(Number.isInteger(value) && (value as number) >= 0)) refuse(`${name} is the number of a circle`)
+      if (!(Number.isInteger(value) && (value as number) >= 0)) refuseCheck((words) => words.checkCircle(name))
     } else if (isOfCell && isOneOf(CELL_FLAGS, name)) {
-      if (typeof value !== 'boolean') refuse(`${name} is true or false`)
+      if (typeof value !== 'boolean') refuseCheck((words) => words.checkFlag(name))
     } else if (isOneOf(isOfCell ? CELL_NUMBERS : DIAGRAM_NUMBERS, name)) {
-      if (!isCondition(value)) refuse(`${name} is a number, or an object with min and max`)
+      if (!isCondition(value)) refuseCheck((words) => words.checkCondition(name))
     } else {
-      refuse(`${isOfCell ? 'a cell' : 'a diagram'} has no ${name}`)
+      refuseCheck((words) => words.checkName(isOfCell, name, isOfCell ? CELL_NAMES : DIAGRAM_NUMBERS))
     }
   }
 }
@@ -115,6 +136,6 @@ function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value)
 }
 
-function refuse(reason: string): never {
-  throw new Error(`The check cannot be read: ${reason}.`)
+function refuseCheck(reason: (words: ElementRefusals) => string): never {
+  refuse((words) => words.check(reason(words)))
 }

@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { EditorActions, Opened } from '../editing/editor-actions.ts'
+import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Stats } from '../lib/base/types.ts'
-import { decodeLink, type LayerValue, type LinkInput, type LinkView } from '../lib/link.ts'
+import { decodeLink, type LayerValue, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
-import type { Options } from '../lib/wasm/options.ts'
-import { checkLayers, keptLayers, type Layers, layersFrom } from '../view/layers.ts'
-import { parseControls, parseLayers, parseStep, parseView } from './attributes.ts'
-import { holds, idsOf, parseCheck, withIds } from './check.ts'
+import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
+import { shownValue } from '../view/refusal.ts'
+import {
+  checkedView,
+  type Method,
+  parseControls,
+  parseLayers,
+  parseMethod,
+  parseSamples,
+  parseStep,
+  parseView,
+} from './attributes.ts'
+import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
 import { mountControls } from './controls.ts'
 import { circlesWithin, opened, openedFrom, openedState } from './data-of.ts'
 import { Figure } from './figure.ts'
+import { loadWords, wordsOf } from './language.ts'
 import { readCircles } from './read-circles.ts'
+import { refuse } from './refusals.ts'
 import { Shell } from './shell.ts'
 import { watchSight } from './sight.ts'
-import { type Words, wordsOf } from './words.ts'
+import type { Words } from './words.ts'
 
 /** Numbers of circles, and how many there are of everything else. */
 export interface DiagramCounts {
@@ -84,6 +96,51 @@ const ATTRIBUTES = [
  * `<circle-voronoi>`: circles and their Voronoi diagram, to be looked at, dragged and edited.
  *
  * @category Element
+ * @slot - Data, as a table or a script of type application/json; or what is shown where there is no figure.
+ * @slot poster - A picture until the figure is there.
+ * @slot caption - What stands below it.
+ * @csspart figure - The picture.
+ * @csspart fallback - What stands in its place until it is there.
+ * @csspart controls - The buttons.
+ * @csspart player - What is told of the method, and its buttons.
+ * @csspart hint - What is said for a moment.
+ * @csspart problem - What is said of circles that cannot be shown.
+ * @cssState met - The circles are as check asks.
+ * @cssprop {<color>} --circle-voronoi-paper - Behind everything.
+ * @cssprop {<color>} --circle-voronoi-edge - Edges and vertices of the diagram.
+ * @cssprop {<color>} --circle-voronoi-rim - Rims of circles.
+ * @cssprop {<color>} --circle-voronoi-hidden - Circles that others contain.
+ * @cssprop {<color>} --circle-voronoi-accent - What is hovered, selected and focused.
+ * @cssprop {<color>} --circle-voronoi-selected-disc - The selected circle.
+ * @cssprop {<color>} --circle-voronoi-selected-cell - Its cell.
+ * @cssprop {<color>} --circle-voronoi-neighbor-cell - The cells of its neighbors.
+ * @cssprop {<color>} --circle-voronoi-hull - The layer hull.
+ * @cssprop {<color>} --circle-voronoi-dual - The layer dual.
+ * @cssprop {<color>} --circle-voronoi-delaunay - The layer delaunay.
+ * @cssprop {<color>} --circle-voronoi-ordinary - The layer ordinary.
+ * @cssprop {<color>} --circle-voronoi-power - The layer power.
+ * @cssprop {<color>} --circle-voronoi-touching - The layers disc and largest-disc.
+ * @cssprop {<color>} --circle-voronoi-path - The layer path.
+ * @cssprop {<color>} --circle-voronoi-merged - Vertices that near-zero makes one.
+ * @cssprop {<color>} --circle-voronoi-samples - The layer samples.
+ * @cssprop {<color>} --circle-voronoi-sample-graph - The layer sample-graph.
+ * @cssprop {<color>} --circle-voronoi-antipodal-discs - The layer antipodal-discs.
+ * @cssprop {<color>} --circle-voronoi-directed-edges - The layer directed-edges.
+ * @cssprop {<color>} --circle-voronoi-missed-edges - Edges that the touching disc method misses, where a page has it draw them.
+ * @cssprop {<color>} --circle-voronoi-tint-0 - Of circles and cells by what they are colored by: the lowest of six classes.
+ * @cssprop {<color>} --circle-voronoi-tint-1 - Class 2 of six.
+ * @cssprop {<color>} --circle-voronoi-tint-2 - Class 3 of six.
+ * @cssprop {<color>} --circle-voronoi-tint-3 - Class 4 of six.
+ * @cssprop {<color>} --circle-voronoi-tint-4 - Class 5 of six.
+ * @cssprop {<color>} --circle-voronoi-tint-5 - The highest of six classes.
+ * @cssprop {<color>} --circle-voronoi-map-0 - One of six colors of cells=different.
+ * @cssprop {<color>} --circle-voronoi-map-1 - One of six colors of cells=different.
+ * @cssprop {<color>} --circle-voronoi-map-2 - One of six colors of cells=different.
+ * @cssprop {<color>} --circle-voronoi-map-3 - One of six colors of cells=different.
+ * @cssprop {<color>} --circle-voronoi-map-4 - One of six colors of cells=different.
+ * @cssprop {<color>} --circle-voronoi-map-5 - One of six colors of cells=different.
+ * @cssprop {<color>} --circle-voronoi-cell-opacity - Cells by radius are as weak as this color is transparent.
+ * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The shape of the picture, where its height is not set.
  */
 export class CircleVoronoiElement extends Base {
   /** The browser's sign that this can be part of a form. */
@@ -111,22 +168,23 @@ export class CircleVoronoiElement extends Base {
   #stopWatching: (() => void) | undefined
   #children: MutationObserver | undefined
   #loading: AbortController | undefined
+  /** Its words are being loaded. */
+  #speaking: Promise<void> | undefined
   #update: Promise<void> = Promise.resolve()
-  /** The arrays that came with events: who sets one again has not changed it. */
-  readonly #given = new WeakSet<object>()
-  #isReady: () => void = () => {}
-
-  /** Settled once its first circles are shown, or could not be. */
-  readonly ready: Promise<void>
+  /** The array that came with the last event: who sets it again has not changed anything. */
+  #newest: object | undefined
+  #changes = 0
+  #ready = new Settling()
+  /** What is wrong with attributes and properties, by their names. */
+  readonly #wrong = new Map<string, Error>()
+  /** What was refused or failed, as a sentence. */
+  #problem = ''
 
   /** As `document.createElement` makes one. */
   constructor() {
     super()
     this.#internals = this.attachInternals()
     this.#shell = new Shell(this.attachShadow({ mode: 'open' }))
-    this.ready = new Promise((resolve) => {
-      this.#isReady = resolve
-    })
     this.#describe()
     this.#shell.onrestyle = () => this.#figure?.restyle()
     // After the figure itself has heard of it.
@@ -139,6 +197,7 @@ export class CircleVoronoiElement extends Base {
   connectedCallback(): void {
     for (const name of PROPERTIES) this.#upgrade(name)
     this.#applyControls()
+    this.#speak()
     this.#children = new MutationObserver(() => {
       if (this.#figure !== undefined && this.#isOfChildren) this.#reload()
     })
@@ -155,12 +214,23 @@ export class CircleVoronoiElement extends Base {
     this.#stopWatching?.()
     this.#children?.disconnect()
     queueMicrotask(() => {
-      if (!this.isConnected) this.#stop()
+      if (this.isConnected) return
+      this.#stop()
+      this.#ready.settle()
+      this.#ready = new Settling()
     })
   }
 
-  /** Takes what an attribute says. */
+  /** Takes what an attribute says; what is wrong with it is told, and changes nothing. */
   attributeChangedCallback(name: (typeof ATTRIBUTES)[number]): void {
+    const text = this.getAttribute(name)
+    this.#try(name, () => {
+      if (text !== null && name in PARSERS) PARSERS[name as keyof typeof PARSERS](text)
+      this.#take(name)
+    })
+  }
+
+  #take(name: (typeof ATTRIBUTES)[number]): void {
     const figure = this.#figure
     switch (name) {
       case 'alt':
@@ -177,10 +247,13 @@ export class CircleVoronoiElement extends Base {
       case 'controls': {
         this.#applyControls()
         const own = this.#ownStep
-        this.#play(own !== undefined || parseControls(this.controls).hasPlayer ? (figure?.step ?? own) : undefined)
+        this.#play(own !== undefined || this.#controls.hasPlayer ? (figure?.step ?? own) : undefined)
         return
       }
       case 'lang':
+        this.#applyControls()
+        this.#speak()
+        return
       case 'readonly':
         this.#applyControls()
         return
@@ -190,15 +263,13 @@ export class CircleVoronoiElement extends Base {
         return
       case 'step':
         this.#step = undefined
-        this.#try(() => this.#play(this.#ownStep))
+        this.#play(this.#ownStep)
         return
       case 'layers':
-        this.#layers = undefined
-        this.#try(() => figure?.view.setLayers(this.layers))
+        this.#setLayers(undefined)
         return
       case 'view':
-        this.#view = undefined
-        this.#try(() => figure?.actions.look(this.view))
+        this.#setView(undefined)
     }
   }
 
@@ -220,16 +291,33 @@ export class CircleVoronoiElement extends Base {
     this.circles = circles
   }
 
-  /** x, y and r of each circle, as it is. It may be set in any form that `compute` takes. */
+  /**
+   * Resolves once its first circles are shown, or could not be. It waits until the element comes into sight, or something is
+   * asked of it, and for an element in no page it does not wait.
+   */
+  get ready(): Promise<void> {
+    return this.#whenReady()
+  }
+
+  async #whenReady(): Promise<void> {
+    // The script that asks may put it into a page afterwards.
+    await new Promise((resolve) => setTimeout(resolve))
+    if (this.isConnected) await this.#ready.promise
+  }
+
+  /**
+   * The x, y and r of each circle, as it is now. You can set circles in any form that `compute` takes, or as the attribute has
+   * them: JSON (`[[x, y, r], ...]`, or objects with x, y and r), GeoJSON or CSV. `undefined` or `null`: what attributes and
+   * children say. Circles that cannot be shown are an `error` event.
+   */
   get circles(): Float64s {
     if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.circles.circles()
     return this.#own?.circles.slice() ?? new Float64Array()
   }
 
-  set circles(circles: Circles) {
-    if (typeof circles === 'object' && circles !== null && this.#given.has(circles)) return
-    this.#own = opened(coordinatesOf(circles))
-    if (this.#figure !== undefined) this.#reload()
+  set circles(circles: Circles | string | undefined | null) {
+    if (typeof circles === 'string') this.#reflect('circles', circles)
+    else if (!isSet(circles) || circles !== this.#newest) this.#try('circles', () => this.#setCircles(circles))
   }
 
   /**
@@ -247,31 +335,34 @@ export class CircleVoronoiElement extends Base {
     return this.getAttribute('src') ?? ''
   }
 
-  set src(src: string) {
-    this.setAttribute('src', src)
+  set src(src: string | undefined | null) {
+    this.#reflect('src', src)
   }
 
-  /** The part of the plane that is looked at; `undefined`: all circles. */
+  /**
+   * The part of the plane that is looked at: the x and y of its middle, and how many units are seen at least in both directions.
+   * As an attribute these three numbers. `undefined`: all circles.
+   */
   get view(): LinkView | undefined {
-    const text = this.getAttribute('view')
-    return this.#view ?? (text === null ? undefined : parseView(text))
+    return this.#view ?? this.#read('view', parseView)
   }
 
-  set view(view: LinkView | undefined) {
-    this.#view = view
-    this.#figure?.actions.look(view)
+  set view(view: LinkView | string | undefined | null) {
+    if (typeof view === 'string') this.#reflect('view', view)
+    else this.#try('view', () => this.#setView(isSet(view) ? checkedView(view) : undefined))
   }
 
-  /** What is drawn. What is set is as by default where it says nothing. */
+  /**
+   * What is drawn. As an attribute words, such as `hull`, `no-edges`, `cells=degree` and `max-distance=2`, or an object in JSON.
+   * What is set is as by default where it says nothing. `undefined`: what the attribute says.
+   */
   get layers(): Layers {
-    return this.#layers ?? parseLayers(this.getAttribute('layers') ?? '')
+    return this.#layers ?? this.#read('layers', parseLayers) ?? DEFAULT_LAYERS
   }
 
-  set layers(layers: Partial<Layers>) {
-    const next = { ...layersFrom(layers), data: layers.data ?? [] }
-    checkLayers(next)
-    this.#layers = next
-    this.#figure?.view.setLayers(next)
+  set layers(layers: Partial<Layers> | string | undefined | null) {
+    if (typeof layers === 'string') this.#reflect('layers', layers)
+    else this.#try('layers', () => this.#setLayers(isSet(layers) ? checkedLayers(layers) : undefined))
   }
 
   /**
@@ -282,28 +373,29 @@ export class CircleVoronoiElement extends Base {
     return this.#figure?.step ?? this.#ownStep
   }
 
-  set step(step: number | undefined) {
-    this.#step = step === undefined || step === null ? undefined : parseStep(String(step))
-    this.#play(this.#ownStep)
+  set step(step: number | string | undefined | null) {
+    this.#try('step', () => {
+      this.#step = isSet(step) ? parseStep(String(step)) : undefined
+      this.#play(this.#ownStep)
+    })
   }
 
   /** The method of `compute()`, by default `auto`, and of the player, by default `touching-disc`. */
-  get method(): Exclude<Options['method'], undefined> {
-    return (this.getAttribute('method') ?? 'auto') as Exclude<Options['method'], undefined>
+  get method(): 'auto' | 'touching-disc' | 'flip' {
+    return this.#read('method', parseMethod) ?? 'auto'
   }
 
-  set method(method: Exclude<Options['method'], undefined>) {
-    this.setAttribute('method', method)
+  set method(method: 'auto' | 'touching-disc' | 'flip' | undefined | null) {
+    this.#reflect('method', method)
   }
 
   /** How many samples that method takes, as in the library. */
   get samples(): number | undefined {
-    const text = this.getAttribute('samples')
-    return text === null ? undefined : Number(text)
+    return this.#read('samples', parseSamples)
   }
 
-  set samples(samples: number | undefined) {
-    this.#reflect('samples', samples === undefined ? undefined : String(samples))
+  set samples(samples: number | string | undefined | null) {
+    this.#reflect('samples', samples)
   }
 
   /** `null`: none; `player`: the player, below the figure; `buttons player`: also buttons; otherwise buttons. */
@@ -311,8 +403,8 @@ export class CircleVoronoiElement extends Base {
     return this.getAttribute('controls')
   }
 
-  set controls(controls: string | boolean | null) {
-    this.#reflect('controls', controls === true ? '' : controls === false ? undefined : (controls ?? undefined))
+  set controls(controls: string | boolean | undefined | null) {
+    this.#reflect('controls', controls === true ? '' : controls === false ? undefined : controls)
   }
 
   /** Whether circles are only looked at. */
@@ -320,35 +412,44 @@ export class CircleVoronoiElement extends Base {
     return this.hasAttribute('readonly')
   }
 
-  set readonly(isReadonly: boolean) {
-    this.toggleAttribute('readonly', isReadonly)
+  set readonly(isReadonly: boolean | undefined | null) {
+    this.toggleAttribute('readonly', isReadonly === true)
   }
 
-  /** What the figure is called, for who does not see it. */
+  /** What the figure is called, for screen readers. */
   get alt(): string {
     return this.getAttribute('alt') ?? ''
   }
 
-  set alt(alt: string) {
-    this.setAttribute('alt', alt)
+  set alt(alt: string | undefined | null) {
+    this.#reflect('alt', alt)
   }
 
-  /** What the circles have to be for its form to be sent. */
+  /** The language of what the element says: German (`de`), otherwise English. Default: that of the page. */
+  override get lang(): string {
+    return this.getAttribute('lang') ?? ''
+  }
+
+  override set lang(lang: string | undefined | null) {
+    this.#reflect('lang', lang)
+  }
+
+  /** What the circles have to be for its form to be sent; as an attribute in JSON: `{ "cell": 3, "edges": 3 }`. */
   get check(): Check | undefined {
     return this.#check
   }
 
-  set check(check: Check | string | undefined) {
-    this.#reflect('check', typeof check === 'object' ? JSON.stringify(check) : check)
+  set check(check: Check | string | undefined | null) {
+    this.#reflect('check', typeof check === 'object' && check !== null ? JSON.stringify(check) : check)
   }
 
-  /** Its name in a form. */
+  /** Its name in a form, which is sent `{ "circles": [[x, y, r], ...], "check": true }` in JSON. */
   get name(): string {
     return this.getAttribute('name') ?? ''
   }
 
-  set name(name: string) {
-    this.setAttribute('name', name)
+  set name(name: string | undefined | null) {
+    this.#reflect('name', name)
   }
 
   /** The form that it is a part of. */
@@ -381,9 +482,15 @@ export class CircleVoronoiElement extends Base {
     return this.#selection
   }
 
-  set selection(selection: readonly number[]) {
+  set selection(selection: readonly number[] | undefined | null) {
     const figure = this.#figure
-    figure?.actions.select(selection.map((number) => figure.editing.idOf(number)))
+    this.#try('selection', () => {
+      const numbers: unknown = selection ?? []
+      if (!Array.isArray(numbers)) {
+        refuse((words) => words.must(words.selection, words.listOfNumbers, shownValue(numbers)))
+      }
+      figure?.actions.select(numbers.map((number) => figure.editing.idOf(number)))
+    })
   }
 
   /** Settled once all that was set is computed and painted. */
@@ -404,9 +511,13 @@ export class CircleVoronoiElement extends Base {
    */
   async compute(): Promise<Computation> {
     const figure = await this.#started()
-    const samples = this.samples === undefined ? {} : { samples: this.samples }
-    const computed = await figure.view.compute({ method: this.method, ...samples })
-    if (computed === undefined) throw new Error('The diagram could not be computed. Try again.')
+    for (const name of ['method', 'samples']) {
+      const wrong = this.#wrong.get(name)
+      if (wrong !== undefined) throw wrong
+    }
+    const { method, samples } = this
+    const computed = await figure.view.compute({ method, ...(samples !== undefined && { samples }) })
+    if (computed === undefined) refuse((words) => words.notComputedAgain, 'internal')
     if ('problem' in computed) throw new CircleVoronoiError('badOption', -1, computed.problem)
     return computed
   }
@@ -431,16 +542,22 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * Shows what was kept, or what a link says.
+   * Shows what was kept, or what a link says. A state without circles leaves those that there are, and what else it does not
+   * say.
    *
    * @throws CircleVoronoiError if that cannot be shown; then all stays as it was
    */
   async setState(state: LinkInput | string): Promise<void> {
-    const next =
+    const said: LinkState =
       typeof state === 'string'
-        ? openedState(await decodeLink(state.replace(/^.*#/, '')))
-        : openedState({ ...state, circles: state.circles && coordinatesOf(state.circles) })
+        ? await decodeLink(state.replace(/^.*#/, ''))
+        : { ...state, circles: state.circles && coordinatesOf(state.circles) }
     const figure = await this.#started()
+    if (said.circles === undefined && said.dataSet === undefined && figure.editing.scene !== undefined) {
+      await figure.change(said)
+      return
+    }
+    const next = openedState(said)
     await figure.open({ ...next, layers: next.layers ?? {}, step: next.step ?? this.#firstStep })
     this.#own = next
   }
@@ -511,14 +628,15 @@ export class CircleVoronoiElement extends Base {
   async #started(): Promise<Figure> {
     if (this.isConnected) this.#start()
     await this.#update
-    if (this.#figure === undefined) throw new Error('The figure is in no page, or no longer.')
+    if (this.#figure === undefined) refuse((words) => words.notInPage)
     return this.#figure
   }
 
   async #settled(): Promise<void> {
     await this.#update
     await this.#figure?.stepping.whenReady()
-    await this.#figure?.whenPainted()
+    // Without circles, nothing may ever be painted.
+    if (this.#figure?.editing.scene !== undefined) await this.#figure.whenPainted()
   }
 
   #start(): void {
@@ -526,8 +644,9 @@ export class CircleVoronoiElement extends Base {
     const { figure, frame, controls, player, said } = this.#shell
     const places = { figure, around: frame, controls, player, said }
     this.#figure = new Figure(places, (this.constructor as typeof CircleVoronoiElement).load, {
-      onoutcome: ({ edited }) => {
+      onoutcome: ({ edited, isOpened }) => {
         this.#shell.isRunning = true
+        if (isOpened) this.#try('check', () => this.#checkCircles())
         this.#counts = edited.counts
         this.#describe()
         this.#tellForm()
@@ -537,22 +656,24 @@ export class CircleVoronoiElement extends Base {
       onproblem: (error) => this.#tell('error', { error }),
       played: (kept = 'touching-disc') => {
         const { samples } = this
-        const method = this.getAttribute('method') ?? kept
-        return { method: method as this['method'], ...(samples !== undefined && { samples }) }
+        const method = this.#read('method', parseMethod) ?? (kept as Method)
+        return { method, ...(samples !== undefined && { samples }) }
       },
       onstep: (step, steps) => this.#tell('stepchange', { step, steps }),
+      words: () => this.#words,
     })
     const { store, editing } = this.#figure
     let before: readonly number[] = []
     store.subscribe(({ selection, problem }) => {
-      this.#shell.problem = problem
+      this.#problem = problem
+      this.#showProblems()
       if (selection === before) return
       before = selection
       const isSame = selection.length === 0 && this.#selection.length === 0
       this.#selection = selection.map((id) => editing.numberOf(id))
       if (!isSame) this.#tell('selectionchange', { selection: this.#selection })
     })
-    this.#try(() => this.#figure?.view.setLayers(this.layers))
+    if (!this.#wrong.has('layers')) this.#try('layers', () => this.#setLayers(this.#layers))
     this.#applyControls()
     this.#show()
     this.#reload()
@@ -583,21 +704,32 @@ export class CircleVoronoiElement extends Base {
     const loading = new AbortController()
     this.#loading = loading
     const figure = this.#figure as Figure
-    this.#update = this.#open(figure, loading.signal).then(this.#isReady)
+    const ready = this.#ready
+    this.#update = this.#open(figure, loading.signal).then(() => {
+      // If not, others are about to be shown.
+      if (!loading.signal.aborted) ready.settle()
+    })
   }
 
   async #open(figure: Figure, signal: AbortSignal): Promise<void> {
+    this.#right('circles')
     try {
-      const opened = await this.#opened(signal)
-      if (signal.aborted || opened === undefined) return
+      await this.#speaking
+      const given = await this.#opened(signal)
+      if (signal.aborted) return
+      // Nothing is said of circles any more.
+      const opened = given ?? (figure.editing.scene && openedState({}))
+      if (opened === undefined) return
       const view = opened.view ?? this.view
       const layers = opened.layers ?? keptLayers(this.layers)
       const step = opened.step ?? this.#ownStep ?? this.#firstStep
       await figure.open({ ...opened, view, layers, step })
       figure.view.setLayers({ data: this.#layers?.data ?? [] })
     } catch (error) {
+      if (signal.aborted) return
+      if (figure.editing.scene === undefined) this.#shell.fail()
       // What was refused is told already.
-      if (!signal.aborted && !figure.isTold(error as Error)) this.#fail(error as Error)
+      if (!figure.isTold(error as Error)) this.#fail('circles', error as Error)
     }
   }
 
@@ -613,13 +745,12 @@ export class CircleVoronoiElement extends Base {
 
   /** What the page says. */
   get #ownStep(): number | undefined {
-    const text = this.getAttribute('step')
-    return this.#step ?? (text === null ? undefined : parseStep(text))
+    return this.#step ?? this.#read('step', parseStep)
   }
 
   /** Where the method begins, if it is to be played at all. */
   get #firstStep(): number | undefined {
-    return parseControls(this.controls).hasPlayer ? 0 : undefined
+    return this.#controls.hasPlayer ? 0 : undefined
   }
 
   #play(step: number | undefined): void {
@@ -629,25 +760,50 @@ export class CircleVoronoiElement extends Base {
 
   #applyControls(): void {
     const { controls, player } = this.#shell
-    const { hasButtons, hasPlayer } = parseControls(this.controls)
+    const { hasButtons, hasPlayer } = this.#controls
     player.hidden = !hasPlayer
     this.#describe()
     const figure = this.#figure
     if (figure === undefined) return
     const actions: EditorActions = figure.actions
     actions.isReadonly = this.#isReadonly
+    actions.words = this.#words.editing
     if (this.#isReadonly) actions.useTool('select')
     if (!hasButtons) controls.replaceChildren()
     else mountControls(this.#shell, figure, this.#words, this.#isReadonly)
   }
 
   #readCheck(): void {
-    const text = this.getAttribute('check')
-    this.#check = undefined
-    this.#try(() => {
-      this.#check = text === null ? undefined : parseCheck(text)
-    })
+    this.#check = this.#read('check', parseCheck)
     this.#tellForm()
+    this.#checkCircles()
+  }
+
+  /** @throws Refusal of a check that cannot be read, or of circles that are not there */
+  #checkCircles(): void {
+    const text = this.getAttribute('check')
+    const editing = this.#figure?.editing
+    if (text !== null && editing?.scene !== undefined) checkCircles(parseCheck(text), editing.circles.size)
+  }
+
+  #setCircles(circles: Circles | undefined | null): void {
+    this.#own = isSet(circles) ? opened(coordinatesOf(circles)) : undefined
+    if (this.#figure !== undefined) this.#reload()
+  }
+
+  #setView(view: LinkView | undefined): void {
+    this.#view = view
+    this.#figure?.actions.look(this.view)
+  }
+
+  #setLayers(layers: Layers | undefined): void {
+    const attribute = () => this.#read('layers', parseLayers) ?? DEFAULT_LAYERS
+    this.#figure?.view.setLayers(layers ?? attribute())
+    this.#layers = layers
+  }
+
+  get #controls(): ReturnType<typeof parseControls> {
+    return this.#read('controls', parseControls) ?? parseControls(null)
   }
 
   /** What is sent with a form, and whether it may be. */
@@ -682,25 +838,42 @@ export class CircleVoronoiElement extends Base {
     this.#shell.describe(words, this.alt, about, this.#isReadonly)
   }
 
-  /** Those of the page's language, as far as it is known. */
   get #words(): Words {
+    return wordsOf(this.#language)
+  }
+
+  /** Has the words of its language loaded. */
+  #speak(): void {
+    this.#speaking = loadWords(this.#language)?.then(() => {
+      this.#applyControls()
+      this.#showProblems()
+      this.#figure?.stepping.restyle()
+    })
+    this.#figure?.stepping.restyle()
+  }
+
+  /** That of the page, as far as it is known. */
+  get #language(): string {
     let element: Element | undefined = this
     while (element !== undefined) {
       const known: Element | null = element.closest('[lang]')
-      if (known !== null) return wordsOf(known.getAttribute('lang') as string)
+      if (known !== null) return known.getAttribute('lang') as string
       const root = element.getRootNode()
       element = root instanceof ShadowRoot ? root.host : undefined
     }
-    return wordsOf('')
+    return ''
   }
 
   /** The circles are copied for whoever looks at them. */
   #detail(): CircleVoronoiEventMap['circleschange']['detail'] {
     let circles: Float64s | undefined
     const numbers = () => this.numbers
+    this.#changes += 1
+    const turn = this.#changes
+    this.#newest = undefined
     const give = () => {
       circles ??= this.circles
-      this.#given.add(circles)
+      if (turn === this.#changes) this.#newest = circles
       return circles
     }
     return {
@@ -713,27 +886,50 @@ export class CircleVoronoiElement extends Base {
     }
   }
 
-  #try(act: () => void): void {
+  /** What goes wrong is told, and stays to be seen until the name is set to something right. */
+  #try(name: string, act: () => void): void {
     try {
       act()
+      this.#right(name)
     } catch (error) {
-      this.#fail(error as Error)
+      this.#fail(name, error as Error)
     }
   }
 
-  #fail(error: Error): void {
-    if (this.#figure === undefined) this.#shell.problem = error.message
-    else this.#figure.actions.complain(error.message)
+  #right(name: string): void {
+    if (this.#wrong.delete(name)) this.#showProblems()
+  }
+
+  #fail(name: string, error: Error): void {
+    this.#wrong.set(name, error)
+    this.#showProblems()
     this.#tell('error', { error })
+  }
+
+  #showProblems(): void {
+    const refusals = this.#words.others?.refusals
+    const wrong = Array.from(this.#wrong.values(), (error) => problemOf(error, false, refusals))
+    this.#shell.problem = [...wrong, this.#problem].filter((text) => text !== '').join(' ')
+  }
+
+  /** What an attribute says, if that is right; if not, it was told when it was set. */
+  #read<Value>(name: string, parse: (text: string) => Value): Value | undefined {
+    const text = this.getAttribute(name)
+    if (text === null) return undefined
+    try {
+      return parse(text)
+    } catch {
+      return undefined
+    }
   }
 
   #tell<Name extends keyof CircleVoronoiEventMap>(name: Name, detail: CircleVoronoiEventMap[Name]['detail']): void {
     this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }))
   }
 
-  #reflect(name: string, value: string | undefined): void {
-    if (value === undefined) this.removeAttribute(name)
-    else this.setAttribute(name, value)
+  #reflect(name: string, value: string | number | undefined | null): void {
+    if (isSet(value)) this.setAttribute(name, String(value))
+    else this.removeAttribute(name)
   }
 
   /** A property may have been set before this was an element of this class. */
@@ -743,6 +939,30 @@ export class CircleVoronoiElement extends Base {
     delete (this as Partial<Record<typeof name, unknown>>)[name]
     Object.assign(this, { [name]: value })
   }
+}
+
+/** What attributes of more than a word say. */
+const PARSERS = {
+  check: parseCheck,
+  controls: parseControls,
+  layers: parseLayers,
+  method: parseMethod,
+  samples: parseSamples,
+  step: parseStep,
+  view: parseView,
+}
+
+/** Frameworks set a property that is not there any more to `undefined` or `null`. */
+function isSet<Value>(value: Value | undefined | null): value is Value {
+  return value !== undefined && value !== null
+}
+
+/** A promise that is settled from outside. */
+class Settling {
+  settle: () => void = () => {}
+  readonly promise = new Promise<void>((resolve) => {
+    this.settle = resolve
+  })
 }
 
 function listOf(circles: Float64s): number[][] {

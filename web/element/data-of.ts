@@ -2,7 +2,9 @@
 import type { Opened } from '../editing/editor-actions.ts'
 import type { Float64s } from '../lib/index.ts'
 import { decodeLink, type LinkState } from '../lib/link.ts'
+import type { Refusal } from '../view/refusal.ts'
 import { circlesOfTable, readCircles } from './read-circles.ts'
+import { type ElementRefusals, refuse } from './refusals.ts'
 
 const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
 
@@ -17,11 +19,11 @@ export function opened(
 /**
  * What a state says.
  *
- * @throws Error, if it has a data set of the page in place of circles
+ * @throws Refusal, if it has a data set of the page in place of circles
  */
 export function openedState({ circles, dataSet, edits, view, layers, step, method }: LinkState): Opened {
   if (circles === undefined && dataSet !== undefined) {
-    throw new Error(`The link names the data set ${dataSet} of the page it is from, and has no circles of its own.`)
+    refuse((words) => words.dataSet(dataSet), 'badInput')
   }
   return opened(circles ?? new Float64Array(), { edits, view, layers, step, method })
 }
@@ -29,19 +31,24 @@ export function openedState({ circles, dataSet, edits, view, layers, step, metho
 /**
  * What is at an address: a file, or where the address is a link of the page, what that says.
  *
- * @throws Error, CircleVoronoiError
+ * @throws CircleVoronoiError, or what `fetch` throws
  */
 export async function openedFrom(src: string, signal: AbortSignal): Promise<Opened> {
   const link = LINK.exec(src)?.[1]
   if (link !== undefined) return openedState(await decodeLink(link))
   const response = await fetch(src, { signal })
-  if (!response.ok) throw new Error(`${src} cannot be loaded: the answer is ${response.status}.`)
+  if (!response.ok) refuse((words) => words.notLoaded(src, response.status), 'badInput')
   const text = await response.text()
   if (LINK.test(text.trim())) return openedState(await decodeLink(LINK.exec(text.trim())?.[1] as string))
   try {
     return opened(readCircles(text))
   } catch (error) {
-    throw new Error(`${src}: ${(error as Error).message}`, { cause: error })
+    const { message } = error as Error
+    refuse(
+      (words) =>
+        words.within(src, 'say' in (error as object) ? (error as Refusal<ElementRefusals>).say(words) : message),
+      'badInput',
+    )
   }
 }
 

@@ -11,3 +11,4 @@ export {
   type DiagramCounts,
   type FigureState,
 } from './circle-voronoi-element.ts'
+export type { CircleVoronoiProps } from './frameworks.ts'

@@ -2,15 +2,19 @@
 import { Editing, type Outcome } from '../editing/editing.ts'
 import { EditorActions, type Opened } from '../editing/editor-actions.ts'
 import { listenToKeyboard } from '../editing/keyboard.ts'
+import { problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
 import { INITIAL_STATE, type State, stateAfter } from '../editing/state.ts'
 import { createStore, type Store } from '../editing/store.ts'
+import type { LinkState } from '../lib/link.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import { Stepping } from '../player/stepping.ts'
+import { layersFrom } from '../view/layers.ts'
 import { mount } from '../view/mount.ts'
 import { type Listening, listenToPointer } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
+import type { Words } from './words.ts'
 
 /** Around circles that are all seen, in pixels; above them stand buttons, if there are any. */
 const ROOM = 16
@@ -38,6 +42,8 @@ export interface FigureEvents {
   /** What is played. `method`: that of a link. */
   played(method: string | undefined): TraceOptions
   onstep(step: number, steps: number): void
+  /** What it says. */
+  words(): Words
 }
 
 /** A view with circles that are edited: what there is of an element while it runs. */
@@ -56,7 +62,7 @@ export class Figure {
   constructor(
     { figure, around, controls, player, said }: Places,
     load: LoadOptions,
-    { onoutcome, onproblem, played, onstep }: FigureEvents,
+    { onoutcome, onproblem, played, onstep, words }: FigureEvents,
   ) {
     const view = mount(figure, { ...load, gestures: 'none' })
     const store = createStore<State>(INITIAL_STATE)
@@ -67,9 +73,10 @@ export class Figure {
         if (store.get().selection.length > 0) this.#choose()
         onoutcome(outcome)
       },
-      (problem, error) => {
+      (error) => {
         // What was asked of a figure that goes is not missed.
         if (this.#keys.signal.aborted) return
+        const problem = problemOf(error, editing.scene !== undefined, words().others?.refusals)
         store.update((state) => ({ ...state, problem }))
         this.#refused = error
         onproblem(error)
@@ -85,7 +92,16 @@ export class Figure {
     this.store = store
     this.editing = editing
     this.actions = actions
-    this.stepping = new Stepping({ container: player, view, store, actions, options: played, onstep, onproblem })
+    this.stepping = new Stepping({
+      container: player,
+      view,
+      store,
+      actions,
+      options: played,
+      onstep,
+      words: () => words().others?.player,
+      onproblem,
+    })
 
     let before = store.get()
     store.subscribe((state) => {
@@ -97,7 +113,7 @@ export class Figure {
     view.on('marked', ({ selected }) => store.update((state) => ({ ...state, described: selected })))
     view.on('found', (found) => store.update((state) => ({ ...state, found })))
     view.on('layers', (layers) => store.update((state) => ({ ...state, layers })))
-    mountSaid(store, said)
+    mountSaid(store, said, () => words().editing)
     this.#listening = listenToPointer(figure, view, actions, {
       isGrabbed: (point, within) => !actions.isReadonly && editing.circles.hasAt(point, within),
     })
@@ -114,6 +130,22 @@ export class Figure {
     this.#refused = undefined
     const how = await this.actions.open(async () => opened)
     if (how === 'refused' && this.#refused !== undefined) throw this.#refused
+  }
+
+  /**
+   * Changes what is said of the circles that there are, and leaves the rest.
+   *
+   * @throws Error that says why edits were refused; then all stays as it was
+   */
+  async change({ edits = [], view, layers, step, method }: Omit<LinkState, 'circles'>): Promise<void> {
+    this.#refused = undefined
+    if (edits.length > 0 && (await this.editing.edit(edits)) === undefined && this.#refused !== undefined) {
+      throw this.#refused
+    }
+    const { data } = this.view.layers
+    if (layers !== undefined) this.view.setLayers({ ...layersFrom(layers), data })
+    if (view !== undefined) this.actions.look(view)
+    if (step !== undefined) this.actions.showStep(step, method)
   }
 
   /** Whether an error was told of as a problem. */

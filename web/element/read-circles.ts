@@ -2,6 +2,8 @@
 // Small readers for what a page says of circles. Those of `circle-voronoi/files` read more, and are ten times as large.
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import type { Float64s } from '../lib/index.ts'
+import { parseJson } from './attributes.ts'
+import { type ElementRefusals, refuse } from './refusals.ts'
 
 /** What a header may call the columns. */
 const NAMES = [
@@ -18,7 +20,7 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
  * CSV. Numbers are those that `readCircles` of `circle-voronoi/files` reads, to the bit; what it may refuse to guess is
  * refused here.
  *
- * @throws Error with one sentence
+ * @throws CircleVoronoiError `badInput`
  */
 export function readCircles(text: string): Float64s {
   return /^\s*[[{]/.test(text) ? circlesOfJson(text) : circlesOfRows(rowsOf(text))
@@ -28,19 +30,14 @@ export function readCircles(text: string): Float64s {
 export function circlesOfTable(table: HTMLTableElement): Float64s {
   return circlesOfRows(
     Array.from(table.rows, (row, k) => ({
-      place: `Row ${k + 1} of the table`,
+      place: (words) => words.row(k + 1),
       fields: Array.from(row.cells, (cell) => (cell.textContent ?? '').trim()),
     })),
   )
 }
 
 function circlesOfJson(text: string): Float64s {
-  let given: unknown
-  try {
-    given = JSON.parse(text)
-  } catch (error) {
-    throw new Error(`The circles are no JSON: ${(error as Error).message}.`)
-  }
+  const given = parseJson(text, (words) => words.circles)
   if (isRecord(given) && Array.isArray(given.features)) return coordinatesOf(given.features.map(circleOfFeature))
   const list = isRecord(given) ? given.circles : given
   // As the arrays of a diagram are written.
@@ -56,13 +53,13 @@ function circleOfFeature(feature: unknown): number[] {
 
 interface Row {
   /** What it is called in errors. */
-  readonly place: string
+  place(words: ElementRefusals): string
   readonly fields: readonly string[]
 }
 
 function rowsOf(text: string): Row[] {
   const lines = text.replace(/^\uFEFF/, '').split(/\r\n?|\n/)
-  const known = lines.map((line, k) => ({ line: line.trim(), place: `Line ${k + 1}` }))
+  const known = lines.map((line, k) => ({ line: line.trim(), place: (words: ElementRefusals) => words.line(k + 1) }))
   const said = known.filter(({ line }) => line !== '' && !line.startsWith('#'))
   const first = said[0]?.line ?? ''
   const separator = SEPARATORS.find((mark) => first.includes(mark)) ?? ','
@@ -85,11 +82,11 @@ function circlesOfRows(rows: readonly Row[]): Float64s {
   for (const { place, fields } of isNamed ? rows.slice(1) : rows) {
     const texts = columns.map((column) => fields[column] ?? '')
     if (!texts.every((field) => NUMBER.test(field)) || (!isNamed && fields.length !== 3)) {
-      throw new Error(`${place} is not three numbers x, y and r: ${fields.join(' ')}`)
+      refuse((words) => words.notThree(place(words), fields.join(' ')), 'badInput')
     }
     numbers.push(...texts.map(Number))
   }
-  if (numbers.length === 0) throw new Error('There are no circles in this.')
+  if (numbers.length === 0) refuse((words) => words.noCircles, 'badInput')
   return Float64Array.from(numbers)
 }
 

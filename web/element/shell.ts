@@ -16,6 +16,7 @@ export class Shell {
   readonly player = make('div', 'player')
   readonly said = make('p', 'visually-hidden')
   readonly #fallback = make('div', 'fallback')
+  readonly #poster = slot('poster')
   readonly #hint = make('p', 'hint')
   readonly #problem = make('p', 'problem')
   readonly #about = make('p', 'visually-hidden')
@@ -40,11 +41,10 @@ export class Shell {
     this.controls.role = 'toolbar'
     this.player.setAttribute('part', 'player')
     this.player.role = 'region'
-    this.player.ariaLabel = 'The method, step by step'
     this.player.hidden = true
     this.said.ariaLive = 'polite'
     this.#fallback.setAttribute('part', 'fallback')
-    this.#fallback.append(slot('poster'), slot(''))
+    this.#fallback.append(this.#poster, slot(''))
     this.#hint.setAttribute('part', 'hint')
     this.#hint.ariaHidden = 'true'
     this.#hint.hidden = true
@@ -70,6 +70,11 @@ export class Shell {
     this.figure.tabIndex = isRunning ? 0 : -1
   }
 
+  /** There will be no figure: what stands between the tags is all that there is. */
+  fail(): void {
+    this.#poster.remove()
+  }
+
   /** Whether there are pixels to be printed. */
   set isShown(isShown: boolean) {
     this.frame.dataset.shown = String(isShown)
@@ -78,8 +83,9 @@ export class Shell {
   /** What it is called in the language of its page, or else in that of the words, and what it shows. */
   describe(words: Words, label: string, about: string, isReadonly: boolean): void {
     this.controls.lang = words.lang
-    for (const element of [this.#hint, this.#about, this.#keys]) speak(element, words.lang)
-    for (const element of [this.said, this.#problem]) speak(element, 'en')
+    for (const element of [this.#hint, this.#about, this.#keys, this.said, this.#problem]) speak(element, words.lang)
+    this.player.lang = words.lang
+    this.player.ariaLabel = words.player
     if (label === '') this.figure.lang = words.lang
     else this.figure.removeAttribute('lang')
     this.figure.ariaLabel = label === '' ? words.label : label
@@ -88,7 +94,7 @@ export class Shell {
     this.#keys.textContent = isReadonly ? words.keysToLook : words.keys
   }
 
-  /** One sentence about what cannot be shown, or none. */
+  /** What cannot be shown, and why, or nothing. */
   set problem(problem: string) {
     // It is read out whenever it is set.
     if (this.#problem.textContent !== problem) this.#problem.textContent = problem

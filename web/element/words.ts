@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+import type { ProblemWords } from '../editing/problem.ts'
+import { type EditingWords, ENGLISH_EDITING } from '../editing/words.ts'
+import type { PlayerWords } from '../player/words.ts'
 import type { Counts } from '../view/protocol.ts'
+import type { ElementRefusals } from './refusals.ts'
 
 /** What an element says by itself. */
 export interface Words {
@@ -24,16 +29,17 @@ export interface Words {
     readonly zoomIn: string
     readonly fit: string
   }
+  /** What the player is called. */
+  readonly player: string
   /** What is shown, as a sentence. */
   describe(counts: Counts): string
+  readonly editing: EditingWords
+  /** What English says by itself, in another language. */
+  readonly others?: { readonly refusals: ElementRefusals & ProblemWords; readonly player: PlayerWords }
 }
 
-/** Of a language: where it is none of these, English. */
-export function wordsOf(lang: string): Words {
-  return /^de(-|$)/i.test(lang) ? german(lang) : english(/^en(-|$)/i.test(lang) ? lang : 'en')
-}
-
-function english(lang: string): Words {
+/** What an element says by itself, in English. */
+export function english(lang: string): Words {
   const number = numbersOf(lang)
   const count = (value: number, one: string, many = `${one}s`) => `${number(value)} ${value === 1 ? one : many}`
   return {
@@ -58,6 +64,8 @@ function english(lang: string): Words {
       zoomIn: 'Zoom in',
       fit: 'Fit',
     },
+    player: 'The method, step by step',
+    editing: ENGLISH_EDITING,
     describe({ circles, hidden, vertices, edges }) {
       const inside = hidden === 0 ? '' : `, ${number(hidden)} of them hidden inside others`
       return `${count(circles, 'circle')}${inside}; the diagram has ${count(vertices, 'vertex', 'vertices')} and ${count(edges, 'edge')}.`
@@ -65,41 +73,8 @@ function english(lang: string): Words {
   }
 }
 
-function german(lang: string): Words {
-  const number = numbersOf(lang)
-  const count = (value: number, one: string, many: string) => `${number(value)} ${value === 1 ? one : many}`
-  return {
-    lang,
-    label: 'Kreise und ihr Voronoi-Diagramm',
-    keys:
-      'Enter wählt einen Kreis aus. Tab geht zum nächsten, Strg und eine Pfeiltaste zum Nachbarn auf dieser Seite, Escape ' +
-      'lässt los. Die Pfeiltasten bewegen, was ausgewählt ist, Plus und Minus ändern seine Größe; mit Umschalt sind die ' +
-      'Schritte größer, mit Alt feiner. Entf löscht es. Ist kein Kreis ausgewählt, bewegen die Pfeiltasten das Bild, Plus ' +
-      'und Minus zoomen, und 0 zeigt alles.',
-    keysToLook:
-      'Enter wählt einen Kreis aus. Tab geht zum nächsten, Strg und eine Pfeiltaste zum Nachbarn auf dieser Seite, Escape ' +
-      'lässt los. Die Pfeiltasten bewegen das Bild, Plus und Minus zoomen, und 0 zeigt alles.',
-    wheelHint: 'Strg und das Mausrad zoomen; nach einem Klick auch das Mausrad allein',
-    met: 'Die Kreise sind, wie sie sein sollen.',
-    unmet: 'Die Kreise sind noch nicht, wie sie sein sollen.',
-    buttons: {
-      add: 'Kreis hinzufügen',
-      remove: 'Auswahl löschen',
-      undo: 'Rückgängig',
-      redo: 'Wiederholen',
-      zoomOut: 'Verkleinern',
-      zoomIn: 'Vergrößern',
-      fit: 'Alles zeigen',
-    },
-    describe({ circles, hidden, vertices, edges }) {
-      const inside = hidden === 0 ? '' : `, ${number(hidden)} davon in anderen verborgen`
-      return `${count(circles, 'Kreis', 'Kreise')}${inside}; das Diagramm hat ${count(vertices, 'Ecke', 'Ecken')} und ${count(edges, 'Kante', 'Kanten')}.`
-    },
-  }
-}
-
 /** Small numbers are written without loading the rules of languages. */
-function numbersOf(lang: string): (value: number) => string {
+export function numbersOf(lang: string): (value: number) => string {
   return (value) => (value < 1000 ? String(value) : grouped(value, lang))
 }
 

@@ -8,11 +8,12 @@ import type { View } from '../view/view.ts'
 import { type RingMark, ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from './discs.ts'
 import css from './player.css?inline'
 import { type Question, questionAfter } from './prediction.ts'
-import { type Line, PROGRAMS, type Program, textOf } from './program.ts'
+import { type Line, PROGRAMS, type Program } from './program.ts'
 import { type Colors, circlesAt, sceneOf } from './scene.ts'
 import { numberOf, sentenceOf } from './sentences.ts'
-import { concerns, nextStep, programOf, type Sort, type Step, sortOf, stepsOf } from './steps.ts'
+import { concerns, nextStep, programOf, type Step, sortOf, stepsOf } from './steps.ts'
 import { drawTimeline } from './timeline.ts'
+import { ENGLISH_PLAYER, type Goal, type PlayerWords } from './words.ts'
 
 export interface PlayerOptions {
   /** Shows the circles that are played; their diagram is hidden until the end, and what happens is drawn above. */
@@ -23,6 +24,8 @@ export interface PlayerOptions {
   readonly step?: number | undefined
   /** Called with each step that is shown, and how many there are. */
   readonly onstep?: ((step: number, steps: number) => void) | undefined
+  /** What it says, asked for whenever it is drawn. Default: English. */
+  readonly words?: (() => PlayerWords | undefined) | undefined
 }
 
 export interface Player {
@@ -40,19 +43,6 @@ export interface Player {
   restyle(): void
   /** Shows the diagram again. */
   dispose(): void
-}
-
-type Goal = Sort | 'selected' | 'breakpoint'
-
-const GOALS: Readonly<Record<Goal, string>> = {
-  stage: 'stage',
-  vertex: 'vertex',
-  edge: 'edge placed',
-  disc: 'three-touch disc',
-  rejected: 'rejected',
-  circle: 'edit',
-  selected: 'of the selected circle',
-  breakpoint: 'breakpoint',
 }
 
 /** Steps in a second. */
@@ -87,6 +77,7 @@ class MethodPlayer implements Player {
   readonly #view: View
   readonly #options: TraceOptions
   readonly #onstep: (step: number, steps: number) => void
+  readonly #wordsNow: () => PlayerWords | undefined
   readonly #watching = new AbortController()
   readonly #unlisten: readonly (() => void)[]
   readonly #resized: ResizeObserver
@@ -111,14 +102,14 @@ class MethodPlayer implements Player {
   #answer: { readonly step: number; readonly question: Question; readonly chosen: number } | undefined
   #score = { right: 0, asked: 0 }
 
-  constructor(container: HTMLElement, { view, options, step, onstep }: PlayerOptions) {
+  constructor(container: HTMLElement, { view, options, step, onstep, words }: PlayerOptions) {
     this.#root = container
     this.#view = view
     this.#options = options ?? {}
     this.#onstep = onstep ?? (() => {})
+    this.#wordsNow = words ?? (() => undefined)
     container.classList.add('cv-player')
-    // Its texts are English, and its time runs from left to right.
-    container.lang = 'en'
+    // Its time runs from left to right.
     container.dir = 'ltr'
     adopt(container.getRootNode() as Document | ShadowRoot)
     this.#unlisten = [
@@ -218,7 +209,7 @@ class MethodPlayer implements Player {
       if (run !== this.#run) return
       const traced = await this.#view.trace(this.#options)
       if (run !== this.#run) return
-      if (traced === undefined) throw new Error('The method could not be run. Try again.')
+      if (traced === undefined) throw new Error(this.#words.notRun)
       const trace = new Trace(new Diagram(traced.diagram), traced.events)
       this.#given = traced
       this.#trace = trace
@@ -239,7 +230,7 @@ class MethodPlayer implements Player {
       this.#wanted = undefined
       this.#isPlaying = false
       this.#showsResult(true)
-      this.#problem = (error as Error).message
+      this.#problem = this.#words.told?.(error as Error) ?? (error as Error).message
       throw error
     } finally {
       if (run === this.#run) this.#draw()
@@ -277,7 +268,7 @@ class MethodPlayer implements Player {
   #question(): Question | undefined {
     const { trace, steps, step } = this.#now()
     if (!this.#asks || trace === undefined) return undefined
-    return questionAfter(trace, steps, step)
+    return questionAfter(trace, steps, step, this.#words)
   }
 
   #now() {
@@ -357,7 +348,12 @@ class MethodPlayer implements Player {
     }
   }
 
+  get #words(): PlayerWords {
+    return this.#wordsNow() ?? ENGLISH_PLAYER
+  }
+
   #draw(): void {
+    this.#root.lang = this.#words.lang
     const focused = this.#root.querySelector(':focus')
     this.#drawParts()
     // The focus of a button that is disabled or gone would fall to the body.
@@ -369,7 +365,7 @@ class MethodPlayer implements Player {
     const { trace, steps, step } = this.#now()
     if (trace === undefined) {
       this.#view.above = []
-      const text = this.#problem || 'The method is being run…'
+      const text = this.#problem || this.#words.running
       render(html`<p class="sentence" role="status">${text}</p>`, this.#root)
       return
     }
@@ -434,7 +430,8 @@ class MethodPlayer implements Player {
     const step = this.#step
     const last = steps.length - 1
     const isPlaying = this.#isPlaying
-    const sentence = sentenceOf(trace, current, tested)
+    const words = this.#words
+    const sentence = sentenceOf(trace, current, tested, words)
     return html`
       <span data-probe hidden></span>
       <div class="head">
@@ -442,8 +439,8 @@ class MethodPlayer implements Player {
         <canvas aria-hidden="true"></canvas>
         <input
           type="range"
-          aria-label="Step"
-          aria-valuetext=${`Step ${step} of ${last}`}
+          aria-label=${words.stepLabel}
+          aria-valuetext=${words.stepOf(step, last)}
           min="0"
           max=${last}
           .value=${String(step)}
@@ -451,40 +448,40 @@ class MethodPlayer implements Player {
         />
       </div>
       <div class="row">
-        ${this.#button('One step back', ICONS.back, () => this.#user(step - 1), step === 0)}
-        ${this.#button(isPlaying ? 'Pause' : 'Play', isPlaying ? ICONS.pause : ICONS.play, () => (isPlaying ? this.pause() : this.play()))}
+        ${this.#button(words.back, ICONS.back, () => this.#user(step - 1), step === 0)}
+        ${this.#button(isPlaying ? words.pause : words.play, isPlaying ? ICONS.pause : ICONS.play, () => (isPlaying ? this.pause() : this.play()))}
         <button
           type="button"
           data-forth
-          aria-label="One step"
-          title="One step"
+          aria-label=${words.forth}
+          title=${words.forth}
           ?disabled=${step === last}
           @click=${() => this.#user(step + 1)}
         >
           ${ICONS.forth}
         </button>
-        <select aria-label="Speed" @change=${(event: Event) => this.#setSpeed(Number((event.target as HTMLSelectElement).value))}>
+        <select aria-label=${words.speed} @change=${(event: Event) => this.#setSpeed(Number((event.target as HTMLSelectElement).value))}>
           ${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === this.#speed}>${speed} / s</option>`)}
         </select>
         <span class="where">${step}<span class="of"> / ${last}</span></span>
         <span class="jump">
-        ${this.#toggle('Ask me what happens next', ICONS.ask, this.#asks, () => {
+        ${this.#toggle(words.ask, ICONS.ask, this.#asks, () => {
           this.#asks = !this.#asks
         })}
-        ${this.#toggle('Stop here when playing', ICONS.dot, this.#breakpoints.has(step), () => {
+        ${this.#toggle(words.breakHere, ICONS.dot, this.#breakpoints.has(step), () => {
           if (!this.#breakpoints.delete(step)) this.#breakpoints.add(step)
         })}
-        ${this.#button('Back to the last one', ICONS.previous, () => this.#jump(-1), this.#jumpTarget(-1) === undefined)}
+        ${this.#button(words.previous, ICONS.previous, () => this.#jump(-1), this.#jumpTarget(-1) === undefined)}
         <select
-          aria-label="What to go to"
+          aria-label=${words.goal}
           @change=${(event: Event) => {
             this.#goal = (event.target as HTMLSelectElement).value as Goal
             this.#draw()
           }}
         >
-          ${Object.entries(GOALS).map(([goal, text]) => html`<option value=${goal} ?selected=${goal === this.#goal}>${text}</option>`)}
+          ${Object.entries(words.goals).map(([goal, text]) => html`<option value=${goal} ?selected=${goal === this.#goal}>${text}</option>`)}
         </select>
-        ${this.#button('On to the next one', ICONS.next, () => this.#jump(1), this.#jumpTarget(1) === undefined)}
+        ${this.#button(words.next, ICONS.next, () => this.#jump(1), this.#jumpTarget(1) === undefined)}
         </span>
       </div>
       <p class="sentence" aria-live=${isPlaying ? 'off' : 'polite'}>${sentence}</p>
@@ -492,7 +489,7 @@ class MethodPlayer implements Player {
       </div>
       <div class="parts">
         <details class="code" open>
-          <summary>How it works</summary>
+          <summary>${words.howItWorks}</summary>
           ${this.#code(current)}
         </details>
         ${this.#program === 'touching' ? this.#queuePart(trace, current, state) : nothing}
@@ -521,18 +518,19 @@ class MethodPlayer implements Player {
   }
 
   #questionPart(): TemplateResult | typeof nothing {
+    const words = this.#words
     const answered = this.#answer
     if (answered !== undefined && answered.step + 1 === this.#step) {
       const { question, chosen } = answered
       const isRight = chosen === question.right
-      const text = isRight ? 'Right.' : `No: ${question.answers[question.right]}.`
+      const text = isRight ? words.right : words.wrong(question.answers[question.right] as string)
       return html`<div class="question" role="status">
-        <p>${text} ${this.#score.right} of ${this.#score.asked} right so far.</p>
+        <p>${text} ${words.score(this.#score.right, this.#score.asked)}</p>
       </div>`
     }
     const question = this.#question()
     if (question === undefined) return nothing
-    return html`<div class="question" role="group" aria-label="What happens next?">
+    return html`<div class="question" role="group" aria-label=${words.whatNext}>
       <p>${question.text}</p>
       <div class="row">
         ${question.answers.map((text, k) => html`<button type="button" @click=${() => this.#reply(question, k)}>${text}</button>`)}
@@ -541,12 +539,13 @@ class MethodPlayer implements Player {
   }
 
   #code(current: Step): TemplateResult {
+    const words = this.#words
     return html`${PROGRAMS[this.#program].map(
-      ({ title, lines }) => html`<p class="title">${title}</p>
-        <ol aria-label=${title}>
+      ({ title, lines }) => html`<p class="title">${words.titles[title]}</p>
+        <ol aria-label=${words.titles[title]}>
           ${lines.map(
             ([line, depth]) =>
-              html`<li class=${`deep-${depth}`} aria-current=${line === current.line ? 'step' : nothing}>${textOf(line)}</li>`,
+              html`<li class=${`deep-${depth}`} aria-current=${line === current.line ? 'step' : nothing}>${words.lines[line]}</li>`,
           )}
         </ol>`,
     )}`
@@ -558,11 +557,11 @@ class MethodPlayer implements Player {
     const count = hasBegun ? waitingCount(trace, state, current.end) : 0
     const rest = count - waiting.length
     return html`<details class="queue" open>
-      <summary>The list L, by radius (${count})</summary>
+      <summary>${this.#words.queue(count)}</summary>
       <ol>
         ${waiting.map(({ r, circles }) => html`<li><span>${circles.join(circles.length === 2 ? '–' : '·')}</span><span>${numberOf(r)}</span></li>`)}
       </ol>
-      ${rest > 0 ? html`<p class="note">and ${rest} more</p>` : nothing}
+      ${rest > 0 ? html`<p class="note">${this.#words.more(rest)}</p>` : nothing}
     </details>`
   }
 
@@ -573,13 +572,14 @@ class MethodPlayer implements Player {
     state: TraceState,
     circleOf: (id: number) => Circle | undefined,
   ): TemplateResult | typeof nothing {
+    const words = this.#words
     const event = current.event < trace.length ? trace.event(current.event) : undefined
     const id = this.#selected ?? (sortOf(current) === 'stage' ? undefined : event?.circles[0])
     const circle = id === undefined ? undefined : circleOf(id)
     if (id === undefined || circle === undefined) {
       return html`<details class="ring" open>
-        <summary>Around a circle</summary>
-        <p class="note">Select a circle to see its directed edges in order.</p>
+        <summary>${words.around}</summary>
+        <p class="note">${words.selectOne}</p>
       </details>`
     }
     const { marks, unused } = ringOf(trace, state, id, circle)
@@ -598,16 +598,15 @@ class MethodPlayer implements Player {
       <path class="mark" d=${isOut ? 'M-3 50V24m-4 6l4-6 4 6' : 'M3 24V50m-4-6l4 6 4-6'} />
       <text y=${isOut ? 18 : 68} text-anchor="middle">${other}</text>
     </svg>`
-    const text = `Around circle ${id}: ${marks.length === 0 ? 'no directed edge yet' : marks.map(({ isOut, other }) => (isOut ? `to ${other}` : `from ${other}`)).join(', ')}.`
     return html`<details class="ring" open>
-      <summary>Around circle ${id}${this.#selected === undefined ? '' : ', selected'}</summary>
-      <svg class="ring" role="img" aria-label=${text}>
+      <summary>${words.aroundCircle(id, this.#selected !== undefined)}</summary>
+      <svg class="ring" role="img" aria-label=${words.ring(id, marks)}>
         <line class="base" x1="3%" x2="97%" y1="52" y2="52" />
         ${arcs.map(([from, to]) => svg`<line class="unused" x1=${x(from)} x2=${x(to)} y1="52" y2="52" />`)}
         ${marks.map(mark)}
         ${disc === undefined ? nothing : svg`<circle class="foot" cx=${x(turnTo(circle, disc.x, disc.y))} cy="52" r="4" />`}
       </svg>
-      <p class="note">From the right, counter-clockwise. Green: not used yet.</p>
+      <p class="note">${words.ringNote}</p>
     </details>`
   }
 }

@@ -1,51 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done, line by line, as a reader follows it.
 
-/** A line of a program by its name. */
-export type Line = keyof typeof TEXTS
+import type { Line, PlayerWords } from './words.ts'
 
-const TEXTS = {
-  begin: 'Given: circles; those inside others are left out',
-  centers: 'T ← Delaunay graph of the centers',
-  angles: 'divide the angle of each triangle at each center',
-  samples: 'put a sample where each edge and each dividing ray leaves its circle',
-  sampleGraph: 'D ← Delaunay graph of the samples',
-  pairs: 'L ← an antipodal disc for every two circles with an edge in D, by radius',
-  take: 'while L is not empty: take its smallest disc',
-  used: 'if a foot point lies on a used arc: drop the disc',
-  notEmpty: 'if it meets a circle next to a foot point: drop the disc',
-  place: 'else it is empty: place directed edges a→b and b→a',
-  form: 'put the three-touch discs with the next directed edges into L',
-  stale: 'if a→b or b→c is gone, or they are no longer next to each other: drop the disc',
-  branch: 'else it is empty: its center is a vertex',
-  finish: 'finish the segments of a→b, b→c, and c→a if it closes the triangle; delete these edges',
-  placeThird: 'if c→a was not there: place a→c where they were',
-  formThird: 'put its three-touch discs into L',
-  again: 'the judge found an edge wrong: begin again with more samples',
-  ties: 'settle ties: where more than three circles touch one disc',
-  hull: 'the directed edges that are left are the hull',
-  flipCenters: 'T ← Delaunay triangulation of the centers',
-  flipDiscs: 'for each triangle of T: the disc that touches its circles',
-  flipTest: 'while the disc beside an edge a–b meets the circle opposite, or there is none:',
-  flip: 'replace a–b by the edge of the two circles opposite',
-  flipDone: 'no edge is wrong: T is the dual of the Voronoi diagram',
-  editBegin: 'the diagram as it is: its triangles and their discs',
-  edit: 'a circle comes, goes or changes',
-  editTest: 'while the disc beside an edge meets the circle (or it shrinks until it touches one):',
-  editFlip: 'replace that edge',
-  editDone: 'all that changed is judged: it is the diagram again',
-} as const
+export type { Line } from './words.ts'
 
 /** Lines under a title; a number says how far one is set in. */
 export interface Algorithm {
-  readonly title: string
+  readonly title: keyof PlayerWords['titles']
   readonly lines: readonly (readonly [line: Line, depth: number])[]
 }
 
 /** The paper's Algorithms 1 to 4, as corrected (ARCHITECTURE.md). */
 const TOUCHING: readonly Algorithm[] = [
   {
-    title: '1 Prepare',
+    title: 'prepare',
     lines: [
       ['begin', 0],
       ['centers', 0],
@@ -55,9 +24,9 @@ const TOUCHING: readonly Algorithm[] = [
       ['pairs', 0],
     ],
   },
-  { title: '4 Loop', lines: [['take', 0]] },
+  { title: 'loop', lines: [['take', 0]] },
   {
-    title: '2 Antipodal disc of a and b',
+    title: 'antipodal',
     lines: [
       ['used', 1],
       ['notEmpty', 1],
@@ -66,7 +35,7 @@ const TOUCHING: readonly Algorithm[] = [
     ],
   },
   {
-    title: '3 Three-touch disc of a→b→c',
+    title: 'threeTouch',
     lines: [
       ['stale', 1],
       ['branch', 1],
@@ -76,7 +45,7 @@ const TOUCHING: readonly Algorithm[] = [
     ],
   },
   {
-    title: 'End',
+    title: 'end',
     lines: [
       ['ties', 0],
       ['hull', 0],
@@ -86,7 +55,7 @@ const TOUCHING: readonly Algorithm[] = [
 
 const FLIPS: readonly Algorithm[] = [
   {
-    title: 'Flips',
+    title: 'flips',
     lines: [
       ['begin', 0],
       ['flipCenters', 0],
@@ -100,7 +69,7 @@ const FLIPS: readonly Algorithm[] = [
 
 const EDITS: readonly Algorithm[] = [
   {
-    title: 'An edit',
+    title: 'edit',
     lines: [
       ['begin', 0],
       ['editBegin', 0],
@@ -118,8 +87,4 @@ export const PROGRAMS: Readonly<Record<Program, readonly Algorithm[]>> = {
   touching: TOUCHING,
   flips: FLIPS,
   edits: EDITS,
-}
-
-export function textOf(line: Line): string {
-  return TEXTS[line]
 }

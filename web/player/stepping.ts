@@ -5,6 +5,7 @@ import type { Store } from '../editing/store.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import type { View } from '../view/view.ts'
 import type { Player } from './player.ts'
+import type { PlayerWords } from './words.ts'
 
 export interface SteppingOptions {
   /** Where the player is shown. */
@@ -16,6 +17,8 @@ export interface SteppingOptions {
   options(method: string | undefined): TraceOptions
   /** Called with each step that is shown, and how many there are. */
   onstep?(step: number, steps: number): void
+  /** What the player says, asked for whenever it is drawn. Default: English. */
+  readonly words?: (() => PlayerWords | undefined) | undefined
   /** Called where nothing can be played, with the reason. */
   onproblem?(error: Error): void
 }
@@ -109,7 +112,7 @@ export class Stepping {
   async #load(): Promise<void> {
     this.#turn += 1
     const turn = this.#turn
-    const { container, view, actions, options, onstep, onproblem = () => {} } = this.#options
+    const { container, view, actions, options, onstep, words, onproblem = () => {} } = this.#options
     try {
       const { mountPlayer } = await import('./player.ts')
       // Meanwhile it may not be wanted any more.
@@ -118,6 +121,7 @@ export class Stepping {
         view,
         options: options(this.#method),
         step: this.#known,
+        words,
         onstep: (step, steps) => {
           this.#known = step
           actions.showStep(step)

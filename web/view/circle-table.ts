@@ -36,6 +36,11 @@ export class CircleTable {
     this.#isThere = new Uint8Array(this.#size).fill(1)
   }
 
+  /** How many ids there have been: all are below. */
+  get size(): number {
+    return this.#size
+  }
+
   get(id: number): Circle | undefined {
     if (this.#isThere[id] !== 1) return undefined
     return { x: at(this.#numbers, 3 * id), y: at(this.#numbers, 3 * id + 1), r: at(this.#numbers, 3 * id + 2) }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { refuseArgument, shown } from '../lib/base/check.ts'
 import type { Point } from '../lib/index.ts'
 import type { LayerValue } from '../lib/link.ts'
+import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
 /** What the color of a cell says. `different`: no two neighbors have one color. `gap`: how near the nearest other circle is. */
 export const CELL_COLORS = ['none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
@@ -171,18 +171,43 @@ export function layersFrom(kept: unknown): Layers {
   return layers as unknown as Layers
 }
 
-/** @throws CircleVoronoiError `badArgument`, of what could not be drawn, which would end the thread that draws */
+/**
+ * The layers with these settings; what is not named, `undefined` or `null` is as by default.
+ *
+ * @throws Refusal of a name that no layer has, or a value that a layer cannot have
+ */
+export function checkedLayers(given: unknown): Layers {
+  if (typeof given !== 'object' || given === null || Array.isArray(given)) {
+    refuse((words) => words.must(words.layers, words.object, shownValue(given)))
+  }
+  const set = Object.entries(given).filter(([, value]) => value !== undefined && value !== null)
+  const layers = { ...DEFAULT_LAYERS, ...Object.fromEntries(set) } as Layers
+  checkLayers(layers)
+  return layers
+}
+
+/** @throws Refusal of a name that no layer has, or a value that would end the thread that draws */
 export function checkLayers(layers: Layers): void {
   const known = layersFrom(layers)
-  for (const name of ['cells', 'nearZero', 'maxDistance', 'candidates', 'sampleCount'] as const) {
-    if (layers[name] !== known[name]) refuseArgument(`The layer ${name} cannot be ${shown(layers[name])}.`)
+  const refuseValue = (name: keyof Layers, allowed: (words: Refusals) => string) =>
+    refuse((words) => words.must(words.layer(name), allowed(words), shownValue(layers[name])))
+  const isOther = (name: keyof Layers) => layers[name] !== known[name]
+  for (const name of Object.keys(layers) as (keyof Layers)[]) {
+    if (!Object.hasOwn(DEFAULT_LAYERS, name)) refuse((words) => words.noLayer(name, Object.keys(DEFAULT_LAYERS)))
+    if (typeof DEFAULT_LAYERS[name] === 'boolean' && isOther(name)) refuseValue(name, (words) => words.trueOrFalse)
   }
-  if (layers.path !== undefined && known.path === undefined) {
-    refuseArgument(`The layer path goes from a point { x, y } to another one.`)
-  }
-  if (!Array.isArray(layers.data) || !layers.data.every(isData)) {
-    refuseArgument('The layer data is an array of objects whose points, segments and discs are arrays of numbers.')
-  }
+  if (isOther('cells')) refuseValue('cells', (words) => words.oneOf(CELL_COLORS))
+  if (isOther('candidates')) refuseValue('candidates', (words) => words.oneOf(CANDIDATES))
+  if (isOther('nearZero')) refuseValue('nearZero', (words) => words.numberFromZero)
+  if (isOther('maxDistance')) refuseValue('maxDistance', (words) => words.number)
+  const { least, most } = SAMPLES[layers.candidates]
+  if (isOther('sampleCount')) refuseValue('sampleCount', (words) => words.wholeNumber(least, most))
+  if (layers.path !== undefined && known.path === undefined) refuseValue('path', (words) => words.path)
+  if (!Array.isArray(layers.data) || !layers.data.every(isData)) refuseValue('data', (words) => words.data)
+}
+
+function refuse(say: (words: Refusals) => string): never {
+  throw new Refusal(ENGLISH_REFUSALS, say)
 }
 
 function isData(layer: unknown): boolean {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from '../lib/base/errors.ts'
+import { CircleVoronoiError, reasonOf } from '../lib/base/errors.ts'
 import type { Circle, Edit, Options } from '../lib/index.ts'
-import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
+import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { Layers } from './layers.ts'
@@ -25,6 +25,7 @@ import type {
   Trial,
   Wish,
 } from './protocol.ts'
+import { Failure, type Refusals } from './refusal.ts'
 import type { Style } from './style.ts'
 
 /** What came of circles that were opened, or of edits. */
@@ -113,20 +114,21 @@ export class Painter {
       circles: () => scene.circles,
       post: (message) => {
         if (isClosed()) return
+        // What cannot be sent is not known later, either.
+        this.#worker?.postMessage(message)
         if (message.kind === 'look') scene.look = message
         if (message.kind === 'mark') scene.mark = message
         if (message.kind === 'layers') scene.layers = message
         if (message.kind === 'close') {
           this.#scenes.delete(number)
-          this.#leave(scene, DISPOSED)
+          this.#leave(scene, isDisposedOf)
         }
-        this.#worker?.postMessage(message)
       },
       edited: (message) =>
         new Promise((resolve, reject) => {
           scene.waiting.set(message.revision, { message, resolve, reject })
           if (isClosed() || this.#isDisposed) {
-            this.#leave(scene, DISPOSED)
+            this.#leave(scene, isDisposedOf)
             return
           }
           if (this.#worker === undefined) this.#start()
@@ -148,24 +150,30 @@ export class Painter {
   /** Ends the thread, and with it all views. */
   dispose(): void {
     this.#isDisposed = true
-    this.#stop(DISPOSED)
+    this.#stop(isDisposedOf)
   }
 
   #start(): void {
-    const worker = startModuleWorker(newPainterWorker, painterFile, PAINTER_NAME)
+    let worker: Worker
+    try {
+      worker = startModuleWorker(newPainterWorker, painterFile, PAINTER_NAME)
+    } catch (error) {
+      this.#stop(() => reasonOf(error))
+      return
+    }
     this.#worker = worker
     this.#hasWorked = false
-    const fail = (reason: string) => {
+    const fail = (reason: Reason) => {
       if (this.#worker === worker) this.#fail(reason)
     }
     worker.onmessage = ({ data }: MessageEvent<FromPainter>) => {
-      if (data.kind === 'failed') fail(data.message)
+      if (data.kind === 'failed') fail(() => data.message)
       else if (this.#worker === worker) this.#receive(data)
     }
-    worker.onerror = (event) => fail(event.message ?? 'its file cannot be loaded')
+    worker.onerror = ({ message }) => fail((words) => message ?? words.noThread)
     compileCircleVoronoi(this.#options).then(
       (module) => worker.postMessage({ kind: 'start', module } satisfies ToPainter),
-      (error: Error) => fail(error.message),
+      (error: Error) => fail(() => reasonOf(error)),
     )
     for (const [scene, { circles, look, mark, layers }] of this.#scenes) {
       const known = { scene, revision: RESTORED }
@@ -207,32 +215,35 @@ export class Painter {
     waiting.resolve({ counts: message.counts, seconds: message.seconds, inserted: change.inserted, back })
   }
 
-  #fail(reason: string): void {
+  #fail(reason: Reason): void {
     const isReplaced = this.#hasWorked
     this.#stop(reason)
     if (isReplaced) this.#start()
   }
 
-  #stop(reason: string): void {
+  #stop(reason: Reason): void {
     this.#worker?.terminate()
     this.#worker = undefined
     for (const scene of this.#scenes.values()) this.#leave(scene, reason)
   }
 
   /** There will be no answers for a scene. */
-  #leave(scene: Scene, reason: string): void {
+  #leave(scene: Scene, reason: Reason): void {
     for (const [request, asked] of this.#asked) {
       if (asked.scene !== scene) continue
       this.#asked.delete(request)
       asked.resolve(undefined)
     }
-    const failure = new Error(`The diagram could not be computed: ${reason}.`)
+    const failure = new Failure((words) => words.notComputed(reason(words)))
     for (const { reject } of scene.waiting.values()) reject(failure)
     scene.waiting.clear()
   }
 }
 
-const DISPOSED = 'it was disposed of'
+/** Why the thread does nothing more. */
+type Reason = (words: Refusals) => string
+
+const isDisposedOf: Reason = (words) => words.disposed
 
 /** The revision of what a new thread is told of old circles. */
 const RESTORED = 0

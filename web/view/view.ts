@@ -23,12 +23,13 @@ import type {
   Traced,
   Trial,
 } from './protocol.ts'
+import { Failure } from './refusal.ts'
 import { isDark, readStyle, type Style } from './style.ts'
 
 /** A zoom rests so long, in milliseconds, before the picture is painted sharp. */
 const REST = 80
 
-const NOT_DRAWN = 'The picture could not be drawn.'
+const notDrawn = () => new Failure((words) => words.notDrawn)
 
 /** What listeners are told. */
 export interface ViewEvents {
@@ -242,29 +243,34 @@ export class View {
   set hasDiagram(hasDiagram: boolean) {
     if (hasDiagram === this.#hasDiagram) return
     this.#hasDiagram = hasDiagram
-    this.#drawLayers()
+    this.#drawLayers(this.#layers)
     this.#tell('diagram', hasDiagram)
   }
 
   get #drawnLayers(): Layers {
-    return this.#hasDiagram ? this.#layers : withoutDiagram(this.#layers)
+    return this.#drawn(this.#layers)
+  }
+
+  #drawn(layers: Layers): Layers {
+    return this.#hasDiagram ? layers : withoutDiagram(layers)
   }
 
   /**
    * Draws something else, or something more; layers that are not named stay.
    *
-   * @throws CircleVoronoiError `badArgument`, if there is nothing that could be drawn of one; then all stays as it was
+   * @throws CircleVoronoiError `badArgument`, if there is nothing that could be drawn of one, and what the browser throws of
+   *   something that it cannot send to a thread; then all stays as it was
    */
   setLayers(change: Partial<Layers>): void {
     const layers = { ...this.#layers, ...change }
     checkLayers(layers)
+    this.#drawLayers(layers)
     this.#layers = layers
-    this.#drawLayers()
     this.#tell('layers', layers)
   }
 
-  #drawLayers(): void {
-    this.#scene.setLayers(this.#drawnLayers)
+  #drawLayers(layers: Layers): void {
+    this.#scene.setLayers(this.#drawn(layers))
     const wish = this.#isShown ? this.#picture.again(this.#camera, this.#size) : undefined
     if (wish !== undefined) this.#scene.look(wish, this.#style)
     this.#overlayChanges()
@@ -316,7 +322,7 @@ export class View {
     const { width, height } = this.#size
     const frame = { ...this.#camera, width, height }
     const elements = await this.#scene.svg(frame, 1, this.#style)
-    if (elements === undefined) throw new Error(NOT_DRAWN)
+    if (elements === undefined) throw notDrawn()
     const above = new SvgDrawing()
     this.#drawAbove(above, frame, 1, NOTHING_STANDS_OUT)
     return svgOf(width, height, [elements, String(above)])
@@ -330,7 +336,7 @@ export class View {
   async toPNG(scale = devicePixelRatio): Promise<Blob> {
     const frame = pictureFrame(this.#camera, this.#size, scale)
     const image = await this.#scene.image(frame, scale, this.#style)
-    if (image === undefined) throw new Error(NOT_DRAWN)
+    if (image === undefined) throw notDrawn()
     const canvas = new OffscreenCanvas(frame.width, frame.height)
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
     context.drawImage(image, 0, 0)

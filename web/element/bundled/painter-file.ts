@@ -3,10 +3,17 @@
 
 export const PAINTER_NAME = 'circle-voronoi/painter'
 
-export function painterFile(): URL {
-  return new URL(import.meta.url)
+/** All of this file as a function of its address (scripts/bundle.mjs). */
+declare function wholeFile(address: string): unknown
+
+/** The file itself: where a page takes no workers from its address, it has no need to load it once more. */
+export function painterFile(): string {
+  return `'use strict';(${wholeFile})('')`
 }
 
 export function newPainterWorker(): Worker {
-  return new Worker(painterFile(), { type: 'module', name: PAINTER_NAME })
+  const here = import.meta.url
+  // Pasted into a page, it has the page's address.
+  if (here === document.baseURI) throw new DOMException('This script has no file.', 'SecurityError')
+  return new Worker(here, { type: 'module', name: PAINTER_NAME })
 }

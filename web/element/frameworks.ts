@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The element in JSX and in templates. A framework that is not installed is no part of a program.
+import type { Circles } from '../lib/index.ts'
+import type { LinkView } from '../lib/link.ts'
+import type { Layers } from '../view/layers.ts'
+import type { Check } from './check-types.ts'
+import type { CircleVoronoiEventMap } from './circle-voronoi-element.ts'
+
+/**
+ * What may be set of `<circle-voronoi>` in JSX and in templates. `undefined` and `null` are not set; a string is what the
+ * attribute says.
+ *
+ * @category Element
+ */
+export interface CircleVoronoiProps {
+  alt?: string | null | undefined
+  check?: Check | string | null | undefined
+  circles?: Circles | string | null | undefined
+  controls?: string | boolean | null | undefined
+  lang?: string | undefined
+  layers?: Partial<Layers> | string | null | undefined
+  method?: 'auto' | 'touching-disc' | 'flip' | null | undefined
+  name?: string | null | undefined
+  readonly?: boolean | null | undefined
+  samples?: number | string | null | undefined
+  selection?: readonly number[] | null | undefined
+  src?: string | null | undefined
+  step?: number | string | null | undefined
+  view?: LinkView | string | null | undefined
+}
+
+/** Events, by the names of properties that listen. */
+type Listeners = {
+  [Name in keyof CircleVoronoiEventMap as `on${Name}`]?: ((event: CircleVoronoiEventMap[Name]) => void) | undefined
+}
+type VueListeners = {
+  [Name in keyof CircleVoronoiEventMap as `on${Capitalize<Name>}`]?: Listeners[`on${Name}`]
+}
+/** What any element has in a framework. */
+interface Common {
+  [name: `${'aria-' | 'data-' | 'on'}${string}`]: unknown
+  children?: unknown
+  class?: unknown
+  className?: string | undefined
+  dir?: string | undefined
+  hidden?: boolean | undefined
+  id?: string | undefined
+  key?: string | number | bigint | null | undefined
+  ref?: unknown
+  slot?: string | undefined
+  style?: unknown
+  tabIndex?: number | undefined
+  title?: string | undefined
+}
+type Props = Common & CircleVoronoiProps & Listeners
+
+/** @ts-ignore Only where it is installed: React from 19 on */
+declare module 'react' {
+  namespace JSX {
+    interface IntrinsicElements {
+      'circle-voronoi': Props
+    }
+  }
+}
+/** @ts-ignore Only where it is installed */
+declare module 'preact' {
+  namespace JSX {
+    interface IntrinsicElements {
+      'circle-voronoi': Props
+    }
+  }
+}
+/** @ts-ignore Only where it is installed */
+declare module 'vue' {
+  interface GlobalComponents {
+    'circle-voronoi': new () => { $props: Common & CircleVoronoiProps & VueListeners }
+  }
+}
+/** @ts-ignore Only where it is installed */
+declare module 'svelte/elements' {
+  interface SvelteHTMLElements {
+    'circle-voronoi': Props
+  }
+}

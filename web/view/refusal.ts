@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { CircleVoronoiError, type ErrorCode } from '../lib/base/errors.ts'
+
+/** What is wrong, in the sentences of a language. */
+export interface Refusals {
+  /** `got`: as `shownValue` writes it. */
+  must(what: string, allowed: string, got: string): string
+  readonly layers: string
+  readonly object: string
+  layer(name: string): string
+  oneOf(values: readonly string[]): string
+  wholeNumber(least: number, most?: number): string
+  readonly trueOrFalse: string
+  readonly number: string
+  readonly numberFromZero: string
+  readonly path: string
+  readonly data: string
+  noLayer(word: string, names: readonly string[]): string
+  /** `reason`: of the failure, which may be in English. */
+  notComputed(reason: string): string
+  readonly notDrawn: string
+  readonly nothingChanged: string
+  readonly disposed: string
+  readonly noThread: string
+}
+
+/** The words of English lists: `a, b or c`. */
+export function listed(names: readonly string[], last: string): string {
+  return names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} ${last} ${names.at(-1)}`
+}
+
+export const ENGLISH_REFUSALS: Refusals = {
+  must: (what, allowed, got) => `${what} must be ${allowed} (got ${got}).`,
+  layers: 'The layers',
+  object: 'an object',
+  layer: (name) => `The layer ${name}`,
+  oneOf: (values) => listed(values, 'or'),
+  wholeNumber: (least, most) => `a whole number from ${least}${most === undefined ? '' : ` to ${most}`}`,
+  trueOrFalse: 'true or false',
+  number: 'a number',
+  numberFromZero: 'a number from 0',
+  path: 'two points { from: { x, y }, to: { x, y } }',
+  data: 'an array of objects whose points, segments and discs are arrays of numbers',
+  noLayer: (word, names) => `There is no layer ${word}. The layers are ${listed(names, 'and')}.`,
+  notComputed: (reason) => `The diagram could not be computed: ${reason}.`,
+  notDrawn: 'The picture could not be drawn.',
+  nothingChanged: 'Nothing has changed. Try again.',
+  disposed: 'it was disposed of',
+  noThread: 'its file cannot be loaded',
+}
+
+/** An error that can be told in any language. */
+export interface Telling<Words> extends Error {
+  say(words: Words): string
+}
+
+/** What was asked for cannot be done. Its message is English; `say` tells it in another language. */
+export class Refusal<Words = Refusals> extends CircleVoronoiError implements Telling<Words> {
+  readonly say: (words: Words) => string
+
+  constructor(english: Words, say: (words: Words) => string, code: ErrorCode = 'badArgument') {
+    super(code, -1, say(english))
+    this.say = say
+  }
+}
+
+/** The computer failed, whatever was asked. */
+export class Failure extends Error implements Telling<Refusals> {
+  readonly say: (words: Refusals) => string
+
+  constructor(say: (words: Refusals) => string) {
+    super(say(ENGLISH_REFUSALS))
+    this.say = say
+  }
+}
+
+/** A value as it can stand in a sentence of any language. */
+export function shownValue(value: unknown): string {
+  const text = JSON.stringify(value) ?? typeof value
+  return text.length > 40 ? `${text.slice(0, 40)}…` : text
+}
