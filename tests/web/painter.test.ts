@@ -3,6 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { type Circle, CircleVoronoiError, type Edit } from '../../web/lib/index.ts'
 import { BasePicture } from '../../web/view/base-picture.ts'
 import { type CircleChange, CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { Painter, type PainterScene } from '../../web/view/painter.ts'
 import type { FromPainter, Marks, ToPainter, Wish } from '../../web/view/protocol.ts'
 import { library, seededRandom } from './library.ts'
@@ -82,25 +83,69 @@ describe('the painter', () => {
 
   it('rejects what was asked of a thread that fails, and answers what was hit with nothing', async () => {
     const open = scene.open(Float64Array.of(0, 0, 1))
-    const hit = scene.hit(0, 0, 1)
+    const hit = scene.ask('hit', 0, 0, 1)
     worker().answer({ kind: 'failed', message: 'out of memory' })
     await expect(open).rejects.toThrow(/out of memory/)
     await expect(open).rejects.not.toBeInstanceOf(CircleVoronoiError)
     expect(await hit).toBeUndefined()
-    expect(await scene.hit(0, 0, 1)).toBeUndefined()
+    expect(await scene.ask('hit', 0, 0, 1)).toBeUndefined()
     expect(worker().isTerminated).toBe(true)
   })
 
   it('keeps nothing of what was answered', async () => {
     const kept = vi.spyOn(Map.prototype, 'set')
-    const hit = scene.hit(0, 0, 1)
+    const hit = scene.ask('hit', 0, 0, 1)
     const asked = kept.mock.contexts.at(-1) as Map<unknown, unknown>
     kept.mockRestore()
-    const request = worker().of('hit')[0]?.request as number
+    const request = worker().of('ask')[0]?.request as number
     expect([...asked.keys()]).toEqual([request])
-    worker().answer({ kind: 'hit', request, hit: { id: 1, part: 'disc' } })
+    worker().answer({ kind: 'answer', request, value: { id: 1, part: 'disc' } })
     expect(await hit).toEqual({ id: 1, part: 'disc' })
     expect(asked.size).toBe(0)
+  })
+
+  it('throws what cannot be answered', async () => {
+    const traced = scene.ask('trace', {})
+    const [asked] = worker().of('ask')
+    expect(asked).toMatchObject({ scene: 1, name: 'trace', args: [{}] })
+    const request = asked?.request as number
+    worker().answer({ kind: 'noAnswer', request, code: 'tooManyCircles', circle: -1, message: 'Too many.' })
+    await expect(traced).rejects.toMatchObject({ code: 'tooManyCircles', message: 'Too many.' })
+  })
+
+  it('tells why there is no thread, and tries once more when something is asked again', async () => {
+    let isBroken = true
+    class BrokenWorker extends FakeWorker {
+      constructor() {
+        if (isBroken) throw new Error('There are no threads here.')
+        super()
+      }
+    }
+    vi.stubGlobal('Worker', BrokenWorker)
+    const other = new Painter({ wasm: WASM }).add({ painted() {}, marked() {}, outlined() {}, found() {} })
+    await expect(other.open(new Float64Array())).rejects.toThrow(
+      'The diagram could not be computed: There are no threads here.',
+    )
+    isBroken = false
+    const open = other.open(new Float64Array())
+    worker().answer(opened(2))
+    expect((await open).counts).toEqual(COUNTS)
+  })
+
+  it('does not keep layers that cannot be sent', () => {
+    const { postMessage } = worker()
+    worker().postMessage = (message) => postMessage.call(worker(), structuredClone(message))
+    const data = [{ id: 'a', color: 'red', points: [() => {}] } as never]
+    expect(() => scene.setLayers({ ...DEFAULT_LAYERS, data })).toThrow(/could not be cloned/)
+    scene.setLayers({ ...DEFAULT_LAYERS, hull: true })
+    scene.ask('hit', 0, 0, 1)
+    worker().answer({ kind: 'answer', request: 1, value: undefined })
+    worker().onerror?.({ message: 'it broke' })
+    expect(
+      worker()
+        .of('layers')
+        .map(({ layers }) => layers),
+    ).toEqual([{ ...DEFAULT_LAYERS, hull: true }])
   })
 
   it('has another thread go on where one that worked has failed', async () => {
@@ -136,9 +181,9 @@ describe('the painter', () => {
     ).toEqual([1])
     // What the first thread says now is late.
     worker(0).answer({ kind: 'failed', message: 'again' })
-    const hit = scene.hit(0, 0, 1)
-    const [asked] = worker().of('hit')
-    worker().answer({ kind: 'hit', request: asked?.request as number, hit: { id: 1, part: 'disc' } })
+    const hit = scene.ask('hit', 0, 0, 1)
+    const [asked] = worker().of('ask')
+    worker().answer({ kind: 'answer', request: asked?.request as number, value: { id: 1, part: 'disc' } })
     expect(await hit).toEqual({ id: 1, part: 'disc' })
   })
 
@@ -154,8 +199,8 @@ describe('the painter', () => {
   })
 
   it('replaces a thread that has answered anything', async () => {
-    const hit = scene.hit(0, 0, 1)
-    worker().answer({ kind: 'hit', request: 1, hit: undefined })
+    const hit = scene.ask('hit', 0, 0, 1)
+    worker().answer({ kind: 'answer', request: 1, value: undefined })
     expect(await hit).toBeUndefined()
     worker().onerror?.({ message: 'it broke' })
     expect(FakeWorker.all.length).toBe(2)
@@ -173,7 +218,7 @@ describe('the painter', () => {
   it('leaves nothing open of a scene that is closed, and hears nothing more of it', async () => {
     const other = painter.add({ painted() {}, marked() {}, outlined() {}, found() {} })
     const open = scene.open(new Float64Array())
-    const hit = scene.hit(0, 0, 1)
+    const hit = scene.ask('hit', 0, 0, 1)
     const otherOpen = other.open(new Float64Array())
     scene.close()
     await expect(open).rejects.toThrow('The diagram could not be computed: it was disposed of.')
@@ -182,7 +227,7 @@ describe('the painter', () => {
     scene.mark(1, undefined)
     scene.look(wish, {} as never)
     scene.close()
-    expect(await scene.hit(0, 0, 1)).toBeUndefined()
+    expect(await scene.ask('hit', 0, 0, 1)).toBeUndefined()
     await expect(scene.edit([])).rejects.toThrow(/disposed/)
     expect(worker().got).toHaveLength(length)
     worker().answer(opened(1))

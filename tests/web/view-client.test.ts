@@ -46,7 +46,7 @@ function opened() {
   let events: Parameters<Painter['add']>[0] | undefined
   const scene = {
     setLayers() {},
-    touch: () => new Promise<Touching | undefined>((resolve) => answers.push(resolve)),
+    ask: () => new Promise<Touching | undefined>((resolve) => answers.push(resolve)),
   }
   const painter = {
     add(given: typeof events) {

@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { CircleVoronoiError, reasonOf } from '../lib/base/errors.ts'
-import type { Circle, Edit, Options } from '../lib/index.ts'
+import type { Edit } from '../lib/index.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
-import type { TraceOptions } from '../lib/wasm/trace.ts'
 import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { Layers } from './layers.ts'
-import type { Frame } from './painter/frame.ts'
 import { newPainterWorker, PAINTER_NAME, painterFile } from './painter-file.ts'
-import type {
-  Column,
-  Computed,
-  Counts,
-  Distribution,
-  Facts,
-  Found,
-  FromPainter,
-  Hit,
-  Marks,
-  Tabulated,
-  ToPainter,
-  Touching,
-  Traced,
-  Trial,
-  Wish,
-} from './protocol.ts'
+import type { Counts, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
 import { Failure, type Refusals } from './refusal.ts'
 import type { Style } from './style.ts'
 
@@ -61,7 +43,8 @@ interface Waiting {
 /** What was asked without a change of circles. */
 interface Asked {
   readonly scene: Scene
-  resolve(answer: undefined): void
+  resolve(answer: unknown): void
+  reject(error: unknown): void
 }
 
 interface Scene {
@@ -134,15 +117,16 @@ export class Painter {
           if (this.#worker === undefined) this.#start()
           this.#worker?.postMessage(message)
         }),
-      ask: (message) =>
-        new Promise((resolve) => {
+      ask: (name, args) =>
+        new Promise((resolve, reject) => {
           if (this.#worker === undefined || isClosed()) {
             resolve(undefined)
             return
           }
           this.#lastRequest += 1
-          this.#asked.set(this.#lastRequest, { scene, resolve: resolve as (answer: undefined) => void })
-          this.#worker.postMessage({ ...message, request: this.#lastRequest })
+          const message = { kind: 'ask', scene: number, request: this.#lastRequest, name, args } satisfies ToPainter
+          this.#worker.postMessage(message)
+          this.#asked.set(this.#lastRequest, { scene, resolve, reject })
         }),
     })
   }
@@ -190,8 +174,10 @@ export class Painter {
   #receive(message: Exclude<FromPainter, { kind: 'failed' }>): void {
     if ('request' in message) {
       this.#hasWorked = true
-      this.#asked.get(message.request)?.resolve(message as never)
+      const asked = this.#asked.get(message.request)
       this.#asked.delete(message.request)
+      if (message.kind === 'answer') asked?.resolve(message.value)
+      else asked?.reject(new CircleVoronoiError(message.code, message.circle, message.message))
       return
     }
     const scene = this.#scenes.get(message.scene)
@@ -254,9 +240,10 @@ interface Line {
   post(message: ToPainter): void
   /** Posts it, too. */
   edited(message: Waiting['message']): Promise<Edited>
-  /** `undefined`: there will be no answer. */
-  ask<Answer>(message: object): Promise<Answer | undefined>
+  ask(name: keyof Questions, args: readonly unknown[]): Promise<unknown>
 }
+
+type Answer<Name extends keyof Questions> = ReturnType<Questions[Name]> | undefined
 
 /** The circles of one view, in the painter's thread. */
 export class PainterScene {
@@ -289,77 +276,18 @@ export class PainterScene {
     this.#line.post({ kind: 'look', scene: this.#scene, ...wish, style })
   }
 
-  /** The circle at a point of the plane; `slack`: how near counts as on it. */
-  async hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
-    const answer = await this.#line.ask<{ hit: Hit | undefined }>({ kind: 'hit', scene: this.#scene, x, y, slack })
-    return answer?.hit
-  }
-
-  /** The disc around the vertex or the point of an edge next to a point of the plane. */
-  async touch(x: number, y: number, slack: number): Promise<Touching | undefined> {
-    const message = { kind: 'touch', scene: this.#scene, x, y, slack }
-    return (await this.#line.ask<{ touching: Touching | undefined }>(message))?.touching
-  }
-
-  /** What a circle would take; `undefined`: it is none. */
-  async try(circle: Circle): Promise<Trial | undefined> {
-    return (await this.#line.ask<{ trial: Trial | undefined }>({ kind: 'try', scene: this.#scene, circle }))?.trial
-  }
-
   /** The circles as they are after all edits that are done; another table for other circles. */
   get circles(): CircleTable {
     return this.#line.circles()
   }
 
-  /** What a frame shows, without what stands out: the elements of an SVG. `undefined`: it could not be drawn. */
-  async svg(frame: Frame, pixelRatio: number, style: Style): Promise<string | undefined> {
-    const message = { kind: 'draw', scene: this.#scene, as: 'svg', frame, pixelRatio, style }
-    return (await this.#line.ask<{ drawing: string | undefined }>(message))?.drawing
-  }
-
-  /** The same in pixels. */
-  async image(frame: Frame, pixelRatio: number, style: Style): Promise<ImageBitmap | undefined> {
-    const message = { kind: 'draw', scene: this.#scene, as: 'image', frame, pixelRatio, style }
-    return (await this.#line.ask<{ drawing: ImageBitmap | undefined }>(message))?.drawing
-  }
-
-  /** How cells are distributed: a moment later, where there are many. `undefined`: the thread has failed. */
-  async measure(): Promise<Distribution | undefined> {
-    const answer = await this.#line.ask<{ distribution: Distribution }>({ kind: 'measure', scene: this.#scene })
-    return answer?.distribution
-  }
-
-  /** What the cells of circles measure: of these ids at once, of all a moment later. */
-  async tabulate(columns: readonly Column[], ids?: Int32Array): Promise<Tabulated | undefined> {
-    const message = { kind: 'tabulate', scene: this.#scene, columns, ids }
-    return (await this.#line.ask<{ table: Tabulated }>(message))?.table
-  }
-
-  /** What is so of the diagram and of the cells of circles. */
-  async tell(ids: readonly number[]): Promise<Facts | undefined> {
-    const answer = await this.#line.ask<{ facts: Facts }>({ kind: 'tell', scene: this.#scene, ids })
-    return answer?.facts
-  }
-
-  /** Computes the diagram from nothing, likewise. */
-  async compute(options: Options): Promise<Computed | undefined> {
-    const message = { kind: 'compute', scene: this.#scene, options }
-    return (await this.#line.ask<{ computed: Computed }>(message))?.computed
-  }
-
   /**
-   * What a method does with the circles, event by event.
+   * `undefined`: there is no answer, as the thread has failed.
    *
-   * @throws CircleVoronoiError as `trace` of the library, and of too many circles
+   * @throws CircleVoronoiError that says why it cannot be answered
    */
-  async trace(options: TraceOptions): Promise<Traced | undefined> {
-    const answer = await this.#line.ask<Extract<FromPainter, { kind: 'traced' | 'notTraced' }>>({
-      kind: 'trace',
-      scene: this.#scene,
-      options,
-    })
-    if (answer?.kind === 'notTraced') throw new CircleVoronoiError(answer.code, answer.circle, answer.message)
-    return answer?.traced
+  ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
+    return this.#line.ask(name, args) as Promise<Answer<Name>>
   }
 
   /** What is drawn; the next `look` has it painted. */

@@ -54,6 +54,30 @@ export interface Wish {
   readonly wanted: PixelBox
 }
 
+/** What a view asks of its circles in the painter's thread. `undefined`: there is nothing, or it could not be drawn. */
+export interface Questions {
+  /** The circle at a point of the plane; `slack`: how near counts as on it, in units. */
+  hit(x: number, y: number, slack: number): Hit | undefined
+  /** The disc around the vertex or the point of an edge next to a point of the plane, no farther than `slack`. */
+  touch(x: number, y: number, slack: number): Touching | undefined
+  /** What a circle would take. */
+  try(circle: Circle): Trial | undefined
+  /** What a frame shows without what stands out: the elements of an SVG. */
+  svg(frame: Frame, pixelRatio: number, style: Style): string | undefined
+  /** The same in pixels. */
+  image(frame: Frame, pixelRatio: number, style: Style): ImageBitmap | undefined
+  /** How cells are distributed: a moment later, where there are many. */
+  measure(): Distribution
+  /** What circles and their cells measure: of these ids at once, of all a moment later. */
+  tabulate(columns: readonly Column[], ids: Int32Array | undefined): Tabulated
+  /** What is so of the diagram and of the cells of some circles. */
+  tell(ids: readonly number[]): Facts
+  /** All computed once more from nothing, to see how. */
+  compute(options: Options): Computed
+  /** What a method does with the circles, event by event. */
+  trace(options: TraceOptions): Traced
+}
+
 export type ToPainter =
   | { readonly kind: 'start'; readonly module: CompiledWasm }
   /** A scene without circles. What is for none that is there is not heard. */
@@ -63,52 +87,14 @@ export type ToPainter =
   /** All or none. */
   | { readonly kind: 'edit'; readonly scene: number; readonly revision: number; readonly edits: readonly Edit[] }
   | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & Wish)
-  /** The circle at a point of the plane; `slack`: how near counts as on it, in units. */
+  /** What is asked by its name, and what is given with it. */
   | {
-      readonly kind: 'hit'
+      readonly kind: 'ask'
       readonly scene: number
       readonly request: number
-      readonly x: number
-      readonly y: number
-      readonly slack: number
+      readonly name: keyof Questions
+      readonly args: readonly unknown[]
     }
-  /** The vertex or the point of an edge next to a point of the plane, no farther than `slack`. */
-  | {
-      readonly kind: 'touch'
-      readonly scene: number
-      readonly request: number
-      readonly x: number
-      readonly y: number
-      readonly slack: number
-    }
-  /** What a circle would take. */
-  | { readonly kind: 'try'; readonly scene: number; readonly request: number; readonly circle: Circle }
-  /** What a frame shows, all at once. */
-  | {
-      readonly kind: 'draw'
-      readonly scene: number
-      readonly request: number
-      readonly as: 'svg' | 'image'
-      readonly frame: Frame
-      readonly pixelRatio: number
-      readonly style: Style
-    }
-  /** How cells are distributed. */
-  | { readonly kind: 'measure'; readonly scene: number; readonly request: number }
-  /** What circles and their cells measure; all circles, if no ids are named. */
-  | {
-      readonly kind: 'tabulate'
-      readonly scene: number
-      readonly request: number
-      readonly columns: readonly Column[]
-      readonly ids: Int32Array | undefined
-    }
-  /** What is so of the diagram and of the cells of some circles. */
-  | { readonly kind: 'tell'; readonly scene: number; readonly request: number; readonly ids: readonly number[] }
-  /** All computed once more from nothing, to see how. */
-  | { readonly kind: 'compute'; readonly scene: number; readonly request: number; readonly options: Options }
-  /** What a method does with the circles, event by event. */
-  | { readonly kind: 'trace'; readonly scene: number; readonly request: number; readonly options: TraceOptions }
   /** What is drawn; `isPainted`: not only what is found (`Found`) is another. */
   | { readonly kind: 'layers'; readonly scene: number; readonly layers: Layers; readonly isPainted: boolean }
   /** Which circles stand out; what is known of them comes now and with each edit. */
@@ -168,18 +154,9 @@ export type FromPainter =
       /** Whether all of that is painted now. */
       readonly isWhole: boolean
     }
-  | { readonly kind: 'hit'; readonly request: number; readonly hit: Hit | undefined }
-  | { readonly kind: 'touched'; readonly request: number; readonly touching: Touching | undefined }
-  | { readonly kind: 'tried'; readonly request: number; readonly trial: Trial | undefined }
-  /** The elements of an SVG, or an image; `undefined`: it could not be drawn. */
-  | { readonly kind: 'drawn'; readonly request: number; readonly drawing: string | ImageBitmap | undefined }
-  | { readonly kind: 'measured'; readonly request: number; readonly distribution: Distribution }
-  | { readonly kind: 'tabulated'; readonly request: number; readonly table: Tabulated }
-  | { readonly kind: 'told'; readonly request: number; readonly facts: Facts }
-  | { readonly kind: 'computed'; readonly request: number; readonly computed: Computed }
-  | { readonly kind: 'traced'; readonly request: number; readonly traced: Traced }
+  | { readonly kind: 'answer'; readonly request: number; readonly value: unknown }
   | {
-      readonly kind: 'notTraced'
+      readonly kind: 'noAnswer'
       readonly request: number
       readonly code: ErrorCode
       readonly circle: number

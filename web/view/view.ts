@@ -198,27 +198,27 @@ export class View {
   }
 
   hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
-    return this.#scene.hit(x, y, slack)
+    return this.#scene.ask('hit', x, y, slack)
   }
 
   /** How cells are distributed. */
   measure(): Promise<Distribution | undefined> {
-    return this.#scene.measure()
+    return this.#scene.ask('measure')
   }
 
   /** What the cells of circles measure; of all, if no ids are given. `undefined`: it could not be found. */
   tabulate(columns: readonly Column[], ids?: Int32Array): Promise<Tabulated | undefined> {
-    return this.#scene.tabulate(columns, ids)
+    return this.#scene.ask('tabulate', columns, ids)
   }
 
   /** What is so of the diagram and of the cells of circles. */
   tell(ids: readonly number[]): Promise<Facts | undefined> {
-    return this.#scene.tell(ids)
+    return this.#scene.ask('tell', ids)
   }
 
   /** Computes the diagram once more from nothing, to see how. */
   compute(options: Options): Promise<Computed | undefined> {
-    return this.#scene.compute(options)
+    return this.#scene.ask('compute', options)
   }
 
   /**
@@ -227,7 +227,7 @@ export class View {
    * @throws CircleVoronoiError as `trace` of the library, and of more than `MOST_PLAYED` circles
    */
   trace(options: TraceOptions): Promise<Traced | undefined> {
-    return this.#scene.trace(options)
+    return this.#scene.ask('trace', options)
   }
 
   /** What is drawn, unless only circles are (`hasDiagram`). */
@@ -280,7 +280,9 @@ export class View {
   async touch(point: Point | undefined, slack: number): Promise<void> {
     this.#touchedAt = point
     const touching =
-      point === undefined || !this.#drawnLayers.disc ? undefined : await this.#scene.touch(point.x, point.y, slack)
+      point === undefined || !this.#drawnLayers.disc
+        ? undefined
+        : await this.#scene.ask('touch', point.x, point.y, slack)
     if (this.#touchedAt !== point || touching === this.#touching) return
     this.#touching = touching
     this.#overlayChanges()
@@ -290,7 +292,7 @@ export class View {
   async tryCircle(circle: Circle | undefined): Promise<void> {
     this.#lastTrial += 1
     const turn = this.#lastTrial
-    const trial = circle === undefined ? undefined : await this.#scene.try(circle)
+    const trial = circle === undefined ? undefined : await this.#scene.ask('try', circle)
     if (turn !== this.#lastTrial || trial === this.#trial) return
     this.#trial = trial
     this.#overlayChanges()
@@ -321,7 +323,7 @@ export class View {
   async toSVG(): Promise<string> {
     const { width, height } = this.#size
     const frame = { ...this.#camera, width, height }
-    const elements = await this.#scene.svg(frame, 1, this.#style)
+    const elements = await this.#scene.ask('svg', frame, 1, this.#style)
     if (elements === undefined) throw notDrawn()
     const above = new SvgDrawing()
     this.#drawAbove(above, frame, 1, NOTHING_STANDS_OUT)
@@ -335,7 +337,7 @@ export class View {
    */
   async toPNG(scale = devicePixelRatio): Promise<Blob> {
     const frame = pictureFrame(this.#camera, this.#size, scale)
-    const image = await this.#scene.image(frame, scale, this.#style)
+    const image = await this.#scene.ask('image', frame, scale, this.#style)
     if (image === undefined) throw notDrawn()
     const canvas = new OffscreenCanvas(frame.width, frame.height)
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D

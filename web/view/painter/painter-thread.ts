@@ -3,7 +3,7 @@
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import type { Comparison } from '../../lib/comparison.ts'
 import { type CircleVoronoi, circleVoronoiOf } from '../../lib/wasm/library.ts'
-import type { FromPainter, Patch, ToPainter } from '../protocol.ts'
+import type { FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
 import { CanvasDrawing, SvgDrawing } from './drawing.ts'
 import { PaintedScene } from './painted-scene.ts'
 
@@ -107,51 +107,8 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       if (isOtherScale && scene.isPathFound) tellFound(message.scene, scene)
       return
     }
-    case 'hit':
-      post({ kind: 'hit', request: message.request, hit: scene.hit(message.x, message.y, message.slack) })
-      return
-    case 'touch':
-      post({ kind: 'touched', request: message.request, touching: scene.touch(message.x, message.y, message.slack) })
-      return
-    case 'try':
-      post({ kind: 'tried', request: message.request, trial: scene.try(message.circle) })
-      return
-    case 'draw': {
-      const drawing = drawn(scene, message)
-      const transfer = typeof drawing === 'object' ? [drawing] : []
-      post({ kind: 'drawn', request: message.request, drawing }, transfer)
-      return
-    }
-    case 'measure':
-      measureInSteps(scene, function* () {
-        return { kind: 'measured', request: message.request, distribution: yield* scene.measure() }
-      })
-      return
-    case 'tabulate': {
-      const { request, columns, ids } = message
-      if (ids !== undefined) {
-        post({ kind: 'tabulated', request, table: scene.tabulate(columns, ids) })
-        return
-      }
-      measureInSteps(scene, function* () {
-        return { kind: 'tabulated', request, table: yield* scene.tabulateAll(columns) }
-      })
-      return
-    }
-    case 'tell':
-      post({ kind: 'told', request: message.request, facts: scene.tell(message.ids) })
-      return
-    case 'compute':
-      post({ kind: 'computed', request: message.request, computed: scene.compute(message.options) })
-      return
-    case 'trace':
-      try {
-        post({ kind: 'traced', request: message.request, traced: scene.trace(message.options) })
-      } catch (error) {
-        if (!(error instanceof CircleVoronoiError)) throw error
-        const { code, circle, message: text } = error
-        post({ kind: 'notTraced', request: message.request, code, circle, message: text })
-      }
+    case 'ask':
+      reply(scene, message)
       return
     case 'layers':
       scene.setLayers(message.layers, message.isPainted)
@@ -167,21 +124,60 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
   }
 }
 
-/** `undefined`: it is too large for a canvas, or for the memory; other scenes go on. */
-function drawn(
-  scene: PaintedScene,
-  { as, frame, pixelRatio, style }: Extract<ToPainter, { kind: 'draw' }>,
-): string | ImageBitmap | undefined {
-  try {
-    if (as === 'svg') {
+/** What takes long is answered in steps. */
+type Steps<Value> = () => Generator<void, Value>
+type Answers = {
+  readonly [Name in keyof Questions]: (
+    scene: PaintedScene,
+    ...args: Parameters<Questions[Name]>
+  ) => ReturnType<Questions[Name]> | Steps<ReturnType<Questions[Name]>>
+}
+
+const answers: Answers = {
+  hit: (scene, x, y, slack) => scene.hit(x, y, slack),
+  touch: (scene, x, y, slack) => scene.touch(x, y, slack),
+  try: (scene, circle) => scene.try(circle),
+  svg: (scene, ...given) =>
+    drawn(() => {
       const drawing = new SvgDrawing()
-      scene.draw(drawing, frame, pixelRatio, style)
+      scene.draw(drawing, ...given)
       return String(drawing)
+    }),
+  image: (scene, frame, ...given) =>
+    drawn(() => {
+      const canvas = new OffscreenCanvas(frame.width, frame.height)
+      const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
+      scene.draw(new CanvasDrawing(context), frame, ...given)
+      return canvas.transferToImageBitmap()
+    }),
+  measure: (scene) => () => scene.measure(),
+  tabulate: (scene, columns, ids) =>
+    ids === undefined ? () => scene.tabulateAll(columns) : scene.tabulate(columns, ids),
+  tell: (scene, ids) => scene.tell(ids),
+  compute: (scene, options) => scene.compute(options),
+  trace: (scene, options) => scene.trace(options),
+}
+
+function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, { kind: 'ask' }>): void {
+  try {
+    const value = (answers[name] as (scene: PaintedScene, ...args: readonly unknown[]) => unknown)(scene, ...args)
+    if (typeof value !== 'function') {
+      post({ kind: 'answer', request, value }, name === 'image' && value !== undefined ? [value as ImageBitmap] : [])
+      return
     }
-    const canvas = new OffscreenCanvas(frame.width, frame.height)
-    const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-    scene.draw(new CanvasDrawing(context), frame, pixelRatio, style)
-    return canvas.transferToImageBitmap()
+    measureInSteps(scene, function* () {
+      return { kind: 'answer', request, value: yield* (value as Steps<unknown>)() }
+    })
+  } catch (error) {
+    if (!(error instanceof CircleVoronoiError)) throw error
+    post({ kind: 'noAnswer', request, code: error.code, circle: error.circle, message: error.message })
+  }
+}
+
+/** `undefined`: it is too large for a canvas, or for the memory; other scenes go on. */
+function drawn<Drawn>(draw: () => Drawn): Drawn | undefined {
+  try {
+    return draw()
   } catch {
     return undefined
   }
