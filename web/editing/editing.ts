@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { NewestQueue } from '../lib/base/newest-queue.ts'
 import type { Circle, Edit } from '../lib/index.ts'
 import type { CircleTable, Step } from '../view/circle-table.ts'
 import type { Edited } from '../view/painter.ts'
@@ -21,14 +22,10 @@ export interface Outcome {
 }
 
 interface Job {
-  /** -1: of no gesture that goes on. */
-  readonly gesture: number
-  readonly edits: readonly Edit[]
   /** What it makes of circles that are there; `undefined`: it removes them. */
   readonly made: ReadonlyMap<number, Circle | undefined>
   /** `undefined`: there was nothing to do. */
   run(): Promise<Edited | undefined>
-  readonly waiting: { resolve(edited: Edited | undefined): void }[]
 }
 
 /**
@@ -45,7 +42,8 @@ export class Editing {
   readonly #numbers = new Map<number, number>()
   #lastAbsent = 0
   #history = EMPTY_HISTORY
-  #jobs: Job[] = []
+  readonly #queue = new NewestQueue<Job, Edited | undefined>()
+  #lastKey: string | undefined
   #lastGesture = 0
 
   constructor(computer: Computer, onOutcome: (outcome: Outcome) => void, onProblem: (error: Error) => void) {
@@ -185,38 +183,40 @@ export class Editing {
 
   /** A circle as it will be once all that was asked is done, if nothing is refused. */
   latest(id: number): Circle | undefined {
-    const last = this.#jobs.findLast(({ made }) => made.has(id))
+    const last = this.#queue.works.findLast(({ made }) => made.has(id))
     return last === undefined ? this.circles.get(id) : last.made.get(id)
   }
 
   #ask(gesture: number, edits: readonly Edit[], run: () => Promise<Edited | undefined>): Promise<Edited | undefined> {
-    return new Promise((resolve) => {
-      const last = this.#jobs.at(-1)
-      const standsForLast = this.#jobs.length > 1 && last?.gesture === gesture && isReplacedBy(last.edits, edits)
-      const waiting = standsForLast ? [...(last as Job).waiting, { resolve }] : [{ resolve }]
-      if (standsForLast) this.#jobs.pop()
-      this.#jobs.push({ gesture, edits, made: madeBy(edits), run, waiting })
-      if (this.#jobs.length === 1) this.#work()
-    })
+    const key = keyOf(gesture, edits)
+    // What has not begun gives way to what the same gesture does next, and not to what comes later.
+    if (key !== this.#lastKey) this.#queue.settle()
+    this.#lastKey = key
+    const answer = this.#queue.add({ made: madeBy(edits), run }, key)
+    this.#queue.drain((job) => this.#do(job))
+    return answer
   }
 
-  async #work(): Promise<void> {
-    for (let job = this.#jobs[0]; job !== undefined; job = this.#jobs[0]) {
-      let edited: Edited | undefined
-      try {
-        const before = this.circles
-        edited = await job.run()
-        if (edited !== undefined) {
-          this.#onOutcome({ edited, history: this.#history, isOpened: this.circles !== before })
-        }
-      } catch (error) {
-        if (!(error instanceof Error)) throw error
-        this.#onProblem(error)
+  async #do(job: Job): Promise<Edited | undefined> {
+    try {
+      const before = this.circles
+      const edited = await job.run()
+      if (edited !== undefined) {
+        this.#onOutcome({ edited, history: this.#history, isOpened: this.circles !== before })
       }
-      this.#jobs.shift()
-      for (const { resolve } of job.waiting) resolve(edited)
+      return edited
+    } catch (error) {
+      if (!(error instanceof Error)) throw error
+      this.#onProblem(error)
+      return undefined
     }
   }
+}
+
+/** Edits that put the same circles somewhere else in one gesture have one key; others have none. */
+function keyOf(gesture: number, edits: readonly Edit[]): string | undefined {
+  const ids = edits.map((edit) => (edit.kind === 'replace' ? edit.id : undefined))
+  return ids.length === 0 || ids.includes(undefined) ? undefined : [gesture, ...ids].join()
 }
 
 function madeBy(edits: readonly Edit[]): Map<number, Circle | undefined> {
@@ -233,16 +233,4 @@ function plain(step: Step): Edit {
 
 function isSame(circles: Float64Array, others: Float64Array): boolean {
   return circles.length === others.length && circles.every((value, k) => value === others[k])
-}
-
-/** Whether edits put the same circles somewhere else. */
-function isReplacedBy(before: readonly Edit[], after: readonly Edit[]): boolean {
-  return (
-    after.length > 0 &&
-    before.length === after.length &&
-    after.every((edit, k) => {
-      const old = before[k] as Edit
-      return edit.kind === 'replace' && old.kind === 'replace' && edit.id === old.id
-    })
-  )
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { NewestQueue } from '../lib/base/newest-queue.ts'
 import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import { zoomed } from './camera.ts'
 import type { Hands, Held } from './gestures.ts'
@@ -16,8 +17,7 @@ export class PlainHands implements Hands {
   #lastGesture = 0
   /** Where the circles of the gesture that goes on were before. */
   #before = new Map<number, Circle>()
-  #isBusy = false
-  #next: readonly Edit[] | undefined
+  readonly #queue = new NewestQueue<readonly Edit[], void>()
   #selected: number | undefined
 
   constructor(view: View, isEditable: boolean) {
@@ -101,17 +101,12 @@ export class PlainHands implements Hands {
   }
 
   /** One at a time; of those that wait, the last. */
-  async #edit(edits: readonly Edit[]): Promise<void> {
+  #edit(edits: readonly Edit[]): void {
     if (edits.length === 0) return
-    this.#next = edits
-    if (this.#isBusy) return
-    this.#isBusy = true
-    while (this.#next !== undefined) {
-      const next = this.#next
-      this.#next = undefined
-      // What is refused leaves all as it was.
-      await this.#view.apply(next).catch(() => {})
-    }
-    this.#isBusy = false
+    this.#queue.add(edits, 'edit')
+    // What is refused leaves all as it was.
+    this.#queue.drain((next) => this.#view.apply(next).then(NOTHING, NOTHING))
   }
 }
+
+const NOTHING = () => {}

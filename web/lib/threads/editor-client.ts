@@ -4,6 +4,7 @@ import { checkNumber } from '../base/check.ts'
 import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError, workerFailure } from '../base/errors.ts'
+import { NewestQueue, type Queued } from '../base/newest-queue.ts'
 import type { Certificate, Circle, DiagramData, Float64s, Int32s } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
 import { Diagram } from '../diagram/diagram.ts'
@@ -13,20 +14,13 @@ import { startThread, type Thread } from './thread.ts'
 import type { AsyncEditorMethods } from './worker-editor.ts'
 import type { EditorCall, Reply } from './worker-messages.ts'
 
-/** What waits for an answer. */
-interface Call extends EditorCall {
-  readonly waiting: { resolve(value: unknown): void; reject(reason: unknown): void }[]
-}
-
 /** The editor's side here. */
 export class EditorClient implements AsyncEditorMethods {
   onchange: ((change: Change) => void) | undefined
   readonly #thread: Thread
   /** What the thread has been given. */
-  #sent: Call[] = []
-  #waiting: Call[] = []
-  /** Of what waits the replacements that a later one may stand for. */
-  readonly #replacements = new Map<number, number>()
+  #sent: Queued<EditorCall, unknown>[] = []
+  readonly #queue = new NewestQueue<EditorCall, unknown>()
   readonly #onEnd: () => void
   /** Why nothing is answered any more. */
   #end: unknown
@@ -58,14 +52,15 @@ export class EditorClient implements AsyncEditorMethods {
 
   async remove(id: number): Promise<Change> {
     checkId(id, 'remove')
-    const change = this.#last<Change>(id, 'remove', id)
-    this.#replacements.delete(id)
+    const change = this.#add<Change>(id, 'remove', id)
+    // A circle that is gone is not replaced.
+    this.#queue.settle(id)
     return change
   }
 
   async replace(id: number, circle: CircleLike): Promise<Change> {
     checkId(id, 'replace')
-    return this.#last(id, 'replace', id, checkedCircle(circle, id))
+    return this.#add(id, 'replace', id, checkedCircle(circle, id))
   }
 
   async apply(edits: Iterable<Edit>): Promise<Change> {
@@ -115,39 +110,28 @@ export class EditorClient implements AsyncEditorMethods {
 
   /** What is asked after what is asked before. */
   #inOrder<Value>(method: string, ...args: unknown[]): Promise<Value> {
-    this.#replacements.clear()
+    this.#queue.settle()
     return this.#ask(method, ...args)
   }
 
-  /** What takes the place of a replacement that still waits. */
-  #last<Value>(id: number, method: string, ...args: unknown[]): Promise<Value> {
-    const place = this.#replacements.get(id)
-    const before = place === undefined ? undefined : this.#waiting[place]
-    if (place === undefined || before === undefined) {
-      this.#replacements.set(id, this.#waiting.length)
-      return this.#ask(method, ...args)
-    }
-    return new Promise((resolve, reject) => {
-      const waiting = [...before.waiting, { resolve: resolve as (value: unknown) => void, reject }]
-      this.#waiting[place] = { method, args, waiting }
-    })
+  #ask<Value>(method: string, ...args: unknown[]): Promise<Value> {
+    return this.#add(undefined, method, ...args)
   }
 
-  #ask<Value>(method: string, ...args: unknown[]): Promise<Value> {
-    return new Promise((resolve, reject) => {
-      if (this.#end !== undefined) return reject(this.#end)
-      this.#waiting.push({ method, args, waiting: [{ resolve: resolve as (value: unknown) => void, reject }] })
-      this.#send()
-    })
+  /** `id`: of a circle of which only the newest replacement counts. */
+  #add<Value>(id: number | undefined, method: string, ...args: unknown[]): Promise<Value> {
+    if (this.#end !== undefined) return Promise.reject(this.#end)
+    const answer = this.#queue.add({ method, args }, id)
+    this.#send()
+    return answer as Promise<Value>
   }
 
   #send(): void {
-    if (this.#sent.length > 0 || this.#waiting.length === 0) return
-    this.#sent = this.#waiting
-    this.#waiting = []
-    this.#replacements.clear()
+    if (this.#sent.length > 0) return
+    this.#sent = this.#queue.takeAll()
+    if (this.#sent.length === 0) return
     this.#thread.keepAlive(true)
-    this.#thread.post({ calls: this.#sent.map(({ method, args }) => ({ method, args })) })
+    this.#thread.post({ calls: this.#sent.map(({ work }) => work) })
   }
 
   #receive(reply: Reply): void {
@@ -158,17 +142,17 @@ export class EditorClient implements AsyncEditorMethods {
     this.#send()
     if (this.#sent.length === 0) this.#thread.keepAlive(false)
     reply.results.forEach((result, k) => {
-      const { method, waiting } = answered[k] as Call
+      const { work, askers } = answered[k] as Queued<EditorCall, unknown>
       if ('error' in result) {
         const { code, circle, message } = result.error
-        for (const { reject } of waiting) reject(new CircleVoronoiError(code, circle, message))
+        for (const { reject } of askers) reject(new CircleVoronoiError(code, circle, message))
         return
       }
       try {
-        if (EDITS.includes(method)) this.onchange?.(result.value as Change)
-        for (const { resolve } of waiting) resolve(result.value)
+        if (EDITS.includes(work.method)) this.onchange?.(result.value as Change)
+        for (const { resolve } of askers) resolve(result.value)
       } catch (error) {
-        for (const { reject } of waiting) reject(error)
+        for (const { reject } of askers) reject(error)
       }
     })
   }
@@ -178,11 +162,10 @@ export class EditorClient implements AsyncEditorMethods {
     this.#end = reason
     this.#onEnd()
     this.#thread.terminate()
-    const unanswered = [...this.#sent, ...this.#waiting]
+    const unanswered = [...this.#sent, ...this.#queue.takeAll()]
     this.#sent = []
-    this.#waiting = []
-    for (const { waiting } of unanswered) {
-      for (const { reject } of waiting) reject(reason)
+    for (const { askers } of unanswered) {
+      for (const { reject } of askers) reject(reason)
     }
   }
 }

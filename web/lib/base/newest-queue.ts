@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** What waits for its turn, and who waits for its answer. */
+export interface Queued<Work, Answer> {
+  work: Work
+  readonly askers: { resolve(answer: Answer): void; reject(reason: unknown): void }[]
+}
+
+/**
+ * Work that waits for its turn. The newest of a key takes the place of what waits under that key, and answers for it, too: so a
+ * drag is never behind by more than what is under way.
+ */
+export class NewestQueue<Work, Answer> {
+  #waiting: Queued<Work, Answer>[] = []
+  /** What a newer one may take the place of. */
+  readonly #newest = new Map<unknown, Queued<Work, Answer>>()
+  #current: Work | undefined
+  #isBusy = false
+
+  /** `key`: of what may be replaced. */
+  add(work: Work, key?: unknown): Promise<Answer> {
+    return new Promise((resolve, reject) => {
+      const before = key === undefined ? undefined : this.#newest.get(key)
+      if (before !== undefined) {
+        before.work = work
+        before.askers.push({ resolve, reject })
+        return
+      }
+      const queued = { work, askers: [{ resolve, reject }] }
+      this.#waiting.push(queued)
+      if (key !== undefined) this.#newest.set(key, queued)
+    })
+  }
+
+  /** What waits stays as it is, whatever comes: of one key, or all. */
+  settle(key?: unknown): void {
+    if (key === undefined) this.#newest.clear()
+    else this.#newest.delete(key)
+  }
+
+  /** What is under way by `drain`, and what waits. */
+  get works(): readonly Work[] {
+    const waiting = this.#waiting.map(({ work }) => work)
+    return this.#current === undefined ? waiting : [this.#current, ...waiting]
+  }
+
+  /** Takes out all that waits. */
+  takeAll(): Queued<Work, Answer>[] {
+    const taken = this.#waiting
+    this.#waiting = []
+    this.#newest.clear()
+    return taken
+  }
+
+  /** Does what waits, one after the other, unless that is under way. */
+  async drain(act: (work: Work) => Promise<Answer>): Promise<void> {
+    if (this.#isBusy) return
+    this.#isBusy = true
+    for (let next = this.#waiting.shift(); next !== undefined; next = this.#waiting.shift()) {
+      for (const [key, queued] of this.#newest) if (queued === next) this.#newest.delete(key)
+      const { work, askers } = next
+      this.#current = work
+      const settle = await act(work).then(
+        (answer) => (asker: (typeof askers)[number]) => asker.resolve(answer),
+        (reason) => (asker: (typeof askers)[number]) => asker.reject(reason),
+      )
+      this.#current = undefined
+      for (const asker of askers) settle(asker)
+    }
+    this.#isBusy = false
+  }
+}
