@@ -46,8 +46,8 @@ export default [
     // Of it 179 kB for the WebAssembly, 30 for what draws and edits, in two languages, the rest for geometry and the painting thread.
     limit: '265 kB',
     path: ['dist/element/index.js', 'dist/element/painter.js', `${LIB}/generated/circle-voronoi.wasm`],
-    // Power diagrams and the player are fetched when asked for.
-    ignore: ['./comparison-*', './player-*'],
+    // Power diagrams, the player and German are fetched when asked for.
+    ignore: ['./comparison-*', './player-*', './german-*'],
     gzip: true,
     modifyEsbuildConfig: (config) => ({ ...config, format: 'esm', splitting: true, loader: { '.wasm': 'copy' } }),
   },

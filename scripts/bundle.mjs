@@ -75,7 +75,7 @@ async function elementBundle() {
       wasmInside,
       replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts'),
       replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
-      wasmBeside,
+      replacing('web/lib/comparison.ts', 'web/element/bundled/comparison.ts'),
     ],
   })
   const names = 'CircleVoronoiElement,defineCircleVoronoi'

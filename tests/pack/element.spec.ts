@@ -17,6 +17,9 @@ import { type Server, serve } from './static-server.ts'
 const EXAMPLE_POLICY =
   "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data:"
 
+const THREE = '[[0,0,2],[10,0,1],[5,8,1.5]]'
+const FLAT = [0, 0, 2, 10, 0, 1, 5, 8, 1.5]
+
 type Element = HTMLElementTagNameMap['circle-voronoi']
 /** Of WebAssembly, in a thread. */
 type Instances = { readonly instances: readonly WebAssembly.Instance[] }
@@ -252,6 +255,32 @@ test('in one file from another origin, of which nothing else is asked', async ({
     )
     expect(problems).toEqual([])
     expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  } finally {
+    await elsewhere.close()
+    await here.close()
+  }
+})
+
+test('one file fetches what draws power diagrams, wherever its thread comes from', async ({ page }) => {
+  const elsewhere = await serve(ROOT, undefined)
+  const here = await serve(ROOT, "default-src * blob: data: 'unsafe-inline' 'wasm-unsafe-eval'")
+  try {
+    for (const address of [here.address, elsewhere.address]) {
+      writeExample(
+        'power.html',
+        `<!doctype html><html lang="en"><title>Power</title><link rel="icon" href="data:,">
+        <script type="module" src="${address}dist/element/bundle.js"></script>
+        <circle-voronoi circles="${THREE}"></circle-voronoi>`,
+      )
+      const { problems } = watch(page)
+      await page.goto(`${here.address}build/examples/power.html`)
+      await shown(page)
+      const drawn = () => page.locator('circle-voronoi').evaluate((element: Element) => element.toSVG())
+      const before = (await drawn()).match(/<path/g)?.length ?? 0
+      await page.locator('circle-voronoi').evaluate((element: Element) => element.setAttribute('layers', 'power'))
+      await expect.poll(async () => (await drawn()).match(/<path/g)?.length).toBeGreaterThan(before)
+      expect(problems).toEqual([])
+    }
   } finally {
     await elsewhere.close()
     await here.close()
@@ -796,9 +825,6 @@ test.describe('without scripts', () => {
     expect((await caption.boundingBox())?.y).toBeGreaterThan((await last.boundingBox())?.y as number)
   })
 })
-
-const THREE = '[[0,0,2],[10,0,1],[5,8,1.5]]'
-const FLAT = [0, 0, 2, 10, 0, 1, 5, 8, 1.5]
 
 /** Opens a page with some markup and the element's module; what the elements say is kept in `told`. */
 async function open(page: Page, name: string, body: string, lang = 'en'): Promise<void> {

@@ -8,7 +8,8 @@ declare function wholeFile(address: string): unknown
 
 /** The file itself: where a page takes no workers from its address, it has no need to load it once more. */
 export function painterFile(): string {
-  return `'use strict';(${wholeFile})('')`
+  const here = import.meta.url
+  return `'use strict';(${wholeFile})(${JSON.stringify(here)})`
 }
 
 export function newPainterWorker(): Worker {
