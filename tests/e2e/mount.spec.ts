@@ -125,7 +125,7 @@ test('what cannot be drawn is refused where it is asked for, and all views go on
     'CircleVoronoiError: The scale of a picture is a positive number, not 0.',
     'CircleVoronoiError: The scale of a picture is a positive number, not NaN.',
     'CircleVoronoiError: A picture 1000 times as large as this one is too large.',
-    'CircleVoronoiError: The layer data is an array of objects whose points, segments and discs are arrays of numbers.',
+    'CircleVoronoiError: The layer data must be an array of objects whose points, segments and discs are arrays of numbers (got 5).',
   ])
   expect(refused.data).toEqual([])
   expect(refused.type).toBe('image/png')

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // <circle-voronoi> in the pages of examples/element, on the built package.
+import { spawnSync } from 'node:child_process'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
+import { dirname, join } from 'node:path'
 import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Page, test, type Worker } from '@playwright/test'
+import { build as bundle } from 'esbuild'
 import { build } from 'vite'
 import { buildSite } from '../../examples/element/markdown/build.mjs'
 import type { FigureState } from '../../web/element/circle-voronoi-element.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { type Ask, heapOf, withThread } from '../e2e/thread-session.ts'
+import { blocksRunBy } from '../readme/blocks.mjs'
 import { ROOT } from './project.ts'
 import { type Server, serve } from './static-server.ts'
 
@@ -37,8 +40,9 @@ function exampleOf(name: string): string {
 
 /** A page for a test, in build/examples. */
 function writeExample(name: string, html: string): void {
-  mkdirSync(join(ROOT, 'build/examples'), { recursive: true })
-  writeFileSync(join(ROOT, 'build/examples', name), html)
+  const path = join(ROOT, 'build/examples', name)
+  mkdirSync(dirname(path), { recursive: true })
+  writeFileSync(path, html)
 }
 
 /** What a page complains of, and what it asks for. */
@@ -483,6 +487,63 @@ for (const name of ['react', 'vue']) {
     await expect(page.locator('output')).toHaveText(/^5 circles/)
     await page.getByRole('button', { name: 'As at first' }).click()
     await expect(page.locator('output')).toHaveText('3 circles, 3 edges')
+    expect(problems).toEqual([])
+  })
+}
+
+const BLOCKS = blocksRunBy('tests/pack/element.spec.ts')
+const inLanguage = (name: string) => BLOCKS.filter(({ language }) => language === name).map(({ code }) => code)
+
+test('from an esbuild build, as docs/element.md says', async ({ page }) => {
+  const { problems } = watch(page)
+  const [source, ...others] = inLanguage('js') as [string]
+  const [command, ...more] = (inLanguage('sh')[0] as string).trim().split(' ')
+  expect([others, command]).toEqual([[], 'esbuild'])
+  // The package is this one.
+  const args = more.map((arg) => arg.replace('node_modules/circle-voronoi/', join(ROOT, '/')))
+  writeExample('esbuild/page.js', source)
+  writeExample(
+    'esbuild/build/index.html',
+    `<!doctype html><html lang="en"><title>esbuild</title><link rel="icon" href="data:,">
+    <script type="module" src="page.js"></script><circle-voronoi circles="${THREE}"></circle-voronoi>`,
+  )
+  const cwd = join(ROOT, 'build/examples/esbuild')
+  const { status, stderr } = spawnSync(join(ROOT, 'node_modules/.bin/esbuild'), args, { cwd, encoding: 'utf8' })
+  expect(status).toBe(0)
+  expect(stderr).not.toContain('WARNING')
+  await page.goto(`${server.address}build/examples/esbuild/build/index.html`)
+  await expectToBeLive(page)
+  expect(problems).toEqual([])
+})
+
+for (const [k, code] of inLanguage('jsx').entries()) {
+  test(`in React as docs/element.md says: ${k + 1}`, async ({ page }) => {
+    const { problems } = watch(page)
+    const body = code.startsWith('<') ? `return (${code})` : code
+    const source = `import { useEffect, useRef, useState } from 'react'
+      import { createRoot } from 'react-dom/client'
+      function Page() {
+        const [circles, setCircles] = useState(${THREE})
+        globalThis.state = { circles, setCircles }
+        ${body}
+      }
+      createRoot(document.querySelector('#root')).render(<Page />)`
+    await bundle({
+      stdin: { contents: source, loader: 'jsx', resolveDir: ROOT },
+      jsx: 'automatic',
+      bundle: true,
+      outfile: join(ROOT, 'build/examples/react-block.js'),
+    })
+    await open(page, 'react-block', '<div id="root"></div><script src="react-block.js" defer></script>')
+    await expectToBeLive(page)
+    const seen = await page.evaluate(async () => {
+      const { state } = globalThis as unknown as { state: { circles: object; setCircles(circles: object): void } }
+      const isOfEvent = state.circles instanceof Float64Array
+      state.setCircles([[7, 7, 7]])
+      return isOfEvent
+    })
+    expect(seen).toBe(true)
+    await expect.poll(() => circlesOf(page)).toEqual([7, 7, 7])
     expect(problems).toEqual([])
   })
 }

@@ -16,6 +16,7 @@ const MARKDOWN = [
 const LISTED = 'tests/scripts/blocks.test.mjs'
 const NATIVE = 'tests/readme/native.test.mjs'
 const PACKAGE = 'tests/pack/readme.spec.ts'
+const ELEMENT = 'tests/pack/element.spec.ts'
 const COMMENTS = 'tests/wasm/examples.test.mjs'
 
 /** Who runs the blocks of a file, below a heading if one is named. `what`, where it is not code to be run as it stands. */
@@ -27,7 +28,8 @@ const RUN_BY = [
   { by: PACKAGE, file: 'README.md', heading: 'From JavaScript' },
   { by: NATIVE, file: 'README.md', heading: 'Beyond one machine' },
   { by: LISTED, file: 'README.md', heading: 'Speed', what: 'commands' },
-  { by: PACKAGE, file: 'docs/element.md' },
+  { by: PACKAGE, file: 'docs/element.md', language: 'html' },
+  ...['js', 'sh', 'jsx'].map((language) => ({ by: ELEMENT, file: 'docs/element.md', language })),
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
   { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },
