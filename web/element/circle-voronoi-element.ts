@@ -373,7 +373,7 @@ export class CircleVoronoiElement extends Base {
     return this.#figure?.step ?? this.#ownStep
   }
 
-  set step(step: number | string | undefined | null) {
+  set step(step: number | undefined | null) {
     this.#try('step', () => {
       this.#step = isSet(step) ? parseStep(String(step)) : undefined
       this.#play(this.#ownStep)
@@ -394,7 +394,7 @@ export class CircleVoronoiElement extends Base {
     return this.#read('samples', parseSamples)
   }
 
-  set samples(samples: number | string | undefined | null) {
+  set samples(samples: number | undefined | null) {
     this.#reflect('samples', samples)
   }
 
