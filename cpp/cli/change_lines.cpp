@@ -4,6 +4,7 @@
 #include <array>
 #include <ostream>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "json_number.h"
@@ -28,7 +29,11 @@ class LineWriter {
   void number(Number value) {
     if (!isFirst_) out_ << ", ";
     isFirst_ = false;
-    writeNumber(out_, value);
+    if constexpr (std::is_floating_point_v<Number>) {
+      writeNumber(out_, value);
+    } else {
+      writeNumber(out_, std::int32_t{value});
+    }
   }
   template <class... Numbers>
   void numbers(Numbers... values) {
