@@ -43,7 +43,7 @@ struct Error {
 /// never aborts. Exceptions that the caller's callbacks and streams throw pass through unchanged.
 ///
 /// Check before you access: `value()`, `*` and `->` of an error, and `error()` of a value, throw
-/// std::bad_variant_access.
+/// std::bad_variant_access. `->` of a temporary gives a pointer that dies with it: use `value()` in a range-based for.
 template <class T>
 class [[nodiscard]] Result {
  public:

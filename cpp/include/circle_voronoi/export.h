@@ -50,9 +50,9 @@ struct ExportOptions {
 // numbers in CSV. Reading these back gives the same bits. With ExportOptions::digits, areas are rounded, and points on
 // the box are rounded along it.
 //
-// Errors: notCertified if the diagram is not certified; badOption if an option is out of range; notWritten if the
-// stream fails; tooManyCircles if memory runs out. After notWritten or tooManyCircles the stream holds a part of the
-// text. After other errors nothing was written. If the stream throws, its exception passes through.
+// Errors: notCertified if the diagram is not certified; badInput if there are not as many vertexCircles as vertices;
+// badOption if an option is out of range; notWritten if the stream fails; tooManyCircles if memory runs out. After the
+// last two the stream may hold a part of the text. If the stream throws, its exception passes through.
 
 /// Writes a drawing that fits the box, with y pointing up and nothing outside the box. It has the groups cells, dual,
 /// circles, edges, vertices and hull, which are also classes, and a style sheet. Curves are cubic Bezier curves, and
