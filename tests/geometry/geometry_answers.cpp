@@ -212,7 +212,7 @@ class Questions {
   }
 
   void askMerged() const {
-    for (const double nearZero : {-1.0, 0.0, tolerance_, 1000 * tolerance_}) {
+    for (const std::optional<double> nearZero : {std::optional<double>{}, {0.0}, {tolerance_}, {1000 * tolerance_}}) {
       const MergedDiagram merged = mergeVertices(diagram_, nearZero);
       Answer answer("mergeVertices");
       for (const auto& [x, y, radius] : merged.vertices) answer << x << y << radius;

@@ -25,7 +25,7 @@ const EXPECTED = JSON.stringify({
 const OLDEST_TSC = join(ROOT, 'tests/pack/typescript-5.0/node_modules/.bin/tsc')
 
 /** The modules of the element. */
-const ELEMENT = ['/element', '/element/define', '/element/bundle']
+const ELEMENT = ['/element', '/element/define']
 
 let project: Project
 test.beforeAll(() => {
@@ -93,7 +93,7 @@ test.describe('is well made', () => {
     const others = [...wasm, 'element/element.css', 'custom-elements.json']
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/files', '/link', '/bundle', ...ELEMENT])
+    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/files', ...ELEMENT])
       expect(judged).toContain(`"circle-voronoi${name}"`)
   })
 

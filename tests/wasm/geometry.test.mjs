@@ -248,7 +248,7 @@ function answersOf(diagram, box, maxDistance) {
   }
   say(ROUNDED.name, around.length, around.area, ...around.arcs.map(({ angle }) => angle))
 
-  for (const nearZero of [-1, 0, tolerance, 1000 * tolerance]) {
+  for (const nearZero of [undefined, 0, tolerance, 1000 * tolerance]) {
     const merged = mergeVertices(diagram, nearZero)
     const { vertices, firstCircle, circles, mergedVertex, edges } = merged
     say('mergeVertices', ...vertices, ...firstCircle, ...circles, ...mergedVertex, ...edges)

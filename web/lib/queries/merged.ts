@@ -31,9 +31,9 @@ export interface MergedDiagram {
 }
 
 /**
- * Merges vertices of a certified diagram that are joined by edges not longer than `nearZero`, in the units of the input. A
- * negative `nearZero`, the default, stands for a small multiple of the rounding error of each vertex. The circles around
- * each merged vertex do not depend on the order of the input, up to their names, as long as no edge is about as long as
+ * Merges vertices of a certified diagram that are joined by edges not longer than `nearZero`, in the units of the input. By
+ * default the limit is a small multiple of the rounding error of the vertices of each edge. The circles around each merged
+ * vertex do not depend on the order of the input, except for their indices, as long as no edge is about as long as
  * `nearZero`.
  *
  * @throws CircleVoronoiError `badArgument`
@@ -44,9 +44,9 @@ export interface MergedDiagram {
  * square.vertices.length / 3 // 2
  * mergeVertices(square).circles // Int32Array(4) [ 0, 1, 2, 3 ]
  */
-export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagram {
+export function mergeVertices(diagram: DiagramData, nearZero?: number): MergedDiagram {
   checkData(diagram, 'mergeVertices')
-  checkLength(nearZero, 'mergeVertices', 'nearZero')
+  if (nearZero !== undefined) checkLength(nearZero, 'mergeVertices', 'nearZero')
   const { vertices, vertexSides, edges, nextSide } = diagram
   const count = vertices.length / 3
   const edgeCount = edges.length / 4
@@ -55,7 +55,7 @@ export function mergeVertices(diagram: DiagramData, nearZero = -1): MergedDiagra
   for (let e = 0; e < edgeCount; e++) {
     const { start, end } = edgeAt(diagram, e)
     if (start === NONE || end === NONE) continue
-    const limit = nearZero >= 0 ? nearZero : roundingError(diagram, start) + roundingError(diagram, end)
+    const limit = nearZero ?? roundingError(diagram, start) + roundingError(diagram, end)
     if (lengthOf(between(vertexAt(diagram, start), vertexAt(diagram, end))) > limit) continue
     isShort[e] = 1
     sets.unite(start, end)
