@@ -189,6 +189,7 @@ test('takes numbers, and refuses a wrong one in a sentence while the picture sta
   await app.field('x').press('Enter')
   await expect(app.page.getByRole('button', { name: 'Undo' })).toBeEnabled()
   await expect(app.page.getByRole('alert')).toBeHidden()
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
   const counts = async () => (await app.status.textContent())?.replace(/ · [^·]* ms/, '')
   const before = await counts()
 
