@@ -18,6 +18,8 @@ import { ENGLISH_EDITING } from './words.ts'
 /** How far one may zoom in from the picture without outliers, and out from the whole one. */
 const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
+/** How much a button zooms in. */
+export const BUTTON_ZOOM = 1.5
 /** The radius of a circle that is added with room around, in pixels. */
 const USUAL_RADIUS = 24
 /** Copies lie so far aside, in pixels. */
