@@ -80,7 +80,7 @@ const CODES: Readonly<Record<ErrorCode, string>> = {
 }
 
 const REFUSALS: ElementRefusals & ProblemWords = {
-  coded: ({ code, circle }) => (circle < 0 ? CODES[code] : `Kreis ${circle}: ${CODES[code]}`),
+  coded: ({ code, circle }) => (circle === undefined ? CODES[code] : `Kreis ${circle}: ${CODES[code]}`),
   must: (what, allowed, got) => `${what} muss ${allowed} sein (angegeben: ${got}).`,
   layers: 'Der Wert der Ebenen',
   object: 'ein Objekt',
@@ -103,7 +103,7 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   controls: 'Der Wert von controls',
   samples: 'Die Zahl der Proben',
   selection: 'Die Auswahl',
-  listOfNumbers: 'eine Liste von Nummern von Kreisen',
+  listOfIds: 'eine Liste von Nummern von Kreisen',
   someOf: (words) => `${listed(words, 'oder')} oder beides`,
   notJson: (what, reason) => `${what} ist kein gültiges JSON: ${reason}.`,
   view: 'Ein Ausschnitt besteht aus drei Zahlen: x, y und einer Weite über 0.',

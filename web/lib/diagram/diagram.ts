@@ -95,7 +95,6 @@ export class Diagram implements DiagramData {
   readonly certificate: Certificate
   readonly stats: Stats
   declare readonly numbers?: SnapshotNumbers
-  readonly #recompute: ((circles: Float64s) => DiagramData) | undefined
   #cells: Cells | undefined
   #finder: Finder | undefined
   #bounds: ConvexPolygon | undefined
@@ -103,8 +102,8 @@ export class Diagram implements DiagramData {
   #patch: DiagramPatch | undefined
   #lastRegion: ConvexPolygon | undefined
 
-  /** Wraps the arrays of `data` without copying them. `update` calls `recompute`. */
-  constructor(data: DiagramData, recompute?: (circles: Float64s) => DiagramData) {
+  /** Wraps the arrays of `data` without copying them. */
+  constructor(data: DiagramData) {
     checkData(data, 'new Diagram')
     this.metric = data.metric
     this.weights = data.weights
@@ -120,7 +119,6 @@ export class Diagram implements DiagramData {
     this.certificate = data.certificate
     this.stats = data.stats
     if (data.numbers !== undefined) this.numbers = data.numbers
-    this.#recompute = recompute
   }
 
   /**
@@ -147,8 +145,9 @@ export class Diagram implements DiagramData {
    * @throws CircleVoronoiError as `compute`; `badArgument`, if the diagram was not made by `compute` here
    */
   update(): this {
-    if (this.#recompute === undefined) refuseArgument('update takes a diagram that compute made here.')
-    Object.assign(this, this.#recompute(this.circles))
+    const recompute = recomputations.get(this)
+    if (recompute === undefined) refuseArgument('update takes a diagram that compute made here.')
+    Object.assign(this, recompute(this.circles))
     this.#cells = undefined
     this.#finder = undefined
     this.#bounds = undefined
@@ -485,6 +484,15 @@ export class Diagram implements DiagramData {
   #checkCircle(i: number, caller: string): void {
     checkIndex(i, this.circles.length / 3, caller, 'circle')
   }
+}
+
+/** How to compute the diagrams again that `compute` made here. */
+const recomputations = new WeakMap<Diagram, (circles: Float64s) => DiagramData>()
+
+/** Has `update` compute a diagram again with `recompute`, and returns the diagram. */
+export function updatable(diagram: Diagram, recompute: (circles: Float64s) => DiagramData): Diagram {
+  recomputations.set(diagram, recompute)
+  return diagram
 }
 
 function numberOf(value: unknown): number {

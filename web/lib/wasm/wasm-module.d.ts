@@ -29,7 +29,7 @@ interface WasmModule {
   finalCells(diagram: JudgedArrays, box: Float64Array, maxRadius: number): WasmError | import('./library.ts').FinalCells
   errorCodeNames(): string[]
 
-  createEditor(circles: Float64Array): WasmError | { readonly editor: number }
+  createEditor(circles: Float64Array, weights: boolean): WasmError | { readonly editor: number }
   deleteEditor(editor: number): void
   // What a change is in bytes, cpp/wasm/editor_bindings.cpp says; they are good until the next call.
   /** `kind`: 0 insert, 1 remove, 2 replace. */
