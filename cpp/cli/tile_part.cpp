@@ -163,7 +163,7 @@ void check(const TilePart& part, const Output& output) {
   }
 }
 
-void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights,
+void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights, int threads,
                      ProgressLine& progress) {
   const std::string name = inputName(input);
   const auto tile = readTile(readText(input), name, {weights});
@@ -171,6 +171,7 @@ void computeTilePart(const TilePart& part, const Output& output, const std::stri
   const auto& circles = tile.value().circles;
   Options options;
   options.weights = weights;
+  options.threads = threads;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto diagram = compute(circles, options);
   if (!diagram) fail(diagram.error(), name + ": ");

@@ -250,6 +250,7 @@ TEST_F(Cli, BadUsageIsSaidInOneLine) {
   expectFailure(run("compute - --method magic"), 2, "--method");
   expectFailure(run("compute - --candidates some"), 2, "--candidates");
   expectFailure(run("compute - --samples -1"), 2, "--samples");
+  expectFailure(run("compute - --threads -1"), 2, "--threads");
   expectFailure(run("compute - --samples 1001"), 2, "--samples");
   expectFailure(run("compute - --samples many"), 2, "--samples");
   expectFailure(run("compute - --method touching-disc --candidates uniform --samples 0", "1,2,3\n"), 2, "samples");

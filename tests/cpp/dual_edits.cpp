@@ -2,6 +2,7 @@
 #include "dual_edits.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -82,6 +83,16 @@ void insertOnEdge(Dual& dual, int h, int circle) {
 Dual dualOf(const Diagram& diagram, std::size_t circleCount) {
   return std::get<Dual>(circle_voronoi::dualOf(Topology{diagram.vertexCircles, diagram.edges, diagram.hull},
                                                static_cast<int>(circleCount)));
+}
+
+bool areSame(std::span<const FaceDisc> some, std::span<const FaceDisc> others) {
+  const auto isSame = [](const FaceDisc& a, const FaceDisc& b) {
+    const auto numbers = [](const FaceDisc& d) {
+      return std::tuple(d.v.x, d.v.y, d.w, d.rho, d.error, d.origin, d.isFiltered);
+    };
+    return a.exists == b.exists && (!a.exists || numbers(a) == numbers(b));
+  };
+  return std::ranges::equal(some, others, isSame);
 }
 
 void replaceTopology(Diagram& diagram, const Dual& dual, std::span<const Circle> circles) {

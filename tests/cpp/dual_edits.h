@@ -7,6 +7,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "dual.h"
+#include "predicates.h"
 #include "random.h"
 
 namespace circle_voronoi::test {
@@ -27,6 +28,9 @@ void insertOnEdge(Dual& dual, int h, int circle);
 
 /// The dual of a diagram that is right, by the indices of the input.
 Dual dualOf(const Diagram& diagram, std::size_t circleCount);
+
+/// Whether discs are the same to the bit.
+bool areSame(std::span<const FaceDisc> some, std::span<const FaceDisc> others);
 
 /// Gives a diagram another topology, with vertices to match.
 void replaceTopology(Diagram& diagram, const Dual& dual, std::span<const Circle> circles);

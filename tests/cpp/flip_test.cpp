@@ -10,8 +10,11 @@
 #include "circle_voronoi_families/families.h"
 #include "dual_edits.h"
 #include "hide.h"
+#include "judge.h"
+#include "order.h"
 #include "report.h"
 #include "small_duals.h"
+#include "three_touch_disc.h"
 #include "tie_inputs.h"
 #include "triangulate.h"
 #include "validate.h"
@@ -49,6 +52,35 @@ TEST(Flip, RightsRandomFlips) {
   EXPECT_GT(broken, 50);
   EXPECT_GE(righted, broken * 9 / 10);
   std::cout << righted << " of " << broken << " broken duals flipped back\n";
+}
+
+// The judge rests on the discs that flips leave, and vertices are read from them.
+TEST(Flip, LeavesTheDiscsThatTheJudgeFindsItself) {
+  for (const Family family : kFamilies) {
+    Sites sites = triangulate(hide(order(validate(generate(family, 200, 1)).value().circles)));
+    Dual& dual = sites.centres;
+    if (sites.dual) dual = *sites.dual;
+    Predicates predicates(sites.circles);
+    FaceDiscs discs(sites.circles, dual, predicates);
+    flip(dual, discs);
+    const Verdict own = judge(sites.circles, dual, predicates);
+    const Verdict given = judge(sites.circles, dual, predicates, discs.take());
+    EXPECT_EQ(given.flaw, own.flaw) << familyName(family);
+    EXPECT_EQ(given.face, own.face) << familyName(family);
+    EXPECT_EQ(given.halfEdge, own.halfEdge) << familyName(family);
+    EXPECT_EQ(given.ties, own.ties) << familyName(family);
+    EXPECT_TRUE(test::areSame(given.discs, own.discs)) << familyName(family);
+    for (int face = 0; face < dual.faceCount() && own.isRight(); ++face) {
+      if (!dual.isFinite(face)) continue;
+      const FaceDisc& disc = own.discs[static_cast<std::size_t>(face)];
+      for (int h = 3 * face; h < 3 * face + 3; ++h) {
+        const auto corners = cornersOf(dual, h);
+        const auto& [i, j, k] = corners;
+        const auto expected = vertexOf(sites.circles[i], sites.circles[j], sites.circles[k]);
+        EXPECT_EQ(predicates.vertex(corners, disc, 1), expected) << familyName(family);
+      }
+    }
+  }
 }
 
 // Where two faces have the same corner opposite their edge, the flipped edge would go from that corner to itself.

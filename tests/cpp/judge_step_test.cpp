@@ -32,11 +32,11 @@ bool flipEdge(EditState& state, int h) {
   const int beyondAd = dual.twin[ad];
   const int beyondBc = dual.twin[bc];
   for (const int changed : {h, t, beyondAd, beyondBc}) state.willChange(changed / 3);
-  state.link(h, beyondAd);
-  state.link(t, beyondBc);
+  state.dual.link(h, beyondAd);
+  state.dual.link(t, beyondBc);
   dual.origin[bc] = dual.origin[Dual::previous(t)];
   dual.origin[ad] = dual.origin[Dual::previous(h)];
-  state.link(bc, ad);
+  state.dual.link(bc, ad);
   return true;
 }
 
@@ -134,8 +134,7 @@ TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
 
   // A circle taken away though it hides others.
   mark = state->beginStep();
-  CellShrinker shrinker;
-  ASSERT_TRUE(shrinker.takeOut(*state, first));
+  ASSERT_TRUE(CellShrinker(state->live()).takeOut(first));
   --state->visibleCount;
   state->removeSite(first);
   EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);

@@ -23,7 +23,7 @@ struct Counts {
   std::int64_t leftoverCycles = 0;   ///< cycles of leftover directed edges; 1 in a right diagram of two circles or more
   std::int64_t resamplings = 0;      ///< how often more samples were taken (Options::resample)
   std::int64_t flips = 0;            ///< edges flipped
-  std::int64_t repairs = 0;          ///< places where a local diagram was spliced in
+  std::int64_t repairs = 0;          ///< circles inserted again where flips left flaws
   std::int64_t filtered = 0;         ///< predicates decided in floating point, with an error bound
   std::int64_t refined = 0;          ///< predicates decided with twice the digits, for near ties
   std::int64_t inCircle = 0;         ///< predicates decided by the exact in-circle test of centers (equal radii)

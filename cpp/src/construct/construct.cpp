@@ -10,7 +10,6 @@
 #include <variant>
 
 #include "apollonius.h"
-#include "certificate_message.h"
 #include "flip.h"
 #include "insert.h"
 #include "judge.h"
@@ -34,29 +33,32 @@ void addCounts(const FilterCounts& signs, Counts& counts) {
 
 void addCounts(const Predicates& predicates, Counts& counts) { addCounts(predicates.counts(), counts); }
 
-Construction judged(Dual& dual, std::span<const Circle> circles, Journal& journal) {
+/// Judges a dual, given the discs of its faces if somebody has them, and settles its ties.
+Verdict judged(Dual& dual, std::vector<FaceDisc> discs, std::span<const Circle> circles, Journal& journal,
+               Threads threads) {
   const Stopwatch watch = journal.enter(Stage::certify);
   Predicates predicates(circles);
-  const Verdict verdict = judge(circles, dual, predicates);
-  addCounts(predicates, journal.stats.counts);
-  settleTies(dual, verdict.ties, circles);
-  Topology topology = topologyOf(dual, static_cast<int>(circles.size()));
-  Certificate certificate = certificateOf(verdict, dual, topology);
-  return {std::move(topology), std::move(certificate)};
+  Verdict verdict = judge(circles, dual, predicates, std::move(discs), threads);
+  for (const int face : settleTies(dual, verdict.ties, circles)) {
+    verdict.discs[face] = predicates.disc(cornersOf(dual, 3 * face));
+  }
+  // How much is looked at before a flaw is found is up to the threads.
+  if (verdict.isRight()) addCounts(predicates, journal.stats.counts);
+  return verdict;
 }
 
 /// A topology of `touch` need not be a triangulated sphere. Tells what ties change.
-Construction judged(Topology topology, const Sites& sites, const Observer& observer, Journal& journal) {
+Construction judged(Topology topology, const Sites& sites, const Observer& observer, Journal& journal,
+                    Threads threads) {
   auto dual = dualOf(topology, static_cast<int>(sites.circles.size()));
   if (auto* fitting = std::get_if<Dual>(&dual)) {
     FaceTeller teller(*fitting, sites.circles, observer);
     teller.know();
-    Construction result = judged(*fitting, sites.circles, journal);
+    Verdict verdict = judged(*fitting, {}, sites.circles, journal, threads);
     teller.tellChanges();
-    return result;
+    return {std::move(*fitting), std::move(verdict)};
   }
-  const auto& misfit = std::get<Misfit>(dual);
-  return {std::move(topology), {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}}};
+  return {{}, {}, Unfit{std::move(topology), std::get<Misfit>(dual)}};
 }
 
 void tellOfCenters(const Dual& centers, const Observer& observer) {
@@ -90,42 +92,68 @@ Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pa
   return std::move(touched.topology);
 }
 
+constexpr std::size_t kFewWrongFaces = 100;
+
 /// The discs of a dual after flips, and the faces that these have left wrong.
 struct FlippedFaces {
   FaceDiscs discs;
   std::vector<int> wrong;
 };
 
-FlippedFaces flipFaces(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal) {
+FlippedFaces flipFaces(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal,
+                       Threads threads) {
   const Stopwatch watch = journal.enter(Stage::flip);
-  FaceDiscs discs(sites.circles, dual, predicates);
-  Flips flips = flip(dual, discs, teller.watcher());
+  FaceDiscs discs(sites.circles, dual, predicates, threads);
+  Flips flips = flip(dual, discs, teller.watcher(), threads);
   journal.stats.counts.flips += flips.count;
   return {std::move(discs), std::move(flips.wrong)};
 }
 
-/// A dual flipped and judged, and all that told.
-Construction flippedAndJudged(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal) {
-  teller.tellChanges();
-  Predicates predicates(sites.circles);
-  flipFaces(dual, predicates, sites, teller, journal);
-  addCounts(predicates, journal.stats.counts);
-  Construction result = judged(dual, sites.circles, journal);
-  teller.tellChanges();
-  return result;
+/// Whether flips left little wrong, and repair brought that right.
+bool repaired(Dual& dual, FlippedFaces& flipped, Journal& journal) {
+  // So many are inserted as quickly all anew.
+  if (flipped.wrong.size() > kFewWrongFaces + static_cast<std::size_t>(dual.faceCount()) / 200) return false;
+  const Stopwatch watch = journal.enter(Stage::repair);
+  const auto count = repair(dual, flipped.discs, flipped.wrong);
+  if (!count) return false;
+  journal.stats.way = Way::repair;
+  journal.stats.counts.repairs += *count;
+  return true;
 }
 
-/// The circles at what a certificate found wrong and their neighbours among the centres; all if it names none.
+/// Flips and judges a dual, and tells all that.
+Verdict flippedAndJudged(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal, Threads threads) {
+  teller.tellChanges();
+  Predicates predicates(sites.circles);
+  FlippedFaces flipped = flipFaces(dual, predicates, sites, teller, journal, threads);
+  addCounts(predicates, journal.stats.counts);
+  Verdict verdict = judged(dual, flipped.discs.take(), sites.circles, journal, threads);
+  teller.tellChanges();
+  return verdict;
+}
+
+/// The circles at what was found wrong and their neighbors among the centers; all if none is named.
 std::vector<int> circlesAround(const Construction& construction, const Dual& centres) {
-  const auto& [topology, certificate] = construction;
   std::set<int> named;
-  if (certificate.circle != kNone) named.insert(certificate.circle);
-  if (certificate.vertex != kNone) {
-    const auto& triple = topology.vertexCircles[certificate.vertex];
-    named.insert(triple.begin(), triple.end());
-  }
-  if (certificate.edge != kNone) {
-    named.insert({topology.edges[certificate.edge].left, topology.edges[certificate.edge].right});
+  if (construction.unfit) {
+    const auto& [topology, misfit] = *construction.unfit;
+    if (misfit.circle != kNone) named.insert(misfit.circle);
+    if (misfit.vertex != kNone) {
+      const auto& triple = topology.vertexCircles[misfit.vertex];
+      named.insert(triple.begin(), triple.end());
+    }
+    if (misfit.edge != kNone) named.insert({topology.edges[misfit.edge].left, topology.edges[misfit.edge].right});
+  } else {
+    const auto& [dual, verdict, unfit] = construction;
+    if (verdict.circle != kNone) named.insert(verdict.circle);
+    if (verdict.face != kNone && dual.isFinite(verdict.face)) {
+      const auto corners = cornersOf(dual, 3 * verdict.face);
+      named.insert(corners.begin(), corners.end());
+    }
+    if (const int h = verdict.halfEdge;
+        h != kNone && dual.origin[h] != kPointAtInfinity && dual.target(h) != kPointAtInfinity) {
+      named.insert({dual.origin[h], dual.target(h)});
+    }
   }
   std::set<int> around = named;
   for (int h = 0; h < centres.halfEdgeCount(); ++h) {
@@ -138,12 +166,11 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
 constexpr int kMostResamplings = 4;
 /// In the angles of Delaunay faces, of which a circle has six on average.
 constexpr std::int64_t kMostAngularSamples = 4'000'000;
-constexpr int kAllPairsPatch = 64;
-constexpr std::size_t kLargestPatch = 256;
-constexpr std::size_t kFewWrongFaces = 100;
 
 /// The dual by insertion, and by flips where a near tie misled it.
-std::optional<Dual> inserted(std::span<const Circle> circles, Counts& counts) {
+std::optional<Dual> inserted(std::span<const Circle> circles, Journal& journal) {
+  const Stopwatch watch = journal.enter(Stage::flip);
+  Counts& counts = journal.stats.counts;
   Predicates predicates(circles);
   auto result = insertAll(circles, predicates);
   if (result) {
@@ -155,65 +182,10 @@ std::optional<Dual> inserted(std::span<const Circle> circles, Counts& counts) {
   return std::move(result->dual);
 }
 
-/// The whole dual by insertion.
-std::optional<Dual> insertedAll(const Sites& sites, Journal& journal) {
-  const Stopwatch watch = journal.enter(Stage::flip);
-  return inserted(sites.circles, journal.stats.counts);
-}
-
-/// Repairs a dual in patches that grow until none is seen to be wrong.
-void repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& journal) {
-  const Stopwatch watch = journal.enter(Stage::repair);
-  journal.stats.way = Way::repair;
-  for (const int reach : {2, 4, 8, 16}) {
-    if (wrong.empty()) break;
-    journal.stats.counts.repairs += repair(
-        dual, discs, wrong, reach, [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
-  }
-}
-
-/// Flips the centres' triangulation, and repairs it where that leaves it wrong. Whether not too much is.
-bool flipAndRepair(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal) {
-  Predicates predicates(sites.circles);
-  auto [discs, wrong] = flipFaces(dual, predicates, sites, teller, journal);
-  // A patch takes as long as the insertion of hundreds of circles.
-  const bool isMuch = wrong.size() > kFewWrongFaces + sites.circles.size() / 100;
-  if (!wrong.empty() && !isMuch) repairAll(dual, discs, wrong, journal);
-  addCounts(predicates, journal.stats.counts);
-  return !isMuch;
-}
-
 }  // namespace
 
-std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journal) {
-  if (circles.size() > kLargestPatch) return std::nullopt;
-  const Sites sites = triangulate(hide(order(circles)));
-  const int n = static_cast<int>(sites.circles.size());
-  const auto isRight = [&](const Dual& candidate) {
-    Predicates predicates(sites.circles);
-    const bool right = judge(sites.circles, candidate, predicates).isRight();
-    addCounts(predicates, journal.stats.counts);
-    return right;
-  };
-  std::optional<Dual> dual;
-  if (n <= kAllPairsPatch) {
-    auto touched = dualOf(touch(sites.circles, pairAll(n), {}).topology, n);
-    if (auto* fitting = std::get_if<Dual>(&touched)) dual = std::move(*fitting);
-  } else {
-    dual = inserted(sites.circles, journal.stats.counts);
-  }
-  if (!dual || !isRight(*dual)) {
-    dual = apolloniusGraph(sites.circles);
-    if (!isRight(*dual)) return std::nullopt;
-  }
-  for (int& corner : dual->origin) {
-    if (corner != kPointAtInfinity) corner = sites.indices[corner];
-  }
-  return dual;
-}
-
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
-                                     Journal& journal) {
+                                     Journal& journal, Threads threads) {
   const int n = static_cast<int>(sites.circles.size());
   std::vector<int> angular(n, *options.samples);
   journal.stats.way = Way::touchingDisc;
@@ -239,16 +211,17 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
                         samples, n, [&](double done) { journal.tell(Stage::pair, done); }, observer);
       if (observer) tellOfPairs(pairs, observer);
     }
-    Construction result = judged(touchPairs(sites.circles, pairs, observer, journal), sites, observer, journal);
+    Construction result =
+        judged(touchPairs(sites.circles, pairs, observer, journal), sites, observer, journal, threads);
     const bool mayResample = options.resample && options.candidates == Candidates::dynamic && round < kMostResamplings;
-    if (result.certificate.certified() || !mayResample) return result;
+    if (result.isRight() || !mayResample) return result;
     ++journal.stats.counts.resamplings;
     // Where only rounding put the ends of an edge out of order, flips settle it; else pairs are missing.
-    auto dual = dualOf(result.topology, n);
-    if (auto* fitting = std::get_if<Dual>(&dual)) {
-      FaceTeller teller(*fitting, sites.circles, observer);
-      Construction flippedResult = flippedAndJudged(*fitting, sites, teller, journal);
-      if (flippedResult.certificate.certified()) return flippedResult;
+    if (!result.unfit) {
+      Dual dual = result.dual;
+      FaceTeller teller(dual, sites.circles, observer);
+      Verdict verdict = flippedAndJudged(dual, sites, teller, journal, threads);
+      if (verdict.isRight()) return {std::move(dual), std::move(verdict)};
     }
     // What is missing may lie farther off than what is seen to be wrong: from the third try on, sample everywhere.
     if (round >= 2) {
@@ -260,53 +233,57 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
   }
 }
 
-Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal) {
+Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
   journal.stats.way = Way::flip;
   FaceTeller teller(sites.centres, sites.circles, observer);
   teller.tellRound(0);
   if (observer) tellOfCenters(sites.centres, observer);
-  return flippedAndJudged(sites.centres, sites, teller, journal);
+  Verdict verdict = flippedAndJudged(sites.centres, sites, teller, journal, threads);
+  return {std::move(sites.centres), std::move(verdict)};
 }
 
-Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal) {
+Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
   Construction result;
   int round = 0;
-  // Whether a dual is right. What is not told on the way to it is told at the end.
-  const auto isCertified = [&](Dual& dual, FaceTeller& teller) {
-    result = judged(dual, sites.circles, journal);
+  // Whether the dual is right. What is not told on the way to it is told at the end.
+  const auto isCertified = [&](std::vector<FaceDisc> discs, FaceTeller& teller) {
+    result.verdict = judged(result.dual, std::move(discs), sites.circles, journal, threads);
     teller.tellChanges();
-    return result.certificate.certified();
+    return result.isRight();
   };
-  const auto isRightAnew = [&](Dual& dual) {
-    FaceTeller teller(dual, sites.circles, observer);
+  const auto isRightAnew = [&](Dual dual) {
+    result.dual = std::move(dual);
+    FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round++);
-    return isCertified(dual, teller);
+    return isCertified({}, teller);
   };
   if (sites.dual) {
     journal.stats.way = Way::insert;
     journal.stats.counts.flips += sites.flips;
     addCounts(sites.signs, journal.stats.counts);
-    result.topology = topologyOf(*sites.dual, static_cast<int>(sites.circles.size()));
-    result.certificate = certificateOf(Verdict{}, *sites.dual, result.topology);
-    FaceTeller teller(*sites.dual, sites.circles, observer);
+    result.dual = *std::move(sites.dual);
+    FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round);
     teller.tellChanges();
     return result;
   }
   journal.stats.way = Way::flip;
   {
-    Dual dual = std::move(sites.centres);
-    FaceTeller teller(dual, sites.circles, observer);
+    result.dual = std::move(sites.centres);
+    FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round++);
-    if (observer) tellOfCenters(dual, observer);
+    if (observer) tellOfCenters(result.dual, observer);
     teller.tellChanges();
-    if (flipAndRepair(dual, sites, teller, journal) && isCertified(dual, teller)) return result;
+    Predicates predicates(sites.circles);
+    FlippedFaces flipped = flipFaces(result.dual, predicates, sites, teller, journal, threads);
+    const bool isWell = flipped.wrong.empty() || repaired(result.dual, flipped, journal);
+    addCounts(predicates, journal.stats.counts);
+    if (isWell && isCertified(flipped.discs.take(), teller)) return result;
   }
   journal.stats.way = Way::insert;
-  if (auto dual = insertedAll(sites, journal); dual && isRightAnew(*dual)) return result;
+  if (auto dual = inserted(sites.circles, journal); dual && isRightAnew(*std::move(dual))) return result;
   journal.stats.way = Way::apolloniusGraph;
-  Dual dual = apolloniusGraph(sites.circles);
-  isRightAnew(dual);
+  isRightAnew(apolloniusGraph(sites.circles));
   return result;
 }
 

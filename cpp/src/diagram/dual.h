@@ -26,6 +26,11 @@ struct Dual {
            origin[3 * face + 2] != kPointAtInfinity;
   }
 
+  void link(int h, int t) {
+    twin[h] = t;
+    twin[t] = h;
+  }
+
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flip.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,11 +19,19 @@ class Flipper {
   Flipper(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher)
       : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()), watcher_(watcher) {}
 
-  Flips run() {
+  Flips run(Threads threads) {
     // Four a circle: no family needs more than three and a bit, and who does gets there by insertion.
     const std::int64_t limit = 1000 + 2 * static_cast<std::int64_t>(dual_.faceCount());
+    isSuspect_.resize(dual_.origin.size());
+    predicates_.forRanges(threads, isSuspect_.size(),
+                          [&](std::size_t begin, std::size_t end, std::size_t, Predicates& own) {
+                            for (std::size_t i = begin; i < end; ++i) {
+                              const auto h = static_cast<int>(i);
+                              isSuspect_[i] = h < dual_.twin[i] && discs_.flawOf(h, own) != Flaw::none;
+                            }
+                          });
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
-      if (first > dual_.twin[first]) continue;
+      if (isSuspect_[first] == 0 || first > dual_.twin[first]) continue;
       stack_.push_back(first);
       settle(limit);
       if (flips_ == limit) return {flips_, wrongFaces(discs_)};
@@ -75,6 +85,8 @@ class Flipper {
       const Quad quad = {a, b, c, dual_.origin[Dual::previous(dual_.twin[h])]};
       if (!isToFlip(h, quad, flaw) || quad == milestone) {
         left_.push_back(h);
+        // What a milestone kept may be flipped once others are.
+        if (!isSuspect_.empty()) isSuspect_[std::min(h, dual_.twin[h])] = 1;
         continue;
       }
       if (flips_ == limit) {
@@ -131,19 +143,14 @@ class Flipper {
     if (watcher_ != nullptr) {
       for (const int changed : {h, t, beyondAd, beyondBc}) watcher_->willChange(changed / 3);
     }
-    link(h, beyondAd);
-    link(t, beyondBc);
+    dual_.link(h, beyondAd);
+    dual_.link(t, beyondBc);
     dual_.origin[bc] = dual_.origin[db];
     dual_.origin[ad] = dual_.origin[ca];
-    link(bc, ad);
+    dual_.link(bc, ad);
     discs_.update(h / 3);
     discs_.update(t / 3);
     for (const int changed : {bc, h, ca, t, db}) stack_.push_back(changed);
-  }
-
-  void link(int h, int t) {
-    dual_.twin[h] = t;
-    dual_.twin[t] = h;
   }
 
   std::span<const Circle> circles_;
@@ -154,11 +161,15 @@ class Flipper {
   std::int64_t flips_ = 0;
   std::vector<int> stack_;
   std::vector<int> left_;  ///< edges that were wrong, but not to be flipped
+  std::vector<std::uint8_t>
+      isSuspect_;  ///< of the first half of each edge whether it may be wrong when `run` gets there
 };
 
 }  // namespace
 
-Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher) { return Flipper(dual, discs, watcher).run(); }
+Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher, Threads threads) {
+  return Flipper(dual, discs, watcher).run(threads);
+}
 
 Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, FaceWatcher& watcher) {
   return Flipper(dual, discs, &watcher).runFrom(edges);

@@ -24,7 +24,8 @@ struct Flips {
 /// wrong as the one that would take its place, they stop. So the result is to be judged.
 ///
 /// `discs` are all the discs of `dual`, before and after. `watcher` is told of each face that changes, if there is one.
-Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher = nullptr);
+/// `threads` look for the edges that are wrong at first.
+Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher = nullptr, Threads threads = Threads());
 
 /// The same where only the edges given, by a half-edge each, may be wrong.
 Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, FaceWatcher& watcher);

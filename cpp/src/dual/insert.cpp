@@ -330,18 +330,13 @@ class Inserter : private DualKeeper {
       }
       for (int k = 0; k < 3; ++k) {
         dual_.origin[3 * *hole + k] = dual_.origin[3 * count + k];
-        link(3 * *hole + k, dual_.twin[3 * count + k]);
+        dual_.link(3 * *hole + k, dual_.twin[3 * count + k]);
       }
       ++hole;
     }
     dual_.origin.resize(3 * static_cast<std::size_t>(count));
     dual_.twin.resize(3 * static_cast<std::size_t>(count));
     return std::move(dual_);
-  }
-
-  void link(int h, int t) {
-    dual_.twin[h] = t;
-    dual_.twin[t] = h;
   }
 
   std::span<const Circle> circles_;

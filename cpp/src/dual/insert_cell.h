@@ -175,10 +175,6 @@ class CellInserter {
   void noteEdge(int h) {
     if (dual_.origin[h] != kPointAtInfinity) edgeOf_[dual_.origin[h]] = h;
   }
-  void link(int h, int t) {
-    dual_.twin[h] = t;
-    dual_.twin[t] = h;
-  }
 
   Dual& dual_;
   FaceDiscs& discs_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "dual.h"
@@ -19,8 +20,8 @@ namespace circle_voronoi {
 /// so an edge is right if, of the four circles around it, the greatest is not one of its ends.
 ///
 /// `ties` are the edges of length zero of a dual that the judge finds right. It stays right, as the regions that the
-/// judge's theorem is about stay the same sets of points.
-void settleTies(Dual& dual, std::span<const int> ties, std::span<const Circle> circles);
+/// judge's theorem is about stay the same sets of points. Returns the faces that are other ones.
+std::vector<int> settleTies(Dual& dual, std::span<const int> ties, std::span<const Circle> circles);
 
 /// Whether an edge of length zero is right in that sense.
 bool isSettledTie(const Dual& dual, int h, std::span<const Circle> circles);

@@ -37,4 +37,15 @@ std::vector<int> wrongFaces(const FaceDiscs& discs) {
   return wrong;
 }
 
+std::vector<int> cornersOf(const Dual& dual, std::span<const int> faces) {
+  std::vector<int> corners;
+  for (const int face : faces) {
+    for (const int corner : cornersOf(dual, 3 * face)) {
+      if (corner != kPointAtInfinity) corners.push_back(corner);
+    }
+  }
+  sortUnique(corners);
+  return corners;
+}
+
 }  // namespace circle_voronoi

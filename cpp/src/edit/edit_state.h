@@ -109,10 +109,6 @@ class EditState final : public DualKeeper {
   void dropEdge(int) override {}
   void willChangeSite(int slot);
 
-  void link(int h, int t) {
-    dual.twin[h] = t;
-    dual.twin[t] = h;
-  }
   void noteEdge(int h) {
     if (dual.origin[h] != kPointAtInfinity) edgeOf[dual.origin[h]] = h;
   }

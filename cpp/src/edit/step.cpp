@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "construct.h"
 #include "flip.h"
-#include "repair.h"
 #include "wrong_faces.h"
 
 namespace circle_voronoi {
@@ -132,7 +130,7 @@ bool Stepper::putBefore(int slot, int identical) {
 bool Stepper::takeOut(int slot) {
   if (state_.visibleCount <= 2) return false;
   if (state_.teller != nullptr) state_.teller->setShrinking(slot);
-  if (!shrinker_.takeOut(state_, slot)) return false;
+  if (!shrinker_.takeOut(slot)) return false;
   if (state_.teller != nullptr) {
     state_.teller->tell();
     state_.teller->setShrinking(kPointAtInfinity);
@@ -273,34 +271,17 @@ std::span<const int> Stepper::changedEdges() {
   return edges_;
 }
 
-/// Replaces what is wrong by a diagram of the circles around, in patches that grow.
+/// Takes out the circles at what is wrong, and puts them in again.
 bool Stepper::patch(int moved) {
-  const Progress silent;
-  Journal journal(silent);
-  const Dual& dual = state_.dual;
-  std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
-  for (const int reach : {2, 4, 8}) {
-    if (wrong.empty()) break;
-    // All that the repair may change: the patches, and the faces around them.
-    std::vector<int> near = wrong;
-    for (int distance = 0; distance <= reach; ++distance) {
-      std::vector<int> beyond;
-      for (const int face : near) {
-        state_.willChange(face);
-        for (int h = 3 * face; h < 3 * face + 3; ++h) beyond.push_back(dual.twin[h] / 3);
-      }
-      near.insert(near.end(), beyond.begin(), beyond.end());
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
-    }
-    for (const int face : near) state_.willChange(face);
-    repair(state_.dual, state_.discs, wrong, reach,
-           [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
-    state_.noteEdges();
-    if (isRight(moved)) return true;
-    if (isBroken_) return false;
+  const std::vector<int> slots = cornersOf(state_.dual, wrongFaces(state_.discs, changedEdges()));
+  if (slots.empty()) return false;
+  int hint = kNone;
+  for (const int slot : slots) {
+    hint = neighborOf(slot);
+    if (!takeOut(slot)) return false;
+    waiting_.push_back(slot);
   }
-  return false;
+  return putWaiting(hint) && isRight(moved);
 }
 
 }  // namespace circle_voronoi

@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "adjacency.h"
 #include "certificate_message.h"
 #include "guarded.h"
 #include "judge.h"
@@ -26,26 +25,29 @@ struct Visible {
   std::vector<std::int32_t> sites;   ///< of each input circle its place in `circles`, kNone if hidden
 };
 
-/// The part of a diagram that is not as its sides are linked, or a certificate without a flaw.
-Certificate judgeSides(const Diagram& diagram) {
-  const Links& links = diagram.links;
-  const auto right = linksOf(diagram);
-  // A diagram whose dual is right fits together.
-  if (!right || links.nextSide.size() != right->nextSide.size() ||
-      links.vertexSides.size() != right->vertexSides.size() || links.firstSide.size() != right->firstSide.size()) {
+/// The part of a diagram that is not as its sides are to be linked, or a certificate without a flaw. `right` has the
+/// visible circles in place of all.
+Certificate judgeSides(const Diagram& diagram, const Links& right, const Visible& visible) {
+  std::vector<SideIndex> firstSide(visible.sites.size());
+  for (std::size_t i = 0; i < firstSide.size(); ++i) {
+    if (visible.sites[i] != kNone) firstSide[i] = right.firstSide[visible.sites[i]];
+  }
+  if (diagram.links.nextSide.size() != right.nextSide.size() ||
+      diagram.links.vertexSides.size() != right.vertexSides.size() ||
+      diagram.links.firstSide.size() != firstSide.size()) {
     return {Flaw::adjacency, 0, kNone, kNone, {}};
   }
   const auto firstDifference = [](const auto& a, const auto& b) {
     const auto [found, other] = std::mismatch(a.begin(), a.end(), b.begin());
     return found == a.end() ? kNone : static_cast<std::int32_t>(found - a.begin());
   };
-  if (const SideIndex side = firstDifference(links.nextSide, right->nextSide); side != kNone) {
+  if (const SideIndex side = firstDifference(diagram.links.nextSide, right.nextSide); side != kNone) {
     return {Flaw::adjacency, diagram.circleOf(side), kNone, kNone, {}};
   }
-  if (const VertexIndex vertex = firstDifference(links.vertexSides, right->vertexSides); vertex != kNone) {
+  if (const VertexIndex vertex = firstDifference(diagram.links.vertexSides, right.vertexSides); vertex != kNone) {
     return {Flaw::adjacency, kNone, vertex, kNone, {}};
   }
-  const CircleIndex circle = firstDifference(links.firstSide, right->firstSide);
+  const CircleIndex circle = firstDifference(diagram.links.firstSide, firstSide);
   return {circle == kNone ? Flaw::none : Flaw::adjacency, circle, kNone, kNone, {}};
 }
 
@@ -139,7 +141,8 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
   const auto count = static_cast<int>(visible.circles.size());
   const Topology topology = topologyOf(diagram, visible.sites);
   if (count < 2 && topology.hull.size() != visible.circles.size()) return {Flaw::eulerCount, kNone, kNone, kNone, {}};
-  auto dual = dualOf(topology, count);
+  Links links;
+  auto dual = dualOf(topology, count, &links);
   if (const auto* misfit = std::get_if<Misfit>(&dual)) {
     return {misfit->flaw,
             misfit->circle == kNone ? CircleIndex() : visible.indices[misfit->circle],
@@ -155,7 +158,7 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
     certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit);
     if (certificate.vertex != kNone) certificate.flaw = Flaw::vertexMisplaced;
   }
-  return certificate.certified() ? judgeSides(diagram) : certificate;
+  return certificate.certified() ? judgeSides(diagram, links, visible) : certificate;
 }
 
 }  // namespace

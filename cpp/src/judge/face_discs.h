@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/certificate.h"
@@ -17,10 +18,13 @@ namespace circle_voronoi {
 class FaceDiscs {
  public:
   /// What is given must outlive this.
-  FaceDiscs(std::span<const Circle> circles, const Dual& dual, Predicates& predicates)
-      : circles_(circles), dual_(dual), predicates_(predicates) {
-    discs_.reserve(dual.faceCount());
-    for (int face = 0; face < dual.faceCount(); ++face) discs_.push_back(predicates.disc(cornersOf(dual, 3 * face)));
+  FaceDiscs(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Threads threads = Threads())
+      : circles_(circles), dual_(dual), predicates_(predicates), discs_(dual.faceCount()) {
+    predicates.forRanges(threads, discs_.size(), [&](std::size_t begin, std::size_t end, std::size_t, Predicates& own) {
+      for (std::size_t face = begin; face < end; ++face) {
+        discs_[face] = own.disc(cornersOf(dual, 3 * static_cast<int>(face)));
+      }
+    });
   }
 
   std::span<const Circle> circles() const { return circles_; }
@@ -49,6 +53,8 @@ class FaceDiscs {
 
   const FaceDisc& operator[](int face) const { return discs_[face]; }
 
+  std::vector<FaceDisc> take() { return std::move(discs_); }
+
   /// The direction from the origin of a half-edge to the disc of its face.
   Vector direction(int h) const {
     const auto [x, y, error] = predicates_.direction(dual_.origin[h], discs_[h / 3]);
@@ -61,7 +67,10 @@ class FaceDiscs {
   /// What the discs beside an edge show to be wrong: vertexWithoutDisc, edgeOutOfOrder, or hullNotClosed for an edge to
   /// infinity whose circle lies strictly within the tangent line of its neighbours on the hull. An edge without a flaw
   /// need not be one of the right dual: only all of them together prove it (judge.h).
-  Flaw flawOf(int h) const {
+  Flaw flawOf(int h) const { return flawOf(h, predicates_); }
+
+  /// The same by other predicates on the same circles.
+  Flaw flawOf(int h, Predicates& predicates) const {
     const int t = dual_.twin[h];
     if (!exists(h / 3) || !exists(t / 3)) return Flaw::vertexWithoutDisc;
     const int a = dual_.origin[h];
@@ -69,14 +78,14 @@ class FaceDiscs {
     const int c = dual_.origin[Dual::previous(h)];
     const int d = dual_.origin[Dual::previous(t)];
     // Counter-clockwise the hull goes d, a, c or c, b, d.
-    if (b == kPointAtInfinity) return flawAtInfinity(d, h, c);
-    if (a == kPointAtInfinity) return flawAtInfinity(c, t, d);
+    if (b == kPointAtInfinity) return flawAtInfinity(d, h, c, predicates);
+    if (a == kPointAtInfinity) return flawAtInfinity(c, t, d, predicates);
     if (c == kPointAtInfinity || d == kPointAtInfinity) return Flaw::none;
-    const int larger = fromLarger(dual_, h, predicates_);
+    const int larger = fromLarger(dual_, h, predicates);
     const int smaller = larger == h ? t : h;
     const int from = dual_.origin[larger];
-    const auto toDisc = [&](int face) { return predicates_.direction(from, discs_[face]); };
-    const int order = orderOfEnds(dual_, larger, toDisc(smaller / 3), toDisc(larger / 3), predicates_);
+    const auto toDisc = [&](int face) { return predicates.direction(from, discs_[face]); };
+    const int order = orderOfEnds(dual_, larger, toDisc(smaller / 3), toDisc(larger / 3), predicates);
     return order >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
   }
 
@@ -84,14 +93,14 @@ class FaceDiscs {
   /// Of the edge h from a circle to infinity, between its neighbours on the hull. Where one of these comes to the right
   /// hull again between the circle and the other, the circle may lie within their tangent line, but then its own
   /// tangent lines are in order.
-  Flaw flawAtInfinity(int before, int h, int after) const {
+  Flaw flawAtInfinity(int before, int h, int after, Predicates& predicates) const {
     const int circle = dual_.origin[h];
-    if (before == after || predicates_.tangentSide(after, before, circle) >= 0) return Flaw::none;
+    if (before == after || predicates.tangentSide(after, before, circle) >= 0) return Flaw::none;
     const int right = Dual::next(dual_.twin[h]);
-    const int filtered = predicates_.filteredCross(predicates_.direction(circle, discs_[right / 3]),
-                                                   predicates_.direction(circle, discs_[h / 3]));
+    const int filtered = predicates.filteredCross(predicates.direction(circle, discs_[right / 3]),
+                                                  predicates.direction(circle, discs_[h / 3]));
     const int turn =
-        filtered != 0 ? filtered : predicates_.exactCross(circle, cornersOf(dual_, right), cornersOf(dual_, h));
+        filtered != 0 ? filtered : predicates.exactCross(circle, cornersOf(dual_, right), cornersOf(dual_, h));
     return turn < 0 ? Flaw::hullNotClosed : Flaw::none;
   }
 

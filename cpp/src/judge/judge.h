@@ -18,6 +18,8 @@ struct Verdict {
   int halfEdge = kNone;  ///< half-edge of the dual
   /// Of a right dual a half-edge of each edge of length zero: where more than three circles touch one disc.
   std::vector<int> ties = {};
+  /// Of a right dual the disc of each face.
+  std::vector<FaceDisc> discs = {};
 
   bool isRight() const { return flaw == Flaw::none; }
 };
@@ -40,7 +42,11 @@ struct Verdict {
 /// covers the plane once. It has all m circles, for each has its full turn there, and infinity; a closed surface with m
 /// + 1 corners or more has 2 m - 2 faces or more, and no more if and only if it is a sphere and each corner one fan of
 /// faces. As there are 2 m - 2 faces in all, there are no others.
-Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates);
+///
+/// A disc is a function of the corners of its face: `discs` are those of all faces as Predicates finds them, where
+/// somebody has them; what else is checked rests on them. Without them the judge finds them itself.
+Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates,
+              std::vector<FaceDisc> discs = {}, Threads threads = Threads());
 
 /// Judges whether each hidden circle lies in a circle that is not hidden, and names each circle once. The verdict names
 /// the first that does not.

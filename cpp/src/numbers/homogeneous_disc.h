@@ -78,11 +78,26 @@ inline HomogeneousDisc discAtInfinity(const Circle& a, const Circle& b) {
 }
 
 /// The disc of three circles counter-clockwise, relative to one of them: the `corner` opposite the longest side, from
-/// which both differences are short.
+/// which both differences are short. Of corners that are as good it is the one whose center is least by x and then y:
+/// so the disc has the same bits whichever circle comes first.
 struct CornerDisc {
   HomogeneousDisc disc;
   int corner = 0;
 };
+
+/// Whether the center that a difference starts from comes before the other, by x and then y.
+inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d.y > 0); }
+
+/// The corner opposite the longest of three sides of the lengths given, where two or three of these are equal.
+[[gnu::noinline]] inline int cornerOfTie(const Difference& d01, const Difference& d12, const Difference& d20,
+                                         double size01, double size12, double size20) {
+  const double longest = std::max({size01, size12, size20});
+  const bool may0 = size12 == longest;
+  const bool may1 = size20 == longest;
+  const bool may2 = size01 == longest;
+  if (may0 && (!may1 || startsBefore(d01)) && (!may2 || !startsBefore(d20))) return 0;
+  return may1 && (!may0 || !startsBefore(d01)) && (!may2 || startsBefore(d12)) ? 1 : 2;
+}
 
 /// Let A and B be the differences from the corner o, C = B - A, <.,.> the cone product, ' negate the third component,
 /// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The centre, with
@@ -108,6 +123,9 @@ inline CornerDisc discOfSides(const Difference& d01, const Difference& d12, cons
   const double size20 = sizeSquared(d20);
   CornerDisc result;
   result.corner = size12 >= size01 ? (size12 >= size20 ? 0 : 1) : (size20 >= size01 ? 1 : 2);
+  if (size01 == size12 || size12 == size20 || size20 == size01) {
+    result.corner = cornerOfTie(d01, d12, d20, size01, size12, size20);
+  }
   const auto& [a, minusB, c, aa, bb, cc] = result.corner == 0   ? std::tie(d01, d20, d12, size01, size20, size12)
                                            : result.corner == 1 ? std::tie(d12, d01, d20, size12, size01, size20)
                                                                 : std::tie(d20, d12, d01, size20, size12, size01);

@@ -9,6 +9,7 @@
 #include "homogeneous_disc.h"
 #include "in_circle.h"
 #include "refined.h"
+#include "three_touch_disc.h"
 
 namespace circle_voronoi {
 namespace {
@@ -64,7 +65,7 @@ FaceDisc Predicates::disc(const Triple& face) {
   const CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
   if (const int sign = filteredExistence(circles, placed); sign != 0 && !mayBeOfShortSides(placed.disc)) {
     ++counts_.filtered;
-    return faceDisc(circles, placed, sign > 0);
+    return faceDisc(circles, placed, sign > 0, true);
   }
   return rareDisc(circles, placed);
 }
@@ -86,9 +87,20 @@ FaceDisc Predicates::rareDisc(const exact::Face& circles, const CornerDisc& plac
   return faceDisc(circles, refined.disc.error < kUnknownError ? refined : exactDisc(circles), true);
 }
 
-FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists) const {
+FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists, bool isFiltered) const {
   const HomogeneousDisc& disc = placed.disc;
-  return {{disc.x, disc.y}, disc.w, disc.error, static_cast<int>(face[placed.corner] - circles_.data()), exists};
+  const auto origin = static_cast<int>(face[placed.corner] - circles_.data());
+  return {{disc.x, disc.y}, disc.w, disc.rho, disc.error, origin, exists, isFiltered};
+}
+
+std::optional<Vertex> Predicates::vertex(const Triple& face, const FaceDisc& disc, double unit) const {
+  const auto& [i, j, k] = face;
+  if (disc.isFiltered) {
+    const int corner = disc.origin == i ? 0 : disc.origin == j ? 1 : 2;
+    const CornerDisc placed = {{disc.v.x, disc.v.y, disc.w, disc.rho, disc.error}, corner};
+    if (const auto vertex = vertexAt(placed, {&circles_[i], &circles_[j], &circles_[k]}, unit)) return vertex;
+  }
+  return vertexOf(circles_[i], circles_[j], circles_[k], unit);
 }
 
 int Predicates::exactCross(int from, const Triple& first, const Triple& second) {

@@ -6,6 +6,8 @@
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/vertex.h"
+#include "exact.h"
+#include "homogeneous_disc.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -31,5 +33,8 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 /// anything. The bits depend on the three circles alone: the same circles in another unit that rounds none of them have
 /// the same vertex.
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit = 1);
+
+/// The center and the radius of a disc, times `unit`, if its error bound is small enough for that.
+std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit);
 
 }  // namespace circle_voronoi

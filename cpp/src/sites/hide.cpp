@@ -28,18 +28,17 @@ bool mayReach(const Circle& a, const Circle& b, double smallest) {
 
 /// Whether no circle contains the centre of a neighbour in the Delaunay graph, its radius taken less the smallest one.
 /// Then none hides another, for the centres that a disc around a centre contains are connected in that graph.
-bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centres) {
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    if (centres.representative[i] != static_cast<int>(i)) return false;
-  }
+bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centres, Threads threads) {
+  const auto isCopy = [&](std::size_t i) { return centres.representative[i] != static_cast<int>(i); };
   const Dual& dual = centres.dual;
   // Most edges twice, which costs less than to tell which half of an edge comes first.
-  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+  const auto isReached = [&](std::size_t h) {
     const int i = dual.origin[h];
-    const int j = dual.target(h);
-    if (i != kPointAtInfinity && j != kPointAtInfinity && mayReach(circles[i], circles[j], smallest)) return false;
-  }
-  return true;
+    const int j = dual.target(static_cast<int>(h));
+    return i != kPointAtInfinity && j != kPointAtInfinity && mayReach(circles[i], circles[j], smallest);
+  };
+  return threads.firstWhere(circles.size(), isCopy) == circles.size() &&
+         threads.firstWhere(dual.origin.size(), isReached) == dual.origin.size();
 }
 
 /// The same test on successive circles alone: quick, and rarely passed where circles hide one another.
@@ -51,12 +50,12 @@ bool lookClear(std::span<const Circle> circles, double smallest) {
 }
 
 /// The triangulation of the centres, if it shows that no circle hides another.
-std::optional<Dual> proofOfClearance(std::span<const Circle> circles) {
+std::optional<Dual> proofOfClearance(std::span<const Circle> circles, Threads threads) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Circle& c : circles) smallest = std::min(smallest, c.r);
   if (!lookClear(circles, smallest)) return std::nullopt;
-  Delaunay centres = delaunay(centresOf(circles));
-  if (!areClear(circles, smallest, centres)) return std::nullopt;
+  Delaunay centres = delaunay(centresOf(circles), threads);
+  if (!areClear(circles, smallest, centres, threads)) return std::nullopt;
   return std::move(centres.dual);
 }
 
@@ -114,7 +113,7 @@ struct LargestOfEachCentre {
 };
 
 /// The visible circles as those that insertion leaves a cell, with a proof; nothing if there is none.
-std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
+std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered, Threads threads) {
   const LargestOfEachCentre largest(ordered.circles);
   const SomeCircles apart(ordered, largest.places);
   Predicates predicatesApart(apart.circles);
@@ -149,10 +148,10 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   const SomeCircles hidden(ordered, std::move(rest));
 
   Predicates predicates(visible.circles);
-  const Verdict verdict = judge(visible.circles, dual, predicates);
+  const Verdict verdict = judge(visible.circles, dual, predicates, {}, threads);
   if (!verdict.isRight()) return std::nullopt;
   settleTies(dual, verdict.ties, visible.circles);
-  const Hiders named = findHiders(visible, hidden, kNoLimit);
+  const Hiders named = findHiders(visible, hidden, kNoLimit, threads);
   Hiders all{std::vector<int>(ordered.circles.size(), kNone), named.steps + inserted->flips};
   for (std::size_t j = 0; j < hidden.places.size(); ++j) {
     const int i = named.hider[j];
@@ -172,19 +171,19 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
 
 }  // namespace
 
-VisibleCircles hide(OrderedCircles ordered, std::int64_t mostStepsACircle) {
-  if (auto centres = proofOfClearance(ordered.circles)) {
+VisibleCircles hide(OrderedCircles ordered, std::int64_t mostStepsACircle, Threads threads) {
+  if (auto centres = proofOfClearance(ordered.circles, threads)) {
     return {std::move(ordered.circles), std::move(ordered.indices), {}, std::move(centres), {}, 0, 0, {}};
   }
   const NumberedCircles all{ordered.circles, ordered.indices};
   const auto count = static_cast<std::int64_t>(ordered.circles.size());
-  const Hiders found = findHiders(all, all, kFewSteps + mostStepsACircle * count);
+  const Hiders found = findHiders(all, all, kFewSteps + mostStepsACircle * count, threads);
   if (!found.hider.empty()) return withoutHidden(ordered, found);
-  if (auto visible = hideByInsertion(ordered)) {
+  if (auto visible = hideByInsertion(ordered, threads)) {
     visible->steps += found.steps;
     return *std::move(visible);
   }
-  return withoutHidden(ordered, findHiders(all, all, kNoLimit));
+  return withoutHidden(ordered, findHiders(all, all, kNoLimit, threads));
 }
 
 }  // namespace circle_voronoi

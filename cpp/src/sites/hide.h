@@ -31,6 +31,7 @@ inline constexpr std::int64_t kMostStepsACircle = 30;
 /// Takes out the hidden circles. Exact: of identical circles the first stays, a tangent circle inside is hidden.
 /// A search for what contains each circle tells them, or, where it takes more steps than those given and 1000, the
 /// construction of their Voronoi diagram (insert.h).
-VisibleCircles hide(OrderedCircles ordered, std::int64_t mostStepsACircle = kMostStepsACircle);
+VisibleCircles hide(OrderedCircles ordered, std::int64_t mostStepsACircle = kMostStepsACircle,
+                    Threads threads = Threads());
 
 }  // namespace circle_voronoi

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "circle_voronoi/circle.h"
+#include "threads.h"
 
 namespace circle_voronoi {
 
@@ -14,6 +15,6 @@ struct OrderedCircles {
 };
 
 /// The circles by the spatial order of their centres (spatial_order.h); those with the same centre as they came.
-OrderedCircles order(std::span<const Circle> circles);
+OrderedCircles order(std::span<const Circle> circles, Threads threads = Threads());
 
 }  // namespace circle_voronoi

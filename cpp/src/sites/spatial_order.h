@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "threads.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -13,6 +14,6 @@ namespace circle_voronoi {
 /// share a cell of the curve, they are ordered along a curve of their own, and so on: the order is as good however
 /// unevenly they lie. It is the same on every platform; CGAL's own sort rests on std::nth_element, whose order differs
 /// between libraries.
-std::vector<int> spatialOrder(std::span<const Point> points);
+std::vector<int> spatialOrder(std::span<const Point> points, Threads threads = Threads());
 
 }  // namespace circle_voronoi

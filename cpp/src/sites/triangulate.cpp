@@ -8,12 +8,12 @@
 
 namespace circle_voronoi {
 
-Sites triangulate(VisibleCircles visible) {
+Sites triangulate(VisibleCircles visible, Threads threads) {
   Dual centres;
   if (visible.centres) {
     centres = *std::move(visible.centres);
   } else if (!visible.dual) {
-    centres = delaunay(centresOf(visible.circles)).dual;
+    centres = delaunay(centresOf(visible.circles), threads).dual;
   }
   return {std::move(visible.circles),
           std::move(visible.indices),

@@ -24,6 +24,6 @@ struct Sites {
 };
 
 /// Triangulates the centres of visible circles, unless their diagram is there.
-Sites triangulate(VisibleCircles visible);
+Sites triangulate(VisibleCircles visible, Threads threads = Threads());
 
 }  // namespace circle_voronoi

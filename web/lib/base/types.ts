@@ -113,7 +113,7 @@ export interface Counts {
   readonly resamplings: number
   /** Number of edge flips. */
   readonly flips: number
-  /** Number of places where a locally computed diagram was spliced in. */
+  /** Number of circles removed and inserted again where flips left flaws. */
   readonly repairs: number
   /** Number of predicates decided in floating point with an error bound. */
   readonly filtered: number

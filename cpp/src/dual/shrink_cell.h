@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "circle_voronoi/index.h"
-#include "edit_state.h"
+#include "insert_cell.h"
 
 namespace circle_voronoi {
 
@@ -13,8 +13,13 @@ namespace circle_voronoi {
 /// of d edges. Discs are in floating point, so that ties may mislead: the result is to be judged.
 class CellShrinker {
  public:
-  /// Takes out a visible circle, not the last but one. Whether that went well; if not, the dual is of no use.
-  bool takeOut(EditState& state, int slot);
+  /// What is given must outlive this.
+  explicit CellShrinker(const LiveDual& live)
+      : dual_(live.dual), discs_(live.discs), edgeOf_(live.edgeOf), keeper_(live.keeper) {}
+
+  /// Takes out a visible circle, not the last but one. Whether that went well; if not, its cell may have lost some
+  /// edges.
+  bool takeOut(int circle);
 
  private:
   /// A half-edge from the circle, between its neighbours in the ring of those that are left.
@@ -35,10 +40,19 @@ class CellShrinker {
   };
 
   /// Finds the event at a spoke anew.
-  void look(EditState& state, int spoke);
+  void look(int spoke);
   /// The spoke of the next event, or kNone.
   int nextToVanish();
+  /// Notes the edges of the faces that the cell had, but for two that vanish, or none.
+  void noteEdges(int vanishing, int other);
+  void noteEdge(int h) {
+    if (dual_.origin[h] != kPointAtInfinity) edgeOf_[dual_.origin[h]] = h;
+  }
 
+  Dual& dual_;
+  FaceDiscs& discs_;
+  std::vector<int>& edgeOf_;
+  DualKeeper& keeper_;
   std::vector<Spoke> spokes_;
   std::vector<Event> events_;
 };
