@@ -7,15 +7,11 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "dual.h"
-#include "predicates.h"
 #include "random.h"
 
 namespace circle_voronoi::test {
 
 // Edits that keep a dual a triangulated sphere, but not that of its circles.
-
-/// Faces (a, b, c) and (b, a, d) on the two sides of half-edge h become (a, d, c) and (b, c, d). Not for c = d.
-void flipEdge(Dual& dual, int h);
 
 /// Flips random edges, where that is possible. Returns how many.
 int flipRandomEdges(Dual& dual, int count, Random& random);
@@ -28,9 +24,6 @@ void insertOnEdge(Dual& dual, int h, int circle);
 
 /// The dual of a diagram that is right, by the indices of the input.
 Dual dualOf(const Diagram& diagram, std::size_t circleCount);
-
-/// Whether discs are the same to the bit.
-bool areSame(std::span<const FaceDisc> some, std::span<const FaceDisc> others);
 
 /// Gives a diagram another topology, with vertices to match.
 void replaceTopology(Diagram& diagram, const Dual& dual, std::span<const Circle> circles);

@@ -26,17 +26,9 @@ std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
 bool flipEdge(EditState& state, int h) {
   Dual& dual = state.dual;
   const int t = dual.twin[h];
-  const int bc = Dual::next(h);
-  const int ad = Dual::next(t);
   if (dual.origin[Dual::previous(h)] == dual.origin[Dual::previous(t)]) return false;
-  const int beyondAd = dual.twin[ad];
-  const int beyondBc = dual.twin[bc];
-  for (const int changed : {h, t, beyondAd, beyondBc}) state.willChange(changed / 3);
-  state.dual.link(h, beyondAd);
-  state.dual.link(t, beyondBc);
-  dual.origin[bc] = dual.origin[Dual::previous(t)];
-  dual.origin[ad] = dual.origin[Dual::previous(h)];
-  state.dual.link(bc, ad);
+  for (const int changed : {h, t, dual.twin[Dual::next(t)], dual.twin[Dual::next(h)]}) state.willChange(changed / 3);
+  dual.flip(h);
   return true;
 }
 
@@ -134,7 +126,8 @@ TEST(JudgeStep, WantsHiddenCirclesInTheListOfAVisibleOneThatContainsThem) {
 
   // A circle taken away though it hides others.
   mark = state->beginStep();
-  ASSERT_TRUE(CellShrinker(state->live()).takeOut(first));
+  CellShrinker shrinker;
+  ASSERT_TRUE(shrinker.takeOut(*state, first));
   --state->visibleCount;
   state->removeSite(first);
   EXPECT_EQ(judge.judge(*state, kNone), Verdict::wrong);

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "centres.h"
+#include "centers.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi_families/families.h"
 #include "delaunay.h"
@@ -133,7 +133,7 @@ TEST(Compute, CanBeCancelledInThreads) {
   Options options;
   options.threads = 3;
   const auto circles = generate(Family::uniform, kCircles, 1);
-  for (const Stage last : {Stage::triangulate, Stage::flip, Stage::certify}) {
+  for (const Stage last : {Stage::order, Stage::triangulate, Stage::flip, Stage::certify, Stage::assemble}) {
     options.progress = [&](Stage stage, double) {
       if (stage == last) throw std::runtime_error("cancelled");
     };
@@ -154,7 +154,7 @@ TEST(Delaunay, IsTheSameInAnyNumberOfThreads) {
   std::vector<std::vector<Point>> inputs;
   for (const Family family : {Family::uniform, Family::grid, Family::collinear, Family::duplicates, Family::concentric,
                               Family::cocircularEqual, Family::longSpiral}) {
-    inputs.push_back(centresOf(generate(family, kCircles, 1)));
+    inputs.push_back(centersOf(generate(family, kCircles, 1)));
   }
   inputs.emplace_back(kCircles, Point{1, 2});
   inputs.emplace_back(kCircles, Point{1, 2});
@@ -173,9 +173,9 @@ TEST(Delaunay, IsTheSameInAnyNumberOfThreads) {
 TEST(Hide, IsTheSameInAnyNumberOfThreads) {
   for (const Family family : {Family::hidden, Family::duplicates, Family::nearNested}) {
     const auto circles = validate(generate(family, 2 * kCircles, 1)).value().circles;
-    const VisibleCircles expected = hide(order(circles));
+    const Sites expected = hide(order(circles));
     for (const int count : {2, 8}) {
-      const VisibleCircles actual = hide(order(circles, Threads(count)), kMostStepsACircle, Threads(count));
+      const Sites actual = hide(order(circles, Threads(count)), kMostStepsACircle, Threads(count));
       EXPECT_EQ(actual.indices, expected.indices);
       EXPECT_EQ(actual.hidden, expected.hidden);
       EXPECT_EQ(actual.steps, expected.steps);

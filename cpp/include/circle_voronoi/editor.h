@@ -25,7 +25,7 @@ using CircleId = CircleIndex;
 /// How an edit was done. The result is certified in each case.
 enum class EditWay {
   local,  ///< by changes around the circles concerned
-  patch,  ///< where flips did not suffice, by removing the circles around and inserting them again
+  patch,  ///< where flips did not suffice, by splicing in a diagram of the circles around
   whole,  ///< by computing the whole diagram
 };
 

@@ -64,13 +64,18 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
   Stats& stats = journal.stats;
   stats.method = options.method;
   stats.counts.circles = static_cast<std::int64_t>(scaled.circles.size());
+  OrderedCircles ordered;
+  {
+    const Stopwatch watch = journal.enter(Stage::order);
+    ordered = order(scaled.circles, threads);
+  }
   Sites sites;
   {
     const Stopwatch watch = journal.enter(Stage::triangulate);
-    VisibleCircles visible = hide(order(scaled.circles, threads), kMostStepsACircle, threads);
+    sites = hide(std::move(ordered), kMostStepsACircle, threads);
     // Another method makes its own.
-    if (options.method != Method::automatic) visible.dual.reset();
-    sites = triangulate(std::move(visible), threads);
+    if (options.method != Method::automatic) sites.dual.reset();
+    sites = triangulate(std::move(sites), threads);
     if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) return *std::move(error);
     scaled.circles = std::vector<Circle>();  // the sites have them
   }
@@ -93,7 +98,10 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
       break;
     }
   }
-  auto result = diagramOf(circles, std::move(construction), std::move(sites), scaled.unit, threads);
+  auto result = [&] {
+    const Stopwatch watch = journal.enter(Stage::assemble);
+    return diagramOf(circles, std::move(construction), std::move(sites), scaled.unit, threads);
+  }();
   if (!result) return result;
   Diagram& diagram = result.value();
   if (options.method == Method::automatic && !diagram.certificate.certified()) {

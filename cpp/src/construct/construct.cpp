@@ -33,15 +33,12 @@ void addCounts(const FilterCounts& signs, Counts& counts) {
 
 void addCounts(const Predicates& predicates, Counts& counts) { addCounts(predicates.counts(), counts); }
 
-/// Judges a dual, given the discs of its faces if somebody has them, and settles its ties.
-Verdict judged(Dual& dual, std::vector<FaceDisc> discs, std::span<const Circle> circles, Journal& journal,
-               Threads threads) {
+/// Judges a dual, given what is known of its proof, and settles its ties.
+Verdict judged(Dual& dual, Proof proof, std::span<const Circle> circles, Journal& journal, Threads threads) {
   const Stopwatch watch = journal.enter(Stage::certify);
   Predicates predicates(circles);
-  Verdict verdict = judge(circles, dual, predicates, std::move(discs), threads);
-  for (const int face : settleTies(dual, verdict.ties, circles)) {
-    verdict.discs[face] = predicates.disc(cornersOf(dual, 3 * face));
-  }
+  Verdict verdict = judge(circles, dual, predicates, std::move(proof), threads);
+  settleTies(dual, verdict, circles, predicates);
   // How much is looked at before a flaw is found is up to the threads.
   if (verdict.isRight()) addCounts(predicates, journal.stats.counts);
   return verdict;
@@ -92,48 +89,36 @@ Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pa
   return std::move(touched.topology);
 }
 
-constexpr std::size_t kFewWrongFaces = 100;
-
-/// The discs of a dual after flips, and the faces that these have left wrong.
-struct FlippedFaces {
+/// A dual after flips: its discs, and what they found.
+struct Flipped {
   FaceDiscs discs;
-  std::vector<int> wrong;
+  Flips flips;
+
+  Proof takeProof() { return {discs.take(), std::move(flips.orders), {}}; }
 };
 
-FlippedFaces flipFaces(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal,
-                       Threads threads) {
+Flipped flipped(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal,
+                Threads threads) {
   const Stopwatch watch = journal.enter(Stage::flip);
   FaceDiscs discs(sites.circles, dual, predicates, threads);
   Flips flips = flip(dual, discs, teller.watcher(), threads);
   journal.stats.counts.flips += flips.count;
-  return {std::move(discs), std::move(flips.wrong)};
-}
-
-/// Whether flips left little wrong, and repair brought that right.
-bool repaired(Dual& dual, FlippedFaces& flipped, Journal& journal) {
-  // So many are inserted as quickly all anew.
-  if (flipped.wrong.size() > kFewWrongFaces + static_cast<std::size_t>(dual.faceCount()) / 200) return false;
-  const Stopwatch watch = journal.enter(Stage::repair);
-  const auto count = repair(dual, flipped.discs, flipped.wrong);
-  if (!count) return false;
-  journal.stats.way = Way::repair;
-  journal.stats.counts.repairs += *count;
-  return true;
+  return {std::move(discs), std::move(flips)};
 }
 
 /// Flips and judges a dual, and tells all that.
 Verdict flippedAndJudged(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal, Threads threads) {
   teller.tellChanges();
   Predicates predicates(sites.circles);
-  FlippedFaces flipped = flipFaces(dual, predicates, sites, teller, journal, threads);
+  Proof proof = flipped(dual, predicates, sites, teller, journal, threads).takeProof();
   addCounts(predicates, journal.stats.counts);
-  Verdict verdict = judged(dual, flipped.discs.take(), sites.circles, journal, threads);
+  Verdict verdict = judged(dual, std::move(proof), sites.circles, journal, threads);
   teller.tellChanges();
   return verdict;
 }
 
 /// The circles at what was found wrong and their neighbors among the centers; all if none is named.
-std::vector<int> circlesAround(const Construction& construction, const Dual& centres) {
+std::vector<int> circlesAround(const Construction& construction, const Dual& centers) {
   std::set<int> named;
   if (construction.unfit) {
     const auto& [topology, misfit] = *construction.unfit;
@@ -156,9 +141,9 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
     }
   }
   std::set<int> around = named;
-  for (int h = 0; h < centres.halfEdgeCount(); ++h) {
-    const int i = centres.origin[h];
-    if (i != kPointAtInfinity && (named.empty() || named.contains(centres.target(h)))) around.insert(i);
+  for (int h = 0; h < centers.halfEdgeCount(); ++h) {
+    const int i = centers.origin[h];
+    if (i != kPointAtInfinity && (named.empty() || named.contains(centers.target(h)))) around.insert(i);
   }
   return {around.begin(), around.end()};
 }
@@ -167,10 +152,11 @@ constexpr int kMostResamplings = 4;
 /// In the angles of Delaunay faces, of which a circle has six on average.
 constexpr std::int64_t kMostAngularSamples = 4'000'000;
 
+constexpr std::size_t kLargestPatch = 256;
+constexpr std::size_t kFewWrongFaces = 100;
+
 /// The dual by insertion, and by flips where a near tie misled it.
-std::optional<Dual> inserted(std::span<const Circle> circles, Journal& journal) {
-  const Stopwatch watch = journal.enter(Stage::flip);
-  Counts& counts = journal.stats.counts;
+std::optional<Dual> inserted(std::span<const Circle> circles, Counts& counts) {
   Predicates predicates(circles);
   auto result = insertAll(circles, predicates);
   if (result) {
@@ -182,7 +168,50 @@ std::optional<Dual> inserted(std::span<const Circle> circles, Journal& journal) 
   return std::move(result->dual);
 }
 
+/// The whole dual by insertion.
+std::optional<Dual> insertedAll(const Sites& sites, Journal& journal) {
+  const Stopwatch watch = journal.enter(Stage::flip);
+  return inserted(sites.circles, journal.stats.counts);
+}
+
+/// Repairs a dual after flips in patches that grow until none is seen to be wrong. Returns whether not too much was.
+bool repairAll(Dual& dual, Flipped& after, Journal& journal) {
+  std::vector<int>& wrong = after.flips.wrong;
+  if (wrong.empty()) return true;
+  // A patch takes as long as the insertion of hundreds of circles.
+  if (wrong.size() > kFewWrongFaces + static_cast<std::size_t>(dual.faceCount()) / 200) return false;
+  const Stopwatch watch = journal.enter(Stage::repair);
+  journal.stats.way = Way::repair;
+  after.flips.orders.clear();
+  const auto solve = [&](std::span<const Circle> circles) { return solveLocally(circles, journal.stats.counts); };
+  for (const int reach : {2, 4, 8, 16}) {
+    if (wrong.empty()) break;
+    journal.stats.counts.repairs += repair(dual, after.discs, wrong, reach, solve);
+  }
+  return true;
+}
+
 }  // namespace
+
+std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts) {
+  if (circles.size() > kLargestPatch) return std::nullopt;
+  const OrderedCircles ordered = order(circles);
+  const auto isRight = [&](const Dual& candidate) {
+    Predicates predicates(ordered.circles);
+    const bool right = judge(ordered.circles, candidate, predicates).isRight();
+    addCounts(predicates, counts);
+    return right;
+  };
+  auto dual = inserted(ordered.circles, counts);
+  if (!dual || !isRight(*dual)) {
+    dual = apolloniusGraph(ordered.circles);
+    if (!isRight(*dual)) return std::nullopt;
+  }
+  for (int& corner : dual->origin) {
+    if (corner != kPointAtInfinity) corner = ordered.indices[corner];
+  }
+  return dual;
+}
 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
                                      Journal& journal, Threads threads) {
@@ -196,8 +225,8 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       const Stopwatch watch = journal.enter(Stage::sample);
       const auto tell = [&](double done) { journal.tell(Stage::sample, done); };
       const bool isDynamic = options.candidates == Candidates::dynamic;
-      if (observer && isDynamic) tellOfCenters(sites.centres, observer);
-      samples = isDynamic ? sampleDynamically(sites.circles, sites.centres, angular, tell)
+      if (observer && isDynamic) tellOfCenters(sites.centers, observer);
+      samples = isDynamic ? sampleDynamically(sites.circles, sites.centers, angular, tell)
                           : sampleUniformly(sites.circles, *options.samples, tell);
       journal.stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
       if (observer) tellOfSamples(samples, observer);
@@ -228,26 +257,26 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       for (int& count : angular) count = std::clamp(4 * count + 3, 15, kMaxSamples);
       if (std::accumulate(angular.begin(), angular.end(), std::int64_t{0}) > kMostAngularSamples) return result;
     } else {
-      for (const int i : circlesAround(result, sites.centres)) angular[i] = 2 * angular[i] + 1;
+      for (const int i : circlesAround(result, sites.centers)) angular[i] = 2 * angular[i] + 1;
     }
   }
 }
 
 Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
   journal.stats.way = Way::flip;
-  FaceTeller teller(sites.centres, sites.circles, observer);
+  FaceTeller teller(sites.centers, sites.circles, observer);
   teller.tellRound(0);
-  if (observer) tellOfCenters(sites.centres, observer);
-  Verdict verdict = flippedAndJudged(sites.centres, sites, teller, journal, threads);
-  return {std::move(sites.centres), std::move(verdict)};
+  if (observer) tellOfCenters(sites.centers, observer);
+  Verdict verdict = flippedAndJudged(sites.centers, sites, teller, journal, threads);
+  return {std::move(sites.centers), std::move(verdict)};
 }
 
 Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
   Construction result;
   int round = 0;
   // Whether the dual is right. What is not told on the way to it is told at the end.
-  const auto isCertified = [&](std::vector<FaceDisc> discs, FaceTeller& teller) {
-    result.verdict = judged(result.dual, std::move(discs), sites.circles, journal, threads);
+  const auto isCertified = [&](Proof proof, FaceTeller& teller) {
+    result.verdict = judged(result.dual, std::move(proof), sites.circles, journal, threads);
     teller.tellChanges();
     return result.isRight();
   };
@@ -262,6 +291,7 @@ Construction constructAutomatically(Sites& sites, const Observer& observer, Jour
     journal.stats.counts.flips += sites.flips;
     addCounts(sites.signs, journal.stats.counts);
     result.dual = *std::move(sites.dual);
+    result.verdict.proof = std::move(sites.proof);
     FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round);
     teller.tellChanges();
@@ -269,19 +299,19 @@ Construction constructAutomatically(Sites& sites, const Observer& observer, Jour
   }
   journal.stats.way = Way::flip;
   {
-    result.dual = std::move(sites.centres);
+    result.dual = std::move(sites.centers);
     FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round++);
     if (observer) tellOfCenters(result.dual, observer);
     teller.tellChanges();
     Predicates predicates(sites.circles);
-    FlippedFaces flipped = flipFaces(result.dual, predicates, sites, teller, journal, threads);
-    const bool isWell = flipped.wrong.empty() || repaired(result.dual, flipped, journal);
+    Flipped after = flipped(result.dual, predicates, sites, teller, journal, threads);
+    const bool isLittle = repairAll(result.dual, after, journal);
     addCounts(predicates, journal.stats.counts);
-    if (isWell && isCertified(flipped.discs.take(), teller)) return result;
+    if (isLittle && isCertified(after.takeProof(), teller)) return result;
   }
   journal.stats.way = Way::insert;
-  if (auto dual = inserted(sites.circles, journal); dual && isRightAnew(*std::move(dual))) return result;
+  if (auto dual = insertedAll(sites, journal); dual && isRightAnew(*std::move(dual))) return result;
   journal.stats.way = Way::apolloniusGraph;
   isRightAnew(apolloniusGraph(sites.circles));
   return result;

@@ -56,13 +56,14 @@ Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construc
   } else {
     const Dual& dual = construction.dual;
     Verdict& verdict = construction.verdict;
+    const std::vector<FaceDisc>& discs = verdict.proof.discs;
     const std::vector<VertexIndex> vertices = verticesOf(dual, threads);
     const auto isVertex = [](VertexIndex vertex) { return vertex != kNone; };
     diagram.vertices.resize(static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(), isVertex)));
     const std::size_t beyond = threads.firstWhere(vertices.size(), [&](std::size_t face) {
       if (!isVertex(vertices[face])) return false;
-      const auto vertex = vertexOf(cornersOf(dual, 3 * static_cast<int>(face)),
-                                   verdict.discs.empty() ? FaceDisc{} : verdict.discs[face]);
+      const auto vertex =
+          vertexOf(cornersOf(dual, 3 * static_cast<int>(face)), discs.empty() ? FaceDisc{} : discs[face]);
       diagram.vertices[vertices[face]] = vertex.value_or(Vertex{});
       return !vertex && verdict.isRight();
     });
@@ -72,7 +73,7 @@ Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construc
       const auto& [i, j, k] = corners;
       return vertexBeyondDoubles({sites.indices[i], sites.indices[j], sites.indices[k]});
     }
-    verdict.discs = std::vector<FaceDisc>();  // which frees memory before more is needed
+    verdict.proof = {};  // which frees memory before more is needed
     topology = topologyOf(dual, static_cast<int>(sites.circles.size()), &links, threads);
     diagram.certificate = certificateOf(verdict, dual, topology);
   }

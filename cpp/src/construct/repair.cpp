@@ -1,155 +1,141 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair.h"
 
-#include <algorithm>
-#include <cstddef>
+#include <array>
+#include <map>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
-#include "dual_keeper.h"
-#include "flip.h"
-#include "insert_cell.h"
-#include "shrink_cell.h"
+#include "circle_voronoi/index.h"
+#include "sort_unique.h"
 #include "wrong_faces.h"
 
 namespace circle_voronoi {
 namespace {
 
-class Repairer : private DualKeeper {
- public:
-  Repairer(Dual& dual, FaceDiscs& discs)
-      : dual_(dual),
-        discs_(discs),
-        edgeOf_(discs.circles().size(), kPointAtInfinity),
-        isHidden_(discs.circles().size()),
-        shrinker_({dual, discs, edgeOf_, isHidden_, *this}),
-        inserter_({dual, discs, edgeOf_, isHidden_, *this}) {
-    for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-      if (dual.origin[h] != kPointAtInfinity) edgeOf_[dual.origin[h]] = h;
+using Triple = Predicates::Triple;
+
+/// A connected set of faces, and which those are.
+struct Patch {
+  std::vector<int> faces;
+  std::unordered_set<int> members;
+};
+
+/// The faces within `reach` steps of the given ones, by connected patches.
+std::vector<Patch> patchesAround(const Dual& dual, const std::vector<int>& wrong, int reach) {
+  std::unordered_map<int, int> distances;
+  std::vector<int> near = wrong;
+  for (const int face : wrong) distances.emplace(face, 0);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const int distance = distances.at(near[i]);
+    if (distance == reach) continue;
+    for (int h = 3 * near[i]; h < 3 * near[i] + 3; ++h) {
+      const int neighbor = dual.twin[h] / 3;
+      if (distances.emplace(neighbor, distance + 1).second) near.push_back(neighbor);
     }
   }
-
-  std::optional<std::int64_t> run(std::vector<int> wrong) {
-    std::int64_t count = 0;
-    for (int round = 0; round < kMostRounds && !wrong.empty(); ++round) {
-      const std::vector<int> circles = cornersOf(dual_, wrong);
-      count += static_cast<std::int64_t>(circles.size());
-      if (!putAnew(circles)) return std::nullopt;
-      wrong = flipChanged();
-    }
-    return count;
-  }
-
- private:
-  /// After these there is but a spot in many where more help.
-  static constexpr int kMostRounds = 4;
-
-  static constexpr std::size_t kMostAround = 256;
-  static constexpr int kManyEdges = 64;
-
-  struct Taken {
-    int circle;
-    int neighbor;
-  };
-
-  /// Whether all went well.
-  bool putAnew(std::vector<int> circles) {
-    // What is wrong about a circle with many neighbors comes right with those beside the spot.
-    std::erase_if(circles, [&](int circle) { return hasManyEdges(circle); });
-    if (circles.empty()) return false;
-    std::vector<Taken> taken;
-    // One may be in the way of another: that one goes once this one is gone.
-    while (!circles.empty()) {
-      const std::size_t before = circles.size();
-      if (taken.size() + before + 2 > edgeOf_.size()) return false;  // two have to stay
-      std::erase_if(circles, [&](int circle) {
-        const int neighbor = neighborOf(circle);
-        if (!shrinker_.takeOut(circle)) return false;
-        taken.push_back({circle, neighbor});
-        return true;
-      });
-      if (circles.size() == before && !addNeighbors(circles)) return false;
-    }
-    // The last one first: when it was taken out its neighbor stayed, or is there again.
-    for (; !taken.empty(); taken.pop_back()) {
-      const auto [circle, neighbor] = taken.back();
-      if (inserter_.insert(circle, edgeOf_[neighbor]) != CellInserter::Outcome::inserted) return false;
-    }
-    return true;
-  }
-
-  bool hasManyEdges(int circle) const {
-    int count = 0;
-    int h = edgeOf_[circle];
-    do {
-      h = dual_.twin[Dual::previous(h)];
-    } while (h != edgeOf_[circle] && ++count < kManyEdges);
-    return count == kManyEdges;
-  }
-
-  /// Adds the neighbors of circles. Whether there are others, and not too many.
-  bool addNeighbors(std::vector<int>& circles) const {
-    std::vector<int> all = circles;
-    for (const int circle : circles) {
-      const int first = edgeOf_[circle];
-      int h = first;
-      do {
-        if (dual_.target(h) != kPointAtInfinity) all.push_back(dual_.target(h));
-        h = dual_.twin[Dual::previous(h)];
-      } while (h != first);
-    }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    std::swap(all, circles);
-    return circles.size() > all.size() && circles.size() < kMostAround;
-  }
-
-  /// Flips what is wrong among the faces that have changed, and returns those that stay so.
-  std::vector<int> flipChanged() {
-    std::vector<int> edges;
-    for (const int face : changed_) edges.insert(edges.end(), {3 * face, 3 * face + 1, 3 * face + 2});
-    std::vector<int> wrong = flipFrom(dual_, discs_, edges, *this).wrong;
-    for (const int face : changed_) {
-      for (int h = 3 * face; h < 3 * face + 3; ++h) {
-        if (dual_.origin[h] != kPointAtInfinity) edgeOf_[dual_.origin[h]] = h;
+  std::vector<Patch> patches;
+  std::unordered_set<int> labelled;
+  for (const int seed : near) {
+    if (!labelled.insert(seed).second) continue;
+    Patch patch{{seed}, {seed}};
+    for (std::size_t i = 0; i < patch.faces.size(); ++i) {
+      for (int h = 3 * patch.faces[i]; h < 3 * patch.faces[i] + 3; ++h) {
+        const int neighbor = dual.twin[h] / 3;
+        if (!distances.contains(neighbor) || !labelled.insert(neighbor).second) continue;
+        patch.faces.push_back(neighbor);
+        patch.members.insert(neighbor);
       }
     }
-    changed_.clear();
-    return wrong;
+    patches.push_back(std::move(patch));
   }
+  return patches;
+}
 
-  int neighborOf(int circle) const {
-    const int h = edgeOf_[circle];
-    const int neighbor = dual_.target(h);
-    return neighbor != kPointAtInfinity ? neighbor : dual_.target(dual_.twin[Dual::previous(h)]);
+/// Replaces one patch; false if the local diagram does not fit its boundary.
+bool replacePatch(std::span<const Circle> circles, Dual& dual, const Patch& patch, const LocalSolver& solve) {
+  // The half-edges just outside the patch, and all circles at the patch and at the faces around it.
+  std::vector<int> outside;
+  std::vector<int> corners;
+  for (const int face : patch.faces) {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      corners.push_back(dual.origin[h]);
+      const int t = dual.twin[h];
+      if (patch.members.contains(t / 3)) continue;
+      outside.push_back(t);
+      corners.push_back(dual.origin[Dual::previous(t)]);
+    }
   }
+  sortUnique(corners);
+  std::erase(corners, kPointAtInfinity);
 
-  // Each circle that goes leaves the two faces that it takes when it comes again.
-  int addFace() override {
-    const int face = places_.back();
-    places_.pop_back();
-    changed_.push_back(face);
-    return face;
+  std::vector<Circle> local;
+  for (const int i : corners) local.push_back(circles[i]);
+  const auto solved = solve(local);
+  if (!solved) return false;
+  const auto globalOf = [&](int i) { return i == kPointAtInfinity ? kPointAtInfinity : corners[i]; };
+
+  // A triple of circles has one counter-clockwise disc, so its corners name a half-edge of the local dual.
+  std::map<Triple, int> localHalfEdges;
+  for (int h = 0; h < solved->halfEdgeCount(); ++h) {
+    const auto [i, j, k] = cornersOf(*solved, h);
+    localHalfEdges.emplace(Triple{globalOf(i), globalOf(j), globalOf(k)}, h);
   }
-  void removeFace(int face) override { places_.push_back(face); }
-  void willChange(int face) override { changed_.push_back(face); }
-  void willHide(int) override {}
-  void replaceEdge(int, int) override {}
-  void dropEdge(int) override {}
+  std::vector<int> outsideOf(solved->halfEdgeCount(), kNone);  // the global half-edge that a local one stands for
+  std::vector<int> inside;
+  std::vector<int> placeOf(solved->faceCount(), kNone);
+  for (const int t : outside) {
+    const auto found = localHalfEdges.find(cornersOf(dual, t));
+    if (found == localHalfEdges.end()) return false;
+    // A wrong dual may hold the same face twice.
+    if (outsideOf[found->second] != kNone) return false;
+    outsideOf[found->second] = t;
+  }
+  // Flood the inside from the boundary.
+  const auto enter = [&](int face) {
+    if (placeOf[face] != kNone) return;
+    placeOf[face] = static_cast<int>(inside.size());
+    inside.push_back(face);
+  };
+  for (int h = 0; h < solved->halfEdgeCount(); ++h) {
+    if (outsideOf[h] != kNone) enter(solved->twin[h] / 3);
+  }
+  // Without a boundary the patch is the whole dual.
+  if (outside.empty() && solved->faceCount() > 0) enter(0);
+  for (std::size_t i = 0; i < inside.size() && inside.size() <= patch.faces.size(); ++i) {
+    for (int h = 3 * inside[i]; h < 3 * inside[i] + 3; ++h) {
+      if (outsideOf[solved->twin[h]] == kNone) enter(solved->twin[h] / 3);
+    }
+  }
+  if (inside.size() != patch.faces.size()) return false;
 
-  Dual& dual_;
-  FaceDiscs& discs_;
-  std::vector<int> edgeOf_;  ///< of each circle in the dual a half-edge that starts from it
-  std::vector<char> isHidden_;
-  CellShrinker shrinker_;
-  CellInserter inserter_;
-  std::vector<int> places_;   ///< of faces that are not in use
-  std::vector<int> changed_;  ///< faces that have changed in a round
-};
+  const auto halfEdgeAt = [&](int h) { return 3 * patch.faces[placeOf[h / 3]] + h % 3; };
+  for (const int face : inside) {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+      const int at = halfEdgeAt(h);
+      const int t = solved->twin[h];
+      dual.origin[at] = globalOf(solved->origin[h]);
+      dual.link(at, outsideOf[t] != kNone ? outsideOf[t] : halfEdgeAt(t));
+    }
+  }
+  return true;
+}
 
 }  // namespace
 
-std::optional<std::int64_t> repair(Dual& dual, FaceDiscs& discs, std::vector<int> wrong) {
-  return Repairer(dual, discs).run(std::move(wrong));
+std::int64_t repair(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, int reach, const LocalSolver& solve) {
+  std::int64_t replaced = 0;
+  std::vector<int> edges;
+  for (const Patch& patch : patchesAround(dual, wrong, reach)) {
+    if (replacePatch(discs.circles(), dual, patch, solve)) {
+      ++replaced;
+      for (const int face : patch.faces) discs.update(face);
+    }
+    for (const int face : patch.faces) edges.insert(edges.end(), {3 * face, 3 * face + 1, 3 * face + 2});
+  }
+  wrong = wrongFaces(discs, edges);
+  return replaced;
 }
 
 }  // namespace circle_voronoi

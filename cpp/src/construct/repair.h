@@ -2,21 +2,27 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "circle_voronoi/circle.h"
 #include "dual.h"
 #include "face_discs.h"
 
 namespace circle_voronoi {
 
-/// Repairs a dual where it is visibly wrong: takes the circles at the wrong faces out (shrink_cell.h), which leaves the
-/// right dual of the others if only these were in its way, and inserts them again (insert_cell.h); then the same
-/// where it is still wrong around them, a few times. The rest of the dual stays as it is, and is not looked at. The
-/// result is to be judged.
+/// A certified dual of a few circles, none of which hides another, or nothing.
+using LocalSolver = std::function<std::optional<Dual>(std::span<const Circle>)>;
+
+/// Repairs a dual where it is visibly wrong. The faces within `reach` steps of a wrong one form a patch; the circles
+/// around the patch get a diagram of their own from `solve`, and what it has inside the patch's boundary replaces the
+/// patch, if the boundary fits. The rest of the dual stays as it is, and no more of it is looked at: the cost depends
+/// on the patches alone. The result is to be judged again.
 ///
-/// `discs` are all the discs of `dual`, before and after; `wrong` are its wrong faces (wrong_faces.h).
-/// Returns the number of circles inserted again; nothing if that did not go well, and then the dual is of no use.
-std::optional<std::int64_t> repair(Dual& dual, FaceDiscs& discs, std::vector<int> wrong);
+/// `discs` are all the discs of `dual` and `wrong` all its wrong faces (wrong_faces.h), before and after.
+/// Returns the number of patches replaced.
+std::int64_t repair(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, int reach, const LocalSolver& solve);
 
 }  // namespace circle_voronoi

@@ -21,7 +21,7 @@ Links linksOf(const Topology& topology, const Dual& dual, const std::vector<Side
   links.nextSide.resize(2 * topology.edges.size());
   links.vertexSides.resize(topology.vertexCircles.size());
   links.firstSide.resize(static_cast<std::size_t>(circleCount));
-  const auto nextAround = [&](int h) { return dual.twin[Dual::previous(h)]; };
+  const auto nextAround = [&](int h) { return dual.around(h); };
   threads.forEach(vertexOf.size(), [&](std::size_t face) {
     const int h = 3 * static_cast<int>(face);
     if (const VertexIndex vertex = vertexOf[face]; vertex != kNone) {

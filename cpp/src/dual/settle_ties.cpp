@@ -10,8 +10,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Whether the centre of one circle is less than that of another, by x and then y. Circles with cells have different
-/// centres.
+/// Whether the center of one circle is less than that of another, by x and then y. Circles with cells have different
+/// centers.
 bool isLess(std::span<const Circle> circles, int i, int j) {
   const Circle& a = circles[i];
   const Circle& b = circles[j];
@@ -117,8 +117,17 @@ class TieSettler {
 
 }  // namespace
 
-std::vector<int> settleTies(Dual& dual, std::span<const int> ties, std::span<const Circle> circles) {
-  return TieSettler(dual, ties, circles).run();
+void settleTies(Dual& dual, Verdict& verdict, std::span<const Circle> circles, Predicates& predicates) {
+  const std::vector<int> changed = TieSettler(dual, verdict.ties, circles).run();
+  Proof& proof = verdict.proof;
+  Prover prover(dual, circles, predicates, proof.discs, proof.halfEdges);
+  for (const int face : changed) {
+    proof.discs[face] = predicates.disc(cornersOf(dual, 3 * face));
+    prover.proveFace(face);
+  }
+  for (const int face : changed) {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) prover.proveEdge(h);
+  }
 }
 
 bool isSettledTie(const Dual& dual, int h, std::span<const Circle> circles) {

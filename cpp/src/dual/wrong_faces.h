@@ -15,7 +15,4 @@ std::vector<int> wrongFaces(const FaceDiscs& discs, std::span<const int> edges);
 /// The same of all edges; linear time.
 std::vector<int> wrongFaces(const FaceDiscs& discs);
 
-/// The circles at some faces. Increasing.
-std::vector<int> cornersOf(const Dual& dual, std::span<const int> faces);
-
 }  // namespace circle_voronoi

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "certificate_message.h"
 #include "construct.h"
 #include "diagram_of.h"
-#include "edge_turns.h"
 #include "hide.h"
-#include "judge_step.h"
 #include "order.h"
 #include "three_touch_disc.h"
 #include "triangulate.h"
@@ -50,8 +47,8 @@ Result<Scaled> scale(std::span<const Circle> circles, bool weights) {
   return Scaled{std::move(scaled), unit, false};
 }
 
-/// The faces of a dual that is right, and their discs. Vertices first, so that their numbers have no gaps.
-void fillFaces(EditState& state, const Dual& dual, const std::vector<FaceDisc>& discs) {
+/// The faces of a dual that is right, and its proof. Vertices first, so that their numbers have no gaps.
+void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
   state.faceCount = dual.faceCount();
   state.facePlaces = Places(state.faceCount);
   state.sizeToPlaces();
@@ -62,42 +59,17 @@ void fillFaces(EditState& state, const Dual& dual, const std::vector<FaceDisc>& 
       if (dual.isFinite(face) == isVertex) placeOf[face] = place++;
     }
   }
+  for (int face = 0; face < dual.faceCount(); ++face) state.discs.set(placeOf[face], proof.discs[face]);
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
     const int at = 3 * placeOf[h / 3] + h % 3;
     state.dual.origin[at] = dual.origin[h];
     state.dual.twin[at] = 3 * placeOf[dual.twin[h] / 3] + dual.twin[h] % 3;
-  }
-  for (int face = 0; face < dual.faceCount(); ++face) {
-    if (discs.empty()) {
-      state.discs.set(placeOf[face], state.predicates.disc(cornersOf(dual, 3 * face)));
-    } else {
-      state.discs.set(placeOf[face], discs[face]);
-    }
-  }
-}
-
-/// What is kept of faces, and of each edge once both its faces have a disc.
-void fillProof(EditState& state) {
-  const Dual& dual = state.dual;
-  for (int face = 0; face < dual.faceCount(); ++face) {
-    const auto corners = cornersOf(dual, 3 * face);
-    for (int k = 0; k < 3; ++k) {
-      if (corners[k] == kPointAtInfinity) continue;
-      state.noteEdge(3 * face + k);
-      state.proof[3 * face + k].isLower =
-          state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], state.discs[face]));
-    }
-    for (int t = 3 * face; t < 3 * face + 3; ++t) {
-      const int h = dual.twin[t];
-      if (h > t) continue;
-      const EdgeTurns turns = turnsOf(StepDiscs{state}, dual, state.circles, state.predicates, h);
-      state.proof[h].passes = turns.passesAtOrigin;
-      state.proof[t].passes = turns.passesAtTarget;
-    }
+    state.proof[at] = proof.halfEdges[h];
+    state.noteEdge(at);
   }
   int edges = 0;
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    if (state.isEdge(h)) state.edgeNumber[h] = state.edgeNumber[dual.twin[h]] = edges++;
+    if (state.isEdge(h)) state.edgeNumber[h] = state.edgeNumber[state.dual.twin[h]] = edges++;
   }
   state.edgePlaces = Places(edges);
 }
@@ -204,8 +176,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   }
   for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[hidden.circle], slots[hidden.by]);
   state->nextId = ids.empty() ? 0 : ids.back() + 1;
-  fillFaces(*state, construction.dual, construction.verdict.discs);
-  fillProof(*state);
+  fillFaces(*state, construction.dual, construction.verdict.proof);
   state->prepareToKeep();
   state->keep();
   return state;

@@ -18,8 +18,7 @@ namespace circle_voronoi {
 class Stepper {
  public:
   /// What is given must outlive this.
-  Stepper(EditState& state, Locator& locator)
-      : state_(state), locator_(locator), inserter_(state.live()), shrinker_(state.live()) {}
+  Stepper(EditState& state, Locator& locator) : state_(state), locator_(locator), inserter_(state.live()) {}
 
   // Each returns the way in which the edit was certified; nothing if the whole is to be computed, and then the state is
   // to be taken back.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -11,7 +12,6 @@
 #include "guarded.h"
 #include "judge.h"
 #include "prefetch.h"
-#include "three_touch_disc.h"
 #include "topology.h"
 #include "validate.h"
 
@@ -84,11 +84,11 @@ Topology topologyOf(const Diagram& diagram, const std::vector<std::int32_t>& sit
   return topology;
 }
 
-/// Whether a vertex is where the disc of its circles is, up to rounding. Our own vertices are so to the bit. Others may
-/// be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather than near the one
-/// that touches the same circles clockwise. A disc beyond the doubles has no right place.
-bool isInPlace(const Vertex& vertex, double unit, const Circle& i, const Circle& j, const Circle& k) {
-  const auto disc = vertexOf(i, j, k, unit);
+/// Whether a vertex is where the disc of its circles i, j, k is, up to rounding. Our own vertices are so to the bit.
+/// Others may be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather than
+/// near the one that touches the same circles clockwise. A disc beyond the doubles has no right place.
+bool isInPlace(const Vertex& vertex, const std::optional<Vertex>& disc, double unit, const Circle& i, const Circle& j,
+               const Circle& k) {
   if (!disc) return false;
   // In the units of the input, in which small numbers may have lost bits.
   if (vertex == *disc) return true;
@@ -118,7 +118,7 @@ bool isInPlace(const Vertex& vertex, double unit, const Circle& i, const Circle&
 
 /// The first vertex out of place, or kNone.
 std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, std::span<const Circle> circles,
-                             double unit) {
+                             double unit, const Predicates& predicates, const std::vector<FaceDisc>& discs) {
   if (diagram.vertices.size() != diagram.vertexCircles.size()) return 0;
   for (std::size_t vertex = 0; vertex < diagram.vertices.size(); ++vertex) {
     if (diagram.vertices.size() - vertex > kPrefetchAhead) {
@@ -127,7 +127,8 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
     auto triple = topology.vertexCircles[vertex];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto& [i, j, k] = triple;
-    if (!isInPlace(diagram.vertices[vertex], unit, circles[i], circles[j], circles[k])) {
+    const auto disc = predicates.vertex({i, j, k}, discs[vertex], unit);
+    if (!isInPlace(diagram.vertices[vertex], disc, unit, circles[i], circles[j], circles[k])) {
       return static_cast<std::int32_t>(vertex);
     }
   }
@@ -151,11 +152,11 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
             {}};
   }
   Predicates predicates(visible.circles);
-  Certificate certificate =
-      certificateOf(judge(visible.circles, std::get<Dual>(dual), predicates), std::get<Dual>(dual), topology);
+  const Verdict verdict = judge(visible.circles, std::get<Dual>(dual), predicates);
+  Certificate certificate = certificateOf(verdict, std::get<Dual>(dual), topology);
   if (certificate.circle != kNone) certificate.circle = visible.indices[certificate.circle];
   if (certificate.certified()) {
-    certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit);
+    certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit, predicates, verdict.proof.discs);
     if (certificate.vertex != kNone) certificate.flaw = Flaw::vertexMisplaced;
   }
   return certificate.certified() ? judgeSides(diagram, links, visible) : certificate;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -61,16 +62,32 @@ class FaceDiscs {
     return {x, y};
   }
 
+  /// Whether a ray from the center of the origin of a half-edge goes through its sector, between the rays to the discs
+  /// beside it; not if rounding hides whether there is next to nothing between these, or next to all.
+  bool spans(int h, Vector ray) const {
+    const int right = dual_.twin[h] / 3;
+    const Direction before = predicates_.direction(dual_.origin[h], discs_[right]);
+    const Direction after = predicates_.direction(dual_.origin[h], discs_[h / 3]);
+    const Vector u = {before.x, before.y};
+    const Vector v = {after.x, after.y};
+    const int turn = crossOf(before, after).sign();
+    if (turn == 0 && dot(u, v) >= 0) return false;
+    const bool isAfter = cross(u, ray) >= 0;
+    const bool isBefore = cross(ray, v) >= 0;
+    return turn < 0 ? isAfter || isBefore : isAfter && isBefore;
+  }
+
   /// Whether a face has a disc.
   bool exists(int face) const { return discs_[face].exists; }
 
   /// What the discs beside an edge show to be wrong: vertexWithoutDisc, edgeOutOfOrder, or hullNotClosed for an edge to
-  /// infinity whose circle lies strictly within the tangent line of its neighbours on the hull. An edge without a flaw
+  /// infinity whose circle lies strictly within the tangent line of its neighbors on the hull. An edge without a flaw
   /// need not be one of the right dual: only all of them together prove it (judge.h).
   Flaw flawOf(int h) const { return flawOf(h, predicates_); }
 
-  /// The same by other predicates on the same circles.
-  Flaw flawOf(int h, Predicates& predicates) const {
+  /// The same by other predicates on the same circles. Sets `order`, if given, to the order of the ends of a bounded
+  /// edge.
+  Flaw flawOf(int h, Predicates& predicates, std::int8_t* order = nullptr) const {
     const int t = dual_.twin[h];
     if (!exists(h / 3) || !exists(t / 3)) return Flaw::vertexWithoutDisc;
     const int a = dual_.origin[h];
@@ -81,16 +98,13 @@ class FaceDiscs {
     if (b == kPointAtInfinity) return flawAtInfinity(d, h, c, predicates);
     if (a == kPointAtInfinity) return flawAtInfinity(c, t, d, predicates);
     if (c == kPointAtInfinity || d == kPointAtInfinity) return Flaw::none;
-    const int larger = fromLarger(dual_, h, predicates);
-    const int smaller = larger == h ? t : h;
-    const int from = dual_.origin[larger];
-    const auto toDisc = [&](int face) { return predicates.direction(from, discs_[face]); };
-    const int order = orderOfEnds(dual_, larger, toDisc(smaller / 3), toDisc(larger / 3), predicates);
-    return order >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
+    const int found = orderOfEnds(dual_, h, discs_, predicates);
+    if (order != nullptr) *order = static_cast<std::int8_t>(found);
+    return found >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
   }
 
  private:
-  /// Of the edge h from a circle to infinity, between its neighbours on the hull. Where one of these comes to the right
+  /// Of the edge h from a circle to infinity, between its neighbors on the hull. Where one of these comes to the right
   /// hull again between the circle and the other, the circle may lie within their tangent line, but then its own
   /// tangent lines are in order.
   Flaw flawAtInfinity(int before, int h, int after, Predicates& predicates) const {

@@ -5,47 +5,37 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "edge_turns.h"
 #include "prefetch.h"
 
 namespace circle_voronoi {
 namespace {
 
-/// What turnsOf asks of discs.
-struct JudgedDiscs {
-  const Dual& dual;
-  const Predicates& predicates;
-  const std::vector<FaceDisc>& discs;
-  const std::vector<std::uint8_t>& lower;
-
-  Direction toDisc(int corner) const { return predicates.direction(dual.origin[corner], discs[corner / 3]); }
-  bool isLower(int corner) const { return lower[corner] != 0; }
-};
-
 class Judge {
  public:
-  Judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, std::vector<FaceDisc> discs,
-        Threads threads)
+  Judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Proof proof, Threads threads)
       : circles_(circles),
         dual_(dual),
         predicates_(predicates),
         threads_(threads),
         circleCount_(static_cast<int>(circles.size())),
-        hasDiscs_(!discs.empty()),
-        discs_(std::move(discs)) {}
+        hasDiscs_(!proof.discs.empty()),
+        proof_(std::move(proof)) {}
 
-  Verdict run() {
+  Verdict run() && {
     if (Verdict verdict = checkAdjacency(); !verdict.isRight()) return verdict;
     if (circleCount_ < 2) return {};
     if (Verdict verdict = checkFaces(); !verdict.isRight()) return verdict;
     Verdict verdict = checkWindings();
     if (verdict.isRight()) {
       verdict.ties = std::move(ties_);
-      verdict.discs = std::move(discs_);
+      proof_.orders = {};
+      verdict.proof = std::move(proof_);
     }
     return verdict;
   }
@@ -59,64 +49,63 @@ class Judge {
     std::vector<int> ties;
     std::vector<int> across;  ///< half-edges of these faces whose twins are in a range before
   };
+  using FaceProver = Prover<std::vector<FaceDisc>>;
 
   static bool isFinite(int corner) { return corner != kPointAtInfinity; }
 
   Verdict checkAdjacency() const {
     const int faceCount = circleCount_ < 2 ? 0 : 2 * circleCount_ - 2;
     if (dual_.faceCount() != faceCount) return {Flaw::eulerCount};
-    const std::size_t found = threads_.firstWhere(dual_.origin.size(), [&](std::size_t i) {
-      const auto h = static_cast<int>(i);
-      const int t = dual_.twin[h];
-      return t < 0 || t >= dual_.halfEdgeCount() || dual_.twin[t] != h || t / 3 == h / 3 ||
-             dual_.origin[t] != dual_.target(h) || dual_.target(t) != dual_.origin[h] ||
-             dual_.origin[h] == dual_.target(h);
-    });
+    const std::size_t found =
+        threads_.firstWhere(dual_.origin.size(), [&](std::size_t h) { return !dual_.fits(static_cast<int>(h)); });
     if (found == dual_.origin.size()) return {};
     const auto h = static_cast<int>(found);
-    const int t = dual_.twin[h];
-    const bool isLoop = t >= 0 && t < dual_.halfEdgeCount() && dual_.twin[t] == h && t / 3 != h / 3 &&
-                        dual_.origin[t] == dual_.target(h) && dual_.target(t) == dual_.origin[h];
-    return {isLoop ? Flaw::badIndex : Flaw::adjacency, kNone, h / 3, h};
+    return {dual_.origin[h] == dual_.target(h) ? Flaw::badIndex : Flaw::adjacency, kNone, h / 3, h};
   }
 
   /// The disc of each face, and each edge once both its faces have one: in the order of the faces, so that the verdict
   /// is about the first that is wrong.
   Verdict checkFaces() {
-    isLower_.resize(dual_.origin.size());
-    discs_.resize(dual_.origin.size() / 3);
+    proof_.halfEdges.resize(dual_.origin.size());
+    proof_.discs.resize(dual_.origin.size() / 3);
     windings_ = std::vector<std::atomic<int>>(static_cast<std::size_t>(circleCount_));
-    std::vector<Findings> findings(threads_.rangesOf(discs_.size()) + 1);
-    predicates_.forRanges(threads_, discs_.size(),
-                          [&](std::size_t begin, std::size_t end, std::size_t range, Predicates& own) {
-                            for (std::size_t face = begin; face < end && findings[range].verdict.isRight(); ++face) {
-                              prefetchCircles(face + kPrefetchAhead);
-                              checkFace(static_cast<int>(face), static_cast<int>(3 * begin), own, findings[range]);
-                            }
-                          });
-    Findings all = std::move(findings.back());
+    const std::size_t faceCount = proof_.discs.size();
+    std::vector<Findings> findings(threads_.rangesOf(faceCount));
+    predicates_.forRanges(
+        threads_, faceCount, [&](std::size_t begin, std::size_t end, std::size_t range, Predicates& own) {
+          FaceProver prover = proverBy(own);
+          for (std::size_t face = begin; face < end && findings[range].verdict.isRight(); ++face) {
+            prefetchCircles(face + kPrefetchAhead);
+            checkFace(static_cast<int>(face), static_cast<int>(3 * begin), own, prover, findings[range]);
+          }
+        });
+    // The first flaw, and then the edges between ranges before it.
+    const auto first = std::min_element(findings.begin(), findings.end(),
+                                        [](const Findings& a, const Findings& b) { return a.check < b.check; });
+    Findings all;
+    all.verdict = first->verdict;
+    all.check = first->check;
+    FaceProver prover = proverBy(predicates_);
     for (const Findings& part : findings) {
-      if (part.check < all.check) {
-        all.verdict = part.verdict;
-        all.check = part.check;
-      }
-    }
-    for (const Findings& part : findings) {
-      for (const int t : part.across) checkEdge(t, predicates_, all);
+      for (const int t : part.across) checkEdge(t, prover, all);
       all.hullTurns += part.hullTurns;
       all.ties.insert(all.ties.end(), part.ties.begin(), part.ties.end());
     }
     hullWinding_ = all.hullTurns;
     ties_ = std::move(all.ties);
     // In the order of the faces beyond them.
-    if (findings.size() > 2)
+    if (findings.size() > 1) {
       std::sort(ties_.begin(), ties_.end(), [&](int g, int h) { return dual_.twin[g] < dual_.twin[h]; });
+    }
     return all.verdict;
   }
 
-  void checkFace(int face, int firstHalfEdge, Predicates& predicates, Findings& found) {
+  FaceProver proverBy(Predicates& predicates) { return {dual_, circles_, predicates, proof_.discs, proof_.halfEdges}; }
+
+  void checkFace(int face, int firstHalfEdge, Predicates& predicates, FaceProver& prover, Findings& found) {
     const int hidden = hiddenCorner(face, predicates);
-    if (hidden != kNone || !findDisc(face, predicates)) {
+    if (!hasDiscs_ && hidden == kNone) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
+    if (hidden != kNone || !prover.proveFace(face)) {
       found.check = 4 * static_cast<std::size_t>(face);
       found.verdict =
           hidden != kNone ? Verdict{Flaw::cellNotClosed, hidden} : Verdict{Flaw::vertexWithoutDisc, kNone, face};
@@ -128,7 +117,7 @@ class Judge {
       if (h < firstHalfEdge) {
         found.across.push_back(t);
       } else {
-        checkEdge(t, predicates, found);
+        checkEdge(t, prover, found);
       }
     }
   }
@@ -136,7 +125,7 @@ class Judge {
   /// A diagram from outside has its circles in any order. Inlined, as a compiler may take a function that only does
   /// this for idle.
   [[gnu::always_inline]] void prefetchCircles(std::size_t face) const {
-    if (face >= discs_.size()) return;
+    if (face >= proof_.discs.size()) return;
     for (const int i : cornersOf(dual_, static_cast<int>(3 * face))) {
       if (isFinite(i)) prefetch(circles_, i);
     }
@@ -149,7 +138,7 @@ class Judge {
       if (dual_.twin[h] < h) continue;
       const int a = dual_.origin[h];
       const int b = dual_.target(h);
-      if (a == kPointAtInfinity || b == kPointAtInfinity) continue;
+      if (!isFinite(a) || !isFinite(b)) continue;
       const Circle& one = circles_[a];
       const Circle& other = circles_[b];
       if (isLonger(between(one, other), std::abs(one.r - other.r))) continue;
@@ -159,38 +148,27 @@ class Judge {
     return kNone;
   }
 
-  bool findDisc(int face, Predicates& predicates) {
-    const Predicates::Triple corners = cornersOf(dual_, 3 * face);
-    if (!hasDiscs_) discs_[face] = predicates.disc(corners);
-    const FaceDisc& disc = discs_[face];
-    for (int i = 0; i < 3 && disc.exists; ++i) {
-      if (corners[i] == kPointAtInfinity) continue;
-      isLower_[3 * face + i] = predicates.isLower(corners[i], corners, predicates.direction(corners[i], disc));
-    }
-    return disc.exists;
-  }
-
   /// Whether the ends of an edge, given by its second half, are in order, and how often the two regions beside it pass
   /// the axis along it. What comes after the first that is wrong is not looked at.
-  void checkEdge(int t, Predicates& predicates, Findings& found) {
+  void checkEdge(int t, FaceProver& prover, Findings& found) {
     const std::size_t check = 4 * static_cast<std::size_t>(t / 3) + 1 + static_cast<std::size_t>(t % 3);
     if (check > found.check) return;
     const int h = dual_.twin[t];
-    const EdgeTurns turns = turnsOf(JudgedDiscs{dual_, predicates, discs_, isLower_}, dual_, circles_, predicates, h);
-    if (turns.endOrder < 0) {
+    const int order = prover.proveEdge(h, proof_.orders.empty() ? kUnknownOrder : proof_.orders[h]);
+    if (order < 0) {
       found.verdict = {Flaw::edgeOutOfOrder, kNone, h / 3, h};
       found.check = check;
       return;
     }
-    if (turns.endOrder == 0) found.ties.push_back(h);
-    noteTurn(dual_.origin[h], dual_.target(h), turns.passesAtOrigin, found);
-    noteTurn(dual_.target(h), dual_.origin[h], turns.passesAtTarget, found);
+    if (order == 0) found.ties.push_back(h);
+    noteTurn(h, found);
+    noteTurn(t, found);
   }
 
-  void noteTurn(int around, int neighbor, bool passes, Findings& found) {
-    if (!passes || !isFinite(around)) return;
-    windings_[around].fetch_add(1, std::memory_order_relaxed);
-    if (!isFinite(neighbor)) ++found.hullTurns;
+  void noteTurn(int h, Findings& found) {
+    if (!proof_.halfEdges[h].passes) return;
+    windings_[dual_.origin[h]].fetch_add(1, std::memory_order_relaxed);
+    if (!isFinite(dual_.target(h))) ++found.hullTurns;
   }
 
   /// One full turn of every region, and of the hull.
@@ -207,19 +185,32 @@ class Judge {
   Predicates& predicates_;
   Threads threads_;
   int circleCount_;
-  bool hasDiscs_;                           ///< whether the discs were given
-  std::vector<FaceDisc> discs_;             ///< of each face
-  std::vector<std::uint8_t> isLower_;       ///< of each half-edge: whether the disc of its face lies in the lower half
+  bool hasDiscs_;  ///< whether the discs were given
+  Proof proof_;
   std::vector<std::atomic<int>> windings_;  ///< of each circle: how often its region passes the axis
   int hullWinding_ = 0;
   std::vector<int> ties_;
 };
 
+#ifdef CIRCLE_VORONOI_CHECK_PROOFS
+/// Ends a program whose judge comes to another verdict, or another proof, if it rests on nothing.
+void checkAgainst(const Verdict& verdict, const Verdict& own) {
+  const auto place = [](const Verdict& v) { return std::tuple(v.flaw, v.circle, v.face, v.halfEdge); };
+  const bool isSame = place(verdict) == place(own) && verdict.ties == own.ties &&
+                      verdict.proof.discs == own.proof.discs && verdict.proof.halfEdges == own.proof.halfEdges;
+  if (!isSame) std::abort();
+}
+#endif
+
 }  // namespace
 
-Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, std::vector<FaceDisc> discs,
-              Threads threads) {
-  return Judge(circles, dual, predicates, std::move(discs), threads).run();
+Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Proof proof, Threads threads) {
+  Verdict verdict = Judge(circles, dual, predicates, std::move(proof), threads).run();
+#ifdef CIRCLE_VORONOI_CHECK_PROOFS
+  Predicates own(circles);
+  checkAgainst(verdict, Judge(circles, dual, own, {}, threads).run());
+#endif
+  return verdict;
 }
 
 Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden) {

@@ -50,7 +50,7 @@ inline Difference scaledIfShort(const Difference& u) {
 }
 
 /// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face,
-/// the direction to the centre of the disc is (x, y) + w (o - c), each component within `error`. `rho` is w times the
+/// the direction to the center of the disc is (x, y) + w (o - c), each component within `error`. `rho` is w times the
 /// distance from o, within `error` too when the distance from another circle of the face is derived from it.
 struct HomogeneousDisc {
   double x = 0, y = 0, w = 0, rho = 0;
@@ -100,7 +100,7 @@ inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d
 }
 
 /// Let A and B be the differences from the corner o, C = B - A, <.,.> the cone product, ' negate the third component,
-/// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The centre, with
+/// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The center, with
 /// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. Of the two
 /// solutions that of the counter-clockwise disc is
 ///   -sign(k) (g22 (g11 - g12) A' + g11 (g22 - g12) B' + N S) / w,  w = 2 |k|.
@@ -207,7 +207,7 @@ inline Estimate heightOf(const Direction& f) {
   return {exact::kAxisX * f.y - exact::kAxisY * f.x, 1640 * error};
 }
 
-/// How far a circle of a face, no larger than its corner, is from the disc's centre, times w.
+/// How far a circle of a face, no larger than its corner, is from the disc's center, times w.
 inline Estimate distanceOf(const Circle& circle, const HomogeneousDisc& disc, const Circle& corner) {
   return {disc.rho + disc.w * (circle.r - corner.r), disc.error};
 }

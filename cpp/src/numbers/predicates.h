@@ -23,7 +23,7 @@ namespace circle_voronoi {
 struct FilterCounts {
   std::int64_t filtered = 0;  ///< floating point with an error bound
   std::int64_t refined = 0;   ///< the same with twice the digits (refined.h)
-  std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centres (equal radii)
+  std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centers (equal radii)
   std::int64_t exact = 0;     ///< exact, in integers
 
   FilterCounts& operator+=(const FilterCounts& other) {
@@ -36,7 +36,7 @@ struct FilterCounts {
 };
 
 /// The disc of a face of the dual, or its tangent line, with an error bound: the homogeneous point (v : w), w >= 0,
-/// relative to the centre of circle `origin`. Seen from any circle c of the face, the direction to the centre of the
+/// relative to the center of circle `origin`. Seen from any circle c of the face, the direction to the center of the
 /// disc is v + w (origin - c); each component is right within `error`.
 struct FaceDisc {
   Vector v;
@@ -47,6 +47,8 @@ struct FaceDisc {
   bool exists = false;
   /// Whether double arithmetic alone decided on it: then these are the numbers that vertexOf looks at first.
   bool isFiltered = false;
+
+  friend bool operator==(const FaceDisc&, const FaceDisc&) = default;
 };
 
 /// The signs that the construction and the certificate rest on. Each is exact: double arithmetic with a proven error
@@ -129,7 +131,7 @@ class Predicates {
   [[gnu::noinline]] FaceDisc rareDisc(const exact::Face& circles, const CornerDisc& placed);
   FaceDisc faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists, bool isFiltered = false) const;
   bool isLowerExactly(int from, const Triple& face);
-  Point centre(int i) const { return {circles_[i].x, circles_[i].y}; }
+  Point center(int i) const { return {circles_[i].x, circles_[i].y}; }
 
   std::span<const Circle> circles_;
   FilterCounts counts_;

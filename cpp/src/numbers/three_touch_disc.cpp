@@ -77,15 +77,15 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
   const double root = std::sqrt(discriminant) / 2;
   // Both forms are the root (-qb - root) / qa; each is used where it does not cancel.
   const double t = qb > 0 ? (-qb - root) / qa : qc / (-qb + root);
-  const Vector centre = {base.x + t * n.x, base.y + t * n.y};
+  const Vector center = {base.x + t * n.x, base.y + t * n.y};
   const double rho = base.s + t * n.s;
   if (!(rho >= 0) || !std::isfinite(rho)) return std::nullopt;
 
   ThreeTouchDisc result;
-  result.disc = {o.x + centre.x, o.y + centre.y, rho - o.r};
-  result.toCentre[io] = centre;
-  result.toCentre[iu] = {centre.x - u.x, centre.y - u.y};
-  result.toCentre[iv] = {centre.x - v.x, centre.y - v.y};
+  result.disc = {o.x + center.x, o.y + center.y, rho - o.r};
+  result.toCenter[io] = center;
+  result.toCenter[iu] = {center.x - u.x, center.y - u.y};
+  result.toCenter[iv] = {center.x - v.x, center.y - v.y};
   return result;
 }
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "circle_voronoi/index.h"
+#include "infinity.h"
 #include "predicates.h"
 #include "vectors.h"
 
@@ -18,9 +18,8 @@ namespace circle_voronoi {
 namespace {
 
 constexpr std::size_t kFanOut = 8;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// A box around centres, and the range of their radii.
+/// A box around centers, and the range of their radii.
 struct BoxOfCircles {
   Point low = {kInfinite, kInfinite};
   Point high = {-kInfinite, -kInfinite};
@@ -47,7 +46,7 @@ struct BoxOfCircles {
 };
 
 /// How fast circles grow along a direction. One that hides circle c reaches at least as far against the direction:
-/// r - u . centre >= c.r - u . c.centre for any unit vector u. With the one along which they grow this decides where a
+/// r - u . center >= c.r - u . c.center for any unit vector u. With the one along which they grow this decides where a
 /// box does not: where most nearly hide one another, as those do that are tangent to one circle.
 class Slope {
   /// More than the products of a reach lose where they underflow.

@@ -3,14 +3,14 @@
 
 #include <cstddef>
 
-#include "centres.h"
+#include "centers.h"
 #include "spatial_order.h"
 
 namespace circle_voronoi {
 
 OrderedCircles order(std::span<const Circle> circles, Threads threads) {
   OrderedCircles ordered;
-  ordered.indices = spatialOrder(centresOf(circles), threads);
+  ordered.indices = spatialOrder(centersOf(circles), threads);
   ordered.circles.resize(circles.size());
   threads.forEach(circles.size(), [&](std::size_t i) { ordered.circles[i] = circles[ordered.indices[i]]; });
   return ordered;

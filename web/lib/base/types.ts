@@ -113,7 +113,7 @@ export interface Counts {
   readonly resamplings: number
   /** Number of edge flips. */
   readonly flips: number
-  /** Number of circles removed and inserted again where flips left flaws. */
+  /** Number of places where a locally computed diagram was spliced in. */
   readonly repairs: number
   /** Number of predicates decided in floating point with an error bound. */
   readonly filtered: number
@@ -131,7 +131,9 @@ export interface Counts {
  * @category Diagrams
  */
 export interface Seconds {
-  /** Ordering, finding hidden circles, and the Delaunay triangulation of the centers. */
+  /** Bringing the circles into spatial order. */
+  readonly order: number
+  /** Finding hidden circles, and the Delaunay triangulation of the centers. */
   readonly triangulate: number
   readonly sample: number
   readonly pair: number
@@ -139,6 +141,8 @@ export interface Seconds {
   readonly flip: number
   readonly repair: number
   readonly certify: number
+  /** Assembling vertices, edges, hull and links from the certified dual. */
+  readonly assemble: number
   readonly total: number
 }
 

@@ -3,8 +3,8 @@ import type { Float64s, Int32s } from '../base/types.ts'
 
 /**
  * How an edit was made; the result is certified in each case. `local`: by flips around the circles concerned. `patch`:
- * the flips failed, and the surrounding circles were removed and inserted again. `whole`: the whole diagram was
- * computed.
+ * the flips failed, and a diagram of the surrounding circles was computed and spliced in. `whole`: the whole diagram
+ * was computed.
  *
  * @category Editing
  */

@@ -7,7 +7,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// The radius at which a circle with the centre of `c` would touch a disc: its distance from the disc's centre, less
+/// The radius at which a circle with the center of `c` would touch a disc: its distance from the disc's center, less
 /// the disc's radius.
 double touchingRadius(const Circle& c, const FaceDisc& disc, const Circle& origin) {
   const Vector e = between(c, origin);
@@ -18,37 +18,30 @@ double touchingRadius(const Circle& c, const FaceDisc& disc, const Circle& origi
 
 }  // namespace
 
-bool CellShrinker::takeOut(int circle) {
+bool CellShrinker::takeOut(EditState& state, int slot) {
+  Dual& dual = state.dual;
   spokes_.clear();
   events_.clear();
-  const int first = edgeOf_[circle];
+  const int first = state.edgeOf[slot];
   int h = first;
   do {
     const int i = static_cast<int>(spokes_.size());
     spokes_.push_back({h, i - 1, i + 1, {}});
-    // Both faces beside each neighbour, and what lies beyond.
-    keeper_.willChange(h / 3);
-    keeper_.willChange(dual_.twin[Dual::next(h)] / 3);
-    h = dual_.twin[Dual::previous(h)];
+    // Both faces beside each neighbor, and what lies beyond.
+    state.willChange(h / 3);
+    state.willChange(dual.twin[Dual::next(h)] / 3);
+    h = dual.around(h);
   } while (h != first);
   int left = static_cast<int>(spokes_.size());
   spokes_.front().before = left - 1;
   spokes_.back().after = 0;
   if (left < 2) return false;
-  for (int i = 0; i < left && left > 2; ++i) look(i);
+  for (int i = 0; i < left && left > 2; ++i) look(state, i);
 
   int kept = 0;
   for (; left > 2; --left) {
     const int vanishing = nextToVanish();
-    if (vanishing == kNone) {
-      noteEdges(kNone, kNone);
-      int stuck = kept;
-      do {
-        discs_.update(spokes_[static_cast<std::size_t>(stuck)].halfEdge / 3);
-        stuck = spokes_[static_cast<std::size_t>(stuck)].after;
-      } while (stuck != kept);
-      return false;
-    }
+    if (vanishing == kNone) return false;
     Spoke& spoke = spokes_[static_cast<std::size_t>(vanishing)];
     Spoke& before = spokes_[static_cast<std::size_t>(spoke.before)];
     Spoke& after = spokes_[static_cast<std::size_t>(spoke.after)];
@@ -57,47 +50,39 @@ bool CellShrinker::takeOut(int circle) {
     const int ci = Dual::previous(ib);
     const int ab = Dual::next(before.halfEdge);
     const int bi = Dual::next(ab);
-    const int beyondCi = dual_.twin[ci];
-    for (const int changed : {ib, ab}) keeper_.willChange(changed / 3);
-    dual_.origin[ib] = dual_.origin[ab];
-    dual_.origin[bi] = dual_.origin[ci];
-    dual_.link(ib, dual_.twin[ab]);
-    dual_.link(bi, beyondCi);
-    dual_.link(ab, ci);
-    discs_.set(ib / 3, spoke.disc);
+    const int beyondCi = dual.twin[ci];
+    if (state.teller != nullptr) {
+      for (const int changed : {ib, ab}) state.teller->willChange(changed / 3);
+    }
+    dual.origin[ib] = dual.origin[ab];
+    dual.origin[bi] = dual.origin[ci];
+    dual.link(ib, dual.twin[ab]);
+    dual.link(bi, beyondCi);
+    dual.link(ab, ci);
+    state.discs.set(ib / 3, spoke.disc);
     before.after = spoke.after;
     after.before = spoke.before;
     kept = spoke.before;
     ++spoke.turn;
     if (left > 3) {
-      look(spoke.before);
-      look(spoke.after);
+      look(state, spoke.before);
+      look(state, spoke.after);
     }
   }
 
   // Faces (i, a, c) and (i, c, a) vanish.
   const Spoke& one = spokes_[static_cast<std::size_t>(kept)];
   const Spoke& other = spokes_[static_cast<std::size_t>(one.after)];
-  const int ac = dual_.twin[Dual::next(one.halfEdge)];
-  const int ca = dual_.twin[Dual::next(other.halfEdge)];
+  const int ac = dual.twin[Dual::next(one.halfEdge)];
+  const int ca = dual.twin[Dual::next(other.halfEdge)];
   for (const int beyond : {ac, ca}) {
     if (beyond / 3 == one.halfEdge / 3 || beyond / 3 == other.halfEdge / 3) return false;
   }
-  dual_.link(ac, ca);
-  noteEdges(one.halfEdge / 3, other.halfEdge / 3);
-  noteEdge(ac);
-  noteEdge(ca);
-  keeper_.removeFace(one.halfEdge / 3);
-  keeper_.removeFace(other.halfEdge / 3);
+  dual.link(ac, ca);
+  state.removeFace(one.halfEdge / 3);
+  state.removeFace(other.halfEdge / 3);
+  state.noteEdges();
   return true;
-}
-
-void CellShrinker::noteEdges(int vanishing, int other) {
-  for (const Spoke& spoke : spokes_) {
-    const int face = spoke.halfEdge / 3;
-    if (face == vanishing || face == other) continue;
-    for (int h = 3 * face; h < 3 * face + 3; ++h) noteEdge(h);
-  }
 }
 
 int CellShrinker::nextToVanish() {
@@ -110,18 +95,18 @@ int CellShrinker::nextToVanish() {
   return kNone;
 }
 
-void CellShrinker::look(int index) {
+void CellShrinker::look(EditState& state, int index) {
   Spoke& spoke = spokes_[static_cast<std::size_t>(index)];
   ++spoke.turn;
   const int h = spoke.halfEdge;
-  const int circle = dual_.origin[h];
-  const int a = dual_.target(spokes_[static_cast<std::size_t>(spoke.before)].halfEdge);
-  const int b = dual_.target(h);
-  const int c = dual_.target(spokes_[static_cast<std::size_t>(spoke.after)].halfEdge);
+  const int slot = state.dual.origin[h];
+  const int a = state.dual.target(spokes_[static_cast<std::size_t>(spoke.before)].halfEdge);
+  const int b = state.dual.target(h);
+  const int c = state.dual.target(spokes_[static_cast<std::size_t>(spoke.after)].halfEdge);
   if (a == c || a == b || b == c) return;
-  spoke.disc = discs_.predicates().disc({a, b, c});
+  spoke.disc = state.predicates.disc({a, b, c});
   if (!spoke.disc.exists) return;
-  const double radius = touchingRadius(discs_.circles()[circle], spoke.disc, discs_.circles()[spoke.disc.origin]);
+  const double radius = touchingRadius(state.circles[slot], spoke.disc, state.circles[spoke.disc.origin]);
   if (std::isnan(radius)) return;
   events_.push_back({radius, index, spoke.turn});
   std::push_heap(events_.begin(), events_.end());
