@@ -162,7 +162,7 @@ describe('progress', () => {
       progress: (stage, done) => told.push([stage, done]),
     })
     const stages = [...new Set(told.map(([stage]) => stage))]
-    expect(stages).toEqual(['triangulate', 'sample', 'pair', 'touch', 'certify'])
+    expect(stages).toEqual(['order', 'triangulate', 'sample', 'pair', 'touch', 'certify', 'assemble'])
     expect(Object.keys(stats.seconds)).toEqual(expect.arrayContaining(stages))
     const touched = told.filter(([stage]) => stage === 'touch').map(([, done]) => done)
     expect(touched[0]).toBe(0)

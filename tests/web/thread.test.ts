@@ -213,7 +213,7 @@ describe('what a thread answers', () => {
     expect(said).toHaveLength(1)
     await ask({ ...request(), tellsProgress: true, options: { method: 'touching-disc' } })
     const stages = said.slice(1, -1).map(([reply]) => ('progress' in reply ? reply.progress[0] : undefined))
-    expect([...new Set(stages)]).toEqual(['triangulate', 'sample', 'pair', 'touch', 'certify'])
+    expect([...new Set(stages)]).toEqual(['order', 'triangulate', 'sample', 'pair', 'touch', 'certify', 'assemble'])
     expect(said.at(-1)?.[0]).toMatchObject({ diagram: { stats: { method: 'touching-disc' } } })
   })
 

@@ -158,7 +158,9 @@ export interface Counts {
  * @category Diagrams
  */
 export interface Seconds {
-  /** Ordering, finding hidden circles, and the Delaunay triangulation of the centers. */
+  /** Bringing the circles into spatial order. */
+  readonly order: number
+  /** Finding hidden circles, and the Delaunay triangulation of the centers. */
   readonly triangulate: number
   readonly sample: number
   readonly pair: number
@@ -166,6 +168,8 @@ export interface Seconds {
   readonly flip: number
   readonly repair: number
   readonly certify: number
+  /** Assembling vertices, edges, hull and links from the certified dual. */
+  readonly assemble: number
   readonly total: number
 }
 

@@ -225,7 +225,18 @@ const NO_COUNTS: Counts = {
   inCircle: 0,
   exact: 0,
 }
-const NO_SECONDS: Seconds = { triangulate: 0, sample: 0, pair: 0, touch: 0, flip: 0, repair: 0, certify: 0, total: 0 }
+const NO_SECONDS: Seconds = {
+  order: 0,
+  triangulate: 0,
+  sample: 0,
+  pair: 0,
+  touch: 0,
+  flip: 0,
+  repair: 0,
+  certify: 0,
+  assemble: 0,
+  total: 0,
+}
 
 function refuse(message: string, code: ErrorCode = 'badInput', circle?: number): never {
   throw new CircleVoronoiError(code, message, { circle })

@@ -5,11 +5,13 @@ import type { Candidates, Method, Seconds } from '../base/types.ts'
 /**
  * A stage of the computation.
  *
+ * - `order`: brings the circles into spatial order
  * - `triangulate`: finds hidden circles and triangulates the centers of the others
  * - `sample`, `pair`, `touch`: the touching disc method: sample points, candidate pairs, event loop
  * - `flip`: flips edges of the triangulation
  * - `repair`: computes parts with flaws again
  * - `certify`: checks the result
+ * - `assemble`: assembles the diagram from it
  *
  * @category Loading
  */
