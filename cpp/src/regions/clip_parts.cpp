@@ -130,6 +130,21 @@ void ClippedDiagram::Parts::addChain(std::int32_t first, std::vector<std::uint8_
   } while (crossing != first);
 }
 
+/// Whether all of the border of a cell is in a layer.
+bool ClippedDiagram::Parts::hasBorder(CircleIndex circle, std::int32_t layer) const {
+  const auto isCovered = [&](SideIndex side) {
+    const EdgeIndex edge = Diagram::edgeOf(side);
+    const std::int32_t level = arcs.levelOf(diagram.originOf(side));
+    if (diagram.originOf(side) == kNone || (layer > 0 ? level < layer : level >= layer)) return false;
+    if (!arcs.isCrossed(edge)) return true;
+    return std::ranges::any_of(arcs.of(edge), [&](const Arc& arc) {
+      return arc.layer == layer && arc.start == kNone && arc.end == kNone;
+    });
+  };
+  const auto sides = diagram.sides(circle);
+  return !sides.empty() && std::ranges::all_of(sides, isCovered);
+}
+
 void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
   loops.clear();
   if (placeOf(circle) == Place::outside) return;
@@ -138,7 +153,7 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
     loops.offsets.push_back(static_cast<std::int32_t>(loops.pieces.size()));
     loops.isHole.push_back(isHole ? 1 : 0);
   };
-  // The polygon of each loop; -1 for that of a whole cell, which lies in one polygon.
+  // The polygon of each loop; -1 for a whole border, which lies in one polygon.
   std::vector<std::int32_t> polygons;
   const auto polygonOfSide = [&](RegionSideIndex side) { return region.polygonOf(region.ringOf(side)); };
   std::vector<std::uint8_t> isDone(into.size(), 0);
@@ -148,15 +163,19 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
     end(false);
     polygons.push_back(polygonOfSide(crossings.all[at(into[k].index)].side));
   }
-  const SideIndex firstSide = diagram.links.firstSide[at(circle)];
-  if (into.empty() && firstSide != kNone && arcs.levelOf(diagram.originOf(firstSide)) > 0) {
-    for (const SideIndex side : diagram.sides(circle)) {
-      const Vertex& vertex = diagram.vertices[at(diagram.originOf(side))];
-      loops.pieces.push_back({{vertex.x, vertex.y}, side});
-    }
+  // Borders without a crossing, as that of a whole cell.
+  const auto addBorder = [&](bool isForward) {
+    SideIndex side = diagram.links.firstSide[at(circle)];
+    do {
+      const Vertex& vertex = diagram.vertices[at(isForward ? diagram.originOf(side) : diagram.targetOf(side))];
+      loops.pieces.push_back({{vertex.x, vertex.y}, side, kNone, kNone, isForward});
+      side = isForward ? diagram.links.nextSide[at(side)] : sideBefore(side);
+    } while (side != diagram.links.firstSide[at(circle)]);
     end(false);
     polygons.push_back(-1);
-  }
+  };
+  for (std::int32_t layer = 1; hasBorder(circle, layer); ++layer) addBorder(true);
+  for (std::int32_t layer = 0; hasBorder(circle, layer); --layer) addBorder(false);
   const auto rings = ringsIn(circle);
   if (rings.empty()) return;
   const auto addRing = [&](std::int32_t ring) {

@@ -40,7 +40,7 @@ class CellMoments {
     addBoundary();
   }
 
-  double area(std::size_t cell) const { return std::max(moments_[cell].area, 0.0) * unit_ * unit_; }
+  double area(std::size_t cell) const { return moments_[cell].area * unit_ * unit_; }
 
   Point centroid(std::size_t cell) const {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -362,9 +362,7 @@ std::vector<double> ClippedDiagram::areas() const {
     for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = moments.area(i);
     return areas;
   }
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    areas[i] = std::max(area(outline(static_cast<std::int32_t>(i))), 0.0);
-  }
+  for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = area(outline(static_cast<std::int32_t>(i)));
   return areas;
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
-#include <optional>
+#include <functional>
+#include <queue>
 #include <unordered_map>
 
 #include "at.h"
@@ -21,6 +21,8 @@ namespace {
 
 /// How far differences of distances may be off, as a share of what they are made of: generous.
 constexpr double kDistanceRounding = 0x1p-44;
+/// What is nearer along the walk than this share of coordinates may be one point.
+constexpr double kNearlyAtOnce = 0x1p-40;
 /// What is nearer to each other than this share of where it is seen from, may be moved apart (far_view.h).
 constexpr double kNearlyOnePlace = 0x1p-880;
 
@@ -61,7 +63,7 @@ struct Exit {
   double when = 2;  ///< the share of the way along the side; beyond 1 for none
   double share = 0;
   SideIndex side = {};  ///< of the cell
-  std::optional<double> parameter;
+  double parameter = 0;  ///< on the edge of that side
 };
 
 class Walk {
@@ -120,27 +122,28 @@ class Walk {
   /// are asked, as a cell is what is nearer to its circle than to each neighbor. `clearance_` becomes how far the end
   /// of the side is from the border of the cell, at least.
   Exit exitFrom(const Line& line, Point start, Point end, double when) {
-    Exit best;
+    exits_.clear();
     clearance_ = kInfinite;
     const Point here = when == 0 ? start : line.at(line.turned(when));
     for (const SideIndex side : diagram_.sides(cell_)) {
-      const CircleIndex neighbor = diagram_.neighborOf(side);
-      const auto [isClear, clearance] = clearanceOf(neighbor, (1 - when) * line.length, here, end);
+      const auto [isClear, clearance] =
+          clearanceOf(diagram_.neighborOf(side), (1 - when) * line.length, here, end);
       clearance_ = std::min(clearance_, clearance);
       if (isClear) continue;
       const Exit exit = exitAcross(side, line, start, end, when);
-      if (exit.when > 1) continue;
-      if (best.when <= 1 && diagram_.neighborOf(best.side) == neighbor && isSamePlace(best.when, exit.when)) {
-        // Two circles may share several edges, which have one bisector.
-        if (missBy(exit) < missBy(best)) best = exit;
-      } else if (exit.when < best.when) {
-        best = exit;
-      }
+      if (exit.when <= 1) exits_.push_back(exit);
     }
-    return best;
+    if (exits_.empty()) return {};
+    const Exit first = *std::ranges::min_element(exits_, {}, &Exit::when);
+    // Several may be there at once: two circles may share several edges, which have one bisector, and at a vertex
+    // rounding does not tell who comes first. The exit is across an edge that is there.
+    const double farthest = largestOf({end.x, end.y}) + line.length;
+    std::erase_if(exits_, [&](const Exit& exit) {
+      return (exit.when - first.when) * line.length > kNearlyAtOnce * farthest;
+    });
+    if (exits_.size() == 1) return first;
+    return *std::ranges::min_element(exits_, {}, [&](const Exit& exit) { return missBy(exit); });
   }
-
-  static bool isSamePlace(double a, double b) { return std::abs(a - b) < 1e-9; }
 
   struct Clearance {
     bool isClear;     ///< whether the neighbor is farther than the circle all along the rest of the side
@@ -174,19 +177,24 @@ class Walk {
     return {isClear, atEnd / 2};
   }
 
+  /// The bisector of the circles of an edge, the one of smaller index on the left. All edges of the two have this one.
   Bisector bisectorOf(EdgeIndex edge) const {
     const Edge& ends = diagram_.edges[at(edge)];
+    const auto [left, right] = std::minmax({std::int32_t{ends.left}, std::int32_t{ends.right}});
     const Bisector bisector =
-        circle_voronoi::bisector(diagram_.circles[at(ends.left)], diagram_.circles[at(ends.right)], diagram_.metric);
+        circle_voronoi::bisector(diagram_.circles[at(left)], diagram_.circles[at(right)], diagram_.metric);
     const double size = (std::abs(bisector.a) + bisector.b) * bisector.unit;
     if (size > kNearlyOnePlace * farthest_) return bisector;
-    return curveIn(diagram_, bounds_, edge).bisector;
+    const EdgeCurve curve = curveIn(diagram_, bounds_, edge);
+    return isTurned(edge) ? reversed(curve).bisector : curve.bisector;
   }
+  bool isTurned(EdgeIndex edge) const { return diagram_.edges[at(edge)].left > diagram_.edges[at(edge)].right; }
 
   /// Where the neighbor across a side of the cell comes to be nearer, no earlier than `when`.
   Exit exitAcross(SideIndex side, const Line& line, Point start, Point end, double when) const {
+    const EdgeIndex edge = Diagram::edgeOf(side);
     const CircleIndex neighbor = diagram_.neighborOf(side);
-    const Bisector bisector = bisectorOf(Diagram::edgeOf(side));
+    const Bisector bisector = bisectorOf(edge);
     const LineCrossing crossing(bisector, line.from, line.along);
     struct Event {
       double when;
@@ -202,22 +210,24 @@ class Walk {
       if (std::isnan(share)) continue;
       // Where the bisector goes to the right of the line, the line goes from its right circle to its left one.
       const bool goesToLeft = crossing.goesRight(k) == line.isForward;
-      events[count++] = {line.turned(share), share, s, goesToLeft == (side % 2 == 1)};
+      events[count++] = {line.turned(share), share, s, goesToLeft == (neighbor < cell_)};
     }
     if (count == 2 && events[0].when > events[1].when) std::swap(events[0], events[1]);
 
+    const auto exitAt = [&](double itsWhen, double share, double parameter) {
+      return Exit{itsWhen, share, side, isTurned(edge) ? 1 / parameter : parameter};
+    };
     const bool canStall = std::ranges::find(stalled_, neighbor) == stalled_.end();
     bool isBeaten = count > 0 ? !events[0].isExit : isFarther(neighbor, start, end);
-    std::optional<double> parameter;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (events[k].when > when) break;
-      isBeaten = events[k].isExit;
-      parameter = events[k].parameter;
+    for (std::size_t k = 0; k < count && events[k].when <= when; ++k) isBeaten = events[k].isExit;
+    if (isBeaten && canStall) {
+      const double share = line.turned(when);
+      return exitAt(when, share, parameterAt(bisector, line.at(share)));
     }
-    if (isBeaten && canStall) return {when, line.turned(when), side, parameter};
     for (std::size_t k = 0; k < count; ++k) {
-      if (events[k].isExit && events[k].when > when && events[k].when <= 1) {
-        return {events[k].when, events[k].share, side, events[k].parameter};
+      const auto& event = events[k];
+      if (event.isExit && event.when > when && event.when <= 1) {
+        return exitAt(event.when, event.share, event.parameter);
       }
     }
     return {};
@@ -232,9 +242,8 @@ class Walk {
 
   /// How far an exit is beyond the ends of its edge, as a ratio of parameters; 1 on the edge.
   double missBy(const Exit& exit) const {
-    if (!exit.parameter) return kInfinite;
     const EdgeCurve curve = curveIn(diagram_, bounds_, Diagram::edgeOf(exit.side));
-    return std::max({1.0, curve.from / *exit.parameter, *exit.parameter / curve.to});
+    return std::max({1.0, curve.from / exit.parameter, exit.parameter / curve.to});
   }
 
   void addCrossing(RegionSideIndex side, const Line& line, const Exit& exit) {
@@ -245,22 +254,32 @@ class Walk {
     crossing.side = side;
     crossing.share = std::clamp(exit.share, 0.0, 1.0);
     crossing.point = line.at(crossing.share);
-    const double s = exit.parameter ? *exit.parameter : parameterAt(curve.bisector, crossing.point);
-    crossing.parameter = std::clamp(s, curve.from, curve.to);
+    crossing.parameter = std::clamp(exit.parameter, curve.from, curve.to);
     crossing.isEntry = exit.side % 2 == 0;
     crossings_.all.push_back(crossing);
   }
 
-  /// Goes to the first cell of a ring where rounding has led to another one beside it: by the fewest steps.
+  /// Goes to the first cell of a ring where rounding has led to another one there: across edges that are near.
   void closeRing(RegionSideIndex side, Point start, Point end, CircleIndex first) {
-    std::unordered_map<std::int32_t, SideIndex> cameAcross = {{cell_, kNone}};
-    std::deque<CircleIndex> pending = {cell_};
+    struct Step {
+      double way;  ///< how far the edges are from the point, together
+      SideIndex across;
+      CircleIndex cell;
+      bool operator>(const Step& other) const { return way > other.way; }
+    };
+    std::unordered_map<std::int32_t, SideIndex> cameAcross;
+    std::priority_queue<Step, std::vector<Step>, std::greater<>> pending;
+    pending.push({0, kNone, cell_});
     while (!cameAcross.contains(first)) {
-      const CircleIndex cell = pending.front();
-      pending.pop_front();
-      for (const SideIndex across : diagram_.sides(cell)) {
+      const Step step = pending.top();
+      pending.pop();
+      if (!cameAcross.emplace(step.cell, step.across).second) continue;
+      for (const SideIndex across : diagram_.sides(step.cell)) {
         const CircleIndex neighbor = diagram_.neighborOf(across);
-        if (cameAcross.emplace(neighbor, across).second) pending.push_back(neighbor);
+        if (cameAcross.contains(neighbor)) continue;
+        const EdgeCurve curve = curveIn(diagram_, bounds_, Diagram::edgeOf(across));
+        const double s = std::clamp(parameterAt(curve.bisector, end), curve.from, curve.to);
+        pending.push({step.way + lengthOf(vectorTo(end, pointAt(curve.bisector, s))), across, neighbor});
       }
     }
     std::vector<SideIndex> path;
@@ -268,7 +287,10 @@ class Walk {
       path.push_back(cameAcross[cell]);
     }
     const Line line(start, end);
-    for (; !path.empty(); path.pop_back()) addCrossing(side, line, {1, line.turned(1), path.back(), {}});
+    for (; !path.empty(); path.pop_back()) {
+      const EdgeCurve curve = curveIn(diagram_, bounds_, Diagram::edgeOf(path.back()));
+      addCrossing(side, line, {1, line.turned(1), path.back(), parameterAt(curve.bisector, end)});
+    }
     cell_ = first;
   }
 
@@ -279,6 +301,7 @@ class Walk {
   double farthest_ = 0;  ///< the largest coordinate
   CircleIndex cell_;     ///< where the walk is
   double clearance_ = 0;
+  std::vector<Exit> exits_;           ///< those of the cell
   std::vector<CircleIndex> stalled_;  ///< the cells that the walk has left at the point where it is
   Crossings crossings_;
 };
