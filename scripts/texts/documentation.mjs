@@ -30,8 +30,8 @@ const HEADERS = 'cpp/include/circle_voronoi'
 export async function documentationTexts(site) {
   const texts = Object.entries(TEXTS).map(([path, file]) => {
     const link = (address) => siteAddress(site, path, address)
-    const { title, html, text } = renderMarkdown(readFileSync(ROOT + path, 'utf8'), { link })
-    return { folder: 'docs', file, title, html, text }
+    const { title, html } = renderMarkdown(readFileSync(ROOT + path, 'utf8'), { link })
+    return { folder: 'docs', file, title, html }
   })
   const [readme, element, ...others] = texts
   return [readme, commandLine(), element, cppReference(), await examples(site), ...others]
@@ -106,9 +106,5 @@ function withoutPrivate(source) {
 }
 
 function page(file, title, html) {
-  const text = html
-    .replace(/<[^>]*>/g, ' ')
-    .replace(/&\w+;/g, ' ')
-    .replace(/\s+/g, ' ')
-  return { folder: 'docs', file, title, html, text }
+  return { folder: 'docs', file, title, html }
 }

@@ -5,10 +5,11 @@ import MiniSearch from 'minisearch'
 import { documentationTexts } from './documentation.mjs'
 import { pageOf } from './page.mjs'
 import { referenceTexts } from './reference.mjs'
+import { sectionsOf } from './sections.mjs'
 import { tutorialTexts } from './tutorial.mjs'
 
-/** What is searched; web/reading/search.ts says the same. */
-const SEARCHED = { fields: ['title', 'text'], storeFields: ['title', 'file'] }
+/** What is searched, section by section; web/reading/search.ts says the same. */
+const SEARCHED = { fields: ['title', 'heading', 'text'], storeFields: ['title', 'heading', 'address', 'text'] }
 
 /** Fills the built templates of a site, which are gone then. */
 export async function buildTexts(site) {
@@ -22,7 +23,14 @@ export async function buildTexts(site) {
   }
   for (const name of new Set(Object.values(templates))) rmSync(`${site}/${name}`)
   const search = new MiniSearch(SEARCHED)
-  const found = texts.filter(({ text }) => text !== '')
-  search.addAll(found.map(({ folder, file, title, text }, id) => ({ id, file: `${folder}/${file}`, title, text })))
+  search.addAll(texts.filter(({ isFound = true }) => isFound).flatMap(entriesOf))
   writeFileSync(`${site}/search.json`, JSON.stringify(search))
+}
+
+/** The sections of a page, as the search knows them. */
+function entriesOf({ folder, file, title, html }) {
+  return sectionsOf(html).map(({ id: place, heading, text }) => {
+    const address = `${folder}/${file}${place === '' ? '' : `#${place}`}`
+    return { id: address, address, title, heading, text }
+  })
 }

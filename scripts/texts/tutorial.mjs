@@ -30,8 +30,8 @@ export function readBook() {
     .sort()
     .map((name) => {
       const markdown = readFileSync(`${CHAPTERS}/${name}`, 'utf8')
-      const { title, text, blocks } = renderMarkdown(markdown, { block: () => '' })
-      return { file: name.replace(/\.md$/, '.html'), isChapter: /^\d/.test(name), markdown, title, text, blocks }
+      const { title, blocks } = renderMarkdown(markdown, { block: () => '' })
+      return { file: name.replace(/\.md$/, '.html'), isChapter: /^\d/.test(name), markdown, title, blocks }
     })
 }
 
@@ -86,10 +86,10 @@ export async function tutorialTexts(folder) {
   }
 
   const block = blockRenderer(made)
-  const pages = book.map(({ file, isChapter, markdown, text }) => {
+  const pages = book.map(({ file, isChapter, markdown }) => {
     const linked = markdown.replace(PLAYGROUND_LINK, (_, dataSet) => `../#${links.get(dataSet)}`)
     const { title, html } = renderMarkdown(linked, { block })
-    return { folder: 'tutorial', file, isChapter, title, html, text }
+    return { folder: 'tutorial', file, isChapter, title, html }
   })
   return [contents(book), ...pages, paperPage(book)]
 }
@@ -113,7 +113,7 @@ function contents(book) {
 <ol class="contents">
 ${chapters.map(({ file, title }) => `<li><a href="${file}">${title}</a></li>`).join('\n')}
 </ol>`
-  return { folder: 'tutorial', file: 'index.html', title, html, text: '' }
+  return { folder: 'tutorial', file: 'index.html', title, html, isFound: false }
 }
 
 /** Where each figure of the paper is alive. */
@@ -137,5 +137,5 @@ Each of its figures is alive in this tutorial.</p>
 ${rows.join('\n')}
 </tbody>
 </table>`
-  return { folder: 'tutorial', file: 'paper.html', title, html, text: '' }
+  return { folder: 'tutorial', file: 'paper.html', title, html, isFound: false }
 }
