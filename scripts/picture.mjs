@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg, and those of the examples,
-// docs/examples.
+// `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg, those of the examples,
+// docs/examples, and those of the recipes, docs/cookbook.
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { createServer } from 'node:http'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import sirv from 'sirv'
+import { addModules, pageOf, recipes } from '../tests/readme/recipes.mjs'
 import { withBuiltPage } from './built-page.mjs'
 import { main, ROOT } from './run.mjs'
 import { pictureOf, readGallery } from './texts/gallery.mjs'
@@ -34,8 +40,26 @@ await main(() =>
       await page.screenshot({ path: `${ROOT}docs/${pictureOf(folder)}`, type: 'jpeg', quality: 70 })
       await page.close()
     }
+    await pictureRecipes(browser)
   }),
 )
+
+/** Each page of the cookbook. */
+async function pictureRecipes(browser) {
+  const folder = mkdtempSync(join(tmpdir(), 'cookbook-'))
+  addModules(folder)
+  const server = createServer(sirv(folder, { dev: true }))
+  await new Promise((resolve) => server.listen(0, 'localhost', resolve))
+  for (const { code, picture } of recipes().filter(({ language }) => language === 'html')) {
+    writeFileSync(join(folder, 'index.html'), pageOf(code))
+    const page = await browser.newPage({ viewport: { width: 480, height: 300 }, deviceScaleFactor: 2 })
+    await page.goto(`http://localhost:${server.address().port}/`, { waitUntil: 'networkidle' })
+    await page.screenshot({ path: ROOT + picture })
+    await page.close()
+  }
+  server.close()
+  rmSync(folder, { recursive: true })
+}
 
 /** In a page: once its figures are painted, or its frames counted. */
 async function settled() {

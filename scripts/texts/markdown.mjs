@@ -6,7 +6,7 @@ import definitions from 'markdown-it-deflist'
 import temml from 'temml'
 
 /** What is no code to be shown, but something to be touched. */
-export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed']
+export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed', 'drawn', 'cones']
 
 /**
  * @param {string} markdown

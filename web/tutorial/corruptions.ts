@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wrong diagrams of the circles of a figure, one for each thing that the judge checks.
+import { type CircleVoronoi, Diagram, type Float64s } from '../lib/index.ts'
+
+/** A kind of wrong diagram. */
+export interface Corruption {
+  readonly name: string
+  /** Which check notices it, and why. */
+  readonly about: string
+  /** Makes the right diagram of some circles wrong; `undefined`: these circles leave nothing to be changed so. */
+  make(right: Diagram, library: CircleVoronoi): Diagram | undefined
+}
+
+/** How far a vertex is moved, as a part of its disc. */
+const NUDGE = 0.1
+/** By how much circles are moved to find another structure, as parts of the distance between the first two. */
+const MOVES = [0.3, 0.6, 1, 1.5]
+const TURNS = 12
+
+const changed = (right: Diagram, change: Partial<Diagram>) => new Diagram({ ...dataOf(right), ...change })
+
+/** The structure of another diagram is claimed of these circles. The judge has to name this flaw. */
+const structureWith =
+  (flaw: string): Corruption['make'] =>
+  (right, library) => {
+    const { circles } = right
+    const unit = Math.hypot((circles[3] ?? 0) - (circles[0] ?? 0), (circles[4] ?? 0) - (circles[1] ?? 0))
+    for (const part of MOVES) {
+      for (let i = 0; i < circles.length / 3; i++) {
+        for (let turn = 0; turn < TURNS; turn++) {
+          const angle = (2 * Math.PI * turn) / TURNS
+          const moved = Float64Array.from(circles)
+          moved[3 * i] = (moved[3 * i] as number) + part * unit * Math.cos(angle)
+          moved[3 * i + 1] = (moved[3 * i + 1] as number) + part * unit * Math.sin(angle)
+          const other = library.compute(moved)
+          if (other.hidden.length !== right.hidden.length) continue
+          const claimed = changed(other, { circles })
+          if (library.certify(claimed).flaw === flaw) return claimed
+        }
+      }
+    }
+    return undefined
+  }
+
+export const CORRUPTIONS: readonly Corruption[] = [
+  {
+    name: 'Move a vertex a little',
+    about: 'Vertices: a vertex has to be the center of the disc that touches its three circles.',
+    make: (right) => {
+      if (right.vertices.length === 0) return undefined
+      const vertices = Float64Array.from(right.vertices)
+      vertices[0] = (vertices[0] as number) + NUDGE * (vertices[2] as number)
+      return changed(right, { vertices })
+    },
+  },
+  {
+    name: 'Claim a vertex where no disc touches its circles',
+    about: 'Vertices: a disc has to touch the three circles of each vertex.',
+    make: structureWith('vertexWithoutDisc'),
+  },
+  {
+    name: 'Keep an edge that should have been flipped',
+    about: 'Edges: the two ends of an edge have to come in the right order along the hyperbola.',
+    make: structureWith('edgeOutOfOrder'),
+  },
+  {
+    name: 'Let a cell miss its circle',
+    about: 'Cells: the corners of a cell have to go around its circle exactly once.',
+    make: structureWith('cellNotClosed'),
+  },
+  {
+    name: 'Give a vertex another circle',
+    about: 'Counts: the parts no longer fit together, because an edge and its vertex name different circles.',
+    make: (right) => {
+      const { vertexCircles } = right
+      const visible = Array.from({ length: right.circles.length / 3 }, (_, i) => i).filter((i) => right.cells.exists(i))
+      const other = visible.find((i) => !vertexCircles.subarray(0, 3).includes(i))
+      if (vertexCircles.length === 0 || other === undefined) return undefined
+      const given = Int32Array.from(vertexCircles)
+      given[0] = other
+      return changed(right, { vertexCircles: given })
+    },
+  },
+  {
+    name: 'Leave out a vertex',
+    about: 'Counts: Euler’s formula says how many vertices there must be.',
+    make: (right) =>
+      right.vertices.length === 0
+        ? undefined
+        : changed(right, { vertices: right.vertices.slice(0, -3), vertexCircles: right.vertexCircles.slice(0, -3) }),
+  },
+  {
+    name: 'Name the wrong hider of a hidden circle',
+    about: 'Hidden circles: the circle that is named has to contain the hidden one.',
+    make: (right) => {
+      const [circle, by] = right.hidden
+      const other = Array.from({ length: right.circles.length / 3 }, (_, i) => i).find((i) => i !== circle && i !== by)
+      if (circle === undefined || other === undefined) return undefined
+      const hidden = Int32Array.from(right.hidden)
+      hidden[1] = other
+      return changed(right, { hidden })
+    },
+  },
+]
+
+/** Plain data, of which another diagram can be made. */
+function dataOf(diagram: Diagram) {
+  const { metric, circles, vertices, vertexCircles, edges, hidden, hull, nextSide, vertexSides, firstSide } = diagram
+  const { weights, certificate, stats } = diagram
+  return {
+    ...{ metric, circles: circles as Float64s, vertices, vertexCircles, edges, hidden, hull },
+    ...{ nextSide, vertexSides, firstSide, weights, certificate, stats },
+  }
+}
