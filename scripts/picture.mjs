@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg, those of the examples,
-// docs/examples, and those of the recipes, docs/cookbook.
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
-import { createServer } from 'node:http'
-import { tmpdir } from 'node:os'
-import { join } from 'node:path'
-import sirv from 'sirv'
-import { addModules, pageOf, recipes } from '../tests/readme/recipes.mjs'
+// docs/examples, and those of the recipes and of the first page, docs/cookbook and
+// docs/three-circles.svg.
 import { withBuiltPage } from './built-page.mjs'
+import { pictureRecipes } from './picture-recipes.mjs'
 import { main, ROOT } from './run.mjs'
 import { pictureOf, readGallery } from './texts/gallery.mjs'
 
@@ -43,30 +39,3 @@ await main(() =>
     await pictureRecipes(browser)
   }),
 )
-
-/** Each page of the cookbook. */
-async function pictureRecipes(browser) {
-  const folder = mkdtempSync(join(tmpdir(), 'cookbook-'))
-  addModules(folder)
-  const server = createServer(sirv(folder, { dev: true }))
-  await new Promise((resolve) => server.listen(0, 'localhost', resolve))
-  for (const { code, picture } of recipes().filter(({ language }) => language === 'html')) {
-    writeFileSync(join(folder, 'index.html'), pageOf(code))
-    const page = await browser.newPage({ viewport: { width: 480, height: 300 }, deviceScaleFactor: 2 })
-    await page.goto(`http://localhost:${server.address().port}/`, { waitUntil: 'networkidle' })
-    await page.screenshot({ path: ROOT + picture })
-    await page.close()
-  }
-  server.close()
-  rmSync(folder, { recursive: true })
-}
-
-/** In a page: once its figures are painted, or its frames counted. */
-async function settled() {
-  const figures = [...document.querySelectorAll('circle-voronoi')].slice(0, 1)
-  for (const figure of figures) {
-    await figure.ready
-    await figure.updateComplete
-  }
-  while (document.querySelector('output')?.textContent === 'loading') await new Promise(requestAnimationFrame)
-}

@@ -18,6 +18,7 @@ export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed', 'drawn
  */
 export function renderMarkdown(markdown, { block, link = (address) => address } = {}) {
   const blocks = []
+  const slugs = new Map()
   const md = new MarkdownIt({ html: true }).use(definitions)
   if (block !== undefined) md.use(mathematics)
   const inline = (text) => md.renderInline(text)
@@ -47,7 +48,11 @@ export function renderMarkdown(markdown, { block, link = (address) => address } 
   md.renderer.rules.table_open = () => '<div class="wide" tabindex="0"><table>\n'
   md.renderer.rules.table_close = () => '</table></div>\n'
   md.renderer.rules.heading_open = (tokens, i, options, _, self) => {
-    tokens[i].attrSet('id', slugOf(tokens[i + 1].content))
+    const slug = slugOf(tokens[i + 1].content)
+    const before = slugs.get(slug) ?? 0
+    slugs.set(slug, before + 1)
+    // Where a heading comes again, as GitHub does it.
+    tokens[i].attrSet('id', before === 0 ? slug : `${slug}-${before}`)
     return self.renderToken(tokens, i, options)
   }
   // A column without a title has no header.

@@ -49,7 +49,10 @@ export function pageOf(template, text, all) {
   const [, paragraph = ''] = /<p>([\s\S]*?)<\/p>/.exec(html) ?? []
   const description = firstSentence(wordsOf(paragraph))
   const filled = { title: escaped(title), description: escaped(description), body: bodyOf(text, all) }
-  return template.replace(/\{\{(\w+)\}\}/g, (_, name) => filled[name])
+  const styled = html.includes('<math')
+    ? template.replace('</head>', '<link rel="stylesheet" href="../tutorial/math.css">\n</head>')
+    : template
+  return styled.replace(/\{\{(\w+)\}\}/g, (_, name) => filled[name])
 }
 
 function bodyOf({ folder, file, html, isChapter, isOpen }, all) {

@@ -76,7 +76,10 @@ function extraLayers(library, diagram, layers, stepsBetween, extrasOf) {
     )
   if (layers.delaunay) {
     const centers = library.compute(Float64Array.from(circles, (value, k) => (k % 3 === 2 ? 0 : value)))
-    lines('delaunay', pairsOf(centers.edges).map((pair) => pair.map(centerOf)))
+    lines(
+      'delaunay',
+      pairsOf(centers.edges).map((pair) => pair.map(centerOf)),
+    )
   }
   const { samples, sampleGraph, antipodalDiscs, directedEdges, missedEdges, candidates, sampleCount } = layers
   if (samples || sampleGraph || antipodalDiscs || directedEdges || missedEdges) {
@@ -90,17 +93,35 @@ function extraLayers(library, diagram, layers, stepsBetween, extrasOf) {
     if (samples) {
       const [minX, minY, maxX, maxY] = boxOf(circles)
       const r = Math.max(maxX - minX, maxY - minY) / 250
-      discs('samples', [...state.samples].map((k) => [...pointOf(k), r]))
+      discs(
+        'samples',
+        [...state.samples].map((k) => [...pointOf(k), r]),
+      )
     }
     if (antipodalDiscs) {
       const discOf = (k) => [trace.event(k).disc.x, trace.event(k).disc.y, trace.event(k).disc.r]
       discs('antipodalDiscs', [...state.antipodalDiscs].map(discOf))
     }
-    if (directedEdges) lines('directedEdges', [...state.directedEdges].map((k) => trace.event(k).circles.map(centerOf)))
+    if (directedEdges)
+      lines(
+        'directedEdges',
+        [...state.directedEdges].map((k) => trace.event(k).circles.map(centerOf)),
+      )
   }
-  for (const { id, discs: rims, segments } of extrasOf(circles, { hasRims: samples === true, steps: stepsBetween }, library)) {
+  for (const { id, discs: rims, segments } of extrasOf(
+    circles,
+    { hasRims: samples === true, steps: stepsBetween },
+    library,
+  )) {
     if (rims) discs(id, chunks(rims, 3))
-    if (segments) lines(id, chunks(segments, 4).map(([x0, y0, x1, y1]) => [[x0, y0], [x1, y1]]))
+    if (segments)
+      lines(
+        id,
+        chunks(segments, 4).map(([x0, y0, x1, y1]) => [
+          [x0, y0],
+          [x1, y1],
+        ]),
+      )
   }
   return parts.join('\n')
 }

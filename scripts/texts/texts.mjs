@@ -3,13 +3,16 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import MiniSearch from 'minisearch'
 import { documentationTexts } from './documentation.mjs'
+import { writeMathFont } from './math-font.mjs'
 import { pageOf } from './page.mjs'
 import { referenceTexts } from './reference.mjs'
 import { sectionsOf } from './sections.mjs'
 import { tutorialTexts } from './tutorial.mjs'
 
 /** What is searched, section by section; web/reading/search.ts says the same. */
-const SEARCHED = { fields: ['title', 'heading', 'text'], storeFields: ['title', 'heading', 'address', 'text'] }
+const SEARCHED = { fields: ['title', 'heading', 'text'], storeFields: ['title', 'heading', 'address', 'shown'] }
+/** So many characters of a section of the reference are shown at most; of other pages all may be. */
+const SHOWN_OF_REFERENCE = 160
 
 /** Fills the built templates of a site, which are gone then. */
 export async function buildTexts(site) {
@@ -23,7 +26,9 @@ export async function buildTexts(site) {
   }
   for (const name of new Set(Object.values(templates))) rmSync(`${site}/${name}`)
   const search = new MiniSearch(SEARCHED)
-  search.addAll(texts.filter(({ isFound = true }) => isFound).flatMap(entriesOf))
+  await writeMathFont(`${site}/tutorial`, texts.map(({ html }) => html).join(''))
+  const entries = texts.filter(({ isFound = true }) => isFound).flatMap(entriesOf)
+  search.addAll(entries.map((entry, id) => ({ id, ...entry })))
   writeFileSync(`${site}/search.json`, JSON.stringify(search))
 }
 
@@ -31,6 +36,7 @@ export async function buildTexts(site) {
 function entriesOf({ folder, file, title, html }) {
   return sectionsOf(html).map(({ id: place, heading, text }) => {
     const address = `${folder}/${file}${place === '' ? '' : `#${place}`}`
-    return { id: address, address, title, heading, text }
+    const shown = folder === 'api' ? text.slice(0, SHOWN_OF_REFERENCE) : text
+    return { address, title, heading, text, shown }
   })
 }

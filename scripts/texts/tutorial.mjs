@@ -81,13 +81,20 @@ export async function tutorialTexts(folder) {
     return { poster, sentence }
   }
   const drawn = (spec, circles) => {
+    const put = (name, picture) => {
+      const poster = `pictures/${name}.${typeof picture === 'string' ? 'svg' : 'png'}`
+      writeFileSync(`${folder}/tutorial/${poster}`, picture)
+      return poster
+    }
     const { picture, ...others } = drawing.draw(spec, circles)
-    const poster = `pictures/${spec.name}.${typeof picture === 'string' ? 'svg' : 'png'}`
-    writeFileSync(`${folder}/tutorial/${poster}`, picture)
-    return { ...others, poster }
+    // What says most of it is not always what it begins with.
+    const tile = spec.tile && put(`${spec.name}-tile`, drawing.draw({ ...spec, at: spec.tile }, circles).picture)
+    return { ...others, poster: put(spec.name, picture), tile }
   }
   const made = new Map()
-  for (const { kind, spec } of [{ kind: 'figure', spec: HERO }, ...book.flatMap(({ blocks }) => blocks)].filter(({ spec }) => spec.name !== undefined)) {
+  for (const { kind, spec } of [{ kind: 'figure', spec: HERO }, ...book.flatMap(({ blocks }) => blocks)].filter(
+    ({ spec }) => spec.name !== undefined,
+  )) {
     if (made.has(spec.name)) throw new Error(`Two figures are called ${spec.name}.`)
     const circles = circlesOf(spec)
     if (DRAWN.includes(kind)) {
@@ -118,7 +125,15 @@ export async function tutorialTexts(folder) {
     const { title, html } = renderMarkdown(linked, { block })
     return { folder: 'tutorial', file, isChapter, title, html }
   })
-  return [contents(book, made, block('figure', HERO, (text) => text)), ...pages, paperPage(book)]
+  return [
+    contents(
+      book,
+      made,
+      block('figure', HERO, (text) => text),
+    ),
+    ...pages,
+    paperPage(book),
+  ]
 }
 
 /** What a figure shows at first. */
@@ -137,7 +152,7 @@ function contents(book, made, hero) {
   const [first] = chapters
   const tiles = chapters.map(({ file, title, shown, line }, k) => {
     const { poster, drawing } = made.get(shown)
-    return `<li><a href="${file}"><img src="${drawing?.poster ?? poster}" alt="" loading="lazy"><span class="number">${k + 1}</span><strong>${title}</strong> <span>${line}</span></a></li>`
+    return `<li><a href="${file}"><img src="${drawing?.tile ?? drawing?.poster ?? poster}" alt="" loading="lazy"><span class="number">${k + 1}</span><strong>${title}</strong> <span>${line}</span></a></li>`
   })
   const html = `<div class="hero">
 <div>

@@ -6,8 +6,8 @@ import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Locator, type Page, test } from '@playwright/test'
 import { type Chapter, readBook, type Spec } from '../../scripts/texts/tutorial.mjs'
 import { decodeLink } from '../../web/lib/link.ts'
-import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
 import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
+import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
 import { layersFrom } from '../../web/view/layers.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
 
@@ -257,9 +257,7 @@ async function corrupt(page: Page): Promise<void> {
   })
   await expect(verdict).toHaveText(/^The judge: no\. \w/)
   // The vertex and the circles that it is said to touch are marked, and all circles have their numbers.
-  const marked = await page
-    .locator('[data-corrupt] circle-voronoi')
-    .evaluate((element: Element) => element.layers.data)
+  const marked = await page.locator('[data-corrupt] circle-voronoi').evaluate((element: Element) => element.layers.data)
   expect(marked?.map(({ points = [], discs = [] }) => [points.length, discs.length])).toEqual([[2, 9]])
   await expect(page.locator('.numbers text')).toHaveText(['0', '1', '2', '3', '4', '5'])
   await page.getByRole('button', { name: 'Make it right again' }).click()

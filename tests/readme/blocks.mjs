@@ -10,7 +10,9 @@ const MANUAL_PAGE = 'cpp/cli/circle-voronoi.1'
 /** Of Markdown in the site: the texts that scripts/texts/documentation.mjs takes, and the chapters. */
 const MARKDOWN = [
   ...['README.md', 'ARCHITECTURE.md', 'public/data/README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'],
-  ...['building', 'cookbook', 'cpp', 'element', 'javascript', 'results', 'shell', 'tiles'].map((name) => `docs/${name}.md`),
+  ...['building', 'cookbook', 'cpp', 'element', 'javascript', 'results', 'shell', 'tiles'].map(
+    (name) => `docs/${name}.md`,
+  ),
   ...readdirSync(new URL(CHAPTERS, ROOT)).map((name) => `${CHAPTERS}/${name}`),
 ]
 const LISTED = 'tests/scripts/blocks.test.mjs'

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The recipes of docs/cookbook.md: pages with a picture each, and scripts. What they import is in a folder `node_modules`.
-import { existsSync, mkdirSync, symlinkSync } from 'node:fs'
+import { existsSync, mkdirSync, readFileSync, symlinkSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { slugOf } from '../../scripts/texts/markdown.mjs'
 import { blocksOfMarkdown } from './blocks.mjs'
-import { readFileSync } from 'node:fs'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 /** What recipes use besides this library. */

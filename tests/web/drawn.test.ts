@@ -36,7 +36,7 @@ test.each(drawn)('%s is drawn at each place of its slider, with words', (name, k
   expect(last).toBeGreaterThan(0)
   for (const value of [0, last / 3, Math.floor(last / 2), last]) {
     const { content, told } = KINDS[kind].draw(scene, value, library)
-    expect(content).toContain('<path')
+    expect(content).toContain('<circle')
     expect(content).not.toMatch(/NaN|undefined|Infinity/)
     expect(told).toMatch(/^[A-Z0-9].*\.$/)
   }
@@ -45,13 +45,18 @@ test.each(drawn)('%s is drawn at each place of its slider, with words', (name, k
 describe('the growing phase', () => {
   const scene = drawnScene('growing-discs')
   const { trace, moments } = grow(scene.circles, library)
-  const told = moments.map((moment) => tellMoment(trace, moment))
+  const told = moments.map((moment) => tellMoment(trace, moment, scene.circles))
 
   it('has discs that begin borders, discs that a circle rejects, and vertices where a border ends and where one begins', () => {
     const kinds = new Set(moments.map(({ what }) => what))
-    expect([...kinds].sort()).toEqual(['begin', 'end', 'notEmpty', 'start', 'stale', 'used', 'vertex'])
-    expect(told.filter((text) => / circle \d reaches into the disc .* thrown away/.test(text)).length).toBeGreaterThan(0)
-    expect(told.filter((text) => /2 borders end there: .* A new one begins there: \d→\d\./.test(text)).length).toBeGreaterThan(0)
+    expect([...kinds].sort()).toEqual(['begin', 'end', 'notEmpty', 'stale', 'start', 'used', 'vertex'])
+    expect(told.filter((text) => / circle \d reaches into the disc .* thrown away/.test(text)).length).toBeGreaterThan(
+      0,
+    )
+    expect(
+      told.filter((text) => /2 borders end there: .* A new one begins there: \d→\d\./.test(text)).length,
+    ).toBeGreaterThan(0)
+    expect(told.filter((text) => /touches circle \d where another border/.test(text)).length).toBeGreaterThan(0)
     expect(told.filter((text) => /3 borders end there/.test(text)).length).toBeGreaterThan(0)
   })
 
@@ -197,7 +202,9 @@ describe('wrong diagrams for the judge', () => {
 
   it('are one for each check', () => {
     expect(library.certify(right).certified).toBe(true)
-    expect(CORRUPTIONS.map((corruption) => library.certify(corruption.make(right, library) ?? right).flaw)).toEqual(flaws)
+    expect(CORRUPTIONS.map((corruption) => library.certify(corruption.make(right, library) ?? right).flaw)).toEqual(
+      flaws,
+    )
     for (const check of ['Vertices', 'Edges', 'Cells', 'Counts', 'Hidden circles']) {
       expect(CORRUPTIONS.some(({ about }) => about.startsWith(`${check}:`))).toBe(true)
     }

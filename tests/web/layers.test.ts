@@ -79,23 +79,26 @@ describe('what cells are measured by', () => {
     }
   })
 
-  it.each(['area', 'gap', 'radius', 'index'] as const)('has a quarter of the cells in each quarter of the ramp: %s', (measure) => {
-    const { diagram } = new Picture(library.edit(randomCircles(1200)))
-    const measures = new Measures(measure, diagram)
-    const counts = new Int32Array(4)
-    const isMeasured = (i: number) => diagram.cells.exists(i) && Number.isFinite(measures.valueOf(i))
-    const visible = Array.from({ length: 1200 }, (_, i) => i).filter(isMeasured)
-    for (const i of visible) (counts[Math.min(Math.floor((4 * measures.shadeOf(i)) / SHADES), 3)] as number)++
-    for (const count of counts) expect(Math.abs(count - visible.length / 4)).toBeLessThan(30)
-    // The legend says what the ends and quarters of the ramp are.
-    const { knots, isClipped } = measures.legend
-    const values = visible.map((i) => measures.valueOf(i)).sort((a, b) => a - b)
-    expect([knots[0], knots[4]]).toEqual([values[0], values.at(-1)])
-    expect(isClipped).toBe(false)
-    const least = visible.find((i) => measures.valueOf(i) === knots[0]) as number
-    const largest = visible.find((i) => measures.valueOf(i) === knots[4]) as number
-    expect([measures.shadeOf(least), measures.shadeOf(largest)]).toEqual([0, SHADES - 1])
-  })
+  it.each(['area', 'gap', 'radius', 'index'] as const)(
+    'has a quarter of the cells in each quarter of the ramp: %s',
+    (measure) => {
+      const { diagram } = new Picture(library.edit(randomCircles(1200)))
+      const measures = new Measures(measure, diagram)
+      const counts = new Int32Array(4)
+      const isMeasured = (i: number) => diagram.cells.exists(i) && Number.isFinite(measures.valueOf(i))
+      const visible = Array.from({ length: 1200 }, (_, i) => i).filter(isMeasured)
+      for (const i of visible) (counts[Math.min(Math.floor((4 * measures.shadeOf(i)) / SHADES), 3)] as number)++
+      for (const count of counts) expect(Math.abs(count - visible.length / 4)).toBeLessThan(30)
+      // The legend says what the ends and quarters of the ramp are.
+      const { knots, isClipped } = measures.legend
+      const values = visible.map((i) => measures.valueOf(i)).sort((a, b) => a - b)
+      expect([knots[0], knots[4]]).toEqual([values[0], values.at(-1)])
+      expect(isClipped).toBe(false)
+      const least = visible.find((i) => measures.valueOf(i) === knots[0]) as number
+      const largest = visible.find((i) => measures.valueOf(i) === knots[4]) as number
+      expect([measures.shadeOf(least), measures.shadeOf(largest)]).toEqual([0, SHADES - 1])
+    },
+  )
 
   it('is placed among the knots of the ramp', () => {
     const knots = [1, 2, 2, 4, 8]
@@ -116,7 +119,9 @@ describe('what cells are measured by', () => {
       'rgb(200, 100, 60)',
     ])
     // Of others, those that are there.
-    expect(new Set(rampThrough(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']))).toEqual(new Set(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']))
+    expect(new Set(rampThrough(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']))).toEqual(
+      new Set(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']),
+    )
   })
 
   it('is the distance to the nearest circle of all', () => {

@@ -8,17 +8,17 @@ import { find, type Section, snippetOf } from '../../web/reading/search.ts'
 function searchIn(sections: readonly Section[]): MiniSearch<Section> {
   const search = new MiniSearch<Section>({
     fields: ['title', 'heading', 'text'],
-    storeFields: ['title', 'heading', 'address', 'text'],
+    storeFields: ['title', 'heading', 'address', 'shown'],
   })
-  search.addAll(sections.map((section) => ({ ...section, id: section.address })))
+  search.addAll(sections.map((section) => ({ ...section, id: section.address, text: section.shown })))
   return search
 }
 
-const section = (address: string, title: string, heading: string, text: string): Section => ({
+const section = (address: string, title: string, heading: string, shown: string): Section => ({
   address,
   title,
   heading,
-  text,
+  shown,
 })
 
 const addressesOf = (sections: readonly Section[], words: string) =>

@@ -9,7 +9,8 @@ export interface Section {
   readonly heading: string
   /** From the site's folder. */
   readonly address: string
-  readonly text: string
+  /** Its text, or the beginning of it. */
+  readonly shown: string
 }
 
 /** What is shown of a section: its words around the first one that was found, in parts that are marked or not. */
@@ -33,7 +34,10 @@ const OPTIONS: SearchOptions = {
   boost: { title: 4, heading: 4 },
   boostDocument: (_, term, stored) => {
     const { title = '', heading = '', address = '' } = (stored ?? {}) as Partial<Section>
-    const isNamed = `${title} ${heading}`.toLowerCase().split(/[^\p{L}\p{N}]+/u).includes(term.toLowerCase())
+    const isNamed = `${title} ${heading}`
+      .toLowerCase()
+      .split(/[^\p{L}\p{N}]+/u)
+      .includes(term.toLowerCase())
     return (address.startsWith('api/') ? REFERENCE : 1) * (isNamed ? 2 : 1)
   },
 }
@@ -56,8 +60,8 @@ export function find(search: MiniSearch<Section>, words: string): readonly Found
     })
     .slice(0, MOST)
     .map((result) => {
-      const { title, heading, address, text } = result as unknown as Section
-      return { title, heading, address, text, snippet: snippetOf(text, result.terms) }
+      const { title, heading, address, shown } = result as unknown as Section
+      return { title, heading, address, shown, snippet: snippetOf(shown, result.terms) }
     })
 }
 
@@ -170,6 +174,6 @@ async function loadSearch(): Promise<MiniSearch<Section>> {
   if (!index.ok) throw new Error(`search.json: ${index.status}`)
   return Search.loadJSON(await index.text(), {
     fields: ['title', 'heading', 'text'],
-    storeFields: ['title', 'heading', 'address', 'text'],
+    storeFields: ['title', 'heading', 'address', 'shown'],
   })
 }

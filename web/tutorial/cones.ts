@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each circle as a cone that is seen from above or from the side: what can be seen from above is the Voronoi diagram.
-import { paintCones, type Pose } from './drawn/paint-cones.ts'
+import { type Pose, paintCones } from './drawn/paint-cones.ts'
 
 /** How far a pointer turns the cones, in degrees a pixel. */
 const TURN = 0.4

@@ -45,8 +45,8 @@ class CorruptFigure {
     this.#about = page.createElement('p')
     this.#table = page.createElement('table')
     this.#verdict = page.createElement('output')
-    const label = page.createElement('label')
-    label.append('Change ', this.#choice)
+    this.#choice.id = `${figure.id}-change`
+    const label = Object.assign(page.createElement('label'), { htmlFor: this.#choice.id, textContent: 'Change' })
     const restore = Object.assign(page.createElement('button'), { type: 'button', textContent: 'Make it right again' })
     restore.addEventListener('click', () => void this.#begin())
     const details = page.createElement('details')
@@ -55,7 +55,7 @@ class CorruptFigure {
       this.#table,
     )
     const box = Object.assign(page.createElement('div'), { className: 'corrupt' })
-    box.append(label, this.#about, this.#verdict, details, restore)
+    box.append(label, ' ', this.#choice, this.#about, this.#verdict, details, restore)
     figure.querySelector('figcaption')?.before(box)
     numberCircles(this.#figure)
     this.#figure.addEventListener('circleschange', () => void this.#begin())

@@ -82,12 +82,20 @@ export const CORRUPTIONS: readonly Corruption[] = [
     },
   },
   {
-    name: 'Leave out a vertex',
-    about: 'Counts: Euler’s formula says how many vertices there must be.',
-    make: (right) =>
-      right.vertices.length === 0
-        ? undefined
-        : changed(right, { vertices: right.vertices.slice(0, -3), vertexCircles: right.vertexCircles.slice(0, -3) }),
+    name: 'Leave out the cell of a circle',
+    about: 'Counts: Euler’s formula says how many vertices and edges there must be for so many circles with cells.',
+    make: (right, library) => {
+      const { circles, hidden } = right
+      const count = circles.length / 3
+      const visible = Array.from({ length: count }, (_, i) => i).filter((i) => right.cells.exists(i))
+      const [largest, left] = [visible[0], visible.at(-1)]
+      if (largest === undefined || left === undefined || visible.length < 4) return undefined
+      // Inside another one it has no cell.
+      const without = Float64Array.from(circles)
+      without.set([circles[3 * largest] as number, circles[3 * largest + 1] as number], 3 * left)
+      without[3 * left + 2] = (circles[3 * largest + 2] as number) / 2
+      return changed(library.compute(without), { circles, hidden })
+    },
   },
   {
     name: 'Name the wrong hider of a hidden circle',

@@ -154,7 +154,7 @@ class Drawn {
   #show(value: number): void {
     this.#pause()
     this.#value = Math.min(Math.max(value, 0), Number(this.#slider.max))
-    this.#ask()
+    this.#draw()
   }
 
   #start(): void {

@@ -13,9 +13,7 @@ export const finalCells: Kind = {
     const margin = pen.units(36)
     const [left, bottom, right, top] = pen.bounds
     const box = { minX: left + margin, minY: bottom + margin, maxX: right - margin, maxY: top - margin }
-    const circles = scene.circles.filter(
-      ({ x, y }) => x > box.minX && x < box.maxX && y > box.minY && y < box.maxY,
-    )
+    const circles = scene.circles.filter(({ x, y }) => x > box.minX && x < box.maxX && y > box.minY && y < box.maxY)
     if (circles.length === 0) return { content: pen.content, told: 'No circle has its center in the tile.' }
     const diagram = library.compute(coordinatesOf(circles))
     const final = library.finalCells(diagram, { box, maxRadius: value })
@@ -27,7 +25,12 @@ export const finalCells: Kind = {
       pen.path(isFinal ? 'cell c2 final' : 'cell open-cell', diagram.cellPath(i, options))
     }
     pen.path('edge', diagram.render(options))
-    drawDiscs(pen, circles, circles.map((_, i) => (final.neededHalo[i] === 0 ? 2 : 6)), false)
+    drawDiscs(
+      pen,
+      circles,
+      circles.map((_, i) => (final.neededHalo[i] === 0 ? 2 : 6)),
+      false,
+    )
     const { minX, minY, maxX, maxY } = box
     pen.path('tile', `M${minX},${minY}H${maxX}V${maxY}H${minX}Z`)
     return {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The growing phase of the touching disc method: discs in the order of their radii, what begins, ends and is thrown away, and why.
-import { FinishedArcs } from '../../player/finished-arcs.ts'
-import { ringOf } from '../../player/discs.ts'
+
 import type { Circle, CircleVoronoi, Point, Vertex } from '../../lib/index.ts'
 import type { Trace } from '../../lib/wasm/trace.ts'
+import { ringOf } from '../../player/discs.ts'
+import { FinishedArcs } from '../../player/finished-arcs.ts'
 import { colorsOf, coordinatesOf, drawDiscs, footOf, type Kind, list, Pen, type Scene, said } from './scene.ts'
 
 /** What happens with a disc once its turn comes. */
@@ -96,7 +97,7 @@ export const growing: Kind = {
       pen.arrow(isNew ? 'arrow fresh' : 'arrow', footOf(a, disc), footOf(b, disc), 5)
     }
     if (isExact) drawMoment(pen, scene, trace, moment, circleOf)
-    return { content: pen.content, told: tellMoment(trace, moment) }
+    return { content: pen.content, told: tellMoment(trace, moment, circles) }
   },
 }
 
@@ -123,14 +124,9 @@ function drawMoment(
     if (met !== undefined) pen.disc('met', met)
   }
   if (what === 'used') {
-    // On the rim where the border of others has passed, this direction is taken.
-    const before = trace.at(event)
-    for (const id of touched) {
-      const circle = circleOf(id) as Circle
-      const { marks, unused } = ringOf(trace, before, id, circle)
-      const turn = Math.atan2(disc.y - circle.y, disc.x - circle.x) / (2 * Math.PI)
-      const isFree = unused.some(({ from, to }) => [0, 1, 2].some((k) => turn + k >= from && turn + k <= to))
-      if (marks.length > 0 && !isFree) pen.dot('passed', footOf(circle, disc), 6).disc('met', circle)
+    for (const id of passedAt(trace, event, circles)) {
+      const circle = circles[id] as Circle
+      pen.dot('passed', footOf(circle, disc), 6).disc('met', circle)
     }
   }
   if (what === 'vertex') {
@@ -144,8 +140,22 @@ function drawMoment(
   }
 }
 
+/** Of the circles that an antipodal disc touches those on whose rims the border of others has passed there. */
+function passedAt(trace: Trace, event: number, circles: readonly Circle[]): readonly number[] {
+  const { disc, circles: ids } = trace.event(event)
+  const before = trace.at(event)
+  return ids.filter((id) => {
+    const circle = circles[id]
+    if (circle === undefined || disc === undefined) return false
+    const { marks, unused } = ringOf(trace, before, id, circle)
+    const turn = Math.atan2(disc.y - circle.y, disc.x - circle.x) / (2 * Math.PI)
+    const isFree = unused.some(({ from, to }) => [0, 1, 2].some((k) => turn + k >= from && turn + k <= to))
+    return marks.length > 0 && !isFree
+  })
+}
+
 /** What happens, in words. */
-export function tellMoment(trace: Trace, { what, event, end, r }: Moment): string {
+export function tellMoment(trace: Trace, { what, event, end, r }: Moment, circles: readonly Circle[]): string {
   if (what === 'start') return 'The discs wait in a list, the smallest first. Nothing has grown yet.'
   if (what === 'end') {
     const left = trace.at(trace.length).directedEdges.length
@@ -154,27 +164,27 @@ export function tellMoment(trace: Trace, { what, event, end, r }: Moment): strin
   const { circles: ids } = trace.event(event)
   const [a = 0, b = 0, c = 0] = ids
   const at = `Radius ${said(r)}: `
-  const formed: string[] = []
+  const formed = new Set<string>()
   const begun: string[] = []
   const gone: string[] = []
   for (let k = event; k < end; k++) {
     const told = trace.event(k)
     const name = `${told.circles[0]}→${told.circles[1]}`
-    if (told.kind === 'threeTouchDiscFormed') formed.push(list([...told.circles].sort((s, t) => s - t)))
+    if (told.kind === 'threeTouchDiscFormed') formed.add(list([...told.circles].sort((s, t) => s - t)))
     if (told.kind === 'directedEdgePlaced') begun.push(name)
     if (told.kind === 'directedEdgeDeleted') gone.push(name)
   }
   const joins =
-    formed.length === 0
+    formed.size === 0
       ? ''
-      : ` ${formed.length === 1 ? 'A disc' : 'Discs'} that may touch three circles ${formed.length === 1 ? 'joins' : 'join'} the list: ${formed.map((name) => `of ${name}`).join('; ')}.`
+      : ` ${formed.size === 1 ? 'A disc that may touch three circles joins' : 'Discs that may touch three circles join'} the list: ${[...formed].map((name) => `of ${name}`).join('; ')}.`
   switch (what) {
     case 'begin':
       return `${at}the disc between circles ${a} and ${b} is empty. A border begins at its center and grows both ways: directed edges ${list(begun)}.${joins}`
     case 'notEmpty':
       return `${at}circle ${c} reaches into the disc between circles ${a} and ${b}. The disc is thrown away.`
     case 'used':
-      return `${at}the disc between circles ${a} and ${b} touches a rim where another border has already passed. The disc is thrown away.`
+      return `${at}the disc between circles ${a} and ${b} touches circle ${list(passedAt(trace, event, circles))} where another border has already passed. The disc is thrown away.`
     case 'stale':
       return `${at}a directed edge of the disc of circles ${list([...ids].sort((s, t) => s - t))} has already ended. The disc is thrown away.`
     case 'vertex': {

@@ -7,10 +7,13 @@ import { HEIGHT, type Kind } from './scene.ts'
 import { WALK_HEIGHT, walk } from './walk.ts'
 
 /** The figures that the tutorial draws itself, by their names in chapters. */
-export const KINDS = { nearest: nearestCircle, directed: directedEdges, growing, walk, final: finalCells } satisfies Record<
-  string,
-  Kind
->
+export const KINDS = {
+  nearest: nearestCircle,
+  directed: directedEdges,
+  growing,
+  walk,
+  final: finalCells,
+} satisfies Record<string, Kind>
 export type KindName = keyof typeof KINDS
 
 export function heightOf(kind: KindName): number {

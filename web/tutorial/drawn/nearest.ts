@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A point and its distance to each circle; the slider colors more and more points, and at its end all of them.
-import { colorsOf, coordinatesOf, distance, drawCells, drawDiscs, footOf, type Kind, nearest, Pen, said } from './scene.ts'
+import {
+  colorsOf,
+  coordinatesOf,
+  distance,
+  drawCells,
+  drawDiscs,
+  footOf,
+  type Kind,
+  nearest,
+  Pen,
+  said,
+} from './scene.ts'
 
 const MOST_POINTS = 600
 

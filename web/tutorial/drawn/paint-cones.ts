@@ -77,7 +77,9 @@ export function paintCones(
       const d = Math.hypot(u - cone.u, v - cone.v) || 1
       // The surface falls by 1 outwards: its normal leans outwards by 45 degrees.
       const bright =
-        ((u - cone.u) / d) * LIGHT[0] * Math.SQRT1_2 + ((v - cone.v) / d) * LIGHT[1] * Math.SQRT1_2 + LIGHT[2] * Math.SQRT1_2
+        ((u - cone.u) / d) * LIGHT[0] * Math.SQRT1_2 +
+        ((v - cone.v) / d) * LIGHT[1] * Math.SQRT1_2 +
+        LIGHT[2] * Math.SQRT1_2
       const shade = 1 + (bright - 0.58) * 0.9 * cos
       const color = COLORS[nearest % COLORS.length] as (typeof COLORS)[number]
       const white = isInside ? 0 : 0.62

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the figures that the tutorial draws itself have in common: circles in a frame, as SVG.
-import type { Circle, CircleVoronoi, Diagram, Point } from '../../lib/index.ts'
+import type { Circle, CircleVoronoi, Diagram, Float64s, Point } from '../../lib/index.ts'
 
 /** What a figure shows, in the units of its circles. */
 export interface Scene {
@@ -156,7 +156,7 @@ export function colorsOf(diagram: Diagram): readonly number[] {
   return colors
 }
 
-export function coordinatesOf(circles: readonly Circle[]): Float64Array {
+export function coordinatesOf(circles: readonly Circle[]): Float64s {
   return Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
 }
 

@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A walk from the center of a circle to a point, and below it the distance to the nearest circle on the way.
-import { colorsOf, coordinatesOf, distance, drawCells, drawDiscs, HEIGHT, type Kind, nearest, Pen, said, WIDTH } from './scene.ts'
+import {
+  colorsOf,
+  coordinatesOf,
+  distance,
+  drawCells,
+  drawDiscs,
+  HEIGHT,
+  type Kind,
+  nearest,
+  Pen,
+  said,
+  WIDTH,
+} from './scene.ts'
 
 const STEPS = 160
 /** Where the plot is on the picture. */
