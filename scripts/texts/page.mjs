@@ -46,8 +46,9 @@ function link({ href, title }, isCurrent) {
  */
 export function pageOf(template, text, all) {
   const { title, html } = text
-  const [, paragraph = ''] = /<p>([\s\S]*?)<\/p>/.exec(html) ?? []
-  const description = firstSentence(wordsOf(paragraph))
+  // Signatures stand first, in quotations.
+  const [, paragraph = ''] = /<p>([\s\S]*?)<\/p>/.exec(html.replace(/<blockquote>[\s\S]*?<\/blockquote>/g, '')) ?? []
+  const description = firstSentence(wordsOf(paragraph)) || `${title}.`
   const filled = { title: escaped(title), description: escaped(description), body: bodyOf(text, all) }
   const styled = html.includes('<math')
     ? template.replace('</head>', '<link rel="stylesheet" href="../tutorial/math.css">\n</head>')

@@ -445,7 +445,7 @@ test('the documentation reads well, and its search finds', async ({ page }) => {
     expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
   }
   await page.getByRole('navigation', { name: 'Site' }).getByRole('link', { name: 'Reference' }).click()
-  await page.getByRole('link', { name: 'circle-voronoi', exact: true }).first().click()
+  await page.getByRole('main').getByRole('link', { name: 'circle-voronoi', exact: true }).first().click()
   await page.getByRole('link', { name: 'edgeCurve', exact: true }).click()
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Function: edgeCurve()')
   expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
