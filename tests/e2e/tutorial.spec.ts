@@ -475,7 +475,7 @@ test.describe('without scripts', () => {
       expect(box.width / box.height).toBeGreaterThan(0.5)
       expect(box.height).toBeGreaterThan(200)
     }
-    await page.getByText('Answer', { exact: true }).first().click()
+    await page.locator('.question').getByText('Answer', { exact: true }).first().click()
     await expect(page.getByText('the first is nearer', { exact: false })).toBeVisible()
     await expect(page.getByRole('button', { name: 'Check' }).first()).toBeHidden()
   })

@@ -205,6 +205,16 @@ describe('wrong diagrams for the judge', () => {
     expect(CORRUPTIONS.map((corruption) => library.certify(corruption.make(right, library) ?? right).flaw)).toEqual(
       flaws,
     )
+    // As they are where a reader has dragged a circle.
+    const random = seededRandom(5)
+    for (let n = 0; n < 10; n++) {
+      const k = 3 * (n % 5)
+      const dragged = Float64Array.from(right.circles)
+      dragged.set([(dragged[k] as number) + random() - 0.5, (dragged[k + 1] as number) + random() - 0.5], k)
+      const diagram = library.compute(dragged)
+      const found = CORRUPTIONS.map((corruption) => library.certify(corruption.make(diagram, library) ?? diagram).flaw)
+      expect(found, `${n}`).toEqual(diagram.hidden.length > 0 ? flaws : [...flaws.slice(0, -1), 'none'])
+    }
     for (const check of ['Vertices', 'Edges', 'Cells', 'Counts', 'Hidden circles']) {
       expect(CORRUPTIONS.some(({ about }) => about.startsWith(`${check}:`))).toBe(true)
     }

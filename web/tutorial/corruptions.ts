@@ -13,9 +13,9 @@ export interface Corruption {
 
 /** How far a vertex is moved, as a part of its disc. */
 const NUDGE = 0.1
-/** By how much circles are moved to find another structure, as parts of the distance between the first two. */
-const MOVES = [0.3, 0.6, 1, 1.5]
-const TURNS = 12
+/** So many other places and sizes of a circle are tried to find another structure, within a part of the distance of the first two. */
+const MOST_TRIED = 3000
+const REACH = 2
 
 const changed = (right: Diagram, change: Partial<Diagram>) => new Diagram({ ...dataOf(right), ...change })
 
@@ -25,19 +25,26 @@ const structureWith =
   (right, library) => {
     const { circles } = right
     const unit = Math.hypot((circles[3] ?? 0) - (circles[0] ?? 0), (circles[4] ?? 0) - (circles[1] ?? 0))
-    for (const part of MOVES) {
-      for (let i = 0; i < circles.length / 3; i++) {
-        for (let turn = 0; turn < TURNS; turn++) {
-          const angle = (2 * Math.PI * turn) / TURNS
-          const moved = Float64Array.from(circles)
-          moved[3 * i] = (moved[3 * i] as number) + part * unit * Math.cos(angle)
-          moved[3 * i + 1] = (moved[3 * i + 1] as number) + part * unit * Math.sin(angle)
-          const other = library.compute(moved)
-          if (other.hidden.length !== right.hidden.length) continue
-          const claimed = changed(other, { circles })
-          if (library.certify(claimed).flaw === flaw) return claimed
-        }
-      }
+    const claim = (moved: Float64Array<ArrayBuffer>) => {
+      const other = library.compute(moved)
+      if (`${other.hidden}` !== `${right.hidden}`) return undefined
+      const claimed = changed(other, { circles })
+      return library.certify(claimed).flaw === flaw ? claimed : undefined
+    }
+    // The same places for the same circles, in no order.
+    let seed = 1
+    const random = () => {
+      seed = (seed * 1_103_515_245 + 12_345) % 2_147_483_648
+      return seed / 2_147_483_648
+    }
+    for (let tried = 0; tried < MOST_TRIED; tried++) {
+      const k = 3 * Math.floor((random() * circles.length) / 3)
+      const moved = Float64Array.from(circles)
+      moved[k] = (moved[k] as number) + REACH * unit * (random() - 0.5)
+      moved[k + 1] = (moved[k + 1] as number) + REACH * unit * (random() - 0.5)
+      moved[k + 2] = (moved[k + 2] as number) * Math.exp(4 * random() - 2)
+      const found = claim(moved)
+      if (found !== undefined) return found
     }
     return undefined
   }
