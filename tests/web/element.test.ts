@@ -94,7 +94,7 @@ describe('attributes', () => {
   )
 
   test.each([
-    ['cells=blue', 'The layer cells must be none, radius, area, degree, gap, index or different (got "blue").'],
+    ['cells=blue', 'The layer cells must be auto, none, radius, area, degree, gap, index or different (got "blue").'],
     ['max-distance=far', 'The layer maxDistance must be a number (got "far").'],
     ['near-zero=-1', 'The layer nearZero must be a number from 0 (got -1).'],
     ['{"dsic": true}', /^There is no layer dsic\. /],
@@ -217,7 +217,7 @@ describe('what it says', () => {
 })
 
 describe('a check', () => {
-  const cell: CellFacts = { x: 1, y: 2, r: 3, hidden: false, bounded: true, edges: 3, neighbors: [0, 2], area: 7.5 }
+  const cell: CellFacts = { x: 1, y: 2, r: 3, hidden: false, bounded: true, edges: 3, neighbors: [0, 2], area: 7.5, perimeter: 11 }
   const facts: Facts = { circles: 4, hidden: 1, vertices: 3, edges: 6, cells: new Map([[1, cell]]) }
 
   test.each([
@@ -366,6 +366,6 @@ describe('the manifest', () => {
         .filter((name) => name !== 'data')
         .sort(),
     )
-    expect(['none', ...colors].sort()).toEqual([...CELL_COLORS].sort())
+    expect(['auto', ...colors].sort()).toEqual([...CELL_COLORS].sort())
   })
 })

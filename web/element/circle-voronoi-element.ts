@@ -107,12 +107,12 @@ const ATTRIBUTES = [
  * @cssState met - The circles meet the check.
  * @cssprop {<color>} --circle-voronoi-paper - The background.
  * @cssprop {<color>} --circle-voronoi-edge - Edges and vertices of the diagram.
- * @cssprop {<color>} --circle-voronoi-rim - Rims of circles.
- * @cssprop {<color>} --circle-voronoi-hidden - Hidden circles.
- * @cssprop {<color>} --circle-voronoi-accent - Hovered, selected and focused parts.
- * @cssprop {<color>} --circle-voronoi-selected-disc - The selected circle.
- * @cssprop {<color>} --circle-voronoi-selected-cell - The cell of the selected circle.
- * @cssprop {<color>} --circle-voronoi-neighbor-cell - The cells of the neighbors of the selected circle.
+ * @cssprop {<color>} --circle-voronoi-rim - Rims of circles, which have none by default.
+ * @cssprop {<color>} --circle-voronoi-hidden - Circles that others contain.
+ * @cssprop {<color>} --circle-voronoi-accent - What is hovered, selected and focused.
+ * @cssprop {<color>} --circle-voronoi-selected-disc - The outline of the selected circle.
+ * @cssprop {<color>} --circle-voronoi-selected-cell - The outline of the selected circle's cell.
+ * @cssprop {<color>} --circle-voronoi-neighbor-cell - The outlines of the cells next to the selected circle's.
  * @cssprop {<color>} --circle-voronoi-hull - The layer hull.
  * @cssprop {<color>} --circle-voronoi-dual - The layer dual.
  * @cssprop {<color>} --circle-voronoi-delaunay - The layer delaunay.
@@ -125,21 +125,21 @@ const ATTRIBUTES = [
  * @cssprop {<color>} --circle-voronoi-sample-graph - The layer sample-graph.
  * @cssprop {<color>} --circle-voronoi-antipodal-discs - The layer antipodal-discs.
  * @cssprop {<color>} --circle-voronoi-directed-edges - The layer directed-edges.
- * @cssprop {<color>} --circle-voronoi-missed-edges - The layer missed-edges: edges that the touching disc method misses.
- * @cssprop {<color>} --circle-voronoi-tint-0 - The lowest of the six classes by which cells are colored.
- * @cssprop {<color>} --circle-voronoi-tint-1 - Class 2 of the six classes by which cells are colored.
- * @cssprop {<color>} --circle-voronoi-tint-2 - Class 3 of the six classes by which cells are colored.
- * @cssprop {<color>} --circle-voronoi-tint-3 - Class 4 of the six classes by which cells are colored.
- * @cssprop {<color>} --circle-voronoi-tint-4 - Class 5 of the six classes by which cells are colored.
- * @cssprop {<color>} --circle-voronoi-tint-5 - The highest of the six classes by which cells are colored.
- * @cssprop {<color>} --circle-voronoi-map-0 - One of the six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-1 - One of the six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-2 - One of the six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-3 - One of the six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-4 - One of the six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-5 - One of the six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-cell-opacity - The opacity of this color is the opacity of cells that are colored by radius.
- * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The aspect ratio of the figure, where its height is not set.
+ * @cssprop {<color>} --circle-voronoi-missed-edges - Edges that the touching disc method misses, where a page has it draw them.
+ * @cssprop {<color>} --circle-voronoi-tint-0 - The ramp of colors for measures, such as cells=area, goes through six: the color of the smallest.
+ * @cssprop {<color>} --circle-voronoi-tint-1 - The second color of the ramp.
+ * @cssprop {<color>} --circle-voronoi-tint-2 - The third color of the ramp.
+ * @cssprop {<color>} --circle-voronoi-tint-3 - The fourth color of the ramp.
+ * @cssprop {<color>} --circle-voronoi-tint-4 - The fifth color of the ramp.
+ * @cssprop {<color>} --circle-voronoi-tint-5 - The color of the largest.
+ * @cssprop {<color>} --circle-voronoi-map-0 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-1 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-2 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-3 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-4 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-5 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-cell-opacity - A cell has the color of its circle, as weak as this color is transparent.
+ * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The shape of the picture, where its height is not set.
  */
 export class CircleVoronoiElement extends Base {
   /** Tells the browser that the element can be part of a form. */

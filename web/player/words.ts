@@ -173,9 +173,9 @@ export const ENGLISH_PLAYER: PlayerWords = {
   ringNote: 'From the right, counter-clockwise. Green: not used yet.',
   titles: {
     prepare: '1 Prepare',
-    loop: '4 Loop',
-    antipodal: '2 Antipodal disc of a and b',
-    threeTouch: '3 Three-touch disc of a→b→c',
+    loop: '2 Loop',
+    antipodal: '3 Antipodal disc of a and b',
+    threeTouch: '4 Three-touch disc of a→b→c',
     end: 'End',
     flips: 'Flips',
     edit: 'An edit',

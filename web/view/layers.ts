@@ -3,10 +3,16 @@ import { CANDIDATES, type Candidates, type Point } from '../lib/base/types.ts'
 import type { LayerValue } from '../lib/link.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
-/** The quantities by which cells can be colored. `different`: neighbors have different colors. `gap`: the distance to the nearest other circle. */
-export const CELL_COLORS = ['none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
-/** The quantity by which cells are colored, one of `CELL_COLORS`. */
+/**
+ * What the color of a circle and its cell says. `different`: no two neighbors have one color. `gap`: how near the nearest other
+ * circle is. `auto`: `different` for up to `MOST_MAPPED` circles, `radius` for more.
+ */
+export const CELL_COLORS = ['auto', 'none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
+/** One of `CELL_COLORS`: what the color of a circle and its cell says. */
 export type CellColors = (typeof CELL_COLORS)[number]
+
+/** Neighbors are told apart by their colors among so many circles. */
+export const MOST_MAPPED = 2000
 
 /** What the touching disc method makes on its way, for so many circles at most. */
 export const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
@@ -102,7 +108,7 @@ export interface Layers {
 
 export const DEFAULT_LAYERS: Layers = {
   circles: true,
-  cells: 'radius',
+  cells: 'auto',
   edges: true,
   vertices: true,
   nearZero: undefined,
@@ -140,10 +146,10 @@ export function isMethodShown(layers: Layers): boolean {
 }
 
 /** What a cell is measured by. */
-export type Measure = Exclude<CellColors, 'none' | 'different'>
+export type Measure = Exclude<CellColors, 'auto' | 'none' | 'different'>
 
 export function isMeasure(colors: CellColors): colors is Measure {
-  return colors !== 'none' && colors !== 'different'
+  return colors !== 'auto' && colors !== 'none' && colors !== 'different'
 }
 
 /** What of layers differs from the default, to be kept; not what clients have added. */

@@ -5,7 +5,7 @@ import type { Box, Certificate, Circle, DiagramData, Edit, Options, Point, Stats
 import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange } from './circle-table.ts'
-import type { Layers } from './layers.ts'
+import type { Layers, Measure } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Style } from './style.ts'
 
@@ -56,6 +56,8 @@ export interface Questions {
   svg(frame: Frame, pixelRatio: number, style: Style): string | undefined
   /** The same in pixels. */
   image(frame: Frame, pixelRatio: number, style: Style): ImageBitmap | undefined
+  /** What the colors of the layers mean. `undefined`: no measure. */
+  legend(): Legend | undefined
   /** How cells are distributed: a moment later, where there are many. */
   measure(): Distribution
   /** What circles and their cells measure: of these ids at once, of all a moment later. */
@@ -164,6 +166,8 @@ export interface CellFacts extends Circle {
   readonly neighbors: readonly number[]
   /** Infinite, if the cell is not bounded. */
   readonly area: number
+  /** Likewise. */
+  readonly perimeter: number
 }
 
 /** What is so of a diagram. */
@@ -251,6 +255,15 @@ export interface Distribution {
   readonly areaStep: number
   readonly medianArea: number
   readonly certificate: Certificate
+}
+
+/** What the ramp of colors means. */
+export interface Legend {
+  readonly measure: Measure
+  /** What its beginning, its quarters and its end stand for. */
+  readonly knots: readonly number[]
+  /** Whether there may be smaller and larger values than those of its ends, which have their colors. */
+  readonly isClipped: boolean
 }
 
 /** What a cell measures: its area, how many neighbors it has, and how far the circle is from the nearest other one. */

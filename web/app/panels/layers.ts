@@ -28,6 +28,7 @@ const NEAR_ZERO = 1e-9
 const FARTHEST = 0.25
 
 const COLOR_NAMES: Readonly<Record<CellColors, string>> = {
+  auto: 'automatic',
   none: 'no color',
   radius: 'by radius',
   area: 'by area',

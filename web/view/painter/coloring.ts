@@ -23,10 +23,11 @@ export class Coloring {
   }
 
   /**
-   * Follows a change to cells: those that changed are told by their ids. False: all had to be colored anew, else only these
-   * may have another color.
+   * Follows a change to cells, which are told by their ids, and returns those that have another color. `undefined`: all were
+   * colored anew.
    */
-  follow(diagram: Diagram, changed: Iterable<number>): boolean {
+  follow(diagram: Diagram, changed: Iterable<number>): number[] | undefined {
+    const recolored: number[] = []
     for (const id of changed) {
       const i = diagram.indexOf(id)
       if (i === NONE) continue
@@ -36,11 +37,12 @@ export class Coloring {
       const color = freeColor(taken)
       if (color === MAP_COLORS) {
         this.#colors = colored(diagram)
-        return false
+        return undefined
       }
       this.#colors[id] = color
+      recolored.push(id)
     }
-    return true
+    return recolored
   }
 
   #takenBeside(diagram: Diagram, i: number): number {

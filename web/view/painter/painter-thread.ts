@@ -151,6 +151,7 @@ const answers: Answers = {
       scene.draw(new CanvasDrawing(context), frame, ...given)
       return canvas.transferToImageBitmap()
     }),
+  legend: (scene) => scene.legend,
   measure: (scene) => () => scene.measure(),
   tabulate: (scene, columns, ids) =>
     ids === undefined ? () => scene.tabulateAll(columns) : scene.tabulate(columns, ids),
