@@ -23,7 +23,7 @@ export const DATA_SETS: readonly DataSet[] = [
   {
     id: 'introduction',
     label: 'Introduction',
-    about: 'Overlapping circles, a point, and a circle hidden inside another one.',
+    about: 'Circles that overlap, and one that lies hidden inside another.',
   },
   {
     id: 'bronzefilter',

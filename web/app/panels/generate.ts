@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg, type TemplateResult } from 'lit'
+import { html, nothing, svg, type TemplateResult } from 'lit'
 import type { Float64s } from '../../lib/index.ts'
-import { MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
+import { DATA_SETS, type DataSet, MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
 import type { FilesClient } from '../files/files-client.ts'
 import type { Catalogue, Family, Figure, Pictured } from '../generators/generators.ts'
 import type { PageActions } from '../page-actions.ts'
@@ -98,7 +98,19 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
     `
   }
 
+  const setRow = ({ id, label, about, credit }: DataSet) => html`
+    <li>
+      <button type="button" data-name=${id} aria-current=${id === shown} @click=${() => actions.load(id)}>
+        <span>${label}<small>${about}${credit === undefined ? nothing : html`<br />${credit}`}</small></span>
+      </button>
+    </li>
+  `
+
   const body = () => html`
+    <ul aria-label="Data sets">
+      ${DATA_SETS.filter(({ random }) => random === undefined).map(setRow)}
+    </ul>
+    <h3>Random circles</h3>
     <div class="fields">
       <label title="How many circles a family makes">
         n

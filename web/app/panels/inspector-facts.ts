@@ -46,6 +46,5 @@ function factsOf(cell: CellFacts | undefined) {
   if (cell === undefined || cell.hidden) return nothing
   const text = (value: number) => (Number.isFinite(value) ? shortest(Number(value.toPrecision(DIGITS))) : 'infinite')
   return html`<dt>Area of the cell</dt><dd>${text(cell.area)}</dd>
-    <dt>Perimeter</dt><dd>${text(cell.perimeter)}</dd>
-    <dt>Neighbors</dt><dd>${cell.neighbors.length}</dd>`
+    <dt>Perimeter</dt><dd>${text(cell.perimeter)}</dd>`
 }

@@ -39,7 +39,7 @@ export function mountProgress(actions: PageActions): void {
     const count = `${wholeNumber(circles)} ${circles === 1 ? 'circle' : 'circles'}`
     if (now === 'loading') show('Loading …', true)
     else if (now === 'computing') show(`Computing the diagram of ${count} …`, true)
-    else if (isPainting() && now === 'opened') show(`Painting ${count} …`, false)
+    else if (!place.hidden && isPainting() && now === 'opened') show(`Painting ${count} …`, false)
     else show('', false)
   }
 }

@@ -37,14 +37,15 @@ export function mountSay(store: Store<State>): void {
     const { credit, id } = about
     // The first one says what all of this is.
     const small = id === 'start' ? hint : credit
+    place.classList.toggle('first', id === 'start')
     render(html`<p>${about.about}</p>${small === undefined ? nothing : html`<small>${small}</small>`}`, place)
     if (id !== 'start') timer = setTimeout(hide, LASTING)
   }
 
   store.subscribe((state) => {
     if (state.edited === undefined) return
-    const { history, selection, problem, dataSet } = state
-    const isTouched = history.done.at(-1)?.kind === 'edits' || selection.length > 0 || problem !== ''
+    const { history, selection, problem, dataSet, step } = state
+    const isTouched = step !== undefined || history.done.at(-1)?.kind === 'edits' || selection.length > 0 || problem !== ''
     const now = isEmpty(state) ? 'empty' : isTouched ? 'touched' : `${dataSet} ${history.done.length}`
     if (now === shown) return
     shown = now

@@ -23,8 +23,8 @@ export function mountStatus(store: Store<State>): void {
   })
 }
 
-/** A part that a phone has no room for is minor. */
-type Part = readonly [content: readonly (string | Node)[], isMinor?: boolean]
+/** Phones have no room for minor parts, and small ones none for second ones. */
+type Part = readonly [content: readonly (string | Node)[], rank?: 'minor' | 'second']
 
 function statusOf({ counts, seconds }: NonNullable<State['edited']>): Node {
   const proven = document.createElement('span')
@@ -33,20 +33,20 @@ function statusOf({ counts, seconds }: NonNullable<State['edited']>): Node {
   proven.textContent = '✓ proven'
   const parts: Part[] = [
     [count(counts.circles, 'circle')],
-    [count(counts.vertices, 'vertex', 'vertices')],
-    [count(counts.edges, 'edge'), true],
+    [count(counts.vertices, 'vertex', 'vertices'), 'second'],
+    [count(counts.edges, 'edge'), 'minor'],
     ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden']] as Part] : []),
     [[proven]],
-    [duration(seconds), true],
+    [duration(seconds), 'minor'],
   ]
   const line = document.createElement('span')
-  for (const [k, [content, isMinor = false]] of parts.entries()) {
+  for (const [k, [content, rank]] of parts.entries()) {
     // Each part keeps its direction where that of the page is another.
     const part = document.createElement('bdi')
     part.dir = 'ltr'
     part.append(...content)
     const item = document.createElement('span')
-    if (isMinor) item.className = 'minor'
+    if (rank !== undefined) item.className = rank
     if (k > 0) item.append(' · ')
     item.append(part)
     line.append(item)
