@@ -10,7 +10,7 @@ const INTRODUCTION = dataSet('introduction')
 const THREE = 'x,y,r\n0,0,1\n6,0,1\n0,8,1\n'
 
 async function openPanel(app: App) {
-  await app.page.getByRole('button', { name: 'Files' }).click()
+  await app.openPanel('Files')
 }
 
 async function choose(app: App, name: string, content: string | Buffer): Promise<void> {

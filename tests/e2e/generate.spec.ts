@@ -26,7 +26,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   await panel.getByLabel('seed', { exact: true }).fill('7')
   await panel.getByRole('button', { name: /^clustered/ }).click()
   await expect(app.status).toContainText('50 circles')
-  await page.getByRole('button', { name: 'Files' }).click()
+  await app.openPanel('Files')
   expect(await saved(page)).toEqual(generators.make({ kind: 'family', family: 'clustered', seed: 7, count: 50 }))
   await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:50' })
 
@@ -59,7 +59,7 @@ test('a family with a number and a seed, again, edited, and the same after a rel
 
 test('a figure of the paper, and links to what is none', async ({ app }) => {
   const { page } = app
-  await page.getByRole('button', { name: 'Generate' }).click()
+  await app.openPanel('Generate')
   await page.getByRole('button', { name: /^Figure 13b/ }).click()
   await expect(app.status).toContainText('14 circles')
   await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 13b')
@@ -82,7 +82,7 @@ test('a figure of the paper, and links to what is none', async ({ app }) => {
     location.hash = link
   }, former)
   await expect(app.status).toContainText('300 circles')
-  await page.getByRole('button', { name: 'Files' }).click()
+  await app.openPanel('Files')
   expect((await saved(page)).slice(0, 3)).toEqual(
     Float64Array.of(16.93067694602141, 9.222793535997404, 0.899472125773846),
   )

@@ -27,7 +27,7 @@ async function saved({ page }: App): Promise<Float64Array> {
 test('held, it shows what would be taken from whom; Escape leaves all as it was, release adds it', async ({ app }) => {
   const { page } = app
   await app.choose('Introduction')
-  await page.getByRole('button', { name: 'Files' }).click()
+  await app.openPanel('Files')
   expect(isEmpty(EMPTY)).toBe(true)
   const place = app.locate(INTRODUCTION, EMPTY)
   const panel = panelOf(app)

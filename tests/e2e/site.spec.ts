@@ -81,9 +81,9 @@ test.describe('kept by the browser', () => {
     // What is loaded when it is asked for: readers and writers, charts, power diagrams.
     await openFile(app, 'three.csv', '0,0,1\n6,0,1\n0,8,1\n')
     await expect(app.status).toContainText('3 circles')
-    await page.getByRole('button', { name: 'Numbers' }).click()
+    await app.openPanel('Numbers')
     await expect(page.locator('#numbers .chart canvas').first()).toBeVisible()
-    await page.getByRole('button', { name: 'Layers' }).click()
+    await app.openPanel('Layers')
     const picture = await app.canvas.screenshot()
     await page.getByLabel('Power diagram').check()
     await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)

@@ -17,7 +17,7 @@ class Table {
   }
 
   async open(): Promise<void> {
-    await this.app.page.getByRole('button', { name: 'Table' }).click()
+    await this.app.openPanel('Table')
     await expect(this.grid.getByRole('row').nth(1)).toBeVisible()
   }
 
@@ -50,7 +50,7 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
 }) => {
   const { page } = app
   await app.choose('Introduction')
-  await page.getByRole('button', { name: 'Files' }).click()
+  await app.openPanel('Files')
   const table = new Table(app)
   await table.open()
   await expect(table.grid).toHaveAttribute('aria-rowcount', '15')
@@ -123,7 +123,7 @@ test('what is written goes into the circle it was begun for, and rows are sorted
 }) => {
   const { page } = app
   await app.choose('Introduction')
-  await page.getByRole('button', { name: 'Files' }).click()
+  await app.openPanel('Files')
   const table = new Table(app)
   await table.open()
   const x = table.grid.getByRole('columnheader', { name: 'x', exact: true })
@@ -255,10 +255,10 @@ test('keys bring the current row into sight, and up from the heading there is no
 
 test('of a hundred thousand rows only those that are seen are elements', async ({ app }) => {
   const { page } = app
-  await page.getByRole('button', { name: 'Generate' }).click()
+  await app.openPanel('Generate')
   await page.getByRole('button', { name: /^Figure 14/ }).click()
   await expect(app.status).toContainText('100,000 circles', { timeout: 60_000 })
-  await page.getByRole('button', { name: 'Generate' }).click()
+  await app.openPanel('Generate')
   const table = new Table(app)
   await table.open()
   await expect(table.grid).toHaveAttribute('aria-rowcount', '100001')
@@ -283,7 +283,7 @@ test.describe('with fingers', () => {
   test('the table is a sheet', async ({ app }) => {
     const { page } = app
     const table = new Table(app)
-    await page.getByRole('button', { name: 'Table' }).tap()
+    await app.openPanel('Table')
     await table.cell(2, 4).tap()
     await expect(table.grid.locator('[aria-selected=true]')).toHaveCount(1)
     const box = await page.locator('#table').boundingBox()

@@ -40,7 +40,7 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
     return { x: (one.x + other.x) / 2, y: (one.y + other.y) / 2 }
   }).filter((point) => app.isShown(point) && point.x > 300)
   const before = await app.colors(middles)
-  await page.getByRole('button', { name: 'Layers', exact: true }).click()
+  await app.openPanel('Layers')
   await page.getByRole('checkbox', { name: 'Dual graph' }).check()
   await isDrawn()
   const greenish = async () =>
@@ -75,7 +75,7 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
 test('the clearest path follows its ends and the circles', async ({ app }) => {
   const { page } = app
   await app.choose('Introduction')
-  await page.getByRole('button', { name: 'Layers', exact: true }).click()
+  await app.openPanel('Layers')
   await page.getByRole('checkbox', { name: 'Clearest path' }).check()
   const row = page.locator('.layer', { hasText: 'Clearest path' }).locator('small')
   await expect(row).toHaveText(/^[\d.]+$/)
@@ -98,7 +98,7 @@ test('the clearest path follows its ends and the circles', async ({ app }) => {
 test('numbers are those of the circles, and say by which way a diagram is right', async ({ app }) => {
   const { page } = app
   const panel = page.getByRole('region', { name: 'Numbers' })
-  await page.getByRole('button', { name: 'Numbers', exact: true }).click()
+  await app.openPanel('Numbers')
   await expect(panel).toContainText('5.95 on average')
   await expect(panel).toContainText('Proven by a judge')
   await expect(panel.locator('canvas')).toHaveCount(2)
@@ -128,7 +128,7 @@ test('charts of the numbers before an edit are gone, with what they listened to'
   })
   const listeners = () => page.evaluate(() => (window as unknown as { listeners: Set<unknown> }).listeners.size)
   const panel = page.getByRole('region', { name: 'Numbers' })
-  await page.getByRole('button', { name: 'Numbers', exact: true }).click()
+  await app.openPanel('Numbers')
   await expect(panel.locator('canvas')).toHaveCount(2)
   const before = await listeners()
   await app.choose('Introduction')
@@ -136,7 +136,7 @@ test('charts of the numbers before an edit are gone, with what they listened to'
   await expect(panel.locator('canvas')).toHaveCount(2)
   await expect.poll(listeners).toBe(before)
   // Folded, it has none.
-  await page.getByRole('button', { name: 'Numbers', exact: true }).click()
+  await app.openPanel('Numbers')
   await expect.poll(listeners).toBeLessThan(before)
 })
 
@@ -162,11 +162,11 @@ test('panels that fold remember it, and layers stay in the address', async ({ ap
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`the panels have no accessibility violation, ${colorScheme}`, async ({ app }) => {
     await app.page.emulateMedia({ colorScheme })
-    await app.page.getByRole('button', { name: 'Layers', exact: true }).click()
+    await app.openPanel('Layers')
     for (const name of ['merged up', 'Cells end', 'Clearest path', 'Largest empty']) {
       await app.page.getByRole('checkbox', { name }).check()
     }
-    await app.page.getByRole('button', { name: 'Numbers', exact: true }).click()
+    await app.openPanel('Numbers')
     await expect(app.page.getByText('Proven by')).toBeAttached()
     const { violations } = await new AxeBuilder({ page: app.page }).analyze()
     expect(violations).toEqual([])

@@ -4,7 +4,6 @@ import { editView } from '../editing/edited-view.ts'
 import { listenToKeyboard } from '../editing/keyboard.ts'
 import { problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
-import type { Padding } from '../view/camera.ts'
 import { mount } from '../view/mount.ts'
 import { listenToPointer } from '../view/pointer.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
@@ -14,7 +13,11 @@ import { listenToClipboard } from './input/clipboard.ts'
 import { listenToFiles } from './input/dropping.ts'
 import { Keeping } from './keeping.ts'
 import { LinkWriter } from './link-writer.ts'
+import { driftAtStart } from './motion/drift.ts'
+import { Motion } from './motion/motion.ts'
 import { workOffline } from './offline.ts'
+import { arrangeAround } from './arrange.ts'
+import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'
 import { byId } from './panels/by-id.ts'
 import { mountFiles } from './panels/files.ts'
@@ -22,12 +25,19 @@ import { mountGenerate } from './panels/generate.ts'
 import { mountGroup } from './panels/group.ts'
 import { mountHelp } from './panels/help.ts'
 import { mountInspector } from './panels/inspector.ts'
+import { mountInspectorFacts } from './panels/inspector-facts.ts'
 import { mountLayers } from './panels/layers.ts'
-import { mountMethod, playerPadding } from './panels/method.ts'
+import { mountLegend } from './panels/legend.ts'
+import { mountMethod } from './panels/method.ts'
+import { mountMotion } from './panels/motion.ts'
+import { mountNames } from './panels/names.ts'
 import { mountNumbers } from './panels/numbers.ts'
+import { mountProgress } from './panels/progress.ts'
+import { mountSay } from './panels/say.ts'
 import { mountScale } from './panels/scale.ts'
+import { mountShare } from './panels/share.ts'
 import { mountStatus } from './panels/status.ts'
-import { mountTable, tableWidth } from './panels/table.ts'
+import { mountTable } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
@@ -56,10 +66,8 @@ const { store, editing } = editView(
   (error) => store.update((state) => ({ ...state, problem: problemOf(error, editing.scene !== undefined) })),
 )
 
-/** What the panels at the top and at the bottom cover, the table and the player beside, and a margin. */
-const padding = (): Padding => ({ top: 72, left: 32 + tableWidth(), ...playerPadding() })
 const files = new FilesClient()
-const actions = new PageActions(store, editing, view, padding, (recipe) => files.make(recipe))
+const actions = new PageActions(store, editing, view, paddingOfPage, files)
 
 const links = new LinkWriter(files)
 const keeping = new Keeping(links, () => actions.linkState())
@@ -71,12 +79,17 @@ mountToolbar(store, actions, generate.open)
 mountTrial(view)
 mountViewControls(actions)
 mountStatus(store)
+mountSay(store)
+mountProgress(actions)
+mountLegend(store, view)
 const fileActions = new FileActions(store, editing, actions, view, files, links)
 mountFiles(fileActions)
+mountShare(fileActions)
 // What is copied here is no file: this hears of it first.
 listenToClipboard(actions)
 listenToFiles(fileActions)
 const editNumbers = mountInspector(store, actions)
+mountInspectorFacts(store, editing, actions, view)
 const showHelp = mountHelp()
 mountGroup(store, actions)
 mountSaid(store, byId('said', HTMLParagraphElement))
@@ -84,7 +97,9 @@ mountLayers(store, actions, view)
 mountNumbers(store, view)
 mountTable(store, editing, actions, view)
 mountMethod(store, actions, view)
+mountMotion(new Motion(view, editing, actions))
 mountScale(view)
+mountNames(store, editing)
 const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, { editNumbers, showHelp })
 
@@ -95,7 +110,9 @@ if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) 
   await actions.load((DATA_SETS[0] as DataSet).id)
   // Of the link, for which these circles stand in.
   actions.complain(problem)
+  driftAtStart(view, figure)
 }
+arrangeAround(view, actions)
 view.on('camera', () => keeping.changed())
 let step = store.get().step
 store.subscribe((state) => {

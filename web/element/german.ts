@@ -49,6 +49,7 @@ export function germanWords(lang: string): Words {
 const EDITING: EditingWords = {
   added: (id) => `Kreis ${id} hinzugefügt`,
   addedMany: (count) => `${count} Kreise hinzugefügt`,
+  duplicated: (count) => (count === 1 ? 'Kreis verdoppelt' : `${count} Kreise verdoppelt`),
   deleted: (id) => `Kreis ${id} gelöscht`,
   deletedMany: (count) => `${count} Kreise gelöscht`,
   moved: (count) => `${count} Kreise verschoben`,
@@ -97,6 +98,7 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   notDrawn: 'Das Bild konnte nicht gezeichnet werden.',
   nothingChanged: 'Nichts hat sich geändert. Versuchen Sie es noch einmal.',
   disposed: 'es wird nicht mehr gebraucht',
+  canceled: 'du hast es abgebrochen',
   noThread: 'seine Datei kann nicht geladen werden',
   circles: 'Der Wert der Kreise',
   method: 'Die Methode',

@@ -117,6 +117,14 @@ export class Painter {
           if (this.#worker === undefined) this.#start()
           this.#worker?.postMessage(message)
         }),
+      cancel: () => {
+        const isOpening = [...scene.waiting.values()].some(({ message }) => message.kind === 'open')
+        if (isOpening) {
+          this.#stop((words) => words.canceled)
+          this.#start()
+        }
+        return isOpening
+      },
       ask: (name, args) =>
         new Promise((resolve, reject) => {
           if (this.#worker === undefined || isClosed()) {
@@ -240,6 +248,7 @@ interface Line {
   post(message: ToPainter): void
   /** Posts it, too. */
   edited(message: Waiting['message']): Promise<Edited>
+  cancel(): boolean
   ask(name: keyof Questions, args: readonly unknown[]): Promise<unknown>
 }
 
@@ -270,6 +279,11 @@ export class PainterScene {
   edit(edits: readonly Edit[]): Promise<Edited> {
     this.#revision += 1
     return this.#line.edited({ kind: 'edit', scene: this.#scene, revision: this.#revision, edits })
+  }
+
+  /** Ends the thread that computes circles which are being opened; another one goes on. False: none are. */
+  cancel(): boolean {
+    return this.#line.cancel()
   }
 
   look(wish: Wish, style: Style): void {

@@ -21,6 +21,7 @@ export interface Refusals {
   readonly notDrawn: string
   readonly nothingChanged: string
   readonly disposed: string
+  readonly canceled: string
   readonly noThread: string
 }
 
@@ -46,6 +47,7 @@ export const ENGLISH_REFUSALS: Refusals = {
   notDrawn: 'The picture could not be drawn.',
   nothingChanged: 'Nothing has changed. Try again.',
   disposed: 'it was disposed of',
+  canceled: 'you canceled it',
   noThread: 'its file cannot be loaded',
 }
 

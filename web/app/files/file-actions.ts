@@ -6,25 +6,33 @@ import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { CircleVoronoiError } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
-import type { View } from '../../view/view.ts'
+import { fitted } from '../../view/camera.ts'
+import type { Shot, View } from '../../view/view.ts'
 import { sourceOf } from '../data-sets.ts'
 import type { LinkWriter } from '../link-writer.ts'
 import type { PageActions } from '../page-actions.ts'
 import type { FilesClient } from './files-client.ts'
 import type { SavedFormat } from './files-protocol.ts'
 import { elementCode, embedCode, save } from './saving.ts'
+import { withLink } from './svg-scene.ts'
 
 /** Larger files are none that a browser could show. */
 const LARGEST_FILE = 2 ** 28
 /** A longer address is none that browsers open. */
 const LONGEST_LINK = 2_000_000
+/** What of a sheet of paper is a picture: A3 at 300 dots per inch. */
+const POSTER = { long: 4961, short: 3508 }
+/** Around circles that are all in a picture, in pixels. */
+const ROOM = 24
 const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string]>> = {
-  svg: ['.svg', 'image/svg+xml'],
   csv: ['.csv', 'text/csv'],
   json: ['.json', 'application/json'],
   geojson: ['.geojson', 'application/geo+json'],
   cells: ['-cells.geojson', 'application/geo+json'],
 }
+
+/** What a picture shows: as much as the window, or all circles. */
+export type Part = 'seen' | 'all'
 
 /** All that a user can do with files and links. */
 export class FileActions {
@@ -69,15 +77,40 @@ export class FileActions {
   async saveAs(format: SavedFormat): Promise<void> {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
-      const text = await this.#client.write(circles, format, format === 'svg' ? await this.#link() : '')
+      const text = await this.#client.write(circles, format)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
     })
   }
 
-  /** The picture that is seen, so many times as large. */
-  async savePicture(scale: number): Promise<void> {
-    await this.#try(async () => save(await this.#view.toPNG(scale), `${this.#name}.png`))
+  /** The drawing as it is seen, which opens the same again if it is not too large. */
+  async saveDrawing(part: Part): Promise<void> {
+    await this.#try(async () => {
+      const svg = withLink(await this.#view.toSVG(this.#shotOf(part)), await this.#link())
+      save(new Blob([svg], { type: 'image/svg+xml' }), `${this.#name}.svg`)
+    })
+  }
+
+  /** The picture as it is seen, so many times as large. */
+  async savePicture(part: Part, scale: number): Promise<void> {
+    await this.#try(async () => save(await this.#view.toPNG(scale, this.#shotOf(part)), `${this.#name}.png`))
+  }
+
+  /** The same for a sheet of paper, which shows a little more on two sides. */
+  async savePoster(part: Part): Promise<void> {
+    const { camera, size } = this.#shotOf(part)
+    const isWide = size.width >= size.height
+    const [across, down] = isWide ? [POSTER.long, POSTER.short] : [POSTER.short, POSTER.long]
+    const scale = Math.min(across / size.width, down / size.height)
+    const sheet = { camera, size: { width: across / scale, height: down / scale } }
+    await this.#try(async () => save(await this.#view.toPNG(scale, sheet), `${this.#name}-poster.png`))
+  }
+
+  #shotOf(part: Part): Shot {
+    const { camera, size } = this.#view
+    if (part === 'seen') return { camera, size }
+    const room = { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM }
+    return { camera: fitted(this.#editing.circles.box(), size, room), size }
   }
 
   /** Reports whether it is in the clipboard. */

@@ -17,8 +17,8 @@ export class FilesClient {
   }
 
   /** @throws CircleVoronoiError as `compute`, `writeDiagram` */
-  write(circles: Float64s, format: SavedFormat, link: string): Promise<string> {
-    return this.#ask((request) => ({ kind: 'write', request, circles, format, link }))
+  write(circles: Float64s, format: SavedFormat): Promise<string> {
+    return this.#ask((request) => ({ kind: 'write', request, circles, format }))
   }
 
   /** @throws CircleVoronoiError as `encodeLink` */
@@ -45,6 +45,13 @@ export class FilesClient {
     })
     if (error !== undefined) throw receivedError(error)
     return result as Result
+  }
+
+  /** Ends all that is being done; nobody hears of it any more. */
+  cancel(): void {
+    this.#worker?.terminate()
+    this.#worker = undefined
+    this.#waiting.clear()
   }
 
   #start(): Worker {

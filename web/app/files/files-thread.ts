@@ -3,7 +3,7 @@
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { encodeLink } from '../../lib/link.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
-import { circlesOfSvg, withLink } from './svg-scene.ts'
+import { circlesOfSvg } from './svg-scene.ts'
 
 const port = globalThis as unknown as {
   onmessage: (event: MessageEvent<FilesRequest>) => void
@@ -47,7 +47,7 @@ async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): P
   return { circles: holdsDiagram(bytes) ? readDiagram(bytes, { name }).circles : readCircles(bytes, { name }) }
 }
 
-async function write({ circles, format, link }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {
+async function write({ circles, format }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
   const { compute } = await library()
   switch (format) {
@@ -59,8 +59,6 @@ async function write({ circles, format, link }: Extract<FilesRequest, { kind: 'w
       return writeDiagram(compute(circles), { format })
     case 'cells':
       return writeDiagram(compute(circles), { format: 'geojson' })
-    case 'svg':
-      return withLink(writeDiagram(compute(circles), { format }), link)
   }
 }
 
