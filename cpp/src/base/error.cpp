@@ -17,6 +17,8 @@ std::string_view errorCodeName(ErrorCode code) {
       return "badOption";
     case ErrorCode::notCertified:
       return "notCertified";
+    case ErrorCode::notConverged:
+      return "notConverged";
     case ErrorCode::unknownCircle:
       return "unknownCircle";
     case ErrorCode::badInput:

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/fit_areas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "cell_measure.h"
+#include "circle_voronoi/compute.h"
+#include "guarded.h"
+#include "scale.h"
+#include "spring_system.h"
+
+namespace circle_voronoi {
+namespace {
+
+[[noreturn]] void refuse(ErrorCode code, std::string message, std::int64_t site = kNone) {
+  throw Refusal{{code, site, std::move(message)}};
+}
+
+/// The cells that some weights lead to.
+struct State {
+  std::vector<double> weights;
+  Diagram diagram;
+  CellMeasure cells;
+};
+
+/// What the areas are measured by: one everywhere in the region, and `background` besides in a box around region and
+/// sites, where every cell has a part. As the background fades, the weights come to those of the region alone.
+struct Density {
+  double background = 0;
+};
+
+class Fitter {
+ public:
+  Fitter(std::span<const Circle> sites, std::vector<double> targets, const Region& region, const AreaFitOptions& options)
+      : sites_(sites), targets_(std::move(targets)), region_(region), options_(options), around_(boxAround()) {}
+
+  AreaFit run() {
+    State state = startingState();
+    report(state);
+    while (density_.background > 0) {
+      approach(state, kRoughly);
+      fadeBackground(state);
+    }
+    approach(state, options_.tolerance);
+    const double error = errorOf(state);
+    return {std::move(state.weights), std::move(state.diagram), std::move(state.cells.areas), error, steps_};
+  }
+
+ private:
+  /// How near the areas come before the background fades.
+  static constexpr double kRoughly = 0.1;
+  static constexpr double kFading = 0.5;
+  /// A cell keeps at least that share of the least area, so that the next step finds it.
+  static constexpr double kLeastShare = 1e-5;
+  /// Springs that a step would stretch by more than that share of what the cells allow are hardened.
+  static constexpr double kStretch = 0.8;
+  static constexpr double kHardening = 1.2;
+  static constexpr double kMostHardening = 200;
+  static constexpr int kMostHardenings = 8;
+  static constexpr int kMostHalvings = 60;
+  /// So many full steps without a better area end a fit: rounding decides.
+  static constexpr int kPatience = 6;
+
+  /// A state in which every cell has an area. Weights to start from that leave one without are brought nearer to one another,
+  /// and the background helps where the sites lie outside the region.
+  State startingState() {
+    std::vector<double> weights;
+    for (const Circle& site : sites_) weights.push_back(site.r);
+    const auto isLevel = [&] { return std::ranges::all_of(weights, [&](double w) { return w == weights[0]; }); };
+    for (double share = 1; !isLevel(); share /= 4) {
+      std::optional<State> state = stateAt(weights);
+      if (state && leastArea(*state) > 0) return std::move(*state);
+      const double scale = share < 0.01 ? 0 : 0.25;
+      for (double& weight : weights) weight *= scale;
+    }
+    State state = requiredStateAt(weights);
+    if (leastArea(state) > 0) return state;
+    density_.background = region_.area() / around_.area();
+    return requiredStateAt(weights);
+  }
+
+  /// Goes on with less background, or with none if each cell has an area without.
+  void fadeBackground(State& state) {
+    const double background = std::exchange(density_.background, 0);
+    State bare = requiredStateAt(state.weights);
+    if (leastArea(bare) > 0) {
+      state = std::move(bare);
+      return;
+    }
+    density_.background = background * kFading;
+    state = requiredStateAt(state.weights);
+  }
+
+  /// Newton's method until no area is further off than `tolerance`.
+  void approach(State& state, double tolerance) {
+    double best = errorOf(state);
+    int idle = 0;
+    const double least = kLeastShare * std::min(leastArea(state), *std::ranges::min_element(targets_));
+    while (errorOf(state) > tolerance) {
+      if (steps_ == options_.maxSteps) fail(state, "after " + std::to_string(steps_) + " steps");
+      ++steps_;
+      if (!step(state, least)) fail(state, "where no step leads further");
+      report(state);
+      const double error = errorOf(state);
+      idle = error < best / 2 ? 0 : idle + 1;
+      if (idle > kPatience && best < 1e-3) fail(state, "where rounding of the weights decides");
+      best = std::min(best, error);
+    }
+  }
+
+  /// Takes one step that keeps every cell above an area, and returns whether there was one.
+  bool step(State& state, double least) {
+    const std::vector<double> forces = forcesOn(state);
+    const std::vector<double> direction = directionAt(state, forces);
+    if (direction.empty()) return false;
+    const double slope = slopeAlong(direction, forces);
+    const double size = slopeAlong(forces, forces);
+    double share = 1;
+    for (int halving = 0; halving < kMostHalvings; ++halving, share /= 2) {
+      std::vector<double> weights = state.weights;
+      for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += share * direction[i];
+      std::optional<State> next = stateAt(std::move(weights));
+      if (!next || !(leastArea(*next) > least)) continue;
+      const std::vector<double> left = forcesOn(*next);
+      if (slopeAlong(direction, left) > -slope / 2 || slopeAlong(left, left) < size / 4) {
+        state = std::move(*next);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Newton's direction with springs that get harder where it would stretch them too far: there the real ones get harder,
+  /// too, as one cell comes to hide the other.
+  std::vector<double> directionAt(const State& state, std::span<const double> forces) const {
+    std::vector<Spring> springs = state.cells.springs;
+    SpringSystem system(sites_.size(), springs);
+    if (system.components() > 1 && density_.background == 0) {
+      // Cells that no edge joins: those in the box do, weakly.
+      for (const Spring& spring : measureCells(state.diagram, around_).springs) {
+        springs.push_back({spring.left, spring.right, spring.stiffness * kRoughly * kRoughly});
+      }
+      system = SpringSystem(sites_.size(), springs);
+    }
+    std::vector<double> stiffness;
+    for (const Spring& spring : springs) stiffness.push_back(spring.stiffness);
+    std::vector<double> x;
+    for (int round = 0; round <= kMostHardenings; ++round) {
+      x = system.solve(stiffness, forces);
+      if (x.empty() || !harden(springs, state.weights, x, stiffness)) break;
+    }
+    return x;
+  }
+
+  /// Returns whether there was anything to harden.
+  bool harden(std::span<const Spring> springs, std::span<const double> weights, std::span<const double> x,
+              std::span<double> stiffness) const {
+    bool isHarder = false;
+    for (std::size_t k = 0; k < springs.size(); ++k) {
+      const auto i = static_cast<std::size_t>(springs[k].left);
+      const auto j = static_cast<std::size_t>(springs[k].right);
+      const double growth = x[i] - x[j];
+      const double lead = weights[i] - weights[j];
+      const double distance = lengthOf({sites_[i].x - sites_[j].x, sites_[i].y - sites_[j].y});
+      const double slack = growth > 0 ? distance - lead : distance + lead;
+      if (!(std::abs(growth) > kStretch * slack)) continue;
+      stiffness[k] *= std::clamp(std::abs(growth) / (kStretch * slack), kHardening, kMostHardening);
+      isHarder = true;
+    }
+    return isHarder;
+  }
+
+  /// What the areas lack.
+  std::vector<double> forcesOn(const State& state) const {
+    std::vector<double> forces;
+    for (std::size_t i = 0; i < sites_.size(); ++i) forces.push_back(targetOf(i) - state.cells.areas[i]);
+    return forces;
+  }
+
+  static double slopeAlong(std::span<const double> direction, std::span<const double> forces) {
+    return std::inner_product(direction.begin(), direction.end(), forces.begin(), 0.0);
+  }
+
+  /// Of both region and background.
+  double targetOf(std::size_t site) const {
+    return targets_[site] * (1 + density_.background * (around_.area() / region_.area()));
+  }
+
+  double errorOf(const State& state) const {
+    double error = 0;
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      error = std::max(error, std::abs(state.cells.areas[i] - targetOf(i)) / targetOf(i));
+    }
+    return error;
+  }
+
+  static double leastArea(const State& state) { return *std::ranges::min_element(state.cells.areas); }
+
+  Result<State> measured(std::vector<double> weights) const {
+    const double least = *std::ranges::min_element(weights);
+    std::vector<Circle> circles(sites_.begin(), sites_.end());
+    for (std::size_t i = 0; i < circles.size(); ++i) circles[i].r = weights[i] -= least;
+    Result<Diagram> diagram = compute(circles);
+    if (!diagram) return diagram.error();
+    State state = {std::move(weights), std::move(diagram).value(), {}};
+    if (!state.diagram.hidden.empty()) {
+      state.cells.areas.assign(sites_.size(), 0);
+      return state;
+    }
+    state.cells = measureCells(state.diagram, region_);
+    if (density_.background > 0) {
+      const CellMeasure box = measureCells(state.diagram, around_);
+      for (std::size_t i = 0; i < sites_.size(); ++i) state.cells.areas[i] += density_.background * box.areas[i];
+      for (const Spring& spring : box.springs) {
+        state.cells.springs.push_back({spring.left, spring.right, density_.background * spring.stiffness});
+      }
+    }
+    return state;
+  }
+
+  State requiredStateAt(std::vector<double> weights) const {
+    Result<State> state = measured(std::move(weights));
+    if (!state) throw Refusal{state.error()};
+    return std::move(state).value();
+  }
+
+  /// Nothing if these weights have no diagram.
+  std::optional<State> stateAt(std::vector<double> weights) const {
+    Result<State> state = measured(std::move(weights));
+    if (!state) return {};
+    return std::move(state).value();
+  }
+
+  void report(const State& state) const {
+    if (options_.onStep) options_.onStep({steps_, errorOf(state), state.weights});
+  }
+
+  [[noreturn]] void fail(const State& state, const std::string& where) const {
+    char reached[32];
+    std::snprintf(reached, sizeof reached, "%.1e", errorOf(state));
+    refuse(ErrorCode::notConverged, "The fit stopped " + where + ": the largest relative error of an area is " + reached + ".");
+  }
+
+  Region boxAround() const {
+    Box box = region_.bounds();
+    for (const Circle& site : sites_) {
+      box.minX = std::min(box.minX, site.x);
+      box.minY = std::min(box.minY, site.y);
+      box.maxX = std::max(box.maxX, site.x);
+      box.maxY = std::max(box.maxY, site.y);
+    }
+    const double margin = std::max(box.maxX - box.minX, box.maxY - box.minY) / 8;
+    return Region::from(Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin}).value();
+  }
+
+  std::span<const Circle> sites_;
+  std::vector<double> targets_;
+  const Region& region_;
+  const AreaFitOptions& options_;
+  Region around_;
+  Density density_;
+  int steps_ = 0;
+};
+
+std::string text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.17g", value);
+  return buffer;
+}
+
+void checkSites(std::span<const Circle> sites) {
+  if (sites.empty()) refuse(ErrorCode::badInput, "There are no sites.");
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto index = static_cast<std::int64_t>(i);
+    const auto& [x, y, r] = sites[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(r)) {
+      refuse(ErrorCode::nonFinite, "Site " + std::to_string(i) + ": x, y and the weight must be finite.", index);
+    }
+  }
+  std::vector<std::size_t> order(sites.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto place = [&](std::size_t i) { return std::tuple(sites[i].x, sites[i].y, i); };
+  std::ranges::sort(order, {}, place);
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const Circle& first = sites[order[k - 1]];
+    const Circle& second = sites[order[k]];
+    if (first.x != second.x || first.y != second.y) continue;
+    refuse(ErrorCode::badInput,
+           "Site " + std::to_string(order[k]) + " has the same position as site " + std::to_string(order[k - 1]) + ".",
+           static_cast<std::int64_t>(order[k]));
+  }
+}
+
+/// The areas, made to sum to that of the region.
+std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites, double regionArea,
+                                const AreaFitOptions& options) {
+  if (areas.size() != sites) {
+    refuse(ErrorCode::badInput, "There are " + std::to_string(areas.size()) + " areas for " + std::to_string(sites) + " sites.");
+  }
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (areas[i] > 0 && std::isfinite(areas[i])) continue;
+    refuse(ErrorCode::badInput, "Area " + std::to_string(i) + " must be positive and finite (got " + text(areas[i]) + ").",
+           static_cast<std::int64_t>(i));
+  }
+  const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double slack = std::max(options.tolerance / 2, 0x1p-50 * static_cast<double>(areas.size()));
+  if (!options.shares && !(std::abs(sum - regionArea) <= slack * regionArea)) {
+    refuse(ErrorCode::badInput, "The areas sum to " + text(sum) + ", but the area of the region is " + text(regionArea) +
+                                    ". Set `shares` to scale them.");
+  }
+  std::vector<double> targets;
+  for (const double area : areas) targets.push_back(area / sum * regionArea);
+  return targets;
+}
+
+void checkOptions(const AreaFitOptions& options) {
+  if (!(options.tolerance > 0 && options.tolerance < 1)) {
+    refuse(ErrorCode::badOption, "tolerance must be above 0 and below 1 (got " + text(options.tolerance) + ").");
+  }
+  if (options.maxSteps < 1) refuse(ErrorCode::badOption, "maxSteps must be 1 or more (got " + std::to_string(options.maxSteps) + ").");
+}
+
+}  // namespace
+
+Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
+                         const AreaFitOptions& options) {
+  return guarded([&]() -> Result<AreaFit> {
+    checkOptions(options);
+    checkSites(sites);
+    AreaFitOptions own = options;
+    own.onStep = lettingThrough(options.onStep);
+    return Fitter(sites, targetsFrom(areas, sites.size(), region.area(), options), region, own).run();
+  });
+}
+
+}  // namespace circle_voronoi
