@@ -32,8 +32,8 @@ export interface RingArrays {
 
 /** @throws CircleVoronoiError `badOption`, if it is none; what the rings are like is not checked */
 export function ringArraysOf(shape: RegionShape): RingArrays {
-  const isList = Array.isArray(shape)
-  const polygons = isList ? [shape as readonly RingShape[]] : polygonsOf(shape)
+  const isList = isRingList(shape)
+  const polygons = isList ? [shape] : polygonsOf(shape)
   const points: number[] = []
   const ringOffsets = [0]
   const polygonOffsets = [0]
@@ -58,6 +58,10 @@ export function ringArraysOf(shape: RegionShape): RingArrays {
     ringOffsets: Int32Array.from(ringOffsets),
     polygonOffsets: isList ? undefined : Int32Array.from(polygonOffsets),
   }
+}
+
+function isRingList(shape: RegionShape): shape is readonly RingShape[] {
+  return Array.isArray(shape)
 }
 
 function polygonsOf(shape: Exclude<RegionShape, readonly RingShape[]>): (readonly RingShape[])[] {

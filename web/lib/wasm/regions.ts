@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkOptionNames, refuseArgument, refuseOption, shown } from '../base/check.ts'
 import { type Circles, coordinatesOf } from '../base/coordinates.ts'
-import { CircleVoronoiError } from '../base/errors.ts'
+import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
 import type { DiagramData, Float64s } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
 import createModule from '../generated/circle-voronoi-regions.js'
 import { type ClippedDiagram, Region } from '../regions/region.ts'
 import { type RegionShape, ringArraysOf } from '../regions/region-shape.ts'
 import { judgedArrays } from './judged-arrays.ts'
-import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
+import type { LoadOptions } from './load-options.ts'
+import { compileWasm, instantiate, unwrap } from './wasm.ts'
 
 /**
  * Options of `Regions.fitAreas`.
@@ -87,11 +88,14 @@ export interface Regions {
 }
 
 /** A site: a point, as an array or an object. */
-export type SiteLike = readonly [x: number, y: number, r?: number] | { readonly x: number; readonly y: number; readonly r?: number }
+export type SiteLike =
+  | readonly [x: number, y: number, r?: number]
+  | { readonly x: number; readonly y: number; readonly r?: number }
 
-/** The functions of a compiled `circle-voronoi-regions.wasm`, with a memory of its own. */
-export async function regionsOf(wasm: CompiledWasm): Promise<Regions> {
-  const module = await instantiate(createModule, wasm)
+/** The regions of a library whose options have been checked, with a memory of their own. */
+export async function regionsOf({ wasm }: LoadOptions): Promise<Regions> {
+  const beside = () => new URL('../generated/circle-voronoi-regions.wasm', import.meta.url)
+  const module = await instantiate(createModule, await compileWasm(wasm, beside))
   // Free what is no longer used.
   const regions = new FinalizationRegistry((address: number) => module.deleteRegion(address))
   const clips = new FinalizationRegistry((address: number) => module.deleteClip(address))
@@ -141,13 +145,21 @@ export async function regionsOf(wasm: CompiledWasm): Promise<Regions> {
         }
         return !hasThrown
       }
-      const result = module.fitAreas(address, circles, numbersOf(areas, 'areas'), { shares, tolerance, maxSteps, onStep: tell })
+      const result = module.fitAreas(address, circles, numbersOf(areas, 'areas'), {
+        shares,
+        tolerance,
+        maxSteps,
+        onStep: tell,
+      })
       if (hasThrown) throw thrown
       if ('error' in result) {
         const { code, circle, message } = result.error
-        throw Object.assign(new CircleVoronoiError(code as CircleVoronoiError['code'], circle, message), {
-          weights: code === 'notConverged' ? reached?.weights : undefined,
-        })
+        throw Object.assign(
+          new CircleVoronoiError(code as ErrorCode, message, { circle: circle < 0 ? undefined : circle }),
+          {
+            weights: code === 'notConverged' ? reached?.weights : undefined,
+          },
+        )
       }
       const { relativeError: error, diagram, circles: weighted, ...rest } = result
       return { ...rest, error, diagram: new Diagram({ metric: 'circles', circles: weighted, ...diagram }) }
@@ -204,7 +216,10 @@ class Clipped implements ClippedDiagram {
 }
 
 /** Points get the radius 0; weights take the place of radii. */
-function sitesWith(sites: Circles | Iterable<SiteLike>, weights: Float64Array | readonly number[] | undefined): Float64s {
+function sitesWith(
+  sites: Circles | Iterable<SiteLike>,
+  weights: Float64Array | readonly number[] | undefined,
+): Float64s {
   const isFlat = sites instanceof Float64Array || sites instanceof Float32Array
   const circles = isFlat
     ? coordinatesOf(sites)
