@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkOptionNames, refuseArgument, refuseOption, shown } from '../base/check.ts'
 import { type Circles, coordinatesOf } from '../base/coordinates.ts'
-import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
 import type { DiagramData, Float64s } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
 import createModule from '../generated/circle-voronoi-regions.js'
@@ -76,7 +75,8 @@ export interface Regions {
    * the weights to start from, or points `[x, y]` or `{ x, y }`.
    *
    * @throws CircleVoronoiError `badInput`, if there are not as many areas as sites, an area is not positive and finite,
-   *   two sites are equal, or the areas do not sum to that of the region; `notConverged`, which says what was reached;
+   *   two sites are equal, or the areas do not sum to that of the region; `notConverged`, which says what was reached: `onStep`
+   *   was called with the best weights last;
    *   `badOption`, `badArgument`, and the codes of `compute`
    * @example
    * const { region, fitAreas } = await library.loadRegions()
@@ -134,11 +134,9 @@ export async function regionsOf({ wasm }: LoadOptions): Promise<Regions> {
       const circles = sitesWith(sites, weights)
       let thrown: unknown
       let hasThrown = false
-      let reached: FitStep | undefined
       const tell = (steps: number, error: number, now: Float64Array) => {
-        reached = { steps, error, weights: now }
         try {
-          onStep?.(reached)
+          onStep?.({ steps, error, weights: now })
         } catch (reason) {
           thrown = reason
           hasThrown = true
@@ -152,16 +150,7 @@ export async function regionsOf({ wasm }: LoadOptions): Promise<Regions> {
         onStep: tell,
       })
       if (hasThrown) throw thrown
-      if ('error' in result) {
-        const { code, circle, message } = result.error
-        throw Object.assign(
-          new CircleVoronoiError(code as ErrorCode, message, { circle: circle < 0 ? undefined : circle }),
-          {
-            weights: code === 'notConverged' ? reached?.weights : undefined,
-          },
-        )
-      }
-      const { relativeError: error, diagram, circles: weighted, ...rest } = result
+      const { relativeError: error, diagram, circles: weighted, ...rest } = unwrap(result)
       return { ...rest, error, diagram: new Diagram({ metric: 'circles', circles: weighted, ...diagram }) }
     },
   }
