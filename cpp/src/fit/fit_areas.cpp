@@ -63,9 +63,9 @@ class Fitter {
   /// Springs that a step would stretch by more than that share of what the cells allow are hardened.
   static constexpr double kStretch = 0.8;
   static constexpr double kHardening = 1.2;
-  static constexpr double kMostHardening = 200;
+  static constexpr double kMostHardening = 1e5;
   static constexpr int kMostHardenings = 8;
-  static constexpr int kMostHalvings = 60;
+  static constexpr int kMostTrials = 60;
   /// So many full steps without a better area end a fit: rounding decides.
   static constexpr int kPatience = 6;
 
@@ -118,40 +118,55 @@ class Fitter {
 
   /// Takes one step that keeps every cell above an area, and returns whether there was one.
   bool step(State& state, double least) {
+    const std::vector<Spring> springs = springsOf(state);
+    std::vector<double> stiffness;
+    for (const Spring& spring : springs) stiffness.push_back(spring.stiffness);
+    SpringSystem system(sites_.size(), springs);
     const std::vector<double> forces = forcesOn(state);
-    const std::vector<double> direction = directionAt(state, forces);
-    if (direction.empty()) return false;
-    const double slope = slopeAlong(direction, forces);
     const double size = slopeAlong(forces, forces);
+    std::vector<double> direction = directionAt(system, state, springs, forces, stiffness);
     double share = 1;
-    for (int halving = 0; halving < kMostHalvings; ++halving, share /= 2) {
+    int losses = 0;
+    for (int trial = 0; trial < kMostTrials && !direction.empty(); ++trial) {
       std::vector<double> weights = state.weights;
       for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += share * direction[i];
       std::optional<State> next = stateAt(std::move(weights));
-      if (!next || !(leastArea(*next) > least)) continue;
-      const std::vector<double> left = forcesOn(*next);
-      if (slopeAlong(direction, left) > -slope / 2 || slopeAlong(left, left) < size / 4) {
-        state = std::move(*next);
-        return true;
+      const auto isLost = [&](CircleIndex i) { return !(next->cells.areas[static_cast<std::size_t>(i)] > least); };
+      if (next && leastArea(*next) > least) {
+        const std::vector<double> left = forcesOn(*next);
+        if (slopeAlong(direction, left) > -slopeAlong(direction, forces) / 2 || slopeAlong(left, left) < size / 4) {
+          state = std::move(*next);
+          return true;
+        }
+      } else if (next && ++losses % kPatienceWithLosses == 0) {
+        for (std::size_t k = 0; k < springs.size(); ++k) {
+          if (isLost(springs[k].left) || isLost(springs[k].right)) stiffness[k] *= kHolding;
+        }
+        direction = directionAt(system, state, springs, forces, stiffness);
+        share = kRenewed;
+        continue;
       }
+      share /= 2;
     }
     return false;
   }
 
-  /// Newton's direction with springs that get harder where it would stretch them too far: there the real ones get harder,
-  /// too, as one cell comes to hide the other.
-  std::vector<double> directionAt(const State& state, std::span<const double> forces) const {
+  static constexpr int kPatienceWithLosses = 5;
+  static constexpr double kHolding = 4;
+  static constexpr double kRenewed = 0.25;
+
+  std::vector<Spring> springsOf(const State& state) const {
     std::vector<Spring> springs = state.cells.springs;
-    SpringSystem system(sites_.size(), springs);
-    if (system.components() > 1 && density_.background == 0) {
-      // Cells that no edge joins: those in the box do, weakly.
+    if (density_.background == 0 && SpringSystem(sites_.size(), springs).components() > 1) {
       for (const Spring& spring : measureCells(state.diagram, around_).springs) {
         springs.push_back({spring.left, spring.right, spring.stiffness * kRoughly * kRoughly});
       }
-      system = SpringSystem(sites_.size(), springs);
     }
-    std::vector<double> stiffness;
-    for (const Spring& spring : springs) stiffness.push_back(spring.stiffness);
+    return springs;
+  }
+
+  std::vector<double> directionAt(SpringSystem& system, const State& state, std::span<const Spring> springs,
+                                  std::span<const double> forces, std::span<double> stiffness) const {
     std::vector<double> x;
     for (int round = 0; round <= kMostHardenings; ++round) {
       x = system.solve(stiffness, forces);
