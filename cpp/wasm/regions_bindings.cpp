@@ -158,7 +158,8 @@ val fitAreasValue(std::uintptr_t region, const val& sites, const val& areas, con
       const std::vector<double> weights = copyOf(step.weights);
       if (onStep(step.step, step.error, float64Array(weights)).isFalse()) throw Stopped{};
     };
-    const auto fit = fitAreas(itemsFrom<double, Circle>(sites), itemsFrom<double, double>(areas), regionOf(region), options);
+    const auto fit =
+        fitAreas(itemsFrom<double, Circle>(sites), itemsFrom<double, double>(areas), regionOf(region), options);
     if (!fit.ok()) return errorValue(fit.error());
     val result = val::object();
     result.set("weights", float64Array(fit->weights));

@@ -48,13 +48,13 @@ struct AreaFit {
 /// Newton's method with damping finds them (V. Hartmann, D. Schuhmacher, doi:10.1007/s00186-020-00703-z; J. Kitagawa,
 /// Q. Mérigot, B. Thibert, arXiv:1603.05579).
 ///
-/// The centers of `sites` are the sites, and their radii the weights to start from, which may be negative. Weights of an
-/// earlier fit make a fit after a small change take few steps. Sites may lie outside the region. The same input gives
-/// the same bits on every platform.
+/// The centers of `sites` are the sites, and their radii the weights to start from, which may be negative. Weights of
+/// an earlier fit make a fit after a small change take few steps. Sites may lie outside the region. The same input
+/// gives the same bits on every platform.
 ///
 /// Errors: nonFinite, coordinateTooLarge (both name the site), badInput (there are not as many areas as sites, an area
-/// is not positive and finite, two sites are equal, or the areas do not sum to the region's), badOption, tooManyCircles,
-/// notConverged (the message says what was reached; `onStep` was called with the best weights last).
+/// is not positive and finite, two sites are equal, or the areas do not sum to the region's), badOption,
+/// tooManyCircles, notConverged (the message says what was reached; `onStep` was called with the best weights last).
 Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
                          const AreaFitOptions& options = {});
 

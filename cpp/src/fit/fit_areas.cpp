@@ -13,6 +13,8 @@
 
 #include "cell_measure.h"
 #include "circle_voronoi/compute.h"
+#include "circle_voronoi/finder.h"
+#include "circle_voronoi/metric.h"
 #include "guarded.h"
 #include "scale.h"
 #include "spring_system.h"
@@ -39,7 +41,8 @@ struct Density {
 
 class Fitter {
  public:
-  Fitter(std::span<const Circle> sites, std::vector<double> targets, const Region& region, const AreaFitOptions& options)
+  Fitter(std::span<const Circle> sites, std::vector<double> targets, const Region& region,
+         const AreaFitOptions& options)
       : sites_(sites), targets_(std::move(targets)), region_(region), options_(options), around_(boxAround()) {}
 
   AreaFit run() {
@@ -66,25 +69,49 @@ class Fitter {
   static constexpr double kMostHardening = 1e5;
   static constexpr int kMostHardenings = 8;
   static constexpr int kMostTrials = 60;
+  /// Raising the sites of hidden cells is tried so often, by that share of the root of their areas each time.
+  static constexpr int kMostRaises = 6;
+  static constexpr double kRaise = 0.1;
+  /// Where that is not enough, all weights are multiplied by this, until they are level.
+  static constexpr double kScaling = 0.25;
+  static constexpr double kLeastScale = 0.01;
   /// So many full steps without a better area end a fit: rounding decides.
   static constexpr int kPatience = 6;
+  static constexpr double kNearlyThere = 0.01;
 
-  /// A state in which every cell has an area. Weights to start from that leave one without are brought nearer to one another,
-  /// and the background helps where the sites lie outside the region.
+  /// A state in which every cell has an area. Sites that the first weights hide are raised; if that is not enough, the
+  /// weights are brought nearer to one another; and where even equal weights are not enough, as for sites outside the
+  /// region, the background helps.
   State startingState() {
     std::vector<double> weights;
     for (const Circle& site : sites_) weights.push_back(site.r);
-    const auto isLevel = [&] { return std::ranges::all_of(weights, [&](double w) { return w == weights[0]; }); };
-    for (double share = 1; !isLevel(); share /= 4) {
-      std::optional<State> state = stateAt(weights);
-      if (state && leastArea(*state) > 0) return std::move(*state);
-      const double scale = share < 0.01 ? 0 : 0.25;
-      for (double& weight : weights) weight *= scale;
+    for (double scale = 1; scale > kLeastScale; scale *= kScaling) {
+      if (std::optional<State> state = stateNear(weights)) return std::move(*state);
+      for (double& weight : weights) weight *= kScaling;
     }
-    State state = requiredStateAt(weights);
+    State state = requiredStateAt(std::vector<double>(weights.size(), 0));
     if (leastArea(state) > 0) return state;
     density_.background = region_.area() / around_.area();
-    return requiredStateAt(weights);
+    return requiredStateAt(std::move(state.weights));
+  }
+
+  /// A state in which every cell has an area, at weights of which a few are larger than given; or nothing.
+  std::optional<State> stateNear(std::vector<double> weights) const {
+    for (int round = 0; round < kMostRaises; ++round) {
+      std::optional<State> state = stateAt(std::move(weights));
+      if (!state || leastArea(*state) > 0) return state;
+      weights = state->weights;
+      const Finder finder(state->diagram);
+      for (std::size_t i = 0; i < sites_.size(); ++i) {
+        const bool isMeasured = state->diagram.hidden.empty();
+        if (isMeasured ? state->cells.areas[i] > 0 : state->diagram.hasCell(static_cast<std::int32_t>(i))) continue;
+        const Point site = {sites_[i].x, sites_[i].y};
+        const auto nearest = static_cast<std::size_t>(finder.find(site));
+        const double reached = distance(Metric::circles, state->diagram.circles[nearest], site);
+        weights[i] = std::max(weights[i], -reached) + kRaise * std::sqrt(targets_[i]);
+      }
+    }
+    return {};
   }
 
   /// Goes on with less background, or with none if each cell has an area without.
@@ -111,7 +138,7 @@ class Fitter {
       report(state);
       const double error = errorOf(state);
       idle = error < best / 2 ? 0 : idle + 1;
-      if (idle > kPatience && best < 1e-3) fail(state, "where rounding of the weights decides");
+      if (idle > kPatience && best < kNearlyThere) fail(state, "where rounding of the weights decides");
       best = std::min(best, error);
     }
   }
@@ -261,7 +288,8 @@ class Fitter {
   [[noreturn]] void fail(const State& state, const std::string& where) const {
     char reached[32];
     std::snprintf(reached, sizeof reached, "%.1e", errorOf(state));
-    refuse(ErrorCode::notConverged, "The fit stopped " + where + ": the largest relative error of an area is " + reached + ".");
+    refuse(ErrorCode::notConverged,
+           "The fit stopped " + where + ": the largest relative error of an area is " + reached + ".");
   }
 
   Region boxAround() const {
@@ -318,18 +346,20 @@ void checkSites(std::span<const Circle> sites) {
 std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites, double regionArea,
                                 const AreaFitOptions& options) {
   if (areas.size() != sites) {
-    refuse(ErrorCode::badInput, "There are " + std::to_string(areas.size()) + " areas for " + std::to_string(sites) + " sites.");
+    refuse(ErrorCode::badInput,
+           "There are " + std::to_string(areas.size()) + " areas for " + std::to_string(sites) + " sites.");
   }
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (areas[i] > 0 && std::isfinite(areas[i])) continue;
-    refuse(ErrorCode::badInput, "Area " + std::to_string(i) + " must be positive and finite (got " + text(areas[i]) + ").",
+    refuse(ErrorCode::badInput,
+           "Area " + std::to_string(i) + " must be positive and finite (got " + text(areas[i]) + ").",
            static_cast<std::int64_t>(i));
   }
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double slack = std::max(options.tolerance / 2, 0x1p-50 * static_cast<double>(areas.size()));
   if (!options.shares && !(std::abs(sum - regionArea) <= slack * regionArea)) {
-    refuse(ErrorCode::badInput, "The areas sum to " + text(sum) + ", but the area of the region is " + text(regionArea) +
-                                    ". Set `shares` to scale them.");
+    refuse(ErrorCode::badInput, "The areas sum to " + text(sum) + ", but the area of the region is " +
+                                    text(regionArea) + ". Set `shares` to scale them.");
   }
   std::vector<double> targets;
   for (const double area : areas) targets.push_back(area / sum * regionArea);
@@ -340,7 +370,8 @@ void checkOptions(const AreaFitOptions& options) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
     refuse(ErrorCode::badOption, "tolerance must be above 0 and below 1 (got " + text(options.tolerance) + ").");
   }
-  if (options.maxSteps < 1) refuse(ErrorCode::badOption, "maxSteps must be 1 or more (got " + std::to_string(options.maxSteps) + ").");
+  if (options.maxSteps < 1)
+    refuse(ErrorCode::badOption, "maxSteps must be 1 or more (got " + std::to_string(options.maxSteps) + ").");
 }
 
 }  // namespace

@@ -44,8 +44,10 @@ SpringSystem::SpringSystem(std::size_t cells, std::span<const Spring> springs)
   int rows = 0;
   std::size_t seen = 0;
   for (std::size_t i = 0; i < cells; ++i) {
-    if (componentOf_[i] < seen) row_[i] = rows++;
-    else ++seen;
+    if (componentOf_[i] < seen)
+      row_[i] = rows++;
+    else
+      ++seen;
   }
   factors_->matrix.resize(rows, rows);
 }
