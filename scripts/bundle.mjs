@@ -21,7 +21,7 @@ const BUNDLED = {
 /** The WebAssembly modules beside web/lib as JavaScript, and bundle.js, which is all in one. */
 async function lib() {
   mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
-  for (const name of ['', '-comparison', '-files'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
+  for (const name of ['', '-comparison', '-files', '-regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
     const file = `lib/generated/circle-voronoi${name}`
     copyFileSync(`${ROOT}web/${file}`, `${ROOT}dist/${file}`)
   }
@@ -56,7 +56,7 @@ async function element() {
     [
       styles,
       replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts'),
-      replacing('web/lib/wasm/import-comparison.ts', 'web/element/bundled/import-comparison.ts'),
+      replacing('web/lib/wasm/import-modules.ts', 'web/element/bundled/import-modules.ts'),
     ],
   )
   copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)
@@ -129,7 +129,7 @@ const wasmInside = {
 const wasmBeside = {
   name: 'wasm-beside',
   setup({ onLoad }) {
-    onLoad({ filter: /web\/lib\/wasm\/(default-wasm|comparison)\.ts$/ }, ({ path }) => ({
+    onLoad({ filter: /web\/lib\/wasm\/(default-wasm|comparison|regions)\.ts$/ }, ({ path }) => ({
       contents: readFileSync(path, 'utf8').replace(/'[./]+(generated\/[\w-]+\.wasm)'/, "'../lib/$1'"),
       loader: 'ts',
     }))

@@ -71,6 +71,7 @@ const CODES: Readonly<Record<ErrorCode, string>> = {
   tooManyCircles: 'Es sind zu viele Kreise.',
   badOption: 'Eine Option hat einen falschen Wert.',
   notCertified: 'Das Diagramm konnte nicht bewiesen werden.',
+  notConverged: 'Die Flächen wurden nicht erreicht.',
   unknownCircle: 'Diesen Kreis gibt es nicht.',
   badInput: 'Das sind nicht drei Zahlen x, y und r für jeden Kreis.',
   badArgument: 'Eine Angabe ist falsch.',

@@ -14,6 +14,7 @@ export const ERROR_CODES = [
   'tooManyCircles',
   'badOption',
   'notCertified',
+  'notConverged',
   'unknownCircle',
   'badInput',
   'badArithmetic',
@@ -31,6 +32,7 @@ export const ERROR_CODES = [
  * - `tooManyCircles`: the input, or the requested number of candidates, does not fit in memory
  * - `badOption`: an option is invalid
  * - `notCertified`: no construction led to a certified diagram
+ * - `notConverged`: an iteration did not reach its tolerance
  * - `unknownCircle`: an editor has no circle with this id
  * - `badInput`: the input cannot be read as circles
  * - `badArgument`: another argument of a method or function is invalid

@@ -7,10 +7,10 @@ import { addArc, controlPoint } from '../curves/bezier.ts'
 import { type BoundedCurve, curveOf } from '../curves/curve.ts'
 import { isKeptWhole, keptParts, type Limits } from '../regions/cell-limits.ts'
 import type { Cells } from '../regions/cells.ts'
-import { isCircleArc, traceCircleArc } from '../regions/circle-arc.ts'
 import type { ConvexPolygon } from '../regions/convex-polygon.ts'
 import { convexHull } from '../regions/hull.ts'
 import { outlineOf } from '../regions/outline.ts'
+import { drawOutline } from './draw-clipped.ts'
 
 /** Draws what is kept of edge `e`, no farther than `tolerance` from the true curve. */
 export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits: Limits, tolerance: number): void {
@@ -46,15 +46,7 @@ export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: L
     drawWholeCell(sink, cells, circle, tolerance)
     return
   }
-  for (const loop of outlineOf(cells, circle, limits)) {
-    loop.forEach((piece, k) => {
-      const { curve } = piece
-      if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
-      if (isCircleArc(piece)) traceCircleArc(sink, piece)
-      else addArc(sink, curve, tolerance)
-    })
-    sink.closePath()
-  }
+  drawOutline(sink, outlineOf(cells, circle, limits), tolerance)
 }
 
 /** The same of a cell that lies inside the region, without cutting it: most cells of a view do. */

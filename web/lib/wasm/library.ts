@@ -19,6 +19,7 @@ import { judgedArrays, type Verifiable } from './judged-arrays.ts'
 import type { LoadOptions } from './load-options.ts'
 import { editorsOf } from './module-editor.ts'
 import { checkOptions, type Options, type Progress } from './options.ts'
+import type { Regions } from './regions.ts'
 import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
@@ -130,10 +131,24 @@ export interface CircleVoronoi {
    * ```
    */
   loadComparison(options?: LoadOptions): Promise<Comparison>
+  /**
+   * Loads a WebAssembly module that clips diagrams to regions, and fits cells to given areas.
+   *
+   * @param options `wasm`: the source of `circle-voronoi-regions.wasm`. Default: the file beside the library.
+   * @throws CircleVoronoiError `notLoaded`, `badOption`. Each as a rejection.
+   *
+   * @example
+   * ```js
+   * const { region } = await library.loadRegions()
+   * const triangle = region([[[0, 0], [9, 0], [0, 9]]])
+   * diagram.cellArea(0, { region: triangle }) // 12
+   * ```
+   */
+  loadRegions(options?: LoadOptions): Promise<Regions>
 }
 
 /** The part of the library that is there from the start. */
-export type ComputingLibrary = Omit<CircleVoronoi, 'loadComparison'>
+export type ComputingLibrary = Omit<CircleVoronoi, 'loadComparison' | 'loadRegions'>
 
 /** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
 export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibrary> {

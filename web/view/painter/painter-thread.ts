@@ -3,7 +3,7 @@
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
 import type { CircleVoronoi, Comparison } from '../../lib/index.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
-import { withComparison } from '../../lib/wasm/with-comparison.ts'
+import { withModules } from '../../lib/wasm/with-modules.ts'
 import type { FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
 import { CanvasDrawing, SvgDrawing } from './drawing.ts'
 import { PaintedScene } from './painted-scene.ts'
@@ -42,7 +42,7 @@ export function answerViews(): void {
   // One after the other, though the first ones wait for the library.
   let last: Promise<void> = Promise.resolve()
   port.onmessage = ({ data }) => {
-    if (data.kind === 'start') begin(circleVoronoiOf(data.module).then(withComparison))
+    if (data.kind === 'start') begin(circleVoronoiOf(data.module).then(withModules))
     else last = last.then(() => answer(data)).catch((error) => post({ kind: 'failed', message: reasonOf(error) }))
   }
 }
