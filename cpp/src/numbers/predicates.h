@@ -48,7 +48,10 @@ struct FaceDisc {
   /// Whether double arithmetic alone decided on it: then these are the numbers that vertexOf looks at first.
   bool isFiltered = false;
 
-  friend bool operator==(const FaceDisc&, const FaceDisc&) = default;
+  friend bool operator==(const FaceDisc& a, const FaceDisc& b) {
+    return a.v.x == b.v.x && a.v.y == b.v.y && a.w == b.w && a.rho == b.rho && a.error == b.error &&
+           a.origin == b.origin && a.exists == b.exists && a.isFiltered == b.isFiltered;
+  }
 };
 
 /// The signs that the construction and the certificate rest on. Each is exact: double arithmetic with a proven error
