@@ -29,6 +29,7 @@
 #include "files.h"
 #include "median.h"
 #include "reference.h"
+#include "regions.h"
 #include "touching_disc.h"
 
 namespace {
@@ -182,11 +183,17 @@ std::vector<std::size_t> sizesOf(const std::string& list) {
 
 using OptionValues = std::map<std::string, std::string>;
 
-/// The options of each table with their defaults; --cliffs, --edits and --files come first if they come.
+/// The options of each table with their defaults; --cliffs, --edits, --files and --regions come first if they come.
 OptionValues defaultsOf(const std::string& table) {
   if (table == "--cliffs") return {{"--families", ""}, {"--sizes", "120000"}, {"--limit", "120"}};
   if (table == "--files")
     return {{"--families", "uniform,log-uniform"}, {"--sizes", "1000000"}, {"--repetitions", "3"}};
+  if (table == "--regions") {
+    return {{"--families", "uniform,log-uniform"},
+            {"--sizes", "100000,1000000"},
+            {"--sides", "1000,10000,100000,1000000"},
+            {"--repetitions", "3"}};
+  }
   if (table == "--edits") {
     return {{"--families", "uniform,log-uniform,intersecting,hidden,grid"},
             {"--sizes", "10000,100000,1000000"},
@@ -226,7 +233,9 @@ int usage() {
                "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n"
                "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n"
                "       circle-voronoi-bench --edits [--families NAME|FILE.csv,...] [--sizes N,...] [--limit SECONDS]\n"
-               "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n";
+               "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n"
+               "       circle-voronoi-bench --regions [--families NAME,...] [--sizes N,...] [--sides N,...]\n"
+               "                            [--repetitions N]\n";
   return 2;
 }
 
@@ -234,7 +243,7 @@ int usage() {
 
 int main(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
-  const bool hasTable = first == "--cliffs" || first == "--edits" || first == "--files";
+  const bool hasTable = first == "--cliffs" || first == "--edits" || first == "--files" || first == "--regions";
   OptionValues options = defaultsOf(first);
   for (int i = hasTable ? 2 : 1; i < argc; i += 2) {
     if (!options.contains(argv[i]) || i + 1 == argc) return usage();
@@ -252,6 +261,8 @@ int main(int argc, char** argv) {
     const auto sizes = sizesOf(options["--sizes"]);
     if (first == "--cliffs") {
       printCliffs(split(options["--families"]), sizes, limit);
+    } else if (first == "--regions") {
+      bench::benchRegions(split(options["--families"]), sizes, sizesOf(options["--sides"]), repetitions);
     } else {
       bench::benchFiles(split(options["--families"]), sizes, repetitions);
     }

@@ -62,7 +62,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   settle(arguments.output);
   check(arguments.tile, arguments.output);
   refuseSharedFiles(
-      {arguments.input},
+      {arguments.input, arguments.output.regionFile},
       {{"--output", arguments.output.file}, {"--trace", arguments.trace}, {"--open", arguments.tile.open}});
   ProgressLine progress(arguments.progress);
   progress.show("read");

@@ -9,6 +9,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/export.h"
+#include "circle_voronoi/region.h"
 #include "files.h"
 #include "progress_line.h"
 
@@ -19,9 +20,11 @@ struct Output {
   std::string file = kStandardStream;
   std::string format;    ///< empty until `settle` chooses it
   std::string bounds;    ///< MINX,MINY,MAXX,MAXY; empty: the default
+  std::string regionFile;  ///< empty: no region
   double tolerance = 0;  ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};
+  std::optional<Region> region = {};  ///< what `settle` reads from the file
 };
 
 void addOutputFile(CLI::App& command, Output& output);
@@ -31,11 +34,13 @@ void addOutputOptions(CLI::App& command, Output& output);
 /// Returns the extension of a file in lower case, without the dot; empty if there is none.
 std::string endingOf(const std::string& file);
 
-/// Chooses the format by the extension of the file, or json, if the user has not chosen one. Called before any work.
-/// Throws Failure if no format has this extension, or if an option is given that the format does not use.
+/// Chooses the format by the extension of the file, or json, if the user has not chosen one, and reads the region.
+/// Called before any work. Throws Failure if no format has this extension, if an option is given that the format does
+/// not use, or if the file of the region does not hold one.
 void settle(Output& output);
 
-/// Returns the box, the tolerance, the maximum distance and the digits that the user gave.
+/// Returns the box, the region, the tolerance, the maximum distance and the digits that the user gave. The output must
+/// outlive them.
 ExportOptions exportOptions(const Output& output);
 
 /// Writes a diagram. Errors call the input `name`. Throws Failure if the format draws the diagram and it is not

@@ -11,6 +11,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/region.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
@@ -35,6 +36,13 @@ struct ReadOptions {
 /// Errors: badInput, also for an empty text and for a line of a table longer than 64 MiB; and what `compute` would
 /// reject, so that the message can name the line: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles.
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
+
+/// Reads a region from UTF-8 text: a GeoJSON Polygon, MultiPolygon, Feature or FeatureCollection of these, or
+/// well-known text (POLYGON or MULTIPOLYGON). Coordinates beyond the second of a position are ignored.
+///
+/// `name` is what errors call the text. Messages about the syntax start with `name:line:`, others with `name:`.
+/// Errors: badInput; also those of Region::fromPolygons.
+Result<Region> readRegion(std::string_view text, std::string_view name);
 
 // The functions below write circles so that `readCircles` reads them back to the same bits: as CSV with a header line,
 // as JSON objects, and as GeoJSON Points with the properties circle (the index) and r. Radii may be negative
