@@ -132,6 +132,13 @@ void settle(Output& output) {
   output.region = *std::move(region);
 }
 
+void keepAttributes(Output& output, const std::string& text, const std::string& name) {
+  if (output.format != "geojson" && output.format != "geojsonl") return;
+  auto attributes = readAttributes(text, name);
+  if (!attributes) throw Failure{kBadInput, attributes.error().message};
+  output.attributes = *std::move(attributes);
+}
+
 ExportOptions exportOptions(const Output& output) {
   ExportOptions options;
   if (!output.bounds.empty()) (void)readBox(output.bounds, options.bounds.emplace());
@@ -139,6 +146,7 @@ ExportOptions exportOptions(const Output& output) {
   if (output.tolerance > 0) options.tolerance = output.tolerance;
   options.maxDistance = output.maxDistance;
   options.digits = output.digits;
+  options.attributes = output.attributes;
   return options;
 }
 

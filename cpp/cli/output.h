@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
@@ -24,7 +25,8 @@ struct Output {
   double tolerance = 0;  ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};
-  std::optional<Region> region = {};  ///< what `settle` reads from the file
+  std::optional<Region> region = {};         ///< what `settle` reads from the file
+  std::vector<std::string> attributes = {};  ///< of the circles (ExportOptions)
 };
 
 void addOutputFile(CLI::App& command, Output& output);
@@ -38,6 +40,9 @@ std::string endingOf(const std::string& file);
 /// Called before any work. Throws Failure if no format has this extension, if an option is given that the format does
 /// not use, or if the file of the region does not hold one.
 void settle(Output& output);
+
+/// Keeps the attributes of the circles of a text, which has been read as circles, if the format has a place for them.
+void keepAttributes(Output& output, const std::string& text, const std::string& name);
 
 /// Returns the box, the region, the tolerance, the maximum distance and the digits that the user gave. The output must
 /// outlive them.

@@ -38,6 +38,9 @@ struct ExportOptions {
   /// as the tolerance requires. With this option rounding may move points by more than the tolerance, and the default
   /// box grows to coordinates with that many digits.
   std::optional<int> digits = {};
+  /// For each circle members of a JSON object, without braces, that GeoJSON features get as properties after their own
+  /// (readAttributes). Empty, or one entry for each circle.
+  std::span<const std::string> attributes = {};
 };
 
 /// Returns the default box if no digits are given.

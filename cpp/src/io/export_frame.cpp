@@ -75,6 +75,9 @@ Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& 
   if (options.maxDistance && !(std::abs(*options.maxDistance) <= kRegionLimit)) {
     return errorWith(ErrorCode::badOption, "The maximum distance must be finite and at most 1e152.");
   }
+  if (!options.attributes.empty() && options.attributes.size() != diagram.circles.size()) {
+    return errorWith(ErrorCode::badInput, "There are not as many attributes as circles.");
+  }
   if (options.region != nullptr && options.bounds) {
     return errorWith(ErrorCode::badOption, "Cells are clipped to a box or to a region, not to both.");
   }
@@ -100,6 +103,7 @@ ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options, Conve
       region(std::move(itsRegion)),
       limits{&region, options.maxDistance},
       clipped(std::move(itsClip)),
+      attributes(options.attributes),
       tolerance(std::max(toleranceOf(box, options) - grid.error(), toleranceOf(box, options) / 2)) {}
 
 Point ExportFrame::roundInBox(Point p) const {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "cell_limits.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/clipped_diagram.h"
@@ -46,6 +51,7 @@ struct ExportFrame {
   ConvexPolygon region;                   ///< the box
   Limits limits;                          ///< of cells and edges, unless there is a region
   std::optional<ClippedDiagram> clipped;  ///< the diagram in the region, if there is one
+  std::span<const std::string> attributes;
   double tolerance;      ///< of curves: the part that rounding leaves
 };
 

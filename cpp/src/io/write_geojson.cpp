@@ -61,6 +61,9 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
     if (const std::int32_t hider = hiders[static_cast<std::size_t>(i)]; hider != kNone) {
       out << R"(,"hiddenBy":)" << selection.id(hider);
     }
+    if (!frame.attributes.empty() && !frame.attributes[static_cast<std::size_t>(i)].empty()) {
+      out << "," << frame.attributes[static_cast<std::size_t>(i)];
+    }
     out << R"(},"geometry":)";
     writeGeometry(out, polygons.polygons(i));
     out << "}";
