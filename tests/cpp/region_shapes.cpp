@@ -146,7 +146,7 @@ std::vector<RegionShape> hardRegions(const Diagram& diagram, std::mt19937_64& ra
     return points;
   };
   if (places.size() >= 3) add("corners on vertices", {byAngle(places)});
-  for (std::size_t e = 0, count = 0; e < diagram.edges.size() && count < 8; ++e) {
+  for (std::size_t e = 0, count = 0; e < diagram.edges.size() && count < 3; ++e) {
     const auto& [left, right, start, end] = diagram.edges[e];
     if (start == kNone || end == kNone) continue;
     const EdgeCurve curve = edgeCurve(diagram, static_cast<std::int32_t>(e));

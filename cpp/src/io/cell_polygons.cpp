@@ -63,6 +63,9 @@ CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame) {
   for (std::size_t v = 0; v < places_.size(); ++v) places_[v] = places_[index(firstHere[v])];
   followEdges();
   roundPoints(firstHere);
+  if (!frame.clipped) return;
+  flattener_.emplace(*frame.clipped, frame.tolerance);
+  areas_ = frame.clipped->areas();
 }
 
 void CellPolygons::followEdges() {
@@ -100,7 +103,7 @@ void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
     places_[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
     isRestored[firstOf(vertex)] = true;
   };
-  isExact_.assign(edges.size(), !frame_.hasDigits);
+  isExact_.assign(edges.size(), !frame_.hasDigits || frame_.clipped);
   const auto restoreEnds = [&](std::size_t edge) {
     isExact_[edge] = true;
     restorePlace(edges[edge].start);
@@ -156,7 +159,7 @@ std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
   for (EdgeIndex e = 0; e < count; ++e) {
     if (!isInside(e) && !isExact_[index(e)] && !partsTurnRight(e)) wrong.push_back(e);
   }
-  if (!frame_.limits.maxDistance) return wrong;
+  if (!frame_.limits.maxDistance || frame_.clipped) return wrong;
   for (CircleIndex i = 0; i < circleCount(); ++i) {
     if (isWhole(i)) continue;
     for (const auto& loop : limitedOutline(frame_.diagram, i, frame_.limits)) {
@@ -281,6 +284,15 @@ CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
     points.push_back(placeOf(frame_.diagram.targetOf(piece.side)));
     return points;
   }
+  if (frame_.clipped) {
+    Ring points = flattener_->pointsOf(kNone, piece);
+    const auto drawn = [&](VertexIndex vertex, Point& end) {
+      if (isDrawnIn(vertex, end)) end = placeOf(vertex);
+    };
+    drawn(frame_.diagram.originOf(piece.side), points.front());
+    drawn(frame_.diagram.targetOf(piece.side), points.back());
+    return points;
+  }
   Ring points = pointsOfPart(Diagram::edgeOf(piece.side), edgeDirection(frame_.diagram, piece));
   if (piece.side % 2 == 1) std::ranges::reverse(points);
   return points;
@@ -350,33 +362,61 @@ CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlineP
   return ring;
 }
 
-std::vector<CellPolygons::Ring> CellPolygons::rings(CircleIndex circle) const {
-  std::vector<Ring> rings;
+/// A loop of the outline of a cell that is not whole, in the region.
+CellPolygons::Ring CellPolygons::regionRing(CircleIndex circle, const std::vector<OutlinePiece>& loop) const {
+  Ring ring;
+  for (const OutlinePiece& piece : loop) {
+    if (piece.side == kNone && !piece.isOnCircle()) {
+      addPoint(ring, piece.curve.start);
+      continue;
+    }
+    const auto points = piece.side != kNone ? pointsOf(piece) : flattener_->pointsOf(circle, piece);
+    for (std::size_t k = 0; k + 1 < std::max<std::size_t>(points.size(), 2); ++k) addPoint(ring, points[k]);
+  }
+  closeRing(ring);
+  return ring;
+}
+
+std::vector<CellPolygons::Polygon> CellPolygons::polygons(CircleIndex circle) const {
+  std::vector<Polygon> polygons;
   const auto keep = [&](Ring ring) {
     const bool isKept = hasArea(ring);
-    if (isKept) rings.push_back(std::move(ring));
+    if (isKept) polygons.push_back({std::move(ring)});
     return isKept;
   };
   if (isWhole(circle)) {
     keep(wholeRing(circle));
-    return rings;
+    return polygons;
   }
-  for (const auto& loop : limitedOutline(frame_.diagram, circle, frame_.limits)) {
-    if (!keep(ringOf(circle, loop, true))) keep(ringOf(circle, loop, false));
+  const Outline outline = outlineIn(frame_, circle);
+  if (!frame_.clipped) {
+    for (const auto& loop : outline) {
+      if (!keep(ringOf(circle, loop, true))) keep(ringOf(circle, loop, false));
+    }
+    return polygons;
   }
-  return rings;
+  bool isKept = false;
+  for (const auto& loop : outline) {
+    Ring ring = regionRing(circle, loop);
+    const bool isHole = &loop != &outline.front() && circle_voronoi::area({loop}) < 0;
+    if (!isHole) {
+      isKept = keep(std::move(ring));
+    } else if (isKept && ring.size() > 2) {
+      polygons.back().push_back(std::move(ring));
+    }
+  }
+  return polygons;
 }
 
 std::vector<CellPolygons::Ring> CellPolygons::polylines(EdgeIndex edge) const {
   if (isInside(edge)) return {pointsOf({{}, 2 * edge, kNone})};
   std::vector<Ring> lines;
-  for (const CurvePart& part : keptParts(frame_.diagram, edge, frame_.limits)) {
-    lines.push_back(pointsOf({part.curve, 2 * edge, kNone}));
-  }
+  for (const EdgeCurve& part : partsIn(frame_, edge)) lines.push_back(pointsOf({part, 2 * edge, kNone}));
   return lines;
 }
 
 double CellPolygons::area(CircleIndex circle) const {
+  if (frame_.clipped) return areas_[index(circle)];
   if (isWhole(circle)) {
     const auto& vertices = frame_.diagram.vertices;
     const auto sides = frame_.diagram.sides(circle);

@@ -13,7 +13,9 @@ namespace circle_voronoi {
 /// A corner of the region may lie between an arc and a chord of its polyline. Then the border of a cell would cross
 /// itself, so such chords are divided until it does not. Straight sides without such corners cannot cross a polyline
 /// whose arc they do not cross.
-class ClipFlattener {
+///
+/// Exported because the library for files calls it.
+class CIRCLE_VORONOI_API ClipFlattener {
  public:
   ClipFlattener(const ClippedDiagram& clipped, double tolerance);
 

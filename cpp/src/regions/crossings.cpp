@@ -23,6 +23,8 @@ namespace {
 constexpr double kDistanceRounding = 0x1p-44;
 /// What is nearer along the walk than this share of coordinates may be one point.
 constexpr double kNearlyAtOnce = 0x1p-40;
+/// The same as a share of the side.
+constexpr double kNearlyOneShare = 0x1p-30;
 /// What is nearer to each other than this share of where it is seen from, may be moved apart (far_view.h).
 constexpr double kNearlyOnePlace = 0x1p-880;
 
@@ -107,15 +109,49 @@ class Walk {
     }
     double when = 0;
     stalled_.clear();
+    isSettled_ = false;
     for (;;) {
+      isBlocked_ = false;
       const Exit exit = exitFrom(line, start, end, when);
+      if (isBlocked_ && exit.when > when) {
+        isSettled_ = true;
+        if (goBack(line, when)) continue;
+      }
       if (exit.when > 1) return;
       addCrossing(side, line, exit);
-      if (exit.when > when) stalled_.clear();
+      if (exit.when > when) {
+        stalled_.clear();
+        isSettled_ = false;
+      }
       when = exit.when;
       stalled_.push_back(cell_);
       cell_ = diagram_.neighborOf(exit.side);
     }
+  }
+
+  /// Where rounding leads around a vertex from cell to cell, takes the one of them that comes next along the line.
+  /// Returns whether that is another one than the cell of the walk, to which it goes back.
+  bool goBack(const Line& line, double when) {
+    double next = 1;
+    for (const CircleIndex one : stalled_) {
+      const Bisector bisector =
+          circle_voronoi::bisector(diagram_.circles[at(one)], diagram_.circles[at(cell_)], diagram_.metric);
+      for (const double s : LineCrossing(bisector, line.from, line.along).parameters()) {
+        const double its = line.turned(line.shareOf(pointAt(bisector, s)));
+        if (its - when > kNearlyOneShare) next = std::min(next, its);
+      }
+    }
+    const Point ahead = line.at(line.turned((when + next) / 2));
+    std::size_t best = stalled_.size();
+    const auto cellAt = [&](std::size_t k) { return k < stalled_.size() ? stalled_[k] : cell_; };
+    for (std::size_t k = 0; k < stalled_.size(); ++k) {
+      if (lead(diagram_, cellAt(k), cellAt(best), ahead) > 0) best = k;
+    }
+    if (best == stalled_.size()) return false;
+    cell_ = stalled_[best];
+    crossings_.all.resize(crossings_.all.size() - (stalled_.size() - best));
+    stalled_.resize(best);
+    return true;
   }
 
   /// Finds where the walk next leaves its cell: where a neighbor comes to be nearer than its circle. Only the neighbors
@@ -191,7 +227,7 @@ class Walk {
   bool isTurned(EdgeIndex edge) const { return diagram_.edges[at(edge)].left > diagram_.edges[at(edge)].right; }
 
   /// Where the neighbor across a side of the cell comes to be nearer, no earlier than `when`.
-  Exit exitAcross(SideIndex side, const Line& line, Point start, Point end, double when) const {
+  Exit exitAcross(SideIndex side, const Line& line, Point start, Point end, double when) {
     const EdgeIndex edge = Diagram::edgeOf(side);
     const CircleIndex neighbor = diagram_.neighborOf(side);
     const Bisector bisector = bisectorOf(edge);
@@ -220,7 +256,8 @@ class Walk {
     const bool canStall = std::ranges::find(stalled_, neighbor) == stalled_.end();
     bool isBeaten = count > 0 ? !events[0].isExit : isFarther(neighbor, start, end);
     for (std::size_t k = 0; k < count && events[k].when <= when; ++k) isBeaten = events[k].isExit;
-    if (isBeaten && canStall) {
+    isBlocked_ = isBlocked_ || (isBeaten && !canStall && !isSettled_);
+    if (isBeaten && canStall && !isSettled_) {
       const double share = line.turned(when);
       return exitAt(when, share, parameterAt(bisector, line.at(share)));
     }
@@ -303,6 +340,8 @@ class Walk {
   double clearance_ = 0;
   std::vector<Exit> exits_;           ///< those of the cell
   std::vector<CircleIndex> stalled_;  ///< the cells that the walk has left at the point where it is
+  bool isBlocked_ = false;  ///< whether one of these is nearer
+  bool isSettled_ = false;  ///< whether the walk is to stay in its cell at the point where it is
   Crossings crossings_;
 };
 
