@@ -20,7 +20,7 @@ await main(async () => {
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])
   const chosen = process.argv.slice(2)
   const [cities] = realData()
-  const isTable = ['--areas', '--cliffs', '--edits', '--files'].includes(chosen[0])
+  const isTable = ['--areas', '--cliffs', '--edits', '--files', '--regions'].includes(chosen[0])
   const families = isTable || chosen.includes('--families') ? [] : ['--families', `${FAMILIES},${cities}`]
   const { status, output } = await outcomeOf(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen])
   if (status !== 0) throw new Error('The benchmark failed.')

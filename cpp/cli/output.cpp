@@ -31,11 +31,11 @@ const std::map<std::string, WriteExport> kExports = {{"svg", writeSvg},
 
 /// An option that is given and that only drawings of a diagram use, or null.
 const char* drawingOption(const Output& output) {
-  return !output.bounds.empty()       ? "--bounds"
-         : !output.regionFile.empty() ? "--region"
-         : output.tolerance > 0 ? "--tolerance"
-         : output.maxDistance   ? "--max-distance"
-                                : nullptr;
+  return !output.bounds.empty()                                 ? "--bounds"
+         : !output.regionFile.empty() && !output.isRegionNeeded ? "--region"
+         : output.tolerance > 0                                 ? "--tolerance"
+         : output.maxDistance                                   ? "--max-distance"
+                                                                : nullptr;
 }
 
 using WriteCircles = Result<void> (*)(std::ostream&, std::span<const Circle>);
@@ -123,7 +123,6 @@ void settle(Output& output) {
   if (!kExports.contains(output.format)) {
     if (const char* unused = drawingOption(output))
       throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
-    return;
   }
   if (output.regionFile.empty()) return;
   if (!output.bounds.empty()) throw Failure{kBadInput, "--region takes no --bounds."};

@@ -19,10 +19,11 @@ namespace circle_voronoi::cli {
 /// What to write, how and where: the options that commands share.
 struct Output {
   std::string file = kStandardStream;
-  std::string format;    ///< empty until `settle` chooses it
-  std::string bounds;    ///< MINX,MINY,MAXX,MAXY; empty: the default
-  std::string regionFile;  ///< empty: no region
-  double tolerance = 0;  ///< 0: the default
+  std::string format;           ///< empty until `settle` chooses it
+  std::string bounds;           ///< MINX,MINY,MAXX,MAXY; empty: the default
+  std::string regionFile;       ///< empty: no region
+  bool isRegionNeeded = false;  ///< whether the command itself uses the region, whatever the format
+  double tolerance = 0;         ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};
   std::optional<Region> region = {};         ///< what `settle` reads from the file

@@ -46,6 +46,10 @@ Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view 
 /// name that `writeGeoJson` uses itself, such as area, gets `input_` in front. Errors: badInput.
 Result<std::vector<std::string>> readAttributes(std::string_view text, std::string_view name);
 
+/// Reads one number for each circle of a text that `readCircles` accepts: a column of a table, a property of GeoJSON
+/// points, or a member of JSON objects. Errors: badInput, also if a circle has no such number.
+Result<std::vector<double>> readNumbers(std::string_view text, std::string_view name, std::string_view column);
+
 /// Reads a region from UTF-8 text: a GeoJSON Polygon, MultiPolygon, Feature or FeatureCollection of these, or
 /// well-known text (POLYGON or MULTIPOLYGON). Coordinates beyond the second of a position are ignored.
 ///

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,12 +11,10 @@
 #include "guarded.h"
 #include "json_reader.h"
 #include "text.h"
+#include "written_names.h"
 
 namespace circle_voronoi {
 namespace {
-
-/// What `writeGeoJson` itself writes.
-constexpr std::array<std::string_view, 5> kWritten = {"circle", "r", "area", "neighbors", "hiddenBy"};
 
 std::string jsonString(std::string_view text) {
   constexpr std::string_view kHexDigits = "0123456789abcdef";
@@ -42,8 +39,7 @@ class Members {
  public:
   void add(std::string_view name, std::string_view value) {
     if (!text_.empty()) text_ += ',';
-    const bool isWritten = std::ranges::find(kWritten, name) != kWritten.end();
-    text_ += jsonString((isWritten ? "input_" : "") + std::string(name)) + ":";
+    text_ += jsonString(attributeName(name)) + ":";
     text_ += value;
   }
   std::string take() { return std::move(text_); }
@@ -112,8 +108,8 @@ std::vector<std::string> ofObjects(std::string_view text) {
   reader.enterArray();
   while (reader.nextItem()) {
     if (reader.kind() == JsonKind::object) {
-      result.push_back(readMembers(
-          reader, text, [](std::string_view name) { return name == "x" || name == "y" || name == "r"; }));
+      result.push_back(
+          readMembers(reader, text, [](std::string_view name) { return name == "x" || name == "y" || name == "r"; }));
     } else {
       reader.skip();
       result.emplace_back();
@@ -158,7 +154,7 @@ std::vector<std::string> ofRows(std::string_view text) {
       if (names[k].empty() || std::ranges::find(layout->columns, k) != layout->columns.end()) continue;
       const CsvField field = k < table.fields().size() ? table.fields()[k] : CsvField{};
       const std::string value = textOf(field);
-      members.add(names[k], value.empty() && !field.isQuoted          ? "null"
+      members.add(names[k], value.empty() && !field.isQuoted         ? "null"
                             : !field.isQuoted && isJsonNumber(value) ? value
                                                                      : jsonString(value));
     }
