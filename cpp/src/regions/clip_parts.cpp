@@ -52,7 +52,8 @@ std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(con
                                                                              CircleIndex cell) {
   const auto found = std::ranges::equal_range(all, std::int32_t{cell}, {},
                                               [](const InCell& one) { return std::int32_t{one.cell}; });
-  return {found.begin(), found.end()};
+  return std::span(all).subspan(static_cast<std::size_t>(found.begin() - all.begin()),
+                                static_cast<std::size_t>(found.end() - found.begin()));
 }
 
 EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {

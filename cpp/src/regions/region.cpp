@@ -263,7 +263,10 @@ Result<Region> Region::fromArrays(std::span<const Point> points, std::span<const
     const Given given = {points, ringOffsets, polygonOffsets};
     checkArrays(given);
     const Names names(given);
-    const auto [rings, inputIndex] = cleaned(given, names);
+    const auto clean = cleaned(given, names);
+    // Clang 14 captures no structured bindings.
+    const auto& rings = clean.rings;
+    const auto& inputIndex = clean.inputIndex;
     const auto ringOfSide = [&](std::int32_t side) {
       return static_cast<std::size_t>(std::ranges::upper_bound(rings.offsets, side) - rings.offsets.begin()) - 1;
     };
