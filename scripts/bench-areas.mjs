@@ -14,11 +14,25 @@ const MOST_OF_WASM = 10_000
 export async function benchAreas(table) {
   const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
   const { region, fitAreas } = await (await loadCircleVoronoi()).loadRegions()
-  const square = region([[[0, 0], [1, 0], [1, 1], [0, 1]]])
+  const square = region([
+    [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+      [0, 1],
+    ],
+  ])
   const lines = [...table.matchAll(/^ *(\d+) +(equal|two decades) +(cold|warm) +(\d+) +([\d.]+) +(\S+) +\d+$/gm)]
   return lines.map(([, count, areas, start, steps, seconds, error]) => {
     const { sites, shares } = problemOf(Number(count), areas === 'equal' ? 0 : 2)
-    const row = { sites: Number(count), areas, start, steps: Number(steps), native: Number(seconds), error: Number(error) }
+    const row = {
+      sites: Number(count),
+      areas,
+      start,
+      steps: Number(steps),
+      native: Number(seconds),
+      error: Number(error),
+    }
     if (sites.length > MOST_OF_WASM) return row
     let weights
     if (start === 'warm') {
@@ -63,7 +77,12 @@ function randomUnits(seed) {
 function mapOf(sites, shares) {
   const data = shares.map((weight, i) => ({ weight, i }))
   const simulation = voronoiMapSimulation(data)
-    .clip([[0, 0], [0, 1], [1, 1], [1, 0]])
+    .clip([
+      [0, 0],
+      [0, 1],
+      [1, 1],
+      [1, 0],
+    ])
     .initialPosition(({ i }) => sites[i])
     .stop()
   let state = simulation.state()
