@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
 import { type Circles, coordinatesOf } from '../base/coordinates.ts'
-import { CircleVoronoiError } from '../base/errors.ts'
+import { CircleVoronoiError, reasonOf } from '../base/errors.ts'
 import type { Metric } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
-import createModule from '../generated/circle-voronoi-comparison.js'
-import type { ComputingLibrary } from './library.ts'
-import type { LoadOptions } from './load-options.ts'
+import { loadComparisonScript } from './comparison-script.ts'
+import type { CircleVoronoi, ComputingLibrary } from './library.ts'
+import { checkLoadOptions, type LoadOptions } from './load-options.ts'
 import { compileWasm, instantiate, unwrap } from './wasm.ts'
 
 /**
@@ -32,11 +32,30 @@ export interface Comparison {
   computeComparison(circles: Circles, metric: Metric): Diagram
 }
 
-/** The comparison diagrams of a library whose options have been checked. */
-export async function comparisonOf(library: ComputingLibrary, { wasm }: LoadOptions): Promise<Comparison> {
-  const beside = () => new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
-  const module = await instantiate(createModule, await compileWasm(wasm, beside))
+/**
+ * A library that can also load comparison diagrams. The workers of bundlers do without: some bundlers cannot split the code
+ * of a worker.
+ */
+export function withComparison(library: ComputingLibrary): CircleVoronoi {
+  return {
+    ...library,
+    async loadComparison(options = {}) {
+      checkLoadOptions(options, 'loadComparison')
+      return comparisonOf(library, await loadModule(options))
+    },
+  }
+}
 
+async function loadModule({ wasm }: LoadOptions): Promise<WasmComparisonModule> {
+  const { default: createModule } = await loadComparisonScript().catch((cause) => {
+    const message = `The comparison diagrams cannot be loaded: ${reasonOf(cause)}.`
+    throw new CircleVoronoiError('notLoaded', message, { cause })
+  })
+  const beside = () => new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
+  return instantiate(createModule, await compileWasm(wasm, beside))
+}
+
+function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): Comparison {
   return {
     computeComparison(circles, metric) {
       const coordinates = coordinatesOf(circles)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { withComparison } from './comparison.ts'
 import { type CircleVoronoi, circleVoronoiOf } from './library.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './load-options.ts'
-import { withComparison } from './with-comparison.ts'
 
 /**
  * Loads the library in a page, in a worker or in Node. Each call creates an instance with memory of its own. To compile

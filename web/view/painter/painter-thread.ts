@@ -2,8 +2,8 @@
 
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
 import type { CircleVoronoi, Comparison } from '../../lib/index.ts'
+import { withComparison } from '../../lib/wasm/comparison.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
-import { withComparison } from '../../lib/wasm/with-comparison.ts'
 import type { FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
 import { CanvasDrawing, SvgDrawing } from './drawing.ts'
 import { PaintedScene } from './painted-scene.ts'
