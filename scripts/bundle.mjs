@@ -53,11 +53,7 @@ async function element() {
   await oneFile(
     'element',
     ['CircleVoronoiElement', 'defineCircleVoronoi'],
-    [
-      styles,
-      replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts'),
-      replacing('web/lib/wasm/import-modules.ts', 'web/element/bundled/import-modules.ts'),
-    ],
+    [styles, replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts')],
   )
   copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)
   const { manifest } = await import('./manifest.mjs')
@@ -80,6 +76,7 @@ async function oneFile(name, names, plugins) {
     plugins: [
       wasmInside,
       replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
+      replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/module-scripts.ts'),
       wasmBeside,
       ...plugins,
     ],

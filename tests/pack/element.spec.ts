@@ -1208,7 +1208,7 @@ test('what is drawn as an SVG and as a PNG is what is seen', async ({ page }) =>
 
   // Nearer, where most is cut off, with other layers and colors.
   await element.evaluate(async (element: Element) => {
-    element.layers = 'cells=different delaunay ordinary hidden no-vertices max-distance=3'
+    element.layers = 'cells=different delaunay ordinary hidden no-vertices max-distance=4'
     element.view = { x: 8, y: 2, span: 6 }
     await element.updateComplete
   })

@@ -4,10 +4,10 @@ import { type Circles, coordinatesOf } from '../base/coordinates.ts'
 import { CircleVoronoiError } from '../base/errors.ts'
 import type { Metric } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
-import createModule from '../generated/circle-voronoi-comparison.js'
 import type { ComputingLibrary } from './library.ts'
 import type { LoadOptions } from './load-options.ts'
-import { compileWasm, instantiate, unwrap } from './wasm.ts'
+import { loadComparisonScript } from './module-scripts.ts'
+import { compileWasm, instantiate, scriptNotLoaded, unwrap } from './wasm.ts'
 
 /**
  * Computes two related diagrams of the same circles, to show how they differ: the ordinary Voronoi diagram of the
@@ -32,11 +32,18 @@ export interface Comparison {
   computeComparison(circles: Circles, metric: Metric): Diagram
 }
 
-/** The comparison diagrams of a library whose options have been checked. */
-export async function comparisonOf(library: ComputingLibrary, { wasm }: LoadOptions): Promise<Comparison> {
+/**
+ * Loads the module of comparison diagrams.
+ *
+ * @throws CircleVoronoiError `notLoaded`
+ */
+export async function loadComparisonModule({ wasm }: LoadOptions): Promise<WasmComparisonModule> {
+  const { default: createModule } = await loadComparisonScript().catch(scriptNotLoaded('The comparison diagrams'))
   const beside = () => new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
-  const module = await instantiate(createModule, await compileWasm(wasm, beside))
+  return instantiate(createModule, await compileWasm(wasm, beside))
+}
 
+export function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): Comparison {
   return {
     computeComparison(circles, metric) {
       const coordinates = coordinatesOf(circles)

@@ -3,12 +3,12 @@ import { checkOptionNames, refuseArgument, refuseOption, shown } from '../base/c
 import { type Circles, coordinatesOf } from '../base/coordinates.ts'
 import type { DiagramData, Float64s } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
-import createModule from '../generated/circle-voronoi-regions.js'
 import { type ClippedDiagram, Region } from '../regions/region.ts'
 import { type RegionShape, ringArraysOf } from '../regions/region-shape.ts'
 import { judgedArrays } from './judged-arrays.ts'
 import type { LoadOptions } from './load-options.ts'
-import { compileWasm, instantiate, unwrap } from './wasm.ts'
+import { loadRegionsScript } from './module-scripts.ts'
+import { compileWasm, instantiate, scriptNotLoaded, unwrap } from './wasm.ts'
 
 /**
  * Options of `Regions.fitAreas`.
@@ -92,10 +92,19 @@ export type SiteLike =
   | readonly [x: number, y: number, r?: number]
   | { readonly x: number; readonly y: number; readonly r?: number }
 
-/** The regions of a library whose options have been checked, with a memory of their own. */
-export async function regionsOf({ wasm }: LoadOptions): Promise<Regions> {
+/**
+ * Loads the module of regions.
+ *
+ * @throws CircleVoronoiError `notLoaded`
+ */
+export async function loadRegionsModule({ wasm }: LoadOptions): Promise<WasmRegionsModule> {
+  const { default: createModule } = await loadRegionsScript().catch(scriptNotLoaded('The regions'))
   const beside = () => new URL('../generated/circle-voronoi-regions.wasm', import.meta.url)
-  const module = await instantiate(createModule, await compileWasm(wasm, beside))
+  return instantiate(createModule, await compileWasm(wasm, beside))
+}
+
+/** The regions and fits of a module. */
+export function regionsOf(module: WasmRegionsModule): Regions {
   // Free what is no longer used.
   const regions = new FinalizationRegistry((address: number) => module.deleteRegion(address))
   const clips = new FinalizationRegistry((address: number) => module.deleteClip(address))
