@@ -141,7 +141,7 @@ test('what is selected is duplicated, copied, cut and pasted, in another tab too
   await expect(app.status).toContainText('9 circles')
 
   const other = new App(await context.newPage())
-  await other.page.goto('/')
+  await other.open()
   await expect(other.status).toContainText('678 circles')
   await other.canvas.focus()
   await other.page.keyboard.press('Control+v')

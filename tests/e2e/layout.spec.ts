@@ -39,19 +39,20 @@ async function expectAlwaysApart(app: App, layers: number): Promise<void> {
   await expect(app.page.getByRole('alert')).toBeVisible()
   await expectApart(app)
   expect(await panelsOf(app).count()).toBeGreaterThan(3)
-  const button = app.page.getByRole('button', { name: 'Layers', exact: true })
-  await button.click()
+  await app.openPanel('Layers')
   await expectApart(app)
-  expect((await boxOf(app.page.locator('#layers'))).height).toBeGreaterThan(layers)
-  await button.click()
-  await expect(app.status).toBeVisible()
+  const panel = app.page.locator('#layers')
+  expect((await boxOf(panel)).height).toBeGreaterThan(layers)
+  await panel.getByRole('button', { name: 'Close' }).click()
+  await expect(panel).toBeHidden()
+  await expect(app.page.locator('#rail')).toBeVisible()
 }
 
 // 320 x 200 is 1280 x 800 at 400 %.
 for (const [width, height, layers] of [
   [1280, 800, 300],
   [800, 600, 300],
-  [568, 320, 250],
+  [568, 320, 150],
   [390, 844, 300],
   [320, 200, 120],
 ] as const) {
@@ -75,7 +76,7 @@ for (const [width, height] of [
     const screen = { viewport: { width, height }, hasTouch: true, serviceWorkers: 'block' } as const
     const app = new App(await browser.newPage({ baseURL: baseURL as string, ...screen }))
     await app.open()
-    await expectAlwaysApart(app, 500)
+    await expectAlwaysApart(app, 250)
     await browser.close()
   })
 }
@@ -94,14 +95,23 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await expect(app.page.getByRole('region', { name: 'Selected circles' })).toBeVisible()
     await app.openPanel('Files')
     await expectNone()
-    await app.openPanel('Files')
     await app.openPanel('Layers')
     await app.page.getByLabel('Edges that it misses').check()
     await expect(app.page.locator('#method-found')).toContainText('certified')
+    await app.page.getByLabel('Colors').selectOption('by area of the cell')
+    await expect(app.page.locator('#legend')).toContainText('Area of the cell')
+    await expectNone()
     await app.openPanel('Generate')
     await expect(app.page.getByRole('button', { name: /^uniform/ })).toBeVisible()
+    await expectNone()
     await app.openPanel('Table')
     await expect(app.page.getByRole('row').nth(3)).toBeVisible()
+    await expectNone()
+    for (const name of ['Numbers', 'Motion']) {
+      await app.openPanel(name)
+      await expectNone()
+    }
+    await app.page.getByRole('button', { name: 'Share', exact: true }).click()
     await expectNone()
     await app.page.getByRole('button', { name: 'Help' }).click()
     await expectNone()
@@ -128,10 +138,12 @@ test('a page that runs from right to left leaves each part of the status as it i
   // The number stands at the left of its part.
   expect((await boxOf(part.locator('b'))).x).toBe((await boxOf(part)).x)
   expect((await boxOf(part)).x).toBeGreaterThan((await boxOf(app.status.locator('bdi').nth(1))).x)
-  // The colors of a key go with its words.
+  // The numbers of a legend go with its colors.
   await app.openPanel('Layers')
-  const key = app.page.locator('.key').first()
-  expect((await boxOf(key.getByText('small'))).x).toBeLessThan((await boxOf(key.locator('svg'))).x)
+  await app.page.getByLabel('Colors').selectOption('by number')
+  const knots = app.page.locator('#legend .knots > span')
+  await expect(knots).toHaveText(['0', /./, /./, /./, '677'])
+  expect((await boxOf(knots.first())).x).toBeLessThan((await boxOf(knots.last())).x)
 })
 
 test.describe('with fingers', () => {

@@ -20,6 +20,7 @@ import { Motion } from './motion/motion.ts'
 import { workOffline } from './offline.ts'
 import { arrangeAround } from './arrange.ts'
 import { paddingOfPage } from './padding.ts'
+import { paintedOnce } from './painted-once.ts'
 import { PageActions } from './page-actions.ts'
 import { byId } from './panels/by-id.ts'
 import { mountFiles } from './panels/files.ts'
@@ -52,7 +53,9 @@ import { styleSheetsLoaded } from './style-sheets.ts'
 //              │
 //              └──► panels, and what stands out in the view
 
+const firstPicture = document.getElementById('first-picture')
 if (location.hash === '') askAhead((DATA_SETS[0] as DataSet).id)
+else firstPicture?.remove()
 await styleSheetsLoaded()
 
 const figure = byId('figure', HTMLElement)
@@ -134,6 +137,9 @@ if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) 
   // Of the link, for which these circles stand in.
   actions.complain(problem)
   driftAtStart(view, figure)
+  paintedOnce(figure).then(() => firstPicture?.remove())
+} else {
+  firstPicture?.remove()
 }
 arrangeAround(view, actions)
 view.on('camera', () => keeping.changed())

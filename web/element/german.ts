@@ -183,9 +183,9 @@ const PLAYER: PlayerWords = {
   ringNote: 'Von rechts gegen den Uhrzeigersinn. Grün: noch nicht benutzt.',
   titles: {
     prepare: '1 Vorbereiten',
-    loop: '4 Schleife',
-    antipodal: '2 Antipodale Scheibe von a und b',
-    threeTouch: '3 Dreiberührscheibe von a→b→c',
+    loop: '2 Schleife',
+    antipodal: '3 Antipodale Scheibe von a und b',
+    threeTouch: '4 Dreiberührscheibe von a→b→c',
     end: 'Ende',
     flips: 'Flips',
     edit: 'Eine Änderung',

@@ -10,6 +10,8 @@ const MOUSE_SLACK = 5
 const TOUCH_SLACK = 12
 /** How near to an edge the pointer shows its disc. */
 const DISC_SLACK = 14
+/** A finger drags circles of this radius in pixels at once; on smaller ones it may be meant to pan. */
+const LARGE_FOR_FINGERS = 22
 /** A pointer that moves less than this was a click. */
 const CLICK_DISTANCE = 4
 /** A press that rests so long where nothing is tries a circle, in milliseconds. */
@@ -100,8 +102,9 @@ export function listenToPointer(
     if (hit === undefined) return gestures.pan(point, () => hands.select([]))
     const { id, part } = hit
     const isSelected = hands.isSelected(id)
+    const isLarge = circle !== undefined && circle.r * view.camera.scale >= LARGE_FOR_FINGERS
     // A finger that is to pan may well begin on a circle.
-    const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected && !letsPageScroll)
+    const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected && !letsPageScroll && !isLarge)
     // One that is not for this hand, or is gone, can still be selected.
     if (isPan || circle === undefined) return gestures.pan(point, () => hands.select([id]))
     if (!isSelected) hands.select([id])
@@ -150,8 +153,17 @@ export function listenToPointer(
     const isOver = () => hasMoved || gesture !== begun
     if (isOver() || event.button !== MAIN || event.shiftKey || !(await isEmpty(point, event)) || isOver()) return
     begun.cancel?.()
-    gesture = gestures.holdCircle(point)
+    const showsDisc = event.pointerType === 'touch' && view.layers.disc && hands.tool === 'select'
+    gesture = showsDisc ? showDisc(point) : gestures.holdCircle(point)
     hasMoved = true
+  }
+
+  /** A finger that rests shows the disc that the pointer of a mouse shows. */
+  const showDisc = (from: Point): Gesture => {
+    const show = (point: Point) => view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
+    const hide = () => view.touch(undefined, 0)
+    show(from)
+    return { move: show, end: hide, cancel: hide }
   }
 
   const showCursor = (hit: Hit | undefined) => {

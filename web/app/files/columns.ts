@@ -6,6 +6,7 @@ import type { NamedCircles } from '../csv.ts'
 export interface Rows {
   /** The names of the columns; numbers, if the table has none. */
   readonly heading: readonly string[]
+  readonly hasHeading: boolean
   readonly rows: readonly (readonly string[])[]
   readonly hasDecimalCommas: boolean
 }
@@ -46,7 +47,7 @@ export function rowsOf(text: string): Rows | undefined {
     const numbers = rows.filter((row) => isNumber(row[k] ?? '')).length
     return rows.length > 0 && numbers > rows.length / 2
   })
-  return numeric.length < 2 ? undefined : { heading, rows, hasDecimalCommas }
+  return numeric.length < 2 ? undefined : { heading, hasHeading, rows, hasDecimalCommas }
 }
 
 /** The columns that the names tell, where they do. */
