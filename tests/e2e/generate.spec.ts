@@ -18,9 +18,9 @@ async function saved(page: Page): Promise<Float64Array> {
 
 test('a family with a number and a seed, again, edited, and the same after a reload', async ({ app }) => {
   const { page } = app
-  await page.getByLabel('Data set').selectOption({ label: 'Families, figures …' })
+  await page.getByLabel('Data set').selectOption({ label: 'More …' })
   const panel = page.getByRole('region', { name: 'Generate' })
-  await expect(panel.getByRole('button').nth(2)).toBeFocused()
+  await expect(panel.getByRole('button', { name: /^Eight circles/ })).toBeFocused()
   await expect(page.getByLabel('Data set')).toHaveValue('bronzefilter')
   await panel.getByLabel('n', { exact: true }).fill('50')
   await panel.getByLabel('seed', { exact: true }).fill('7')

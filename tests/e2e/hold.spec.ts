@@ -63,7 +63,8 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
     await page.keyboard.press('Control+z')
     await expect(app.status).toContainText('14 circles')
   }
-  // On a circle, and where it is moved at once, a press is what it was.
+  // On a circle, and where it is moved at once, a press is what it was. The tool for adding stays until Escape.
+  await page.keyboard.press('Escape')
   const center = app.center(INTRODUCTION, 0)
   await page.mouse.move(center.x, center.y)
   await page.mouse.down()
