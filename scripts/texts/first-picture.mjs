@@ -21,9 +21,10 @@ export async function addFirstPicture(folder) {
   })
   const { firstPicture } = await import(pathToFileURL(BUNDLE).href)
   const rows = readFileSync(`${ROOT}public/data/start.csv`, 'utf8').trim().split('\n').slice(1)
-  const diagram = (await loadCircleVoronoi()).compute(rows.map((row) => row.split(',').map(Number)))
+  // Colors depend on the order of edges: that of an editor, as in the view.
+  const editor = (await loadCircleVoronoi()).edit(rows.map((row) => row.split(',').map(Number)))
   const file = `${folder}/index.html`
   const page = readFileSync(file, 'utf8')
   if (!page.includes(PLACE)) throw new Error(`${file} has no place for the first picture.`)
-  writeFileSync(file, page.replace(PLACE, () => firstPicture(diagram)))
+  writeFileSync(file, page.replace(PLACE, () => firstPicture(editor.snapshot())))
 }

@@ -264,7 +264,7 @@ test('saved drawings are what is seen: its colors, its layers and its part of th
         image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`
         await image.decode()
         const canvas = new OffscreenCanvas(innerWidth, innerHeight)
-        const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
+        const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
         context.drawImage(image, 0, 0)
         return points.map(({ x, y }) => [...context.getImageData(x, y, 1, 1).data.slice(0, 3)])
       },

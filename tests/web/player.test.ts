@@ -129,6 +129,14 @@ describe('the steps of a trace', () => {
   })
 })
 
+it('parts of a program are numbered in their order', () => {
+  for (const program of Object.values(PROGRAMS)) {
+    const numbers = program.flatMap(({ title }) => /^\d+/.exec(ENGLISH_PLAYER.titles[title])?.[0] ?? [])
+    expect(numbers).toEqual(numbers.map((_, k) => String(k + 1)))
+  }
+  expect(PROGRAMS.touching.filter(({ title }) => /^\d/.test(ENGLISH_PLAYER.titles[title]))).toHaveLength(4)
+})
+
 describe('what is shown beside a step', () => {
   const seed = 5
   const circles = randomCircles(40, seed)

@@ -13,6 +13,7 @@ import { FileActions } from './files/file-actions.ts'
 import { FilesClient } from './files/files-client.ts'
 import { listenToClipboard } from './input/clipboard.ts'
 import { listenToFiles } from './input/dropping.ts'
+import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
 import { Keeping } from './keeping.ts'
 import { LinkWriter } from './link-writer.ts'
 import { driftAtStart } from './motion/drift.ts'
@@ -114,6 +115,7 @@ mountShare(fileActions)
 // What is copied here is no file: this hears of it first.
 listenToClipboard(actions)
 listenToFiles(fileActions)
+restoreInvalidNumbers(document)
 const editNumbers = mountInspector(store, actions)
 mountInspectorFacts(store, editing, actions, view)
 const showHelp = mountHelp()
