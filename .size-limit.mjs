@@ -8,7 +8,6 @@ const LIB = 'dist/lib'
 const LAYER = `
   export * from './index.js'
   export * from './worker.js'
-  export * from './comparison.js'
   export * from './files.js'
   import './worker-thread.js'
 `

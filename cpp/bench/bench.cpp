@@ -58,9 +58,12 @@ std::vector<Contestant> allContestants() {
   const auto referring = [](std::size_t (*run)(std::span<const Circle>)) {
     return [run](const Circles& circles) { benchmark::DoNotOptimize(run(circles)); };
   };
+  Options twoThreads;
+  twoThreads.threads = 2;
   return {
       {"cgal-delaunay", referring(reference::delaunay), 10'000'000},
       {"auto", computing({}), 10'000'000},
+      {"auto, two threads", computing(twoThreads), 10'000'000},
       {"touching-disc-0", computing(touchingDisc(Candidates::dynamic, 0)), 1'000'000},
       {"touching-disc-1", computing(touchingDisc(Candidates::dynamic, 1)), 1'000'000},
       {"touching-disc-3", computing(touchingDisc(Candidates::dynamic, 3)), 100'000},
@@ -69,6 +72,28 @@ std::vector<Contestant> allContestants() {
       {"cgal-hierarchy", referring(reference::apolloniusHierarchy), 1'000'000},
       {"cgal-exact", referring(reference::apolloniusExact), 1'000},
   };
+}
+
+/// Prints how long each stage of `automatic` takes, in milliseconds: the least of some runs.
+void printStages(const Circles& circles, int repetitions, unsigned limitSeconds) {
+  const auto child = runInChild<Seconds>(limitSeconds, [&] {
+    Seconds least;
+    for (int i = 0; i < repetitions; ++i) {
+      const Seconds seconds = compute(circles).value().stats.seconds;
+      for (const auto& [name, member] : kSecondsMembers) {
+        if (i == 0 || seconds.*member < least.*member) least.*member = seconds.*member;
+      }
+    }
+    return least;
+  });
+  if (!child.value) return;
+  std::printf("%-24s stages of auto, ms:", "");
+  for (const auto& [name, member] : kSecondsMembers) {
+    if (const double seconds = (*child.value).*member; seconds > 0) {
+      std::printf(" %s %.2f", std::string(name).c_str(), 1e3 * seconds);
+    }
+  }
+  std::printf("\n");
 }
 
 /// Keeps the seconds of a run and prints nothing.
@@ -290,6 +315,7 @@ int main(int argc, char** argv) {
         for (std::size_t i = 0; i < repeated.size() && !isOver; ++i) json << (i > 0 ? ", " : "") << repeated[i];
         json << R"(], "peakMegabytes": )" << megabytes << "}";
       }
+      if (measured.contains("auto")) printStages(input->circles, repetitions, limit);
       std::fflush(stdout);
     }
   }

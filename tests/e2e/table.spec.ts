@@ -218,6 +218,35 @@ test('rows are sorted by any column, and what is selected here is selected there
   expect(results.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([])
 })
 
+test('keys bring the current row into sight, and up from the heading there is nothing', async ({ app }) => {
+  const { page } = app
+  const table = new Table(app)
+  await table.open()
+  await expect(table.grid).toHaveAttribute('aria-rowcount', '679')
+  const isCurrent = async (row: number) =>
+    expect(table.grid).toHaveAttribute('aria-activedescendant', (await table.cell(row, 1).getAttribute('id')) as string)
+  await table.cell(1, 1).click()
+  await page.keyboard.press('Control+End')
+  await expect(table.cell(678, 1)).toBeInViewport()
+  await isCurrent(678)
+  await expect(table.grid.locator('[aria-selected=true] > [aria-colindex="1"]')).toHaveText('677')
+  await page.keyboard.press('PageUp')
+  await expect(table.grid.locator('[aria-selected=true] > [aria-colindex="1"]')).not.toHaveText('677')
+  await page.keyboard.press('Control+Home')
+  await expect(table.cell(1, 1)).toBeInViewport()
+  await isCurrent(1)
+  const heading = table.grid.getByRole('columnheader', { name: '#', exact: true })
+  for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowUp')
+  await expect(table.grid).toHaveAttribute('aria-activedescendant', (await heading.getAttribute('id')) as string)
+  // What is written there goes nowhere.
+  await page.keyboard.press('ArrowRight')
+  await page.keyboard.type('5')
+  await expect(table.grid.getByRole('textbox')).toHaveCount(0)
+  await page.keyboard.press('ArrowLeft')
+  await page.keyboard.press('ArrowDown')
+  await isCurrent(1)
+})
+
 test('of a hundred thousand rows only those that are seen are elements', async ({ app }) => {
   const { page } = app
   await app.openPanel('Generate')

@@ -14,9 +14,9 @@ export default {
     // What only runs as a file of its own, in a thread or a bundle: tests/pack has the package as installed.
     '!web/lib/{bundle,worker-thread,wasm/default-wasm,threads/thread-file}.ts',
     '!web/lib/bundled/**',
-    'web/editing/{arranging,circle-table,editing,history,scene-link,store}.ts',
+    'web/editing/{arranging,editing,history,scene-link,store}.ts',
     'web/app/scene-storage.ts',
-    'web/view/{camera,circle-log,gestures,pointer}.ts',
+    'web/view/{camera,circle-table,gestures,pointer}.ts',
   ],
   testRunner: 'vitest',
   plugins: ['@stryker-mutator/vitest-runner', fileURLToPath(new URL('sample.mjs', import.meta.url))],

@@ -93,7 +93,7 @@ describe('progress', () => {
     await worker.compute(MANY, { ...SLOWLY, progress: (stage, done) => told.push({ stage, done }) })
     assert.deepEqual(
       [...new Set(told.map(({ stage }) => stage))],
-      ['triangulate', 'sample', 'pair', 'touch', 'certify'],
+      ['order', 'triangulate', 'sample', 'pair', 'touch', 'certify', 'assemble'],
     )
     assert.ok(told.some(({ done }) => done > 0 && done < 1))
   })

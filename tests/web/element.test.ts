@@ -171,7 +171,7 @@ describe('what it says', () => {
         Object.entries(words).flatMap(([name, value]) => (value === undefined ? [] : [name]))
       expect(names(other).sort()).toEqual(names(one).sort())
     }
-    expect(german.others?.refusals.coded(new CircleVoronoiError('negativeRadius', 3, ''))).toBe(
+    expect(german.others?.refusals.coded(new CircleVoronoiError('negativeRadius', '', { circle: 3 }))).toBe(
       'Kreis 3: Der Radius darf nicht negativ sein.',
     )
     expect(problemOf(new Error('It broke.'), true, german.others?.refusals)).toBe(
@@ -246,7 +246,7 @@ describe('a check', () => {
   test('is of circles that have been there', () => {
     const check = parseCheck('{ "any": [{ "not": { "cell": 3, "edges": 3 } }, { "cell": 0, "neighbor": 5 }] }')
     expect(() => checkCircles(check, 6)).not.toThrow()
-    expect(() => checkCircles(check, 5)).toThrow('there is no circle 5. The circles have the numbers 0 to 4.')
+    expect(() => checkCircles(check, 5)).toThrow('there is no circle 5. The circles have the ids 0 to 4.')
     expect(() => checkCircles(check, 3)).toThrow('there is no circle 3. ')
     expect(() => checkCircles(check, 0)).toThrow('there is no circle 3. There are no circles.')
   })
@@ -262,8 +262,8 @@ describe('a check', () => {
     ['[]', 'each part is an object'],
     ['{}', 'a part says nothing'],
     ['{"cell": 3}', 'it says nothing of the cell'],
-    ['{"cell": -1, "edges": 3}', 'cell is the number of a circle'],
-    ['{"cell": 0.5, "edges": 3}', 'cell is the number of a circle'],
+    ['{"cell": -1, "edges": 3}', 'cell is the id of a circle'],
+    ['{"cell": 0.5, "edges": 3}', 'cell is the id of a circle'],
     ['{"cell": 1, "edges": "3"}', 'edges is a number, or an object with min and max'],
     ['{"cell": 1, "edges": {}}', 'edges is a number, or an object with min and max'],
     ['{"cell": 1, "edges": {"least": 1}}', 'edges is a number, or an object with min and max'],

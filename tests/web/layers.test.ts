@@ -119,7 +119,9 @@ describe('what cells are measured by', () => {
       'rgb(200, 100, 60)',
     ])
     // Of others, those that are there.
-    expect(new Set(rampThrough(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']))).toEqual(new Set(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']))
+    expect(new Set(rampThrough(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']))).toEqual(
+      new Set(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']),
+    )
   })
 
   it('is the distance to the nearest circle of all', () => {

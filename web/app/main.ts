@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { Editing } from '../editing/editing.ts'
+import { editView } from '../editing/edited-view.ts'
 import { listenToKeyboard } from '../editing/keyboard.ts'
 import { problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
-import { INITIAL_STATE, type State, stateAfter } from '../editing/state.ts'
-import { createStore } from '../editing/store.ts'
 import { mount } from '../view/mount.ts'
 import { listenToPointer } from '../view/pointer.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
@@ -60,18 +58,14 @@ else firstPicture?.remove()
 await styleSheetsLoaded()
 
 const figure = byId('figure', HTMLElement)
-const view = mount(figure, { gestures: 'none' })
-const store = createStore<State>(INITIAL_STATE)
-
-const editing = new Editing(
+const view = mount(figure)
+let hasShown = false
+const { store, editing } = editView(
   view,
-  (outcome) => {
+  () => {
     // What is shown at first is there without being kept.
-    if (store.get().edited !== undefined) keeping.changed()
-    const dataSet = editing.scene?.dataSet ?? ''
-    store.update((state) => ({ ...stateAfter(state, outcome, editing.circles), dataSet }))
-    // With the picture of the same edit.
-    if (store.get().selection.length > 0) choose()
+    if (hasShown) keeping.changed()
+    hasShown = true
   },
   (error) => store.update((state) => ({ ...state, problem: problemOf(error, editing.scene !== undefined) })),
 )
@@ -81,24 +75,7 @@ const actions = new PageActions(store, editing, view, paddingOfPage, files)
 
 const links = new LinkWriter(files)
 const keeping = new Keeping(links, () => actions.linkState())
-
-let chosen = store.get().selection
-const choose = () => {
-  chosen = store.get().selection
-  view.choose(chosen.flatMap((id) => editing.circles.get(id) ?? []))
-}
-let marked: readonly [number | undefined, number | undefined] = [undefined, undefined]
-store.subscribe(({ selection, selected, hovered }) => {
-  if (selection !== chosen) choose()
-  if (selected !== marked[0] || hovered !== marked[1]) view.mark(selected, hovered)
-  marked = [selected, hovered]
-})
-view.on('marked', ({ selected }) => store.update((state) => ({ ...state, described: selected })))
-view.on('found', (found) => store.update((state) => ({ ...state, found })))
-view.on('layers', (layers) => {
-  store.update((state) => ({ ...state, layers }))
-  keeping.changed()
-})
+view.on('layers', () => keeping.changed())
 
 const generate = mountGenerate(actions, files)
 store.subscribe(({ dataSet }) => generate.show(dataSet))

@@ -18,6 +18,8 @@ import { ENGLISH_EDITING } from './words.ts'
 /** How far one may zoom in from the picture without outliers, and out from the whole one. */
 const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
+/** How much a button zooms in. */
+export const BUTTON_ZOOM = 1.5
 /** What is zoomed to fills a part of the view: so many times as much is seen. */
 const SHOWN_AROUND = 3
 /** The share of the width that a path goes across at first. */

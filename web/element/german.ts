@@ -71,6 +71,7 @@ const CODES: Readonly<Record<ErrorCode, string>> = {
   tooManyCircles: 'Es sind zu viele Kreise.',
   badOption: 'Eine Option hat einen falschen Wert.',
   notCertified: 'Das Diagramm konnte nicht bewiesen werden.',
+  notConverged: 'Die Flächen wurden nicht erreicht.',
   unknownCircle: 'Diesen Kreis gibt es nicht.',
   badInput: 'Das sind nicht drei Zahlen x, y und r für jeden Kreis.',
   badArgument: 'Eine Angabe ist falsch.',
@@ -81,7 +82,7 @@ const CODES: Readonly<Record<ErrorCode, string>> = {
 }
 
 const REFUSALS: ElementRefusals & ProblemWords = {
-  coded: ({ code, circle }) => (circle < 0 ? CODES[code] : `Kreis ${circle}: ${CODES[code]}`),
+  coded: ({ code, circle }) => (circle === undefined ? CODES[code] : `Kreis ${circle}: ${CODES[code]}`),
   must: (what, allowed, got) => `${what} muss ${allowed} sein (angegeben: ${got}).`,
   layers: 'Der Wert der Ebenen',
   object: 'ein Objekt',
@@ -105,7 +106,7 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   controls: 'Der Wert von controls',
   samples: 'Die Zahl der Proben',
   selection: 'Die Auswahl',
-  listOfNumbers: 'eine Liste von Nummern von Kreisen',
+  listOfIds: 'eine Liste von Nummern von Kreisen',
   someOf: (words) => `${listed(words, 'oder')} oder beides`,
   notJson: (what, reason) => `${what} ist kein gültiges JSON: ${reason}.`,
   view: 'Ein Ausschnitt besteht aus drei Zahlen: x, y und einer Weite über 0.',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError, reasonOf } from '../lib/base/errors.ts'
+import { reasonOf, receivedError } from '../lib/base/errors.ts'
 import type { Edit } from '../lib/index.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
@@ -185,7 +185,7 @@ export class Painter {
       const asked = this.#asked.get(message.request)
       this.#asked.delete(message.request)
       if (message.kind === 'answer') asked?.resolve(message.value)
-      else asked?.reject(new CircleVoronoiError(message.code, message.circle, message.message))
+      else asked?.reject(receivedError(message.error))
       return
     }
     const scene = this.#scenes.get(message.scene)
@@ -200,7 +200,7 @@ export class Painter {
     this.#hasWorked = true
     scene.waiting.delete(message.revision)
     if (message.kind === 'refused') {
-      waiting.reject(new CircleVoronoiError(message.code, message.circle, message.message))
+      waiting.reject(receivedError(message.error))
       return
     }
     if (waiting.message.kind === 'open') scene.circles = new CircleTable(waiting.message.circles.slice())

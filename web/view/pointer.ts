@@ -8,8 +8,9 @@ import type { View } from './view.ts'
 /** How near to a rim or a dot counts as on it, in pixels. */
 const MOUSE_SLACK = 5
 const TOUCH_SLACK = 12
-/** How near to an edge the pointer shows its disc. */
+/** How near to an edge the pointer or a finger shows its disc. */
 const DISC_SLACK = 14
+const TOUCH_DISC_SLACK = 24
 /** A finger drags circles of this radius in pixels at once; on smaller ones it may be meant to pan. */
 const LARGE_FOR_FINGERS = 22
 /** A pointer that moves less than this was a click. */
@@ -158,12 +159,11 @@ export function listenToPointer(
     hasMoved = true
   }
 
-  /** A finger that rests shows the disc that the pointer of a mouse shows. */
+  /** The disc that a finger shows, which rests and is then moved, follows it. */
   const showDisc = (from: Point): Gesture => {
-    const show = (point: Point) => view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
-    const hide = () => view.touch(undefined, 0)
+    const show = (point: Point) => view.touch(planeAt(point), TOUCH_DISC_SLACK / view.camera.scale)
     show(from)
-    return { move: show, end: hide, cancel: hide }
+    return { move: show }
   }
 
   const showCursor = (hit: Hit | undefined) => {
@@ -204,6 +204,8 @@ export function listenToPointer(
     }
     start = point
     hasMoved = false
+    // A finger cannot hover: a tap shows what a pointer shows that is moved there, until the next one.
+    if (event.pointerType === 'touch') view.touch(planeAt(point), TOUCH_DISC_SLACK / view.camera.scale)
     const begun = begin(point, event)
     gesture = begun
     // Browsers tell of moves with the next frame: where that is late, what is dragged does not rest.
@@ -247,11 +249,12 @@ export function listenToPointer(
   on('contextmenu', (event) => {
     if (pressed.size > 0) event.preventDefault()
   })
-  on('pointerleave', () => {
+  on('pointerleave', ({ pointerType }) => {
     isActive = !letsPageScroll
     isHovering = false
     hands.hover(undefined)
-    view.touch(undefined, 0)
+    // Each finger leaves as it is lifted.
+    if (pointerType !== 'touch') view.touch(undefined, 0)
   })
   on('keydown', (event) => {
     if (event.key === 'Escape' && gesture !== undefined) {

@@ -61,7 +61,7 @@ export class Refusal<Words = Refusals> extends CircleVoronoiError implements Tel
   readonly say: (words: Words) => string
 
   constructor(english: Words, say: (words: Words) => string, code: ErrorCode = 'badArgument') {
-    super(code, -1, say(english))
+    super(code, say(english))
     this.say = say
   }
 }

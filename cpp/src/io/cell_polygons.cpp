@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "arc_measure.h"
-#include "chord.h"
 #include "circle_arc.h"
+#include "flatten.h"
 #include "near_vertices.h"
 #include "scale.h"
 #include "vectors.h"
@@ -15,58 +15,12 @@
 namespace circle_voronoi {
 namespace {
 
-/// Enough to halve the turn of any arc, of less than a full turn, to less than half a turn around both foci.
-constexpr int kMostHalvings = 8;
 /// Of coordinates: far above rounding errors, far below what can be seen.
 constexpr double kRoundingError = 0x1p-40;
 /// Rounds in which edges take back the rounding of their points, which may then turn edges beside them; few need two.
 constexpr int kMostRounds = 8;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Whether the triangle p, q, r is counter-clockwise.
-bool isLeftTurn(Point p, Point q, Point r) { return turn(vectorTo(p, q), vectorTo(p, r)) > 0; }
-
-/// Whether the step from p to q turns around both foci of an arc, by less than half a turn.
-bool turnsAround(Point left, Point right, Point p, Point q) {
-  return isLeftTurn(left, p, q) && isLeftTurn(right, q, p);
-}
-
-/// Adds points of the arc until each step turns around both foci, by less than half a turn. A cell is star-shaped from
-/// its circle's centre, so a polygon of such steps is, too, and does not cross itself.
-void refine(std::vector<Point>& points, const EdgeCurve& curve) {
-  const Bisector& bisector = curve.bisector;
-  const auto isCoarse = [&](Point p, Point q) { return !turnsAround(bisector.left, bisector.right, p, q); };
-  for (int i = 0; i < kMostHalvings; ++i) {
-    if (std::ranges::adjacent_find(points, isCoarse) == points.end()) return;
-    std::vector<Point> finer = {points.front()};
-    for (std::size_t k = 1; k < points.size(); ++k) {
-      const Point p = points[k - 1];
-      const Point q = points[k];
-      const double middle = std::sqrt(parameterAt(bisector, p)) * std::sqrt(parameterAt(bisector, q));
-      if (isCoarse(p, q)) finer.push_back(pointAt(bisector, middle));
-      finer.push_back(q);
-    }
-    points = std::move(finer);
-  }
-}
-
-/// The points of an arc from `start` to `end`, which are its ends but for rounding.
-std::vector<Point> pointsBetween(const EdgeCurve& curve, Point start, Point end, double tolerance) {
-  if (start == end) return {start};
-  std::vector<Point> points = polyline(curve, tolerance);
-  if (!curve.isStraight()) refine(points, curve);
-  points.front() = start;
-  points.back() = end;
-  return points;
-}
-
-/// Whether pointsBetween has none but the ends.
-bool isOneStep(const EdgeCurve& curve, Point start, Point end, double tolerance) {
-  if (start == end) return true;
-  return isNearChord(curve, tolerance) &&
-         turnsAround(curve.bisector.left, curve.bisector.right, curve.start, curve.end);
-}
 
 /// Whether the area of a counter-clockwise ring is more than what rounding of its points can make.
 bool hasArea(const std::vector<Point>& ring) {

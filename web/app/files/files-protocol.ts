@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between the page and the thread that reads and writes files and links, and makes circles.
-import type { ErrorCode, Float64s } from '../../lib/index.ts'
+import type { PostedError } from '../../lib/base/errors.ts'
+import type { Float64s } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
 import type { NamedCircles } from '../csv.ts'
 import type { Recipe } from '../generators/generators.ts'
@@ -27,5 +28,5 @@ export type FilesRequest =
 export interface FilesReply {
   readonly request: number
   readonly result?: unknown
-  readonly error?: { readonly code: ErrorCode; readonly circle: number; readonly message: string }
+  readonly error?: PostedError
 }

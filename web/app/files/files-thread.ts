@@ -25,7 +25,8 @@ port.onmessage = async ({ data }) => {
   try {
     port.postMessage({ request, result: await resultOf(data) })
   } catch (error) {
-    const { code, circle } = error instanceof CircleVoronoiError ? error : { code: 'internal' as const, circle: -1 }
+    const { code, circle } =
+      error instanceof CircleVoronoiError ? error : { code: 'internal' as const, circle: undefined }
     port.postMessage({ request, error: { code, circle, message: `${reasonOf(error)}.` } })
   }
 }

@@ -32,5 +32,5 @@ export function circlesOfSvg(text: string, name: string): Read {
 }
 
 function refuse(name: string): never {
-  throw new CircleVoronoiError('badInput', -1, `${name}: this SVG is none that was saved here with all of its circles.`)
+  throw new CircleVoronoiError('badInput', `${name}: this SVG is none that was saved here with all of its circles.`)
 }

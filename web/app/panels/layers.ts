@@ -2,9 +2,8 @@
 import { html, nothing, type TemplateResult } from 'lit'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { CANDIDATES, type Candidates } from '../../lib/base/types.ts'
 import {
-  CANDIDATES,
-  type Candidates,
   CELL_COLORS,
   type CellColors,
   isMethodShown,
