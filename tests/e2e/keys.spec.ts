@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keys and fingers do that a mouse does, and what tells of it.
+import { readFileSync } from 'node:fs'
 import { decodeLink } from '../../web/lib/link.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
@@ -185,6 +186,23 @@ test('circles move while it plays, and undo brings all of them back at once', as
     await page.getByRole('button', { name: 'Undo' }).click()
     await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
   }
+})
+
+test('motion is recorded as a video', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  await app.openPanel('Motion')
+  const download = page.waitForEvent('download')
+  await page.getByRole('button', { name: 'Record 6 s' }).click()
+  await expect(page.getByRole('button', { name: 'Recording …' })).toBeDisabled()
+  const file = await download
+  expect(file.suggestedFilename()).toMatch(/^circles-bounce\.(mp4|webm)$/)
+  const bytes = readFileSync(await file.path())
+  expect(bytes.length).toBeGreaterThan(20_000)
+  // As MP4 or Matroska begins.
+  expect([bytes.toString('latin1', 4, 8), bytes.toString('hex', 0, 4)]).toEqual(
+    file.suggestedFilename().endsWith('mp4') ? ['ftyp', expect.anything()] : [expect.anything(), '1a45dfa3'],
+  )
 })
 
 test.describe('with fingers', () => {
