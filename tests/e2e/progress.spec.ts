@@ -47,9 +47,9 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   await expect(page.getByRole('alert')).toContainText('you canceled it')
   expect(await app.status.textContent()).toBe(before)
   // All goes on.
+  await expect(app.inspector).toContainText('Circle 600')
   await expect(app.canvas).toHaveAttribute('aria-busy', 'false', { timeout: 60_000 })
   await app.canvas.focus()
-  await page.keyboard.press('Enter')
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('677 circles')
 })

@@ -331,7 +331,7 @@ describe('the manifest', () => {
     const said = (pattern: RegExp, text: string) => [...text.matchAll(pattern)].map(([, name]) => name as string)
     expect(names(element.cssParts).sort()).toEqual(said(/setAttribute\('part', '([\w-]+)'\)/g, shell).sort())
     expect(names(element.slots).sort()).toEqual(said(/slot\('(\w*)'\)/g, shell).sort())
-    const theme = new Set(said(/--([\w-]+): light-dark/g, read('web/view/theme.css')))
+    const theme = new Set(said(/^ {2}--([\w-]+):/gm, read('web/view/theme.css')))
     const properties = names(element.cssProperties).map((name) => name.replace('--circle-voronoi-', ''))
     expect(properties.filter((name) => name !== 'aspect-ratio').sort()).toEqual([...theme].sort())
   })

@@ -95,6 +95,12 @@ describe('what cells are measured by', () => {
     expect(knots).toEqual([0.05, 0.25, 0.5, 0.75, 0.95].map(at))
     expect(isClipped).toBe(true)
     expect([measures.shadeOf(visible.find((i) => measures.valueOf(i) === values[0]) as number), measures.shadeOf(visible.find((i) => measures.valueOf(i) === values.at(-1)) as number)]).toEqual([0, SHADES - 1])
+    // What has no end has no color.
+    const endless = Array.from({ length: 1200 }, (_, i) => i).filter(
+      (i) => diagram.cells.exists(i) && measures.valueOf(i) === Number.POSITIVE_INFINITY,
+    )
+    expect(endless.length > 0).toBe(measure === 'area')
+    expect(endless.every((i) => measures.shadeOf(i) === -1)).toBe(true)
     const least = visible.find((i) => measures.valueOf(i) === knots[0]) as number
     const largest = visible.find((i) => measures.valueOf(i) === knots[4]) as number
     expect([measures.shadeOf(least), measures.shadeOf(largest)]).toEqual([0, SHADES - 1])

@@ -39,8 +39,9 @@ export class Measures {
     return { measure: this.measure, knots, isClipped: this.#isClipped }
   }
 
-  /** From 0 to `SHADES` - 1. */
+  /** From 0 to `SHADES` - 1; of an area without end `NONE`: it is not the largest. */
   shadeOf(i: number): number {
+    if (this.valueOf(i) === Number.POSITIVE_INFINITY) return NONE
     return Math.round(placeAmong(this.#knotsNow, this.valueOf(i)) * (SHADES - 1))
   }
 
