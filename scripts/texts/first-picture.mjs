@@ -26,5 +26,8 @@ export async function addFirstPicture(folder) {
   const file = `${folder}/index.html`
   const page = readFileSync(file, 'utf8')
   if (!page.includes(PLACE)) throw new Error(`${file} has no place for the first picture.`)
-  writeFileSync(file, page.replace(PLACE, () => firstPicture(editor.snapshot())))
+  writeFileSync(
+    file,
+    page.replace(PLACE, () => firstPicture(editor.snapshot())),
+  )
 }

@@ -126,7 +126,12 @@ for (const [what, name, content, says] of [
   ['a line that is no circle', 'a.csv', '0,0,1\n1,2,three', /^a\.csv:2: .*\.$/],
   ['a negative radius', 'a.csv', '0,0,1\n1,2,-3', /^a\.csv:2: Circle 1 has a negative radius\.$/],
   ['JSON of something else', 'a.json', '{"name": "x"}', /^a\.json:.*\.$/],
-  ['something that is no text', 'a.bin', Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 255, 254]), /^a\.bin is not a table of circles\. Open .*\.$/],
+  [
+    'something that is no text',
+    'a.bin',
+    Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 255, 254]),
+    /^a\.bin is not a table of circles\. Open .*\.$/,
+  ],
   [
     'an SVG of something else',
     'a.svg',
@@ -246,7 +251,9 @@ test('works where the part for files fails to load, once it can be loaded', asyn
   await expect(app.status).toContainText('3 circles')
 })
 
-test('saved drawings are what is seen: its colors, its layers and its part of the plane, or all circles', async ({ app }) => {
+test('saved drawings are what is seen: its colors, its layers and its part of the plane, or all circles', async ({
+  app,
+}) => {
   const { page } = app
   await app.choose('Introduction')
   await app.openPanel('Layers')

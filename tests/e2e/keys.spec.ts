@@ -233,7 +233,11 @@ test.describe('with fingers', () => {
     await touch('touchStart', free)
     await expect.poll(() => drawnAbove(app)).toBeGreaterThan(100)
     // It follows the finger, and no circle is added.
-    const overlay = () => app.canvas.locator('canvas').nth(1).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
+    const overlay = () =>
+      app.canvas
+        .locator('canvas')
+        .nth(1)
+        .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
     await page.waitForTimeout(700)
     const first = await overlay()
     await touch('touchMove', { x: 60, y: 340 })

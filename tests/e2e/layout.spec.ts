@@ -10,7 +10,6 @@ async function boxOf(locator: Locator) {
   return (await locator.boundingBox()) as { x: number; y: number; width: number; height: number }
 }
 
-
 async function expectApart(app: App): Promise<number> {
   const { width, height } = app.page.viewportSize() as { width: number; height: number }
   // All at one time: a line that tells of a data set goes by itself.

@@ -7,7 +7,9 @@ test('what is loaded has a bar and can be canceled; what was wrong before goes a
   const { page } = app
   const progress = page.locator('#progress')
   await app.openPanel('Files')
-  await page.getByLabel('Open …').setInputFiles({ name: 'a.csv', mimeType: 'text/csv', buffer: Buffer.from('0,0,-1\n') })
+  await page
+    .getByLabel('Open …')
+    .setInputFiles({ name: 'a.csv', mimeType: 'text/csv', buffer: Buffer.from('0,0,-1\n') })
   await expect(page.getByRole('alert')).toContainText('negative radius')
   const answer = await heldBack('**/data/spruces.csv', page)
   await page.getByLabel('Data set').selectOption({ label: 'Spruces' })

@@ -252,7 +252,9 @@ test('colors by a measure have a legend with numbers on the canvas', async ({ ap
   expect(texts.map((text) => Number(text.replace(/[≤≥] /, '')))).toEqual(knots.map((r) => Number(r.toPrecision(2))))
   expect([texts[0]?.[0], texts[4]?.[0]]).toEqual(['≤', '≥'])
   // The largest circles have the color of its end.
-  const largest = Array.from({ length: 678 }, (_, i) => i).sort((i, j) => (BRONZE[3 * j + 2] as number) - (BRONZE[3 * i + 2] as number))
+  const largest = Array.from({ length: 678 }, (_, i) => i).sort(
+    (i, j) => (BRONZE[3 * j + 2] as number) - (BRONZE[3 * i + 2] as number),
+  )
   await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
   const [color] = await app.colors([app.center(BRONZE, largest[0] as number)])
   const end = await legend.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {

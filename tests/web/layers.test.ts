@@ -79,32 +79,38 @@ describe('what cells are measured by', () => {
     }
   })
 
-  it.each(['area', 'gap', 'radius', 'index'] as const)('has a quarter of the cells in each quarter of the ramp: %s', (measure) => {
-    const { diagram } = new Picture(library.edit(randomCircles(1200)))
-    const measures = new Measures(measure, diagram)
-    const counts = new Int32Array(4)
-    const isMeasured = (i: number) => diagram.cells.exists(i) && Number.isFinite(measures.valueOf(i))
-    const visible = Array.from({ length: 1200 }, (_, i) => i).filter(isMeasured)
-    for (const i of visible) (counts[Math.min(Math.floor((4 * measures.shadeOf(i)) / SHADES), 3)] as number)++
-    for (const count of counts) expect(Math.abs(count - visible.length / 4)).toBeLessThan(30)
-    // The legend says what the ends and quarters of the ramp are.
-    const { knots, isClipped } = measures.legend
-    const values = visible.map((i) => measures.valueOf(i)).sort((a, b) => a - b)
-    // Outliers have the colors of the ends.
-    const at = (share: number) => values[Math.round(share * (values.length - 1))]
-    expect(knots).toEqual([0.05, 0.25, 0.5, 0.75, 0.95].map(at))
-    expect(isClipped).toBe(true)
-    expect([measures.shadeOf(visible.find((i) => measures.valueOf(i) === values[0]) as number), measures.shadeOf(visible.find((i) => measures.valueOf(i) === values.at(-1)) as number)]).toEqual([0, SHADES - 1])
-    // What has no end has no color.
-    const endless = Array.from({ length: 1200 }, (_, i) => i).filter(
-      (i) => diagram.cells.exists(i) && measures.valueOf(i) === Number.POSITIVE_INFINITY,
-    )
-    expect(endless.length > 0).toBe(measure === 'area')
-    expect(endless.every((i) => measures.shadeOf(i) === -1)).toBe(true)
-    const least = visible.find((i) => measures.valueOf(i) === knots[0]) as number
-    const largest = visible.find((i) => measures.valueOf(i) === knots[4]) as number
-    expect([measures.shadeOf(least), measures.shadeOf(largest)]).toEqual([0, SHADES - 1])
-  })
+  it.each(['area', 'gap', 'radius', 'index'] as const)(
+    'has a quarter of the cells in each quarter of the ramp: %s',
+    (measure) => {
+      const { diagram } = new Picture(library.edit(randomCircles(1200)))
+      const measures = new Measures(measure, diagram)
+      const counts = new Int32Array(4)
+      const isMeasured = (i: number) => diagram.cells.exists(i) && Number.isFinite(measures.valueOf(i))
+      const visible = Array.from({ length: 1200 }, (_, i) => i).filter(isMeasured)
+      for (const i of visible) (counts[Math.min(Math.floor((4 * measures.shadeOf(i)) / SHADES), 3)] as number)++
+      for (const count of counts) expect(Math.abs(count - visible.length / 4)).toBeLessThan(30)
+      // The legend says what the ends and quarters of the ramp are.
+      const { knots, isClipped } = measures.legend
+      const values = visible.map((i) => measures.valueOf(i)).sort((a, b) => a - b)
+      // Outliers have the colors of the ends.
+      const at = (share: number) => values[Math.round(share * (values.length - 1))]
+      expect(knots).toEqual([0.05, 0.25, 0.5, 0.75, 0.95].map(at))
+      expect(isClipped).toBe(true)
+      expect([
+        measures.shadeOf(visible.find((i) => measures.valueOf(i) === values[0]) as number),
+        measures.shadeOf(visible.find((i) => measures.valueOf(i) === values.at(-1)) as number),
+      ]).toEqual([0, SHADES - 1])
+      // What has no end has no color.
+      const endless = Array.from({ length: 1200 }, (_, i) => i).filter(
+        (i) => diagram.cells.exists(i) && measures.valueOf(i) === Number.POSITIVE_INFINITY,
+      )
+      expect(endless.length > 0).toBe(measure === 'area')
+      expect(endless.every((i) => measures.shadeOf(i) === -1)).toBe(true)
+      const least = visible.find((i) => measures.valueOf(i) === knots[0]) as number
+      const largest = visible.find((i) => measures.valueOf(i) === knots[4]) as number
+      expect([measures.shadeOf(least), measures.shadeOf(largest)]).toEqual([0, SHADES - 1])
+    },
+  )
 
   it('is placed among the knots of the ramp', () => {
     const knots = [1, 2, 2, 4, 8]

@@ -124,7 +124,9 @@ describe('the steps of a trace', () => {
     expect([...(columnsOf(steps, 100)[0]?.keys() ?? [])]).toContain('stage')
     // A column counts its steps: of many it is not as one that is full of them.
     const counts = columnsOf(steps, 10).flatMap((column) => [...column.values()])
-    expect(counts.reduce((sum, count) => sum + count, 0)).toBe(steps.filter((step) => sortOf(step) !== undefined).length)
+    expect(counts.reduce((sum, count) => sum + count, 0)).toBe(
+      steps.filter((step) => sortOf(step) !== undefined).length,
+    )
     expect(new Set(counts).size).toBeGreaterThan(2)
   })
 })

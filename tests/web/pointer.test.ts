@@ -273,7 +273,13 @@ describe('a press', () => {
     stage.selection = []
     stage.done.length = 0
     stage.camera = { ...stage.camera, scale: 4 }
-    await stage.drag([{ x: 400, y: 300 }, { x: 404, y: 300 }], touch)
+    await stage.drag(
+      [
+        { x: 400, y: 300 },
+        { x: 404, y: 300 },
+      ],
+      touch,
+    )
     expect(stage.of(...DOING)).toEqual([])
     expect(stage.camera.x).toBe(-1)
     stage.camera = { ...CAMERA, scale: 4 }

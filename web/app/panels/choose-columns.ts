@@ -105,9 +105,12 @@ function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
             <table>
               <thead><tr>${rows.heading.map((heading, k) => html`<th scope="col" class=${used(k) ? 'used' : ''}>${heading}</th>`)}</tr></thead>
               <tbody>
-                ${rows.rows.slice(0, SHOWN).map(
-                  (row) => html`<tr>${rows.heading.map((_, k) => html`<td class=${used(k) ? 'used' : ''}>${row[k] ?? ''}</td>`)}</tr>`,
-                )}
+                ${rows.rows
+                  .slice(0, SHOWN)
+                  .map(
+                    (row) =>
+                      html`<tr>${rows.heading.map((_, k) => html`<td class=${used(k) ? 'used' : ''}>${row[k] ?? ''}</td>`)}</tr>`,
+                  )}
               </tbody>
             </table>
           </div>
@@ -127,6 +130,8 @@ function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
   dialog.returnValue = ''
   dialog.showModal()
   return new Promise((resolve) => {
-    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'open' ? chosen() : undefined), { once: true })
+    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'open' ? chosen() : undefined), {
+      once: true,
+    })
   })
 }

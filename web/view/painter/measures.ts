@@ -82,9 +82,9 @@ export class Measures {
     const { circles, cells } = this.#diagram
     const step = this.#step
     const some = Array.from({ length: Math.ceil(circles.length / 3 / step) }, (_, k) => k * step)
-    const values = Float64Array.from(
-      some.filter((i) => cells.exists(i)).map((i) => this.valueOf(i)),
-    ).filter(Number.isFinite)
+    const values = Float64Array.from(some.filter((i) => cells.exists(i)).map((i) => this.valueOf(i))).filter(
+      Number.isFinite,
+    )
     values.sort()
     const knots = SHARES.map((share) => values[Math.round(share * (values.length - 1))] ?? 0)
     this.#isClipped = step > 1 || knots[0] !== values[0] || knots.at(-1) !== values.at(-1)
