@@ -101,7 +101,8 @@ for (const [name, openEngine] of ENGINES) {
 
         await engine.drag([from, { x: from.x + 5, y: from.y }, { x: from.x + 9, y: from.y - 4 }])
         await page.says('#inspector', 'Circle 650')
-        const isLinked = (address: string) => address.includes('#v1.')
+        // That of the circle where it was dropped.
+        const isLinked = (address: string) => address.includes('#v1.') && !address.endsWith(BRONZE_LINK)
         const link = await until('linked', () => page.address(), isLinked)
         const { dataSet, edits } = await decodeLink(new URL(link).hash)
         expect(dataSet).toBe('bronzefilter')
