@@ -26,6 +26,8 @@ test('shows a few circles at the start, and one line that says what it is', asyn
   await page.mouse.click(at.x, at.y)
   await expect(app.inspector).toContainText('Circle 0')
   await expect(line).toBeHidden()
+  // What is shown at first is there without being kept.
+  expect(new URL(page.url()).hash).toBe('')
 })
 
 test.describe('where motion is welcome', () => {

@@ -54,7 +54,11 @@ export class App {
     const link = await decodeLink(new URL(this.page.url()).hash)
     const circles = link.circles ?? dataSet(link.dataSet as string)
     const byId = new Map<number, Circle>()
-    const circleAt = (i: number): Circle => ({ x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) })
+    const circleAt = (i: number): Circle => ({
+      x: at(circles, 3 * i),
+      y: at(circles, 3 * i + 1),
+      r: at(circles, 3 * i + 2),
+    })
     for (let i = 0; i < circles.length / 3; i++) byId.set(i, circleAt(i))
     let next = byId.size
     for (const edit of link.edits ?? []) {

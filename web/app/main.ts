@@ -6,19 +6,21 @@ import { problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
 import { mount } from '../view/mount.ts'
 import { listenToPointer } from '../view/pointer.ts'
+import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
 import { FileActions } from './files/file-actions.ts'
 import { FilesClient } from './files/files-client.ts'
 import { listenToClipboard } from './input/clipboard.ts'
 import { listenToFiles } from './input/dropping.ts'
+import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
 import { Keeping } from './keeping.ts'
 import { LinkWriter } from './link-writer.ts'
 import { driftAtStart } from './motion/drift.ts'
 import { Motion } from './motion/motion.ts'
 import { workOffline } from './offline.ts'
-import { arrangeAround } from './arrange.ts'
 import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'
+import { paintedOnce } from './painted-once.ts'
 import { byId } from './panels/by-id.ts'
 import { mountFiles } from './panels/files.ts'
 import { mountGenerate } from './panels/generate.ts'
@@ -50,7 +52,9 @@ import { styleSheetsLoaded } from './style-sheets.ts'
 //              │
 //              └──► panels, and what stands out in the view
 
+const firstPicture = document.getElementById('first-picture')
 if (location.hash === '') askAhead((DATA_SETS[0] as DataSet).id)
+else firstPicture?.remove()
 await styleSheetsLoaded()
 
 const figure = byId('figure', HTMLElement)
@@ -88,6 +92,7 @@ mountShare(fileActions)
 // What is copied here is no file: this hears of it first.
 listenToClipboard(actions)
 listenToFiles(fileActions)
+restoreInvalidNumbers(document)
 const editNumbers = mountInspector(store, actions)
 mountInspectorFacts(store, editing, actions, view)
 const showHelp = mountHelp()
@@ -97,7 +102,7 @@ mountLayers(store, actions, view)
 mountNumbers(store, view)
 mountTable(store, editing, actions, view)
 mountMethod(store, actions, view)
-mountMotion(new Motion(view, editing, actions))
+mountMotion(new Motion(view, editing, actions), view, (problem) => actions.complain(problem))
 mountScale(view)
 mountNames(store, editing)
 const pointer = listenToPointer(figure, view, actions)
@@ -111,6 +116,9 @@ if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) 
   // Of the link, for which these circles stand in.
   actions.complain(problem)
   driftAtStart(view, figure)
+  paintedOnce(figure).then(() => firstPicture?.remove())
+} else {
+  firstPicture?.remove()
 }
 arrangeAround(view, actions)
 view.on('camera', () => keeping.changed())

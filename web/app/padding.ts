@@ -15,7 +15,9 @@ export function paddingOfPage(): Padding {
   const player = boxOf('player')
   // On phones they are sheets, as wide as the window.
   const isSheet = ({ width }: DOMRect) => width > 0.7 * innerWidth
-  const sheets = [panel, player].filter((box) => box !== undefined && isSheet(box)).map((box) => box?.top ?? innerHeight)
+  const sheets = [panel, player]
+    .filter((box) => box !== undefined && isSheet(box))
+    .map((box) => box?.top ?? innerHeight)
   const below = [boxOf('status'), boxOf('view'), ...(isBelow ? [rail] : [])].filter(({ height }) => height > 0)
   const left = [isBelow ? 0 : rail.right, panel === undefined || isSheet(panel) ? 0 : panel.right]
   const isPlayerBeside = player.width > 0 && !isSheet(player)

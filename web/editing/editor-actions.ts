@@ -531,6 +531,11 @@ export class EditorActions implements Hands {
     }
   }
 
+  /** Has the view show all of some circles, where it does not. */
+  reveal(circles: readonly Circle[]): void {
+    if (!circles.every((circle) => this.#shows(circle))) this.look(undefined)
+  }
+
   /** Whether a point is in the view, where no panel stands. */
   #shows(point: Point): boolean {
     const { camera, size } = this.#view

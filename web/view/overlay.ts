@@ -110,7 +110,8 @@ export function drawOverlay(
   }
 
   const { selected, hovered } = marks
-  if (selected !== undefined && isSeen(style.neighborCell)) stroke(pathOf(selected.neighborhood), style.neighborCell, NEIGHBOR_OUTLINE)
+  if (selected !== undefined && isSeen(style.neighborCell))
+    stroke(pathOf(selected.neighborhood), style.neighborCell, NEIGHBOR_OUTLINE)
   if (hovered !== undefined && hovered.id !== selected?.id) {
     outline(pathOf(hovered.outline), style.edge, OUTLINE)
     outline(discOf(hovered.circle.x, hovered.circle.y, hovered.circle.r, DOT_RADIUS), style.edge, OUTLINE)

@@ -374,6 +374,11 @@ export class View {
     return canvas.convertToBlob({ type: 'image/png' })
   }
 
+  /** What is seen as a film that goes on, without what stands out. */
+  stream(): MediaStream {
+    return this.#base.captureStream()
+  }
+
   /** Has one circle stand out, or none. */
   select(id: number | undefined): void {
     this.mark(id, undefined)

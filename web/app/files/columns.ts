@@ -6,6 +6,7 @@ import type { NamedCircles } from '../csv.ts'
 export interface Rows {
   /** The names of the columns; numbers, if the table has none. */
   readonly heading: readonly string[]
+  readonly hasHeading: boolean
   readonly rows: readonly (readonly string[])[]
   readonly hasDecimalCommas: boolean
 }
@@ -32,7 +33,10 @@ const LOOKED_AT = 50
 
 /** A text as a table, if it is one: at least two columns of numbers in most of its rows. */
 export function rowsOf(text: string): Rows | undefined {
-  const lines = text.replace(/^\uFEFF/, '').split(/\r?\n/).filter((line) => line.trim() !== '')
+  const lines = text
+    .replace(/^\uFEFF/, '')
+    .split(/\r?\n/)
+    .filter((line) => line.trim() !== '')
   const separator = separatorOf(lines.slice(0, LOOKED_AT))
   if (separator === undefined) return undefined
   const table = lines.map((line) => fieldsOf(line, separator))
@@ -46,12 +50,17 @@ export function rowsOf(text: string): Rows | undefined {
     const numbers = rows.filter((row) => isNumber(row[k] ?? '')).length
     return rows.length > 0 && numbers > rows.length / 2
   })
-  return numeric.length < 2 ? undefined : { heading, rows, hasDecimalCommas }
+  return numeric.length < 2 ? undefined : { heading, hasHeading, rows, hasDecimalCommas }
 }
 
 /** The columns that the names tell, where they do. */
 export function guessedColumns({ heading }: Rows): Partial<Columns> & { readonly isDiameter?: boolean } {
-  const normal = heading.map((name) => name.toLowerCase().replace(/[_\-.()[\]]+/g, ' ').trim())
+  const normal = heading.map((name) =>
+    name
+      .toLowerCase()
+      .replace(/[_\-.()[\]]+/g, ' ')
+      .trim(),
+  )
   const find = (kind: keyof typeof NAMES) => {
     const place = normal.findIndex((name) => NAMES[kind].test(name))
     return place < 0 ? undefined : place
@@ -78,7 +87,9 @@ export function circlesFrom(rows: Rows, columns: Columns, isDiameter: boolean, f
     const wrong = circle.findIndex((number) => !Number.isFinite(number))
     if (wrong >= 0) {
       const column = [x, y, typeof r === 'number' ? r : 0][wrong] as number
-      throw new Error(`${file}, row ${k + 1}: “${row[column] ?? ''}” in column ${rows.heading[column]} is not a number.`)
+      throw new Error(
+        `${file}, row ${k + 1}: “${row[column] ?? ''}” in column ${rows.heading[column]} is not a number.`,
+      )
     }
     if (radius < 0) throw new Error(`${file}, row ${k + 1}: the radius must not be negative (got ${radius}).`)
     circles.set(circle, 3 * k)

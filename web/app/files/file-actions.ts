@@ -4,20 +4,27 @@ import type { Editing } from '../../editing/editing.ts'
 import type { HowOpened } from '../../editing/editor-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
-import { CircleVoronoiError } from '../../lib/index.ts'
+import { CircleVoronoiError, circleAt } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
 import { fitted } from '../../view/camera.ts'
 import type { Shot, View } from '../../view/view.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
 import { sourceOf } from '../data-sets.ts'
 import type { LinkWriter } from '../link-writer.ts'
 import type { PageActions } from '../page-actions.ts'
+import { chooseColumns } from '../panels/choose-columns.ts'
+import { toast } from '../panels/toast.ts'
+import { circlesFrom, rowsOf } from './columns.ts'
 import type { FilesClient } from './files-client.ts'
-import type { SavedFormat } from './files-protocol.ts'
+import type { Read, SavedFormat } from './files-protocol.ts'
 import { elementCode, embedCode, save } from './saving.ts'
 import { withLink } from './svg-scene.ts'
 
 /** Larger files are none that a browser could show. */
 const LARGEST_FILE = 2 ** 28
+/** What the reader says of a table whose columns it does not know. */
+const UNKNOWN_COLUMNS = /no column is called|a header has to name|both mean|expected three numbers/
+const READABLE = 'Open CSV, JSON, GeoJSON, an SVG that was saved here, or a picture.'
 /** A longer address is none that browsers open. */
 const LONGEST_LINK = 2_000_000
 /** What of a sheet of paper is a picture: A3 at 300 dots per inch. */
@@ -61,17 +68,69 @@ export class FileActions {
 
   /** Opens a file. One that cannot be read changes nothing. */
   openFile(file: File): Promise<HowOpened> {
-    return this.#actions.openRead(async () => {
-      if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
-      return this.#client.read(new Uint8Array(await file.arrayBuffer()), file.name)
-    })
+    return this.#actions.openRead(() => this.#readFile(file))
   }
 
-  /** Opens a text as if it were a file, or a link. */
-  openText(text: string): Promise<HowOpened> {
+  /** Takes a text as if it were a file, or a link. Circles of a table are added to those that there are. */
+  async openText(text: string): Promise<HowOpened> {
     const link = /^\S*#(v\d+\.[\w-]+)$/.exec(text.trim())?.[1]
     if (link !== undefined) return this.#actions.openLink(link)
-    return this.#actions.openRead(() => this.#client.read(new TextEncoder().encode(text), 'The pasted text'))
+    const name = 'The pasted text'
+    const read = () => this.#read(new TextEncoder().encode(text), name)
+    const isTable = !/^\s*[[{<]/.test(text)
+    if (!isTable || this.#editing.circles.count === 0) return this.#actions.openRead(read)
+    return this.#add(read)
+  }
+
+  async #add(read: () => Promise<Read>): Promise<HowOpened> {
+    try {
+      const result = await read()
+      if ('link' in result) return this.#actions.openLink(result.link)
+      const { circles } = result
+      const added = Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))
+      const ids = await this.#actions.add(added)
+      if (ids.length === 0) return 'refused'
+      this.#actions.reveal(added)
+      const count = ids.length === 1 ? 'One circle was' : `${wholeNumber(ids.length)} circles were`
+      const replace = async () => {
+        await this.#actions.undo()
+        await this.#actions.openRead(async () => result)
+      }
+      toast(`${count} added.`, { label: 'Replace all circles instead', act: replace })
+      return 'opened'
+    } catch (error) {
+      this.#actions.complain((error as Error).message)
+      return 'refused'
+    }
+  }
+
+  async #readFile(file: File): Promise<Read> {
+    if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
+    const isPicture = file.type.startsWith('image/') && file.type !== 'image/svg+xml'
+    if (!isPicture) return this.#read(new Uint8Array(await file.arrayBuffer()), file.name)
+    try {
+      return await this.#client.stipple(file)
+    } catch {
+      throw new Error(`${file.name} cannot be read as a picture.`)
+    }
+  }
+
+  /** What the library does not know as a table of circles may be one with other names of columns. */
+  async #read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
+    try {
+      // The thread gets them.
+      return await this.#client.read(bytes.slice(), name)
+    } catch (error) {
+      const { message } = error as Error
+      if (isBinary(bytes)) throw new Error(`${name} is not a table of circles. ${READABLE}`)
+      const rows = UNKNOWN_COLUMNS.test(message) ? rowsOf(new TextDecoder().decode(bytes)) : undefined
+      // Of three columns without names, a row is wrong, and not the columns.
+      if (rows === undefined || (rows.heading.length === 3 && !rows.hasHeading)) throw error
+      const chosen = await chooseColumns(rows, name)
+      // Whoever has closed the dialog knows.
+      if (chosen === undefined) throw new Error('')
+      return circlesFrom(rows, chosen.columns, chosen.isDiameter, name)
+    }
   }
 
   async saveAs(format: SavedFormat): Promise<void> {
@@ -172,6 +231,11 @@ export class FileActions {
       return false
     }
   }
+}
+
+/** Whether these are no text: there is a byte that none has. */
+function isBinary(bytes: Uint8Array): boolean {
+  return bytes.subarray(0, 4096).includes(0)
 }
 
 /** Where something beside this page is. */

@@ -16,6 +16,11 @@ export class FilesClient {
     return this.#ask((request) => ({ kind: 'read', request, bytes, name }))
   }
 
+  /** Circles that show a picture. @throws CircleVoronoiError `internal`, if the browser cannot read it */
+  stipple(picture: Blob): Promise<Read> {
+    return this.#ask((request) => ({ kind: 'stipple', request, picture }))
+  }
+
   /** @throws CircleVoronoiError as `compute`, `writeDiagram` */
   write(circles: Float64s, format: SavedFormat): Promise<string> {
     return this.#ask((request) => ({ kind: 'write', request, circles, format }))

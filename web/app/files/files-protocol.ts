@@ -14,6 +14,7 @@ export type Read = NamedCircles | { readonly link: string }
 
 export type FilesRequest =
   | { readonly kind: 'read'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer>; readonly name: string }
+  | { readonly kind: 'stipple'; readonly request: number; readonly picture: Blob }
   | {
       readonly kind: 'write'
       readonly request: number

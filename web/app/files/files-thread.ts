@@ -2,13 +2,19 @@
 // What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { encodeLink } from '../../lib/link.ts'
+import { randomNumbers } from '../random-circles.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
+import { namesIn } from './names.ts'
+import { stippled, tonesOf } from './stipple.ts'
 import { circlesOfSvg } from './svg-scene.ts'
 
 const port = globalThis as unknown as {
   onmessage: (event: MessageEvent<FilesRequest>) => void
   postMessage(message: FilesReply, transfer?: Transferable[]): void
 }
+
+/** The same picture becomes the same circles. */
+const STIPPLED = 1
 
 const files = kept(async () => (await import('../../lib/files.ts')).loadFiles())
 const library = kept(async () => (await import('../../lib/wasm/loader.ts')).loadCircleVoronoi())
@@ -29,6 +35,8 @@ async function resultOf(data: FilesRequest): Promise<unknown> {
   switch (data.kind) {
     case 'read':
       return read(data)
+    case 'stipple':
+      return { circles: stippled(await tonesOf(data.picture), randomNumbers(STIPPLED)) } satisfies Read
     case 'write':
       return write(data)
     case 'link':
@@ -44,7 +52,9 @@ async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): P
   const text = new TextDecoder().decode(bytes)
   if (/^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)) return circlesOfSvg(text, name)
   const { holdsDiagram, readCircles, readDiagram } = await files()
-  return { circles: holdsDiagram(bytes) ? readDiagram(bytes, { name }).circles : readCircles(bytes, { name }) }
+  if (holdsDiagram(bytes)) return { circles: readDiagram(bytes, { name }).circles }
+  const circles = readCircles(bytes, { name })
+  return { circles, names: namesIn(text, circles.length / 3) }
 }
 
 async function write({ circles, format }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {

@@ -23,7 +23,10 @@ export interface Tones {
 export async function tonesOf(picture: Blob): Promise<Tones> {
   const bitmap = await createImageBitmap(picture)
   const scale = Math.min(Math.sqrt(PIXELS / (bitmap.width * bitmap.height)), 1)
-  const [width, height] = [Math.max(Math.round(bitmap.width * scale), 1), Math.max(Math.round(bitmap.height * scale), 1)]
+  const [width, height] = [
+    Math.max(Math.round(bitmap.width * scale), 1),
+    Math.max(Math.round(bitmap.height * scale), 1),
+  ]
   const context = new OffscreenCanvas(width, height).getContext('2d') as OffscreenCanvasRenderingContext2D
   // What can be looked through is paper.
   context.fillStyle = 'white'
@@ -105,7 +108,8 @@ class Buckets {
     this.#rows = Math.ceil(height / this.#side) + 1
     this.#buckets = Array.from({ length: this.#columns * this.#rows }, () => [])
     for (let i = 0; i < x.length; i++) {
-      const place = Math.floor((y[i] as number) / this.#side) * this.#columns + Math.floor((x[i] as number) / this.#side)
+      const place =
+        Math.floor((y[i] as number) / this.#side) * this.#columns + Math.floor((x[i] as number) / this.#side)
       this.#buckets[place]?.push(i)
     }
   }

@@ -42,7 +42,9 @@ export function movementOf(name: MovementName, circles: readonly Moving[], box: 
   const phases = circles.map(() => 2 * Math.PI * random())
   return (seconds) => {
     time += seconds
-    return scaledBy((k) => 1 - BREADTH / 2 + (BREADTH / 2) * Math.cos((2 * Math.PI * time) / BREATH + (phases[k] as number)))
+    return scaledBy(
+      (k) => 1 - BREADTH / 2 + (BREADTH / 2) * Math.cos((2 * Math.PI * time) / BREATH + (phases[k] as number)),
+    )
   }
 }
 

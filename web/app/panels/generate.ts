@@ -107,7 +107,7 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
   `
 
   const body = () => html`
-    <ul aria-label="Data sets">
+    <ul aria-label="Prepared circles">
       ${DATA_SETS.filter(({ random }) => random === undefined).map(setRow)}
     </ul>
     <h3>Random circles</h3>

@@ -17,9 +17,9 @@ import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
-import { panelOf } from './panel.ts'
 import { type Pictured, pictureOf } from './layer-pictures.ts'
 import { saidOf } from './method-found.ts'
+import { panelOf } from './panel.ts'
 
 /** In extents of what is seen: where nothing is merged but by rounding, and how far the slider goes. */
 const NEAR_ZERO = 1e-9

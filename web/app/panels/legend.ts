@@ -73,6 +73,7 @@ function drawRamp(canvas: HTMLCanvasElement, ramp: readonly string[]): void {
 }
 
 function text(value: number): string {
+  if (Number.isInteger(value) && Math.abs(value) < 1e5) return String(value)
   const short = Number(value.toPrecision(2))
   return Math.abs(short) >= 1e6 || (short !== 0 && Math.abs(short) < 1e-3) ? short.toExponential(0) : String(short)
 }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html } from 'lit'
+import type { View } from '../../view/view.ts'
+import { save } from '../files/saving.ts'
+import { filmed } from '../motion/film.ts'
 import type { Motion } from '../motion/motion.ts'
 import { MOVEMENTS, type MovementName } from '../motion/movements.ts'
 import { byId } from './by-id.ts'
@@ -11,9 +14,26 @@ const ABOUT: Readonly<Record<MovementName, string>> = {
   breathe: 'Each circle grows and shrinks at its own time.',
 }
 
+/** So many seconds are recorded. */
+const RECORDED = 6
+
 /** Circles in motion, with a button that plays and stops. */
-export function mountMotion(motion: Motion): void {
+export function mountMotion(motion: Motion, view: View, complain: (problem: string) => void): void {
   let chosen: MovementName = 'bounce'
+  let isRecording = false
+  const record = async () => {
+    if (!motion.isMoving) motion.start(chosen)
+    isRecording = true
+    draw()
+    try {
+      const { film, ending } = await filmed(view.stream(), RECORDED)
+      save(film, `circles-${chosen}${ending}`)
+    } catch (error) {
+      complain((error as Error).message)
+    }
+    isRecording = false
+    draw()
+  }
   const choose = (name: MovementName) => {
     chosen = name
     if (motion.isMoving) motion.start(name)
@@ -44,6 +64,9 @@ export function mountMotion(motion: Motion): void {
             @click=${() => (motion.isMoving ? motion.stop() : motion.start(chosen))}
           >
             ${motion.isMoving ? 'Stop' : 'Play'}
+          </button>
+          <button type="button" ?disabled=${isRecording} title="Save a video of the next seconds" @click=${record}>
+            ${isRecording ? 'Recording …' : `Record ${RECORDED} s`}
           </button>
         </div>
         <p class="quiet">Undo brings all circles back to where they were.</p>

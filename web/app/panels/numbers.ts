@@ -8,8 +8,8 @@ import type { Computed, Distribution } from '../../view/protocol.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
-import { panelOf } from './panel.ts'
 import type { Histogram } from './histogram.ts'
+import { panelOf } from './panel.ts'
 
 /** How long nothing changes before cells are counted, in milliseconds. */
 const REST = 250

@@ -18,7 +18,10 @@ export function mountProgress(actions: PageActions): void {
   const draw = () => {
     place.hidden = stage === ''
     const cancel = html`<button type="button" @click=${() => actions.cancelOpening()}>Cancel</button>`
-    render(html`<span>${stage}</span><progress aria-label=${stage}></progress>${isCancelable ? cancel : undefined}`, place)
+    render(
+      html`<span>${stage}</span><progress aria-label=${stage}></progress>${isCancelable ? cancel : undefined}`,
+      place,
+    )
   }
   const show = (text: string, canBeCanceled: boolean) => {
     const isNew = stage === ''

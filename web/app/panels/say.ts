@@ -45,7 +45,8 @@ export function mountSay(store: Store<State>): void {
   store.subscribe((state) => {
     if (state.edited === undefined) return
     const { history, selection, problem, dataSet, step } = state
-    const isTouched = step !== undefined || history.done.at(-1)?.kind === 'edits' || selection.length > 0 || problem !== ''
+    const isTouched =
+      step !== undefined || history.done.at(-1)?.kind === 'edits' || selection.length > 0 || problem !== ''
     const now = isEmpty(state) ? 'empty' : isTouched ? 'touched' : `${dataSet} ${history.done.length}`
     if (now === shown) return
     shown = now

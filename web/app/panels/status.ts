@@ -10,7 +10,6 @@ export function mountStatus(store: Store<State>): void {
   const problem = byId('problem', HTMLParagraphElement)
 
   let edited: State['edited']
-  if (status.childElementCount === 0) status.replaceChildren('Loading …')
 
   store.subscribe((state) => {
     // It is read out each time.

@@ -23,7 +23,10 @@ export function toast(text: string, offer?: Offer): void {
     offer?.act()
   }
   clearTimeout(timer)
-  render(html`<span>${text}</span>${offer === undefined ? nothing : html`<button type="button" @click=${act}>${offer.label}</button>`}`, place)
+  render(
+    html`<span>${text}</span>${offer === undefined ? nothing : html`<button type="button" @click=${act}>${offer.label}</button>`}`,
+    place,
+  )
   place.hidden = false
   timer = setTimeout(hide, offer === undefined ? SAID : 2 * SAID)
 }
