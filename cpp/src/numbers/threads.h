@@ -9,10 +9,10 @@
 namespace circle_voronoi {
 
 /// Whether programs may have more than one thread. WebAssembly has one, and spares the code for others.
-#ifdef __STDCPP_THREADS__
-inline constexpr bool kHasThreads = true;
-#else
+#ifdef CIRCLE_VORONOI_ONE_THREAD
 inline constexpr bool kHasThreads = false;
+#else
+inline constexpr bool kHasThreads = true;
 #endif
 
 /// How many threads a computation may use. Threads only share out work whose result does not depend on how it is
