@@ -22,7 +22,7 @@ class Threads {
   /// 0: as many as the machine has. One where programs have no threads.
   explicit Threads(int count = 1);
 
-  int count() const { return count_; }
+  int count() const { return kHasThreads ? count_ : 1; }
 
   /// Calls task(i) for each i below `count`, each in one of the threads, and returns when all have ended. What a task
   /// throws is thrown here; then not all need have been called.
