@@ -2,6 +2,7 @@
 #include "arcs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -14,6 +15,8 @@
 namespace circle_voronoi {
 namespace {
 
+/// What is nearer than this share of coordinates may be on the boundary but for rounding.
+constexpr double kNearBoundary = 0x1p-36;
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 
 [[noreturn]] void refuseOpenBoundary() {
@@ -135,12 +138,39 @@ void Arcs::findLevels(const Region& region, std::span<const CircleIndex> circles
         }
       }
       if (!base) {
+        // A point on the boundary may count for either side, so it counts less than any other.
         std::map<std::int32_t, std::size_t> votes;
+        const auto vote = [&](Point p, std::int32_t level) {
+          const double near = kNearBoundary * std::max(std::abs(p.x), std::abs(p.y));
+          const bool isClear = region.sidesIn({p.x - near, p.y - near, p.x + near, p.y + near}).empty();
+          votes[(region.contains(p) ? 1 : 0) - level] += isClear ? 4 * group.size() : 1;
+        };
         for (const VertexIndex vertex : group) {
-          const Vertex& v = diagram_.vertices[at(vertex)];
-          ++votes[(region.contains({v.x, v.y}) ? 1 : 0) - levels_[at(vertex)]];
+          const std::int32_t level = levels_[at(vertex)];
+          vote({diagram_.vertices[at(vertex)].x, diagram_.vertices[at(vertex)].y}, level);
+          for (const SideIndex side : diagram_.links.vertexSides[at(vertex)]) {
+            const EdgeIndex edge = Diagram::edgeOf(side);
+            if (side % 2 == 1 || diagram_.targetOf(side) == kNone) continue;
+            if (isChosen[at(diagram_.circleOf(side))] == 0 && isChosen[at(diagram_.neighborOf(side))] == 0) continue;
+            // Points between the crossings.
+            const EdgeCurve curve = edgeCurve(diagram_, edge);
+            double from = curve.from;
+            std::int32_t here = level;
+            const auto voteUpTo = [&](double to) {
+              if (to > from) vote(pointAt(curve.bisector, std::sqrt(from) * std::sqrt(to)), here);
+              from = to;
+            };
+            const std::int32_t row = rows_[at(edge)];
+            for (std::int32_t k = row == kNone ? 0 : orderStart_[at(row)];
+                 k < (row == kNone ? 0 : orderStart_[at(row) + 1]); ++k) {
+              const Crossing& crossing = crossings_.all[at(order_[at(k)])];
+              voteUpTo(crossing.parameter);
+              here += crossing.isEntry ? 1 : -1;
+            }
+            voteUpTo(curve.to);
+          }
         }
-        base = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second; })->first;
+        base = std::ranges::max_element(votes, {}, [](const auto& one) { return one.second; })->first;
       }
       for (const VertexIndex vertex : group) levels_[at(vertex)] += *base;
     }
