@@ -61,7 +61,9 @@ test('long pages have a table of contents, and short ones none', async ({ page }
 
 /** What is wider than its place: code whose lines could be broken, and the page itself. */
 function clipped(rounding: number): string[] {
-  const wide = [...document.querySelectorAll<HTMLElement>('pre:not(.drawn), p, li, :is(h1, h2, h3):not(.hidden)')].filter(
+  const wide = [
+    ...document.querySelectorAll<HTMLElement>('pre:not(.drawn), p, li, :is(h1, h2, h3):not(.hidden)'),
+  ].filter(
     (element) => element.scrollWidth > element.clientWidth + rounding && getComputedStyle(element).display !== 'inline',
   )
   const fixed = [...document.querySelectorAll<HTMLElement>('pre.drawn, .wide')].filter(
