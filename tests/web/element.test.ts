@@ -217,17 +217,7 @@ describe('what it says', () => {
 })
 
 describe('a check', () => {
-  const cell: CellFacts = {
-    x: 1,
-    y: 2,
-    r: 3,
-    hidden: false,
-    bounded: true,
-    edges: 3,
-    neighbors: [0, 2],
-    area: 7.5,
-    perimeter: 11,
-  }
+  const cell: CellFacts = { x: 1, y: 2, r: 3, hidden: false, bounded: true, edges: 3, neighbors: [0, 2], area: 7.5, perimeter: 11 }
   const facts: Facts = { circles: 4, hidden: 1, vertices: 3, edges: 6, cells: new Map([[1, cell]]) }
 
   test.each([
