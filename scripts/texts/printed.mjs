@@ -23,7 +23,9 @@ export async function loadPrinted(library) {
   })
   const { loadPrintedRules, compare, sentenceOf, lookAt, pictureOf } = await import(pathToFileURL(BUNDLE).href)
   const printed = await loadPrintedRules(readFileSync(`${ROOT}web/tutorial/generated/printed.wasm`))
-  const style = ['style/tokens.css', 'tutorial/printed.css'].map((name) => readFileSync(`${ROOT}web/${name}`, 'utf8')).join('\n')
+  const style = ['style/tokens.css', 'tutorial/printed.css']
+    .map((name) => readFileSync(`${ROOT}web/${name}`, 'utf8'))
+    .join('\n')
 
   return (circles, { rules, view }) => {
     const coordinates = Float64Array.from(circles.flat())
