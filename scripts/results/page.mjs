@@ -23,7 +23,7 @@ function picture(name, alt, width) {
 
 /** Pictures beside each other, each with a line below it. */
 function gallery(pictures, width) {
-  const cells = pictures.map(([name, caption]) => `<td>${picture(name, caption, width)}<br>${caption}</td>`)
+  const cells = pictures.map(([name, caption]) => `<td>${picture(name, '', width)}<br>${caption}</td>`)
   return `<table><tr>${cells.join('')}</tr></table>`
 }
 
