@@ -368,11 +368,11 @@ describe('questions', () => {
       asked.add(`${next}: ${right}`)
     }
     expect([...asked].sort()).toEqual([
-      'branch: Both its edges go, one comes',
-      'branch: Three edges go',
+      'branch: Three edges end',
+      'branch: Two edges end, one begins',
       'notEmpty: It meets another circle',
       'place: It is empty',
-      'stale: Nothing: an edge of it is gone',
+      'stale: Nothing: one of its edges has ended',
       'used: A foot point lies on a used arc',
     ])
   })
