@@ -54,7 +54,7 @@ describe('the growing phase', () => {
       0,
     )
     expect(
-      told.filter((text) => /2 borders end there: .* A new one begins there: \d→\d\./.test(text)).length,
+      told.filter((text) => /2 borders end there: .* A new border begins there: \d→\d\./.test(text)).length,
     ).toBeGreaterThan(0)
     expect(told.filter((text) => /touches circle \d where another border/.test(text)).length).toBeGreaterThan(0)
     expect(told.filter((text) => /3 borders end there/.test(text)).length).toBeGreaterThan(0)
