@@ -394,3 +394,9 @@ describe('questions', () => {
     expect(ENGLISH_PLAYER.lines.flip).toContain('replace')
   })
 })
+
+it('the sections of the method are numbered in their order', () => {
+  const titles = PROGRAMS.touching.map(({ title }) => ENGLISH_PLAYER.titles[title])
+  const numbers = titles.flatMap((title) => /^\d+/.exec(title)?.map(Number) ?? [])
+  expect(numbers).toEqual([1, 2, 3, 4])
+})
