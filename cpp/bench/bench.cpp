@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "areas.h"
 #include "child.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/io.h"
@@ -29,6 +30,7 @@
 #include "files.h"
 #include "median.h"
 #include "reference.h"
+#include "regions.h"
 #include "touching_disc.h"
 
 namespace {
@@ -58,9 +60,12 @@ std::vector<Contestant> allContestants() {
   const auto referring = [](std::size_t (*run)(std::span<const Circle>)) {
     return [run](const Circles& circles) { benchmark::DoNotOptimize(run(circles)); };
   };
+  Options twoThreads;
+  twoThreads.threads = 2;
   return {
       {"cgal-delaunay", referring(reference::delaunay), 10'000'000},
       {"auto", computing({}), 10'000'000},
+      {"auto-two-threads", computing(twoThreads), 10'000'000},
       {"touching-disc-0", computing(touchingDisc(Candidates::dynamic, 0)), 1'000'000},
       {"touching-disc-1", computing(touchingDisc(Candidates::dynamic, 1)), 1'000'000},
       {"touching-disc-3", computing(touchingDisc(Candidates::dynamic, 3)), 100'000},
@@ -69,6 +74,28 @@ std::vector<Contestant> allContestants() {
       {"cgal-hierarchy", referring(reference::apolloniusHierarchy), 1'000'000},
       {"cgal-exact", referring(reference::apolloniusExact), 1'000},
   };
+}
+
+/// Prints how long each stage of `automatic` takes, in milliseconds: the least of some runs.
+void printStages(const Circles& circles, int repetitions, unsigned limitSeconds) {
+  const auto child = runInChild<Seconds>(limitSeconds, [&] {
+    Seconds least;
+    for (int i = 0; i < repetitions; ++i) {
+      const Seconds seconds = compute(circles).value().stats.seconds;
+      for (const auto& [name, member] : kSecondsMembers) {
+        if (i == 0 || seconds.*member < least.*member) least.*member = seconds.*member;
+      }
+    }
+    return least;
+  });
+  if (!child.value) return;
+  std::printf("%-24s stages of auto, ms:", "");
+  for (const auto& [name, member] : kSecondsMembers) {
+    if (const double seconds = (*child.value).*member; seconds > 0) {
+      std::printf(" %s %.2f", std::string(name).c_str(), 1e3 * seconds);
+    }
+  }
+  std::printf("\n");
 }
 
 /// Keeps the seconds of a run and prints nothing.
@@ -182,11 +209,18 @@ std::vector<std::size_t> sizesOf(const std::string& list) {
 
 using OptionValues = std::map<std::string, std::string>;
 
-/// The options of each table with their defaults; --cliffs, --edits and --files come first if they come.
+/// The options of each table with their defaults; the name of a table comes first if it comes.
 OptionValues defaultsOf(const std::string& table) {
+  if (table == "--areas") return {{"--sizes", "300,1000,3000,10000,100000"}, {"--limit", "300"}};
   if (table == "--cliffs") return {{"--families", ""}, {"--sizes", "120000"}, {"--limit", "120"}};
   if (table == "--files")
     return {{"--families", "uniform,log-uniform"}, {"--sizes", "1000000"}, {"--repetitions", "3"}};
+  if (table == "--regions") {
+    return {{"--families", "uniform,log-uniform"},
+            {"--sizes", "100000,1000000"},
+            {"--sides", "1000,10000,100000,1000000"},
+            {"--repetitions", "3"}};
+  }
   if (table == "--edits") {
     return {{"--families", "uniform,log-uniform,intersecting,hidden,grid"},
             {"--sizes", "10000,100000,1000000"},
@@ -224,9 +258,12 @@ int benchEdits(const std::vector<std::string>& families, const std::vector<std::
 int usage() {
   std::cerr << "usage: circle-voronoi-bench [--families NAME|FILE.csv,...] [--sizes N,...] [--methods NAME,...]\n"
                "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n"
+               "       circle-voronoi-bench --areas [--sizes N,...] [--limit SECONDS]\n"
                "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n"
                "       circle-voronoi-bench --edits [--families NAME|FILE.csv,...] [--sizes N,...] [--limit SECONDS]\n"
-               "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n";
+               "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n"
+               "       circle-voronoi-bench --regions [--families NAME,...] [--sizes N,...] [--sides N,...]\n"
+               "                            [--repetitions N]\n";
   return 2;
 }
 
@@ -234,7 +271,8 @@ int usage() {
 
 int main(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
-  const bool hasTable = first == "--cliffs" || first == "--edits" || first == "--files";
+  static const std::set<std::string> kTables = {"--areas", "--cliffs", "--edits", "--files", "--regions"};
+  const bool hasTable = kTables.contains(first);
   OptionValues options = defaultsOf(first);
   for (int i = hasTable ? 2 : 1; i < argc; i += 2) {
     if (!options.contains(argv[i]) || i + 1 == argc) return usage();
@@ -243,6 +281,10 @@ int main(int argc, char** argv) {
   const int repetitions = std::atoi(options["--repetitions"].c_str());
   const auto limit = static_cast<unsigned>(std::atoi(options["--limit"].c_str()));
   if (first == "--edits") return benchEdits(split(options["--families"]), sizesOf(options["--sizes"]), limit);
+  if (first == "--areas") {
+    bench::printAreas(sizesOf(options["--sizes"]), limit);
+    return 0;
+  }
   if (hasTable) {
     for (const std::string& family : split(options["--families"])) {
       if (familyFromName(family)) continue;
@@ -252,6 +294,8 @@ int main(int argc, char** argv) {
     const auto sizes = sizesOf(options["--sizes"]);
     if (first == "--cliffs") {
       printCliffs(split(options["--families"]), sizes, limit);
+    } else if (first == "--regions") {
+      bench::benchRegions(split(options["--families"]), sizes, sizesOf(options["--sides"]), repetitions);
     } else {
       bench::benchFiles(split(options["--families"]), sizes, repetitions);
     }
@@ -290,6 +334,7 @@ int main(int argc, char** argv) {
         for (std::size_t i = 0; i < repeated.size() && !isOver; ++i) json << (i > 0 ? ", " : "") << repeated[i];
         json << R"(], "peakMegabytes": )" << megabytes << "}";
       }
+      if (measured.contains("auto")) printStages(input->circles, repetitions, limit);
       std::fflush(stdout);
     }
   }

@@ -9,9 +9,9 @@
 
 namespace circle_voronoi::reference {
 
-/// What CGAL takes for the same circles. Each returns a number of vertices, so that nothing is optimised away.
+/// What CGAL takes for the same circles. Each returns a number of vertices, so that nothing is optimized away.
 
-/// Delaunay_triangulation_2 of the centres.
+/// Delaunay_triangulation_2 of the centers.
 [[gnu::visibility("default")]] std::size_t delaunay(std::span<const Circle> circles);
 
 /// Apollonius_graph_hierarchy_2 with filtered traits: CGAL's fast one.

@@ -24,6 +24,8 @@ namespace {
 const auto kMethodChoices = choices<Method>();
 const auto kCandidatesChoices = choices<Candidates>();
 
+constexpr int kMaxThreads = 1024;
+
 struct ComputeArguments {
   std::string input;
   Output output;
@@ -32,6 +34,7 @@ struct ComputeArguments {
   std::string candidates{nameOf(Options{}.candidates)};
   std::optional<int> samples = Options{}.samples;
   bool resample = Options{}.resample;
+  int threads = Options{}.threads;
   std::string trace;
   TilePart tile;
   std::string progress = "auto";
@@ -62,16 +65,22 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   settle(arguments.output);
   check(arguments.tile, arguments.output);
   refuseSharedFiles(
-      {arguments.input},
+      {arguments.input, arguments.output.regionFile},
       {{"--output", arguments.output.file}, {"--trace", arguments.trace}, {"--open", arguments.tile.open}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
   if (arguments.tile.isAsked()) {
-    return computeTilePart(arguments.tile, arguments.output, arguments.input, arguments.weights, progress);
+    return computeTilePart(arguments.tile, arguments.output, arguments.input, arguments.weights, arguments.threads,
+                           progress);
   }
   const std::string name = inputName(arguments.input);
-  const auto circles = readCircles(readText(arguments.input), name, {arguments.weights});
-  if (!circles) throw Failure{kBadInput, circles.error().message};
+  const auto circles = [&] {
+    const std::string text = readText(arguments.input);
+    auto read = readCircles(text, name, {arguments.weights});
+    if (!read) throw Failure{kBadInput, read.error().message};
+    keepAttributes(arguments.output, text, name);
+    return *std::move(read);
+  }();
 
   Options options;
   options.weights = arguments.weights;
@@ -79,9 +88,10 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   options.candidates = kCandidatesChoices.at(arguments.candidates);
   options.samples = arguments.samples;
   options.resample = arguments.resample;
+  options.threads = arguments.threads;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto computed = [&] {
-    auto diagram = compute(circles.value(), options);
+    auto diagram = compute(circles, options);
     if (!diagram) fail(diagram.error(), name + ": ");
     return std::move(diagram).value();
   };
@@ -125,6 +135,12 @@ void addComputeCommand(CLI::App& program) {
       ->transform(wholeNumber(kMaxSamples).description("0 to " + std::to_string(kMaxSamples)));
   command->add_flag(flagOf(&Options::resample), arguments->resample,
                     "dynamic: take more samples where the certificate failed and try again");
+  command
+      ->add_option("--threads", arguments->threads,
+                   "How many threads may work at the same time; 0 for as many as the machine has")
+      ->type_name("COUNT")
+      ->capture_default_str()
+      ->transform(wholeNumber(kMaxThreads).description("0 to " + std::to_string(kMaxThreads)));
   command->add_option("--trace", arguments->trace, "Write what happens to this file, a line of JSON an event")
       ->type_name("FILE");
   addTileOptions(*command, arguments->tile);

@@ -64,9 +64,9 @@ class FinalPart {
   const std::vector<std::uint8_t>& isOwner() const { return isOwner_; }
 
   /// The tile with what is now done, and of each circle whether the cells that are left need it: those of the core that
-  /// are not final, and those with a neighbour that may be left, here or in another tile. A cell depends on its
-  /// neighbours alone: beyond the edge with a neighbour, all that lies in line with its circle's centre is nearer to
-  /// the neighbour.
+  /// are not final, and those with a neighbor that may be left, here or in another tile. A cell depends on its
+  /// neighbors alone: beyond the edge with a neighbor, all that lies in line with its circle's center is nearer to
+  /// the neighbor.
   Tile left() const {
     Tile tile = tile_;
     for (std::size_t i = 0; i < tile.done.size(); ++i) tile.done[i] |= isOwner_[i];
@@ -131,14 +131,14 @@ void addTileOptions(CLI::App& command, TilePart& part) {
       return readBox(value, box, Sides::maybeInfinite);
     });
   };
-  addBox("--known", part.known, "FILE is a tile: no other circle has its centre in this box, whose sides may be inf");
+  addBox("--known", part.known, "FILE is a tile: no other circle has its center in this box, whose sides may be inf");
   command.add_option("--max-radius", part.maxRadius, "The largest radius of the other circles")
       ->type_name("RADIUS")
       ->check([](const std::string& text) {
         const auto radius = readNumber(text);
         return radius && *radius >= 0 ? "" : "expected a number from 0.";
       });
-  addBox("--core", part.core, "Write what circles with their centre in this box own, and no more");
+  addBox("--core", part.core, "Write what circles with their center in this box own, and no more");
   command.add_option("--open", part.open, "The file for the circles that are needed for what is not final")
       ->type_name("FILE");
 }
@@ -156,14 +156,14 @@ void check(const TilePart& part, const Output& output) {
   }
   if (output.format == "csv" && output.digits) throw Failure{kBadInput, "--known takes no --digits for csv."};
   // Else each tile would have a box and a tolerance of its own.
-  if (output.format == "geojsonl" && output.bounds.empty())
-    throw Failure{kBadInput, "--known needs --bounds for geojsonl."};
+  if (output.format == "geojsonl" && output.bounds.empty() && !output.region)
+    throw Failure{kBadInput, "--known needs --bounds or --region for geojsonl."};
   if (!part.open.empty() && !isDeepInside(boxOf(part.core), boxOf(part.known), *part.maxRadius)) {
     throw Failure{kBadInput, "--open needs a --core that lies within --known, farther inside than --max-radius."};
   }
 }
 
-void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights,
+void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights, int threads,
                      ProgressLine& progress) {
   const std::string name = inputName(input);
   const auto tile = readTile(readText(input), name, {weights});
@@ -171,6 +171,7 @@ void computeTilePart(const TilePart& part, const Output& output, const std::stri
   const auto& circles = tile.value().circles;
   Options options;
   options.weights = weights;
+  options.threads = threads;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto diagram = compute(circles, options);
   if (!diagram) fail(diagram.error(), name + ": ");

@@ -27,7 +27,7 @@ void check(const TilePart& part, const Output& output);
 
 /// Computes the diagram of a tile and writes what of it is final and owned by circles of the core that are not done.
 /// Throws Failure, with the status kNotFinal if circles of the core are left.
-void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights,
+void computeTilePart(const TilePart& part, const Output& output, const std::string& input, bool weights, int threads,
                      ProgressLine& progress);
 
 }  // namespace circle_voronoi::cli

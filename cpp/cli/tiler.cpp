@@ -82,7 +82,7 @@ std::int64_t Tiler::cellOf(double coordinate) const {
   return cell;
 }
 
-/// A little more than the circle meets, so that rounding loses none. One of negative radius is as near as its centre
+/// A little more than the circle meets, so that rounding loses none. One of negative radius is as near as its center
 /// at most.
 Tiler::Range Tiler::rangeOf(const Circle& c) const {
   const double reach = std::max(c.r, 0.0) + halo_;

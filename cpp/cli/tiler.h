@@ -14,7 +14,7 @@ namespace circle_voronoi::cli {
 
 /// Cuts circles into the tiles of a square grid, one file each, in memory that does not grow with their number. The
 /// core of a tile is its square, which is closed at its least coordinates and open at its greatest; what is known of it
-/// is the square with a halo on all sides. A circle's home is the tile in whose core its centre is, and it is in the
+/// is the square with a halo on all sides. A circle's home is the tile in whose core its center is, and it is in the
 /// file of every tile of which the square around it meets what is known, so that circles outside reach into none of it.
 class Tiler {
  public:

@@ -81,7 +81,7 @@ class Printed {
   void listAntipodalDisc(int a, int b) {
     const Vector v = between(circle(a), circle(b));
     const double distance = length(v);
-    if (distance == 0) return;  // concentric circles have no line of centres
+    if (distance == 0) return;  // concentric circles have no line of centers
     const double radius = (distance - circle(a).r - circle(b).r) / 2;
     const double part = (circle(a).r + radius) / distance;
     list({{circle(a).x + part * v.x, circle(a).y + part * v.y, radius}, {a, b, kNothing}});
@@ -169,7 +169,7 @@ class Printed {
     return cross(along, to) <= kNear * length(along) * length(to);
   }
 
-  /// How far along the border on the right of a directed edge the centre of a disc lies.
+  /// How far along the border on the right of a directed edge the center of a disc lies.
   double along(const PrintedEdge& de, const Vertex& disc) const {
     return parameterAt(bisector(circle(de.b), circle(de.a)), {disc.x, disc.y});
   }
@@ -232,7 +232,7 @@ class Printed {
 
   bool isCovered(const PrintedEdge& de) const { return isInsideUsed(de.a, de.fromA) || isInsideUsed(de.b, de.fromB); }
 
-  Vector toCentre(int i, const Vertex& disc) const { return {disc.x - circle(i).x, disc.y - circle(i).y}; }
+  Vector toCenter(int i, const Vertex& disc) const { return {disc.x - circle(i).x, disc.y - circle(i).y}; }
 
   void use(int i, Vector from, Vector to) {
     const double start = pseudoAngle(from);
@@ -242,8 +242,8 @@ class Printed {
 
   void finish(int index, int vertex, const Vertex& disc) {
     PrintedEdge& de = edge(index);
-    use(de.a, toCentre(de.a, disc), de.fromA);
-    use(de.b, de.fromB, toCentre(de.b, disc));
+    use(de.a, toCenter(de.a, disc), de.fromA);
+    use(de.b, de.fromB, toCenter(de.b, disc));
     Edge& voronoi = result_.diagram.edges[de.voronoiEdge];
     (de.isEnd ? voronoi.end : voronoi.start) = vertex;
     result_.segments.push_back({de.a, de.b, de.disc, disc});
@@ -275,7 +275,7 @@ class Printed {
     const int voronoi = static_cast<int>(result_.diagram.edges.size());
     result_.diagram.edges.push_back({to, from, vertex, kNone});
     formThreeTouchDiscs(
-        place({from, to, listed.disc, toCentre(from, listed.disc), toCentre(to, listed.disc), false, voronoi, true}));
+        place({from, to, listed.disc, toCenter(from, listed.disc), toCenter(to, listed.disc), false, voronoi, true}));
   }
 
   /// Edges of directed edges that are covered are none: they were placed, and have no segment.

@@ -16,7 +16,7 @@ struct PrintedEdge {
   int a = 0;
   int b = 0;
   Vertex disc;   ///< its disc of R_min
-  Vector fromA;  ///< from the centre of a to its footpoint there, of any length
+  Vector fromA;  ///< from the center of a to its footpoint there, of any length
   Vector fromB;
   bool isAntipodal = true;
   int voronoiEdge = 0;
@@ -40,7 +40,7 @@ struct PrintedResult {
 
 /// Which rules are as printed; the others are as they have to be. Each alone makes a difference.
 struct AsPrinted {
-  /// A three-touch disc continues a directed edge if its centre lies on the right side, not if it comes later along the
+  /// A three-touch disc continues a directed edge if its center lies on the right side, not if it comes later along the
   /// border than where the edge begins.
   bool side = true;
   /// The third directed edge of a three-touch disc is any between its circles, not the last one behind the disc.
@@ -54,7 +54,7 @@ struct AsPrinted {
 /// Algorithms 2 to 4 of the paper as they are printed, on the candidates given, to be compared with `touch`. Where the
 /// text leaves a choice, it is made so that more comes out right:
 /// - antipodal discs have half the gap for radius (section 9 prints the gap); those of intersecting circles are empty
-///   ("assuming"), and their directed edges point from centre to centre;
+///   ("assuming"), and their directed edges point from center to center;
 /// - the directed edges of a three-touch disc are those that it was formed of, if they are there, else any of that
 /// name;
 /// - angles within rounding are equal, and an endpoint is covered only inside an arc that is used;

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "centres.h"
+#include "centers.h"
 #include "circle_voronoi/compute.h"
 #include "delaunay.h"
 #include "method.h"
@@ -75,7 +75,7 @@ SvgLayer graphLayer(std::string name, std::span<const Point> points) {
 
 SvgLayer samplesLayer(const Samples& samples) { return {.name = "samples", .points = samples.points}; }
 
-SvgLayer centresLayer(std::span<const Circle> circles) { return graphLayer("centres", centresOf(circles)); }
+SvgLayer centersLayer(std::span<const Circle> circles) { return graphLayer("centres", centersOf(circles)); }
 
 SvgLayer sampleGraphLayer(const Samples& samples) { return graphLayer("sample-graph", samples.points); }
 

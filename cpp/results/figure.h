@@ -17,7 +17,7 @@ namespace circle_voronoi::results {
 
 SvgLayer samplesLayer(const Samples& samples);
 /// The Delaunay graph of the centres.
-SvgLayer centresLayer(std::span<const Circle> circles);
+SvgLayer centersLayer(std::span<const Circle> circles);
 /// The Delaunay graph of the samples.
 SvgLayer sampleGraphLayer(const Samples& samples);
 /// The directed edges that the touching disc method with all pairs leaves over: the hull's.

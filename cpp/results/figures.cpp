@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "centres.h"
+#include "centers.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi_families/families.h"
 #include "delaunay.h"
@@ -23,7 +23,7 @@ int samplesOn(const Samples& samples, int circle) {
 
 /// How many edges of the Delaunay graph of the centres lead from circle 0 to circle 1.
 int stepsBetweenCenters(std::span<const Circle> circles) {
-  const auto edges = delaunayEdges(centresOf(circles)).edges;
+  const auto edges = delaunayEdges(centersOf(circles)).edges;
   std::vector<bool> reached(circles.size(), false);
   reached[0] = true;
   int steps = 0;
@@ -51,7 +51,7 @@ Json figure5And13(const Path& folder) {
   figure.pixels = 480;
   figure.frame.bounds = Box{-3.4, -2.6, 1.3, 2.6};
   figure.groups = {"circles"};
-  figure.layers = {centresLayer(circles)};
+  figure.layers = {centersLayer(circles)};
   draw(folder, "figure-5d", circles, diagram, figure);
   figure.groups = {"circles", "edges"};
   figure.layers = {samplesLayer(drawnDynamicSamples(circles, 1))};
@@ -92,7 +92,7 @@ void figure7(const Path& folder) {
     SvgFigure figure;
     figure.pixels = 480;
     figure.groups = {"circles"};
-    figure.layers = {centresLayer(circles), samplesLayer(drawnDynamicSamples(circles, 3))};
+    figure.layers = {centersLayer(circles), samplesLayer(drawnDynamicSamples(circles, 3))};
     draw(folder, "figure-" + name, circles, diagramOf(circles), figure);
   }
 }

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "centres.h"
+#include "centers.h"
 #include "delaunay.h"
 
 namespace circle_voronoi::results {
@@ -15,7 +15,7 @@ Diagram diagramOf(std::span<const Circle> circles, const Options& options) {
 }
 
 Samples dynamicSamples(std::span<const Circle> circles, int angular) {
-  return sampleDynamically(circles, delaunay(centresOf(circles)).dual, std::vector<int>(circles.size(), angular));
+  return sampleDynamically(circles, delaunay(centersOf(circles)).dual, std::vector<int>(circles.size(), angular));
 }
 
 namespace {
@@ -30,7 +30,7 @@ std::vector<Circle> withPoint(std::span<const Circle> circles) {
 }  // namespace
 
 Samples drawnDynamicSamples(std::span<const Circle> circles, int angular) {
-  return sampleDynamically(withPoint(circles), delaunay(centresOf(circles)).dual,
+  return sampleDynamically(withPoint(circles), delaunay(centersOf(circles)).dual,
                            std::vector<int>(circles.size() + 1, angular));
 }
 

@@ -259,8 +259,8 @@ TEST(Cells, AnEdgeMayTouchTheBoundary) {
   EXPECT_EQ(area(outline(diagram, 0, test::regionOf(Box{0, 0, 2, 2}))), 0);
 }
 
-/// The distance from the centre of circle i at which its cell ends in a direction: where another circle becomes as
-/// near, for one at d from the centre and with a radius larger by s at (d^2 - s^2) / (2 (d u + s)), or at the box.
+/// The distance from the center of circle i at which its cell ends in a direction: where another circle becomes as
+/// near, for one at d from the center and with a radius larger by s at (d^2 - s^2) / (2 (d u + s)), or at the box.
 double reach(const std::vector<Circle>& circles, std::size_t i, Vector u, const Box& box) {
   const Circle& c = circles[i];
   double end = u.x > 0 ? (box.maxX - c.x) / u.x : (box.minX - c.x) / u.x;

@@ -51,7 +51,7 @@ TEST(Certificate, NamesTheEdgeThatIsOutOfOrder) {
   Dual dual = test::dualOf(diagram, kSquare.size());
   int h = 0;
   while (!dual.isFinite(h / 3) || !dual.isFinite(dual.twin[h] / 3)) ++h;
-  test::flipEdge(dual, h);
+  dual.flip(h);
   test::replaceTopology(diagram, dual, kSquare);
   const Certificate certificate = judged(kSquare, diagram);
   EXPECT_EQ(certificate.flaw, Flaw::edgeOutOfOrder);
@@ -138,12 +138,12 @@ TEST(Certificate, OneOfIdenticalCirclesIsHiddenByTheOther) {
   EXPECT_EQ(judged(circles, diagram).flaw, Flaw::hiddenWithoutHider);
 }
 
-TEST(Certificate, OfCentresLooksAtNoRadiiAndOfPowerDiagramsThereIsNone) {
+TEST(Certificate, OfCentersLooksAtNoRadiiAndOfPowerDiagramsThereIsNone) {
   const std::vector<Circle> circles = {{0, 0, 5}, {4, 0, 1}, {0, 9, 7}, {3, 3, 0}};
-  const Diagram centres = computeComparison(circles, Metric::centers).value();
-  EXPECT_EQ(centres.circles, circles);
-  EXPECT_TRUE(certify(centres).value().certified());
-  Diagram other = centres;
+  const Diagram centers = computeComparison(circles, Metric::centers).value();
+  EXPECT_EQ(centers.circles, circles);
+  EXPECT_TRUE(certify(centers).value().certified());
+  Diagram other = centers;
   other.metric = Metric::circles;
   EXPECT_FALSE(certify(other).value().certified());
   const auto power = certify(computeComparison(circles, Metric::power).value());

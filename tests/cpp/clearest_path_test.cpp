@@ -28,7 +28,7 @@ double clearanceAt(const std::vector<Circle>& circles, Point p) {
 class Pixels {
  public:
   Pixels(const std::vector<Circle>& circles, const Box& box) : box_(box) {
-    for (int i = 0; i < kCount * kCount; ++i) clearance_.push_back(clearanceAt(circles, centre(i)));
+    for (int i = 0; i < kCount * kCount; ++i) clearance_.push_back(clearanceAt(circles, center(i)));
   }
 
   double pixel() const { return (box_.maxX - box_.minX) / kCount; }
@@ -64,7 +64,7 @@ class Pixels {
  private:
   static constexpr int kCount = 150;
 
-  Point centre(int i) const {
+  Point center(int i) const {
     return {box_.minX + (i % kCount + 0.5) * pixel(), box_.minY + (i / kCount + 0.5) * pixel()};
   }
   int index(Point p) const {

@@ -57,7 +57,7 @@ TEST_F(CliProgress, IsShownOnATerminalForWorkOverASecondAndNotElsewhere) {
 
 TEST_F(CliProgress, SaysEachStageWhereItIsAskedFor) {
   const std::string text = shell(quick(" --progress always")).err;
-  for (const char* stage : {"read", "triangulate", "flip", "certify", "write"}) {
+  for (const char* stage : {"read", "order", "triangulate", "flip", "certify", "assemble", "write"}) {
     EXPECT_TRUE(std::regex_search(text, std::regex(std::string(stage) + ", \\d+ s"))) << stage << " in " << text;
   }
   EXPECT_EQ(shown(text), "");

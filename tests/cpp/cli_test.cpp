@@ -198,7 +198,7 @@ TEST_F(Cli, TracesTheTouchingDiscMethod) {
   for (std::string line; std::getline(lines, line);) EXPECT_TRUE(nlohmann::json::parse(line).contains("kind")) << line;
   EXPECT_EQ(run(compute + "- -o " + path("diagram.csv") + " --trace -", circles).out, trace);
 
-  // By flips: the centre of one of four circles lies in the disc of the others.
+  // By flips: the center of one of four circles lies in the disc of the others.
   const std::string flips =
       run("compute - -o " + path("diagram.csv") + " --trace -", "0,0,1\n8,0,1\n0,8,1\n7,7,3\n").out;
   EXPECT_NE(flips.find("{\"kind\": \"centersJoined\", \"circles\": [0, 1]}\n"), std::string::npos);
@@ -250,6 +250,7 @@ TEST_F(Cli, BadUsageIsSaidInOneLine) {
   expectFailure(run("compute - --method magic"), 2, "--method");
   expectFailure(run("compute - --candidates some"), 2, "--candidates");
   expectFailure(run("compute - --samples -1"), 2, "--samples");
+  expectFailure(run("compute - --threads -1"), 2, "--threads");
   expectFailure(run("compute - --samples 1001"), 2, "--samples");
   expectFailure(run("compute - --samples many"), 2, "--samples");
   expectFailure(run("compute - --method touching-disc --candidates uniform --samples 0", "1,2,3\n"), 2, "samples");

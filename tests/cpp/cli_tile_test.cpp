@@ -68,7 +68,7 @@ TEST_F(CliTile, SaysWhatHaloIsMissing) {
   EXPECT_GT(linesOf(readFile(path("part.csv"))).size(), 10U) << "what is final is written";
   const Outcome missing = run("compute " + tile + " --known=2,2,4,4 --max-radius 0.25 --core=3,3,4,4 --format csv");
   EXPECT_EQ(missing.status, 3);
-  // The discs of the cell have the radius sqrt(1/2), half a step from the centre.
+  // The discs of the cell have the radius sqrt(1/2), half a step from the center.
   EXPECT_NE(missing.err.find("1 of 1 circles of the core are not final; a halo wider by 0.457106781"),
             std::string::npos)
       << missing.err;
@@ -196,7 +196,7 @@ TEST_F(CliTile, AWideCircleIsInEachTileThatItMeetsUpToTheCorners) {
 }
 
 // The quotients of these coordinates and the size are rounded up to whole numbers, or down below them.
-TEST_F(CliTile, AHomeIsTheTileWhoseBoxHasTheCentre) {
+TEST_F(CliTile, AHomeIsTheTileWhoseBoxHasTheCenter) {
   const std::string circles = "x,y,r\n-3.6000000000000005,0,0\n0,-4.800000000000001,0\n";
   ASSERT_EQ(run("tile - --size 0.1 --halo 0.01 -o " + path("tiles"), circles).status, 0);
   const auto lines = linesOf(readFile(path("tiles/tiles.txt")));
@@ -245,7 +245,7 @@ TEST_F(CliTile, RefusesWhatCannotBeMeant) {
   fails(known + " --max-radius 0", "--known needs --format csv or geojsonl.");
   fails(known + " --max-radius 0 -o " + path("a.svg"), "--known needs --format csv or geojsonl.");
   fails(known + " --max-radius -1 --format csv", "expected a number from 0");
-  fails(known + " --max-radius 0 --format geojsonl", "--known needs --bounds for geojsonl.");
+  fails(known + " --max-radius 0 --format geojsonl", "--known needs --bounds or --region for geojsonl.");
   fails(known + " --max-radius 0 --format csv --method flip", "--known needs --method auto.");
   fails(known + " --max-radius 0 --format csv --trace " + path("t.jsonl"), "--known takes no --trace.");
   fails("compute " + tile + " --known 0,0,nan,1 --max-radius 0 --format csv", "MAXX is not a number");

@@ -165,7 +165,7 @@ TEST(PowerDiagram, DoesNotDependOnAddresses) {
   }
 }
 
-TEST(PowerDiagram, VerticesOfCentresNextToEachOtherAreRight) {
+TEST(PowerDiagram, VerticesOfCentersNextToEachOtherAreRight) {
   const double ulp = 0x1p-52;
   const std::vector<std::vector<Circle>> inputs = {{{1, 1, 0}, {1 + ulp, 1, 0}, {3, 1 + 2 * ulp, 0}},
                                                    {{1, 1, 0.5}, {1, 1 + ulp, 0.5}, {2, 5, 1}, {-3, 2, 0.25}},
@@ -197,7 +197,7 @@ TEST(PowerDiagram, VerticesOfCentresNextToEachOtherAreRight) {
   }
 }
 
-// Centres as near to one another, and vertices as far off, as there are numbers.
+// Centers as near to one another, and vertices as far off, as there are numbers.
 TEST(PowerDiagram, EveryVertexInRangeIsRight) {
   // Digits enough for sums of squares of radii and distances.
   using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<600>, boost::multiprecision::et_off>;

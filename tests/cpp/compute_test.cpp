@@ -82,7 +82,7 @@ TEST_P(Compute, ASmallCircleBetweenTwoLargeOnesHasACellWithTwoEdges) {
   EXPECT_EQ(diagram.edges.size(), 4U) << "two for the small circle, and two that the large ones share";
 }
 
-TEST_P(Compute, CollinearCentresHaveParallelEdgesAndAHullThereAndBack) {
+TEST_P(Compute, CollinearCentersHaveParallelEdgesAndAHullThereAndBack) {
   const Diagram diagram = diagramOf({{0, 0, 1}, {3, 3, 1}, {6, 6, 1}, {9, 9, 1}});
   EXPECT_TRUE(diagram.vertices.empty());
   EXPECT_EQ(diagram.edges.size(), 3U);
@@ -309,9 +309,15 @@ TEST(ComputeOptions, ProgressGrowsInPairing) {
 TEST(ComputeOptions, ProgressTellsEachStageAsItBegins) {
   using Told = std::vector<std::pair<std::string, double>>;
   const std::vector<Circle> circles = {{0, 0, 1}, {5, 0, 1}, {0, 5, 2}};
-  EXPECT_EQ(progressOf(circles, Method::automatic), (Told{{"triangulate", 0}, {"flip", 0}, {"certify", 0}}));
-  EXPECT_EQ(progressOf(circles, Method::touchingDisc),
-            (Told{{"triangulate", 0}, {"sample", 0}, {"pair", 0}, {"touch", 0}, {"certify", 0}}));
+  EXPECT_EQ(progressOf(circles, Method::automatic),
+            (Told{{"order", 0}, {"triangulate", 0}, {"flip", 0}, {"certify", 0}, {"assemble", 0}}));
+  EXPECT_EQ(progressOf(circles, Method::touchingDisc), (Told{{"order", 0},
+                                                             {"triangulate", 0},
+                                                             {"sample", 0},
+                                                             {"pair", 0},
+                                                             {"touch", 0},
+                                                             {"certify", 0},
+                                                             {"assemble", 0}}));
 }
 
 TEST(ComputeOptions, ProgressGrowsInTheEventLoop) {

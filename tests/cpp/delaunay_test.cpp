@@ -25,7 +25,7 @@ namespace {
 using Points = std::vector<Point>;
 using Faces = std::vector<std::array<int, 3>>;
 
-Points centresOf(const std::vector<Circle>& circles) {
+Points centersOf(const std::vector<Circle>& circles) {
   Points points;
   for (const Circle& c : circles) points.push_back({c.x, c.y});
   return points;
@@ -104,7 +104,7 @@ TEST(Delaunay, IsThatOfCgalForEveryFamily) {
   for (const FamilyInfo& info : families()) {
     SCOPED_TRACE(info.name);
     for (const std::size_t count : {2U, 3U, 5U, 17U, 100U, 2000U}) {
-      expectAsByCgal(centresOf(generate(info.family, count, count)));
+      expectAsByCgal(centersOf(generate(info.family, count, count)));
     }
   }
 }
@@ -112,7 +112,7 @@ TEST(Delaunay, IsThatOfCgalForEveryFamily) {
 TEST(Delaunay, IsThatOfCgalForFixtures) {
   for (const std::string& name : test::fixtureNames()) {
     SCOPED_TRACE(name);
-    expectAsByCgal(centresOf(test::readFixture(name)));
+    expectAsByCgal(centersOf(test::readFixture(name)));
   }
 }
 
@@ -125,7 +125,7 @@ TEST(Delaunay, IsThatOfCgalForExactTies) {
       for (const std::size_t count : {4U, 9U, 60U}) {
         std::vector<Circle> circles = kind.make(count, random);
         test::disturb(circles, static_cast<test::Disturbance>(disturbance), random);
-        expectAsByCgal(centresOf(circles));
+        expectAsByCgal(centersOf(circles));
       }
     }
   }
@@ -151,7 +151,7 @@ TEST(Delaunay, IsThatOfCgalForSmallGrids) {
 TEST(Delaunay, DoesNotDependOnTheOrder) {
   const std::uint64_t seed = test::seedOr(1);
   Random random(seed);
-  const Points points = centresOf(generate(Family::grid, 400, seed));
+  const Points points = centersOf(generate(Family::grid, 400, seed));
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);

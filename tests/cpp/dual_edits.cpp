@@ -11,11 +11,6 @@
 namespace circle_voronoi::test {
 namespace {
 
-void link(Dual& dual, int h, int t) {
-  dual.twin[h] = t;
-  dual.twin[t] = h;
-}
-
 int addFace(Dual& dual, int a, int b, int c) {
   dual.origin.insert(dual.origin.end(), {a, b, c});
   dual.twin.insert(dual.twin.end(), {kNone, kNone, kNone});
@@ -24,27 +19,12 @@ int addFace(Dual& dual, int a, int b, int c) {
 
 }  // namespace
 
-void flipEdge(Dual& dual, int h) {
-  const int t = dual.twin[h];
-  const int bc = Dual::next(h);
-  const int ad = Dual::next(t);
-  const int beyondAd = dual.twin[ad];
-  const int beyondBc = dual.twin[bc];
-  const int c = dual.origin[Dual::previous(h)];
-  const int d = dual.origin[Dual::previous(t)];
-  link(dual, h, beyondAd);
-  link(dual, t, beyondBc);
-  dual.origin[bc] = d;
-  dual.origin[ad] = c;
-  link(dual, bc, ad);
-}
-
 int flipRandomEdges(Dual& dual, int count, Random& random) {
   int flips = 0;
   for (int i = 0; i < count; ++i) {
     const auto h = static_cast<int>(random.below(static_cast<std::size_t>(dual.halfEdgeCount())));
     if (dual.origin[Dual::previous(h)] == dual.origin[Dual::previous(dual.twin[h])]) continue;
-    flipEdge(dual, h);
+    dual.flip(h);
     ++flips;
   }
   return flips;
@@ -60,11 +40,11 @@ void insertInFace(Dual& dual, int face, int circle) {
   dual.origin[ab + 2] = circle;  // (a, b, circle)
   const int bc = 3 * addFace(dual, b, c, circle);
   const int ca = 3 * addFace(dual, c, a, circle);
-  link(dual, bc, beyondBc);
-  link(dual, ca, beyondCa);
-  link(dual, ab + 1, bc + 2);
-  link(dual, bc + 1, ca + 2);
-  link(dual, ca + 1, ab + 2);
+  dual.link(bc, beyondBc);
+  dual.link(ca, beyondCa);
+  dual.link(ab + 1, bc + 2);
+  dual.link(bc + 1, ca + 2);
+  dual.link(ca + 1, ab + 2);
 }
 
 void insertOnEdge(Dual& dual, int h, int circle) {
@@ -73,10 +53,10 @@ void insertOnEdge(Dual& dual, int h, int circle) {
   const int b = dual.origin[t];
   const int left = 3 * addFace(dual, b, a, circle);   // beyond h
   const int right = 3 * addFace(dual, a, b, circle);  // beyond t
-  link(dual, h, left);
-  link(dual, t, right);
-  link(dual, left + 1, right + 2);
-  link(dual, left + 2, right + 1);
+  dual.link(h, left);
+  dual.link(t, right);
+  dual.link(left + 1, right + 2);
+  dual.link(left + 2, right + 1);
 }
 
 Dual dualOf(const Diagram& diagram, std::size_t circleCount) {

@@ -13,9 +13,6 @@ namespace circle_voronoi::test {
 
 // Edits that keep a dual a triangulated sphere, but not that of its circles.
 
-/// Faces (a, b, c) and (b, a, d) on the two sides of half-edge h become (a, d, c) and (b, c, d). Not for c = d.
-void flipEdge(Dual& dual, int h);
-
 /// Flips random edges, where that is possible. Returns how many.
 int flipRandomEdges(Dual& dual, int count, Random& random);
 

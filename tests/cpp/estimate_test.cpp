@@ -42,12 +42,12 @@ double part(const Real& exact, const Estimate& estimate) {
   return static_cast<double>(wrong / estimate.error);
 }
 
-Point centreOf(const Circle& c) { return {c.x, c.y}; }
+Point centerOf(const Circle& c) { return {c.x, c.y}; }
 
 double orientationPart(const Circles& c) {
   const Exact u(c[0], c[2]);
   const Exact v(c[1], c[2]);
-  return part(u.x * v.y - u.y * v.x, orientationOf(centreOf(c[0]), centreOf(c[1]), centreOf(c[2])));
+  return part(u.x * v.y - u.y * v.x, orientationOf(centerOf(c[0]), centerOf(c[1]), centerOf(c[2])));
 }
 
 template <bool kIsFine>
@@ -58,7 +58,7 @@ double inCirclePart(const Circles& c) {
   const Real exact = (u.x * u.x + u.y * u.y) * (v.x * w.y - v.y * w.x) +
                      (v.x * v.x + v.y * v.y) * (w.x * u.y - w.y * u.x) +
                      (w.x * w.x + w.y * w.y) * (u.x * v.y - u.y * v.x);
-  const InCircleEstimate estimate(centreOf(c[0]), centreOf(c[1]), centreOf(c[2]), centreOf(c[3]));
+  const InCircleEstimate estimate(centerOf(c[0]), centerOf(c[1]), centerOf(c[2]), centerOf(c[3]));
   return part(exact, kIsFine ? estimate.fine() : estimate.coarse());
 }
 

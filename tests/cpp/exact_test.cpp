@@ -32,10 +32,10 @@ struct Point2 {
 Point2 operator-(const Point2& u, const Point2& v) { return {u.x - v.x, u.y - v.y}; }
 Point2 operator+(const Point2& u, const Point2& v) { return {u.x + v.x, u.y + v.y}; }
 Real crossOf(const Point2& u, const Point2& v) { return u.x * v.y - u.y * v.x; }
-Point2 centreOf(const Circle& c) { return {c.x, c.y}; }
+Point2 centerOf(const Circle& c) { return {c.x, c.y}; }
 
 struct Disc {
-  Point2 centre;
+  Point2 center;
   Real radius;
 };
 
@@ -45,9 +45,9 @@ bool touchesInOrder(const Disc& disc, const std::array<const Circle*, 3>& circle
   for (int i = 0; i < 3; ++i) {
     const Real distance = disc.radius + circles[i]->r;
     if (signOf(distance) < 0) return false;
-    // At the centre of a circle its direction is free, and any order is right.
+    // At the center of a circle its direction is free, and any order is right.
     if (signOf(distance) == 0) return true;
-    const Point2 v = centreOf(*circles[i]) - disc.centre;
+    const Point2 v = centerOf(*circles[i]) - disc.center;
     directions[i] = {v.x / distance, v.y / distance};
   }
   return signOf(crossOf(directions[1] - directions[0], directions[2] - directions[0])) > 0;
@@ -104,20 +104,20 @@ std::optional<Point2> directionOf(const exact::Face& face, const Circle& from) {
     const Circle& a = *face[0];
     const Circle& b = *face[1];
     // n . c + r is the same for both circles, the largest there is; the line is to the left of a -> b.
-    const Point2 d = centreOf(b) - centreOf(a);
+    const Point2 d = centerOf(b) - centerOf(a);
     const Real length2 = d.x * d.x + d.y * d.y;
     const Real along = (Real(a.r) - b.r) / length2;
     const Real across = sqrt(1 - along * along * length2) / sqrt(length2);
     return Point2{along * d.x - across * d.y, along * d.y + across * d.x};
   }
   for (const Disc& disc : touchingDiscs(*face[0], *face[1], *face[2])) {
-    if (touchesInOrder(disc, face)) return disc.centre - centreOf(from);
+    if (touchesInOrder(disc, face)) return disc.center - centerOf(from);
   }
   return std::nullopt;
 }
 
 bool hides(const Circle& outer, const Circle& inner) {
-  const Point2 d = centreOf(outer) - centreOf(inner);
+  const Point2 d = centerOf(outer) - centerOf(inner);
   const Real s = Real(outer.r) - inner.r;
   return s >= 0 && d.x * d.x + d.y * d.y <= s * s;
 }
@@ -145,17 +145,17 @@ void compareContains(const std::vector<Circle>& circles) {
 }
 
 /// All three numbers of a disc to 48 bits of themselves, or of its distance from the smallest circle.
-void compareDisc(const exact::Face& face, const Point2& centre) {
+void compareDisc(const exact::Face& face, const Point2& center) {
   const std::optional<Vertex> disc = exact::disc(face);
   ASSERT_TRUE(disc.has_value());
   const Circle& o = **std::min_element(face.begin(), face.end(), [](auto* a, auto* b) { return a->r < b->r; });
-  const Point2 v = centre - centreOf(o);
+  const Point2 v = center - centerOf(o);
   const Real radius = sqrt(Real(v.x * v.x + v.y * v.y)) - o.r;
   const auto compare = [](double actual, const Real& expected, const Real& offset) {
     EXPECT_LE(abs(Real(actual) - expected), 0x1p-48 * (abs(offset) + abs(expected)) + kZero);
   };
-  compare(disc->x, centre.x, v.x);
-  compare(disc->y, centre.y, v.y);
+  compare(disc->x, center.x, v.x);
+  compare(disc->y, center.y, v.y);
   compare(disc->r, radius, radius + o.r);
 }
 
@@ -177,7 +177,7 @@ void compareFrom(const std::vector<Circle>& circles) {
       ASSERT_EQ(exact::hasDisc(face), direction.has_value()) << i << ", " << j;
       if (!direction) continue;
       seen.push_back({face, *direction});
-      compareDisc(face, *direction + centreOf(from));
+      compareDisc(face, *direction + centerOf(from));
     }
   }
   for (const Seen& s : seen) {
@@ -207,7 +207,7 @@ void compareTangentSides(const std::vector<Circle>& circles) {
 
 /// Those after which what is not zero is still far above the rounding error.
 constexpr std::array kDisturbed = {test::Disturbance::lastPlace, test::Disturbance::slight, test::Disturbance::far,
-                                      test::Disturbance::oneHuge};
+                                   test::Disturbance::oneHuge};
 
 TEST(Exact, AgreesWithTheDefinition) {
   const std::uint64_t seed = test::seedOr(1);

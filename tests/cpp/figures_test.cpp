@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "centres.h"
+#include "centers.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/merged.h"
 #include "delaunay.h"
@@ -23,10 +23,10 @@ bool areNeighbors(const Diagram& diagram, int i, int j) {
       diagram.edges, [&](const Edge& e) { return std::min(e.left, e.right) == i && std::max(e.left, e.right) == j; });
 }
 
-/// How many edges of the Delaunay graph of the centres lead from circle 0 to circle 1.
+/// How many edges of the Delaunay graph of the centers lead from circle 0 to circle 1.
 int stepsBetweenCenters(std::string_view name) {
   const auto circles = circlesOf(figureOf(name));
-  const auto edges = delaunayEdges(centresOf(circles)).edges;
+  const auto edges = delaunayEdges(centersOf(circles)).edges;
   std::set<int> reached = {0};
   int steps = 0;
   for (; !reached.contains(1); ++steps) {
@@ -56,7 +56,7 @@ TEST(Figures, HaveCertifiedDiagrams) {
   }
 }
 
-TEST(Figures, FiveHasNeighborsThatAreFarApartInTheGraphOfTheCentres) {
+TEST(Figures, FiveHasNeighborsThatAreFarApartInTheGraphOfTheCenters) {
   for (const std::string_view name : {"5b", "5c", "5d"}) EXPECT_TRUE(areNeighbors(computed(name), 0, 1)) << name;
   EXPECT_EQ(stepsBetweenCenters("5b"), 2);
   EXPECT_EQ(stepsBetweenCenters("5c"), 3);

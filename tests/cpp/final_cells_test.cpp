@@ -366,7 +366,7 @@ TEST(FinalCells, AnEdgeIsNowhereFartherOutThanAtItsEnds) {
 }
 
 TEST(FinalCells, ACircleMayReachFarThatIsKnown) {
-  // Nine points on a grid, and a huge circle whose centre is far outside: known or not, it cuts cells.
+  // Nine points on a grid, and a huge circle whose center is far outside: known or not, it cuts cells.
   Circles circles;
   for (int i = 0; i < 25; ++i) circles.push_back({static_cast<double>(i % 5), static_cast<double>(i / 5), 0});
   const Known known = {{-3, -3, 7, 7}, 0};
@@ -395,7 +395,7 @@ TEST(FinalCells, WhereNothingIsOutsideAllIsFinal) {
 TEST(FinalCells, AHiddenCircleIsFinalOnceAllItsHidersAreKnown) {
   const Circles circles = {{0, 0, 3}, {1, 0, 1}};
   const Diagram diagram = compute(circles).value();
-  // A circle outside may hide the second one if it reaches 2 beyond its centre.
+  // A circle outside may hide the second one if it reaches 2 beyond its center.
   const auto needed = [&](double side, double maxRadius) {
     return finalCells(diagram, {{-side, -side, side, side}, maxRadius}).value().neededHalo[1];
   };

@@ -10,8 +10,12 @@
 #include "circle_voronoi_families/families.h"
 #include "dual_edits.h"
 #include "hide.h"
+#include "judge.h"
+#include "order.h"
+#include "proof.h"
 #include "report.h"
 #include "small_duals.h"
+#include "three_touch_disc.h"
 #include "tie_inputs.h"
 #include "triangulate.h"
 #include "validate.h"
@@ -51,6 +55,62 @@ TEST(Flip, RightsRandomFlips) {
   std::cout << righted << " of " << broken << " broken duals flipped back\n";
 }
 
+// The judge rests on what flips have found, and vertices are read from their discs.
+TEST(Flip, LeavesTheProofThatTheJudgeFindsItself) {
+  for (const Family family : kFamilies) {
+    SCOPED_TRACE(familyName(family));
+    Sites sites = triangulate(hide(order(validate(generate(family, 200, 1)).value().circles)));
+    Dual& dual = sites.dual ? *sites.dual : sites.centers;
+    Predicates predicates(sites.circles);
+    FaceDiscs discs(sites.circles, dual, predicates);
+    const Flips flips = flip(dual, discs);
+    const Verdict own = judge(sites.circles, dual, predicates);
+    const Verdict given = judge(sites.circles, dual, predicates, {discs.take(), flips.orders, {}});
+    EXPECT_EQ(given.flaw, own.flaw);
+    EXPECT_EQ(given.face, own.face);
+    EXPECT_EQ(given.halfEdge, own.halfEdge);
+    EXPECT_EQ(given.ties, own.ties);
+    EXPECT_EQ(given.proof.discs, own.proof.discs);
+    EXPECT_EQ(given.proof.halfEdges, own.proof.halfEdges);
+    for (int face = 0; face < dual.faceCount() && own.isRight(); ++face) {
+      if (!dual.isFinite(face)) continue;
+      const FaceDisc& disc = own.proof.discs[static_cast<std::size_t>(face)];
+      for (int h = 3 * face; h < 3 * face + 3; ++h) {
+        const auto corners = cornersOf(dual, h);
+        const auto& [i, j, k] = corners;
+        const auto expected = vertexOf(sites.circles[i], sites.circles[j], sites.circles[k]);
+        EXPECT_EQ(predicates.vertex(corners, disc, 1), expected);
+      }
+    }
+  }
+}
+
+// Flips keep the order of the ends of each edge until they change it; without a flaw they know all.
+TEST(Flip, KnowsTheOrdersThatTheJudgeFindsItself) {
+  std::int64_t known = 0;
+  for (const Family family : kFamilies) {
+    SCOPED_TRACE(familyName(family));
+    Sites sites = triangulate(hide(order(validate(generate(family, 200, 2)).value().circles)));
+    if (sites.dual) continue;
+    Dual& dual = sites.centers;
+    Predicates predicates(sites.circles);
+    FaceDiscs discs(sites.circles, dual, predicates);
+    const Flips flips = flip(dual, discs);
+    for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+      const auto order = flips.orders[static_cast<std::size_t>(h)];
+      if (order == kUnknownOrder) {
+        EXPECT_NE(discs.flawOf(h), Flaw::none);
+        continue;
+      }
+      std::int8_t expected = 1;
+      discs.flawOf(h, predicates, &expected);
+      EXPECT_EQ(order, expected);
+      ++known;
+    }
+  }
+  EXPECT_GT(known, 5000);
+}
+
 // Where two faces have the same corner opposite their edge, the flipped edge would go from that corner to itself.
 TEST(Flip, MakesNoEdgeFromACircleToItself) {
   const std::uint64_t seed = test::seedOr(1);
@@ -72,13 +132,13 @@ TEST(Flip, DoesNothingToARightDual) {
   }
 }
 
-/// Flips from the triangulation of the centres, as for a diagram. They tell of all wrong faces, and keep the discs.
-Flips flipFromCentres(const std::vector<Circle>& circles) {
+/// Flips from the triangulation of the centers, as for a diagram. They tell of all wrong faces, and keep the discs.
+Flips flipFromCenters(const std::vector<Circle>& circles) {
   Sites sites = triangulate(hide(order(validate(circles).value().circles)));
   Predicates predicates(sites.circles);
-  FaceDiscs discs(sites.circles, sites.centres, predicates);
-  Flips flips = flip(sites.centres, discs);
-  EXPECT_EQ(flips.wrong, wrongFaces(FaceDiscs(sites.circles, sites.centres, predicates)));
+  FaceDiscs discs(sites.circles, sites.centers, predicates);
+  Flips flips = flip(sites.centers, discs);
+  EXPECT_EQ(flips.wrong, wrongFaces(FaceDiscs(sites.circles, sites.centers, predicates)));
   return flips;
 }
 
@@ -88,7 +148,7 @@ TEST(Flip, TellsWhereTheDualIsWrong) {
   test::forEachTie(seed, 60, [&](const std::vector<Circle>& circles, std::string_view kind) {
     SCOPED_TRACE(test::describe(circles));
     SCOPED_TRACE(kind);
-    wrong += !flipFromCentres(circles).wrong.empty();
+    wrong += !flipFromCenters(circles).wrong.empty();
   });
   EXPECT_GT(wrong, 5);
   std::cout << wrong << " left wrong\n";
@@ -97,7 +157,7 @@ TEST(Flip, TellsWhereTheDualIsWrong) {
 // Edges without an end: one and that which would take its place, and a longer round. The rest is flipped all the same.
 TEST(Flip, EndsWhereItWouldGoRoundInCircles) {
   for (const std::uint64_t seed : {39, 398}) {
-    const Flips flips = flipFromCentres(generate(Family::oneHuge, 1000, seed));
+    const Flips flips = flipFromCenters(generate(Family::oneHuge, 1000, seed));
     EXPECT_LT(flips.count, 1100);
     EXPECT_GT(flips.wrong.size(), 0U);
     EXPECT_LT(flips.wrong.size(), 5U);

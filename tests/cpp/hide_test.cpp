@@ -24,7 +24,7 @@ void check(const std::vector<Circle>& circles, const std::string& what) {
   const std::vector<HiddenCircle> expected = test::hiddenByDefinition(circles);
   // By a search, and where it gives up at once by insertion.
   for (const std::int64_t mostSteps : {kMostStepsACircle, std::int64_t{-1000}}) {
-    const VisibleCircles visible = hide(order(circles), mostSteps);
+    const Sites visible = hide(order(circles), mostSteps);
     ASSERT_EQ(visible.hidden, expected) << what << test::describe(circles);
     EXPECT_EQ(visible.circles.size() + visible.hidden.size(), circles.size());
     for (std::size_t i = 0; i < visible.circles.size(); ++i) {
@@ -90,8 +90,8 @@ TEST(Hide, InsertionLeavesTheDiagramOfTheVisibleCircles) {
   const std::uint64_t seed = test::seedOr(1);
   for (const FamilyInfo& family : families()) {
     const auto circles = validate(generate(family.family, 500, seed)).value().circles;
-    const VisibleCircles visible = hide(order(circles), -1000);
-    if (visible.centres) continue;  // the triangulation has shown that none is hidden
+    const Sites visible = hide(order(circles), -1000);
+    if (!visible.centers.origin.empty()) continue;  // the triangulation has shown that none is hidden
     ASSERT_TRUE(visible.dual) << family.name;
     Predicates predicates(visible.circles);
     EXPECT_TRUE(judge(visible.circles, *visible.dual, predicates).isRight()) << family.name;
@@ -115,11 +115,11 @@ TEST(Hide, TakesNLogNSteps) {
   }
 }
 
-TEST(Hide, TheTriangulationIsThatOfTheVisibleCentres) {
+TEST(Hide, TheTriangulationIsThatOfTheVisibleCenters) {
   for (const Family family : {Family::uniform, Family::hidden, Family::duplicates, Family::chaos}) {
     const Sites sites = triangulate(hide(order(validate(generate(family, 500, 1)).value().circles)));
     const int count = static_cast<int>(sites.circles.size());
-    EXPECT_EQ(sites.centres.faceCount(), count < 2 ? 0 : 2 * count - 2) << familyName(family);
+    EXPECT_EQ(sites.centers.faceCount(), count < 2 ? 0 : 2 * count - 2) << familyName(family);
   }
 }
 

@@ -74,7 +74,7 @@ std::vector<Circle> tangentInside(std::size_t count) {
   return circles;
 }
 
-TEST(Insert, TakesAFewFlipsACircleWhereFlipsFromTheCentresFindNoWay) {
+TEST(Insert, TakesAFewFlipsACircleWhereFlipsFromTheCentersFindNoWay) {
   const auto circles = visibleCircles(tangentInside(2000));
   Predicates predicates(circles);
   const auto inserted = insertAll(circles, predicates);

@@ -26,17 +26,9 @@ std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
 bool flipEdge(EditState& state, int h) {
   Dual& dual = state.dual;
   const int t = dual.twin[h];
-  const int bc = Dual::next(h);
-  const int ad = Dual::next(t);
   if (dual.origin[Dual::previous(h)] == dual.origin[Dual::previous(t)]) return false;
-  const int beyondAd = dual.twin[ad];
-  const int beyondBc = dual.twin[bc];
-  for (const int changed : {h, t, beyondAd, beyondBc}) state.willChange(changed / 3);
-  state.link(h, beyondAd);
-  state.link(t, beyondBc);
-  dual.origin[bc] = dual.origin[Dual::previous(t)];
-  dual.origin[ad] = dual.origin[Dual::previous(h)];
-  state.link(bc, ad);
+  for (const int changed : {h, t, dual.twin[Dual::next(t)], dual.twin[Dual::next(h)]}) state.willChange(changed / 3);
+  dual.flip(h);
   return true;
 }
 

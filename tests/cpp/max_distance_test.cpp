@@ -143,15 +143,15 @@ std::vector<Point> pointsOf(const OutlinePiece& piece, double tolerance) {
   const Point p = piece.curve.start;
   const Point q = piece.curve.end;
   const double half = std::hypot(q.x - p.x, q.y - p.y) / 2;
-  const double toCentre = std::sqrt(std::max(piece.r * piece.r - half * half, 0.0));
-  const Point centre = {(p.x + q.x) / 2 - toCentre * (q.y - p.y) / (2 * half),
-                        (p.y + q.y) / 2 + toCentre * (q.x - p.x) / (2 * half)};
-  const double from = std::atan2(p.y - centre.y, p.x - centre.x);
+  const double toCenter = std::sqrt(std::max(piece.r * piece.r - half * half, 0.0));
+  const Point center = {(p.x + q.x) / 2 - toCenter * (q.y - p.y) / (2 * half),
+                        (p.y + q.y) / 2 + toCenter * (q.x - p.x) / (2 * half)};
+  const double from = std::atan2(p.y - center.y, p.x - center.x);
   const double turn = 2 * std::asin(std::min(half / piece.r, 1.0));
   std::vector<Point> points = {p};
   for (int k = 1; k < 200; ++k) {
     const double angle = from + turn * k / 200;
-    points.push_back({centre.x + piece.r * std::cos(angle), centre.y + piece.r * std::sin(angle)});
+    points.push_back({center.x + piece.r * std::cos(angle), center.y + piece.r * std::sin(angle)});
   }
   points.push_back(q);
   return points;
@@ -215,7 +215,7 @@ TEST(MaxDistance, OfOneCircleIsADisc) {
   EXPECT_TRUE(inBox({6.5, 4, 9, 9}).empty());
   EXPECT_TRUE(inBox({5.5, 6.5, 9, 9}).empty());
   EXPECT_EQ(area(inBox({2, 3, 4, 5})), 4);
-  // A side that cuts a segment off, from either side of the centre; one that touches.
+  // A side that cuts a segment off, from either side of the center; one that touches.
   const double segment = 9 * std::acos(1 / 3.0) - std::sqrt(8);
   EXPECT_NEAR(area(inBox({-9, -9, 4, 19})), 9 * kPi - segment, 1e-13);
   EXPECT_NEAR(area(inBox({4, -9, 19, 19})), segment, 1e-13);
@@ -449,8 +449,8 @@ TEST(MaxDistance, IsTheSameAtEveryScaleAndOfWeights) {
   }
 }
 
-// Of the diagram of the centres a cell is cut at that distance from its centre.
-TEST(MaxDistance, OfTheCentresIsCutAroundThese) {
+// Of the diagram of the centers a cell is cut at that distance from its center.
+TEST(MaxDistance, OfTheCentersIsCutAroundThese) {
   const Circles circles = {{0, 0, 1}, {4, 0, 0.5}};
   const Diagram diagram = computeComparison(circles, Metric::centers).value();
   const double segment = 9 * std::acos(2 / 3.0) - 2 * std::sqrt(5);

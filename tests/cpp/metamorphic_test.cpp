@@ -172,11 +172,11 @@ TEST(Metamorphic, MethodsAgree) {
   });
 }
 
-/// The diagram whose dual is the Delaunay triangulation of the centres, without coordinates.
+/// The diagram whose dual is the Delaunay triangulation of the centers, without coordinates.
 Diagram delaunayDiagram(const Circles& circles) {
-  std::vector<Point> centres;
-  for (const Circle& c : circles) centres.push_back({c.x, c.y});
-  const Delaunay triangulation = delaunay(centres);
+  std::vector<Point> centers;
+  for (const Circle& c : circles) centers.push_back({c.x, c.y});
+  const Delaunay triangulation = delaunay(centers);
   Diagram diagram;
   std::vector<std::int32_t> vertexOf;
   const Dual& dual = triangulation.dual;
@@ -198,7 +198,7 @@ Diagram delaunayDiagram(const Circles& circles) {
   return diagram;
 }
 
-/// Circles of one radius on the centres of a family, each centre once.
+/// Circles of one radius on the centers of a family, each center once.
 Circles equalOnes(const Circles& circles, double r) {
   std::set<std::pair<double, double>> seen;
   Circles equal;

@@ -14,7 +14,7 @@ TEST(Pairs, OfAllCirclesAreInOrderOnceEach) {
   EXPECT_EQ(pairAll(3), (Pairs{{0, 1}, {0, 2}, {1, 2}}));
 }
 
-TEST(Pairs, OfNeighbouringSamplesOnceEach) {
+TEST(Pairs, OfNeighboringSamplesOnceEach) {
   // A row of circles 1, 0, 2 with two samples each.
   const Samples samples = {{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}, {1, 1, 0, 0, 2, 2}};
   EXPECT_EQ(pairNeighbors(samples, 3), (Pairs{{0, 1}, {0, 2}}));

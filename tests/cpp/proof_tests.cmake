@@ -27,6 +27,7 @@ add_executable(circle_voronoi_proof_tests
   settle_ties_test.cpp
   small_duals.cpp
   step_test.cpp
+  threads_test.cpp
   topology_test.cpp
   validate_test.cpp
   vertex_test.cpp

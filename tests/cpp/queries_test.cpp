@@ -25,7 +25,7 @@ double clearance(const std::vector<Circle>& circles, Point p) {
   return least;
 }
 
-/// Whether a disc with its centre at p and radius 0 lies inside the hull: seen from everywhere some circle reaches as
+/// Whether a disc with its center at p and radius 0 lies inside the hull: seen from everywhere some circle reaches as
 /// far.
 double depthInHull(const std::vector<Circle>& circles, Point p) {
   double depth = std::numeric_limits<double>::infinity();
@@ -156,18 +156,18 @@ TEST_P(Queries, NoSampledDiscInsideARegionIsLarger) {
       const double rounding = 1e-12 * (size + width + std::abs(p.x) + std::abs(p.y));
       const auto largest = largestEmptyDiscInside(diagram, region);
       ASSERT_TRUE(largest);
-      const Point centre = {largest->disc.x, largest->disc.y};
+      const Point center = {largest->disc.x, largest->disc.y};
       const double radius = largest->disc.r;
       const auto room = [&](Point q) { return std::min(depthIn(region, q), clearance(circles, q)); };
       // Not above what is there, which rounding cannot make it.
-      EXPECT_NEAR(room(centre), radius, rounding);
+      EXPECT_NEAR(room(center), radius, rounding);
       for (const std::int32_t circle : largest->circles) {
         if (circle == kNone) continue;
-        EXPECT_NEAR(distance(Metric::circles, circles[static_cast<std::size_t>(circle)], centre), radius,
+        EXPECT_NEAR(distance(Metric::circles, circles[static_cast<std::size_t>(circle)], center), radius,
                     1e-9 * (size + width) + rounding);
       }
       // Nor below: by many points, and by climbing from the best of them.
-      Point best = centre;
+      Point best = center;
       for (int k = 0; k < 1000; ++k) {
         const Point q = {p.x + width * random.uniform(-1, 1), p.y + width * random.uniform(-1, 1)};
         if (room(q) > room(best) || (k == 0 && depthIn(region, q) > 0)) best = q;
@@ -260,7 +260,7 @@ TEST(Queries, TheLargestEmptyDiscInsideTouchesThreeCirclesOrSides) {
         Case{{{-3, 0, 1}, {3, 0, 1}}, {-3, -4, 3, 4}, 2.4, 2},
         Case{{{0, 0, 1}}, {0, 0, 4, 4}, (4 * std::sqrt(2) - 1) / (1 + std::sqrt(2)), 1},
         Case{{{-0.5, 0, 0.6}, {8.5, 0, 0.6}}, {-1, -1, 9, 1}, 1, 1}, Case{{{50, 0, 1}}, {0, 0, 4, 3}, 1.5, 0},
-        // An edge passes through the centre, but neither of its circles touches.
+        // An edge passes through the center, but neither of its circles touches.
         Case{{{4, 0, 0}, {4, 1, 0}}, {3.9, 0, 4.1, 1}, 0.1, 0}}) {
     const Diagram diagram = compute(circles).value();
     const auto largest = largestEmptyDiscInside(diagram, test::regionOf(box));

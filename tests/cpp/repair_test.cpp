@@ -125,7 +125,7 @@ TEST(Repair, LooksAtThePatchesAlone) {
              dual.origin[Dual::previous(h)] != dual.origin[Dual::previous(dual.twin[h])];
     };
     while (!canFlip()) ++h;
-    test::flipEdge(dual, h);
+    dual.flip(h);
     Predicates predicates(circles);
     FaceDiscs discs(circles, dual, predicates);
     std::vector<int> wrong = wrongFaces(discs);
@@ -145,7 +145,7 @@ TEST(Repair, LooksAtLargerPatchesTheFartherItReaches) {
     Dual dual = test::dualOf(compute(circles).value(), circles.size());
     int h = 0;
     while (!dual.isFinite(h / 3) || !dual.isFinite(dual.twin[h] / 3)) ++h;
-    test::flipEdge(dual, h);
+    dual.flip(h);
     Predicates predicates(circles);
     FaceDiscs discs(circles, dual, predicates);
     std::vector<int> wrong = wrongFaces(discs);
@@ -182,7 +182,7 @@ TEST(Repair, RepairsAtInfinity) {
     const bool isAtInfinity = dual.origin[h] == kPointAtInfinity || dual.target(h) == kPointAtInfinity ||
                               !dual.isFinite(h / 3) || !dual.isFinite(dual.twin[h] / 3);
     if (!isAtInfinity || dual.origin[Dual::previous(h)] == dual.origin[Dual::previous(dual.twin[h])]) continue;
-    test::flipEdge(dual, h);
+    dual.flip(h);
     if (isRight(circles, dual)) continue;
     ++broken;
     for (const int reach : {2, 4}) {

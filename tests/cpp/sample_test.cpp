@@ -13,9 +13,9 @@ namespace circle_voronoi {
 namespace {
 
 Samples sample(const std::vector<Circle>& circles, int angular) {
-  std::vector<Point> centres;
-  for (const Circle& c : circles) centres.push_back({c.x, c.y});
-  return sampleDynamically(circles, delaunay(centres).dual, std::vector<int>(circles.size(), angular));
+  std::vector<Point> centers;
+  for (const Circle& c : circles) centers.push_back({c.x, c.y});
+  return sampleDynamically(circles, delaunay(centers).dual, std::vector<int>(circles.size(), angular));
 }
 
 std::int64_t countOn(const Samples& samples, int circle) { return std::ranges::count(samples.circles, circle); }
@@ -45,7 +45,7 @@ TEST(Samples, LieOnTheirCircleLessTheSmallestRadius) {
   }
 }
 
-// A triangle of centres has two Delaunay edges and one finite face at each; the infinite face is not subdivided.
+// A triangle of centers has two Delaunay edges and one finite face at each; the infinite face is not subdivided.
 TEST(Samples, SubdivideFiniteFacesOnly) {
   const std::vector<Circle> triangle = {{0, 0, 1}, {9, 0, 2}, {0, 9, 3}};
   EXPECT_EQ(sample(triangle, 0).points.size(), 6U);
@@ -71,24 +71,24 @@ TEST(Samples, DivideAFacesAngleIntoEqualParts) {
 
 TEST(Samples, MayDifferFromCircleToCircle) {
   const std::vector<Circle> triangle = {{0, 0, 1}, {9, 0, 2}, {0, 9, 3}};
-  const std::vector<Point> centres = {{0, 0}, {9, 0}, {0, 9}};
-  const Samples samples = sampleDynamically(triangle, delaunay(centres).dual, std::vector<int>{0, 1, 5});
+  const std::vector<Point> centers = {{0, 0}, {9, 0}, {0, 9}};
+  const Samples samples = sampleDynamically(triangle, delaunay(centers).dual, std::vector<int>{0, 1, 5});
   EXPECT_EQ(countOn(samples, 0), 2);
   EXPECT_EQ(countOn(samples, 1), 3);
   EXPECT_EQ(countOn(samples, 2), 7);
 }
 
-TEST(Samples, OfCollinearCentresLieAlongTheirLine) {
+TEST(Samples, OfCollinearCentersLieAlongTheirLine) {
   const std::vector<Circle> row = {{0, 0, 1}, {5, 0, 2}, {9, 0, 1}};
   const Samples samples = sample(row, 3);
   EXPECT_EQ(samples.points.size(), 4U);
   for (const Point& p : samples.points) EXPECT_EQ(p.y, 0);
 }
 
-TEST(Samples, OfCentresSoNearThatSquaresUnderflow) {
+TEST(Samples, OfCentersSoNearThatSquaresUnderflow) {
   const std::vector<Circle> circles = {{0, 0, 0}, {0x1p-1000, 0x1p-1074, 0}, {8, 0, 3}};
-  const std::vector<Point> centres = {{0, 0}, {0x1p-1000, 0x1p-1074}, {8, 0}};
-  const Samples samples = sampleDynamically(circles, delaunay(centres).dual, std::vector<int>{3, 3, 3});
+  const std::vector<Point> centers = {{0, 0}, {0x1p-1000, 0x1p-1074}, {8, 0}};
+  const Samples samples = sampleDynamically(circles, delaunay(centers).dual, std::vector<int>{3, 3, 3});
   EXPECT_FALSE(samples.points.empty());
   for (const Point& p : samples.points) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y));
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where more than three circles touch a disc, the diagram does not depend on how it was made.
+#include "settle_ties.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,11 +13,15 @@
 
 #include "circle_voronoi/compute.h"
 #include "compare.h"
+#include "hide.h"
+#include "insert.h"
 #include "judge.h"
+#include "order.h"
 #include "random.h"
 #include "report.h"
 #include "tie_inputs.h"
 #include "topology.h"
+#include "validate.h"
 
 namespace circle_voronoi {
 namespace {
@@ -71,17 +77,39 @@ Ties tiesOf(const Circles& circles, const Diagram& diagram) {
   Predicates predicates(circles);
   const Verdict verdict = judge(circles, dual, predicates);
   EXPECT_TRUE(verdict.isRight());
-  const auto centre = [&](int i) { return std::pair(circles[at(i)].x, circles[at(i)].y); };
+  const auto center = [&](int i) { return std::pair(circles[at(i)].x, circles[at(i)].y); };
   Ties ties;
   for (const int h : verdict.ties) {
     const int t = dual.twin[at(h)];
-    const auto ends = std::max(centre(dual.origin[at(h)]), centre(dual.origin[at(t)]));
+    const auto ends = std::max(center(dual.origin[at(h)]), center(dual.origin[at(t)]));
     const auto beside =
-        std::max(centre(dual.origin[at(Dual::previous(h))]), centre(dual.origin[at(Dual::previous(t))]));
+        std::max(center(dual.origin[at(Dual::previous(h))]), center(dual.origin[at(Dual::previous(t))]));
     ++ties.count;
     ties.areSettled = ties.areSettled && ends < beside;
   }
   return ties;
+}
+
+// A proof stays that of its dual.
+TEST(SettleTies, LeaveTheProofOfTheDualThatTheyMake) {
+  const std::uint64_t seed = test::seedOr(1);
+  int changed = 0;
+  test::forEachTie(seed, 60, [&](const Circles& circles, std::string_view kind) {
+    SCOPED_TRACE(kind);
+    const Circles visible = hide(order(validate(circles).value().circles)).circles;
+    Predicates predicates(visible);
+    Dual dual = insertAll(visible, predicates).value().dual;
+    const Dual before = dual;
+    Verdict verdict = judge(visible, dual, predicates);
+    if (!verdict.isRight()) return;
+    settleTies(dual, verdict, visible, predicates);
+    const Verdict own = judge(visible, dual, predicates);
+    EXPECT_TRUE(own.isRight());
+    EXPECT_EQ(verdict.proof.discs, own.proof.discs);
+    EXPECT_EQ(verdict.proof.halfEdges, own.proof.halfEdges);
+    changed += dual.origin != before.origin;
+  });
+  EXPECT_GT(changed, 5);
 }
 
 TEST(SettleTies, TheDiagramDependsNeitherOnTheOrderNorOnTheMethod) {
@@ -144,7 +172,7 @@ TEST(SettleTies, PartOfTheCirclesThatTouchADiscHasPartOfItsFaces) {
 }
 
 TEST(SettleTies, ThousandsOfCirclesMayTouchOneDisc) {
-  // Circles through the origin with their centres at (m m - n n, 2 m n), which is m m + n n away.
+  // Circles through the origin with their centers at (m m - n n, 2 m n), which is m m + n n away.
   Circles circles;
   for (int m = 1; m <= 60; ++m) {
     for (int n = 1; n < m; ++n) {

@@ -16,7 +16,7 @@ namespace circle_voronoi::test {
 
 // Right duals of few circles, for tests of the stages that change a dual or judge it.
 
-/// Families with many kinds of neighbours.
+/// Families with many kinds of neighbors.
 inline constexpr std::array kFamilies = {Family::uniform,      Family::logUniform, Family::oneHuge,   Family::extreme,
                                          Family::intersecting, Family::chaos,      Family::ringVaried};
 

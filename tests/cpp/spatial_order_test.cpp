@@ -7,13 +7,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "centres.h"
+#include "centers.h"
 #include "circle_voronoi_families/families.h"
 
 namespace circle_voronoi {
 namespace {
 
-std::vector<Point> uniformPoints(std::size_t count) { return centresOf(generate(Family::points, count, 1)); }
+std::vector<Point> uniformPoints(std::size_t count) { return centersOf(generate(Family::points, count, 1)); }
 
 /// The length of the way through points in their spatial order, less its longest steps.
 double lengthOfWay(const std::vector<Point>& points, std::size_t longestSteps) {

@@ -36,7 +36,7 @@ std::vector<Circle> onGrid(std::size_t count, Random& random) {
   return circles;
 }
 
-/// Centres at distance 5 * 13 * 17 * 29 from the origin.
+/// Centers at distance 5 * 13 * 17 * 29 from the origin.
 std::vector<Circle> onOneCircle(std::size_t count, Random& random) {
   const double r = integer(random, 0, 9);
   std::vector<Circle> circles;
@@ -119,7 +119,7 @@ void moveToNext(std::vector<Circle>& circles, Random& random) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   for (std::size_t times = 1 + random.below(3); times > 0; --times) {
     double& value = number(circles[random.below(circles.size())], random.below(3));
-    // The neighbours of zero are too small for the ties of larger numbers to notice.
+    // The neighbors of zero are too small for the ties of larger numbers to notice.
     if (value == 0) continue;
     value = std::nextafter(value, random.below(2) == 0 ? kInfinite : -kInfinite);
   }

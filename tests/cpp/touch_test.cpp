@@ -48,7 +48,7 @@ Solved solveSampled(const std::string& fixture, int samples) {
 }
 
 // The paper finds hidden circles by the leftover DEs. Left in, they take part in antipodal discs and displace the
-// neighbours of the circle that contains them: here a copy of circle 0.
+// neighbors of the circle that contains them: here a copy of circle 0.
 TEST(TouchRule1, HiddenCirclesAreRemovedFirst) {
   const Solved solved = solveSampled("missed-antipodal-disc-duplicates-4", 0);
   EXPECT_EQ(solved.problem, "");
@@ -67,7 +67,7 @@ TEST(TouchRule2, TheThirdDirectedEdgeMustBeAdjacentAndForward) {
   }
 }
 
-// Where a disc of R_min is not antipodal, a centre to the right of its DE may lie behind it on the bisector.
+// Where a disc of R_min is not antipodal, a center to the right of its DE may lie behind it on the bisector.
 TEST(TouchRule3, ForwardIsAlongTheBisector) {
   for (const std::string name : {"intersecting-3", "lightly-intersecting-3", "lightly-intersecting-4", "hidden-3"}) {
     EXPECT_EQ(solveAllPairs("centre-right-of-edge-" + name).problem, "") << name;
@@ -89,13 +89,13 @@ TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
   for (const std::string name : {"tie-on-one-disc-cocircular-equal-4", "tie-on-one-disc-cocircular-varied-4",
                                  "centre-right-of-edge-cocircular-varied-5"}) {
     const Solved solved = solveAllPairs(name);
-    EXPECT_EQ(
-        test::problemInDegeneratePosition(solved.diagram, oracle::exactDiagram(solved.circles), solved.circles), "")
+    EXPECT_EQ(test::problemInDegeneratePosition(solved.diagram, oracle::exactDiagram(solved.circles), solved.circles),
+              "")
         << name;
   }
 }
 
-// Opposite circles around one disc all have it for antipodal disc. An antipodal disc that touches a neighbour, but for
+// Opposite circles around one disc all have it for antipodal disc. An antipodal disc that touches a neighbor, but for
 // rounding, is left to the three-touch discs; two that were both accepted would cross.
 TEST(TouchRule5, AnAntipodalDiscThatTouchesANeighborIsNotEmpty) {
   const Solved solved = solveAllPairs("tie-of-antipodal-disc-cocircular-equal-8");
@@ -111,8 +111,8 @@ TEST(TouchRule6, DiscsOfIntersectingCirclesAreTestedForEmptiness) {
                                  "missed-antipodal-disc-intersecting-6"}) {
     const Solved solved = solveAllPairs(name);
     EXPECT_EQ(solved.problem, "") << name;
-    EXPECT_GT(
-        solved.events.count(TraceKind::antipodalDiscNotEmpty) + solved.events.count(TraceKind::antipodalDiscUsed), 0U)
+    EXPECT_GT(solved.events.count(TraceKind::antipodalDiscNotEmpty) + solved.events.count(TraceKind::antipodalDiscUsed),
+              0U)
         << name;
   }
 }
@@ -167,7 +167,7 @@ std::vector<Circle> pointBeside(double angle, double gap) {
   return {{-1, 0, 0.1}, {1, 0, 0.1}, {-size * std::cos(angle), size * std::sin(angle), 0}};
 }
 
-// Rounding is up to some 2^-52 of the numbers: a disc that is within a few times that of a neighbour touches it, and
+// Rounding is up to some 2^-52 of the numbers: a disc that is within a few times that of a neighbor touches it, and
 // one that is free of it by some hundred times that does not. A three-touch disc may come first and stand for either.
 TEST(Touch, TellsRoundingFromAGap) {
   int touching = 0;

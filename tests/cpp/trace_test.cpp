@@ -57,12 +57,12 @@ TEST(Trace, TellsOfEveryCandidate) {
       const std::size_t visible = points.size() - diagram.hidden.size();
       return static_cast<std::int64_t>(3 * visible - 3 - diagram.hull.size());
     };
-    std::vector<Circle> centres;
+    std::vector<Circle> centers;
     for (CircleIndex i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
       const Circle& c = circles[static_cast<std::size_t>(i)];
-      if (traced.diagram.hasCell(i)) centres.push_back({c.x, c.y, 0});
+      if (traced.diagram.hasCell(i)) centers.push_back({c.x, c.y, 0});
     }
-    EXPECT_EQ(traced.count(TraceKind::centersJoined), candidates == Candidates::dynamic ? edgesAmong(centres) : 0);
+    EXPECT_EQ(traced.count(TraceKind::centersJoined), candidates == Candidates::dynamic ? edgesAmong(centers) : 0);
     EXPECT_EQ(traced.count(TraceKind::sampleTaken), counts.samples);
     std::vector<Circle> samples;
     std::set<std::set<CircleIndex>> joined;

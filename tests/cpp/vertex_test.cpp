@@ -82,7 +82,7 @@ TEST(Vertex, OfCirclesThatRoundingTookOffALine) {
   EXPECT_TRUE(certify(diagram).value().certified());
 }
 
-/// Three points that bend by `bend` from a line, of a given size: their disc has its centre at (size / 2, size / bend).
+/// Three points that bend by `bend` from a line, of a given size: their disc has its center at (size / 2, size / bend).
 std::vector<Circle> bent(double size, double bend) { return {{0, 0, 0}, {size, 0, 0}, {2 * size, size * bend, 0}}; }
 
 TEST(Vertex, FarAwayIsRightAndCertified) {

@@ -317,7 +317,7 @@ TEST(Weights, FilesSayThatTheyAre) {
   EXPECT_EQ(readTile(table, "file", {.weights = true}).value().circles, kNegative);
 }
 
-// A circle of negative radius has its centre to show.
+// A circle of negative radius has its center to show.
 TEST(Weights, NegativeOnesAreDrawnAsPoints) {
   const Diagram diagram = compute(kNegative, kWeights).value();
   std::ostringstream svg;

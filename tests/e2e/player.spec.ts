@@ -37,7 +37,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   await expect(sentence).toContainText('Are its directed edges still there?')
 
   // A breakpoint ends playing.
-  await page.getByRole('button', { name: 'Pause at this step' }).click()
+  await page.getByRole('button', { name: 'Breakpoint: stop here when playing' }).click()
   await page.evaluate((step) => playing.player.stepTo(step - 4), vertex)
   await page.getByRole('combobox', { name: 'Speed' }).selectOption('30 / s')
   await page.getByRole('button', { name: 'Play', exact: true }).click()
@@ -45,7 +45,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   expect(await stepOf(page)).toBe(vertex - 1)
 
   // The reader predicts: an answer is followed by what happens.
-  await page.getByRole('button', { name: 'Quiz me' }).click()
+  await page.getByRole('button', { name: 'Quiz: ask me before each step what happens next' }).click()
   await expect(page.getByRole('group', { name: 'What happens next?' })).toContainText('Which directed edges')
   await page
     .getByRole('button', { name: /edges end, one begins|Three edges end/ })
@@ -75,7 +75,7 @@ test('plays from the start once the end is reached', async ({ opened: page }) =>
 })
 
 test('stops nowhere in the trace of edited circles, whose steps are others', async ({ opened: page }) => {
-  const stop = page.getByRole('button', { name: 'Pause at this step' })
+  const stop = page.getByRole('button', { name: 'Breakpoint: stop here when playing' })
   await page.evaluate(() => playing.player.stepTo(3))
   await stop.click()
   await expect(stop).toHaveAttribute('aria-pressed', 'true')

@@ -315,6 +315,18 @@ for (const [i, chapter] of readBook()
   })
 }
 
+test('a judge that cannot be loaded says so, and is asked for again', async ({ page }) => {
+  const chapter = readBook().find(({ blocks }) => blocks.some(({ kind }) => kind === 'corrupt')) as Chapter
+  await page.route('**/circle-voronoi-*.wasm', (route) => route.fulfill({ status: 404 }))
+  await page.goto(`/tutorial/${chapter.file}`)
+  const verdict = page.locator('.corrupt output')
+  await verdict.scrollIntoViewIfNeeded()
+  await expect(verdict).toHaveText(/^The WebAssembly cannot be loaded from .+404/)
+  await page.unrouteAll()
+  await page.getByRole('button', { name: 'Make it right again' }).click()
+  await expect(verdict).toHaveText('The judge: this diagram is right.')
+})
+
 test('what rules find as printed follows the circles', async ({ page }) => {
   const problems = watch(page)
   await page.goto('/tutorial/06-where-rules-fail.html')

@@ -190,7 +190,7 @@ class Checker {
     if (!found) return;
     const auto& [x, y, radius] = found->disc;
     require(isFinite({x, y}) && std::isfinite(radius), "a disc is not finite");
-    require(depthOf({x, y}) >= -rounding_, "the centre of a disc is outside the box");
+    require(depthOf({x, y}) >= -rounding_, "the center of a disc is outside the box");
     for (std::size_t i = 0; i < circles_.size(); ++i) {
       require(distance(Metric::circles, circles_[i], {x, y}) >= radius - rounding_, "a disc is not empty");
     }

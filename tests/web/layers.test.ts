@@ -92,8 +92,20 @@ describe('what cells are measured by', () => {
       // The legend says what the ends and quarters of the ramp are.
       const { knots, isClipped } = measures.legend
       const values = visible.map((i) => measures.valueOf(i)).sort((a, b) => a - b)
-      expect([knots[0], knots[4]]).toEqual([values[0], values.at(-1)])
-      expect(isClipped).toBe(false)
+      // Outliers have the colors of the ends.
+      const at = (share: number) => values[Math.round(share * (values.length - 1))]
+      expect(knots).toEqual([0.05, 0.25, 0.5, 0.75, 0.95].map(at))
+      expect(isClipped).toBe(true)
+      expect([
+        measures.shadeOf(visible.find((i) => measures.valueOf(i) === values[0]) as number),
+        measures.shadeOf(visible.find((i) => measures.valueOf(i) === values.at(-1)) as number),
+      ]).toEqual([0, SHADES - 1])
+      // What has no end has no color.
+      const endless = Array.from({ length: 1200 }, (_, i) => i).filter(
+        (i) => diagram.cells.exists(i) && measures.valueOf(i) === Number.POSITIVE_INFINITY,
+      )
+      expect(endless.length > 0).toBe(measure === 'area')
+      expect(endless.every((i) => measures.shadeOf(i) === -1)).toBe(true)
       const least = visible.find((i) => measures.valueOf(i) === knots[0]) as number
       const largest = visible.find((i) => measures.valueOf(i) === knots[4]) as number
       expect([measures.shadeOf(least), measures.shadeOf(largest)]).toEqual([0, SHADES - 1])
@@ -419,7 +431,7 @@ describe('layers that are set', () => {
       'The layer path must be two points { from: { x, y }, to: { x, y } } (got {"from":{"x":0,"y":0}}).',
     )
     expect(refusal({ cells: 'red' })).toBe(
-      'The layer cells must be none, radius, area, degree, gap, index or different (got "red").',
+      'The layer cells must be auto, none, radius, area, degree, gap, index or different (got "red").',
     )
     expect(refusal({ candidates: 'red' })).toBe(
       'The layer candidates must be dynamic, uniform or all-pairs (got "red").',

@@ -213,7 +213,7 @@ describe('what a thread answers', () => {
     expect(said).toHaveLength(1)
     await ask({ ...request(), tellsProgress: true, options: { method: 'touching-disc' } })
     const stages = said.slice(1, -1).map(([reply]) => ('progress' in reply ? reply.progress[0] : undefined))
-    expect([...new Set(stages)]).toEqual(['triangulate', 'sample', 'pair', 'touch', 'certify'])
+    expect([...new Set(stages)]).toEqual(['order', 'triangulate', 'sample', 'pair', 'touch', 'certify', 'assemble'])
     expect(said.at(-1)?.[0]).toMatchObject({ diagram: { stats: { method: 'touching-disc' } } })
   })
 
@@ -230,7 +230,7 @@ describe('what a thread answers', () => {
     await ask(request())
     await ask(request())
     expect(said).toHaveLength(2)
-    for (const [reply] of said) expect(reply).toMatchObject({ error: { code: 'notLoaded', circle: -1 } })
+    for (const [reply] of said) expect(reply).toMatchObject({ error: { code: 'notLoaded', circle: undefined } })
   })
 
   it('is what else went wrong, in one sentence', async () => {
@@ -242,6 +242,6 @@ describe('what a thread answers', () => {
     }
     await ask({ ...request(), tellsProgress: true })
     const message = 'The computation failed: No clone.'
-    expect(said).toEqual([[{ error: { code: 'internal', circle: -1, message } }, []]])
+    expect(said).toEqual([[{ error: { code: 'internal', circle: undefined, message } }, []]])
   })
 })

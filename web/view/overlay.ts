@@ -9,7 +9,7 @@ import type { Frame } from './painter/frame.ts'
 import { FrameSink } from './painter/frame-sink.ts'
 import { addSegment } from './painter/segment-path.ts'
 import type { Described, Found, Marks, Touching, Trial } from './protocol.ts'
-import { DOT_RADIUS, type Style } from './style.ts'
+import { DOT_RADIUS, isSeen, type Style } from './style.ts'
 import { areaText, namedOf } from './taken-text.ts'
 import type { Band, Chosen } from './view.ts'
 
@@ -110,7 +110,8 @@ export function drawOverlay(
   }
 
   const { selected, hovered } = marks
-  if (selected !== undefined) stroke(pathOf(selected.neighborhood), style.neighborCell, NEIGHBOR_OUTLINE)
+  if (selected !== undefined && isSeen(style.neighborCell))
+    stroke(pathOf(selected.neighborhood), style.neighborCell, NEIGHBOR_OUTLINE)
   if (hovered !== undefined && hovered.id !== selected?.id) {
     outline(pathOf(hovered.outline), style.edge, OUTLINE)
     outline(discOf(hovered.circle.x, hovered.circle.y, hovered.circle.r, DOT_RADIUS), style.edge, OUTLINE)

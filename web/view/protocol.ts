@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between a view and the painter's thread. A scene is one view's circles; a thread has many.
-import type {
-  Box,
-  Certificate,
-  Circle,
-  DiagramData,
-  Edit,
-  ErrorCode,
-  Options,
-  Point,
-  Stats,
-  Vertex,
-} from '../lib/index.ts'
+import type { PostedError } from '../lib/base/errors.ts'
+import type { Box, Certificate, Circle, DiagramData, Edit, Options, Point, Stats, Vertex } from '../lib/index.ts'
 import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange } from './circle-table.ts'
@@ -138,14 +128,7 @@ export type FromPainter =
       readonly found: Found | undefined
       readonly seconds: number
     }
-  | {
-      readonly kind: 'refused'
-      readonly scene: number
-      readonly revision: number
-      readonly code: ErrorCode
-      readonly circle: number
-      readonly message: string
-    }
+  | { readonly kind: 'refused'; readonly scene: number; readonly revision: number; readonly error: PostedError }
   | {
       readonly kind: 'painted'
       readonly scene: number
@@ -157,13 +140,7 @@ export type FromPainter =
       readonly isWhole: boolean
     }
   | { readonly kind: 'answer'; readonly request: number; readonly value: unknown }
-  | {
-      readonly kind: 'noAnswer'
-      readonly request: number
-      readonly code: ErrorCode
-      readonly circle: number
-      readonly message: string
-    }
+  | { readonly kind: 'noAnswer'; readonly request: number; readonly error: PostedError }
   | { readonly kind: 'found'; readonly scene: number; readonly found: Found }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
   /** The same, with outlines for what is looked at now. */

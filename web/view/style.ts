@@ -48,28 +48,33 @@ export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
  * or else that of the theme.
  */
 export function readStyle(element: Element): Style {
-  // As numbers: a worker knows neither the scheme nor the system's colors.
-  const probe = element.appendChild(document.createElement('span'))
-  // The system's colors are named where they are to be: data keeps its own.
-  probe.style.setProperty('forced-color-adjust', 'none')
-  const color = (name: string) => {
+  const names = [...COLORS, 'cellOpacity', ...numbered('tint', TINTS), ...numbered('map', MAP_COLORS)]
+  const probes = document.createElement('span')
+  for (const name of names) {
     const property = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
-    probe.style.color = `var(--circle-voronoi-${property}, var(--${property}))`
-    return getComputedStyle(probe).color
+    const { style } = probes.appendChild(document.createElement('span'))
+    // The system's colors are named where they are to be: data keeps its own.
+    style.setProperty('forced-color-adjust', 'none')
+    style.color = `var(--circle-voronoi-${property}, var(--${property}))`
   }
-  const list = (name: string, count: number) => Array.from({ length: count }, (_, k) => color(`${name}-${k}`))
-  const colors = Object.fromEntries(COLORS.map((name) => [name, color(name)])) as Record<
-    (typeof COLORS)[number],
-    string
-  >
-  const style = {
-    ...colors,
-    ramp: rampThrough(list('tint', TINTS)),
-    map: list('map', MAP_COLORS),
+  // All at once: the browser finds the styles anew when the first of them is read.
+  element.append(probes)
+  // As numbers: a worker knows neither the scheme nor the system's colors.
+  const colors = Object.fromEntries(
+    names.map((name, k) => [name, getComputedStyle(probes.children[k] as Element).color]),
+  )
+  probes.remove()
+  const color = (name: string) => colors[name] as string
+  return {
+    ...(Object.fromEntries(COLORS.map((name) => [name, color(name)])) as Record<(typeof COLORS)[number], string>),
+    ramp: rampThrough(numbered('tint', TINTS).map(color)),
+    map: numbered('map', MAP_COLORS).map(color),
     cellOpacity: opacityOf(color('cellOpacity')),
   }
-  probe.remove()
-  return style
+}
+
+function numbered(name: string, count: number): string[] {
+  return Array.from({ length: count }, (_, k) => `${name}-${k}`)
 }
 
 /** A ramp of `SHADES` colors that goes evenly through some colors. */

@@ -65,6 +65,12 @@ export interface Chosen {
   readonly box: Box
 }
 
+/** A part of the plane, and the size that it is drawn in. */
+export interface Shot {
+  readonly camera: Camera
+  readonly size: Size
+}
+
 /** The corners of what is selected with a rubber band, in pixels. */
 export interface Band {
   readonly from: Point
@@ -164,6 +170,11 @@ export class View {
     // What is there stays until there is more, but it is no longer all.
     this.#schedule()
     return this.#told(opened)
+  }
+
+  /** Ends the computation of circles that were set and are not there yet. False: there are none. */
+  cancel(): boolean {
+    return this.#scene.cancel()
   }
 
   /**
@@ -335,10 +346,10 @@ export class View {
     this.#tell('layers', this.#layers)
   }
 
-  /** What is seen, as the text of an SVG: without what is selected. */
-  async toSVG(): Promise<string> {
-    const { width, height } = this.#size
-    const frame = { ...this.#camera, width, height }
+  /** What is seen, or another part, as the text of an SVG: without what is selected. */
+  async toSVG({ camera, size }: Shot = this): Promise<string> {
+    const { width, height } = size
+    const frame = { ...camera, width, height }
     const elements = await this.#scene.ask('svg', frame, 1, this.#style)
     if (elements === undefined) throw notDrawn()
     const above = new SvgDrawing()
@@ -351,8 +362,8 @@ export class View {
    *
    * @throws CircleVoronoiError `badArgument`, if no browser could draw it
    */
-  async toPNG(scale = devicePixelRatio): Promise<Blob> {
-    const frame = pictureFrame(this.#camera, this.#size, scale)
+  async toPNG(scale = devicePixelRatio, { camera, size }: Shot = this): Promise<Blob> {
+    const frame = pictureFrame(camera, size, scale)
     const image = await this.#scene.ask('image', frame, scale, this.#style)
     if (image === undefined) throw notDrawn()
     const canvas = new OffscreenCanvas(frame.width, frame.height)
@@ -361,6 +372,11 @@ export class View {
     image.close()
     this.#drawAbove(new CanvasDrawing(context), frame, scale)
     return canvas.convertToBlob({ type: 'image/png' })
+  }
+
+  /** What is seen as a film that goes on, without what stands out. */
+  stream(): MediaStream {
+    return this.#base.captureStream()
   }
 
   /** Has one circle stand out, or none. */

@@ -22,6 +22,9 @@ struct Options {
   /// Whether the radii are additive weights, which may be negative.
   bool weights = false;
   Method method = Method::automatic;
+  /// The number of threads that may work at the same time; 0 means as many as the machine has. The result has the same
+  /// bits for any number. WebAssembly uses one thread.
+  int threads = 1;
   /// Used by the touching disc method only, like `samples` and `resample`.
   Candidates candidates = Candidates::dynamic;
   /// For dynamic candidates N_s, the number of samples inside each angle of a Delaunay face, 0 to kMaxSamples.

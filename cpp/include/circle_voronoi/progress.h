@@ -9,7 +9,7 @@
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// A stage of `compute`, named like its time in Seconds.
-enum class Stage { triangulate, sample, pair, touch, flip, repair, certify };
+enum class Stage { order, triangulate, sample, pair, touch, flip, repair, certify, assemble };
 
 /// Returns the name of a stage, as in the enumeration, in JSON and in JavaScript.
 [[nodiscard]] std::string_view stageName(Stage stage);

@@ -32,13 +32,15 @@ struct Counts {
 
 /// Wall-clock seconds of each stage.
 struct Seconds {
-  double triangulate = 0;  ///< ordering, finding hidden circles, and the Delaunay triangulation of the centers
+  double order = 0;        ///< bringing the circles into spatial order
+  double triangulate = 0;  ///< finding hidden circles, and the Delaunay triangulation of the centers
   double sample = 0;
   double pair = 0;
   double touch = 0;
   double flip = 0;
   double repair = 0;
   double certify = 0;
+  double assemble = 0;  ///< vertices, edges, hull and links from the certified dual
   double total = 0;
 };
 
@@ -79,6 +81,7 @@ static_assert(sizeof(Counts) == kCountMembers.size() * sizeof(std::int64_t), "ea
 
 /// All members of Seconds: those of the stages in the order of Stage, then the total.
 inline constexpr auto kSecondsMembers = std::to_array<NamedMember<Seconds, double>>({
+    {"order", &Seconds::order},
     {"triangulate", &Seconds::triangulate},
     {"sample", &Seconds::sample},
     {"pair", &Seconds::pair},
@@ -86,6 +89,7 @@ inline constexpr auto kSecondsMembers = std::to_array<NamedMember<Seconds, doubl
     {"flip", &Seconds::flip},
     {"repair", &Seconds::repair},
     {"certify", &Seconds::certify},
+    {"assemble", &Seconds::assemble},
     {"total", &Seconds::total},
 });
 static_assert(sizeof(Seconds) == kSecondsMembers.size() * sizeof(double), "each time has a name");

@@ -80,7 +80,7 @@ Scaled squareRoot(Scaled number) {
 
 /// The point of equal power to three circles times 2^scaling, every number rounded once; infinite where it is beyond
 /// the doubles.
-Vertex exactRadicalCentre(const Circle& a, const Circle& b, const Circle& c, int scaling) {
+Vertex exactRadicalCenter(const Circle& a, const Circle& b, const Circle& c, int scaling) {
   const auto half = [&](const Circle& d, const Number& x, const Number& y) -> Number {
     return (x * x + y * y + Number(a.r * a.r) - Number(d.r * d.r)) / 2;
   };
@@ -99,16 +99,16 @@ Vertex exactRadicalCentre(const Circle& a, const Circle& b, const Circle& c, int
 }
 
 /// The point of equal power to three circles times 2^scaling, relative to the first for accuracy.
-Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c, int scaling) {
+Vertex radicalCenter(const Circle& a, const Circle& b, const Circle& c, int scaling) {
   const Vector u = between(a, b);
   const Vector v = between(a, c);
   const double ku = (dot(u, u) + (a.r - b.r) * (a.r + b.r)) / 2;
   const double kv = (dot(v, v) + (a.r - c.r) * (a.r + c.r)) / 2;
   const double determinant = cross(u, v);
-  const Vector centre = {(ku * v.y - kv * u.y) / determinant, (kv * u.x - ku * v.x) / determinant};
-  const double d = length(centre);
+  const Vector center = {(ku * v.y - kv * u.y) / determinant, (kv * u.x - ku * v.x) / determinant};
+  const double d = length(center);
   const double power = (d - a.r) * (d + a.r);
-  // Where so much cancels, as for centres next to a line or to each other, what is left may be but rounding.
+  // Where so much cancels, as for centers next to a line or to each other, what is left may be but rounding.
   constexpr double kCertain = 0x1p-30;
   // Products of what is smaller underflow, and those of what is larger overflow.
   constexpr double kSmallest = 0x1p-900;
@@ -119,15 +119,15 @@ Vertex radicalCentre(const Circle& a, const Circle& b, const Circle& c, int scal
   const double products = std::abs(u.x * v.y) + std::abs(u.y * v.x);
   const bool isSafe = products > kSmallest && terms > kSmallest && terms < kLargest && d * d < kLargest;
   if (!isSafe || !(std::abs(determinant) > kCertain * products) ||
-      !(std::abs(determinant) * sizeOf(centre) > kCertain * terms)) {
-    return exactRadicalCentre(a, b, c, scaling);
+      !(std::abs(determinant) * sizeOf(center) > kCertain * terms)) {
+    return exactRadicalCenter(a, b, c, scaling);
   }
-  const Scaled x = {a.x + centre.x}, y = {a.y + centre.y};
+  const Scaled x = {a.x + center.x}, y = {a.y + center.y};
   const Scaled radius = {std::copysign(std::sqrt(std::abs(power)), power)};
   return {x.times(scaling), y.times(scaling), radius.times(scaling)};
 }
 
-/// Centres on a line: parallel edges, and a hull that goes there and back.
+/// Centers on a line: parallel edges, and a hull that goes there and back.
 void addChain(const std::vector<CircleIndex>& chain, Diagram& diagram) {
   for (std::size_t i = 1; i < chain.size(); ++i) diagram.edges.push_back({chain[i - 1], chain[i], kNone, kNone});
   diagram.hull = chain;
@@ -142,7 +142,7 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
     const auto& triple = diagram.vertexCircles.emplace_back(std::array<CircleIndex, 3>{
         indices.of(face->vertex(0)), indices.of(face->vertex(1)), indices.of(face->vertex(2))});
     const auto circleAt = [&](std::size_t k) { return circles[static_cast<std::size_t>(triple[k])]; };
-    diagram.vertices.push_back(radicalCentre(circleAt(0), circleAt(1), circleAt(2), scaling));
+    diagram.vertices.push_back(radicalCenter(circleAt(0), circleAt(1), circleAt(2), scaling));
   }
   // CGAL's own list of edges takes that face of each which lies lower in memory: here it is the first in this list.
   for (const auto face : triangulation.finite_face_handles()) {
@@ -168,12 +168,12 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
 /// The vertices times 2^scaling.
 Diagram powerDiagramOf(std::span<const Circle> circles, int scaling) {
   Triangulation triangulation;
-  std::vector<Point> centres;
-  centres.reserve(circles.size());
-  for (const Circle& c : circles) centres.push_back({c.x, c.y});
+  std::vector<Point> centers;
+  centers.reserve(circles.size());
+  for (const Circle& c : circles) centers.push_back({c.x, c.y});
   // In an order of our own: CGAL's differs between standard libraries, and with it the numbers of vertices.
   Triangulation::Face_handle hint;
-  for (const int i : spatialOrder(centres)) {
+  for (const int i : spatialOrder(centers)) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
     hint = triangulation.insert({Kernel::Point_2(c.x, c.y), c.r * c.r}, hint)->face();
   }

@@ -26,6 +26,10 @@ int sampleCount(const Options& options) {
 
 /// An error if an option is out of its range for this many circles.
 std::optional<Error> checkOptions(const Options& options, std::size_t circleCount) {
+  if (options.threads < 0) {
+    return Error{ErrorCode::badOption, -1,
+                 "The number of threads must not be negative (got " + std::to_string(options.threads) + ")."};
+  }
   if (options.method != Method::touchingDisc) return std::nullopt;
   if (options.candidates == Candidates::allPairs) {
     if (circleCount <= kMaxAllPairsCircles) return std::nullopt;
@@ -55,19 +59,25 @@ Observer observerOfInput(const Observer& observer, const std::vector<int>& visib
 }
 
 Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scaled, const Options& options) {
+  const Threads threads(options.threads);
   Journal journal(options.progress);
   Stats& stats = journal.stats;
   stats.method = options.method;
   stats.counts.circles = static_cast<std::int64_t>(scaled.circles.size());
+  OrderedCircles ordered;
+  {
+    const Stopwatch watch = journal.enter(Stage::order);
+    ordered = order(scaled.circles, threads);
+  }
   Sites sites;
   {
     const Stopwatch watch = journal.enter(Stage::triangulate);
-    VisibleCircles visible = hide(order(scaled.circles));
+    sites = hide(std::move(ordered), kMostStepsACircle, threads);
     // Another method makes its own.
-    if (options.method != Method::automatic) visible.dual.reset();
-    sites = triangulate(std::move(visible));
+    if (options.method != Method::automatic) sites.dual.reset();
+    sites = triangulate(std::move(sites), threads);
     if (auto error = refusalOfHidden(scaled.circles, sites.hidden)) return *std::move(error);
-    scaled.circles = {};  // the sites have them
+    scaled.circles = std::vector<Circle>();  // the sites have them
   }
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
 
@@ -75,20 +85,23 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
   Construction construction;
   switch (options.method) {
     case Method::automatic:
-      construction = constructAutomatically(sites, observer, journal);
+      construction = constructAutomatically(sites, observer, journal, threads);
       break;
     case Method::flip:
-      construction = constructByFlips(sites, observer, journal);
+      construction = constructByFlips(sites, observer, journal, threads);
       break;
     case Method::touchingDisc: {
       stats.candidates = options.candidates;
       Options complete = options;
       complete.samples = sampleCount(options);
-      construction = constructByTouchingDisc(sites, complete, observer, journal);
+      construction = constructByTouchingDisc(sites, complete, observer, journal, threads);
       break;
     }
   }
-  auto result = diagramOf(circles, std::move(construction), std::move(sites), scaled.unit);
+  auto result = [&] {
+    const Stopwatch watch = journal.enter(Stage::assemble);
+    return diagramOf(circles, std::move(construction), std::move(sites), scaled.unit, threads);
+  }();
   if (!result) return result;
   Diagram& diagram = result.value();
   if (options.method == Method::automatic && !diagram.certificate.certified()) {

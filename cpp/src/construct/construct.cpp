@@ -10,7 +10,6 @@
 #include <variant>
 
 #include "apollonius.h"
-#include "certificate_message.h"
 #include "flip.h"
 #include "insert.h"
 #include "judge.h"
@@ -34,29 +33,29 @@ void addCounts(const FilterCounts& signs, Counts& counts) {
 
 void addCounts(const Predicates& predicates, Counts& counts) { addCounts(predicates.counts(), counts); }
 
-Construction judged(Dual& dual, std::span<const Circle> circles, Journal& journal) {
+/// Judges a dual, given what is known of its proof, and settles its ties.
+Verdict judged(Dual& dual, Proof proof, std::span<const Circle> circles, Journal& journal, Threads threads) {
   const Stopwatch watch = journal.enter(Stage::certify);
   Predicates predicates(circles);
-  const Verdict verdict = judge(circles, dual, predicates);
-  addCounts(predicates, journal.stats.counts);
-  settleTies(dual, verdict.ties, circles);
-  Topology topology = topologyOf(dual, static_cast<int>(circles.size()));
-  Certificate certificate = certificateOf(verdict, dual, topology);
-  return {std::move(topology), std::move(certificate)};
+  Verdict verdict = judge(circles, dual, predicates, std::move(proof), threads);
+  settleTies(dual, verdict, circles, predicates);
+  // How much is looked at before a flaw is found is up to the threads.
+  if (verdict.isRight()) addCounts(predicates, journal.stats.counts);
+  return verdict;
 }
 
 /// A topology of `touch` need not be a triangulated sphere. Tells what ties change.
-Construction judged(Topology topology, const Sites& sites, const Observer& observer, Journal& journal) {
+Construction judged(Topology topology, const Sites& sites, const Observer& observer, Journal& journal,
+                    Threads threads) {
   auto dual = dualOf(topology, static_cast<int>(sites.circles.size()));
   if (auto* fitting = std::get_if<Dual>(&dual)) {
     FaceTeller teller(*fitting, sites.circles, observer);
     teller.know();
-    Construction result = judged(*fitting, sites.circles, journal);
+    Verdict verdict = judged(*fitting, {}, sites.circles, journal, threads);
     teller.tellChanges();
-    return result;
+    return {std::move(*fitting), std::move(verdict)};
   }
-  const auto& misfit = std::get<Misfit>(dual);
-  return {std::move(topology), {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}}};
+  return {{}, {}, Unfit{std::move(topology), std::get<Misfit>(dual)}};
 }
 
 void tellOfCenters(const Dual& centers, const Observer& observer) {
@@ -90,47 +89,61 @@ Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pa
   return std::move(touched.topology);
 }
 
-/// The discs of a dual after flips, and the faces that these have left wrong.
-struct FlippedFaces {
+/// A dual after flips: its discs, and what they found.
+struct Flipped {
   FaceDiscs discs;
-  std::vector<int> wrong;
+  Flips flips;
+
+  Proof takeProof() { return {discs.take(), std::move(flips.orders), {}}; }
 };
 
-FlippedFaces flipFaces(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal) {
+Flipped flipped(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal,
+                Threads threads) {
   const Stopwatch watch = journal.enter(Stage::flip);
-  FaceDiscs discs(sites.circles, dual, predicates);
-  Flips flips = flip(dual, discs, teller.watcher());
+  FaceDiscs discs(sites.circles, dual, predicates, threads);
+  Flips flips = flip(dual, discs, teller.watcher(), threads);
   journal.stats.counts.flips += flips.count;
-  return {std::move(discs), std::move(flips.wrong)};
+  return {std::move(discs), std::move(flips)};
 }
 
-/// A dual flipped and judged, and all that told.
-Construction flippedAndJudged(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal) {
+/// Flips and judges a dual, and tells all that.
+Verdict flippedAndJudged(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal, Threads threads) {
   teller.tellChanges();
   Predicates predicates(sites.circles);
-  flipFaces(dual, predicates, sites, teller, journal);
+  Proof proof = flipped(dual, predicates, sites, teller, journal, threads).takeProof();
   addCounts(predicates, journal.stats.counts);
-  Construction result = judged(dual, sites.circles, journal);
+  Verdict verdict = judged(dual, std::move(proof), sites.circles, journal, threads);
   teller.tellChanges();
-  return result;
+  return verdict;
 }
 
-/// The circles at what a certificate found wrong and their neighbours among the centres; all if it names none.
-std::vector<int> circlesAround(const Construction& construction, const Dual& centres) {
-  const auto& [topology, certificate] = construction;
+/// The circles at what was found wrong and their neighbors among the centers; all if none is named.
+std::vector<int> circlesAround(const Construction& construction, const Dual& centers) {
   std::set<int> named;
-  if (certificate.circle != kNone) named.insert(certificate.circle);
-  if (certificate.vertex != kNone) {
-    const auto& triple = topology.vertexCircles[certificate.vertex];
-    named.insert(triple.begin(), triple.end());
-  }
-  if (certificate.edge != kNone) {
-    named.insert({topology.edges[certificate.edge].left, topology.edges[certificate.edge].right});
+  if (construction.unfit) {
+    const auto& [topology, misfit] = *construction.unfit;
+    if (misfit.circle != kNone) named.insert(misfit.circle);
+    if (misfit.vertex != kNone) {
+      const auto& triple = topology.vertexCircles[misfit.vertex];
+      named.insert(triple.begin(), triple.end());
+    }
+    if (misfit.edge != kNone) named.insert({topology.edges[misfit.edge].left, topology.edges[misfit.edge].right});
+  } else {
+    const auto& [dual, verdict, unfit] = construction;
+    if (verdict.circle != kNone) named.insert(verdict.circle);
+    if (verdict.face != kNone && dual.isFinite(verdict.face)) {
+      const auto corners = cornersOf(dual, 3 * verdict.face);
+      named.insert(corners.begin(), corners.end());
+    }
+    if (const int h = verdict.halfEdge;
+        h != kNone && dual.origin[h] != kPointAtInfinity && dual.target(h) != kPointAtInfinity) {
+      named.insert({dual.origin[h], dual.target(h)});
+    }
   }
   std::set<int> around = named;
-  for (int h = 0; h < centres.halfEdgeCount(); ++h) {
-    const int i = centres.origin[h];
-    if (i != kPointAtInfinity && (named.empty() || named.contains(centres.target(h)))) around.insert(i);
+  for (int h = 0; h < centers.halfEdgeCount(); ++h) {
+    const int i = centers.origin[h];
+    if (i != kPointAtInfinity && (named.empty() || named.contains(centers.target(h)))) around.insert(i);
   }
   return {around.begin(), around.end()};
 }
@@ -138,7 +151,7 @@ std::vector<int> circlesAround(const Construction& construction, const Dual& cen
 constexpr int kMostResamplings = 4;
 /// In the angles of Delaunay faces, of which a circle has six on average.
 constexpr std::int64_t kMostAngularSamples = 4'000'000;
-constexpr int kAllPairsPatch = 64;
+
 constexpr std::size_t kLargestPatch = 256;
 constexpr std::size_t kFewWrongFaces = 100;
 
@@ -161,59 +174,47 @@ std::optional<Dual> insertedAll(const Sites& sites, Journal& journal) {
   return inserted(sites.circles, journal.stats.counts);
 }
 
-/// Repairs a dual in patches that grow until none is seen to be wrong.
-void repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& journal) {
+/// Repairs a dual after flips in patches that grow until none is seen to be wrong. Returns whether not too much was.
+bool repairAll(Dual& dual, Flipped& after, Journal& journal) {
+  std::vector<int>& wrong = after.flips.wrong;
+  if (wrong.empty()) return true;
+  // A patch takes as long as the insertion of hundreds of circles.
+  if (wrong.size() > kFewWrongFaces + static_cast<std::size_t>(dual.faceCount()) / 200) return false;
   const Stopwatch watch = journal.enter(Stage::repair);
   journal.stats.way = Way::repair;
+  after.flips.orders.clear();
+  const auto solve = [&](std::span<const Circle> circles) { return solveLocally(circles, journal.stats.counts); };
   for (const int reach : {2, 4, 8, 16}) {
     if (wrong.empty()) break;
-    journal.stats.counts.repairs += repair(
-        dual, discs, wrong, reach, [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
+    journal.stats.counts.repairs += repair(dual, after.discs, wrong, reach, solve);
   }
-}
-
-/// Flips the centres' triangulation, and repairs it where that leaves it wrong. Whether not too much is.
-bool flipAndRepair(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal) {
-  Predicates predicates(sites.circles);
-  auto [discs, wrong] = flipFaces(dual, predicates, sites, teller, journal);
-  // A patch takes as long as the insertion of hundreds of circles.
-  const bool isMuch = wrong.size() > kFewWrongFaces + sites.circles.size() / 100;
-  if (!wrong.empty() && !isMuch) repairAll(dual, discs, wrong, journal);
-  addCounts(predicates, journal.stats.counts);
-  return !isMuch;
+  return true;
 }
 
 }  // namespace
 
-std::optional<Dual> solveLocally(std::span<const Circle> circles, Journal& journal) {
+std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts) {
   if (circles.size() > kLargestPatch) return std::nullopt;
-  const Sites sites = triangulate(hide(order(circles)));
-  const int n = static_cast<int>(sites.circles.size());
+  const OrderedCircles ordered = order(circles);
   const auto isRight = [&](const Dual& candidate) {
-    Predicates predicates(sites.circles);
-    const bool right = judge(sites.circles, candidate, predicates).isRight();
-    addCounts(predicates, journal.stats.counts);
+    Predicates predicates(ordered.circles);
+    const bool right = judge(ordered.circles, candidate, predicates).isRight();
+    addCounts(predicates, counts);
     return right;
   };
-  std::optional<Dual> dual;
-  if (n <= kAllPairsPatch) {
-    auto touched = dualOf(touch(sites.circles, pairAll(n), {}).topology, n);
-    if (auto* fitting = std::get_if<Dual>(&touched)) dual = std::move(*fitting);
-  } else {
-    dual = inserted(sites.circles, journal.stats.counts);
-  }
+  auto dual = inserted(ordered.circles, counts);
   if (!dual || !isRight(*dual)) {
-    dual = apolloniusGraph(sites.circles);
+    dual = apolloniusGraph(ordered.circles);
     if (!isRight(*dual)) return std::nullopt;
   }
   for (int& corner : dual->origin) {
-    if (corner != kPointAtInfinity) corner = sites.indices[corner];
+    if (corner != kPointAtInfinity) corner = ordered.indices[corner];
   }
   return dual;
 }
 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
-                                     Journal& journal) {
+                                     Journal& journal, Threads threads) {
   const int n = static_cast<int>(sites.circles.size());
   std::vector<int> angular(n, *options.samples);
   journal.stats.way = Way::touchingDisc;
@@ -224,8 +225,8 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
       const Stopwatch watch = journal.enter(Stage::sample);
       const auto tell = [&](double done) { journal.tell(Stage::sample, done); };
       const bool isDynamic = options.candidates == Candidates::dynamic;
-      if (observer && isDynamic) tellOfCenters(sites.centres, observer);
-      samples = isDynamic ? sampleDynamically(sites.circles, sites.centres, angular, tell)
+      if (observer && isDynamic) tellOfCenters(sites.centers, observer);
+      samples = isDynamic ? sampleDynamically(sites.circles, sites.centers, angular, tell)
                           : sampleUniformly(sites.circles, *options.samples, tell);
       journal.stats.counts.samples = static_cast<std::int64_t>(samples.points.size());
       if (observer) tellOfSamples(samples, observer);
@@ -239,74 +240,80 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
                         samples, n, [&](double done) { journal.tell(Stage::pair, done); }, observer);
       if (observer) tellOfPairs(pairs, observer);
     }
-    Construction result = judged(touchPairs(sites.circles, pairs, observer, journal), sites, observer, journal);
+    Construction result =
+        judged(touchPairs(sites.circles, pairs, observer, journal), sites, observer, journal, threads);
     const bool mayResample = options.resample && options.candidates == Candidates::dynamic && round < kMostResamplings;
-    if (result.certificate.certified() || !mayResample) return result;
+    if (result.isRight() || !mayResample) return result;
     ++journal.stats.counts.resamplings;
     // Where only rounding put the ends of an edge out of order, flips settle it; else pairs are missing.
-    auto dual = dualOf(result.topology, n);
-    if (auto* fitting = std::get_if<Dual>(&dual)) {
-      FaceTeller teller(*fitting, sites.circles, observer);
-      Construction flippedResult = flippedAndJudged(*fitting, sites, teller, journal);
-      if (flippedResult.certificate.certified()) return flippedResult;
+    if (!result.unfit) {
+      Dual dual = result.dual;
+      FaceTeller teller(dual, sites.circles, observer);
+      Verdict verdict = flippedAndJudged(dual, sites, teller, journal, threads);
+      if (verdict.isRight()) return {std::move(dual), std::move(verdict)};
     }
     // What is missing may lie farther off than what is seen to be wrong: from the third try on, sample everywhere.
     if (round >= 2) {
       for (int& count : angular) count = std::clamp(4 * count + 3, 15, kMaxSamples);
       if (std::accumulate(angular.begin(), angular.end(), std::int64_t{0}) > kMostAngularSamples) return result;
     } else {
-      for (const int i : circlesAround(result, sites.centres)) angular[i] = 2 * angular[i] + 1;
+      for (const int i : circlesAround(result, sites.centers)) angular[i] = 2 * angular[i] + 1;
     }
   }
 }
 
-Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal) {
+Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
   journal.stats.way = Way::flip;
-  FaceTeller teller(sites.centres, sites.circles, observer);
+  FaceTeller teller(sites.centers, sites.circles, observer);
   teller.tellRound(0);
-  if (observer) tellOfCenters(sites.centres, observer);
-  return flippedAndJudged(sites.centres, sites, teller, journal);
+  if (observer) tellOfCenters(sites.centers, observer);
+  Verdict verdict = flippedAndJudged(sites.centers, sites, teller, journal, threads);
+  return {std::move(sites.centers), std::move(verdict)};
 }
 
-Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal) {
+Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
   Construction result;
   int round = 0;
-  // Whether a dual is right. What is not told on the way to it is told at the end.
-  const auto isCertified = [&](Dual& dual, FaceTeller& teller) {
-    result = judged(dual, sites.circles, journal);
+  // Whether the dual is right. What is not told on the way to it is told at the end.
+  const auto isCertified = [&](Proof proof, FaceTeller& teller) {
+    result.verdict = judged(result.dual, std::move(proof), sites.circles, journal, threads);
     teller.tellChanges();
-    return result.certificate.certified();
+    return result.isRight();
   };
-  const auto isRightAnew = [&](Dual& dual) {
-    FaceTeller teller(dual, sites.circles, observer);
+  const auto isRightAnew = [&](Dual dual) {
+    result.dual = std::move(dual);
+    FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round++);
-    return isCertified(dual, teller);
+    return isCertified({}, teller);
   };
   if (sites.dual) {
     journal.stats.way = Way::insert;
     journal.stats.counts.flips += sites.flips;
     addCounts(sites.signs, journal.stats.counts);
-    result.topology = topologyOf(*sites.dual, static_cast<int>(sites.circles.size()));
-    result.certificate = certificateOf(Verdict{}, *sites.dual, result.topology);
-    FaceTeller teller(*sites.dual, sites.circles, observer);
+    result.dual = *std::move(sites.dual);
+    result.verdict.proof = std::move(sites.proof);
+    FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round);
     teller.tellChanges();
     return result;
   }
   journal.stats.way = Way::flip;
   {
-    Dual dual = std::move(sites.centres);
-    FaceTeller teller(dual, sites.circles, observer);
+    result.dual = std::move(sites.centers);
+    FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round++);
-    if (observer) tellOfCenters(dual, observer);
+    if (observer) tellOfCenters(result.dual, observer);
     teller.tellChanges();
-    if (flipAndRepair(dual, sites, teller, journal) && isCertified(dual, teller)) return result;
+    Predicates predicates(sites.circles);
+    Flipped after = flipped(result.dual, predicates, sites, teller, journal, threads);
+    const bool isLittle = repairAll(result.dual, after, journal);
+    addCounts(predicates, journal.stats.counts);
+    if (isLittle && isCertified(after.takeProof(), teller)) return result;
   }
   journal.stats.way = Way::insert;
-  if (auto dual = insertedAll(sites, journal); dual && isRightAnew(*dual)) return result;
+  if (auto dual = insertedAll(sites, journal); dual && isRightAnew(*std::move(dual))) return result;
   journal.stats.way = Way::apolloniusGraph;
-  Dual dual = apolloniusGraph(sites.circles);
-  isRightAnew(dual);
+  isRightAnew(apolloniusGraph(sites.circles));
   return result;
 }
 

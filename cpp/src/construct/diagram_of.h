@@ -14,7 +14,8 @@ namespace circle_voronoi {
 /// The diagram of `circles`, the input: turns indices of sites into those of the input, gives every vertex its disc, in
 /// the units of the input, and links the sides.
 /// Error: coordinateTooLarge.
-Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, double unit);
+Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construction, Sites sites, double unit,
+                          Threads threads = Threads());
 
 /// Makes the error for a vertex of a right diagram that exceeds the largest double.
 Error vertexBeyondDoubles(const std::array<CircleIndex, 3>& circles);

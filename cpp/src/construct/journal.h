@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "circle_voronoi/progress.h"
 #include "circle_voronoi/stats.h"
 #include "stopwatch.h"
@@ -18,7 +20,7 @@ class Journal {
   /// Begins a stage. The time until the end of the returned stopwatch counts as the stage's.
   [[nodiscard]] Stopwatch enter(Stage stage) {
     tell(stage, 0);
-    return Stopwatch(secondsOf(stage));
+    return Stopwatch(stats.seconds.*kSecondsMembers[static_cast<std::size_t>(stage)].member);
   }
 
   void tell(Stage stage, double done) const {
@@ -26,8 +28,6 @@ class Journal {
   }
 
  private:
-  double& secondsOf(Stage stage);
-
   const Progress& progress_;
 };
 

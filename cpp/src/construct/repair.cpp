@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair.h"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <unordered_map>
@@ -9,17 +8,13 @@
 #include <utility>
 
 #include "circle_voronoi/index.h"
+#include "sort_unique.h"
 #include "wrong_faces.h"
 
 namespace circle_voronoi {
 namespace {
 
 using Triple = Predicates::Triple;
-
-void sortUnique(std::vector<int>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
 
 /// A connected set of faces, and which those are.
 struct Patch {
@@ -121,8 +116,7 @@ bool replacePatch(std::span<const Circle> circles, Dual& dual, const Patch& patc
       const int at = halfEdgeAt(h);
       const int t = solved->twin[h];
       dual.origin[at] = globalOf(solved->origin[h]);
-      dual.twin[at] = outsideOf[t] != kNone ? outsideOf[t] : halfEdgeAt(t);
-      dual.twin[dual.twin[at]] = at;
+      dual.link(at, outsideOf[t] != kNone ? outsideOf[t] : halfEdgeAt(t));
     }
   }
   return true;

@@ -11,8 +11,8 @@ namespace circle_voronoi {
 /// A triangulation of the sphere (the plane and the point at infinity) in half-edges; the dual of a Voronoi diagram.
 ///
 /// Half-edge h runs from corner origin[h] to corner origin[next(h)] with face h / 3 on its left; twin[h] runs the
-/// other way with the neighbouring face on its left. Corners are circle indices or kPointAtInfinity. Two corners may
-/// share several edges. With m >= 2 corners besides infinity there are 2 m - 2 faces, collinear centres included
+/// other way with the neighboring face on its left. Corners are circle indices or kPointAtInfinity. Two corners may
+/// share several edges. With m >= 2 corners besides infinity there are 2 m - 2 faces, collinear centers included
 /// (Euler, m + 1 vertices on the sphere).
 struct Dual {
   std::vector<int> origin;
@@ -24,6 +24,34 @@ struct Dual {
   bool isFinite(int face) const {
     return origin[3 * face] != kPointAtInfinity && origin[3 * face + 1] != kPointAtInfinity &&
            origin[3 * face + 2] != kPointAtInfinity;
+  }
+
+  /// The next half-edge around the origin of one, counter-clockwise.
+  int around(int h) const { return twin[previous(h)]; }
+
+  /// Whether a half-edge and its twin fit together, between two faces and two corners.
+  bool fits(int h) const {
+    const int t = twin[h];
+    return t >= 0 && t < halfEdgeCount() && twin[t] == h && t / 3 != h / 3 && origin[t] == target(h) &&
+           target(t) == origin[h] && origin[h] != origin[t];
+  }
+
+  void link(int h, int t) {
+    twin[h] = t;
+    twin[t] = h;
+  }
+
+  /// Flips an edge: faces (a, b, c) and (b, a, d), of half-edges h = (a, b) and its twin, become (a, d, c) and
+  /// (b, c, d).
+  void flip(int h) {
+    const int t = twin[h];
+    const int bc = next(h);
+    const int ad = next(t);
+    link(h, twin[ad]);
+    link(t, twin[bc]);
+    origin[bc] = origin[previous(t)];
+    origin[ad] = origin[previous(h)];
+    link(bc, ad);
   }
 
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }

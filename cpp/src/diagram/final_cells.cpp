@@ -9,13 +9,12 @@
 
 #include "estimate.h"
 #include "guarded.h"
+#include "infinity.h"
 #include "three_touch_disc.h"
 #include "validate.h"
 
 namespace circle_voronoi {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// What is known, in the units of the scaled circles.
 class Outside {
@@ -63,7 +62,7 @@ class Outside {
 
 /// How much farther out the box would have to be for a vertex to be final, or more.
 ///
-/// vertexOf is right to 36 bits of the distances of the circles from each other and from the disc's centre. These are
+/// vertexOf is right to 36 bits of the distances of the circles from each other and from the disc's center. These are
 /// at most twice the farthest of the three from it, and each is computed within a part of 2^-30.
 double excessOf(const Outside& outside, const std::array<const Circle*, 3>& circles) {
   const auto disc = vertexOf(*circles[0], *circles[1], *circles[2]);
@@ -127,7 +126,7 @@ FinalCells finalCellsOf(const ScaledCircles& scaled, const Diagram& diagram, con
     result.edges.push_back(isFinal(edge.start) && isFinal(edge.end));
   }
   for (const CircleIndex i : diagram.hull) need(i, outside.isNothing() ? -kInfinite : kInfinite);
-  // What hides circle i has a distance of at most -r_i at its centre.
+  // What hides circle i has a distance of at most -r_i at its center.
   for (const HiddenCircle& hidden : diagram.hidden) {
     const Circle& c = circles[static_cast<std::size_t>(hidden.circle)];
     need(hidden.circle, outside.excess({c.x, c.y, -c.r}, 0));

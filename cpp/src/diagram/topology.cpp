@@ -2,6 +2,7 @@
 #include "topology.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -9,15 +10,67 @@
 namespace circle_voronoi {
 namespace {
 
+/// The links of a topology, given of each half-edge of its dual the side that it stands for: that of its origin,
+/// along the border with its target.
+///
+/// The side of half-edge h ends at the vertex that is the face of h, and the next one around the same circle begins
+/// there: it lies one half-edge on, counter-clockwise around the origin, or two where that one goes to infinity.
+Links linksOf(const Topology& topology, const Dual& dual, const std::vector<SideIndex>& sideOf,
+              const std::vector<VertexIndex>& vertexOf, int circleCount, Threads threads) {
+  Links links;
+  links.nextSide.resize(2 * topology.edges.size());
+  links.vertexSides.resize(topology.vertexCircles.size());
+  links.firstSide.resize(static_cast<std::size_t>(circleCount));
+  const auto nextAround = [&](int h) { return dual.around(h); };
+  threads.forEach(vertexOf.size(), [&](std::size_t face) {
+    const int h = 3 * static_cast<int>(face);
+    if (const VertexIndex vertex = vertexOf[face]; vertex != kNone) {
+      const std::array sides = {sideOf[nextAround(h)], sideOf[nextAround(h + 1)], sideOf[nextAround(h + 2)]};
+      links.vertexSides[vertex] = sides;
+      for (int k = 0; k < 3; ++k) links.nextSide[sideOf[h + k]] = sides[k];
+    } else {
+      const int between = h + (dual.origin[h] == kPointAtInfinity ? 1 : dual.origin[h + 1] == kPointAtInfinity ? 2 : 0);
+      links.nextSide[sideOf[between]] = sideOf[nextAround(nextAround(between))];
+    }
+  });
+  SideIndex side = 0;
+  for (const Edge& edge : topology.edges) {
+    for (const CircleIndex circle : {edge.left, edge.right}) {
+      if (SideIndex& first = links.firstSide[circle]; first == kNone) first = side;
+      ++side;
+    }
+  }
+  return links;
+}
+
+/// Numbers those of some items for which a condition holds, in their order, and calls number(item, its number) for
+/// each. Returns how many there are.
+template <class Condition, class Number>
+std::int32_t numbered(std::size_t items, Threads threads, Condition condition, Number number) {
+  std::vector<std::int32_t> first(threads.rangesOf(items) + 1, 0);
+  threads.forRanges(items, [&](std::size_t begin, std::size_t end, std::size_t range) {
+    for (std::size_t i = begin; i < end; ++i) first[range + 1] += condition(i) ? 1 : 0;
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  threads.forRanges(items, [&](std::size_t begin, std::size_t end, std::size_t range) {
+    std::int32_t next = first[range];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (condition(i)) number(i, next++);
+    }
+  });
+  return first.back();
+}
+
 class DualBuilder {
  public:
   DualBuilder(const Topology& topology, int circleCount)
       : topology_(topology), circleCount_(circleCount), vertexCount_(static_cast<int>(topology.vertexCircles.size())) {}
 
-  std::variant<Dual, Misfit> build() {
+  std::variant<Dual, Misfit> build(Links* links) {
     if (const auto misfit = addVertices()) return *misfit;
     if (const auto misfit = addHull()) return *misfit;
     dual_.twin.assign(dual_.origin.size(), kNone);
+    sideOf_.resize(dual_.origin.size());
     linkHull();
     for (int edge = 0; edge < static_cast<int>(topology_.edges.size()); ++edge) {
       if (const auto misfit = link(edge)) return *misfit;
@@ -27,6 +80,8 @@ class DualBuilder {
       const int face = static_cast<int>(open - dual_.twin.begin()) / 3;
       return Misfit{Flaw::adjacency, kNone, face < vertexCount_ ? face : kNone};
     }
+    if (links != nullptr)
+      *links = linksOf(topology_, dual_, sideOf_, verticesOf(dual_, Threads()), circleCount_, Threads());
     return std::move(dual_);
   }
 
@@ -86,6 +141,8 @@ class DualBuilder {
     }
     dual_.twin[h] = t;
     dual_.twin[t] = h;
+    sideOf_[h] = 2 * index;
+    sideOf_[t] = 2 * index + 1;
     return std::nullopt;
   }
 
@@ -111,31 +168,51 @@ class DualBuilder {
   int vertexCount_;
   std::unordered_map<std::uint64_t, int> hullFaces_;
   Dual dual_;
+  std::vector<SideIndex> sideOf_;  ///< of each half-edge between circles
 };
 
 }  // namespace
 
-Topology topologyOf(const Dual& dual, int circleCount) {
+std::vector<VertexIndex> verticesOf(const Dual& dual, Threads threads) {
+  std::vector<VertexIndex> vertexOf(dual.origin.size() / 3);
+  numbered(
+      vertexOf.size(), threads, [&](std::size_t face) { return dual.isFinite(static_cast<int>(face)); },
+      [&](std::size_t face, std::int32_t vertex) { vertexOf[face] = vertex; });
+  return vertexOf;
+}
+
+Topology topologyOf(const Dual& dual, int circleCount, Links* links, Threads threads) {
   Topology topology;
-  std::vector<std::int32_t> vertexOf(dual.faceCount(), kNone);
-  int atInfinity = kNone;
-  topology.vertexCircles.reserve(dual.faceCount());
-  topology.edges.reserve(dual.halfEdgeCount() / 2);
-  for (int face = 0; face < dual.faceCount(); ++face) {
-    if (dual.isFinite(face)) {
-      vertexOf[face] = static_cast<std::int32_t>(topology.vertexCircles.size());
-      topology.vertexCircles.push_back({dual.origin[3 * face], dual.origin[3 * face + 1], dual.origin[3 * face + 2]});
-    } else {
-      atInfinity = face;
-    }
-  }
-  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    const int t = dual.twin[h];
-    if (h > t || dual.origin[h] == kPointAtInfinity || dual.origin[t] == kPointAtInfinity) continue;
-    topology.edges.push_back({dual.origin[h], dual.origin[t], vertexOf[t / 3], vertexOf[h / 3]});
-  }
+  const std::vector<VertexIndex> vertexOf = verticesOf(dual, threads);
+  std::vector<SideIndex> sideOf(dual.origin.size());
+  const std::int32_t edgeCount = numbered(
+      sideOf.size(), threads,
+      [&](std::size_t i) {
+        const int t = dual.twin[i];
+        return static_cast<int>(i) < t && dual.origin[i] != kPointAtInfinity && dual.origin[t] != kPointAtInfinity;
+      },
+      [&](std::size_t i, std::int32_t edge) {
+        sideOf[i] = 2 * edge;
+        sideOf[dual.twin[i]] = 2 * edge + 1;
+      });
+  topology.edges.resize(static_cast<std::size_t>(edgeCount));
+  threads.forEach(sideOf.size(), [&](std::size_t i) {
+    if (sideOf[i] == kNone || sideOf[i] % 2 != 0) return;
+    const int t = dual.twin[i];
+    topology.edges[sideOf[i] / 2] = {dual.origin[i], dual.origin[t], vertexOf[t / 3], vertexOf[i / 3]};
+  });
+  const auto isVertex = [](VertexIndex vertex) { return vertex != kNone; };
+  topology.vertexCircles.resize(static_cast<std::size_t>(std::count_if(vertexOf.begin(), vertexOf.end(), isVertex)));
+  threads.forEach(vertexOf.size(), [&](std::size_t face) {
+    if (!isVertex(vertexOf[face])) return;
+    const auto [i, j, k] = cornersOf(dual, 3 * static_cast<int>(face));
+    topology.vertexCircles[vertexOf[face]] = {i, j, k};
+  });
+  if (links != nullptr) *links = linksOf(topology, dual, sideOf, vertexOf, circleCount, threads);
+  const auto atInfinity =
+      static_cast<int>(std::find_if_not(vertexOf.rbegin(), vertexOf.rend(), isVertex).base() - vertexOf.begin()) - 1;
   if (circleCount == 1) topology.hull.push_back(0);
-  if (atInfinity == kNone) return topology;
+  if (atInfinity < 0) return topology;
   int start = 3 * atInfinity;
   while (dual.origin[start] != kPointAtInfinity) ++start;
   int h = start;
@@ -156,8 +233,23 @@ void rotateHull(std::vector<CircleIndex>& hull) {
   std::rotate(hull.begin(), hull.begin() + static_cast<std::ptrdiff_t>(start), hull.end());
 }
 
-std::variant<Dual, Misfit> dualOf(const Topology& topology, int circleCount) {
-  return DualBuilder(topology, circleCount).build();
+std::variant<Dual, Misfit> dualOf(const Topology& topology, int circleCount, Links* links) {
+  return DualBuilder(topology, circleCount).build(links);
+}
+
+bool linkSides(Diagram& diagram) {
+  const auto circleCount = static_cast<int>(diagram.circles.size());
+  const Topology topology = {diagram.vertexCircles, diagram.edges, diagram.hull};
+  Links links;
+  const bool fits = diagram.vertices.size() == diagram.vertexCircles.size() &&
+                    std::holds_alternative<Dual>(dualOf(topology, circleCount, &links));
+  if (!fits) {
+    links.nextSide.assign(2 * diagram.edges.size(), kNone);
+    links.vertexSides.assign(diagram.vertexCircles.size(), {kNone, kNone, kNone});
+    links.firstSide.assign(diagram.circles.size(), kNone);
+  }
+  diagram.links = std::move(links);
+  return fits;
 }
 
 }  // namespace circle_voronoi

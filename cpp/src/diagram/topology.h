@@ -9,6 +9,7 @@
 
 #include "circle_voronoi/diagram.h"
 #include "dual.h"
+#include "threads.h"
 
 namespace circle_voronoi {
 
@@ -20,8 +21,12 @@ struct Topology {
 };
 
 /// The finite faces of a dual become the vertices, in their order; its pairs of half-edges between circles become the
-/// edges, and the neighbours of infinity the hull. `circleCount` says what a dual without faces stands for.
-Topology topologyOf(const Dual& dual, int circleCount);
+/// edges, and the neighbors of infinity the hull. `circleCount` says what a dual without faces stands for. Fills
+/// `links`, if given.
+Topology topologyOf(const Dual& dual, int circleCount, Links* links = nullptr, Threads threads = Threads());
+
+/// The vertex that each face of a dual is, by its number among the finite ones; kNone if it is none.
+std::vector<VertexIndex> verticesOf(const Dual& dual, Threads threads);
 
 /// Rotates a hull so that it starts with its smallest step: then it does not depend on how it was found.
 void rotateHull(std::vector<CircleIndex>& hull);
@@ -35,7 +40,7 @@ struct Misfit {
 };
 
 /// The dual whose face i, for i below the number of vertices, is vertex i; faces at infinity follow in the order of the
-/// hull. Indices of circles must be below `circleCount`.
-std::variant<Dual, Misfit> dualOf(const Topology& topology, int circleCount);
+/// hull. Indices of circles must be below `circleCount`. Fills `links`, if given, where the topology fits.
+std::variant<Dual, Misfit> dualOf(const Topology& topology, int circleCount, Links* links = nullptr);
 
 }  // namespace circle_voronoi

@@ -2,10 +2,13 @@
 #include "flip.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "edge_order.h"
+#include "proof.h"
 #include "settle_ties.h"
 #include "wrong_faces.h"
 
@@ -17,16 +20,23 @@ class Flipper {
   Flipper(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher)
       : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()), watcher_(watcher) {}
 
-  Flips run() {
+  Flips run(Threads threads) {
     // Four a circle: no family needs more than three and a bit, and who does gets there by insertion.
     const std::int64_t limit = 1000 + 2 * static_cast<std::int64_t>(dual_.faceCount());
+    orders_.assign(dual_.origin.size(), kUnknownOrder);
+    predicates_.forRanges(threads, orders_.size(),
+                          [&](std::size_t begin, std::size_t end, std::size_t, Predicates& own) {
+                            for (auto h = static_cast<int>(begin); h < static_cast<int>(end); ++h) {
+                              if (h < dual_.twin[h]) look(h, own);
+                            }
+                          });
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
-      if (first > dual_.twin[first]) continue;
+      if (orders_[first] >= 0 || first > dual_.twin[first]) continue;
       stack_.push_back(first);
       settle(limit);
-      if (flips_ == limit) return {flips_, wrongFaces(discs_)};
+      if (flips_ == limit) return {flips_, wrongFaces(discs_), std::move(orders_)};
     }
-    return {flips_, wrongFaces(discs_, left_)};
+    return {flips_, wrongFaces(discs_, left_), std::move(orders_)};
   }
 
   Flips runFrom(std::span<const int> edges) {
@@ -34,7 +44,7 @@ class Flipper {
     stack_.assign(edges.begin(), edges.end());
     settle(limit);
     left_.insert(left_.end(), stack_.begin(), stack_.end());
-    return {flips_, wrongFaces(discs_, left_)};
+    return {flips_, wrongFaces(discs_, left_), {}};
   }
 
   void runTies(std::span<const int> ties) {
@@ -50,9 +60,19 @@ class Flipper {
   bool isTie(int h) const {
     const int t = dual_.twin[h];
     if (!dual_.isFinite(h / 3) || !dual_.isFinite(t / 3)) return false;
-    const int larger = fromLarger(dual_, h, predicates_);
-    const auto toDisc = [&](int face) { return predicates_.direction(dual_.origin[larger], discs_[face]); };
-    return orderOfEnds(dual_, larger, toDisc(dual_.twin[larger] / 3), toDisc(larger / 3), predicates_) == 0;
+    return orderOfEnds(dual_, h, discs_, predicates_) == 0;
+  }
+
+  /// What is wrong with an edge. In `run` the order of its ends is recorded, and not found again before a flip.
+  Flaw look(int h, Predicates& predicates) {
+    if (orders_.empty()) return discs_.flawOf(h, predicates);
+    if (orders_[h] == kUnknownOrder) {
+      std::int8_t order = 1;
+      const Flaw flaw = discs_.flawOf(h, predicates, &order);
+      if (flaw != Flaw::none && flaw != Flaw::edgeOutOfOrder) return flaw;
+      orders_[h] = orders_[dual_.twin[h]] = order;
+    }
+    return orders_[h] >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
   }
 
   /// The ends of an edge and the corners opposite.
@@ -69,7 +89,7 @@ class Flipper {
     while (!stack_.empty()) {
       const int h = stack_.back();
       stack_.pop_back();
-      const Flaw flaw = discs_.flawOf(h);
+      const Flaw flaw = look(h, predicates_);
       if (flaw == Flaw::none) continue;
       const auto [a, b, c] = cornersOf(dual_, h);
       const Quad quad = {a, b, c, dual_.origin[Dual::previous(dual_.twin[h])]};
@@ -99,7 +119,7 @@ class Flipper {
       return (!discs_.exists(h / 3) && isTopOf(a, b, c) && predicates_.tangentSide(b, a, c) >= 0) ||
              (!discs_.exists(t / 3) && isTopOf(b, a, d) && predicates_.tangentSide(a, b, d) >= 0);
     }
-    // A circle that leaves the hull gets a vertex with its neighbours there.
+    // A circle that leaves the hull gets a vertex with its neighbors there.
     if (b == kPointAtInfinity) return predicates_.disc({a, d, c}).exists;
     if (a == kPointAtInfinity) return predicates_.disc({b, c, d}).exists;
     return true;
@@ -119,31 +139,20 @@ class Flipper {
     return ab >= squaredTangentLength(b, c) && ab >= squaredTangentLength(c, a);
   }
 
-  /// Faces (a, b, c) and (b, a, d) become (a, d, c) and (b, c, d).
   void flipEdge(int h) {
     const int t = dual_.twin[h];
-    const int bc = Dual::next(h);
-    const int ad = Dual::next(t);
-    const int ca = Dual::previous(h);
-    const int db = Dual::previous(t);
-    const int beyondAd = dual_.twin[ad];
-    const int beyondBc = dual_.twin[bc];
     if (watcher_ != nullptr) {
-      for (const int changed : {h, t, beyondAd, beyondBc}) watcher_->willChange(changed / 3);
+      for (const int changed : {h, t, dual_.twin[Dual::next(t)], dual_.twin[Dual::next(h)]}) {
+        watcher_->willChange(changed / 3);
+      }
     }
-    link(h, beyondAd);
-    link(t, beyondBc);
-    dual_.origin[bc] = dual_.origin[db];
-    dual_.origin[ad] = dual_.origin[ca];
-    link(bc, ad);
+    dual_.flip(h);
     discs_.update(h / 3);
     discs_.update(t / 3);
-    for (const int changed : {bc, h, ca, t, db}) stack_.push_back(changed);
-  }
-
-  void link(int h, int t) {
-    dual_.twin[h] = t;
-    dual_.twin[t] = h;
+    for (const int changed : {Dual::next(h), h, Dual::previous(h), t, Dual::previous(t)}) {
+      if (!orders_.empty()) orders_[changed] = orders_[dual_.twin[changed]] = kUnknownOrder;
+      stack_.push_back(changed);
+    }
   }
 
   std::span<const Circle> circles_;
@@ -153,12 +162,15 @@ class Flipper {
   FaceWatcher* watcher_;
   std::int64_t flips_ = 0;
   std::vector<int> stack_;
-  std::vector<int> left_;  ///< edges that were wrong, but not to be flipped
+  std::vector<int> left_;            ///< edges that were wrong, but not to be flipped
+  std::vector<std::int8_t> orders_;  ///< as in Proof, while they are known; only in `run`
 };
 
 }  // namespace
 
-Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher) { return Flipper(dual, discs, watcher).run(); }
+Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher, Threads threads) {
+  return Flipper(dual, discs, watcher).run(threads);
+}
 
 Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, FaceWatcher& watcher) {
   return Flipper(dual, discs, &watcher).runFrom(edges);

@@ -36,14 +36,7 @@ std::vector<int> insertionOrder(std::size_t count) {
 /// In a cell with no more edges all are looked at.
 constexpr std::size_t kFewSectors = 16;
 
-/// Grows with the angle of a direction, from 0 to 4 in a turn.
-double angleOf(Vector v) {
-  const double size = std::abs(v.x) + std::abs(v.y);
-  const double along = size > 0 ? v.x / size : 1;
-  return v.y >= 0 ? 1 - along : 3 + along;
-}
-
-/// From the centre of a circle to that of another.
+/// From the center of a circle to that of another.
 struct Ray {
   Vector to;
   double length;
@@ -53,7 +46,7 @@ struct Ray {
   Vector direction() const { return {to.x / length, to.y / length}; }
 };
 
-/// The bisector of a circle and a neighbour, as rays from the circle's centre see it.
+/// The bisector of a circle and a neighbor, as rays from the circle's center see it.
 class Bisector {
  public:
   /// At infinity.
@@ -130,15 +123,15 @@ class Inserter : private DualKeeper {
     for (const int face : {0, 1}) discs_.update(face);
   }
 
-  // Each circle that is still to come waits at a half-edge: in the cell of its origin its centre lies in the sector of
-  // its bisector. A new cell that has the centre has a part of that bisector, as cells are star-shaped.
+  // Each circle that is still to come waits at a half-edge: in the cell of its origin its center lies in the sector of
+  // its bisector. A new cell that has the center has a part of that bisector, as cells are star-shaped.
 
   /// Whether circle b is nearer to the center of circle j than circle a is.
   bool isNearer(int j, int a, int b) const {
     return leadOf({circles_[j].x, circles_[j].y}, circles_[a], circles_[b]).value > 0;
   }
 
-  /// Whether the circle of the cell in which the centre of circle j lies hides j, which then waits no longer.
+  /// Whether the circle of the cell in which the center of circle j lies hides j, which then waits no longer.
   bool isKnownHidden(int i, int j) {
     if (!hides(i, j)) return false;
     isHidden_[j] = 1;
@@ -152,7 +145,7 @@ class Inserter : private DualKeeper {
     if (isKnownHidden(from, j)) return;
     const int h = edgeOf_[from];
     const double nearness = bisectorOf(h).nearness(Ray(circles_[from], circles_[j]));
-    waiting_.add(nearness > 0 ? h : dual_.twin[Dual::previous(h)], j);
+    waiting_.add(nearness > 0 ? h : dual_.around(h), j);
   }
 
   /// The bisector of a half-edge.
@@ -198,19 +191,8 @@ class Inserter : private DualKeeper {
   void replaceEdge(int from, int to) override { waiting_.move(from, to); }
   void dropEdge(int h) override { waiting_.take(h, arrivals_); }
 
-  /// Whether the ray from the origin of h through the centre of circle j meets that part of its bisector which is
-  /// between the discs of h, up to rounding.
-  bool spans(int h, int j) const {
-    const Vector direction = between(circles_[dual_.origin[h]], circles_[j]);
-    const Vector before = discs_.direction(Dual::next(dual_.twin[h]));
-    const Vector after = discs_.direction(h);
-    const bool isAfter = cross(before, direction) >= 0;
-    const bool isBefore = cross(direction, after) >= 0;
-    if (cross(before, after) < 0) return isAfter || isBefore;
-    // Not the opposite direction, if there is next to nothing between the discs.
-    const bool isAhead = dot(before, direction) > 0 || dot(after, direction) > 0 || dot(before, after) < 0;
-    return isAfter && isBefore && isAhead;
-  }
+  /// Whether the center of circle j lies in the sector of h, up to rounding.
+  bool spans(int h, int j) const { return discs_.spans(h, between(circles_[dual_.origin[h]], circles_[j])); }
 
   /// Finds those that wait beside the new cell their sector anew.
   void settle(int i) {
@@ -219,7 +201,7 @@ class Inserter : private DualKeeper {
     do {
       const int a = dual_.target(spoke);
       if (a != kPointAtInfinity) settleBeside(i, dual_.twin[spoke]);
-      spoke = dual_.twin[Dual::previous(spoke)];
+      spoke = dual_.around(spoke);
     } while (spoke != first);
     if (!arrivals_.empty()) settleInside(i);
     arrivals_.clear();
@@ -229,7 +211,7 @@ class Inserter : private DualKeeper {
   void settleBeside(int i, int toNew) {
     const int a = dual_.origin[toNew];
     const int right = Dual::next(dual_.twin[toNew]);
-    const int left = dual_.twin[Dual::previous(toNew)];
+    const int left = dual_.around(toNew);
     movers_.clear();
     for (const int h : {right, toNew, left}) waiting_.take(h, movers_);
     if (movers_.empty()) return;
@@ -246,7 +228,7 @@ class Inserter : private DualKeeper {
       if (const double nearness = toMiddle.nearness(ray); nearness > met.nearness) {
         // The new cell may have another border with this one beyond the next.
         met = {toNew, nearness};
-        for (const int beyond : {Dual::next(dual_.twin[right]), dual_.twin[Dual::previous(left)]}) {
+        for (const int beyond : {Dual::next(dual_.twin[right]), dual_.around(left)}) {
           if (dual_.target(beyond) == i) met = nearer(met, {beyond, nearness}, j);
         }
       }
@@ -260,7 +242,7 @@ class Inserter : private DualKeeper {
     double nearness;
   };
 
-  /// Of two edges of a cell the one that the ray through the centre of circle j meets first.
+  /// Of two edges of a cell the one that the ray through the center of circle j meets first.
   Met nearer(const Met& first, const Met& second, int j) const {
     if (first.nearness != second.nearness) return first.nearness > second.nearness ? first : second;
     // A bisector that it never meets, or two parts of one bisector.
@@ -269,15 +251,15 @@ class Inserter : private DualKeeper {
     return !spans(first.h, j) && spans(second.h, j) ? second : first;
   }
 
-  /// Finds those whose centres the new cell has their sectors in it.
+  /// Finds those whose centers the new cell has their sectors in it.
   void settleInside(int i) {
     sectors_.clear();
     const int first = edgeOf_[i];
     int spoke = first;
     do {
       // Where one sector ends the next begins.
-      const int next = dual_.twin[Dual::previous(spoke)];
-      sectors_.push_back({angleOf(discs_.direction(spoke)), next, bisectorOf(next)});
+      const int next = dual_.around(spoke);
+      sectors_.push_back({pseudoAngle(discs_.direction(spoke)), next, bisectorOf(next)});
       spoke = next;
     } while (spoke != first);
     std::sort(sectors_.begin(), sectors_.end(),
@@ -302,10 +284,10 @@ class Inserter : private DualKeeper {
     Bisector bisector;
   };
 
-  /// The sector of the new cell that has the centre of circle j, or kPointAtInfinity if rounding has put them out of
+  /// The sector of the new cell that has the center of circle j, or kPointAtInfinity if rounding has put them out of
   /// order.
   int sectorByAngle(const Ray& ray, int j) const {
-    const double angle = angleOf(ray.to);
+    const double angle = pseudoAngle(ray.to);
     const auto after = std::upper_bound(sectors_.begin(), sectors_.end(), angle,
                                         [](double value, const Sector& sector) { return value < sector.angle; });
     const Sector& sector = after == sectors_.begin() ? sectors_.back() : *std::prev(after);
@@ -313,8 +295,8 @@ class Inserter : private DualKeeper {
     const auto isBefore = [&](int other) {
       return nearer(met, {other, bisectorOf(other).nearness(ray)}, j).h == sector.h;
     };
-    const bool isThere = spans(sector.h, j) && isBefore(dual_.twin[Dual::previous(sector.h)]) &&
-                         isBefore(Dual::next(dual_.twin[sector.h]));
+    const bool isThere =
+        spans(sector.h, j) && isBefore(dual_.around(sector.h)) && isBefore(Dual::next(dual_.twin[sector.h]));
     return isThere ? sector.h : kPointAtInfinity;
   }
 
@@ -330,18 +312,13 @@ class Inserter : private DualKeeper {
       }
       for (int k = 0; k < 3; ++k) {
         dual_.origin[3 * *hole + k] = dual_.origin[3 * count + k];
-        link(3 * *hole + k, dual_.twin[3 * count + k]);
+        dual_.link(3 * *hole + k, dual_.twin[3 * count + k]);
       }
       ++hole;
     }
     dual_.origin.resize(3 * static_cast<std::size_t>(count));
     dual_.twin.resize(3 * static_cast<std::size_t>(count));
     return std::move(dual_);
-  }
-
-  void link(int h, int t) {
-    dual_.twin[h] = t;
-    dual_.twin[t] = h;
   }
 
   std::span<const Circle> circles_;
@@ -354,7 +331,7 @@ class Inserter : private DualKeeper {
   WaitingCircles waiting_;
   std::vector<int> removedFaces_;  ///< places for new ones
   std::vector<int> movers_;        ///< those that waited at an edge beside the new cell
-  std::vector<int> arrivals_;      ///< those whose centres the new cell has
+  std::vector<int> arrivals_;      ///< those whose centers the new cell has
   std::vector<Sector> sectors_;
 };
 

@@ -18,10 +18,10 @@ struct Inserted {
   std::int64_t flips = 0;
 };
 
-/// The dual of the Voronoi diagram of circles in spatial order, no two of them with the same centre, by inserting one
+/// The dual of the Voronoi diagram of circles in spatial order, no two of them with the same center, by inserting one
 /// after the other in random rounds: of any circles n log n steps are expected (K. Mehlhorn, S. Meiser, C. O'Dunlaing,
 /// "On the construction of abstract Voronoi diagrams", 1991; K. L. Clarkson, P. W. Shor, "Applications of random
-/// sampling in computational geometry, II", 1989). A new circle cuts an edge of the cell that its centre lies in, and
+/// sampling in computational geometry, II", 1989). A new circle cuts an edge of the cell that its center lies in, and
 /// flips take the edges away that its cell has all of. A circle that is inside another gets no cell, or loses it.
 ///
 /// Where more than three circles touch one disc, or nearly, a circle may come to a wrong place: the result is to be

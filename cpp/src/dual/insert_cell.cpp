@@ -45,19 +45,19 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeBeyond(int start, int 
         if (!edge || edge->cut.isCut) return edge;
         spokes.push_back(beyond);
       }
-      h = dual_.twin[Dual::previous(h)];
+      h = dual_.around(h);
     } while (h != spokes[next]);
   }
   return CutEdge{start, {}};
 }
 
 int CellInserter::nearestAround(int start, int i) {
-  int nearest = dual_.target(start) == kPointAtInfinity ? dual_.twin[Dual::previous(start)] : start;
+  int nearest = dual_.target(start) == kPointAtInfinity ? dual_.around(start) : start;
   int h = nearest;
   do {
     const int b = dual_.target(h);
     if (b != kPointAtInfinity && leadAt(i, dual_.target(nearest), b).value > 0) nearest = h;
-    h = dual_.twin[Dual::previous(h)];
+    h = dual_.around(h);
   } while (h != start);
   return nearest;
 }
@@ -76,7 +76,7 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeAround(int likely, int
       if (isHider(dual_.target(h))) return std::nullopt;
       if (const Cut cut = cutOf(h, i); cut.isCut) return CutEdge{h, cut};
     }
-    left = dual_.twin[Dual::previous(left)];
+    left = dual_.around(left);
     right = Dual::next(dual_.twin[right]);
   } while (left != likely);
   return CutEdge{likely, {}};
@@ -162,12 +162,12 @@ void CellInserter::split(const CutEdge& edge, int i) {
     dual_.origin[first] = dual_.target(beyond);
     dual_.origin[first + 1] = dual_.origin[beyond];
     dual_.origin[first + 2] = i;
-    link(first, beyond);
+    dual_.link(first, beyond);
   };
   fill(atH, h);
   fill(atT, t);
-  link(atH + 1, atT + 2);
-  link(atH + 2, atT + 1);
+  dual_.link(atH + 1, atT + 2);
+  dual_.link(atH + 2, atT + 1);
   edgeOf_[i] = atH + 2;
   renewDisc(atH / 3, i);
   renewDisc(atT / 3, i);
@@ -220,11 +220,7 @@ void CellInserter::flipEdge(int h, int i) {
   keeper_.replaceEdge(h, dual_.twin[ia]);
   keeper_.replaceEdge(bi, t);
   keeper_.replaceEdge(ad, h);
-  link(h, dual_.twin[ad]);
-  link(t, dual_.twin[bi]);
-  dual_.origin[bi] = dual_.origin[db];
-  dual_.origin[ad] = dual_.origin[ia];
-  link(bi, ad);
+  dual_.flip(h);
   renewDisc(h / 3, i);
   renewDisc(t / 3, i);
   for (const int kept : {h, t, ia, db}) noteEdge(kept);
@@ -251,8 +247,8 @@ bool CellInserter::removeLost() {
 
 bool CellInserter::remove(int circle) {
   const int g = edgeOf_[circle];
-  const int h = dual_.twin[Dual::previous(g)];
-  if (h == g || dual_.twin[Dual::previous(h)] != g) return false;
+  const int h = dual_.around(g);
+  if (h == g || dual_.around(h) != g) return false;
   const int pq = dual_.twin[Dual::next(h)];
   const int qp = dual_.twin[Dual::next(g)];
   if (pq / 3 == g / 3) return false;
@@ -262,7 +258,7 @@ bool CellInserter::remove(int circle) {
   keeper_.willChange(qp / 3);
   for (const int lost : {Dual::next(g), Dual::previous(h)}) keeper_.replaceEdge(lost, pq);
   for (const int lost : {Dual::next(h), Dual::previous(g)}) keeper_.replaceEdge(lost, qp);
-  link(pq, qp);
+  dual_.link(pq, qp);
   noteEdge(pq);
   noteEdge(qp);
   keeper_.removeFace(g / 3);

@@ -16,6 +16,8 @@
 
 namespace circle_voronoi {
 
+inline Point centerOf(const Circle& c) { return {c.x, c.y}; }
+
 /// The signed distance of a circle from a point.
 inline double distanceFrom(Point p, const Circle& c) { return length({c.x - p.x, c.y - p.y}) - c.r; }
 
@@ -45,7 +47,7 @@ struct LiveDual {
   DualKeeper& keeper;
 };
 
-/// Inserts circles into a dual. A new circle cuts an edge of the cell that its centre lies in, and flips take the edges
+/// Inserts circles into a dual. A new circle cuts an edge of the cell that its center lies in, and flips take the edges
 /// away that its cell has all of. Circles that it hides lose their cells.
 ///
 /// Where more than three circles touch one disc, or nearly, a circle may come to a wrong place: the result is to be
@@ -67,8 +69,8 @@ class CellInserter {
     astray,  ///< a circle that it hides did not let itself be taken away
   };
 
-  /// Inserts circle i. Its centre most likely lies in the sector of half-edge `likely`: between the rays from the
-  /// centre of its origin to the ends of its bisector.
+  /// Inserts circle i. Its center most likely lies in the sector of half-edge `likely`: between the rays from the
+  /// center of its origin to the ends of its bisector.
   Outcome insert(int i, int likely);
 
   /// The circle that hides the last one.
@@ -109,18 +111,18 @@ class CellInserter {
   const Circle& circle(int i) const { return discs_.circles()[i]; }
   bool hides(int i, int j) const { return circle(i).r >= circle(j).r && predicates_.contains(circle(i), circle(j)); }
   /// How much nearer circle b is to the center of circle i than circle a is.
-  Estimate leadAt(int i, int a, int b) const { return leadOf({circle(i).x, circle(i).y}, circle(a), circle(b)); }
+  Estimate leadAt(int i, int a, int b) const { return leadOf(centerOf(circle(i)), circle(a), circle(b)); }
 
   /// An edge of the old diagram that the cell of circle i cuts; nothing if another circle hides i. It is one of the
-  /// cell in which the centre of i lies, most often `likely`; where rounding has led astray, the way goes from cell to
-  /// cell until no neighbour is nearer, and then to ever more cells around.
+  /// cell in which the center of i lies, most often `likely`; where rounding has led astray, the way goes from cell to
+  /// cell until no neighbor is nearer, and then to ever more cells around.
   std::optional<CutEdge> cutEdge(int likely, int i);
 
   /// The same in the cells around that of the origin of a half-edge, breadth first. Rounding may not tell which of
-  /// many cells has the centre, and some cell has a cut edge, which exact signs find.
+  /// many cells has the center, and some cell has a cut edge, which exact signs find.
   std::optional<CutEdge> cutEdgeBeyond(int start, int i);
 
-  /// The half-edge around the origin of one to the neighbour that is nearest to the centre of circle i.
+  /// The half-edge around the origin of one to the neighbor that is nearest to the center of circle i.
   int nearestAround(int start, int i);
 
   /// The same around one cell: from an edge that is likely to be cut to both sides.
@@ -135,7 +137,7 @@ class CellInserter {
 
   Cut cutOf(int h, int i) const;
 
-  /// Whether circle i is nearer than a and b to where the line through the centres of these crosses their bisector.
+  /// Whether circle i is nearer than a and b to where the line through the centers of these crosses their bisector.
   bool liesNearer(int i, int a, int b) const;
 
   /// Finds the disc of a face with a new circle. It has none if that hides one of the others.
@@ -174,10 +176,6 @@ class CellInserter {
 
   void noteEdge(int h) {
     if (dual_.origin[h] != kPointAtInfinity) edgeOf_[dual_.origin[h]] = h;
-  }
-  void link(int h, int t) {
-    dual_.twin[h] = t;
-    dual_.twin[t] = h;
   }
 
   Dual& dual_;

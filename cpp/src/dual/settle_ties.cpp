@@ -10,8 +10,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Whether the centre of one circle is less than that of another, by x and then y. Circles with cells have different
-/// centres.
+/// Whether the center of one circle is less than that of another, by x and then y. Circles with cells have different
+/// centers.
 bool isLess(std::span<const Circle> circles, int i, int j) {
   const Circle& a = circles[i];
   const Circle& b = circles[j];
@@ -23,16 +23,17 @@ class TieSettler {
   TieSettler(Dual& dual, std::span<const int> ties, std::span<const Circle> circles)
       : dual_(dual), ties_(ties), circles_(circles) {}
 
-  void run() {
+  std::vector<int> run() && {
     const auto isWrong = [&](int h) { return !isSettled(h); };
     const auto first = std::find_if(ties_.begin(), ties_.end(), isWrong);
-    if (first == ties_.end()) return;
+    if (first == ties_.end()) return {};
     isTie_.assign(dual_.origin.size(), false);
     for (const int h : ties_) isTie_[at(h)] = isTie_[at(dual_.twin[at(h)])] = true;
     // Those of a polygon that has been settled are no longer marked.
     for (const int h : ties_) {
       if (isTie_[at(h)] && isWrong(h)) settlePolygonOf(h);
     }
+    return std::move(changed_);
   }
 
  private:
@@ -49,6 +50,7 @@ class TieSettler {
 
   void settlePolygonOf(int tie) {
     collect(tie);
+    changed_.insert(changed_.end(), faces_.begin(), faces_.end());
     // From the greatest corner to the third least each gets a face with the corners beside it, and leaves.
     std::vector<std::size_t> order(sides_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -110,12 +112,22 @@ class TieSettler {
   std::vector<bool> isTie_;  ///< of each half-edge
   std::vector<int> faces_;
   std::vector<Side> sides_;
+  std::vector<int> changed_;
 };
 
 }  // namespace
 
-void settleTies(Dual& dual, std::span<const int> ties, std::span<const Circle> circles) {
-  TieSettler(dual, ties, circles).run();
+void settleTies(Dual& dual, Verdict& verdict, std::span<const Circle> circles, Predicates& predicates) {
+  const std::vector<int> changed = TieSettler(dual, verdict.ties, circles).run();
+  Proof& proof = verdict.proof;
+  Prover prover(dual, circles, predicates, proof.discs, proof.halfEdges);
+  for (const int face : changed) {
+    proof.discs[face] = predicates.disc(cornersOf(dual, 3 * face));
+    prover.proveFace(face);
+  }
+  for (const int face : changed) {
+    for (int h = 3 * face; h < 3 * face + 3; ++h) prover.proveEdge(h);
+  }
 }
 
 bool isSettledTie(const Dual& dual, int h, std::span<const Circle> circles) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sort_unique.h"
 #include "three_touch_disc.h"
 
 namespace circle_voronoi {
@@ -63,8 +64,7 @@ void FaceTeller::know() {
 void FaceTeller::tell() {
   predicates_.setCircles(circles_);
   if (told_.size() < static_cast<std::size_t>(dual_.faceCount())) told_.resize(dual_.origin.size() / 3);
-  std::sort(looked_.begin(), looked_.end());
-  looked_.erase(std::unique(looked_.begin(), looked_.end()), looked_.end());
+  sortUnique(looked_);
   const auto changed = std::remove_if(looked_.begin(), looked_.end(), [&](int face) { return !isChanged(face); });
   if (changed == looked_.begin()) return;  // all are still to change
   looked_.erase(changed, looked_.end());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wrong_faces.h"
 
-#include <algorithm>
+#include "sort_unique.h"
 
 namespace circle_voronoi {
 namespace {
@@ -12,11 +12,6 @@ void addWrong(const FaceDiscs& discs, int h, std::vector<int>& wrong) {
   for (const int face : {h / 3, discs.dual().twin[h] / 3}) {
     if (flaw != Flaw::vertexWithoutDisc || !discs.exists(face)) wrong.push_back(face);
   }
-}
-
-void sortUnique(std::vector<int>& faces) {
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 }
 
 }  // namespace

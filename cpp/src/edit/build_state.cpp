@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "certificate_message.h"
 #include "construct.h"
 #include "diagram_of.h"
-#include "edge_turns.h"
 #include "hide.h"
-#include "judge_step.h"
 #include "order.h"
 #include "three_touch_disc.h"
 #include "triangulate.h"
@@ -50,36 +47,29 @@ Result<Scaled> scale(std::span<const Circle> circles, bool weights) {
   return Scaled{std::move(scaled), unit, false};
 }
 
-void fillDual(EditState& state, const Topology& topology, int visibleCount) {
-  // A right topology is that of a dual.
-  state.dual = std::get<Dual>(dualOf(topology, visibleCount));
-  state.faceCount = state.dual.faceCount();
+/// The faces of a dual that is right, and its proof. Vertices first, so that their numbers have no gaps.
+void fillFaces(EditState& state, const Dual& dual, const Proof& proof) {
+  state.faceCount = dual.faceCount();
   state.facePlaces = Places(state.faceCount);
-}
-
-/// What is kept of faces, and of each edge once both its faces have a disc.
-void fillProof(EditState& state) {
-  const Dual& dual = state.dual;
-  for (int face = 0; face < dual.faceCount(); ++face) {
-    state.discs.update(face);
-    const auto corners = cornersOf(dual, 3 * face);
-    for (int k = 0; k < 3; ++k) {
-      if (corners[k] == kPointAtInfinity) continue;
-      state.noteEdge(3 * face + k);
-      state.proof[3 * face + k].isLower =
-          state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], state.discs[face]));
+  state.sizeToPlaces();
+  std::vector<int> placeOf(static_cast<std::size_t>(dual.faceCount()));
+  int place = 0;
+  for (const bool isVertex : {true, false}) {
+    for (int face = 0; face < dual.faceCount(); ++face) {
+      if (dual.isFinite(face) == isVertex) placeOf[face] = place++;
     }
-    for (int t = 3 * face; t < 3 * face + 3; ++t) {
-      const int h = dual.twin[t];
-      if (h > t) continue;
-      const EdgeTurns turns = turnsOf(StepDiscs{state}, dual, state.circles, state.predicates, h);
-      state.proof[h].passes = turns.passesAtOrigin;
-      state.proof[t].passes = turns.passesAtTarget;
-    }
+  }
+  for (int face = 0; face < dual.faceCount(); ++face) state.discs.set(placeOf[face], proof.discs[face]);
+  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+    const int at = 3 * placeOf[h / 3] + h % 3;
+    state.dual.origin[at] = dual.origin[h];
+    state.dual.twin[at] = 3 * placeOf[dual.twin[h] / 3] + dual.twin[h] % 3;
+    state.proof[at] = proof.halfEdges[h];
+    state.noteEdge(at);
   }
   int edges = 0;
   for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-    if (state.isEdge(h)) state.edgeNumber[h] = state.edgeNumber[dual.twin[h]] = edges++;
+    if (state.isEdge(h)) state.edgeNumber[h] = state.edgeNumber[state.dual.twin[h]] = edges++;
   }
   state.edgePlaces = Places(edges);
 }
@@ -159,8 +149,8 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
     return *std::move(error);
   }
   const Construction construction = constructAutomatically(sites, {}, journal);
-  if (!construction.certificate.certified()) {
-    return Error{ErrorCode::notCertified, kNone, "No construction led to a certified diagram."};
+  if (!construction.isRight()) {
+    return Error{ErrorCode::notCertified, -1, "No construction led to a certified diagram."};
   }
 
   auto state = std::make_unique<EditState>();
@@ -170,7 +160,6 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   state->circleCount = static_cast<int>(circles.size());
   state->visibleCount = static_cast<int>(sites.circles.size());
   state->sitePlaces = Places(state->circleCount);
-  fillDual(*state, construction.topology, state->visibleCount);
   state->sizeToPlaces();
   std::vector<int> slots(circles.size(), kNone);  // of each index
   int slot = 0;
@@ -187,7 +176,7 @@ Result<std::unique_ptr<EditState>> buildState(std::span<const Circle> circles, s
   }
   for (const HiddenCircle& hidden : sites.hidden) state->attach(slots[hidden.circle], slots[hidden.by]);
   state->nextId = ids.empty() ? 0 : ids.back() + 1;
-  fillProof(*state);
+  fillFaces(*state, construction.dual, construction.verdict.proof);
   state->prepareToKeep();
   state->keep();
   return state;

@@ -16,6 +16,7 @@
 #include "insert_cell.h"
 #include "places.h"
 #include "predicates.h"
+#include "proof.h"
 #include "tell_faces.h"
 
 namespace circle_voronoi {
@@ -30,12 +31,6 @@ struct Site {
   int previous = kNone;
 
   friend bool operator==(const Site&, const Site&) = default;
-};
-
-/// What the proof of a diagram records for a half-edge.
-struct HalfEdgeProof {
-  bool isLower = false;  ///< whether its disc lies in the lower half, seen from its origin
-  bool passes = false;   ///< whether the region of its origin passes the axis along its edge (edge_turns.h)
 };
 
 /// The whole diagram of an editor, and a log to undo the changes since it was last kept.
@@ -109,10 +104,6 @@ class EditState final : public DualKeeper {
   void dropEdge(int) override {}
   void willChangeSite(int slot);
 
-  void link(int h, int t) {
-    dual.twin[h] = t;
-    dual.twin[t] = h;
-  }
   void noteEdge(int h) {
     if (dual.origin[h] != kPointAtInfinity) edgeOf[dual.origin[h]] = h;
   }

@@ -2,10 +2,8 @@
 #include "judge_step.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
-#include "edge_turns.h"
 #include "settle_ties.h"
 
 namespace circle_voronoi {
@@ -17,14 +15,15 @@ StepJudge::Verdict StepJudge::judge(EditState& state, int moved) {
   hullTurns_ = 0;
   const int faceCount = state.visibleCount < 2 ? 0 : 2 * state.visibleCount - 2;
   if (state.faceCount != faceCount) return Verdict::broken;
-  if (const Verdict verdict = judgeFaces(state, moved); verdict != Verdict::right) return verdict;
-  const bool areRight = areEdgesRight(state);
+  StepProver prover(state.dual, state.circles, state.predicates, state.discs, state.proof);
+  if (const Verdict verdict = judgeFaces(state, moved, prover); verdict != Verdict::right) return verdict;
+  const bool areRight = areEdgesRight(state, prover);
   // Leaves the counts at zero, whatever was right before.
   return areTurnsRight(state) && areRight && areCirclesRight(state, moved) ? Verdict::right : Verdict::wrong;
 }
 
-/// Adjacency, and a disc of each changed face. Their neighbours, whose edges change, count as touched, too.
-StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved) {
+/// Adjacency, and a disc of each changed face. Their neighbors, whose edges change, count as touched, too.
+StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved, StepProver& prover) {
   const Dual& dual = state.dual;
   Verdict verdict = Verdict::right;
   for (std::size_t i = state.stepFaces(); i < state.faceLog.size(); ++i) {
@@ -36,26 +35,13 @@ StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved) {
     state.faceLog[i].isChanged = isChanged;
     if (!isInUse) continue;
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
-      const int t = dual.twin[h];
-      if (t < 0 || t >= dual.halfEdgeCount() || dual.twin[t] != h || t / 3 == face ||
-          dual.origin[t] != dual.target(h) || dual.target(t) != dual.origin[h] || dual.origin[h] == dual.target(h)) {
-        return Verdict::broken;
-      }
+      if (!dual.fits(h)) return Verdict::broken;
       if (dual.origin[h] != kPointAtInfinity && !state.isVisible(dual.origin[h])) return Verdict::broken;
-      if (isChanged) state.willChange(t / 3);
+      if (isChanged) state.willChange(dual.twin[h] / 3);
     }
     if (!isChanged) continue;
     state.discs.update(face);
-    const FaceDisc& disc = state.discs[face];
-    if (!disc.exists) {
-      verdict = Verdict::wrong;
-      continue;
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (corners[k] == kPointAtInfinity) continue;
-      state.proof[3 * static_cast<std::size_t>(face) + k].isLower =
-          state.predicates.isLower(corners[k], corners, state.predicates.direction(corners[k], disc));
-    }
+    if (!prover.proveFace(face)) verdict = Verdict::wrong;
   }
   return verdict;
 }
@@ -67,11 +53,10 @@ void StepJudge::addTurns(int around, int neighbor, int count) {
   if (neighbor == kPointAtInfinity) hullTurns_ += count;
 }
 
-/// The changed edges: none of two neighbours hides the other, and ends are in order. Counts what turns are no more, and
+/// The changed edges: none of two neighbors hides the other, and ends are in order. Counts what turns are no more, and
 /// what are new.
-bool StepJudge::areEdgesRight(EditState& state) {
+bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
   const Dual& dual = state.dual;
-  const StepDiscs discs{state};
   const auto isChanged = [&](int face) {
     const EditState::SavedFace* saved = state.savedInStep(face);
     return saved != nullptr && saved->isChanged;
@@ -100,13 +85,11 @@ bool StepJudge::areEdgesRight(EditState& state) {
            state.predicates.contains(state.circles[b], state.circles[a]))) {
         return false;
       }
-      const EdgeTurns turns = turnsOf(discs, dual, state.circles, state.predicates, h);
-      if (turns.endOrder < 0) return false;
-      if (turns.endOrder == 0 && !isSettledTie(dual, h, state.circles)) unsettled_.push_back(h);
-      state.proof[h].passes = turns.passesAtOrigin;
-      state.proof[t].passes = turns.passesAtTarget;
-      addTurns(a, b, turns.passesAtOrigin);
-      addTurns(b, a, turns.passesAtTarget);
+      const int order = prover.proveEdge(h);
+      if (order < 0) return false;
+      if (order == 0 && !isSettledTie(dual, h, state.circles)) unsettled_.push_back(h);
+      addTurns(a, b, static_cast<int>(state.proof[h].passes));
+      addTurns(b, a, static_cast<int>(state.proof[t].passes));
     }
   }
   return true;

@@ -8,14 +8,6 @@
 
 namespace circle_voronoi {
 
-/// What turnsOf asks of discs.
-struct StepDiscs {
-  const EditState& state;
-
-  Direction toDisc(int h) const { return state.predicates.direction(state.dual.origin[h], state.discs[h / 3]); }
-  bool isLower(int h) const { return state.proof[h].isLower; }
-};
-
 /// Judges what a step has changed in a certified diagram, by the theorem of judge.h. What that asks of a face, an edge
 /// or a circle holds where nothing has changed; what it counts - the turns of each region and of the hull, faces and
 /// circles - changes by what the changed edges had and have. So the whole is certified again, by induction.
@@ -36,13 +28,15 @@ class StepJudge {
   std::span<const int> unsettled() const { return unsettled_; }
 
  private:
-  Verdict judgeFaces(EditState& state, int moved);
-  bool areEdgesRight(EditState& state);
+  using StepProver = Prover<FaceDiscs>;
+
+  Verdict judgeFaces(EditState& state, int moved, StepProver& prover);
+  bool areEdgesRight(EditState& state, StepProver& prover);
   bool areCirclesRight(EditState& state, int moved) const;
   bool areTurnsRight(const EditState& state);
   void addTurns(int around, int neighbor, int count);
 
-  std::vector<int> turns_;    ///< of each slot what its turns have grown by; zero between judgements
+  std::vector<int> turns_;    ///< of each slot what its turns have grown by; zero between judgments
   std::vector<int> touched_;  ///< the slots that may have others
   int hullTurns_ = 0;
   std::vector<int> unsettled_;

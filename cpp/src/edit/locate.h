@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
+#include "bucket_grid.h"
 #include "edit_state.h"
 
 namespace circle_voronoi {
@@ -15,8 +13,8 @@ struct Place {
 };
 
 /// Finds the visible circle that is nearest to a point, up to rounding, by a walk from cell to cell: from one to a
-/// neighbour that is nearer, until there is none. A cell is left across the edge in whose sector the point lies: cells
-/// are star-shaped, and all that lies beyond the edge in this sector is nearer to the neighbour across.
+/// neighbor that is nearer, until there is none. A cell is left across the edge in whose sector the point lies: cells
+/// are star-shaped, and all that lies beyond the edge in this sector is nearer to the neighbor across.
 ///
 /// A grid of buckets remembers a circle near each place; they may be outdated, as they only save steps, and then one
 /// beside is asked.
@@ -33,20 +31,7 @@ class Locator {
   void fill(const EditState& state);
 
  private:
-  int columnOf(Point p) const;
-  int rowOf(Point p) const;
-  std::size_t bucketAt(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-  }
-  void put(const Circle& circle, int slot);
-  void fillEmptyBuckets();
-  int startNear(const EditState& state, Point p) const;
-
-  Point corner_;
-  double scale_ = 0;  ///< buckets a unit of length
-  int columns_ = 0;
-  int rows_ = 0;
-  std::vector<int> buckets_;
+  BucketGrid starts_;
   int last_ = kNone;
   int filledFor_ = 0;  ///< so many circles
 };

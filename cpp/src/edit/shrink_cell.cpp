@@ -7,7 +7,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// The radius at which a circle with the centre of `c` would touch a disc: its distance from the disc's centre, less
+/// The radius at which a circle with the center of `c` would touch a disc: its distance from the disc's center, less
 /// the disc's radius.
 double touchingRadius(const Circle& c, const FaceDisc& disc, const Circle& origin) {
   const Vector e = between(c, origin);
@@ -27,10 +27,10 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
   do {
     const int i = static_cast<int>(spokes_.size());
     spokes_.push_back({h, i - 1, i + 1, {}});
-    // Both faces beside each neighbour, and what lies beyond.
+    // Both faces beside each neighbor, and what lies beyond.
     state.willChange(h / 3);
     state.willChange(dual.twin[Dual::next(h)] / 3);
-    h = dual.twin[Dual::previous(h)];
+    h = dual.around(h);
   } while (h != first);
   int left = static_cast<int>(spokes_.size());
   spokes_.front().before = left - 1;
@@ -56,9 +56,9 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
     }
     dual.origin[ib] = dual.origin[ab];
     dual.origin[bi] = dual.origin[ci];
-    state.link(ib, dual.twin[ab]);
-    state.link(bi, beyondCi);
-    state.link(ab, ci);
+    dual.link(ib, dual.twin[ab]);
+    dual.link(bi, beyondCi);
+    dual.link(ab, ci);
     state.discs.set(ib / 3, spoke.disc);
     before.after = spoke.after;
     after.before = spoke.before;
@@ -78,7 +78,7 @@ bool CellShrinker::takeOut(EditState& state, int slot) {
   for (const int beyond : {ac, ca}) {
     if (beyond / 3 == one.halfEdge / 3 || beyond / 3 == other.halfEdge / 3) return false;
   }
-  state.link(ac, ca);
+  dual.link(ac, ca);
   state.removeFace(one.halfEdge / 3);
   state.removeFace(other.halfEdge / 3);
   state.noteEdges();

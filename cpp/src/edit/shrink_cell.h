@@ -9,7 +9,7 @@
 namespace circle_voronoi {
 
 /// Takes circles out of a dual. While a circle shrinks, its cell loses one edge after the other, each when the disc of
-/// three successive neighbours comes to touch it, and with the last but two the cell itself: d log d steps for a cell
+/// three successive neighbors comes to touch it, and with the last but two the cell itself: d log d steps for a cell
 /// of d edges. Discs are in floating point, so that ties may mislead: the result is to be judged.
 class CellShrinker {
  public:
@@ -17,12 +17,12 @@ class CellShrinker {
   bool takeOut(EditState& state, int slot);
 
  private:
-  /// A half-edge from the circle, between its neighbours in the ring of those that are left.
+  /// A half-edge from the circle, between its neighbors in the ring of those that are left.
   struct Spoke {
     int halfEdge;
     int before;
     int after;
-    FaceDisc disc;  ///< of the neighbours before, at and after
+    FaceDisc disc;  ///< of the neighbors before, at and after
     int turn = 0;   ///< counts its events; those before the last are outdated
   };
   /// When an edge vanishes: at which radius of the circle.

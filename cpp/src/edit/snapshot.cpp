@@ -81,10 +81,7 @@ Result<Diagram> snapshotOf(const EditState& state) {
   stats.way = Way::edit;
   stats.counts.circles = static_cast<std::int64_t>(circles.size());
   stats.counts.hidden = static_cast<std::int64_t>(sites.hidden.size());
-  const Dual dual = compacted(state, siteOf);
-  Construction construction;
-  construction.topology = topologyOf(dual, static_cast<int>(sites.circles.size()));
-  construction.certificate = certificateOf(Verdict{}, dual, construction.topology);
+  Construction construction = {compacted(state, siteOf), {}};
   auto diagram = diagramOf(circles, std::move(construction), std::move(sites), scaled.value().unit);
   if (diagram) {
     diagram->weights = state.weights;

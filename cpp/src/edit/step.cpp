@@ -7,6 +7,7 @@
 #include "construct.h"
 #include "flip.h"
 #include "repair.h"
+#include "sort_unique.h"
 #include "wrong_faces.h"
 
 namespace circle_voronoi {
@@ -19,11 +20,9 @@ constexpr int kShownShare = 4;
 /// A sample this large tells the shares apart.
 constexpr std::size_t kSample = 128;
 
-Point centreOf(const Circle& c) { return {c.x, c.y}; }
-
 /// Whether one circle contains another, up to rounding.
 bool covers(const Circle& outer, const Circle& inner) {
-  return distanceFrom(centreOf(outer), inner) + 2 * inner.r <= outer.r;
+  return distanceFrom(centerOf(outer), inner) + 2 * inner.r <= outer.r;
 }
 
 }  // namespace
@@ -90,7 +89,7 @@ void Stepper::tellCircle(TraceKind kind, int slot, const Circle& circle) {
 /// Puts a circle that is not there into the dual, or into the list of one that hides it. Whether that went well.
 bool Stepper::put(int slot, int hint) {
   if (state_.visibleCount == 0) return false;
-  const Place place = locator_.locate(state_, centreOf(state_.circles[slot]), hint);
+  const Place place = locator_.locate(state_, centerOf(state_.circles[slot]), hint);
   int hider = place.slot;
   auto outcome = CellInserter::Outcome::hidden;
   if (state_.visibleCount > 1) {
@@ -187,14 +186,14 @@ bool Stepper::putWaiting(int hint) {
   return isWell;
 }
 
-/// A neighbour of a visible circle, or kNone.
+/// A neighbor of a visible circle, or kNone.
 int Stepper::neighborOf(int slot) const {
   const int first = state_.edgeOf[slot];
   if (first == kNone) return kNone;
   int h = first;
   do {
     if (state_.dual.target(h) != kPointAtInfinity) return state_.dual.target(h);
-    h = state_.dual.twin[Dual::previous(h)];
+    h = state_.dual.around(h);
   } while (h != first);
   return kNone;
 }
@@ -208,11 +207,11 @@ bool Stepper::staysNear(int slot, const Circle& circle) const {
   int h = first;
   do {
     const int neighbor = dual.target(h);
-    if (neighbor != kPointAtInfinity && (distanceFrom(centreOf(circle), state_.circles[neighbor]) <= -circle.r ||
+    if (neighbor != kPointAtInfinity && (distanceFrom(centerOf(circle), state_.circles[neighbor]) <= -circle.r ||
                                          covers(circle, state_.circles[neighbor]))) {
       return false;
     }
-    h = dual.twin[Dual::previous(h)];
+    h = dual.around(h);
   } while (h != first);
   return true;
 }
@@ -231,7 +230,7 @@ bool Stepper::move(int slot, const Circle& circle) {
     state_.discs.update(h / 3);
     edges_.push_back(Dual::next(h));
     edges_.push_back(h);
-    h = dual.twin[Dual::previous(h)];
+    h = dual.around(h);
   } while (h != first);
   const Flips flips = flipFrom(dual, state_.discs, edges_, state_);
   state_.noteEdges();
@@ -275,8 +274,7 @@ std::span<const int> Stepper::changedEdges() {
 
 /// Replaces what is wrong by a diagram of the circles around, in patches that grow.
 bool Stepper::patch(int moved) {
-  const Progress silent;
-  Journal journal(silent);
+  Counts counts;
   const Dual& dual = state_.dual;
   std::vector<int> wrong = wrongFaces(state_.discs, changedEdges());
   for (const int reach : {2, 4, 8}) {
@@ -290,12 +288,11 @@ bool Stepper::patch(int moved) {
         for (int h = 3 * face; h < 3 * face + 3; ++h) beyond.push_back(dual.twin[h] / 3);
       }
       near.insert(near.end(), beyond.begin(), beyond.end());
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
+      sortUnique(near);
     }
     for (const int face : near) state_.willChange(face);
     repair(state_.dual, state_.discs, wrong, reach,
-           [&](std::span<const Circle> circles) { return solveLocally(circles, journal); });
+           [&](std::span<const Circle> circles) { return solveLocally(circles, counts); });
     state_.noteEdges();
     if (isRight(moved)) return true;
     if (isBroken_) return false;

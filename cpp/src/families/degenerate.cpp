@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Centres or circles in special position: on lines, grids and circles.
+// Centers or circles in special position: on lines, grids and circles.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Disjoint circles with centres on the x axis, in random order.
+/// Disjoint circles with centers on the x axis, in random order.
 template <class Draw>
 std::vector<Circle> makeRow(std::size_t count, Random& random, Draw drawRadius) {
   std::vector<Circle> circles(count);

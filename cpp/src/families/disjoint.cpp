@@ -36,7 +36,7 @@ std::vector<Circle> placeShuffled(std::size_t count, double covered, Random& ran
 /// Circles around the origin whose distances from it grow geometrically, from one to the next by a golden turn.
 std::vector<Circle> makeSpiral(std::size_t count, double decades, Random& random) {
   constexpr double kGoldenTurn = 2 - std::numbers::phi;
-  // Seen in logarithmic polar coordinates the centres are a lattice with this spacing.
+  // Seen in logarithmic polar coordinates the centers are a lattice with this spacing.
   const double n = static_cast<double>(count);
   const double spacing = std::sqrt(2 * std::numbers::pi * decades * std::numbers::ln10 / n);
   const double start = random.unit();
@@ -78,10 +78,10 @@ std::vector<Circle> generateDense(std::size_t count, Random& random) {
   const double side = std::sqrt(2.0 * static_cast<double>(count));
   DisjointCircles circles(count, kLargest);
   while (circles.size() < count) {
-    const Point centre = {random.uniform(0, side), random.uniform(0, side)};
-    const double r = circles.room(centre, kLargest);
+    const Point center = {random.uniform(0, side), random.uniform(0, side)};
+    const double r = circles.room(center, kLargest);
     // The last unit would make some circles overlap by rounding.
-    if (r > 0) circles.insert({centre.x, centre.y, r * (1 - 0x1p-48)});
+    if (r > 0) circles.insert({center.x, center.y, r * (1 - 0x1p-48)});
   }
   return std::move(circles).take();
 }
@@ -91,15 +91,15 @@ std::vector<Circle> generateClustered(std::size_t count, Random& random) {
   const std::size_t clusterCount = count / kMembers + 1;
   const double spread = 0.6 * std::sqrt(static_cast<double>(kMembers));
   const double side = 12 * spread * std::sqrt(static_cast<double>(clusterCount));
-  std::vector<Point> centres(clusterCount);
-  for (Point& p : centres) p = {random.uniform(0, side), random.uniform(0, side)};
+  std::vector<Point> centers(clusterCount);
+  for (Point& p : centers) p = {random.uniform(0, side), random.uniform(0, side)};
 
   std::vector<double> radii(count);
   for (double& r : radii) r = random.logUniform(-2, -0.3);
   std::ranges::sort(radii, std::greater<>());
   DisjointCircles circles(count);
   for (const double r : radii) {
-    const Point& near = centres[random.below(clusterCount)];
+    const Point& near = centers[random.below(clusterCount)];
     while (!circles.insert({near.x + spread * random.gaussian(), near.y + spread * random.gaussian(), r})) {
     }
   }

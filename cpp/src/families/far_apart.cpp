@@ -25,7 +25,7 @@ std::vector<Circle> withPointAt(double x, std::size_t count, Random& random) {
   return circles;
 }
 
-/// Circles with centres on the x axis whose radii grow from 10^-decades/2 to 10^decades/2, in random order.
+/// Circles with centers on the x axis whose radii grow from 10^-decades/2 to 10^decades/2, in random order.
 /// `gapBefore(i, r)` is how far circle i, of radius r, stays away from the circle before it.
 template <class Gap>
 std::vector<Circle> makeGrowingRow(std::size_t count, double decades, Random& random, Gap gapBefore) {

@@ -11,7 +11,7 @@ namespace {
 
 // clang-format off
 constexpr auto kFigures = std::to_array<Figure>({
-    {"5b", "two large circles with one row of small ones between their centres: neighbours all the same", oneRowBetween},
+    {"5b", "two large circles with one row of small ones between their centers: neighbors all the same", oneRowBetween},
     {"5c", "the same with two rows", twoRowsBetween},
     {"5d", "a very large circle and one behind layers of tiny ones", layersBetween},
     {"6", "seven circles, of which the two largest share an edge in a gap", sevenCircles},
@@ -79,7 +79,7 @@ std::vector<Circle> layersBetween() {
       if (p.x < -0.25) circles.push_back({p.x, p.y, 0.035});
     }
   }
-  // Two lines to the ends, bent away from the large circle, so that its centre sees the ends alone.
+  // Two lines to the ends, bent away from the large circle, so that its center sees the ends alone.
   for (const int side : {-1, 1}) {
     for (double y = 0.1; y < kTop; y += 0.2) circles.push_back({-0.065 - 0.055 * (1 - y / kTop), side * y, 0.012});
     circles.push_back({-0.06, side * kTop, 0.05});

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Circle kUnitCircle = {0, 0, 1};
 
-/// The centre at a distance from a circle's centre. What is drawn for it is drawn before: compilers differ in the order
+/// The center at a distance from a circle's center. What is drawn for it is drawn before: compilers differ in the order
 /// in which they find arguments.
 Point at(const Circle& circle, double distance, Vector direction) {
   return {circle.x + distance * direction.x, circle.y + distance * direction.y};

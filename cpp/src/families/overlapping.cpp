@@ -7,7 +7,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Circles at random places in a square with `density` centres a unit of area.
+/// Circles at random places in a square with `density` centers a unit of area.
 template <class Draw>
 std::vector<Circle> scatter(std::size_t count, double density, Random& random, Draw drawRadius) {
   const double side = std::sqrt(static_cast<double>(count) / density);

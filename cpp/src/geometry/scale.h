@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "infinity.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
 
-inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Parameters of curves and places on them may be off by that share, by rounding.
 inline constexpr double kRounding = 0x1p-40;
 /// The finest polyline of a curve, as a share of its size.

@@ -27,34 +27,6 @@ std::string subject(const Certificate& certificate, const Diagram& diagram) {
 
 }  // namespace
 
-std::string_view flawName(Flaw flaw) {
-  switch (flaw) {
-    case Flaw::none:
-      return "none";
-    case Flaw::notJudged:
-      return "notJudged";
-    case Flaw::badIndex:
-      return "badIndex";
-    case Flaw::hiddenWithoutHider:
-      return "hiddenWithoutHider";
-    case Flaw::adjacency:
-      return "adjacency";
-    case Flaw::eulerCount:
-      return "eulerCount";
-    case Flaw::vertexWithoutDisc:
-      return "vertexWithoutDisc";
-    case Flaw::vertexMisplaced:
-      return "vertexMisplaced";
-    case Flaw::edgeOutOfOrder:
-      return "edgeOutOfOrder";
-    case Flaw::cellNotClosed:
-      return "cellNotClosed";
-    case Flaw::hullNotClosed:
-      return "hullNotClosed";
-  }
-  return "";
-}
-
 Certificate certificateOf(const Verdict& verdict, const Dual& dual, const Topology& topology) {
   const auto vertexOf = [&](int face) {
     if (!dual.isFinite(face)) return kNone;
@@ -104,7 +76,7 @@ std::string messageOf(const Certificate& certificate, const Diagram& diagram) {
     case Flaw::vertexWithoutDisc:
       return about() + " has no disc that touches its circles in this order.";
     case Flaw::vertexMisplaced:
-      return about() + " is not the centre of the disc that touches its circles.";
+      return about() + " is not the center of the disc that touches its circles.";
     case Flaw::edgeOutOfOrder:
       return about() + " has its ends in the wrong order along the bisector.";
     case Flaw::cellNotClosed:

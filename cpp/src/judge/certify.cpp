@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
-#include "adjacency.h"
 #include "certificate_message.h"
 #include "guarded.h"
 #include "judge.h"
 #include "prefetch.h"
-#include "three_touch_disc.h"
 #include "topology.h"
 #include "validate.h"
 
@@ -26,26 +25,29 @@ struct Visible {
   std::vector<std::int32_t> sites;   ///< of each input circle its place in `circles`, kNone if hidden
 };
 
-/// The part of a diagram that is not as its sides are linked, or a certificate without a flaw.
-Certificate judgeSides(const Diagram& diagram) {
-  const Links& links = diagram.links;
-  const auto right = linksOf(diagram);
-  // A diagram whose dual is right fits together.
-  if (!right || links.nextSide.size() != right->nextSide.size() ||
-      links.vertexSides.size() != right->vertexSides.size() || links.firstSide.size() != right->firstSide.size()) {
+/// The part of a diagram that is not as its sides are to be linked, or a certificate without a flaw. `right` has the
+/// visible circles in place of all.
+Certificate judgeSides(const Diagram& diagram, const Links& right, const Visible& visible) {
+  std::vector<SideIndex> firstSide(visible.sites.size());
+  for (std::size_t i = 0; i < firstSide.size(); ++i) {
+    if (visible.sites[i] != kNone) firstSide[i] = right.firstSide[visible.sites[i]];
+  }
+  if (diagram.links.nextSide.size() != right.nextSide.size() ||
+      diagram.links.vertexSides.size() != right.vertexSides.size() ||
+      diagram.links.firstSide.size() != firstSide.size()) {
     return {Flaw::adjacency, 0, kNone, kNone, {}};
   }
   const auto firstDifference = [](const auto& a, const auto& b) {
     const auto [found, other] = std::mismatch(a.begin(), a.end(), b.begin());
     return found == a.end() ? kNone : static_cast<std::int32_t>(found - a.begin());
   };
-  if (const SideIndex side = firstDifference(links.nextSide, right->nextSide); side != kNone) {
+  if (const SideIndex side = firstDifference(diagram.links.nextSide, right.nextSide); side != kNone) {
     return {Flaw::adjacency, diagram.circleOf(side), kNone, kNone, {}};
   }
-  if (const VertexIndex vertex = firstDifference(links.vertexSides, right->vertexSides); vertex != kNone) {
+  if (const VertexIndex vertex = firstDifference(diagram.links.vertexSides, right.vertexSides); vertex != kNone) {
     return {Flaw::adjacency, kNone, vertex, kNone, {}};
   }
-  const CircleIndex circle = firstDifference(links.firstSide, right->firstSide);
+  const CircleIndex circle = firstDifference(diagram.links.firstSide, firstSide);
   return {circle == kNone ? Flaw::none : Flaw::adjacency, circle, kNone, kNone, {}};
 }
 
@@ -82,11 +84,11 @@ Topology topologyOf(const Diagram& diagram, const std::vector<std::int32_t>& sit
   return topology;
 }
 
-/// Whether a vertex is where the disc of its circles is, up to rounding. Our own vertices are so to the bit. Others may
-/// be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather than near the one
-/// that touches the same circles clockwise. A disc beyond the doubles has no right place.
-bool isInPlace(const Vertex& vertex, double unit, const Circle& i, const Circle& j, const Circle& k) {
-  const auto disc = vertexOf(i, j, k, unit);
+/// Whether a vertex is where the disc of its circles i, j, k is, up to rounding. Our own vertices are so to the bit.
+/// Others may be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather than
+/// near the one that touches the same circles clockwise. A disc beyond the doubles has no right place.
+bool isInPlace(const Vertex& vertex, const std::optional<Vertex>& disc, double unit, const Circle& i, const Circle& j,
+               const Circle& k) {
   if (!disc) return false;
   // In the units of the input, in which small numbers may have lost bits.
   if (vertex == *disc) return true;
@@ -116,7 +118,7 @@ bool isInPlace(const Vertex& vertex, double unit, const Circle& i, const Circle&
 
 /// The first vertex out of place, or kNone.
 std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, std::span<const Circle> circles,
-                             double unit) {
+                             double unit, const Predicates& predicates, const std::vector<FaceDisc>& discs) {
   if (diagram.vertices.size() != diagram.vertexCircles.size()) return 0;
   for (std::size_t vertex = 0; vertex < diagram.vertices.size(); ++vertex) {
     if (diagram.vertices.size() - vertex > kPrefetchAhead) {
@@ -125,7 +127,8 @@ std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, s
     auto triple = topology.vertexCircles[vertex];
     std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     const auto& [i, j, k] = triple;
-    if (!isInPlace(diagram.vertices[vertex], unit, circles[i], circles[j], circles[k])) {
+    const auto disc = predicates.vertex({i, j, k}, discs[vertex], unit);
+    if (!isInPlace(diagram.vertices[vertex], disc, unit, circles[i], circles[j], circles[k])) {
       return static_cast<std::int32_t>(vertex);
     }
   }
@@ -139,7 +142,8 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
   const auto count = static_cast<int>(visible.circles.size());
   const Topology topology = topologyOf(diagram, visible.sites);
   if (count < 2 && topology.hull.size() != visible.circles.size()) return {Flaw::eulerCount, kNone, kNone, kNone, {}};
-  auto dual = dualOf(topology, count);
+  Links links;
+  auto dual = dualOf(topology, count, &links);
   if (const auto* misfit = std::get_if<Misfit>(&dual)) {
     return {misfit->flaw,
             misfit->circle == kNone ? CircleIndex() : visible.indices[misfit->circle],
@@ -148,14 +152,14 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
             {}};
   }
   Predicates predicates(visible.circles);
-  Certificate certificate =
-      certificateOf(judge(visible.circles, std::get<Dual>(dual), predicates), std::get<Dual>(dual), topology);
+  const Verdict verdict = judge(visible.circles, std::get<Dual>(dual), predicates);
+  Certificate certificate = certificateOf(verdict, std::get<Dual>(dual), topology);
   if (certificate.circle != kNone) certificate.circle = visible.indices[certificate.circle];
   if (certificate.certified()) {
-    certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit);
+    certificate.vertex = misplacedVertex(diagram, topology, visible.circles, unit, predicates, verdict.proof.discs);
     if (certificate.vertex != kNone) certificate.flaw = Flaw::vertexMisplaced;
   }
-  return certificate.certified() ? judgeSides(diagram) : certificate;
+  return certificate.certified() ? judgeSides(diagram, links, visible) : certificate;
 }
 
 }  // namespace

@@ -13,17 +13,20 @@ inline int fromLarger(const Dual& dual, int h, const Predicates& predicates) {
 }
 
 /// How the discs at the ends of a bounded edge lie along its bisector: 1 in order, 0 the same, -1 out of order. That
-/// they are not out of order is what makes an edge right, for the judge and for those who build.
+/// they are not out of order is what makes an edge right, for the judge and for those who build. `Discs` gives the disc
+/// of a face by its number.
 ///
-/// Around the origin of half-edge h, counter-clockwise, the face on its right comes before the face on its left:
-/// `before` and `after` are the directions to their discs from there, and h is `fromLarger`. In order, the turn between
-/// them is less than half a turn.
-inline int orderOfEnds(const Dual& dual, int h, const Direction& before, const Direction& after,
-                       Predicates& predicates) {
-  const int sign = predicates.filteredCross(before, after);
-  if (sign != 0) return sign;
-  const int t = dual.twin[h];
-  return predicates.exactEdgeOrder(dual.origin[h], dual.origin[t], dual.origin[Dual::previous(h)],
+/// Seen from the larger circle, counter-clockwise, the face on the right of its half-edge comes before the face on the
+/// left. In order, the turn between the directions to their discs is less than half a turn.
+template <class Discs>
+int orderOfEnds(const Dual& dual, int h, const Discs& discs, Predicates& predicates) {
+  const int larger = fromLarger(dual, h, predicates);
+  const int t = dual.twin[larger];
+  const int from = dual.origin[larger];
+  const Direction before = predicates.direction(from, discs[t / 3]);
+  const Direction after = predicates.direction(from, discs[larger / 3]);
+  if (const int sign = predicates.filteredCross(before, after); sign != 0) return sign;
+  return predicates.exactEdgeOrder(from, dual.origin[t], dual.origin[Dual::previous(larger)],
                                    dual.origin[Dual::previous(t)]);
 }
 

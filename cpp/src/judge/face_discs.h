@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/certificate.h"
@@ -17,10 +19,13 @@ namespace circle_voronoi {
 class FaceDiscs {
  public:
   /// What is given must outlive this.
-  FaceDiscs(std::span<const Circle> circles, const Dual& dual, Predicates& predicates)
-      : circles_(circles), dual_(dual), predicates_(predicates) {
-    discs_.reserve(dual.faceCount());
-    for (int face = 0; face < dual.faceCount(); ++face) discs_.push_back(predicates.disc(cornersOf(dual, 3 * face)));
+  FaceDiscs(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Threads threads = Threads())
+      : circles_(circles), dual_(dual), predicates_(predicates), discs_(dual.faceCount()) {
+    predicates.forRanges(threads, discs_.size(), [&](std::size_t begin, std::size_t end, std::size_t, Predicates& own) {
+      for (std::size_t face = begin; face < end; ++face) {
+        discs_[face] = own.disc(cornersOf(dual, 3 * static_cast<int>(face)));
+      }
+    });
   }
 
   std::span<const Circle> circles() const { return circles_; }
@@ -49,19 +54,40 @@ class FaceDiscs {
 
   const FaceDisc& operator[](int face) const { return discs_[face]; }
 
+  std::vector<FaceDisc> take() { return std::move(discs_); }
+
   /// The direction from the origin of a half-edge to the disc of its face.
   Vector direction(int h) const {
     const auto [x, y, error] = predicates_.direction(dual_.origin[h], discs_[h / 3]);
     return {x, y};
   }
 
+  /// Whether a ray from the center of the origin of a half-edge goes through its sector, between the rays to the discs
+  /// beside it; not if rounding hides whether there is next to nothing between these, or next to all.
+  bool spans(int h, Vector ray) const {
+    const int right = dual_.twin[h] / 3;
+    const Direction before = predicates_.direction(dual_.origin[h], discs_[right]);
+    const Direction after = predicates_.direction(dual_.origin[h], discs_[h / 3]);
+    const Vector u = {before.x, before.y};
+    const Vector v = {after.x, after.y};
+    const int turn = crossOf(before, after).sign();
+    if (turn == 0 && dot(u, v) >= 0) return false;
+    const bool isAfter = cross(u, ray) >= 0;
+    const bool isBefore = cross(ray, v) >= 0;
+    return turn < 0 ? isAfter || isBefore : isAfter && isBefore;
+  }
+
   /// Whether a face has a disc.
   bool exists(int face) const { return discs_[face].exists; }
 
   /// What the discs beside an edge show to be wrong: vertexWithoutDisc, edgeOutOfOrder, or hullNotClosed for an edge to
-  /// infinity whose circle lies strictly within the tangent line of its neighbours on the hull. An edge without a flaw
+  /// infinity whose circle lies strictly within the tangent line of its neighbors on the hull. An edge without a flaw
   /// need not be one of the right dual: only all of them together prove it (judge.h).
-  Flaw flawOf(int h) const {
+  Flaw flawOf(int h) const { return flawOf(h, predicates_); }
+
+  /// The same by other predicates on the same circles. Sets `order`, if given, to the order of the ends of a bounded
+  /// edge.
+  Flaw flawOf(int h, Predicates& predicates, std::int8_t* order = nullptr) const {
     const int t = dual_.twin[h];
     if (!exists(h / 3) || !exists(t / 3)) return Flaw::vertexWithoutDisc;
     const int a = dual_.origin[h];
@@ -69,29 +95,26 @@ class FaceDiscs {
     const int c = dual_.origin[Dual::previous(h)];
     const int d = dual_.origin[Dual::previous(t)];
     // Counter-clockwise the hull goes d, a, c or c, b, d.
-    if (b == kPointAtInfinity) return flawAtInfinity(d, h, c);
-    if (a == kPointAtInfinity) return flawAtInfinity(c, t, d);
+    if (b == kPointAtInfinity) return flawAtInfinity(d, h, c, predicates);
+    if (a == kPointAtInfinity) return flawAtInfinity(c, t, d, predicates);
     if (c == kPointAtInfinity || d == kPointAtInfinity) return Flaw::none;
-    const int larger = fromLarger(dual_, h, predicates_);
-    const int smaller = larger == h ? t : h;
-    const int from = dual_.origin[larger];
-    const auto toDisc = [&](int face) { return predicates_.direction(from, discs_[face]); };
-    const int order = orderOfEnds(dual_, larger, toDisc(smaller / 3), toDisc(larger / 3), predicates_);
-    return order >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
+    const int found = orderOfEnds(dual_, h, discs_, predicates);
+    if (order != nullptr) *order = static_cast<std::int8_t>(found);
+    return found >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
   }
 
  private:
-  /// Of the edge h from a circle to infinity, between its neighbours on the hull. Where one of these comes to the right
+  /// Of the edge h from a circle to infinity, between its neighbors on the hull. Where one of these comes to the right
   /// hull again between the circle and the other, the circle may lie within their tangent line, but then its own
   /// tangent lines are in order.
-  Flaw flawAtInfinity(int before, int h, int after) const {
+  Flaw flawAtInfinity(int before, int h, int after, Predicates& predicates) const {
     const int circle = dual_.origin[h];
-    if (before == after || predicates_.tangentSide(after, before, circle) >= 0) return Flaw::none;
+    if (before == after || predicates.tangentSide(after, before, circle) >= 0) return Flaw::none;
     const int right = Dual::next(dual_.twin[h]);
-    const int filtered = predicates_.filteredCross(predicates_.direction(circle, discs_[right / 3]),
-                                                   predicates_.direction(circle, discs_[h / 3]));
+    const int filtered = predicates.filteredCross(predicates.direction(circle, discs_[right / 3]),
+                                                  predicates.direction(circle, discs_[h / 3]));
     const int turn =
-        filtered != 0 ? filtered : predicates_.exactCross(circle, cornersOf(dual_, right), cornersOf(dual_, h));
+        filtered != 0 ? filtered : predicates.exactCross(circle, cornersOf(dual_, right), cornersOf(dual_, h));
     return turn < 0 ? Flaw::hullNotClosed : Flaw::none;
   }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "judge.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "edge_turns.h"
 #include "prefetch.h"
 
 namespace circle_voronoi {
@@ -14,113 +18,157 @@ namespace {
 
 class Judge {
  public:
-  Judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates)
-      : circles_(circles), dual_(dual), predicates_(predicates), circleCount_(static_cast<int>(circles.size())) {}
+  Judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Proof proof, Threads threads)
+      : circles_(circles),
+        dual_(dual),
+        predicates_(predicates),
+        threads_(threads),
+        circleCount_(static_cast<int>(circles.size())),
+        hasDiscs_(!proof.discs.empty()),
+        proof_(std::move(proof)) {}
 
-  Verdict run() {
+  Verdict run() && {
     if (Verdict verdict = checkAdjacency(); !verdict.isRight()) return verdict;
     if (circleCount_ < 2) return {};
     if (Verdict verdict = checkFaces(); !verdict.isRight()) return verdict;
     Verdict verdict = checkWindings();
-    if (verdict.isRight()) verdict.ties = std::move(ties_);
+    if (verdict.isRight()) {
+      verdict.ties = std::move(ties_);
+      proof_.orders = {};
+      verdict.proof = std::move(proof_);
+    }
     return verdict;
   }
 
-  // For turnsOf.
-  Direction toDisc(int corner) const { return {toDisc_[corner].x, toDisc_[corner].y, error_[corner / 3]}; }
-  bool isLower(int corner) const { return isLower_[corner] != 0; }
-
  private:
-  Predicates::Triple triple(int face) const {
-    return {dual_.origin[3 * face], dual_.origin[3 * face + 1], dual_.origin[3 * face + 2]};
-  }
+  /// What some of the faces show.
+  struct Findings {
+    Verdict verdict;
+    std::size_t check = std::numeric_limits<std::size_t>::max();  ///< at which the verdict was found: four a face
+    int hullTurns = 0;
+    std::vector<int> ties;
+    std::vector<int> across;  ///< half-edges of these faces whose twins are in a range before
+  };
+  using FaceProver = Prover<std::vector<FaceDisc>>;
 
   static bool isFinite(int corner) { return corner != kPointAtInfinity; }
 
   Verdict checkAdjacency() const {
     const int faceCount = circleCount_ < 2 ? 0 : 2 * circleCount_ - 2;
     if (dual_.faceCount() != faceCount) return {Flaw::eulerCount};
-    for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
-      const int t = dual_.twin[h];
-      if (t < 0 || t >= dual_.halfEdgeCount() || dual_.twin[t] != h || t / 3 == h / 3 ||
-          dual_.origin[t] != dual_.target(h) || dual_.target(t) != dual_.origin[h]) {
-        return {Flaw::adjacency, kNone, h / 3, h};
-      }
-      if (dual_.origin[h] == dual_.target(h)) return {Flaw::badIndex, kNone, h / 3, h};
-    }
-    return {};
+    const std::size_t found =
+        threads_.firstWhere(dual_.origin.size(), [&](std::size_t h) { return !dual_.fits(static_cast<int>(h)); });
+    if (found == dual_.origin.size()) return {};
+    const auto h = static_cast<int>(found);
+    return {dual_.origin[h] == dual_.target(h) ? Flaw::badIndex : Flaw::adjacency, kNone, h / 3, h};
   }
 
-  /// The disc of each face, and each edge once both its faces have one.
+  /// The disc of each face, and each edge once both its faces have one: in the order of the faces, so that the verdict
+  /// is about the first that is wrong.
   Verdict checkFaces() {
-    toDisc_.resize(dual_.halfEdgeCount());
-    isLower_.resize(dual_.halfEdgeCount());
-    error_.resize(dual_.faceCount());
-    windings_.resize(circleCount_);
-    for (int face = 0; face < dual_.faceCount(); ++face) {
-      prefetchCircles(face + static_cast<int>(kPrefetchAhead));
-      if (Verdict verdict = checkVisibility(face); !verdict.isRight()) return verdict;
-      if (!findDisc(face)) return {Flaw::vertexWithoutDisc, kNone, face};
-      for (int t = 3 * face; t < 3 * face + 3; ++t) {
-        const int h = dual_.twin[t];
-        if (h < t && !checkEdge(h)) return {Flaw::edgeOutOfOrder, kNone, h / 3, h};
+    proof_.halfEdges.resize(dual_.origin.size());
+    proof_.discs.resize(dual_.origin.size() / 3);
+    windings_ = std::vector<std::atomic<int>>(static_cast<std::size_t>(circleCount_));
+    const std::size_t faceCount = proof_.discs.size();
+    std::vector<Findings> findings(threads_.rangesOf(faceCount));
+    predicates_.forRanges(
+        threads_, faceCount, [&](std::size_t begin, std::size_t end, std::size_t range, Predicates& own) {
+          FaceProver prover = proverBy(own);
+          for (std::size_t face = begin; face < end && findings[range].verdict.isRight(); ++face) {
+            prefetchCircles(face + kPrefetchAhead);
+            checkFace(static_cast<int>(face), static_cast<int>(3 * begin), own, prover, findings[range]);
+          }
+        });
+    // The first flaw, and then the edges between ranges before it.
+    const auto first = std::min_element(findings.begin(), findings.end(),
+                                        [](const Findings& a, const Findings& b) { return a.check < b.check; });
+    Findings all;
+    all.verdict = first->verdict;
+    all.check = first->check;
+    FaceProver prover = proverBy(predicates_);
+    for (const Findings& part : findings) {
+      for (const int t : part.across) checkEdge(t, prover, all);
+      all.hullTurns += part.hullTurns;
+      all.ties.insert(all.ties.end(), part.ties.begin(), part.ties.end());
+    }
+    hullWinding_ = all.hullTurns;
+    ties_ = std::move(all.ties);
+    // In the order of the faces beyond them.
+    if (findings.size() > 1) {
+      std::sort(ties_.begin(), ties_.end(), [&](int g, int h) { return dual_.twin[g] < dual_.twin[h]; });
+    }
+    return all.verdict;
+  }
+
+  FaceProver proverBy(Predicates& predicates) { return {dual_, circles_, predicates, proof_.discs, proof_.halfEdges}; }
+
+  void checkFace(int face, int firstHalfEdge, Predicates& predicates, FaceProver& prover, Findings& found) {
+    const int hidden = hiddenCorner(face, predicates);
+    if (!hasDiscs_ && hidden == kNone) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
+    if (hidden != kNone || !prover.proveFace(face)) {
+      found.check = 4 * static_cast<std::size_t>(face);
+      found.verdict =
+          hidden != kNone ? Verdict{Flaw::cellNotClosed, hidden} : Verdict{Flaw::vertexWithoutDisc, kNone, face};
+      return;
+    }
+    for (int t = 3 * face; t < 3 * face + 3; ++t) {
+      const int h = dual_.twin[t];
+      if (h > t) continue;
+      if (h < firstHalfEdge) {
+        found.across.push_back(t);
+      } else {
+        checkEdge(t, prover, found);
       }
     }
-    return {};
   }
 
   /// A diagram from outside has its circles in any order. Inlined, as a compiler may take a function that only does
   /// this for idle.
-  [[gnu::always_inline]] void prefetchCircles(int face) const {
-    if (face >= dual_.faceCount()) return;
-    for (const int i : triple(face)) {
+  [[gnu::always_inline]] void prefetchCircles(std::size_t face) const {
+    if (face >= proof_.discs.size()) return;
+    for (const int i : cornersOf(dual_, static_cast<int>(3 * face))) {
       if (isFinite(i)) prefetch(circles_, i);
     }
   }
 
-  /// No corner of a face hides another. Each edge is looked at once, before the first of its faces gets its disc.
-  Verdict checkVisibility(int face) {
+  /// A corner of a face that another hides, or kNone. Each edge is looked at once, before the first of its faces gets
+  /// its disc.
+  int hiddenCorner(int face, Predicates& predicates) const {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       if (dual_.twin[h] < h) continue;
       const int a = dual_.origin[h];
       const int b = dual_.target(h);
-      if (a == kPointAtInfinity || b == kPointAtInfinity) continue;
+      if (!isFinite(a) || !isFinite(b)) continue;
       const Circle& one = circles_[a];
       const Circle& other = circles_[b];
       if (isLonger(between(one, other), std::abs(one.r - other.r))) continue;
-      if (predicates_.contains(one, other)) return {Flaw::cellNotClosed, b};
-      if (predicates_.contains(other, one)) return {Flaw::cellNotClosed, a};
+      if (predicates.contains(one, other)) return b;
+      if (predicates.contains(other, one)) return a;
     }
-    return {};
+    return kNone;
   }
 
-  bool findDisc(int face) {
-    const Predicates::Triple corners = triple(face);
-    const FaceDisc disc = predicates_.disc(corners);
-    error_[face] = disc.error;
-    for (int i = 0; i < 3 && disc.exists; ++i) {
-      if (corners[i] == kPointAtInfinity) continue;
-      const Direction toDisc = predicates_.direction(corners[i], disc);
-      toDisc_[3 * face + i] = {toDisc.x, toDisc.y};
-      isLower_[3 * face + i] = predicates_.isLower(corners[i], corners, toDisc);
+  /// Whether the ends of an edge, given by its second half, are in order, and how often the two regions beside it pass
+  /// the axis along it. What comes after the first that is wrong is not looked at.
+  void checkEdge(int t, FaceProver& prover, Findings& found) {
+    const std::size_t check = 4 * static_cast<std::size_t>(t / 3) + 1 + static_cast<std::size_t>(t % 3);
+    if (check > found.check) return;
+    const int h = dual_.twin[t];
+    const int order = prover.proveEdge(h, proof_.orders.empty() ? kUnknownOrder : proof_.orders[h]);
+    if (order < 0) {
+      found.verdict = {Flaw::edgeOutOfOrder, kNone, h / 3, h};
+      found.check = check;
+      return;
     }
-    return disc.exists;
+    if (order == 0) found.ties.push_back(h);
+    noteTurn(h, found);
+    noteTurn(t, found);
   }
 
-  /// Whether the ends of an edge are in order; notes how often the two regions beside it pass the axis along it.
-  bool checkEdge(int h) {
-    const EdgeTurns turns = turnsOf(*this, dual_, circles_, predicates_, h);
-    if (turns.endOrder < 0) return false;
-    if (turns.endOrder == 0) ties_.push_back(h);
-    noteTurn(dual_.origin[h], dual_.target(h), turns.passesAtOrigin);
-    noteTurn(dual_.target(h), dual_.origin[h], turns.passesAtTarget);
-    return true;
-  }
-
-  void noteTurn(int around, int neighbor, bool passes) {
-    if (!isFinite(around)) return;
-    windings_[around] += passes;
-    if (!isFinite(neighbor)) hullWinding_ += passes;
+  void noteTurn(int h, Findings& found) {
+    if (!proof_.halfEdges[h].passes) return;
+    windings_[dual_.origin[h]].fetch_add(1, std::memory_order_relaxed);
+    if (!isFinite(dual_.target(h))) ++found.hullTurns;
   }
 
   /// One full turn of every region, and of the hull.
@@ -135,19 +183,34 @@ class Judge {
   std::span<const Circle> circles_;
   const Dual& dual_;
   Predicates& predicates_;
+  Threads threads_;
   int circleCount_;
-  std::vector<Vector> toDisc_;         ///< of each half-edge: from its origin to the disc of its face, of any length
-  std::vector<double> error_;          ///< of each face: of the components of the three directions to its disc
-  std::vector<std::uint8_t> isLower_;  ///< of each half-edge: whether that direction lies in the lower half
-  std::vector<int> windings_;          ///< of each circle: how often its region passes the axis
+  bool hasDiscs_;  ///< whether the discs were given
+  Proof proof_;
+  std::vector<std::atomic<int>> windings_;  ///< of each circle: how often its region passes the axis
   int hullWinding_ = 0;
   std::vector<int> ties_;
 };
 
+#ifdef CIRCLE_VORONOI_CHECK_PROOFS
+/// Ends a program whose judge comes to another verdict, or another proof, if it rests on nothing.
+void checkAgainst(const Verdict& verdict, const Verdict& own) {
+  const auto place = [](const Verdict& v) { return std::tuple(v.flaw, v.circle, v.face, v.halfEdge); };
+  const bool isSame = place(verdict) == place(own) && verdict.ties == own.ties &&
+                      verdict.proof.discs == own.proof.discs && verdict.proof.halfEdges == own.proof.halfEdges;
+  if (!isSame) std::abort();
+}
+#endif
+
 }  // namespace
 
-Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates) {
-  return Judge(circles, dual, predicates).run();
+Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Proof proof, Threads threads) {
+  Verdict verdict = Judge(circles, dual, predicates, std::move(proof), threads).run();
+#ifdef CIRCLE_VORONOI_CHECK_PROOFS
+  Predicates own(circles);
+  checkAgainst(verdict, Judge(circles, dual, own, {}, threads).run());
+#endif
+  return verdict;
 }
 
 Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <limits>
-
 #include "arithmetic.h"
+#include "infinity.h"
 
 namespace circle_voronoi {
 
@@ -21,7 +20,7 @@ inline constexpr int kLargestScaling = 1000;
 inline constexpr double kUnderflowError = 0x1p-500;
 
 /// The error of what was not computed.
-inline constexpr double kUnknownError = std::numeric_limits<double>::infinity();
+inline constexpr double kUnknownError = kInfinite;
 
 /// A value in floating point and how far it may be from the exact one, short of an error that is relative to the value
 /// itself and so does not change its sign.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seen from a circle o, a disc that touches o at distance rho from its centre c_o in the direction of the unit vector e
+// Seen from a circle o, a disc that touches o at distance rho from its center c_o in the direction of the unit vector e
 // touches circle u as well if and only if, with U = (x, y, s) = (c_u - c_o, r_u - r_o) and g_u = x^2 + y^2 - s^2,
 //   (x, y) . e + s = g_u / (2 rho).
 // So inversion about o, which takes u to the circle W_u = U / g_u, takes touching discs to tangent lines with the
@@ -277,10 +277,6 @@ Floating sumOf(const P& p, const Q& q, const Floating& root, const Norm& norm, c
   return norm.sign() == 0 ? Floating(0, 0) : size * floating(norm) / (a + -b);
 }
 
-const Circle& smallestOf(const Face& face) {
-  return **std::min_element(face.begin(), face.end(), [](auto* a, auto* b) { return a->r < b->r; });
-}
-
 /// The tangent line that is the inverse of a disc, seen from circle o in units of two to the power of the exponent: its
 /// normal e and its offset t times |D|^2, and that. From o, the center of the disc is e rho, with rho = 1 / (2 t).
 struct PlacedDisc {
@@ -314,7 +310,7 @@ bool hasDisc(const Face& face) {
 }
 
 std::optional<Vertex> disc(const Face& face, double unit) {
-  const Circle& o = smallestOf(face);
+  const Circle& o = *smallestOf(face);
   const auto [x, y, offset, size, exponent] = placedDisc(face, o);
   if (!offset.isPositive()) return std::nullopt;
   const int scaling = exponent - 1 + std::ilogb(unit);
@@ -325,7 +321,7 @@ std::optional<Vertex> disc(const Face& face, double unit) {
 }
 
 std::optional<DiscPoint> discPoint(const Face& face) {
-  const auto [x, y, offset, size, exponent] = placedDisc(face, smallestOf(face));
+  const auto [x, y, offset, size, exponent] = placedDisc(face, *smallestOf(face));
   const DiscPoint point = {{(x / size).times(0), (y / size).times(0)}, (offset / size).times(1 - exponent)};
   if (!offset.isPositive() || !std::isfinite(point.w)) return std::nullopt;
   return point;

@@ -26,6 +26,12 @@ inline std::array<const Circle*, 2> othersOf(const Face& face, const Circle* fro
   return {face[(at + 1) % 3], face[(at + 2) % 3]};
 }
 
+/// The smallest circle of a face without the point at infinity, the first of those that are as small.
+inline const Circle* smallestOf(const Face& face) {
+  const Circle* smallest = face[0]->r <= face[1]->r ? face[0] : face[1];
+  return face[2]->r < smallest->r ? face[2] : smallest;
+}
+
 /// A direction that no drawing is likely to be aligned with: its ties are rare.
 inline constexpr int kAxisX = 1009;
 inline constexpr int kAxisY = 613;
@@ -34,7 +40,7 @@ inline constexpr int kAxisY = 613;
 bool hasDisc(const Face& face);
 
 /// The disc of a face without the point at infinity, times `unit`, a power of two. Each number is right to 48 bits of
-/// itself, or of the distance from the smallest circle's centre to the disc's where it cancels against that circle's.
+/// itself, or of the distance from the smallest circle's center to the disc's where it cancels against that circle's.
 /// None if the face has no disc or a number is beyond the doubles.
 std::optional<Vertex> disc(const Face& face, double unit = 1);
 
@@ -49,7 +55,7 @@ struct DiscPoint {
 /// itself. None if the face has no disc or w is beyond the doubles.
 std::optional<DiscPoint> discPoint(const Face& face);
 
-/// Signs of the direction from circle `from`, a corner of the face, to the centre of its disc: along the axis (0) or
+/// Signs of the direction from circle `from`, a corner of the face, to the center of its disc: along the axis (0) or
 /// along the axis turned by +90 degrees (1). At infinity: of the normal of the tangent line.
 /// Precondition: hasDisc(face).
 int directionSign(const Face& face, const Circle& from, int axis);

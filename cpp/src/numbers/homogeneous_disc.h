@@ -50,7 +50,7 @@ inline Difference scaledIfShort(const Difference& u) {
 }
 
 /// The homogeneous point (x, y : w), w >= 0, relative to a circle o of the face: seen from any circle c of the face,
-/// the direction to the centre of the disc is (x, y) + w (o - c), each component within `error`. `rho` is w times the
+/// the direction to the center of the disc is (x, y) + w (o - c), each component within `error`. `rho` is w times the
 /// distance from o, within `error` too when the distance from another circle of the face is derived from it.
 struct HomogeneousDisc {
   double x = 0, y = 0, w = 0, rho = 0;
@@ -78,14 +78,29 @@ inline HomogeneousDisc discAtInfinity(const Circle& a, const Circle& b) {
 }
 
 /// The disc of three circles counter-clockwise, relative to one of them: the `corner` opposite the longest side, from
-/// which both differences are short.
+/// which both differences are short. Of corners that are as good it is the one whose center is least by x and then y:
+/// so the disc has the same bits whichever circle comes first.
 struct CornerDisc {
   HomogeneousDisc disc;
   int corner = 0;
 };
 
+/// Whether the center that a difference starts from comes before the other, by x and then y.
+inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d.y > 0); }
+
+/// The corner opposite the longest of three sides of the lengths given, where two or three of these are equal.
+[[gnu::noinline]] inline int cornerOfTie(const Difference& d01, const Difference& d12, const Difference& d20,
+                                         double size01, double size12, double size20) {
+  const double longest = std::max({size01, size12, size20});
+  const bool may0 = size12 == longest;
+  const bool may1 = size20 == longest;
+  const bool may2 = size01 == longest;
+  if (may0 && (!may1 || startsBefore(d01)) && (!may2 || !startsBefore(d20))) return 0;
+  return may1 && (!may0 || !startsBefore(d01)) && (!may2 || startsBefore(d12)) ? 1 : 2;
+}
+
 /// Let A and B be the differences from the corner o, C = B - A, <.,.> the cone product, ' negate the third component,
-/// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The centre, with
+/// g11 = <A,A>, g22 = <B,B>, g33 = <C,C>, g12 = <A,B>, N = A x B, k = <N,N>, S = sqrt(g11 g22 g33). The center, with
 /// its distance from that of o as the third component, solves <A',X> = g11 / 2, <B',X> = g22 / 2, <X,X> = 0. Of the two
 /// solutions that of the counter-clockwise disc is
 ///   -sign(k) (g22 (g11 - g12) A' + g11 (g22 - g12) B' + N S) / w,  w = 2 |k|.
@@ -108,6 +123,9 @@ inline CornerDisc discOfSides(const Difference& d01, const Difference& d12, cons
   const double size20 = sizeSquared(d20);
   CornerDisc result;
   result.corner = size12 >= size01 ? (size12 >= size20 ? 0 : 1) : (size20 >= size01 ? 1 : 2);
+  if (size01 == size12 || size12 == size20 || size20 == size01) {
+    result.corner = cornerOfTie(d01, d12, d20, size01, size12, size20);
+  }
   const auto& [a, minusB, c, aa, bb, cc] = result.corner == 0   ? std::tie(d01, d20, d12, size01, size20, size12)
                                            : result.corner == 1 ? std::tie(d12, d01, d20, size12, size01, size20)
                                                                 : std::tie(d20, d12, d01, size20, size12, size01);
@@ -189,7 +207,7 @@ inline Estimate heightOf(const Direction& f) {
   return {exact::kAxisX * f.y - exact::kAxisY * f.x, 1640 * error};
 }
 
-/// How far a circle of a face, no larger than its corner, is from the disc's centre, times w.
+/// How far a circle of a face, no larger than its corner, is from the disc's center, times w.
 inline Estimate distanceOf(const Circle& circle, const HomogeneousDisc& disc, const Circle& corner) {
   return {disc.rho + disc.w * (circle.r - corner.r), disc.error};
 }

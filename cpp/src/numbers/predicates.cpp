@@ -9,6 +9,7 @@
 #include "homogeneous_disc.h"
 #include "in_circle.h"
 #include "refined.h"
+#include "three_touch_disc.h"
 
 namespace circle_voronoi {
 namespace {
@@ -25,9 +26,7 @@ exact::Face facing(std::span<const Circle> circles, const Triple& face) {
 
 /// Of the distance of a disc from the smallest circle of its face.
 int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
-  const Circle* smallest = face[0]->r <= face[1]->r ? face[0] : face[1];
-  if (face[2]->r < smallest->r) smallest = face[2];
-  return distanceOf(*smallest, placed.disc, *face[placed.corner]).sign();
+  return distanceOf(*exact::smallestOf(face), placed.disc, *face[placed.corner]).sign();
 }
 
 /// Of circles one of which nearly contains the other: rare, so not inlined.
@@ -41,13 +40,12 @@ int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
 CornerDisc exactDisc(const exact::Face& face) {
   const auto point = exact::discPoint(face);
   if (!point) return {};
-  const auto isSmaller = [](const Circle* a, const Circle* b) { return a->r < b->r; };
-  const auto corner = std::min_element(face.begin(), face.end(), isSmaller) - face.begin();
-  const Circle& o = *face[static_cast<std::size_t>(corner)];
+  const Circle& o = *exact::smallestOf(face);
   double farthest = 0;
   for (const Circle* c : face) farthest = std::max({farthest, std::abs(c->x - o.x), std::abs(c->y - o.y)});
   // Seen from another circle, w times the difference of the centers is added.
   const double error = 0x1p-45 * (1 + point->w * farthest);
+  const auto corner = std::find(face.begin(), face.end(), &o) - face.begin();
   return {{point->v.x, point->v.y, point->w, 1, error}, static_cast<int>(corner)};
 }
 
@@ -64,7 +62,7 @@ FaceDisc Predicates::disc(const Triple& face) {
   const CornerDisc placed = discOf(*circles[0], *circles[1], *circles[2]);
   if (const int sign = filteredExistence(circles, placed); sign != 0 && !mayBeOfShortSides(placed.disc)) {
     ++counts_.filtered;
-    return faceDisc(circles, placed, sign > 0);
+    return faceDisc(circles, placed, sign > 0, true);
   }
   return rareDisc(circles, placed);
 }
@@ -86,9 +84,20 @@ FaceDisc Predicates::rareDisc(const exact::Face& circles, const CornerDisc& plac
   return faceDisc(circles, refined.disc.error < kUnknownError ? refined : exactDisc(circles), true);
 }
 
-FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists) const {
+FaceDisc Predicates::faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists, bool isFiltered) const {
   const HomogeneousDisc& disc = placed.disc;
-  return {{disc.x, disc.y}, disc.w, disc.error, static_cast<int>(face[placed.corner] - circles_.data()), exists};
+  const auto origin = static_cast<int>(face[placed.corner] - circles_.data());
+  return {{disc.x, disc.y}, disc.w, disc.rho, disc.error, origin, exists, isFiltered};
+}
+
+std::optional<Vertex> Predicates::vertex(const Triple& face, const FaceDisc& disc, double unit) const {
+  const auto& [i, j, k] = face;
+  if (disc.isFiltered) {
+    const int corner = disc.origin == i ? 0 : disc.origin == j ? 1 : 2;
+    const CornerDisc placed = {{disc.v.x, disc.v.y, disc.w, disc.rho, disc.error}, corner};
+    if (const auto vertex = vertexAt(placed, {&circles_[i], &circles_[j], &circles_[k]}, unit)) return vertex;
+  }
+  return vertexOf(circles_[i], circles_[j], circles_[k], unit);
 }
 
 int Predicates::exactCross(int from, const Triple& first, const Triple& second) {
@@ -111,7 +120,7 @@ int Predicates::exactEdgeOrder(int a, int b, int c, int d) {
   const double r = circles_[a].r;
   if (circles_[b].r == r && circles_[c].r == r && circles_[d].r == r) {
     ++counts_.inCircle;
-    return -inCircle(centre(a), centre(b), centre(c), centre(d));
+    return -inCircle(center(a), center(b), center(c), center(d));
   }
   return exactCross(a, {b, a, d}, {a, b, c});
 }

@@ -3,13 +3,18 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
+#include "circle_voronoi/vertex.h"
 #include "exact.h"
 #include "homogeneous_disc.h"
 #include "infinity.h"
+#include "threads.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -18,7 +23,7 @@ namespace circle_voronoi {
 struct FilterCounts {
   std::int64_t filtered = 0;  ///< floating point with an error bound
   std::int64_t refined = 0;   ///< the same with twice the digits (refined.h)
-  std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centres (equal radii)
+  std::int64_t inCircle = 0;  ///< exact, reduced to the in-circle test of the centers (equal radii)
   std::int64_t exact = 0;     ///< exact, in integers
 
   FilterCounts& operator+=(const FilterCounts& other) {
@@ -31,14 +36,22 @@ struct FilterCounts {
 };
 
 /// The disc of a face of the dual, or its tangent line, with an error bound: the homogeneous point (v : w), w >= 0,
-/// relative to the centre of circle `origin`. Seen from any circle c of the face, the direction to the centre of the
+/// relative to the center of circle `origin`. Seen from any circle c of the face, the direction to the center of the
 /// disc is v + w (origin - c); each component is right within `error`.
 struct FaceDisc {
   Vector v;
   double w = 0;
+  double rho = 0;  ///< of circles: w times the distance of the disc's center from that of circle `origin`
   double error = 0;
   int origin = kPointAtInfinity;
   bool exists = false;
+  /// Whether double arithmetic alone decided on it: then these are the numbers that vertexOf looks at first.
+  bool isFiltered = false;
+
+  friend bool operator==(const FaceDisc& a, const FaceDisc& b) {
+    return a.v.x == b.v.x && a.v.y == b.v.y && a.w == b.w && a.rho == b.rho && a.error == b.error &&
+           a.origin == b.origin && a.exists == b.exists && a.isFiltered == b.isFiltered;
+  }
 };
 
 /// The signs that the construction and the certificate rest on. Each is exact: double arithmetic with a proven error
@@ -55,6 +68,9 @@ class Predicates {
 
   /// The disc of three circles counter-clockwise; one of them may be kPointAtInfinity.
   FaceDisc disc(const Triple& face);
+
+  /// The vertex of a face of circles that has this disc: that of vertexOf, bit for bit.
+  std::optional<Vertex> vertex(const Triple& face, const FaceDisc& disc, double unit) const;
 
   /// The direction to a disc from circle `from`, a corner of its face.
   Direction direction(int from, const FaceDisc& disc) const {
@@ -101,11 +117,24 @@ class Predicates {
 
   const FilterCounts& counts() const { return counts_; }
 
+  /// Calls function(begin, end, range, predicates) for ranges of the items (Threads::forRanges), each with predicates
+  /// of its own, and adds what they count.
+  template <class Function>
+  void forRanges(Threads threads, std::size_t items, Function function) {
+    std::vector<FilterCounts> counts(threads.rangesOf(items));
+    threads.forRanges(items, [&](std::size_t begin, std::size_t end, std::size_t range) {
+      Predicates own(circles_);
+      function(begin, end, range, own);
+      counts[range] = own.counts_;
+    });
+    for (const FilterCounts& of : counts) counts_ += of;
+  }
+
  private:
   [[gnu::noinline]] FaceDisc rareDisc(const exact::Face& circles, const CornerDisc& placed);
-  FaceDisc faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists) const;
+  FaceDisc faceDisc(const exact::Face& face, const CornerDisc& placed, bool exists, bool isFiltered = false) const;
   bool isLowerExactly(int from, const Triple& face);
-  Point centre(int i) const { return {circles_[i].x, circles_[i].y}; }
+  Point center(int i) const { return {circles_[i].x, circles_[i].y}; }
 
   std::span<const Circle> circles_;
   FilterCounts counts_;

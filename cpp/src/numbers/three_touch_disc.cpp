@@ -27,7 +27,15 @@ double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y -
 
 Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
 
-/// The center and the radius of a disc, if its error bound is small enough.
+std::optional<Vertex> vertexIn(const exact::Face& circles, double unit) {
+  const auto& [a, b, c] = circles;
+  if (const auto vertex = vertexAt(discOf(*a, *b, *c), circles, unit)) return vertex;
+  if (const auto vertex = vertexAt(refinedDiscOf(*a, *b, *c), circles, unit)) return vertex;
+  return exact::disc(circles, unit);
+}
+
+}  // namespace
+
 std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit) {
   const auto& [disc, corner] = placed;
   const Circle& o = *circles[corner];
@@ -37,15 +45,6 @@ std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circ
   if (!(disc.error <= 0x1p-36 * disc.w * side)) return std::nullopt;
   return Vertex{(o.x + disc.x / disc.w) * unit, (o.y + disc.y / disc.w) * unit, (disc.rho / disc.w - o.r) * unit};
 }
-
-std::optional<Vertex> vertexIn(const exact::Face& circles, double unit) {
-  const auto& [a, b, c] = circles;
-  if (const auto vertex = vertexAt(discOf(*a, *b, *c), circles, unit)) return vertex;
-  if (const auto vertex = vertexAt(refinedDiscOf(*a, *b, *c), circles, unit)) return vertex;
-  return exact::disc(circles, unit);
-}
-
-}  // namespace
 
 std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, const Circle& c) {
   const std::array<const Circle*, 3> circles = {&a, &b, &c};
@@ -78,15 +77,15 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
   const double root = std::sqrt(discriminant) / 2;
   // Both forms are the root (-qb - root) / qa; each is used where it does not cancel.
   const double t = qb > 0 ? (-qb - root) / qa : qc / (-qb + root);
-  const Vector centre = {base.x + t * n.x, base.y + t * n.y};
+  const Vector center = {base.x + t * n.x, base.y + t * n.y};
   const double rho = base.s + t * n.s;
   if (!(rho >= 0) || !std::isfinite(rho)) return std::nullopt;
 
   ThreeTouchDisc result;
-  result.disc = {o.x + centre.x, o.y + centre.y, rho - o.r};
-  result.toCentre[io] = centre;
-  result.toCentre[iu] = {centre.x - u.x, centre.y - u.y};
-  result.toCentre[iv] = {centre.x - v.x, centre.y - v.y};
+  result.disc = {o.x + center.x, o.y + center.y, rho - o.r};
+  result.toCenter[io] = center;
+  result.toCenter[iu] = {center.x - u.x, center.y - u.y};
+  result.toCenter[iv] = {center.x - v.x, center.y - v.y};
   return result;
 }
 

@@ -9,13 +9,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "circle_voronoi/index.h"
 #include "in_circle.h"
 #include "mix.h"
 #include "perturbed_circle.h"
+#include "threads.h"
 
 namespace circle_voronoi {
 namespace {
@@ -100,51 +103,92 @@ Cut cut(std::span<Site> sites) {
   return {count, pivot};
 }
 
+/// Where a part of the sites is cut in two; in one if all are equal.
+struct Division {
+  Axis axis;
+  std::size_t count;  ///< of the sites before the cut
+  Box before, after;
+};
+
+Division divide(std::span<Site> sites, const Box& box) {
+  const bool isWide = box.high.x - box.low.x > box.high.y - box.low.y;
+  Division division = {isWide ? Axis::x : Axis::y, 0, box, box};
+  const Cut at = isWide ? cut<Axis::x>(sites) : cut<Axis::y>(sites);
+  division.count = at.count;
+  (isWide ? division.before.high.x : division.before.high.y) = isWide ? at.at.x : at.at.y;
+  (isWide ? division.after.low.x : division.after.low.y) = isWide ? at.at.x : at.at.y;
+  return division;
+}
+
+struct HalfEdge {
+  int origin;  ///< index of a corner, or kPointAtInfinity
+  int twin;    ///< kNone: the face is not in use
+};
+
+/// A triangulation of some of the points, by its first and last corner along each axis.
+struct Part {
+  int left, right, bottom, top;
+};
+
+/// Memory for items that are set before they are read.
+template <class Item>
+std::unique_ptr<Item[]> roomFor(std::size_t count) {
+  return std::unique_ptr<Item[]>(new Item[count]);
+}
+
+/// A triangulation in the making. A part of n sites has the corners with the numbers of its sites, and 2 n - 2 faces in
+/// succession: those of its first half, those of its second half, and the two that join them. Equal sites leave some
+/// numbers free. So parts that have no site in common share no memory.
+struct Triangulation {
+  explicit Triangulation(std::size_t count)
+      : corners(roomFor<Point>(count)),
+        indices(roomFor<int>(count)),
+        toInfinity(roomFor<int>(count)),
+        halfEdges(roomFor<HalfEdge>(halfEdgeCount(count))),
+        representative(count) {}
+
+  static std::size_t faceCount(std::size_t siteCount) { return 2 * std::max(siteCount, std::size_t{1}) - 2; }
+  static std::size_t halfEdgeCount(std::size_t siteCount) { return 3 * faceCount(siteCount); }
+  std::size_t halfEdgeCount() const { return halfEdgeCount(representative.size()); }
+
+  std::unique_ptr<Point[]> corners;
+  std::unique_ptr<int[]> indices;     ///< of each corner, into the points
+  std::unique_ptr<int[]> toInfinity;  ///< of each first or last corner of a part: its half-edge to infinity, with the
+                                      ///< hull's side that begins there on the left; kNone if it is a part by itself
+  std::unique_ptr<HalfEdge[]> halfEdges;
+  std::vector<int> representative;  ///< of each point
+};
+
+/// Triangulates parts, one after the other.
 class Triangulator {
  public:
-  explicit Triangulator(std::span<const Point> points, Done progress = {})
-      : progress_(std::move(progress)), representative_(points.size()) {
-    if (points.empty()) return;
-    std::vector<Site> sites;
-    sites.reserve(points.size());
-    first_ = sites.data();
-    Box box = {points[0], points[0]};
-    for (const Point& p : points) {
-      sites.push_back({p, static_cast<int>(sites.size())});
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-    corners_.reserve(points.size());
-    indices_.reserve(points.size());
-    toInfinity_.reserve(points.size());
-    halfEdges_.reserve(6 * points.size());
-    build(sites, box);
-  }
+  /// What is given must outlive this.
+  Triangulator(Triangulation& triangulation, const Site* sites, Done progress = {})
+      : corners_(triangulation.corners.get()),
+        indices_(triangulation.indices.get()),
+        toInfinity_(triangulation.toInfinity.get()),
+        halfEdges_(triangulation.halfEdges.get()),
+        representative_(triangulation.representative),
+        first_(sites),
+        progress_(std::move(progress)) {}
 
-  Dual takeDual();
-  std::vector<std::array<int, 2>> edges(const Done& progress) const;
-  std::vector<int> takeRepresentative() { return std::move(representative_); }
+  /// Triangulates sites in a box, with the faces from the one given on.
+  Part build(std::span<Site> sites, const Box& box, int face);
+  /// The same of sites that are all equal.
+  Part addCorner(std::span<const Site> sites, int face);
+  /// Merges two parts, of which the one comes before the other along an axis, by two faces.
+  Part merge(Axis axis, const Part& a, const Part& b, int face);
+
   std::int64_t steps() const { return steps_; }
 
  private:
-  struct HalfEdge {
-    int origin;  ///< index into corners_, or kPointAtInfinity
-    int twin;
-  };
-
-  /// A triangulation of some of the points, by its first and last corner along each axis.
-  struct Part {
-    int left, right, bottom, top;
-  };
-
-  Part build(std::span<Site> sites, const Box& box);
+  Part buildFew(std::span<Site> sites, int face);
   template <Axis axis>
-  Part buildHalves(std::span<Site> sites, const Box& box);
-  Part buildFew(std::span<Site> sites);
-  Part addCorner(std::span<const Site> sites);
-  template <Axis axis>
-  Part merge(const Part& a, const Part& b);
-  void join(int left, int right);
+  Part mergeAlong(const Part& a, const Part& b, int face);
+  void join(int left, int right, int face);
+  void leaveFree(int from, int to) {
+    for (int h = 3 * from; h < 3 * to; ++h) halfEdges_[h] = {kPointAtInfinity, kNone};
+  }
 
   /// Tells, if there has been much to do since it was last told, that the sites before these are triangulated.
   void tell(std::span<const Site> sites) {
@@ -155,9 +199,11 @@ class Triangulator {
     }
   }
 
-  int addFace(int a, int b, int c) {
-    const int h = static_cast<int>(halfEdges_.size());
-    halfEdges_.insert(halfEdges_.end(), {{a, kNone}, {b, kNone}, {c, kNone}});
+  int setFace(int face, int a, int b, int c) {
+    const int h = 3 * face;
+    halfEdges_[h].origin = a;
+    halfEdges_[h + 1].origin = b;
+    halfEdges_[h + 2].origin = c;
     return h;
   }
   void link(int h, int t) {
@@ -207,80 +253,82 @@ class Triangulator {
 
   static constexpr std::int64_t kStepsPerReport = 1 << 20;
 
+  Point* corners_;
+  int* indices_;
+  int* toInfinity_;
+  HalfEdge* halfEdges_;
+  std::vector<int>& representative_;
+  const Site* first_;
   Done progress_;
-  const Site* first_ = nullptr;
   std::int64_t stepsToTell_ = kStepsPerReport;
-  std::vector<Point> corners_;   ///< the points without repetitions, those of each part in succession
-  std::vector<int> indices_;     ///< of each corner, into the points
-  std::vector<int> toInfinity_;  ///< of each first or last corner of a part: its half-edge to infinity, with the hull's
-                                 ///< side that begins there on the left; kNone if it is a part by itself
-  std::vector<HalfEdge> halfEdges_;
-  std::vector<int> representative_;
   std::int64_t steps_ = 0;
 };
 
-/// A corner for sites that are all equal.
-Triangulator::Part Triangulator::addCorner(std::span<const Site> sites) {
-  const int corner = static_cast<int>(corners_.size());
+Part Triangulator::addCorner(std::span<const Site> sites, int face) {
+  const auto corner = static_cast<int>(sites.data() - first_);
   int first = sites[0].index;
   for (const Site& site : sites) first = std::min(first, site.index);
   for (const Site& site : sites) representative_[site.index] = first;
-  corners_.push_back(sites[0].point);
-  indices_.push_back(first);
-  toInfinity_.push_back(kNone);
+  corners_[corner] = sites[0].point;
+  indices_[corner] = first;
+  toInfinity_[corner] = kNone;
+  leaveFree(face, face + 2 * static_cast<int>(sites.size()) - 2);
   return {corner, corner, corner, corner};
 }
 
 /// Adds the sites one by one.
-Triangulator::Part Triangulator::buildFew(std::span<Site> sites) {
+Part Triangulator::buildFew(std::span<Site> sites, int face) {
   sortFew(sites, [](const Site& a, const Site& b) { return isBefore<Axis::x>(a.point, b.point); });
+  const int last = face + 2 * static_cast<int>(sites.size()) - 2;
   Part all{};
   for (std::size_t begin = 0, end = 0; begin < sites.size(); begin = end) {
     while (end < sites.size() && sites[end].point == sites[begin].point) ++end;
-    const Part corner = addCorner(sites.subspan(begin, end - begin));
-    all = begin == 0 ? corner : merge<Axis::x>(all, corner);
+    const Part corner = addCorner(sites.subspan(begin, end - begin), face);
+    if (begin > 0) {
+      all = mergeAlong<Axis::x>(all, corner, face);
+      face += 2;
+    } else {
+      all = corner;
+    }
   }
+  leaveFree(face, last);
   return all;
 }
 
-Triangulator::Part Triangulator::build(std::span<Site> sites, const Box& box) {
-  if (sites.size() <= 3) return buildFew(sites);
-  const bool isWide = box.high.x - box.low.x > box.high.y - box.low.y;
-  return isWide ? buildHalves<Axis::x>(sites, box) : buildHalves<Axis::y>(sites, box);
-}
-
-template <Axis axis>
-Triangulator::Part Triangulator::buildHalves(std::span<Site> sites, const Box& box) {
-  const auto [count, border] = cut<axis>(sites);
+Part Triangulator::build(std::span<Site> sites, const Box& box, int face) {
+  if (sites.size() <= 3) return buildFew(sites, face);
+  const Division division = divide(sites, box);
+  const std::size_t count = division.count;
   steps_ += static_cast<std::int64_t>(sites.size());
-  if (count == sites.size()) return addCorner(sites);
+  if (count == sites.size()) return addCorner(sites, face);
   tell(sites);
-  Box before = box;
-  Box after = box;
-  (axis == Axis::x ? before.high.x : before.high.y) = axis == Axis::x ? border.x : border.y;
-  (axis == Axis::x ? after.low.x : after.low.y) = axis == Axis::x ? border.x : border.y;
-  const Part a = build(sites.first(count), before);
-  return merge<axis>(a, build(sites.subspan(count), after));
+  const int second = face + 2 * static_cast<int>(count) - 2;
+  const int seam = face + 2 * static_cast<int>(sites.size()) - 4;
+  const Part a = build(sites.first(count), division.before, face);
+  return merge(division.axis, a, build(sites.subspan(count), division.after, second), seam);
 }
 
-/// Merges two parts, of which the one comes before the other along an axis.
+Part Triangulator::merge(Axis axis, const Part& a, const Part& b, int face) {
+  return axis == Axis::x ? mergeAlong<Axis::x>(a, b, face) : mergeAlong<Axis::y>(a, b, face);
+}
+
 template <Axis axis>
-Triangulator::Part Triangulator::merge(const Part& a, const Part& b) {
+Part Triangulator::mergeAlong(const Part& a, const Part& b, int face) {
   if constexpr (axis == Axis::x) {
-    join(a.right, b.left);
+    join(a.right, b.left, face);
     return {a.left, b.right, isBefore<Axis::y>(corners_[a.bottom], corners_[b.bottom]) ? a.bottom : b.bottom,
             isBefore<Axis::y>(corners_[a.top], corners_[b.top]) ? b.top : a.top};
   } else {
-    join(a.top, b.bottom);
+    join(a.top, b.bottom, face);
     return {isBefore<Axis::x>(corners_[a.left], corners_[b.left]) ? a.left : b.left,
             isBefore<Axis::x>(corners_[a.right], corners_[b.right]) ? b.right : a.right, a.bottom, b.top};
   }
 }
 
 /// Joins two parts at their seam, given the last corner of the one and the first of the other along the axis that the
-/// cut between them divides. In the names here that axis goes from left to right, and so the seam is closed from below
-/// to above.
-void Triangulator::join(int left, int right) {
+/// cut between them divides, and by two faces. In the names here that axis goes from left to right, and so the seam is
+/// closed from below to above.
+void Triangulator::join(int left, int right, int face) {
   constexpr auto next = &Dual::next;
   constexpr auto previous = &Dual::previous;
 
@@ -307,8 +355,8 @@ void Triangulator::join(int left, int right) {
   }
 
   // The tangent joins the parts, with infinity on both of its sides.
-  const int above = addFace(left, right, kPointAtInfinity);
-  const int below = addFace(right, left, kPointAtInfinity);
+  const int above = setFace(face, left, right, kPointAtInfinity);
+  const int below = setFace(face + 1, right, left, kPointAtInfinity);
   link(above, below);
   toInfinity_[left] = below + 1;
   if (atLeft == kNone) {
@@ -399,61 +447,146 @@ void Triangulator::join(int left, int right) {
   toInfinity_[right] = above + 1;
 }
 
-Dual Triangulator::takeDual() {
-  corners_ = {};
-  toInfinity_ = {};
+/// A part of the sites that one thread triangulates, or whose halves are merged.
+struct Job {
+  std::size_t begin, end;
+  Box box;
+  int face;
+  Axis axis = Axis::x;
+  std::size_t first = 0;  ///< the job of its first half, before that of the second; 0 if it is done as a whole
+  Part part = {};
+};
+
+/// Triangulates all sites: cuts, then parts, then seams, as one thread does that goes down and up again.
+std::int64_t triangulate(Triangulation& triangulation, std::span<Site> sites, const Box& box, Threads threads,
+                         const Done& progress) {
+  if (threads.rangesOf(sites.size()) == 1) {
+    Triangulator triangulator(triangulation, sites.data(), progress);
+    triangulator.build(sites, box, 0);
+    return triangulator.steps();
+  }
+  constexpr std::size_t kFewSites = 1024;
+  std::vector<Job> jobs = {{0, sites.size(), box, 0}};
+  std::vector<std::size_t> levels = {0, 1};  // where each begins
+  while (levels.back() - levels.end()[-2] < threads.rangesOf(sites.size()) && levels.back() != levels.end()[-2]) {
+    const std::size_t from = levels.end()[-2];
+    std::vector<Division> divisions(levels.back() - from);
+    threads.run(divisions.size(), [&](std::size_t i) {
+      const Job& job = jobs[from + i];
+      const std::size_t size = job.end - job.begin;
+      divisions[i].count = size;
+      if (size > kFewSites) divisions[i] = divide(sites.subspan(job.begin, size), job.box);
+    });
+    for (std::size_t i = 0; i < divisions.size(); ++i) {
+      const auto [axis, count, before, after] = divisions[i];
+      const Job job = jobs[from + i];
+      if (count == job.end - job.begin) continue;
+      jobs[from + i].axis = axis;
+      jobs[from + i].first = jobs.size();
+      jobs.push_back({job.begin, job.begin + count, before, job.face});
+      jobs.push_back({job.begin + count, job.end, after, job.face + 2 * static_cast<int>(count) - 2});
+    }
+    levels.push_back(jobs.size());
+  }
+  std::atomic<std::int64_t> steps = 0;
+  for (std::size_t level = levels.size() - 1; level-- > 0;) {
+    threads.run(levels[level + 1] - levels[level], [&](std::size_t i) {
+      Job& job = jobs[levels[level] + i];
+      Triangulator triangulator(triangulation, sites.data());
+      const int size = static_cast<int>(job.end - job.begin);
+      job.part = job.first == 0 ? triangulator.build(sites.subspan(job.begin, job.end - job.begin), job.box, job.face)
+                                : triangulator.merge(job.axis, jobs[job.first].part, jobs[job.first + 1].part,
+                                                     job.face + 2 * size - 4);
+      steps += triangulator.steps() + (job.first == 0 ? 0 : size);
+    });
+  }
+  return steps;
+}
+
+/// The triangulation of points, and the steps that it took.
+std::pair<Triangulation, std::int64_t> triangulationOf(std::span<const Point> points, Threads threads,
+                                                       const Done& progress) {
+  Triangulation triangulation(points.size());
+  if (points.empty()) return {std::move(triangulation), 0};
+  std::vector<Site> sites;
+  sites.reserve(points.size());
+  Box box = {points[0], points[0]};
+  for (const Point& p : points) {
+    sites.push_back({p, static_cast<int>(sites.size())});
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  const std::int64_t steps = triangulate(triangulation, sites, box, threads, progress);
+  return {std::move(triangulation), steps};
+}
+
+/// Uses up the triangulation but for the representatives.
+Dual takeDual(Triangulation& triangulation, Threads threads) {
+  triangulation.corners.reset();
+  triangulation.toInfinity.reset();
+  const HalfEdge* halfEdges = triangulation.halfEdges.get();
   const auto indexOf = [&](int h) {
-    return originOf(h) == kPointAtInfinity ? kPointAtInfinity : indices_[originOf(h)];
+    const int corner = halfEdges[h].origin;
+    return corner == kPointAtInfinity ? kPointAtInfinity : triangulation.indices[corner];
   };
   // Number the faces by their smallest corner, so that the faces around a circle are near in memory.
-  const std::size_t faceCount = halfEdges_.size() / 3;
-  std::vector<int> first(representative_.size() + 2, 0);
+  const std::size_t siteCount = triangulation.representative.size();
+  const std::size_t faceCount = Triangulation::faceCount(siteCount);
   std::vector<int> placeOf(faceCount);
-  for (std::size_t face = 0; face < faceCount; ++face) {
-    const int h = static_cast<int>(3 * face);
-    placeOf[face] = std::min({indexOf(h), indexOf(h + 1), indexOf(h + 2)}) + 1;
-    ++first[placeOf[face] + 1];
+  threads.forEach(faceCount, [&](std::size_t face) {
+    const int h = 3 * static_cast<int>(face);
+    placeOf[face] = halfEdges[h].twin == kNone ? kNone : std::min({indexOf(h), indexOf(h + 1), indexOf(h + 2)}) + 1;
+  });
+  std::vector<int> first(siteCount + 2, 0);
+  for (const int place : placeOf) {
+    if (place != kNone) ++first[place + 1];
   }
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  for (int& place : placeOf) place = first[place]++;
   Dual dual;
-  dual.origin.resize(halfEdges_.size());
-  dual.twin.resize(halfEdges_.size());
-  for (std::size_t face = 0; face < faceCount; ++face) {
-    for (int i = 0; i < 3; ++i) {
-      const int h = static_cast<int>(3 * face) + i;
-      const int t = twinOf(h);
+  dual.origin.resize(3 * static_cast<std::size_t>(first.back()));
+  dual.twin.resize(dual.origin.size());
+  for (int& place : placeOf) {
+    if (place != kNone) place = first[place]++;
+  }
+  threads.forEach(faceCount, [&](std::size_t face) {
+    for (int i = 0; i < 3 && placeOf[face] != kNone; ++i) {
+      const int h = 3 * static_cast<int>(face) + i;
+      const int t = halfEdges[h].twin;
       dual.origin[3 * placeOf[face] + i] = indexOf(h);
       dual.twin[3 * placeOf[face] + i] = 3 * placeOf[t / 3] + t % 3;
     }
-  }
+  });
   return dual;
 }
 
-std::vector<std::array<int, 2>> Triangulator::edges(const Done& progress) const {
+std::vector<std::array<int, 2>> edgesOf(const Triangulation& triangulation, const Done& progress) {
   std::vector<std::array<int, 2>> edges;
-  edges.reserve(halfEdges_.size() / 2);
-  forEachIndex(halfEdges_.size(), progress, [&](std::size_t i) {
-    const HalfEdge& h = halfEdges_[i];
+  edges.reserve(triangulation.halfEdgeCount() / 2);
+  forEachIndex(triangulation.halfEdgeCount(), progress, [&](std::size_t i) {
+    const HalfEdge& h = triangulation.halfEdges[i];
+    if (h.origin == kPointAtInfinity) return;
     // Both halves have different origins unless the edge goes to infinity.
     const int a = h.origin;
-    const int b = originOf(h.twin);
-    if (a != kPointAtInfinity && a < b) edges.push_back({indices_[a], indices_[b]});
+    const int b = triangulation.halfEdges[h.twin].origin;
+    if (a < b) edges.push_back({triangulation.indices[a], triangulation.indices[b]});
   });
   return edges;
 }
 
 }  // namespace
 
-Delaunay delaunay(std::span<const Point> points) {
-  Triangulator triangulator(points);
-  return {triangulator.takeDual(), triangulator.takeRepresentative(), triangulator.steps()};
+Delaunay delaunay(std::span<const Point> points, Threads threads) {
+  auto [triangulation, steps] = triangulationOf(points, threads, {});
+  Dual dual = takeDual(triangulation, threads);
+  return {std::move(dual), std::move(triangulation.representative), steps};
 }
 
 DelaunayEdges delaunayEdges(std::span<const Point> points, const Done& progress) {
   constexpr double kTriangulated = 0.9;  // of the time, about
-  Triangulator triangulator(points, partOf(progress, 0, kTriangulated));
-  return {triangulator.edges(partOf(progress, kTriangulated, 1)), triangulator.takeRepresentative()};
+  const Done telling = partOf(progress, 0, kTriangulated);
+  auto [triangulation, steps] = triangulationOf(points, Threads(), telling);
+  auto edges = edgesOf(triangulation, partOf(progress, kTriangulated, 1));
+  return {std::move(edges), std::move(triangulation.representative)};
 }
 
 }  // namespace circle_voronoi

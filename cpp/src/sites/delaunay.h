@@ -8,6 +8,7 @@
 
 #include "done.h"
 #include "dual.h"
+#include "threads.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
@@ -22,7 +23,7 @@ struct Delaunay {
   std::int64_t steps =
       0;  ///< taken to find it: points compared with a cut, sides of a hull passed, edges made or flipped
 };
-Delaunay delaunay(std::span<const Point> points);
+Delaunay delaunay(std::span<const Point> points, Threads threads = Threads());
 
 /// The same triangulation as its edges alone, each once. `progress` is told which part is done.
 struct DelaunayEdges {

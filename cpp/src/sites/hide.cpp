@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "centres.h"
+#include "centers.h"
 #include "hiders.h"
+#include "infinity.h"
 #include "insert.h"
 #include "judge.h"
 #include "settle_ties.h"
@@ -21,25 +22,24 @@ namespace {
 constexpr std::int64_t kFewSteps = 1000;
 constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 
-/// Whether the larger of two circles, its radius taken less the smallest one, may contain the centre of the other.
+/// Whether the larger of two circles, its radius taken less the smallest one, may contain the center of the other.
 bool mayReach(const Circle& a, const Circle& b, double smallest) {
   return !isLonger(between(a, b), std::max(a.r, b.r) - smallest);
 }
 
-/// Whether no circle contains the centre of a neighbour in the Delaunay graph, its radius taken less the smallest one.
-/// Then none hides another, for the centres that a disc around a centre contains are connected in that graph.
-bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centres) {
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    if (centres.representative[i] != static_cast<int>(i)) return false;
-  }
-  const Dual& dual = centres.dual;
+/// Whether no circle contains the center of a neighbor in the Delaunay graph, its radius taken less the smallest one.
+/// Then none hides another, for the centers that a disc around a center contains are connected in that graph.
+bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centers, Threads threads) {
+  const auto isCopy = [&](std::size_t i) { return centers.representative[i] != static_cast<int>(i); };
+  const Dual& dual = centers.dual;
   // Most edges twice, which costs less than to tell which half of an edge comes first.
-  for (int h = 0; h < dual.halfEdgeCount(); ++h) {
+  const auto isReached = [&](std::size_t h) {
     const int i = dual.origin[h];
-    const int j = dual.target(h);
-    if (i != kPointAtInfinity && j != kPointAtInfinity && mayReach(circles[i], circles[j], smallest)) return false;
-  }
-  return true;
+    const int j = dual.target(static_cast<int>(h));
+    return i != kPointAtInfinity && j != kPointAtInfinity && mayReach(circles[i], circles[j], smallest);
+  };
+  return threads.firstWhere(circles.size(), isCopy) == circles.size() &&
+         threads.firstWhere(dual.origin.size(), isReached) == dual.origin.size();
 }
 
 /// The same test on successive circles alone: quick, and rarely passed where circles hide one another.
@@ -50,20 +50,20 @@ bool lookClear(std::span<const Circle> circles, double smallest) {
   return true;
 }
 
-/// The triangulation of the centres, if it shows that no circle hides another.
-std::optional<Dual> proofOfClearance(std::span<const Circle> circles) {
-  double smallest = std::numeric_limits<double>::infinity();
+/// The triangulation of the centers, if it shows that no circle hides another.
+std::optional<Dual> proofOfClearance(std::span<const Circle> circles, Threads threads) {
+  double smallest = kInfinite;
   for (const Circle& c : circles) smallest = std::min(smallest, c.r);
   if (!lookClear(circles, smallest)) return std::nullopt;
-  Delaunay centres = delaunay(centresOf(circles));
-  if (!areClear(circles, smallest, centres)) return std::nullopt;
-  return std::move(centres.dual);
+  Delaunay centers = delaunay(centersOf(circles), threads);
+  if (!areClear(circles, smallest, centers, threads)) return std::nullopt;
+  return std::move(centers.dual);
 }
 
-VisibleCircles withoutHidden(const OrderedCircles& ordered, const Hiders& found) {
+Sites withoutHidden(const OrderedCircles& ordered, const Hiders& found) {
   const auto& [circles, indices] = ordered;
   const auto& hider = found.hider;
-  VisibleCircles visible;
+  Sites visible;
   visible.steps = found.steps;
   visible.circles.reserve(circles.size());
   visible.indices.reserve(circles.size());
@@ -95,14 +95,14 @@ struct SomeCircles {
   operator NumberedCircles() const { return {circles, indices}; }
 };
 
-/// Of each centre the largest circle, of equal ones the first, which hides the others.
-struct LargestOfEachCentre {
+/// Of each center the largest circle, of equal ones the first, which hides the others.
+struct LargestOfEachCenter {
   std::vector<int> places;
-  std::vector<int> which;  ///< of each circle which of them has its centre
+  std::vector<int> which;  ///< of each circle which of them has its center
 
-  explicit LargestOfEachCentre(std::span<const Circle> circles) {
+  explicit LargestOfEachCenter(std::span<const Circle> circles) {
     for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
-      // Those with the same centre follow one another.
+      // Those with the same center follow one another.
       if (places.empty() || circles[i].x != circles[places.back()].x || circles[i].y != circles[places.back()].y) {
         places.push_back(i);
       } else if (circles[i].r > circles[places.back()].r) {
@@ -114,8 +114,8 @@ struct LargestOfEachCentre {
 };
 
 /// The visible circles as those that insertion leaves a cell, with a proof; nothing if there is none.
-std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
-  const LargestOfEachCentre largest(ordered.circles);
+std::optional<Sites> hideByInsertion(const OrderedCircles& ordered, Threads threads) {
+  const LargestOfEachCenter largest(ordered.circles);
   const SomeCircles apart(ordered, largest.places);
   Predicates predicatesApart(apart.circles);
   auto inserted = insertAll(apart.circles, predicatesApart);
@@ -149,10 +149,10 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   const SomeCircles hidden(ordered, std::move(rest));
 
   Predicates predicates(visible.circles);
-  const Verdict verdict = judge(visible.circles, dual, predicates);
+  Verdict verdict = judge(visible.circles, dual, predicates, {}, threads);
   if (!verdict.isRight()) return std::nullopt;
-  settleTies(dual, verdict.ties, visible.circles);
-  const Hiders named = findHiders(visible, hidden, kNoLimit);
+  settleTies(dual, verdict, visible.circles, predicates);
+  const Hiders named = findHiders(visible, hidden, kNoLimit, threads);
   Hiders all{std::vector<int>(ordered.circles.size(), kNone), named.steps + inserted->flips};
   for (std::size_t j = 0; j < hidden.places.size(); ++j) {
     const int i = named.hider[j];
@@ -162,8 +162,9 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
   for (const auto& [copy, original] : copies) {
     all.hider[copy] = all.hider[original] == kNone ? original : all.hider[original];
   }
-  VisibleCircles result = withoutHidden(ordered, all);
+  Sites result = withoutHidden(ordered, all);
   result.dual = std::move(dual);
+  result.proof = std::move(verdict.proof);
   result.flips = inserted->flips;
   result.signs = predicatesApart.counts();
   result.signs += predicates.counts();
@@ -172,19 +173,23 @@ std::optional<VisibleCircles> hideByInsertion(const OrderedCircles& ordered) {
 
 }  // namespace
 
-VisibleCircles hide(OrderedCircles ordered, std::int64_t mostStepsACircle) {
-  if (auto centres = proofOfClearance(ordered.circles)) {
-    return {std::move(ordered.circles), std::move(ordered.indices), {}, std::move(centres), {}, 0, 0, {}};
+Sites hide(OrderedCircles ordered, std::int64_t mostStepsACircle, Threads threads) {
+  if (auto centers = proofOfClearance(ordered.circles, threads)) {
+    Sites sites;
+    sites.circles = std::move(ordered.circles);
+    sites.indices = std::move(ordered.indices);
+    sites.centers = *std::move(centers);
+    return sites;
   }
   const NumberedCircles all{ordered.circles, ordered.indices};
   const auto count = static_cast<std::int64_t>(ordered.circles.size());
-  const Hiders found = findHiders(all, all, kFewSteps + mostStepsACircle * count);
+  const Hiders found = findHiders(all, all, kFewSteps + mostStepsACircle * count, threads);
   if (!found.hider.empty()) return withoutHidden(ordered, found);
-  if (auto visible = hideByInsertion(ordered)) {
+  if (auto visible = hideByInsertion(ordered, threads)) {
     visible->steps += found.steps;
     return *std::move(visible);
   }
-  return withoutHidden(ordered, findHiders(all, all, kNoLimit));
+  return withoutHidden(ordered, findHiders(all, all, kNoLimit, threads));
 }
 
 }  // namespace circle_voronoi

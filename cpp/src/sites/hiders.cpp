@@ -6,10 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "circle_voronoi/index.h"
+#include "infinity.h"
 #include "predicates.h"
 #include "vectors.h"
 
@@ -17,9 +18,8 @@ namespace circle_voronoi {
 namespace {
 
 constexpr std::size_t kFanOut = 8;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// A box around centres, and the range of their radii.
+/// A box around centers, and the range of their radii.
 struct BoxOfCircles {
   Point low = {kInfinite, kInfinite};
   Point high = {-kInfinite, -kInfinite};
@@ -46,7 +46,7 @@ struct BoxOfCircles {
 };
 
 /// How fast circles grow along a direction. One that hides circle c reaches at least as far against the direction:
-/// r - u . centre >= c.r - u . c.centre for any unit vector u. With the one along which they grow this decides where a
+/// r - u . center >= c.r - u . c.center for any unit vector u. With the one along which they grow this decides where a
 /// box does not: where most nearly hide one another, as those do that are tangent to one circle.
 class Slope {
   /// More than the products of a reach lose where they underflow.
@@ -88,41 +88,11 @@ struct Rank {
   bool isBefore(const Rank& other) const { return r != other.r ? r > other.r : index < other.index; }
 };
 
-class Search {
+Rank rankOf(NumberedCircles circles, std::size_t i) { return {circles.circles[i].r, circles.indices[i]}; }
+
+/// Boxes over boxes over circles.
+class BoxTree {
  public:
-  Search(NumberedCircles circles, NumberedCircles inner)
-      : circles_(circles), inner_(inner), predicates_(circles.circles), hider_(inner.circles.size(), kNone) {
-    const std::size_t count = circles.circles.size();
-    std::vector<Node> below(count);
-    for (std::size_t i = 0; i < count; ++i)
-      below[i] = {BoxOfCircles::of(circles.circles[i]), {}, rankOf(circles, i), {}};
-    std::size_t width = 1;
-    do {
-      width *= kFanOut;
-      std::vector<Node> level((below.size() + kFanOut - 1) / kFanOut);
-      for (std::size_t i = 0; i < level.size(); ++i) {
-        level[i] = over(below, i);
-        level[i].slope = Slope(circles.circles.subspan(i * width, std::min(width, count - i * width)));
-      }
-      levels_.push_back(std::move(below));
-      below = std::move(level);
-    } while (below.size() > 1);
-    levels_.push_back(std::move(below));
-  }
-
-  Hiders find(std::int64_t limit) && {
-    for (first_ = 0; first_ < hider_.size(); first_ = last_) {
-      last_ = std::min(first_ + kFanOut, hider_.size());
-      query_ = {};
-      for (std::size_t j = first_; j < last_; ++j) query_.include(BoxOfCircles::of(inner_.circles[j]));
-      noteLastBound();
-      descend(levels_.size() - 1, 0);
-      if (steps_ > limit) return {{}, steps_};
-    }
-    return {std::move(hider_), steps_};
-  }
-
- private:
   /// A circle, or a box over kFanOut nodes of the level below.
   struct Node {
     BoxOfCircles box;
@@ -131,8 +101,30 @@ class Search {
     std::array<std::uint8_t, kFanOut> order{};  ///< its children, each before those whose first comes after its own
   };
 
-  static Rank rankOf(NumberedCircles circles, std::size_t i) { return {circles.circles[i].r, circles.indices[i]}; }
+  BoxTree(NumberedCircles circles, Threads threads) {
+    const std::size_t count = circles.circles.size();
+    std::vector<Node> below(count);
+    threads.forEach(count, [&](std::size_t i) {
+      below[i] = {BoxOfCircles::of(circles.circles[i]), {}, rankOf(circles, i), {}};
+    });
+    std::size_t width = 1;
+    do {
+      width *= kFanOut;
+      std::vector<Node> level((below.size() + kFanOut - 1) / kFanOut);
+      threads.forEach(level.size(), [&](std::size_t i) {
+        level[i] = over(below, i);
+        level[i].slope = Slope(circles.circles.subspan(i * width, std::min(width, count - i * width)));
+      });
+      levels_.push_back(std::move(below));
+      below = std::move(level);
+    } while (below.size() > 1);
+    levels_.push_back(std::move(below));
+  }
 
+  /// From the circles up to one root.
+  const std::vector<std::vector<Node>>& levels() const { return levels_; }
+
+ private:
   static Node over(const std::vector<Node>& below, std::size_t index) {
     const std::size_t begin = index * kFanOut;
     const std::size_t count = std::min(below.size() - begin, kFanOut);
@@ -149,6 +141,31 @@ class Search {
     node.first = below[begin + node.order[0]].first;
     return node;
   }
+
+  std::vector<std::vector<Node>> levels_;
+};
+
+/// Searches a tree for the hiders of some circles.
+class Search {
+ public:
+  Search(NumberedCircles circles, NumberedCircles inner, const BoxTree& tree, std::vector<int>& hider)
+      : circles_(circles), inner_(inner), predicates_(circles.circles), levels_(tree.levels()), hider_(hider) {}
+
+  /// Those of the inner circles from `begin` to before `end`, unless it takes more steps than the limit. Returns the
+  /// steps.
+  std::int64_t find(std::size_t begin, std::size_t end, std::int64_t limit) && {
+    for (first_ = begin; first_ < end && steps_ <= limit; first_ = last_) {
+      last_ = std::min(first_ + kFanOut, end);
+      query_ = {};
+      for (std::size_t j = first_; j < last_; ++j) query_.include(BoxOfCircles::of(inner_.circles[j]));
+      noteLastBound();
+      descend(levels_.size() - 1, 0);
+    }
+    return steps_;
+  }
+
+ private:
+  using Node = BoxTree::Node;
 
   /// What must come before a circle to hide it and be named.
   Rank bound(std::size_t j) const {
@@ -202,8 +219,8 @@ class Search {
   NumberedCircles circles_;
   NumberedCircles inner_;
   Predicates predicates_;
-  std::vector<int> hider_;
-  std::vector<std::vector<Node>> levels_;  ///< from the circles up to one root
+  const std::vector<std::vector<Node>>& levels_;
+  std::vector<int>& hider_;
   std::int64_t steps_ = 0;
   // The query: the inner circles from first_ to before last_, their box, and of their bounds the one that comes last.
   std::size_t first_ = 0;
@@ -214,9 +231,20 @@ class Search {
 
 }  // namespace
 
-Hiders findHiders(NumberedCircles circles, NumberedCircles inner, std::int64_t limit) {
-  if (circles.circles.empty()) return {std::vector<int>(inner.circles.size(), kNone), 0};
-  return Search(circles, inner).find(limit);
+Hiders findHiders(NumberedCircles circles, NumberedCircles inner, std::int64_t limit, Threads threads) {
+  const std::size_t count = inner.circles.size();
+  std::vector<int> hider(count, kNone);
+  if (circles.circles.empty()) return {std::move(hider), 0};
+  const BoxTree tree(circles, threads);
+  // Ranges of groups, so that how many steps there are does not depend on the threads.
+  const std::size_t groups = (count + kFanOut - 1) / kFanOut;
+  std::vector<std::int64_t> steps(threads.rangesOf(groups));
+  threads.forRanges(groups, [&](std::size_t begin, std::size_t end, std::size_t range) {
+    steps[range] = Search(circles, inner, tree, hider).find(begin * kFanOut, std::min(end * kFanOut, count), limit);
+  });
+  const std::int64_t all = std::accumulate(steps.begin(), steps.end(), std::int64_t{0});
+  if (all > limit) return {{}, limit};
+  return {std::move(hider), all};
 }
 
 }  // namespace circle_voronoi

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "order.h"
 
-#include <utility>
+#include <cstddef>
 
-#include "centres.h"
+#include "centers.h"
 #include "spatial_order.h"
 
 namespace circle_voronoi {
 
-OrderedCircles order(std::span<const Circle> circles) {
+OrderedCircles order(std::span<const Circle> circles, Threads threads) {
   OrderedCircles ordered;
-  ordered.indices = spatialOrder(centresOf(circles));
-  ordered.circles.reserve(circles.size());
-  for (const int i : ordered.indices) ordered.circles.push_back(circles[i]);
+  ordered.indices = spatialOrder(centersOf(circles), threads);
+  ordered.circles.resize(circles.size());
+  threads.forEach(circles.size(), [&](std::size_t i) { ordered.circles[i] = circles[ordered.indices[i]]; });
   return ordered;
 }
 

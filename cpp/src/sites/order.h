@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "circle_voronoi/circle.h"
+#include "threads.h"
 
 namespace circle_voronoi {
 
 struct OrderedCircles {
-  std::vector<Circle> circles;  ///< neighbours near one another
+  std::vector<Circle> circles;  ///< neighbors near one another
   std::vector<int> indices;     ///< of each its index in the input
 };
 
-/// The circles by the spatial order of their centres (spatial_order.h); those with the same centre as they came.
-OrderedCircles order(std::span<const Circle> circles);
+/// The circles by the spatial order of their centers (spatial_order.h); those with the same center as they came.
+OrderedCircles order(std::span<const Circle> circles, Threads threads = Threads());
 
 }  // namespace circle_voronoi

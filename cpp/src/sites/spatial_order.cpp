@@ -39,7 +39,8 @@ std::uint32_t hilbertKey(std::uint32_t x, std::uint32_t y) {
 
 class SpatialOrder {
  public:
-  explicit SpatialOrder(std::span<const Point> points) : points_(points), items_(points.size()), other_(points.size()) {
+  SpatialOrder(std::span<const Point> points, Threads threads)
+      : points_(points), threads_(threads), items_(points.size()), other_(points.size()) {
     for (std::size_t i = 0; i < points.size(); ++i) items_[i].index = static_cast<int>(i);
     runs_.push_back({0, items_.size()});
     // A cell is 2^16 times as small as its box, so the range of double ends this soon.
@@ -109,11 +110,11 @@ class SpatialOrder {
     const double size = extent * magnification;
     if (size == 0) return false;
     const double cells = ((1u << kHilbertBits) - 1) / size;
-    for (Keyed& item : items) {
-      const Point& p = points_[item.index];
-      item.key = hilbertKey(static_cast<std::uint32_t>((p.x - low.x) * magnification * cells),
-                            static_cast<std::uint32_t>((p.y - low.y) * magnification * cells));
-    }
+    threads_.forEach(items.size(), [&](std::size_t i) {
+      const Point& p = points_[items[i].index];
+      items[i].key = hilbertKey(static_cast<std::uint32_t>((p.x - low.x) * magnification * cells),
+                                static_cast<std::uint32_t>((p.y - low.y) * magnification * cells));
+    });
     return true;
   }
 
@@ -132,6 +133,7 @@ class SpatialOrder {
   }
 
   std::span<const Point> points_;
+  Threads threads_;
   std::vector<Keyed> items_;
   std::vector<Keyed> other_;
   std::vector<Run> runs_;
@@ -139,6 +141,8 @@ class SpatialOrder {
 
 }  // namespace
 
-std::vector<int> spatialOrder(std::span<const Point> points) { return SpatialOrder(points).indices(); }
+std::vector<int> spatialOrder(std::span<const Point> points, Threads threads) {
+  return SpatialOrder(points, threads).indices();
+}
 
 }  // namespace circle_voronoi

@@ -4,15 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "threads.h"
 #include "vectors.h"
 
 namespace circle_voronoi {
 
-/// An order of points along a Hilbert curve, equal points one after the other in the order given: neighbours in the
-/// plane are then mostly neighbours in memory, which is worth half the time of all later stages. Where many points
+/// An order of points along a Hilbert curve, equal points one after the other in the order given: neighbors in the
+/// plane are then mostly neighbors in memory, which is worth half the time of all later stages. Where many points
 /// share a cell of the curve, they are ordered along a curve of their own, and so on: the order is as good however
 /// unevenly they lie. It is the same on every platform; CGAL's own sort rests on std::nth_element, whose order differs
 /// between libraries.
-std::vector<int> spatialOrder(std::span<const Point> points);
+std::vector<int> spatialOrder(std::span<const Point> points, Threads threads = Threads());
 
 }  // namespace circle_voronoi

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triangulate.h"
 
-#include <utility>
-
-#include "centres.h"
+#include "centers.h"
 #include "delaunay.h"
 
 namespace circle_voronoi {
 
-Sites triangulate(VisibleCircles visible) {
-  Dual centres;
-  if (visible.centres) {
-    centres = *std::move(visible.centres);
-  } else if (!visible.dual) {
-    centres = delaunay(centresOf(visible.circles)).dual;
-  }
-  return {std::move(visible.circles),
-          std::move(visible.indices),
-          std::move(visible.hidden),
-          std::move(centres),
-          std::move(visible.dual),
-          visible.flips,
-          visible.signs};
+Sites triangulate(Sites sites, Threads threads) {
+  if (sites.centers.origin.empty() && !sites.dual) sites.centers = delaunay(centersOf(sites.circles), threads).dual;
+  return sites;
 }
 
 }  // namespace circle_voronoi

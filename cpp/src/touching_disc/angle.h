@@ -16,12 +16,6 @@ inline bool sameDirection(Vector u, Vector v) {
   return along > 0 && std::abs(cross(u, v)) <= kSameDirection * along;
 }
 
-/// A number that grows with the angle of v from the x axis, from 0 to 4 for a full turn; NaN for the zero vector.
-inline double pseudoAngle(Vector v) {
-  const double p = v.x / (std::abs(v.x) + std::abs(v.y));
-  return v.y >= 0 ? 1 - p : 3 + p;
-}
-
 /// The sign of angle(v) - angle(u), both measured from `axis` in (-pi, pi); 0 if they agree within kSameDirection.
 inline int compareAngles(Vector axis, Vector u, Vector v) {
   if (sameDirection(u, v)) return 0;

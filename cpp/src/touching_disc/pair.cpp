@@ -51,7 +51,7 @@ std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const D
   }
 
   // Samples of several circles may coincide; each joins its circle to that of its representative and, by the
-  // representative's edges, to the neighbours. Listing the circles at every representative makes no pair go missing.
+  // representative's edges, to the neighbors. Listing the circles at every representative makes no pair go missing.
   std::vector<std::vector<int>> shared;  // circles at a point that several circles share
   std::vector<int> sharedAt(samples.points.size(), -1);
   forEachIndex(samples.points.size(), partOf(progress, kTriangulated, kShared), [&](std::size_t s) {

@@ -17,7 +17,7 @@ using Pair = std::array<int, 2>;
 /// The most pairs: each has two slots in the event loop, with 32-bit indices.
 inline constexpr std::int64_t kMaxPairs = std::numeric_limits<std::int32_t>::max() / 2;
 
-/// The pairs of circles that have neighbouring or coinciding samples in the Delaunay graph of the samples (paper,
+/// The pairs of circles that have neighboring or coinciding samples in the Delaunay graph of the samples (paper,
 /// section 4.1), each once, in lexicographic order. Refuses (guarded.h) more than kMaxPairs, tooManyCircles.
 /// `progress` is told now and then which part is done, `observer` each edge of that graph and each pair.
 std::vector<Pair> pairNeighbors(const Samples& samples, int circleCount, const Done& progress = {},

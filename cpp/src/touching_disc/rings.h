@@ -39,7 +39,7 @@ struct DirectedEdge {
   int slotB = 0;
   int edge = 0;        ///< the Voronoi edge that its segment belongs to
   bool isEnd = false;  ///< whether the segment leads to the end of that edge, or to its start
-  Vector fromA;        ///< from the centre of a to the centre of the disc of R_min
+  Vector fromA;        ///< from the center of a to the center of the disc of R_min
   Vector fromB;
 };
 

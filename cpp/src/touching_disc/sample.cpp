@@ -81,29 +81,29 @@ class Sampler {
 };
 
 /// How many samples sampleDynamically takes.
-std::int64_t countDynamically(const Dual& centres, std::span<const int> angular) {
+std::int64_t countDynamically(const Dual& centers, std::span<const int> angular) {
   std::int64_t count = 0;
-  for (int h = 0; h < centres.halfEdgeCount(); ++h) {
-    const int i = centres.origin[h];
-    if (i == kPointAtInfinity || centres.target(h) == kPointAtInfinity) continue;
-    count += centres.isFinite(h / 3) ? 1 + angular[i] : 1;
+  for (int h = 0; h < centers.halfEdgeCount(); ++h) {
+    const int i = centers.origin[h];
+    if (i == kPointAtInfinity || centers.target(h) == kPointAtInfinity) continue;
+    count += centers.isFinite(h / 3) ? 1 + angular[i] : 1;
   }
   return count;
 }
 
 }  // namespace
 
-Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular,
+Samples sampleDynamically(std::span<const Circle> circles, const Dual& centers, std::span<const int> angular,
                           const Done& progress) {
-  Sampler sampler(circles, countDynamically(centres, angular), progress);
-  for (int h = 0; h < centres.halfEdgeCount(); ++h) {
-    const int i = centres.origin[h];
-    const int j = centres.target(h);
+  Sampler sampler(circles, countDynamically(centers, angular), progress);
+  for (int h = 0; h < centers.halfEdgeCount(); ++h) {
+    const int i = centers.origin[h];
+    const int j = centers.target(h);
     if (i == kPointAtInfinity || j == kPointAtInfinity) continue;
     const Vector along = unit(between(circles[i], circles[j]));
     sampler.add(i, along);
-    if (!centres.isFinite(h / 3)) continue;
-    const int k = centres.origin[Dual::previous(h)];
+    if (!centers.isFinite(h / 3)) continue;
+    const int k = centers.origin[Dual::previous(h)];
     const Vector across = unit(between(circles[i], circles[k]));
     for (int part = 1; part <= angular[i]; ++part) sampler.add(i, divideAngle(along, across, part, angular[i] + 1));
   }

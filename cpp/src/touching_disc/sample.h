@@ -22,15 +22,15 @@ struct Samples {
 /// The most samples: their Delaunay triangulation has six half-edges for each, with 32-bit indices.
 inline constexpr std::int64_t kMaxSamplePoints = std::numeric_limits<std::int32_t>::max() / 6;
 
-/// Dynamic sampling (paper, section 5): on each circle a point towards each neighbour in the Delaunay graph of the
-/// centres, and `angular` (N_s) points that divide the angle of each finite face into equal parts. Samples may
+/// Dynamic sampling (paper, section 5): on each circle a point towards each neighbor in the Delaunay graph of the
+/// centers, and `angular` (N_s) points that divide the angle of each finite face into equal parts. Samples may
 /// coincide.
 ///
 /// The circles are taken less the smallest radius: the diagram does not change when a number is added to all radii,
-/// and less of them overlaps. `centres` has the centres of `circles` as corners.
+/// and less of them overlaps. `centers` has the centers of `circles` as corners.
 ///
 /// Refuses (guarded.h) more than kMaxSamplePoints, tooManyCircles. `progress` is told now and then which part is done.
-Samples sampleDynamically(std::span<const Circle> circles, const Dual& centres, std::span<const int> angular,
+Samples sampleDynamically(std::span<const Circle> circles, const Dual& centers, std::span<const int> angular,
                           const Done& progress = {});
 
 /// `count` equally spaced points on each circle (paper, section 4.1), likewise less the smallest radius; refuses and

@@ -181,12 +181,12 @@ class Touch {
   // --- three-touch discs (Algorithm 3) ---
 
   /// Whether a disc lies ahead of the disc of R_min of `edge` on the bisector, or at it: forward, to the right of the
-  /// DE. `toCentreA` and `toCentreB` lead from the centres of its circles to the centre of the disc.
-  bool isForward(const DirectedEdge& edge, Vector toCentreA, Vector toCentreB) const {
+  /// DE. `toCenterA` and `toCenterB` lead from the centers of its circles to the center of the disc.
+  bool isForward(const DirectedEdge& edge, Vector toCenterA, Vector toCenterB) const {
     // The smaller circle sees the whole bisector within less than a full turn around the direction of the larger one.
     const Vector axis = between(circles_[edge.a], circles_[edge.b]);
-    return circles_[edge.a].r <= circles_[edge.b].r ? compareAngles(axis, edge.fromA, toCentreA) <= 0
-                                                    : compareAngles({-axis.x, -axis.y}, edge.fromB, toCentreB) >= 0;
+    return circles_[edge.a].r <= circles_[edge.b].r ? compareAngles(axis, edge.fromA, toCenterA) <= 0
+                                                    : compareAngles({-axis.x, -axis.y}, edge.fromB, toCenterB) >= 0;
   }
 
   void formThreeTouchDiscs(int index) {
@@ -203,7 +203,7 @@ class Touch {
     // The disc lies to the right of a -> b -> c: these are clockwise around it.
     const auto disc = threeTouchDisc(circles_[ab.a], circles_[bc.b], circles_[ab.b]);
     if (!disc) return;
-    const auto& [toA, toC, toB] = disc->toCentre;
+    const auto& [toA, toC, toB] = disc->toCenter;
     if (!isForward(ab, toA, toB) || !isForward(bc, toB, toC)) return;
     ++result_.threeTouchDiscs;
     queue_.push({disc->disc.r, first, second});
@@ -225,7 +225,7 @@ class Touch {
     result_.topology.vertexCircles.push_back({ab.a, bc.b, ab.b});
     tell({TraceKind::branchDisc, disc->disc, {ab.a, ab.b, bc.b}, vertex, {first, second}});
 
-    const auto& [toA, toC, toB] = disc->toCentre;
+    const auto& [toA, toC, toB] = disc->toCenter;
     int third = rings_.adjacentAfter(bc);
     if (third != kNoEdge) {
       // DE(c,a) closes the triangle only if it faces both others; another DE between c and a belongs to another

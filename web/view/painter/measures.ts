@@ -11,6 +11,8 @@ import { idOf } from './cell-boxes.ts'
 
 /** So many cells say which are the small ones. */
 const MOST_SAMPLES = 2000
+/** What the beginning, the quarters and the end of the ramp stand for: a few outliers do not take most of it. */
+const SHARES = [0.05, 0.25, 0.5, 0.75, 0.95]
 /** Numbers of neighbors that differ in color. */
 const DEGREES = [4, 5, 6, 7, 8]
 
@@ -22,6 +24,7 @@ export class Measures {
   readonly measure: Measure
   readonly #diagram: Diagram
   #knots: readonly number[] | undefined
+  #isClipped = true
   /** What takes long to find, by the circles' ids. */
   #known = new Float64Array()
 
@@ -32,16 +35,18 @@ export class Measures {
 
   /** What the shades mean. They stay the same while circles are edited. */
   get legend(): Legend {
-    return { measure: this.measure, knots: this.#knotsNow, isClipped: this.measure === 'degree' || this.#step > 1 }
+    const knots = this.#knotsNow
+    return { measure: this.measure, knots, isClipped: this.#isClipped }
   }
 
-  /** From 0 to `SHADES` - 1. */
+  /** From 0 to `SHADES` - 1; of an area without end `NONE`: it is not the largest. */
   shadeOf(i: number): number {
+    if (this.valueOf(i) === Number.POSITIVE_INFINITY) return NONE
     return Math.round(placeAmong(this.#knotsNow, this.valueOf(i)) * (SHADES - 1))
   }
 
   get #knotsNow(): readonly number[] {
-    this.#knots ??= this.measure === 'degree' ? DEGREES : this.#quartiles()
+    this.#knots ??= this.measure === 'degree' ? DEGREES : this.#quantiles()
     return this.#knots
   }
 
@@ -72,16 +77,18 @@ export class Measures {
     return Math.max(Math.ceil(this.#diagram.circles.length / 3 / MOST_SAMPLES), 1)
   }
 
-  /** The least, the quartiles and the largest, of cells that there are and that have an end. */
-  #quartiles(): number[] {
+  /** Of cells that there are and that have an end. */
+  #quantiles(): number[] {
     const { circles, cells } = this.#diagram
     const step = this.#step
     const some = Array.from({ length: Math.ceil(circles.length / 3 / step) }, (_, k) => k * step)
-    const values = Float64Array.from(
-      some.filter((i) => cells.exists(i)).map((i) => this.valueOf(i)),
-    ).filter(Number.isFinite)
+    const values = Float64Array.from(some.filter((i) => cells.exists(i)).map((i) => this.valueOf(i))).filter(
+      Number.isFinite,
+    )
     values.sort()
-    return [0, 0.25, 0.5, 0.75, 1].map((share) => values[Math.round(share * (values.length - 1))] ?? 0)
+    const knots = SHARES.map((share) => values[Math.round(share * (values.length - 1))] ?? 0)
+    this.#isClipped = step > 1 || knots[0] !== values[0] || knots.at(-1) !== values.at(-1)
+    return knots
   }
 }
 

@@ -2,8 +2,7 @@
 
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { Comparison } from '../../lib/comparison.ts'
-import type { Box, Circle, CircleVoronoi, Diagram, Edit, Options } from '../../lib/index.ts'
+import type { Box, Circle, CircleVoronoi, Comparison, Diagram, Edit, Options } from '../../lib/index.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import type { CircleChange } from '../circle-table.ts'
 import { DEFAULT_LAYERS, isMethodShown, type Layers } from '../layers.ts'

@@ -122,7 +122,7 @@ export class Picture {
     return this.#layers.cells === 'auto' ? this.#automatic : this.#layers.cells
   }
 
-  /** Which color circle `i` and its cell have, of those that the layer of cells shows. */
+  /** Which color circle `i` and its cell have, of those that the layer of cells shows; `NONE`: a cell has none. */
   colorOf(i: number): number {
     return this.#coloring?.colorOf(idOf(this.diagram, i)) ?? this.#measures?.shadeOf(i) ?? 0
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { NONE } from '../../../lib/base/diagram-data.ts'
 import { drawCell } from '../../../lib/drawing/draw.ts'
 import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
@@ -31,6 +32,7 @@ function fillCells(painting: Painting, opacity: number): void {
   }
   for (const i of painting.circles) {
     const k = picture.colorOf(i)
+    if (k === NONE) continue
     const own = paths.get(k) ?? { sink: painting.sink(), count: 0 }
     paths.set(k, own)
     drawCell(own.sink, picture.diagram.cells, i, limits, tolerance)

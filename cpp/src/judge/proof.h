@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/circle.h"
+#include "edge_order.h"
+
+namespace circle_voronoi {
+
+/// What a proof (judge.h) records for a half-edge.
+struct HalfEdgeProof {
+  bool isLower : 1 = false;  ///< whether the disc of its face lies in the lower half, seen from its origin
+  bool passes : 1 = false;   ///< whether the region of its origin passes the axis along its edge
+
+  friend bool operator==(const HalfEdgeProof&, const HalfEdgeProof&) = default;
+};
+
+/// Stands for an order of ends that has not been found yet.
+inline constexpr std::int8_t kUnknownOrder = -2;
+
+/// What proves a dual (judge.h). A builder fills in what it finds on its way, and the judge finds the rest.
+struct Proof {
+  std::vector<FaceDisc> discs;      ///< of each face
+  std::vector<std::int8_t> orders;  ///< of each half-edge: how the ends of its edge lie (orderOfEnds), 1 at infinity
+  std::vector<HalfEdgeProof> halfEdges;
+};
+
+/// Proves the faces and edges of a dual one by one. `Discs` gives the disc of a face by its number.
+template <class Discs>
+class Prover {
+ public:
+  /// The arguments must outlive the prover.
+  Prover(const Dual& dual, std::span<const Circle> circles, Predicates& predicates, const Discs& discs,
+         std::vector<HalfEdgeProof>& proof)
+      : dual_(dual), circles_(circles), predicates_(predicates), discs_(discs), proof_(proof) {}
+
+  /// Records in which half the disc of a face lies, seen from each corner. Returns whether the face has a disc.
+  bool proveFace(int face) {
+    const FaceDisc& disc = discs_[face];
+    if (!disc.exists) return false;
+    const auto corners = cornersOf(dual_, 3 * face);
+    for (int k = 0; k < 3; ++k) {
+      if (corners[k] == kPointAtInfinity) continue;
+      proof_[3 * face + k].isLower = predicates_.isLower(corners[k], corners, predicates_.direction(corners[k], disc));
+    }
+    return true;
+  }
+
+  /// Records whether the regions beside an edge, given by a half-edge, pass the axis along it, once both its faces are
+  /// proven. Returns the order of its ends, which may be given. If that is negative, nothing is recorded.
+  ///
+  /// Around the origin of a half-edge, counter-clockwise, the face on its right comes before the face on its left: the
+  /// region of the origin turns from the disc of the one to that of the other, by less than a full turn. It passes if
+  /// it comes from the lower half to the upper one (Predicates::isLower). Around infinity nothing passes.
+  int proveEdge(int h, int order = kUnknownOrder) {
+    const int t = dual_.twin[h];
+    const int a = dual_.origin[h];
+    const int b = dual_.origin[t];
+    bool passesAtOrigin = false;
+    bool passesAtTarget = false;
+    const bool isBounded = a != kPointAtInfinity && b != kPointAtInfinity &&
+                           dual_.origin[Dual::previous(h)] != kPointAtInfinity &&
+                           dual_.origin[Dual::previous(t)] != kPointAtInfinity;
+    if (isBounded) {
+      if (order == kUnknownOrder) order = orderOfEnds(dual_, h, discs_, predicates_);
+      if (order < 0) return order;
+      // From the larger circle the turn is less than half a turn, and from both if they are equal.
+      passesAtOrigin = circles_[a].r >= circles_[b].r ? passesInOrder(h) : passes(h);
+      passesAtTarget = circles_[b].r >= circles_[a].r ? passesInOrder(t) : passes(t);
+    } else {
+      order = 1;
+      passesAtOrigin = a != kPointAtInfinity && passes(h);
+      passesAtTarget = b != kPointAtInfinity && passes(t);
+    }
+    proof_[h].passes = passesAtOrigin;
+    proof_[t].passes = passesAtTarget;
+    return order;
+  }
+
+ private:
+  /// The corner of the face on the right of a half-edge that is its origin.
+  int cornerBefore(int h) const { return Dual::next(dual_.twin[h]); }
+
+  Direction toDisc(int corner) const { return predicates_.direction(dual_.origin[corner], discs_[corner / 3]); }
+
+  /// Whether a turn passes that is less than half a turn.
+  bool passesInOrder(int h) const { return proof_[cornerBefore(h)].isLower && !proof_[h].isLower; }
+
+  /// Whether any turn passes: one within a half passes if it is nearly a full one.
+  bool passes(int h) {
+    const int before = cornerBefore(h);
+    if (proof_[before].isLower != proof_[h].isLower) return proof_[before].isLower;
+    int sign = predicates_.filteredCross(toDisc(before), toDisc(h));
+    if (sign == 0) {
+      const auto corners = [&](int corner) { return cornersOf(dual_, corner - corner % 3); };
+      sign = predicates_.exactCross(dual_.origin[h], corners(before), corners(h));
+    }
+    return sign < 0;
+  }
+
+  const Dual& dual_;
+  std::span<const Circle> circles_;
+  Predicates& predicates_;
+  const Discs& discs_;
+  std::vector<HalfEdgeProof>& proof_;
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <vector>
+
+#include "circle_voronoi/index.h"
+#include "circle_voronoi/point.h"
+
+namespace circle_voronoi {
+
+/// Square buckets over a box, each with an item that lies in it or near it: where a walk to a point may start.
+class BucketGrid {
+ public:
+  /// Without buckets.
+  BucketGrid() = default;
+
+  /// About `wanted` buckets, all empty.
+  BucketGrid(Point low, Point high, double wanted) : corner_(low) {
+    const double width = high.x - low.x;
+    const double height = high.y - low.y;
+    wanted = std::max(1.0, wanted);
+    const double side = std::max(std::sqrt(width * height / wanted), std::max(width, height) / wanted);
+    if (side > 0) side_ = side;  // any size does for one place
+    columns_ = static_cast<int>(width / side_) + 1;
+    rows_ = static_cast<int>(height / side_) + 1;
+    items_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNone);
+  }
+
+  bool hasBuckets() const { return !items_.empty(); }
+
+  /// Puts an item into the bucket of a point, in place of the one there.
+  void put(Point p, int item) { items_[at(columnOf(p), rowOf(p))] = item; }
+
+  /// Gives each empty bucket the item of one beside it, from those that have some outwards.
+  void spread() {
+    std::vector<std::size_t> filled;
+    filled.reserve(items_.size());
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      if (items_[i] != kNone) filled.push_back(i);
+    }
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+      const int column = static_cast<int>(filled[i]) % columns_;
+      const int row = static_cast<int>(filled[i]) / columns_;
+      const auto spreadTo = [&](int x, int y) {
+        if (x < 0 || x >= columns_ || y < 0 || y >= rows_ || items_[at(x, y)] != kNone) return;
+        items_[at(x, y)] = items_[filled[i]];
+        filled.push_back(at(x, y));
+      };
+      spreadTo(column - 1, row);
+      spreadTo(column + 1, row);
+      spreadTo(column, row - 1);
+      spreadTo(column, row + 1);
+    }
+  }
+
+  /// An item for which a condition holds, from the bucket of a point or from one of the rings of buckets around it, up
+  /// to the number given; kNone if there is none.
+  template <class Condition>
+  int near(Point p, int rings, Condition holds) const {
+    if (!hasBuckets()) return kNone;
+    const int column = columnOf(p);
+    const int row = rowOf(p);
+    for (int ring = 0; ring <= rings; ++ring) {
+      for (int y = std::max(row - ring, 0); y <= std::min(row + ring, rows_ - 1); ++y) {
+        const int step = ring == 0 || std::abs(y - row) == ring ? 1 : 2 * ring;
+        for (int x = column - ring; x <= column + ring; x += step) {
+          if (x < 0 || x >= columns_) continue;
+          if (const int item = items_[at(x, y)]; item != kNone && holds(item)) return item;
+        }
+      }
+    }
+    return kNone;
+  }
+
+ private:
+  int columnOf(Point p) const { return place((p.x - corner_.x) / side_, columns_); }
+  int rowOf(Point p) const { return place((p.y - corner_.y) / side_, rows_); }
+  static int place(double offset, int count) {
+    return static_cast<int>(std::clamp(offset, 0.0, static_cast<double>(count - 1)));
+  }
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
+  Point corner_;
+  double side_ = 1;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<int> items_;
+};
+
+}  // namespace circle_voronoi

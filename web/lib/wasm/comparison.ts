@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
+import { type Circles, coordinatesOf } from '../base/coordinates.ts'
+import { CircleVoronoiError } from '../base/errors.ts'
+import type { Metric } from '../base/types.ts'
+import { Diagram } from '../diagram/diagram.ts'
+import type { ComputingLibrary } from './library.ts'
+import type { LoadOptions } from './load-options.ts'
+import { loadComparisonScript } from './module-scripts.ts'
+import { compileWasm, instantiate, scriptNotLoaded, unwrap } from './wasm.ts'
+
+/**
+ * Computes two related diagrams of the same circles, to show how they differ: the ordinary Voronoi diagram of the
+ * centers, and the power diagram.
+ *
+ * @category Comparison
+ */
+export interface Comparison {
+  /**
+   * Computes the diagram of `circles` by another metric: with `centers` the ordinary Voronoi diagram of the centers,
+   * with `power` the power diagram, with `circles` the result of `compute`. The methods of the result, and functions of
+   * cells and curves, use this metric too.
+   *
+   * With `centers`, the radius of a vertex is its distance from its three centers, and if several circles have the same
+   * center, the first one has the cell. With `power`, the radius of a vertex is that of the circle at right angles to
+   * its three circles, or, where they overlap, the negative root of minus their power. A circle without a cell is
+   * listed as hidden by `NONE`, because no circle need contain it; the center of a circle may lie outside its cell; and
+   * there is no certificate.
+   *
+   * @throws CircleVoronoiError with one of the codes of `ErrorCode`.
+   */
+  computeComparison(circles: Circles, metric: Metric): Diagram
+}
+
+/**
+ * Loads the module of comparison diagrams.
+ *
+ * @throws CircleVoronoiError `notLoaded`
+ */
+export async function loadComparisonModule({ wasm }: LoadOptions): Promise<WasmComparisonModule> {
+  const { default: createModule } = await loadComparisonScript().catch(scriptNotLoaded('The comparison diagrams'))
+  const beside = () => new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
+  return instantiate(createModule, await compileWasm(wasm, beside))
+}
+
+export function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): Comparison {
+  return {
+    computeComparison(circles, metric) {
+      const coordinates = coordinatesOf(circles)
+      if (metric === 'power') {
+        return new Diagram({ metric, circles: coordinates, ...unwrap(module.powerDiagram(coordinates)) })
+      }
+      // Without radii nobody would see what is wrong with them.
+      const isRefused = coordinates.some((value, k) => k % 3 === 2 && !(value >= 0 && value <= COORDINATE_LIMIT))
+      if (metric === 'circles' || isRefused) return library.compute(coordinates)
+      if (metric !== 'centers') {
+        throw new CircleVoronoiError('badOption', 'Unknown metric: the choice is circles, centers or power.')
+      }
+      const centers = library.compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
+      return new Diagram({ ...centers, metric, circles: coordinates })
+    },
+  }
+}
