@@ -22,6 +22,7 @@ const drawnAbove = (app: App) =>
 test('the focus on the drawing is seen', async ({ app }) => {
   const { page } = app
   const corner = { x: 0, y: 0, width: 12, height: 12 }
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
   const before = await page.screenshot({ clip: corner })
   await page.keyboard.press('Tab')
   await expect(app.canvas).toBeFocused()

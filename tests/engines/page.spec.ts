@@ -57,8 +57,13 @@ class Page {
 
   /** Where a point of the plane is while all of these circles are seen. */
   async locate(circles: Float64Array, point: Point): Promise<Point> {
-    const size = await this.engine.evaluate(() => ({ width: innerWidth, height: innerHeight }))
-    return toScreen(fitted(boundingBox(circles), size, PADDING), size, point)
+    // In a low window the tools have two columns.
+    const { rail, ...size } = await this.engine.evaluate(() => ({
+      width: innerWidth,
+      height: innerHeight,
+      rail: document.querySelector('#rail')?.getBoundingClientRect().right ?? 0,
+    }))
+    return toScreen(fitted(boundingBox(circles), size, { ...PADDING, left: rail + 16 }), size, point)
   }
 
   /** Clicks the button with this name. */

@@ -24,8 +24,10 @@ import { cellArea, Measures, placeAmong } from '../../web/view/painter/measures.
 import { methodResult } from '../../web/view/painter/method-layers.ts'
 import { methodOutcome } from '../../web/view/painter/method-outcome.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
-import { touchingNear } from '../../web/view/painter/touching.ts'
-import { MAP_COLORS, rampThrough, SHADES } from '../../web/view/style.ts'
+import { SvgDrawing } from '../../web/view/painter/drawing.ts'
+import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
+import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
+import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 
 const random = seededRandom(23)
@@ -535,4 +537,24 @@ describe('what cells are measured by', () => {
       picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
     }
   })
+})
+
+describe('the disc at a point', () => {
+  it('touches the nearest circle wherever it is, and there is none inside a circle', () => {
+    const { diagram } = new Picture(library.edit(Float64Array.of(0, 0, 2, 10, 0, 1)))
+    expect(touchingAround(diagram, 0, 3, 4)).toEqual({ disc: { x: 3, y: 4, r: 3 }, points: [{ x: 1.2, y: 1.6 }] })
+    expect(touchingAround(diagram, 0, 1, 1)).toBeUndefined()
+  })
+})
+
+it('lines from hidden circles end on the rim of what hides them, and do not meet', () => {
+  const scene = new PaintedScene(library)
+  scene.open(Float64Array.of(0, 0, 5, 1, 0, 1, 0, 2, 1, 30, 0, 1))
+  const only = { circles: false, cells: 'none', edges: false, vertices: false, hidden: true } as const
+  scene.setLayers({ ...DEFAULT_LAYERS, ...only })
+  const drawing = new SvgDrawing()
+  const style = new Proxy({}, { get: (_, name) => String(name) }) as Style
+  scene.draw(drawing, { x: 0, y: 0, scale: 10, width: 800, height: 600 }, 1, style)
+  const lines = /stroke="hidden"[^>]* d="([^"]*)"/.exec(String(drawing))?.[1] ?? ''
+  expect(lines.match(/[\d.]+/g)?.map(Number)).toEqual([410, 300, 450, 300, 400, 280, 400, 250])
 })

@@ -3,16 +3,18 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { Point } from '../../web/lib/index.ts'
 import type { Painter } from '../../web/view/painter.ts'
-import type { Touching } from '../../web/view/protocol.ts'
+import type { Described, Marks, Touching } from '../../web/view/protocol.ts'
 import { View } from '../../web/view/view.ts'
 
-const drawn = vi.hoisted(() => [] as { touching: unknown }[])
+const drawn = vi.hoisted(() => [] as { touching: unknown; marks: Marks }[])
 vi.mock('../../web/view/overlay.ts', () => ({
-  drawOverlay: (...[, , , , above]: { touching: unknown }[]) => drawn.push(above as { touching: unknown }),
-  isNothingAbove: ({ touching }: { touching: unknown }) => touching === undefined,
+  drawOverlay: (...[, , , , above]: (typeof drawn)[number][]) => drawn.push(above as (typeof drawn)[number]),
+  isNothingAbove: ({ touching, marks }: { touching: unknown; marks: Marks }) =>
+    touching === undefined && marks.selected === undefined,
 }))
 vi.mock('../../web/view/style.ts', () => ({ readStyle: () => ({}), isDark: () => false }))
 vi.mock('../../web/view/base-picture.ts', () => ({
+  MOST_ENLARGED: 256,
   BasePicture: class {
     isWhole = true
     isSharp = () => true
@@ -73,7 +75,8 @@ function opened() {
   }
   shown()
   const edited = () => events?.painted({ kind: 'edited' } as never)
-  return { view, answers, shown, edited }
+  const marked = (marks: Marks) => events?.marked(marks)
+  return { view, answers, shown, edited, marked }
 }
 
 const HERE: Point = { x: 1, y: 2 }
@@ -140,4 +143,19 @@ it('shows no disc of circles that were edited, until it is asked for again', asy
   await after
   expect(shown()).toBe(DISC)
   expect(drawn).toHaveLength(1)
+})
+
+it('draws no outline of a cell that was cut for a far smaller scale', () => {
+  const { view, shown, marked } = opened()
+  const outline = Float64Array.of(1, 2, 3)
+  const selected = { id: 0, outline, neighborhood: outline } as unknown as Described
+  marked({ selected, hovered: undefined })
+  shown()
+  expect(drawn.at(-1)?.marks.selected?.outline).toBe(outline)
+  view.setCamera({ ...view.camera, scale: 100 })
+  shown()
+  expect(drawn.at(-1)?.marks.selected?.outline).toBe(outline)
+  view.setCamera({ ...view.camera, scale: 1e6 })
+  shown()
+  expect(drawn.at(-1)?.marks.selected?.outline).toHaveLength(0)
 })

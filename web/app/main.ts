@@ -115,7 +115,13 @@ if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) 
   await actions.load((DATA_SETS[0] as DataSet).id)
   // Of the link, for which these circles stand in.
   actions.complain(problem)
-  driftAtStart(view, figure)
+  // What is selected may be where it was on its way.
+  driftAtStart(view, figure, () =>
+    store.update((state) => {
+      const circle = state.selected === undefined ? undefined : view.circles.get(state.selected)
+      return { ...state, circle }
+    }),
+  )
   paintedOnce(figure).then(() => firstPicture?.remove())
 } else {
   firstPicture?.remove()

@@ -6,7 +6,7 @@ import { type Grid, type PixelBox, TILE, type Wish } from './protocol.ts'
 /** Around what is seen, so many device pixels are painted, too: room to pan before there is more. */
 const ROOM = TILE
 /** What was painted is shown up to so many times as large or small until it is painted sharp. */
-const MOST_ENLARGED = 256
+export const MOST_ENLARGED = 256
 
 /** A part of a grid, as far as it is painted. */
 interface Sheet {

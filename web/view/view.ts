@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Circle, Edit, Options, Point } from '../lib/index.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
-import { BasePicture } from './base-picture.ts'
+import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
 import type { CircleTable } from './circle-table.ts'
 import { type AboveLayer, checkLayers, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'
@@ -92,6 +92,9 @@ export class View {
   #rest: ReturnType<typeof setTimeout> | undefined
   #marks: Marks = { selected: undefined, hovered: undefined }
   #layers = DEFAULT_LAYERS
+  /** The scale of what is looked at, and of what the outlines of marked cells are for. */
+  #lookedAt = 1
+  #outlinedAt = 1
   #found: Found | undefined
   #touching: Touching | undefined
   /** Where the pointer was when a disc was last asked for; what comes for another place is late. */
@@ -139,11 +142,13 @@ export class View {
       },
       marked: (marks) => {
         this.#marks = marks
+        this.#outlinedAt = this.#lookedAt
         this.#overlayChanges()
         this.#tell('marked', marks)
       },
       outlined: (marks) => {
         this.#marks = marks
+        this.#outlinedAt = this.#lookedAt
         this.#overlayChanges()
       },
       found: (found) => this.#findingChanges(found),
@@ -478,7 +483,9 @@ export class View {
   #see(): void {
     if (!this.#isShown || this.#size.width === 0 || this.#size.height === 0) return
     const wish = this.#picture.see(this.#camera, this.#size, devicePixelRatio)
-    if (wish !== undefined) this.#scene.look(wish, this.#style)
+    if (wish === undefined) return
+    this.#lookedAt = this.#camera.scale
+    this.#scene.look(wish, this.#style)
   }
 
   #schedule(): void {
@@ -528,7 +535,10 @@ export class View {
   }
 
   #aboveOf(standingOut: StandingOut): Above {
-    const marks = this.#hasDiagram ? standingOut.marks : withoutCells(standingOut.marks)
+    // Outlines of cells are cut to what was looked at: seen far larger, browsers take minutes for them.
+    const enlarged = this.#camera.scale / this.#outlinedAt
+    const hasOutlines = enlarged < MOST_ENLARGED && this.#hasDiagram
+    const marks = hasOutlines ? standingOut.marks : withoutCells(standingOut.marks)
     return { found: this.#found, layers: this.#drawnLayers, above: this.#above, ...standingOut, marks }
   }
 

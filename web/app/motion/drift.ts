@@ -13,8 +13,9 @@ const BACK = 350
 /**
  * Moves one circle of the first scene gently until something is touched: then it comes back, so that the circles are those of
  * the data set. Nothing of it is kept or undone. Whoever wants less motion sees none.
+ * `onend`: called once the circle is back.
  */
-export function driftAtStart(view: View, figure: HTMLElement): void {
+export function driftAtStart(view: View, figure: HTMLElement, onend: () => void): void {
   const table = view.circles
   const home = table.get(MOVING)
   if (home === undefined || matchMedia('(prefers-reduced-motion: reduce)').matches) return
@@ -27,7 +28,11 @@ export function driftAtStart(view: View, figure: HTMLElement): void {
 
   const frame = (now: number) => {
     // Other circles are there, or it is at home again.
-    if (view.circles !== table || (touched !== undefined && place === home)) return listening.abort()
+    if (view.circles !== table || (touched !== undefined && place === home && !isAsked)) {
+      listening.abort()
+      onend()
+      return
+    }
     if (!isAsked) {
       place = placeAt(now)
       isAsked = true

@@ -48,6 +48,7 @@ function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
   const select = (label: string, value: number, set: (column: number) => void, more: unknown = undefined) => html`
     <label>${label}
       <select
+        aria-label=${label}
         @change=${(event: Event) => {
           set(Number((event.target as HTMLSelectElement).value))
           draw()
@@ -89,7 +90,7 @@ function ask(rows: Rows, file: string): Promise<Chosen | undefined> {
             )}
             ${
               r === SAME
-                ? html`<label>r <input type="number" min="0" step="any" required .value=${String(all)} @change=${number} /></label>`
+                ? html`<label>r <input type="number" aria-label="r" min="0" step="any" required .value=${String(all)} @change=${number} /></label>`
                 : html`<label><input
                       type="checkbox"
                       .checked=${isDiameter}

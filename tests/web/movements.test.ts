@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How circles of the page move.
+import { expect, it } from 'vitest'
+import { type Moving, movementOf } from '../../web/app/motion/movements.ts'
+import { seededRandom } from './library.ts'
+
+const random = seededRandom(6)
+const BOX = { minX: 0, minY: 0, maxX: 20, maxY: 12 }
+const CIRCLES: readonly Moving[] = Array.from({ length: 12 }, (_, id) => ({
+  id,
+  circle: { x: 2 + 3 * (id % 6), y: 3 + 5 * Math.floor(id / 6), r: 0.3 + random() / 2 },
+}))
+
+it('bouncing circles stay in their box and keep their sizes', () => {
+  const next = movementOf('bounce', CIRCLES, BOX, random)
+  let last = next(1 / 60)
+  for (let k = 0; k < 2000; k++) last = next(1 / 60)
+  expect(last.map(({ id, circle }) => [id, circle.r])).toEqual(CIRCLES.map(({ id, circle }) => [id, circle.r]))
+  // A step may carry one a little into the wall, which then turns it back.
+  for (const { circle } of last) {
+    expect(circle.x).toBeGreaterThan(BOX.minX + circle.r - 0.2)
+    expect(circle.x).toBeLessThan(BOX.maxX - circle.r + 0.2)
+    expect(circle.y).toBeGreaterThan(BOX.minY + circle.r - 0.2)
+    expect(circle.y).toBeLessThan(BOX.maxY - circle.r + 0.2)
+  }
+  expect(last.some(({ circle }, k) => Math.abs(circle.x - (CIRCLES[k] as Moving).circle.x) > 1)).toBe(true)
+})
+
+it('two equal circles that meet exchange their speeds', () => {
+  const pair = [
+    { id: 0, circle: { x: 5, y: 6, r: 1 } },
+    { id: 1, circle: { x: 9, y: 6, r: 1 } },
+  ]
+  // They fly toward each other: angles 0 and a half turn.
+  const angles = [0, 0.5]
+  const next = movementOf('bounce', pair, BOX, () => angles.shift() as number)
+  const distances = Array.from({ length: 200 }, () => {
+    const [one, other] = next(1 / 60) as [Moving, Moving]
+    return other.circle.x - one.circle.x
+  })
+  expect(Math.min(...distances)).toBeGreaterThan(1.8)
+  expect(distances.at(-1)).toBeGreaterThan(4)
+})
+
+it('circles grow from points to what they are, and breathe around that', () => {
+  const grow = movementOf('grow', CIRCLES, BOX)
+  expect(grow(0).every(({ circle }) => circle.r === 0)).toBe(true)
+  const radii = CIRCLES.map(({ circle }) => circle.r)
+  grow(5).forEach(({ circle }, k) => expect(circle.r).toBeCloseTo(radii[k] as number, 12))
+  const breathe = movementOf('breathe', CIRCLES, BOX, random)
+  for (let k = 0; k < 50; k++) {
+    breathe(0.1).forEach(({ circle }, k) => {
+      expect(circle.r).toBeLessThanOrEqual((radii[k] as number) + 1e-12)
+      expect(circle.r).toBeGreaterThan(0.6 * (radii[k] as number))
+    })
+  }
+})
