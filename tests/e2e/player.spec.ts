@@ -111,7 +111,11 @@ test.describe('on a phone', () => {
     await expect(sentence).toContainText('Delaunay graph')
     for (const [options, step, said] of [
       [{ method: 'auto' }, 3, /the edge is wrong|No edge is left to flip/],
-      [{ edits: [{ kind: 'insert', circle: [5, 4, 0.5] }] }, 2, /^Circle 7 is inserted at \(5, 4\) with radius 0\.5\.$/],
+      [
+        { edits: [{ kind: 'insert', circle: [5, 4, 0.5] }] },
+        2,
+        /^Circle 7 is inserted at \(5, 4\) with radius 0\.5\.$/,
+      ],
     ] as const) {
       await page.evaluate(
         async ([options, step]) => {

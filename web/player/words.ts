@@ -198,7 +198,8 @@ export const ENGLISH_PLAYER: PlayerWords = {
   form: (discs) =>
     `${plural(discs.length, 'three-touch disc')} ${discs.length === 1 ? 'goes' : 'go'} into the list: ${discs.join(', ')}.`,
   disc: (name, radius) => `${name} (radius ${radius})`,
-  stale: (name) => `The directed edges of disc ${name} have ended or are no longer next to each other. The disc is thrown away.`,
+  stale: (name) =>
+    `The directed edges of disc ${name} have ended or are no longer next to each other. The disc is thrown away.`,
   branch: (ids, place, radius) =>
     `The disc of ${circles(ids)} is empty: its center ${place} is a vertex, at distance ${radius} from all three.`,
   finish: (edges) => `${plural(edges.length, 'segment')} end there: directed edges ${edges.join(', ')} are deleted.`,
@@ -230,7 +231,8 @@ export const ENGLISH_PLAYER: PlayerWords = {
   allNew: (names) => `Added: ${names.join(', ')}.`,
   allGone: (names) => `Removed: ${names.join(', ')}.`,
   discMoves: (ids) => `The disc of ${list(ids)} moves.`,
-  triangles: (removed, made) => `${plural(removed, 'triangle')} ${removed === 1 ? 'is' : 'are'} removed, ${made} added.`,
+  triangles: (removed, made) =>
+    `${plural(removed, 'triangle')} ${removed === 1 ? 'is' : 'are'} removed, ${made} added.`,
   askAntipodal: (a, b) => `What is the disc between circles ${a} and ${b}?`,
   antipodalAnswers: ['It is empty', 'It meets another circle', 'A foot point lies on a used arc'],
   askThreeTouch: (ids) => `Which directed edges end at the disc of circles ${ids.join(', ')}?`,
