@@ -24,6 +24,8 @@ export default defineConfig({
   use: {
     baseURL: `http://localhost:${PORT}`,
     viewport: { width: 1280, height: 800 },
+    // Nothing moves by itself. What is about that allows it.
+    contextOptions: { reducedMotion: 'reduce' },
     // Each test would fetch the whole site. What is about it allows it.
     serviceWorkers: 'block',
     launchOptions: {

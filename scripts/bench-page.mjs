@@ -62,7 +62,10 @@ async function opened(page, circles) {
   return Math.round(performance.now() - start)
 }
 
-/** From the request of the page to the frame with the diagram, and what was sent until then; nothing is there before. */
+/**
+ * From the request of the page to the frame with the diagram, which is in the page itself, and to that with which it can be
+ * dragged; and what was sent until then. Nothing is there before.
+ */
 async function firstDiagram(browser, url) {
   const context = await browser.newContext({ viewport: VIEWPORT, serviceWorkers: 'block' })
   try {
@@ -78,20 +81,25 @@ async function firstDiagram(browser, url) {
     })
     await session.send('Emulation.setCPUThrottlingRate', { rate: SLOW.processor })
     await page.addInitScript(() => {
-      // The counts come with the picture, so that the next frame shows both.
-      const look = () => {
-        const isThere = document.querySelector('#status')?.textContent.includes('edges')
-        requestAnimationFrame(isThere ? () => performance.mark('first diagram') : look)
+      const marks = {
+        seen: () => document.querySelector('#first-picture') !== null,
+        // The counts come with the picture, so that the next frame shows both.
+        live: () => document.querySelector('#status')?.textContent.includes('edges') === true,
       }
-      requestAnimationFrame(look)
+      for (const [name, isThere] of Object.entries(marks)) {
+        const look = () => requestAnimationFrame(isThere() ? () => performance.mark(name) : look)
+        requestAnimationFrame(look)
+      }
     })
     await page.goto(url, { waitUntil: 'commit' })
-    await page.waitForFunction(() => performance.getEntriesByName('first diagram').length > 0)
+    await page.waitForFunction(() => performance.getEntriesByName('live').length > 0)
     return await page.evaluate(() => {
       const entries = [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
-      const [{ startTime }] = performance.getEntriesByName('first diagram')
+      const timeOf = (name) => Math.round(performance.getEntriesByName(name)[0].startTime)
       const bytes = entries.reduce((sum, { transferSize }) => sum + transferSize, 0)
-      return { milliseconds: Math.round(startTime), bytes }
+      // Style sheets hold it back: a frame with it is none that is seen before the first paint.
+      const painted = Math.round(performance.getEntriesByName('first-contentful-paint')[0].startTime)
+      return { 'is seen': Math.max(timeOf('seen'), painted), 'can be dragged': timeOf('live'), bytes }
     })
   } finally {
     await context.close()
@@ -215,13 +223,13 @@ await main(() =>
     const rows = []
     const starts = []
     for (let k = 0; k < STARTS; k++) starts.push(await firstDiagram(browser, url))
-    starts.sort((a, b) => a.milliseconds - b.milliseconds)
+    starts.sort((a, b) => a['is seen'] - b['is seen'])
     for (const size of sizes.filter((size) => size > 0))
       rows.push(await bench(browser, url, size, ['drag', 'pan', 'zoom', 'hover']))
     if (process.argv.includes('--million')) rows.push(await bench(browser, url, MILLION, ['pan', 'zoom']))
     const first = starts[Math.floor(STARTS / 2)]
     console.log('The first diagram on slow 4G with a processor 4 times slower: the median')
-    console.table({ 'bronze filter': first })
+    console.table({ 'start scene': first })
     if (rows.length > 0) {
       console.log('Milliseconds from frame to frame, the median and what 95 % stay below')
       console.table(Object.fromEntries(rows.map(({ circles, frames }) => [circles, frames])))

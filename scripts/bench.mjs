@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `npm run bench [-- --sizes N,... --families NAME|FILE,... ...]`: builds the benchmark and runs it, natively (the table and
 // build/bench/native.json; circle-voronoi-bench explains its options), then the WebAssembly build against the native one
-// on circles of the same kind (build/bench/wasm.json). With `-- --edits` the table of edits, natively and in WebAssembly.
+// on circles of the same kind (build/bench/wasm.json). With `-- --edits` the table of edits, natively and in WebAssembly;
+// with `-- --areas` that of fits of areas, also against d3-voronoi-map.
 import { mkdirSync, writeFileSync } from 'node:fs'
+import { benchAreas } from './bench-areas.mjs'
 import { benchEdits, benchWorstEdits } from './bench-edits.mjs'
 import { benchWasm } from './bench-wasm.mjs'
 import { realData } from './data.mjs'
@@ -18,14 +20,16 @@ await main(async () => {
   await run('cmake', ['--build', 'build/native', '--target', 'circle_voronoi_bench'])
   const chosen = process.argv.slice(2)
   const [cities] = realData()
-  const isTable = ['--cliffs', '--edits', '--files'].includes(chosen[0])
+  const isTable = ['--areas', '--cliffs', '--edits', '--files', '--regions'].includes(chosen[0])
   const families = isTable || chosen.includes('--families') ? [] : ['--families', `${FAMILIES},${cities}`]
   const { status, output } = await outcomeOf(`${ROOT}build/native/circle-voronoi-bench`, [...families, ...chosen])
   if (status !== 0) throw new Error('The benchmark failed.')
 
   const isOfEdits = chosen[0] === '--edits'
-  if (chosen.length > 0 && !isOfEdits) return
+  const isOfAreas = chosen[0] === '--areas'
+  if (chosen.length > 0 && !isOfEdits && !isOfAreas) return
   await build('build:lib')
+  if (isOfAreas) return console.table(await benchAreas(output))
   if (isOfEdits) {
     console.table(await benchEdits(output))
     console.table(await benchWorstEdits(output))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the compiler of TypeScript leaves to do for dist/lib, dist/element and dist/cli: copies of what C++ became, and bundles.
 // Not by Vite, which would take into them the threads and the WebAssembly that the bundlers of others have to find beside them.
-import { chmodSync, copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { chmodSync, copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join, posix } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import { build, transform } from 'esbuild'
@@ -21,18 +21,14 @@ const BUNDLED = {
 /** The WebAssembly modules beside web/lib as JavaScript, and bundle.js, which is all in one. */
 async function lib() {
   mkdirSync(`${ROOT}dist/lib/generated`, { recursive: true })
-  for (const name of ['', '-comparison', '-files'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
+  for (const name of ['', '-comparison', '-files', '-regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
     const file = `lib/generated/circle-voronoi${name}`
     copyFileSync(`${ROOT}web/${file}`, `${ROOT}dist/${file}`)
   }
-  const bundled = readdirSync(`${ROOT}web/lib/bundled`, { recursive: true }).filter((name) => name.endsWith('.ts'))
-  await build({
-    ...BUNDLED,
-    entryPoints: ['web/lib/bundle.ts'],
-    outfile: 'dist/lib/bundle.js',
-    allowOverwrite: true,
-    plugins: [wasmInside, ...bundled.map((name) => replacing(`web/lib/${name}`, `web/lib/bundled/${name}`))],
-  })
+  const exported = await Promise.all(['index', 'worker'].map((name) => import(`${ROOT}dist/lib/${name}.js`)))
+  await oneFile('lib', exported.flatMap(Object.keys), [
+    replacing('web/lib/threads/thread-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
+  ])
   // That of the module that the compiler made.
   rmSync(`${ROOT}dist/lib/bundle.js.map`)
 }
@@ -54,14 +50,21 @@ async function element() {
       painter: 'web/view/painter/start-thread.ts',
     },
   })
-  await elementBundle()
+  await oneFile(
+    'element',
+    ['CircleVoronoiElement', 'defineCircleVoronoi'],
+    [styles, replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts')],
+  )
   copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)
   const { manifest } = await import('./manifest.mjs')
   writeFileSync(`${ROOT}dist/element/custom-elements.json`, `${JSON.stringify(manifest(), undefined, 2)}\n`)
 }
 
-/** The one file is a function, whose text its thread runs where a page cannot take a worker from a file. */
-async function elementBundle() {
+/**
+ * All that `web/NAME/bundle.ts` has, with the WebAssembly inside, as one function: its text is what its threads run where a page
+ * cannot take a worker from a file. The names are those of variables, which code that is pasted after it can use.
+ */
+async function oneFile(name, names, plugins) {
   const { outputFiles } = await build({
     ...BUNDLED,
     banner: {},
@@ -69,18 +72,17 @@ async function elementBundle() {
     globalName: 'exported',
     define: { 'import.meta.url': 'addressOfFile' },
     write: false,
-    entryPoints: ['web/element/bundle.ts'],
+    entryPoints: [`web/${name}/bundle.ts`],
     plugins: [
-      styles,
       wasmInside,
-      replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts'),
       replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
-      replacing('web/lib/comparison.ts', 'web/element/bundled/comparison.ts'),
+      replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/module-scripts.ts'),
+      wasmBeside,
+      ...plugins,
     ],
   })
-  const names = 'CircleVoronoiElement,defineCircleVoronoi'
   writeFileSync(
-    `${ROOT}dist/element/bundle.js`,
+    `${ROOT}dist/${name}/bundle.js`,
     `${BUNDLED.banner.js}
 function wholeFile(addressOfFile){${outputFiles[0].text}return exported}
 const{${names}}=wholeFile(import.meta.url);export{${names}}
@@ -120,12 +122,12 @@ const wasmInside = {
   },
 }
 
-/** Modules find the WebAssembly of dist/lib from dist/element. */
+/** Bundles find the WebAssembly of dist/lib beside their own folder. */
 const wasmBeside = {
   name: 'wasm-beside',
   setup({ onLoad }) {
-    onLoad({ filter: /web\/lib\/(wasm\/default-wasm|comparison)\.ts$/ }, ({ path }) => ({
-      contents: readFileSync(path, 'utf8').replace(/'[./]+generated\//, "'../lib/generated/"),
+    onLoad({ filter: /web\/lib\/wasm\/(default-wasm|comparison|regions)\.ts$/ }, ({ path }) => ({
+      contents: readFileSync(path, 'utf8').replace(/'[./]+(generated\/[\w-]+\.wasm)'/, "'../lib/$1'"),
       loader: 'ts',
     }))
   },

@@ -26,10 +26,15 @@ export function citiesCsv() {
     .filter(({ country, population, featureCode }) => {
       return COUNTRIES.has(country) && population >= FEWEST && KINDS.test(featureCode)
     })
-    .map(({ loc, population }) => [...onMap(loc.coordinates), RADIUS * Math.sqrt(population / 1e6)])
-    .filter(([x, y]) => Math.max(Math.abs(x), Math.abs(y)) < REACH)
-    .sort((u, v) => v[2] - u[2])
-  return `x,y,r\n${cities.map((circle) => `${circle.map((value) => Number(value.toFixed(1))).join(',')}\n`).join('')}`
+    .map(({ name, loc, population }) => ({
+      // Names are written without quotes.
+      name: name.replaceAll(',', ''),
+      circle: [...onMap(loc.coordinates), RADIUS * Math.sqrt(population / 1e6)],
+    }))
+    .filter(({ circle: [x, y] }) => Math.max(Math.abs(x), Math.abs(y)) < REACH)
+    .sort((u, v) => v.circle[2] - u.circle[2])
+  const rows = cities.map(({ name, circle }) => [...circle.map((value) => Number(value.toFixed(1))), name])
+  return `x,y,r,name\n${rows.map((row) => `${row.join(',')}\n`).join('')}`
 }
 
 /** Lambert's azimuthal projection, on which equal areas are equal: kilometres to the east and to the north. */

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg, and those of the examples,
-// docs/examples.
+// `npm run picture`: the README's pictures of the page, docs/page-light.jpg and docs/page-dark.jpg, those of the examples,
+// docs/examples, and those of the recipes and of the first page, docs/cookbook and
+// docs/three-circles.svg.
 import { withBuiltPage } from './built-page.mjs'
+import { pictureRecipes } from './picture-recipes.mjs'
 import { main, ROOT } from './run.mjs'
 import { pictureOf, readGallery } from './texts/gallery.mjs'
 
@@ -34,15 +36,6 @@ await main(() =>
       await page.screenshot({ path: `${ROOT}docs/${pictureOf(folder)}`, type: 'jpeg', quality: 70 })
       await page.close()
     }
+    await pictureRecipes(browser)
   }),
 )
-
-/** In a page: once its figures are painted, or its frames counted. */
-async function settled() {
-  const figures = [...document.querySelectorAll('circle-voronoi')].slice(0, 1)
-  for (const figure of figures) {
-    await figure.ready
-    await figure.updateComplete
-  }
-  while (document.querySelector('output')?.textContent === 'loading') await new Promise(requestAnimationFrame)
-}

@@ -15,6 +15,7 @@ const PURPOSES = {
       'ninja-build',
       'g++',
       'libcgal-dev',
+      'libeigen3-dev',
       'libboost-dev',
       'libcli11-dev',
       'libdragonbox-dev',
@@ -22,7 +23,7 @@ const PURPOSES = {
       'librange-v3-dev',
       'mandoc',
     ],
-    libraries: ['CGAL 5.5', 'Boost', 'CLI11', 'Dragonbox', 'fast_float', 'range-v3'],
+    libraries: ['CGAL 5.5', 'Boost', 'Eigen 3.4', 'CLI11', 'Dragonbox', 'fast_float', 'range-v3'],
   },
   tests: {
     packages: [

@@ -8,6 +8,7 @@ import { promisify } from 'node:util'
 import { brotliCompress, gzip } from 'node:zlib'
 import { build } from 'esbuild'
 import { isMain, ROOT } from './run.mjs'
+import { addFirstPicture } from './texts/first-picture.mjs'
 import { buildTexts } from './texts/texts.mjs'
 
 const SERVICE_WORKER = 'service-worker.js'
@@ -22,6 +23,7 @@ async function buildSite(folder) {
   cpSync(`${ROOT}build/page`, folder, { recursive: true })
   // For who copies the code of an element from the page.
   copyFileSync(`${ROOT}dist/element/bundle.js`, `${folder}/element.js`)
+  await addFirstPicture(folder)
   await buildTexts(folder)
   const compressed = filesOf(folder).filter((name) => isCompressed(`${folder}/${name}`))
   await Promise.all(compressed.map((name) => compress(`${folder}/${name}`)))

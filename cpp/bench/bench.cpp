@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "areas.h"
 #include "child.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/io.h"
@@ -29,6 +30,7 @@
 #include "files.h"
 #include "median.h"
 #include "reference.h"
+#include "regions.h"
 #include "touching_disc.h"
 
 namespace {
@@ -207,11 +209,18 @@ std::vector<std::size_t> sizesOf(const std::string& list) {
 
 using OptionValues = std::map<std::string, std::string>;
 
-/// The options of each table with their defaults; --cliffs, --edits and --files come first if they come.
+/// The options of each table with their defaults; the name of a table comes first if it comes.
 OptionValues defaultsOf(const std::string& table) {
+  if (table == "--areas") return {{"--sizes", "300,1000,3000,10000,100000"}, {"--limit", "300"}};
   if (table == "--cliffs") return {{"--families", ""}, {"--sizes", "120000"}, {"--limit", "120"}};
   if (table == "--files")
     return {{"--families", "uniform,log-uniform"}, {"--sizes", "1000000"}, {"--repetitions", "3"}};
+  if (table == "--regions") {
+    return {{"--families", "uniform,log-uniform"},
+            {"--sizes", "100000,1000000"},
+            {"--sides", "1000,10000,100000,1000000"},
+            {"--repetitions", "3"}};
+  }
   if (table == "--edits") {
     return {{"--families", "uniform,log-uniform,intersecting,hidden,grid"},
             {"--sizes", "10000,100000,1000000"},
@@ -249,9 +258,12 @@ int benchEdits(const std::vector<std::string>& families, const std::vector<std::
 int usage() {
   std::cerr << "usage: circle-voronoi-bench [--families NAME|FILE.csv,...] [--sizes N,...] [--methods NAME,...]\n"
                "                            [--repetitions N] [--limit SECONDS] [-o FILE.json]\n"
+               "       circle-voronoi-bench --areas [--sizes N,...] [--limit SECONDS]\n"
                "       circle-voronoi-bench --cliffs [--families NAME,...] [--sizes N,...] [--limit SECONDS]\n"
                "       circle-voronoi-bench --edits [--families NAME|FILE.csv,...] [--sizes N,...] [--limit SECONDS]\n"
-               "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n";
+               "       circle-voronoi-bench --files [--families NAME,...] [--sizes N,...] [--repetitions N]\n"
+               "       circle-voronoi-bench --regions [--families NAME,...] [--sizes N,...] [--sides N,...]\n"
+               "                            [--repetitions N]\n";
   return 2;
 }
 
@@ -259,7 +271,8 @@ int usage() {
 
 int main(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
-  const bool hasTable = first == "--cliffs" || first == "--edits" || first == "--files";
+  static const std::set<std::string> kTables = {"--areas", "--cliffs", "--edits", "--files", "--regions"};
+  const bool hasTable = kTables.contains(first);
   OptionValues options = defaultsOf(first);
   for (int i = hasTable ? 2 : 1; i < argc; i += 2) {
     if (!options.contains(argv[i]) || i + 1 == argc) return usage();
@@ -268,6 +281,10 @@ int main(int argc, char** argv) {
   const int repetitions = std::atoi(options["--repetitions"].c_str());
   const auto limit = static_cast<unsigned>(std::atoi(options["--limit"].c_str()));
   if (first == "--edits") return benchEdits(split(options["--families"]), sizesOf(options["--sizes"]), limit);
+  if (first == "--areas") {
+    bench::printAreas(sizesOf(options["--sizes"]), limit);
+    return 0;
+  }
   if (hasTable) {
     for (const std::string& family : split(options["--families"])) {
       if (familyFromName(family)) continue;
@@ -277,6 +294,8 @@ int main(int argc, char** argv) {
     const auto sizes = sizesOf(options["--sizes"]);
     if (first == "--cliffs") {
       printCliffs(split(options["--families"]), sizes, limit);
+    } else if (first == "--regions") {
+      bench::benchRegions(split(options["--families"]), sizes, sizesOf(options["--sides"]), repetitions);
     } else {
       bench::benchFiles(split(options["--families"]), sizes, repetitions);
     }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -16,6 +15,7 @@
 #include "circle_voronoi/io.h"
 #include "circle_voronoi_families/families.h"
 #include "median.h"
+#include "processor_seconds.h"
 
 namespace circle_voronoi::bench {
 namespace {
@@ -27,13 +27,6 @@ struct Task {
   std::function<void()> run;
   std::vector<double> seconds = {};
 };
-
-/// Of this process, so that others on the machine count less.
-double processorSeconds(const std::function<void()>& run) {
-  const std::clock_t begin = std::clock();
-  run();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
 
 std::string readAll(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -65,7 +65,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   settle(arguments.output);
   check(arguments.tile, arguments.output);
   refuseSharedFiles(
-      {arguments.input},
+      {arguments.input, arguments.output.regionFile},
       {{"--output", arguments.output.file}, {"--trace", arguments.trace}, {"--open", arguments.tile.open}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
@@ -74,8 +74,13 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
                            progress);
   }
   const std::string name = inputName(arguments.input);
-  const auto circles = readCircles(readText(arguments.input), name, {arguments.weights});
-  if (!circles) throw Failure{kBadInput, circles.error().message};
+  const auto circles = [&] {
+    const std::string text = readText(arguments.input);
+    auto read = readCircles(text, name, {arguments.weights});
+    if (!read) throw Failure{kBadInput, read.error().message};
+    keepAttributes(arguments.output, text, name);
+    return *std::move(read);
+  }();
 
   Options options;
   options.weights = arguments.weights;
@@ -86,7 +91,7 @@ void runCompute(const CLI::App& command, ComputeArguments& arguments) {
   options.threads = arguments.threads;
   options.progress = [&](Stage stage, double done) { progress.show(stageName(stage), done); };
   const auto computed = [&] {
-    auto diagram = compute(circles.value(), options);
+    auto diagram = compute(circles, options);
     if (!diagram) fail(diagram.error(), name + ": ");
     return std::move(diagram).value();
   };

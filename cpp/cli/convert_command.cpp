@@ -49,7 +49,7 @@ void convertDiagram(const ConvertArguments& arguments, const std::string& text, 
 
 void runConvert(ConvertArguments& arguments) {
   settle(arguments.output);
-  refuseSharedFiles({arguments.input}, {{"--output", arguments.output.file}});
+  refuseSharedFiles({arguments.input, arguments.output.regionFile}, {{"--output", arguments.output.file}});
   ProgressLine progress(arguments.progress);
   progress.show("read");
   const std::string text = readText(arguments.input);

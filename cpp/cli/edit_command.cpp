@@ -71,7 +71,7 @@ void runEdit(EditArguments& arguments) {
     throw Failure{kBadInput, "The circles and the script cannot both be standard input."};
   }
   refuseSharedFiles(
-      {arguments.input, arguments.script},
+      {arguments.input, arguments.script, arguments.output.regionFile},
       {{"--output", arguments.output.file}, {"--changes", arguments.changes}, {"--trace", arguments.trace}});
   ProgressLine progress(arguments.progress);
   progress.show("read");

@@ -24,7 +24,7 @@ struct ExitMeaning {
 /// The meaning of each exit status, for --help and the manual page.
 inline constexpr std::array<ExitMeaning, 4> kExitMeanings = {
     {{kSuccess, "All is well."},
-     {kFailure, "A file cannot be read or written, or a diagram is not certified."},
+     {kFailure, "A file cannot be read or written, a diagram is not certified, or a fit did not converge."},
      {kBadInput, "The circles, the diagram or the command line are wrong."},
      {kNotFinal, "Circles of a tile's core are not final; what is written is."}}};
 
@@ -36,7 +36,8 @@ struct Failure {
 
 /// Throws Failure with an error of the library, after `where`.
 [[noreturn]] inline void fail(const Error& error, const std::string& where) {
-  throw Failure{error.code == ErrorCode::notCertified ? kFailure : kBadInput, where + error.message};
+  throw Failure{error.code == ErrorCode::notCertified || error.code == ErrorCode::notConverged ? kFailure : kBadInput,
+                where + error.message};
 }
 
 /// Throws Failure if a writer failed, except if its stream did: `writeText` reports that, with the reason.

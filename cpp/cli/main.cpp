@@ -55,6 +55,7 @@ int main(int argumentCount, char** arguments) {
     addComputeCommand(program);
     addConvertCommand(program);
     addEditCommand(program);
+    addFitCommand(program);
     addGenerateCommand(program);
     addTileCommand(program);
     program.footer(exitStatuses());

@@ -31,10 +31,11 @@ const std::map<std::string, WriteExport> kExports = {{"svg", writeSvg},
 
 /// An option that is given and that only drawings of a diagram use, or null.
 const char* drawingOption(const Output& output) {
-  return !output.bounds.empty() ? "--bounds"
-         : output.tolerance > 0 ? "--tolerance"
-         : output.maxDistance   ? "--max-distance"
-                                : nullptr;
+  return !output.bounds.empty()                                 ? "--bounds"
+         : !output.regionFile.empty() && !output.isRegionNeeded ? "--region"
+         : output.tolerance > 0                                 ? "--tolerance"
+         : output.maxDistance                                   ? "--max-distance"
+                                                                : nullptr;
 }
 
 using WriteCircles = Result<void> (*)(std::ostream&, std::span<const Circle>);
@@ -73,6 +74,10 @@ void addOutputOptions(CLI::App& command, Output& output) {
         Box box;
         return readBox(text, box);
       });
+  command
+      .add_option("--region", output.regionFile,
+                  "svg, geojson, geojsonl, wkt, obj: the file of a region to clip to, as GeoJSON or well-known text")
+      ->type_name("FILE");
   command
       .add_option(
           "--tolerance", output.tolerance,
@@ -115,17 +120,32 @@ void settle(Output& output) {
     output.format = ending.empty() ? kDefaultFormat : ending;
   }
   if (output.format == "stats" && output.digits) throw Failure{kBadInput, "--digits is not for --format stats."};
-  if (kExports.contains(output.format)) return;
-  if (const char* unused = drawingOption(output))
-    throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
+  if (!kExports.contains(output.format)) {
+    if (const char* unused = drawingOption(output))
+      throw Failure{kBadInput, std::string(unused) + " needs --format svg, geojson, geojsonl, wkt or obj."};
+  }
+  if (output.regionFile.empty()) return;
+  if (!output.bounds.empty()) throw Failure{kBadInput, "--region takes no --bounds."};
+  auto region = readRegion(readText(output.regionFile), inputName(output.regionFile));
+  if (!region) throw Failure{kBadInput, region.error().message};
+  output.region = *std::move(region);
+}
+
+void keepAttributes(Output& output, const std::string& text, const std::string& name) {
+  if (output.format != "geojson" && output.format != "geojsonl") return;
+  auto attributes = readAttributes(text, name);
+  if (!attributes) throw Failure{kBadInput, attributes.error().message};
+  output.attributes = *std::move(attributes);
 }
 
 ExportOptions exportOptions(const Output& output) {
   ExportOptions options;
   if (!output.bounds.empty()) (void)readBox(output.bounds, options.bounds.emplace());
+  if (output.region) options.region = &*output.region;
   if (output.tolerance > 0) options.tolerance = output.tolerance;
   options.maxDistance = output.maxDistance;
   options.digits = output.digits;
+  options.attributes = output.attributes;
   return options;
 }
 

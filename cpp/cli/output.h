@@ -5,10 +5,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/export.h"
+#include "circle_voronoi/region.h"
 #include "files.h"
 #include "progress_line.h"
 
@@ -17,11 +19,15 @@ namespace circle_voronoi::cli {
 /// What to write, how and where: the options that commands share.
 struct Output {
   std::string file = kStandardStream;
-  std::string format;    ///< empty until `settle` chooses it
-  std::string bounds;    ///< MINX,MINY,MAXX,MAXY; empty: the default
-  double tolerance = 0;  ///< 0: the default
+  std::string format;           ///< empty until `settle` chooses it
+  std::string bounds;           ///< MINX,MINY,MAXX,MAXY; empty: the default
+  std::string regionFile;       ///< empty: no region
+  bool isRegionNeeded = false;  ///< whether the command itself uses the region, whatever the format
+  double tolerance = 0;         ///< 0: the default
   std::optional<double> maxDistance = {};
   std::optional<int> digits = {};
+  std::optional<Region> region = {};         ///< what `settle` reads from the file
+  std::vector<std::string> attributes = {};  ///< of the circles (ExportOptions)
 };
 
 void addOutputFile(CLI::App& command, Output& output);
@@ -31,11 +37,16 @@ void addOutputOptions(CLI::App& command, Output& output);
 /// Returns the extension of a file in lower case, without the dot; empty if there is none.
 std::string endingOf(const std::string& file);
 
-/// Chooses the format by the extension of the file, or json, if the user has not chosen one. Called before any work.
-/// Throws Failure if no format has this extension, or if an option is given that the format does not use.
+/// Chooses the format by the extension of the file, or json, if the user has not chosen one, and reads the region.
+/// Called before any work. Throws Failure if no format has this extension, if an option is given that the format does
+/// not use, or if the file of the region does not hold one.
 void settle(Output& output);
 
-/// Returns the box, the tolerance, the maximum distance and the digits that the user gave.
+/// Keeps the attributes of the circles of a text, which has been read as circles, if the format has a place for them.
+void keepAttributes(Output& output, const std::string& text, const std::string& name);
+
+/// Returns the box, the region, the tolerance, the maximum distance and the digits that the user gave. The output must
+/// outlive them.
 ExportOptions exportOptions(const Output& output);
 
 /// Writes a diagram. Errors call the input `name`. Throws Failure if the format draws the diagram and it is not

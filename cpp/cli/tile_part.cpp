@@ -156,8 +156,8 @@ void check(const TilePart& part, const Output& output) {
   }
   if (output.format == "csv" && output.digits) throw Failure{kBadInput, "--known takes no --digits for csv."};
   // Else each tile would have a box and a tolerance of its own.
-  if (output.format == "geojsonl" && output.bounds.empty())
-    throw Failure{kBadInput, "--known needs --bounds for geojsonl."};
+  if (output.format == "geojsonl" && output.bounds.empty() && !output.region)
+    throw Failure{kBadInput, "--known needs --bounds or --region for geojsonl."};
   if (!part.open.empty() && !isDeepInside(boxOf(part.core), boxOf(part.known), *part.maxRadius)) {
     throw Failure{kBadInput, "--open needs a --core that lies within --known, farther inside than --max-radius."};
   }

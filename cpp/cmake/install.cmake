@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/circle_voronoi)
 
-install(TARGETS circle_voronoi circle_voronoi_families circle_voronoi_io EXPORT circle_voronoi_targets)
+install(TARGETS circle_voronoi circle_voronoi_families circle_voronoi_fit circle_voronoi_io EXPORT circle_voronoi_targets)
 install(DIRECTORY include/circle_voronoi include/circle_voronoi_families DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT circle_voronoi_targets
   FILE circle_voronoi-config.cmake

@@ -66,9 +66,9 @@ val replyTo(Session& session, const Result<Change>& change) {
   return change.ok() ? changeValue(session.reply, change.value()) : errorValue(change.error());
 }
 
-val createEditor(const val& coordinates) {
+val createEditor(const val& coordinates, bool weights) {
   return valueOf([&] {
-    auto editor = DiagramEditor::from(itemsFrom<double, Circle>(coordinates));
+    auto editor = DiagramEditor::from(itemsFrom<double, Circle>(coordinates), {.weights = weights});
     if (!editor.ok()) return errorValue(editor.error());
     val result = val::object();
     result.set("editor", reinterpret_cast<std::uintptr_t>(new Session{std::move(editor).value(), {}}));

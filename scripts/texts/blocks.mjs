@@ -7,7 +7,8 @@ const PLAYGROUND = '../'
 
 /**
  * @param {ReadonlyMap<string, import('./tutorial.mjs').Made>} made of each figure, by its name, what
- *   stands after the # of its link, and the file of its picture; with rules as printed also what these find
+ *   stands after the # of its link, and the file of its picture; with rules as printed also what these find, and of one that the
+ *   tutorial draws itself what is drawn at first
  */
 export function blockRenderer(made) {
   let questions = 0
@@ -15,15 +16,18 @@ export function blockRenderer(made) {
     figure: (spec, inline) => figure(spec, inline),
     corrupt: (spec, inline) => figure(spec, inline, ' data-corrupt'),
     printed,
+    drawn,
+    cones,
     try: trial,
     question,
   }
   return (kind, spec, inline) => renderers[kind](spec, inline)
 
   function figure(spec, inline, more = '') {
-    const { name, caption, sliders = [], hasCounts } = spec
-    return `<figure id="${name}"${more}>
-${element(spec)}
+    const { name, caption, layers = {}, sliders = [], hasCounts, stepsBetween } = spec
+    const steps = stepsBetween === undefined ? '' : ` data-steps="${stepsBetween.join(' ')}"`
+    return `<figure id="${name}"${more}${layers.samples ? ' data-rims' : ''}${steps}>
+${more === '' ? element(spec) : `<div class="numbered">${element(spec)}</div>`}
 ${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<p><output class="counts"></output></p>\n' : ''}<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>
 ${asked(spec, inline)}`
@@ -42,6 +46,35 @@ ${element(spec)}</div>
 <div class="picture"><img src="${poster}" alt="The same circles, with what the ${what} as printed find." loading="lazy"></div></div>
 </div>
 <p><output>${escaped(sentence)}</output></p>
+<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
+</figure>
+${asked(spec, inline)}`
+  }
+
+  /** What the tutorial draws itself (web/tutorial/drawn). */
+  function drawn(spec, inline) {
+    const { name, kind, point, view, at = 0, label, plays, caption, alt } = spec
+    const { circles, drawing } = made.get(name)
+    const data = escaped(JSON.stringify({ kind, circles, point, view, at }))
+    const button = (names, text) => `<button type="button" class="${names}">${text}</button>`
+    return `<figure id="${name}" class="drawn-figure" data-drawn="${data}">
+<div class="picture ${kind}"><img src="${drawing.poster}" alt="${escaped(alt)}" width="640" height="${drawing.height}" loading="lazy"></div>
+<div class="drive">${plays ? `${button('play', 'Play')}${button('back', 'Back')}${button('forth', 'Next')}` : ''}<label class="slider"><span>${inline(label)}</span> <input type="range" min="0" max="${drawing.last}" step="${drawing.step}" value="${at}"></label></div>
+<p class="telling"><output class="told">${escaped(drawing.told)}</output></p>
+<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
+</figure>
+${asked(spec, inline)}`
+  }
+
+  /** Each circle as a cone, to be turned. */
+  function cones(spec, inline) {
+    const { name, view, tilt, turn, caption, alt } = spec
+    const { circles, drawing } = made.get(name)
+    const slider = (label, from, to, at) =>
+      `<label class="slider"><span>${label}</span> <input type="range" min="${from}" max="${to}" step="1" value="${at}"> <output>${at}°</output></label>`
+    return `<figure id="${name}" class="drawn-figure" data-cones="${escaped(JSON.stringify({ circles, view }))}">
+<div class="picture"><img src="${drawing.poster}" alt="${escaped(alt)}" width="640" height="400" loading="lazy"></div>
+<div class="drive">${slider('Height of your eye', 0, 90, tilt)}${slider('Turn', -180, 180, turn)}</div>
 <figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>
 ${asked(spec, inline)}`

@@ -11,15 +11,23 @@ import { codeBlock } from './page.mjs'
 /** Of the repository, and where they stand in the site. */
 export const TEXTS = {
   'README.md': 'index.html',
+  'docs/javascript.md': 'javascript.html',
+  'docs/cookbook.md': 'cookbook.html',
   'docs/element.md': 'element.html',
+  'docs/cpp.md': 'cpp.html',
+  'docs/shell.md': 'shell.html',
+  'docs/tiles.md': 'tiles.html',
+  'docs/building.md': 'building.html',
   'docs/results.md': 'results.html',
   'ARCHITECTURE.md': 'architecture.html',
   'public/data/README.md': 'data.html',
   'CONTRIBUTING.md': 'contributing.html',
   'CHANGELOG.md': 'changelog.html',
 }
-const PICTURE = /\.(jpg|svg)$/
+const PICTURE = /\.(jpg|png|svg)$/
 const HEADERS = 'cpp/include/circle_voronoi'
+const MANUAL = 'cpp/cli/circle-voronoi.1'
+const PLAYGROUND = 'web/index.html'
 
 /**
  * Copies the pictures that these show, and examples that are pages.
@@ -30,11 +38,15 @@ const HEADERS = 'cpp/include/circle_voronoi'
 export async function documentationTexts(site) {
   const texts = Object.entries(TEXTS).map(([path, file]) => {
     const link = (address) => siteAddress(site, path, address)
-    const { title, html, text } = renderMarkdown(readFileSync(ROOT + path, 'utf8'), { link })
-    return { folder: 'docs', file, title, html, text }
+    const { title, html } = renderMarkdown(readFileSync(ROOT + path, 'utf8'), { link })
+    return { folder: 'docs', file, title, html }
   })
-  const [readme, element, ...others] = texts
-  return [readme, commandLine(), element, cppReference(), await examples(site), ...others]
+  const [first, ...others] = texts
+  const after = (file, more) => others.splice(others.findIndex((text) => text.file === file) + 1, 0, more)
+  after('cookbook.html', await examples(site))
+  after('cpp.html', cppReference())
+  after('shell.html', commandLine())
+  return [first, ...others]
 }
 
 /** Where a link of a text of the repository leads in the site. */
@@ -50,6 +62,9 @@ function siteAddress(site, from, address) {
     copyFileSync(ROOT + target, `${site}/docs/${copy}`)
     return copy
   }
+  if (target === PLAYGROUND) return '../'
+  if (target === MANUAL) return 'command-line.html'
+  if (dirname(target) === HEADERS) return `headers.html#${slugOf(posix.basename(target))}`
   if (target === 'LICENSE') {
     copyFileSync(`${ROOT}LICENSE`, `${site}/docs/license.txt`)
     return 'license.txt'
@@ -63,7 +78,7 @@ function siteAddress(site, from, address) {
 }
 
 function commandLine() {
-  const manual = execFileSync('mandoc', ['-T', 'html', '-O', 'fragment', `${ROOT}cpp/cli/circle-voronoi.1`], {
+  const manual = execFileSync('mandoc', ['-T', 'html', '-O', 'fragment', ROOT + MANUAL], {
     encoding: 'utf8',
   })
     // What frames a page of paper, and links of names to themselves.
@@ -75,8 +90,8 @@ function commandLine() {
     // Below the title of this page, whose policy allows no styles in attributes.
     .replace(/<(\/?)h([12])\b/g, (_, end, level) => `<${end}h${Number(level) + 1}`)
     .replace(/ style="[^"]*"/g, '')
-  const title = 'The command line'
-  const html = `<h1>${title}</h1>\n<p>The manual page of <code>circle-voronoi</code>.</p>\n${manual}`
+  const title = 'The manual page'
+  const html = `<h1>${title}</h1>\n<p>Every command and option of the program <code>circle-voronoi</code>, as <code>man circle-voronoi</code> shows them.</p>\n${manual}`
   return page('command-line.html', title, html)
 }
 
@@ -95,9 +110,9 @@ function cppReference() {
     if (declared === undefined) return ''
     return `<h2 id="${slugOf(header)}">${header}</h2>\n${codeBlock(withoutPrivate(declared).trim())}`
   })
-  const about = `What the public headers declare, in the namespace <code>circle_voronoi</code>: each name with what it promises.
-<code>#include &lt;circle_voronoi/compute.h&gt;</code> and so on.`
-  return page('cpp.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`)
+  const about = `Every public name of the C++ library, in the namespace <code>circle_voronoi</code>, with its contract. Include the headers as
+<code>#include &lt;circle_voronoi/compute.h&gt;</code>.`
+  return page('headers.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`)
 }
 
 /** Nobody can use what is private. */
@@ -106,9 +121,5 @@ function withoutPrivate(source) {
 }
 
 function page(file, title, html) {
-  const text = html
-    .replace(/<[^>]*>/g, ' ')
-    .replace(/&\w+;/g, ' ')
-    .replace(/\s+/g, ' ')
-  return { folder: 'docs', file, title, html, text }
+  return { folder: 'docs', file, title, html }
 }

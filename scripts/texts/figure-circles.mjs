@@ -25,7 +25,7 @@ export async function loadFigureCircles() {
     const [, family, seed, count] = /^([a-z-]+):(\d+):(\d+)$/.exec(dataSet) ?? []
     if (family !== undefined) return families.generate(family, Number(count), Number(seed))
     const lines = readFileSync(`${ROOT}public/data/${dataSet}.csv`, 'utf8').trim().split('\n').slice(1)
-    return lines.flatMap((line) => line.split(',').map(Number))
+    return lines.flatMap((line) => line.split(',').slice(0, 3).map(Number))
   }
 }
 

@@ -6,7 +6,7 @@ import definitions from 'markdown-it-deflist'
 import temml from 'temml'
 
 /** What is no code to be shown, but something to be touched. */
-export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed']
+export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed', 'drawn', 'cones']
 
 /**
  * @param {string} markdown
@@ -14,10 +14,11 @@ export const BLOCKS = ['figure', 'try', 'question', 'corrupt', 'printed']
  * @param {(kind: string, spec: object, inline: (text: string) => string) => string} [options.block] what a block becomes;
  *   without it there are none
  * @param {(address: string) => string} [options.link] where links and pictures lead
- * @returns {{ title: string, html: string, text: string, blocks: { kind: string, spec: object }[] }}
+ * @returns {{ title: string, html: string, blocks: { kind: string, spec: object }[] }}
  */
 export function renderMarkdown(markdown, { block, link = (address) => address } = {}) {
   const blocks = []
+  const slugs = new Map()
   const md = new MarkdownIt({ html: true }).use(definitions)
   if (block !== undefined) md.use(mathematics)
   const inline = (text) => md.renderInline(text)
@@ -25,13 +26,15 @@ export function renderMarkdown(markdown, { block, link = (address) => address } 
   md.renderer.rules.fence = (tokens, i, ...rest) => {
     const { info, content } = tokens[i]
     const kind = info.trim()
-    if (block === undefined || !BLOCKS.includes(kind)) return scrolled(fence(tokens, i, ...rest))
+    if (block === undefined || !BLOCKS.includes(kind)) return fence(tokens, i, ...rest)
     const spec = JSON.parse(content)
     blocks.push({ kind, spec })
     return block(kind, spec, inline)
   }
-  md.renderer.rules.code_block = (tokens, i) =>
-    scrolled(`<pre><code>${md.utils.escapeHtml(tokens[i].content)}</code></pre>\n`)
+  md.renderer.rules.code_block = (tokens, i) => {
+    const { content } = tokens[i]
+    return `${opened(content)}<code>${md.utils.escapeHtml(content)}</code></pre>\n`
+  }
   md.renderer.rules.link_open = (tokens, i, ...rest) => {
     tokens[i].attrSet('href', link(tokens[i].attrGet('href')))
     return linkOpen(tokens, i, ...rest)
@@ -45,23 +48,27 @@ export function renderMarkdown(markdown, { block, link = (address) => address } 
   md.renderer.rules.table_open = () => '<div class="wide" tabindex="0"><table>\n'
   md.renderer.rules.table_close = () => '</table></div>\n'
   md.renderer.rules.heading_open = (tokens, i, options, _, self) => {
-    tokens[i].attrSet('id', slugOf(tokens[i + 1].content))
+    const slug = slugOf(tokens[i + 1].content)
+    const before = slugs.get(slug) ?? 0
+    slugs.set(slug, before + 1)
+    // Where a heading comes again, as GitHub does it.
+    tokens[i].attrSet('id', before === 0 ? slug : `${slug}-${before}`)
     return self.renderToken(tokens, i, options)
   }
   // A column without a title has no header.
   const html = md.render(markdown).replaceAll('<th></th>', '<td></td>')
   const [, title] = /^# (.*)$/m.exec(markdown) ?? []
   if (title === undefined) throw new Error('A text begins with its title.')
-  return { title, html, text: textOf(markdown, block !== undefined), blocks }
+  return { title, html, blocks }
 }
 
 function plain(tokens, i, options, _, self) {
   return self.renderToken(tokens, i, options)
 }
 
-/** What is wider than a phone can be reached with keys. */
-function scrolled(pre) {
-  return pre.replace('<pre>', '<pre tabindex="0">')
+/** Lines of code may be broken. What is drawn with characters stays as it is, and can be scrolled by keys where it is too wide. */
+function opened(content) {
+  return /[─│┐└]|\S {3,}\S/.test(content) ? '<pre class="drawn" tabindex="0">' : '<pre>'
 }
 
 function relinked(html, link) {
@@ -75,22 +82,6 @@ export function slugOf(heading) {
     .replace(/[^\p{L}\p{N}\s_-]/gu, '')
     .trim()
     .replace(/\s/g, '-')
-}
-
-/** What is searched: the words alone. */
-function textOf(markdown, hasBlocks) {
-  return markdown
-    .replace(/```(\w+)\n([\s\S]*?)```/g, (_, kind, content) =>
-      hasBlocks && BLOCKS.includes(kind) ? wordsOf(JSON.parse(content)) : content,
-    )
-    .replace(/<[^>]*>|\]\([^)]*\)/g, ' ')
-    .replace(/[#*_`$>|[\]()]/g, ' ')
-    .replace(/\s+/g, ' ')
-    .trim()
-}
-
-function wordsOf({ ask, caption, hint, answer, choices = [] }) {
-  return [ask, caption, hint, answer, ...choices].filter(Boolean).join(' ')
 }
 
 /** `$...$` within a line, and `$$...$$` as a paragraph of its own. */

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A page of the site around its text: web/tutorial/page.html and web/docs/page.html as Vite has built them, filled in.
+import { firstSentence, headingsOf, wordsOf } from './sections.mjs'
 
 /** Of the site, from its folder. */
 const MAIN = [
   { href: '', title: 'Playground' },
   { href: 'tutorial/', title: 'Tutorial' },
-  { href: 'docs/', title: 'Documentation' },
+  { href: 'docs/', title: 'Docs' },
   { href: 'docs/examples.html', title: 'Examples' },
   { href: 'api/', title: 'Reference' },
-  { href: 'docs/results.html', title: 'Results' },
 ]
+
+/** A page with so many sections has a table of contents. */
+const LONG = 3
+/** Sections of sections are listed where there are not too many. */
+const MOST_LISTED = 40
 
 const NAMES = { tutorial: 'Chapters', docs: 'Documentation', api: 'Modules' }
 
@@ -28,9 +33,10 @@ function link({ href, title }, isCurrent) {
  * @property {string} file its name there
  * @property {string} title
  * @property {string} html what is read
- * @property {string} text the same for the search: words alone
  * @property {boolean} [isListed] whether other pages of its folder name it: by default so
  * @property {boolean} [isChapter] whether it has a number among those of its folder
+ * @property {boolean} [isOpen] whether it is as wide as the window, without a list of pages beside it
+ * @property {boolean} [isFound] whether the search finds it: by default so
  */
 
 /**
@@ -40,11 +46,17 @@ function link({ href, title }, isCurrent) {
  */
 export function pageOf(template, text, all) {
   const { title, html } = text
-  const filled = { title: escaped(title), description: escaped(firstSentence(html)), body: bodyOf(text, all) }
-  return template.replace(/\{\{(\w+)\}\}/g, (_, name) => filled[name])
+  // Signatures stand first, in quotations.
+  const [, paragraph = ''] = /<p>([\s\S]*?)<\/p>/.exec(html.replace(/<blockquote>[\s\S]*?<\/blockquote>/g, '')) ?? []
+  const description = firstSentence(wordsOf(paragraph)) || `${title}.`
+  const filled = { title: escaped(title), description: escaped(description), body: bodyOf(text, all) }
+  const styled = html.includes('<math')
+    ? template.replace('</head>', '<link rel="stylesheet" href="../tutorial/math.css">\n</head>')
+    : template
+  return styled.replace(/\{\{(\w+)\}\}/g, (_, name) => filled[name])
 }
 
-function bodyOf({ folder, file, html, isChapter }, all) {
+function bodyOf({ folder, file, html, isChapter, isOpen }, all) {
   const here = `${folder}/${file === 'index.html' ? '' : file}`
   const items = (pages) =>
     pages.map((page) => `<li>${link({ href: addressOf(page), title: page.title }, page.file === file)}</li>`).join('\n')
@@ -52,18 +64,20 @@ function bodyOf({ folder, file, html, isChapter }, all) {
   const others = all.filter(({ isChapter, isListed = true }) => !isChapter && isListed)
   const k = chapters.findIndex((page) => page.file === file)
   const [previous, next] = isChapter ? [chapters[k - 1] ?? all[0], chapters[k + 1]] : []
-  return `<a class="skip" href="#text">Skip to the text</a>
-<header>
-<nav class="site" aria-label="Site">${linksTo('../', here)}</nav>
-<search><form class="search"><label>Search <input type="search" name="q" autocomplete="off"></label></form><ol class="found" aria-live="polite" hidden></ol></search>
-</header>
-<div class="columns">
-<nav class="pages" aria-label="${NAMES[folder]}">
+  const pages = `<nav class="pages" aria-label="${NAMES[folder]}">
 ${chapters.length === 0 ? '' : `<ol>\n${items(chapters)}\n</ol>\n`}<ul>
 ${items(others)}
 </ul>
 </nav>
-<main id="text">
+`
+  return `<a class="skip" href="#text">Skip to the text</a>
+<header>
+<a class="brand" href="../">circle-voronoi</a>
+<nav class="site" aria-label="Site">${linksTo('../', here)}</nav>
+<search><form class="search"><input type="search" name="q" autocomplete="off" aria-label="Search" placeholder="Search"></form><ol class="found" aria-live="polite" hidden></ol></search>
+</header>
+<div class="columns${isOpen ? ' open' : ''}">
+${isOpen ? '' : `${pages}${tableOfContents(html)}`}<main id="text">
 ${html}
 ${
   isChapter
@@ -77,27 +91,32 @@ ${next ? `<a rel="next" href="${addressOf(next)}">${escaped(next.title)} →</a>
 </div>`
 }
 
+/** The sections of a page that is long. */
+function tableOfContents(html) {
+  const all = headingsOf(html).filter(({ level }) => level < 4)
+  const headings = all.length > MOST_LISTED ? all.filter(({ level }) => level === 2) : all
+  if (headings.filter(({ level }) => level === 2).length < LONG) return ''
+  const items = headings.map(
+    ({ level, id, title }) => `<li${level === 3 ? ' class="deep"' : ''}><a href="#${id}">${escaped(title)}</a></li>`,
+  )
+  return `<nav class="toc" aria-labelledby="toc"><p id="toc">On this page</p>
+<ul>
+${items.join('\n')}
+</ul>
+</nav>
+`
+}
+
 /** From another page of its folder. A folder has one address, which is what is kept for when there is no network. */
 function addressOf({ file }) {
   return file === 'index.html' ? './' : file
-}
-
-/** What search engines show. */
-function firstSentence(html) {
-  const [, paragraph = ''] = /<p>([\s\S]*?)<\/p>/.exec(html) ?? []
-  return paragraph
-    .replace(/<[^>]*>/g, '')
-    .replace(/&quot;/g, '"')
-    .replace(/&amp;/g, '&')
-    .replace(/\s+/g, ' ')
-    .split('. ')[0]
 }
 
 export function escaped(text) {
   return text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c])
 }
 
-/** A source as it stands in a text; it can be scrolled by keys. */
+/** A source as it stands in a text. */
 export function codeBlock(source) {
-  return `<pre tabindex="0"><code>${escaped(source)}</code></pre>`
+  return `<pre><code>${escaped(source)}</code></pre>`
 }

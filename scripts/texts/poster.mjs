@@ -1,30 +1,144 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture that stands for a figure until it lives, on paper and without scripts: what the library's writer draws, with the
-// layers of the figure, in the colors of the page.
+// The picture that stands for a figure until it lives, on paper and without scripts: what the library's writer draws, in the
+// look of the page, with the layers of the figure.
+import { readFileSync } from 'node:fs'
+import { ROOT } from '../run.mjs'
 
 /** Groups of the writer's that figures show only if they are asked for. */
 const ASKED_FOR = ['dual', 'hull']
+/** Those that they show unless they are told not to. */
+const USUAL = ['vertices', 'edges', 'circles']
 
 const STYLE = `
-.cells { fill: #fcfcfa; }
-.edges { stroke: #27447c; }
-.vertices { fill: #27447c; }
-.circles { fill: #5b96cc; fill-opacity: 0.7; stroke: #27447c; }
-.dual { stroke: #2f8f6f; }
-.hull { stroke: #6a4fb3; stroke-dasharray: none; }
-@media (prefers-color-scheme: dark) {
-.cells { fill: #0f141b; }
-.edges { stroke: #82a8e6; }
-.vertices { fill: #82a8e6; }
-.circles { fill: #3f74ad; stroke: #82a8e6; }
-}
+svg { background: var(--paper); }
+.cells { fill: none; fill-opacity: 0.23; }
+.edges { stroke: var(--edge); }
+.vertices { fill: var(--edge); }
+.circles { fill-opacity: 1; stroke: none; }
+.circles .hidden { fill: none; stroke: var(--bad); }
+.dual { stroke: var(--good); stroke-width: 1.5; }
+.hull { stroke: var(--c4); stroke-dasharray: none; stroke-width: 1.75; }
+.c0 { fill: var(--c0); }
+.c1 { fill: var(--c1); }
+.c2 { fill: var(--c2); }
+.c3 { fill: var(--c3); }
+.c4 { fill: var(--c4); }
+.c5 { fill: var(--c5); }
+.lines { fill: none; stroke-width: 1.25; }
+.delaunay, .steps { stroke: var(--c5); }
+.steps { stroke-width: 3; }
+.sampleGraph, .rims { stroke: var(--ink-3); }
+.samples { fill: var(--c3); }
+.antipodalDiscs { stroke: var(--good); }
+.directedEdges { stroke: var(--bad); }
+.missedEdges { stroke: var(--bad); stroke-width: 3; }
 `
 
-/** @param {Readonly<Record<string, unknown>>} [layers] of the figure */
-export function posterOf(svg, layers = {}) {
-  const left = ASKED_FOR.filter((name) => layers[name] !== true).reduce(
-    (rest, name) => rest.replace(new RegExp(`<g id="${name}"[\\s\\S]*?</g>\n`), ''),
-    svg,
-  )
-  return left.replace('</style>', `${STYLE.trimStart()}</style>`)
+/**
+ * @param {import('../../dist/lib/index.js').CircleVoronoi} library
+ * @param {object} drawing what the page's own code tells of colors and of what figures show besides
+ */
+export function posterMaker(library, { colorsOf, extrasOf }) {
+  const tokens = readFileSync(`${ROOT}web/style/tokens.css`, 'utf8')
+
+  /** @param {object} spec a figure of a chapter */
+  return (svg, diagram, { layers = {}, stepsBetween }) => {
+    const colors = colorsOf(diagram)
+    const left = [...ASKED_FOR, ...USUAL]
+      .filter((name) => layers[name] !== true && (ASKED_FOR.includes(name) || layers[name] === false))
+      .reduce((rest, name) => rest.replace(new RegExp(`<g id="${name}"[\\s\\S]*?</g>\n`), ''), svg)
+    const isPlain = layers.cells === 'none'
+    const colored = left
+      .replace(/<path data-circle="(\d+)"/g, (all, i) => (isPlain ? all : `<path class="c${colors[i]}"`))
+      .replace(/<circle data-circle="(\d+)" class="hidden/g, '<circle class="hidden')
+      .replace(/<circle data-circle="(\d+)"( class="[^"]*)?/g, (_, i, names) =>
+        names === undefined ? `<circle class="c${colors[i]}"` : `<circle${names} c${colors[i]}`,
+      )
+    const more = extraLayers(library, diagram, layers, stepsBetween, extrasOf)
+    return colored
+      .replace('</style>', `${tokens}${STYLE.trimStart()}</style>`)
+      .replace(/<\/g>\s*<\/svg>\s*$/, `${more}</g>\n</svg>\n`)
+  }
+}
+
+/** What the writer does not draw: graphs of centers and samples, and what the method makes on its way. */
+function extraLayers(library, diagram, layers, stepsBetween, extrasOf) {
+  const { circles } = diagram
+  const parts = []
+  const centerOf = (i) => [circles[3 * i], circles[3 * i + 1]]
+  const lines = (name, segments) => {
+    const d = segments.map(([[x0, y0], [x1, y1]]) => `M${short(x0)},${short(y0)}L${short(x1)},${short(y1)}`).join('')
+    if (d !== '') parts.push(`<path class="lines ${name}" d="${d}"/>`)
+  }
+  const discs = (name, list) =>
+    parts.push(
+      `<g class="lines ${name}">${list.map(([x, y, r]) => `<circle cx="${short(x)}" cy="${short(y)}" r="${short(Math.abs(r))}"/>`).join('')}</g>`,
+    )
+  if (layers.delaunay) {
+    const centers = library.compute(Float64Array.from(circles, (value, k) => (k % 3 === 2 ? 0 : value)))
+    lines(
+      'delaunay',
+      pairsOf(centers.edges).map((pair) => pair.map(centerOf)),
+    )
+  }
+  const { samples, sampleGraph, antipodalDiscs, directedEdges, missedEdges, candidates, sampleCount } = layers
+  if (samples || sampleGraph || antipodalDiscs || directedEdges || missedEdges) {
+    const trace = library.trace(circles, { candidates, samples: sampleCount })
+    const state = trace.at(trace.length)
+    const pointOf = (k) => [trace.event(k).disc.x, trace.event(k).disc.y]
+    if (sampleGraph) {
+      const ends = (k) => trace.event(k).numbers.map((sample) => pointOf(state.samples[sample]))
+      lines('sampleGraph', [...state.sampleEdges].map(ends))
+    }
+    if (samples) {
+      const [minX, minY, maxX, maxY] = boxOf(circles)
+      const r = Math.max(maxX - minX, maxY - minY) / 250
+      discs(
+        'samples',
+        [...state.samples].map((k) => [...pointOf(k), r]),
+      )
+    }
+    if (antipodalDiscs) {
+      const discOf = (k) => [trace.event(k).disc.x, trace.event(k).disc.y, trace.event(k).disc.r]
+      discs('antipodalDiscs', [...state.antipodalDiscs].map(discOf))
+    }
+    if (directedEdges)
+      lines(
+        'directedEdges',
+        [...state.directedEdges].map((k) => trace.event(k).circles.map(centerOf)),
+      )
+  }
+  for (const { id, discs: rims, segments } of extrasOf(
+    circles,
+    { hasRims: samples === true, steps: stepsBetween },
+    library,
+  )) {
+    if (rims) discs(id, chunks(rims, 3))
+    if (segments)
+      lines(
+        id,
+        chunks(segments, 4).map(([x0, y0, x1, y1]) => [
+          [x0, y0],
+          [x1, y1],
+        ]),
+      )
+  }
+  return parts.join('\n')
+}
+
+function pairsOf(edges) {
+  return chunks(edges, 4).map(([a, b]) => [a, b])
+}
+
+function chunks(list, size) {
+  return Array.from({ length: list.length / size }, (_, k) => [...list.slice(size * k, size * (k + 1))])
+}
+
+function boxOf(circles) {
+  const numbers = [0, 1].map((first) => [...circles].filter((_, k) => k % 3 === first))
+  return [...numbers.map((list) => Math.min(...list)), ...numbers.map((list) => Math.max(...list))]
+}
+
+function short(value) {
+  return Number(value.toPrecision(6))
 }

@@ -3,12 +3,16 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import MiniSearch from 'minisearch'
 import { documentationTexts } from './documentation.mjs'
+import { writeMathFont } from './math-font.mjs'
 import { pageOf } from './page.mjs'
 import { referenceTexts } from './reference.mjs'
+import { sectionsOf } from './sections.mjs'
 import { tutorialTexts } from './tutorial.mjs'
 
-/** What is searched; web/reading/search.ts says the same. */
-const SEARCHED = { fields: ['title', 'text'], storeFields: ['title', 'file'] }
+/** What is searched, section by section; web/reading/search.ts says the same. */
+const SEARCHED = { fields: ['title', 'heading', 'text'], storeFields: ['title', 'heading', 'address', 'shown'] }
+/** So many characters of a section of the reference are shown at most; of other pages all may be. */
+const SHOWN_OF_REFERENCE = 160
 
 /** Fills the built templates of a site, which are gone then. */
 export async function buildTexts(site) {
@@ -22,7 +26,17 @@ export async function buildTexts(site) {
   }
   for (const name of new Set(Object.values(templates))) rmSync(`${site}/${name}`)
   const search = new MiniSearch(SEARCHED)
-  const found = texts.filter(({ text }) => text !== '')
-  search.addAll(found.map(({ folder, file, title, text }, id) => ({ id, file: `${folder}/${file}`, title, text })))
+  await writeMathFont(`${site}/tutorial`, texts.map(({ html }) => html).join(''))
+  const entries = texts.filter(({ isFound = true }) => isFound).flatMap(entriesOf)
+  search.addAll(entries.map((entry, id) => ({ id, ...entry })))
   writeFileSync(`${site}/search.json`, JSON.stringify(search))
+}
+
+/** The sections of a page, as the search knows them. */
+function entriesOf({ folder, file, title, html }) {
+  return sectionsOf(html).map(({ id: place, heading, text }) => {
+    const address = `${folder}/${file}${place === '' ? '' : `#${place}`}`
+    const shown = folder === 'api' ? text.slice(0, SHOWN_OF_REFERENCE) : text
+    return { address, title, heading, text, shown }
+  })
 }

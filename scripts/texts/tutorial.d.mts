@@ -12,6 +12,11 @@ export interface Spec {
   readonly check?: unknown
   /** Of a figure of the kind `printed` the rules that are as printed. */
   readonly rules: readonly ('side' | 'third' | 'crossing' | 'inside')[]
+  /** Of a figure of the kind `drawn` how it is drawn (web/tutorial/drawn). */
+  readonly kind?: string
+  readonly point?: readonly [number, number]
+  readonly view?: readonly [number, number, number]
+  readonly stepsBetween?: readonly [number, number]
   readonly solution: readonly (readonly number[])[]
   readonly choices: readonly string[]
   readonly right: number
@@ -21,9 +26,12 @@ export interface Chapter {
   readonly file: string
   readonly isChapter: boolean
   readonly title: string
+  /** The figure and the line that the contents show of a chapter. */
+  readonly shown: string | undefined
+  readonly line: string | undefined
   readonly markdown: string
   readonly blocks: readonly {
-    readonly kind: 'figure' | 'try' | 'question' | 'corrupt' | 'printed'
+    readonly kind: 'figure' | 'try' | 'question' | 'corrupt' | 'printed' | 'drawn' | 'cones'
     readonly spec: Spec
   }[]
 }

@@ -3,14 +3,25 @@
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { ROOT } from '../run.mjs'
 import { blockRenderer, paperFigures } from './blocks.mjs'
+import { loadDrawn } from './drawn.mjs'
 import { loadFigureCircles } from './figure-circles.mjs'
 import { renderMarkdown } from './markdown.mjs'
-import { posterOf } from './poster.mjs'
+import { posterMaker } from './poster.mjs'
 import { loadPrinted } from './printed.mjs'
 
 const CHAPTERS = `${ROOT}web/tutorial/chapters`
 /** A link that a text has into the playground: `playground:figure-14`. */
 const PLAYGROUND_LINK = /playground:([\w:-]+)/g
+/** The figure on the page of contents. */
+const HERO = {
+  name: 'hero',
+  dataSet: 'introduction',
+  layers: { cells: 'different', vertices: false },
+  alt: 'Fourteen circles of different sizes, each in a cell of its own color.',
+  caption: 'Drag a circle or its rim.',
+}
+/** The kinds of blocks that the tutorial draws itself. */
+const DRAWN = ['drawn', 'cones']
 /** Of the paper. */
 const FIGURES = 16
 /** Of figures; those beside what rules find as printed are squares (web/tutorial/tutorial.css). */
@@ -20,8 +31,9 @@ const ASPECT = 8 / 5
  * @typedef {object} Made what there is of a figure
  * @property {number[][]} circles
  * @property {string} link what stands after the # of its link
- * @property {string} poster the file of its picture
+ * @property {string} [poster] the file of its picture
  * @property {{ poster: string, sentence: string }} [printed] what the rules as printed find
+ * @property {object} [drawing] what the tutorial draws itself, with the file of its picture
  */
 
 /** The chapters in their order, then what is not one of them, each with its figures and questions. */
@@ -30,8 +42,10 @@ export function readBook() {
     .sort()
     .map((name) => {
       const markdown = readFileSync(`${CHAPTERS}/${name}`, 'utf8')
-      const { title, text, blocks } = renderMarkdown(markdown, { block: () => '' })
-      return { file: name.replace(/\.md$/, '.html'), isChapter: /^\d/.test(name), markdown, title, text, blocks }
+      const { title, blocks } = renderMarkdown(markdown, { block: () => '' })
+      // What the contents show of a chapter: the picture of this figure, and this line.
+      const [, shown, line] = /^<!-- ([\w-]+): (.*) -->\n/.exec(markdown) ?? []
+      return { file: name.replace(/\.md$/, '.html'), isChapter: /^\d/.test(name), markdown, title, shown, line, blocks }
     })
 }
 
@@ -47,6 +61,8 @@ export async function tutorialTexts(folder) {
   const { encodeLink } = await import(`${ROOT}dist/lib/link.js`)
   const [library, files, circlesOf] = [await loadCircleVoronoi(), await loadFiles(), await loadFigureCircles()]
   const printedOf = await loadPrinted(library)
+  const drawing = await loadDrawn(library)
+  const posterOf = posterMaker(library, drawing)
   const book = readBook()
   mkdirSync(`${folder}/tutorial/pictures`, { recursive: true })
 
@@ -64,12 +80,30 @@ export async function tutorialTexts(folder) {
     writeFileSync(`${folder}/tutorial/${poster}`, svg)
     return { poster, sentence }
   }
+  const drawn = (spec, circles) => {
+    const put = (name, picture) => {
+      const poster = `pictures/${name}.${typeof picture === 'string' ? 'svg' : 'png'}`
+      writeFileSync(`${folder}/tutorial/${poster}`, picture)
+      return poster
+    }
+    const { picture, ...others } = drawing.draw(spec, circles)
+    // What says most of it is not always what it begins with.
+    const tile = spec.tile && put(`${spec.name}-tile`, drawing.draw({ ...spec, at: spec.tile }, circles).picture)
+    return { ...others, poster: put(spec.name, picture), tile }
+  }
   const made = new Map()
-  for (const { spec } of book.flatMap(({ blocks }) => blocks).filter(({ spec }) => spec.name !== undefined)) {
+  for (const { kind, spec } of [{ kind: 'figure', spec: HERO }, ...book.flatMap(({ blocks }) => blocks)].filter(
+    ({ spec }) => spec.name !== undefined,
+  )) {
     if (made.has(spec.name)) throw new Error(`Two figures are called ${spec.name}.`)
     const circles = circlesOf(spec)
+    if (DRAWN.includes(kind)) {
+      made.set(spec.name, { circles, link: await encodeLink({ circles }), drawing: drawn(spec, circles) })
+      continue
+    }
     const poster = `pictures/${spec.name}.svg`
-    writeFileSync(`${folder}/tutorial/${poster}`, posterOf(picture(library.compute(circles), spec), spec.layers))
+    const diagram = library.compute(circles)
+    writeFileSync(`${folder}/tutorial/${poster}`, posterOf(picture(diagram, spec), diagram, spec))
     const { view, layers, controls, method } = spec
     const [x, y, span] = view ?? []
     const link = await encodeLink({
@@ -86,12 +120,20 @@ export async function tutorialTexts(folder) {
   }
 
   const block = blockRenderer(made)
-  const pages = book.map(({ file, isChapter, markdown, text }) => {
+  const pages = book.map(({ file, isChapter, markdown }) => {
     const linked = markdown.replace(PLAYGROUND_LINK, (_, dataSet) => `../#${links.get(dataSet)}`)
     const { title, html } = renderMarkdown(linked, { block })
-    return { folder: 'tutorial', file, isChapter, title, html, text }
+    return { folder: 'tutorial', file, isChapter, title, html }
   })
-  return [contents(book), ...pages, paperPage(book)]
+  return [
+    contents(
+      book,
+      made,
+      block('figure', HERO, (text) => text),
+    ),
+    ...pages,
+    paperPage(book),
+  ]
 }
 
 /** What a figure shows at first. */
@@ -105,15 +147,27 @@ function boundsOf(circles) {
   return [...numbers.map((list) => Math.min(...list)), ...numbers.map((list) => Math.max(...list))]
 }
 
-function contents(book) {
+function contents(book, made, hero) {
   const chapters = book.filter(({ isChapter }) => isChapter)
-  const title = 'Contents'
-  const html = `<h1>Voronoi diagrams of circles</h1>
-<p>Which circle is nearest? A tutorial with pictures to drag: school geometry is enough.</p>
-<ol class="contents">
-${chapters.map(({ file, title }) => `<li><a href="${file}">${title}</a></li>`).join('\n')}
-</ol>`
-  return { folder: 'tutorial', file: 'index.html', title, html, text: '' }
+  const [first] = chapters
+  const tiles = chapters.map(({ file, title, shown, line }, k) => {
+    const { poster, drawing } = made.get(shown)
+    return `<li><a href="${file}"><img src="${drawing?.tile ?? drawing?.poster ?? poster}" alt="" loading="lazy"><span class="number">${k + 1}</span><strong>${title}</strong> <span>${line}</span></a></li>`
+  })
+  const html = `<div class="hero">
+<div>
+<h1>Which circle is nearest?</h1>
+<p>Circles divide the plane among themselves, along curved borders. Eleven short chapters show how to find these borders, why the method is right, and what it is good for. You can drag everything. School geometry is enough.</p>
+<a class="go" href="${first.file}">Start with chapter 1</a>
+</div>
+${hero}</div>
+<h2 class="hidden">Chapters</h2>
+<ol class="gallery">
+${tiles.join('\n')}
+</ol>
+<p class="more">There is also a <a href="glossary.html">glossary</a>, a page <a href="teachers.html">for teachers</a>, and a list of
+<a href="paper.html">the paper’s figures</a>.</p>`
+  return { folder: 'tutorial', file: 'index.html', title: 'Contents', html, isOpen: true, isFound: false }
 }
 
 /** Where each figure of the paper is alive. */
@@ -129,13 +183,13 @@ function paperPage(book) {
     return `<tr><th scope="row">Figure ${k + 1}</th><td>${places.join('<br>')}</td></tr>`
   })
   const html = `<h1>The paper’s figures</h1>
-<p>The method of chapters 3 to 5 is that of “A dynamic sampling approach towards computing Voronoi diagram of a set of circles”.
-Each of its figures is alive in this tutorial.</p>
+<p>Chapters 3 to 5 explain the method of “A dynamic sampling approach towards computing Voronoi diagram of a set of circles”.
+This tutorial has a live version of each of its figures.</p>
 <table>
 <thead><tr><th scope="col">In the paper</th><th scope="col">Here</th></tr></thead>
 <tbody>
 ${rows.join('\n')}
 </tbody>
 </table>`
-  return { folder: 'tutorial', file: 'paper.html', title, html, text: '' }
+  return { folder: 'tutorial', file: 'paper.html', title, html, isFound: false }
 }

@@ -17,7 +17,7 @@ namespace {
 
 using Words = std::set<std::string>;
 
-const std::vector<std::string> kCommands = {"certify", "compute", "convert", "edit", "generate", "tile"};
+const std::vector<std::string> kCommands = {"certify", "compute", "convert", "edit", "fit", "generate", "tile"};
 
 Words wordsOf(const std::string& text) {
   std::istringstream in(text);

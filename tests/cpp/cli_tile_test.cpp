@@ -245,7 +245,7 @@ TEST_F(CliTile, RefusesWhatCannotBeMeant) {
   fails(known + " --max-radius 0", "--known needs --format csv or geojsonl.");
   fails(known + " --max-radius 0 -o " + path("a.svg"), "--known needs --format csv or geojsonl.");
   fails(known + " --max-radius -1 --format csv", "expected a number from 0");
-  fails(known + " --max-radius 0 --format geojsonl", "--known needs --bounds for geojsonl.");
+  fails(known + " --max-radius 0 --format geojsonl", "--known needs --bounds or --region for geojsonl.");
   fails(known + " --max-radius 0 --format csv --method flip", "--known needs --method auto.");
   fails(known + " --max-radius 0 --format csv --trace " + path("t.jsonl"), "--known takes no --trace.");
   fails("compute " + tile + " --known 0,0,nan,1 --max-radius 0 --format csv", "MAXX is not a number");

@@ -5,12 +5,54 @@ import { edgeCurve, isBoundedCurve } from '../../web/lib/curves/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { got, heldBack } from './held-back.ts'
-import { dataSet, expect, test } from './page.ts'
+import { App, dataSet, expect, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')
 const INTRODUCTION = dataSet('introduction')
+const START = dataSet('start')
 
-test('shows the bronze filter at the start', async ({ app }) => {
+test('shows a few circles at the start, and one line that says what it is', async ({ page }) => {
+  const app = new App(page)
+  await app.open('')
+  await expect(app.status).toHaveText(/^8 circles/)
+  const line = page.getByText('Every point is colored by its nearest circle. Drag one.')
+  await expect(line).toBeVisible()
+  for (const name of ['Tutorial', 'Docs', 'Source']) await expect(page.getByRole('link', { name })).toBeVisible()
+  // It is gone with the first touch, and who wants less motion sees none.
+  const picture = await app.canvas.screenshot()
+  await new Promise((resolve) => setTimeout(resolve, 500))
+  expect(picture.equals(await app.canvas.screenshot())).toBe(true)
+  const at = app.center(START, 0)
+  await page.mouse.click(at.x, at.y)
+  await expect(app.inspector).toContainText('Circle 0')
+  await expect(line).toBeHidden()
+  // What is shown at first is there without being kept.
+  expect(new URL(page.url()).hash).toBe('')
+})
+
+test.describe('where motion is welcome', () => {
+  test.use({ contextOptions: { reducedMotion: 'no-preference' } })
+
+  test('one circle moves until the first touch, and is home then, with nothing to undo', async ({ page }) => {
+    const app = new App(page)
+    await app.open('')
+    await expect(app.status).toHaveText(/^8 circles/)
+    const picture = await app.canvas.screenshot()
+    await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
+    const at = app.center(START, 0)
+    await page.mouse.click(at.x, at.y)
+    await expect(app.inspector).toContainText('Circle 0')
+    await app.canvas.focus()
+    for (let k = 0; k < 7; k++) await page.keyboard.press('Tab')
+    await expect(app.inspector).toContainText('Circle 7')
+    await expect(app.field('x')).toHaveValue(String(START[21]))
+    await expect(app.field('y')).toHaveValue(String(START[22]))
+    await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled()
+    await expect(page.getByLabel('Data set')).toHaveValue('start')
+  })
+})
+
+test('shows the bronze filter of a link', async ({ app }) => {
   await expect(app.status).toContainText('678 circles')
   await expect(app.status).toContainText('1,339 vertices')
   await expect(app.status).toContainText('2,016 edges')

@@ -141,7 +141,7 @@ test('what is selected is duplicated, copied, cut and pasted, in another tab too
   await expect(app.status).toContainText('9 circles')
 
   const other = new App(await context.newPage())
-  await other.page.goto('/')
+  await other.open()
   await expect(other.status).toContainText('678 circles')
   await other.canvas.focus()
   await other.page.keyboard.press('Control+v')
@@ -301,7 +301,8 @@ test.describe('with fingers', () => {
     }
     const view = async () => (await decodeLink(new URL(app.page.url()).hash)).view
     const from = at(app, 4, 0)
-    await swipe(from, 0, -60)
+    // Beside the circles: large ones are dragged at once.
+    await swipe(at(app, 2, 2), 0, -60)
     await expect.poll(async () => (await view())?.y).toBeLessThan(1)
     expect((await circlesOf(app))[1]).toEqual({ x: 4, y: 0, r: 1 })
 

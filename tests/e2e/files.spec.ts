@@ -10,7 +10,7 @@ const INTRODUCTION = dataSet('introduction')
 const THREE = 'x,y,r\n0,0,1\n6,0,1\n0,8,1\n'
 
 async function openPanel(app: App) {
-  await app.page.getByRole('button', { name: 'Files' }).click()
+  await app.openPanel('Files')
 }
 
 async function choose(app: App, name: string, content: string | Buffer): Promise<void> {
@@ -59,7 +59,6 @@ test('what is saved opens again: SVG as it is, JSON with its diagram, CSV, GeoJS
 
   const svg = await saved(app, 'SVG')
   expect(svg.name).toBe('introduction.svg')
-  expect(svg.text).toContain('<g id="edges"')
   const link = await decodeLink(/<metadata id="circle-voronoi">(.*)<\/metadata>/.exec(svg.text)?.[1] as string)
   expect(link).toMatchObject({ dataSet: 'introduction', edits: [{ kind: 'replace', id: 4 }] })
   expect(files.readCircles((await saved(app, 'CSV')).text)).toEqual(expected)
@@ -127,7 +126,12 @@ for (const [what, name, content, says] of [
   ['a line that is no circle', 'a.csv', '0,0,1\n1,2,three', /^a\.csv:2: .*\.$/],
   ['a negative radius', 'a.csv', '0,0,1\n1,2,-3', /^a\.csv:2: Circle 1 has a negative radius\.$/],
   ['JSON of something else', 'a.json', '{"name": "x"}', /^a\.json:.*\.$/],
-  ['a picture', 'a.png', Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 255, 254]), /^a\.png:.*\.$/],
+  [
+    'something that is no text',
+    'a.bin',
+    Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 255, 254]),
+    /^a\.bin is not a table of circles\. Open .*\.$/,
+  ],
   [
     'an SVG of something else',
     'a.svg',
@@ -183,8 +187,13 @@ test('opens what is pasted, numbers or a link, but not into a field', async ({ a
     await app.page.keyboard.press('Control+v')
   }
   await app.canvas.focus()
+  // Rows of a spreadsheet are added, and throw nothing away without a word.
   await paste('0\t0\t1\n6\t0\t1\n0\t8\t1\n')
-  await expect(app.status).toContainText('3 circles')
+  await expect(app.status).toContainText('681 circles')
+  await expect(app.page.getByRole('region', { name: 'Selected circles' })).toContainText('3 circles')
+  await expect(app.page.locator('#toast')).toContainText('3 circles were added.')
+  await app.page.getByRole('button', { name: 'Replace all circles instead' }).click()
+  await expect(app.status).toHaveText(/^3 circles/)
   await expect.poll(async () => (await linked(app))?.circles).toEqual(THREE_CIRCLES)
   const link = 'v1.q1ZKSSxJDE4tUbJSSirKz6tKTcvMKUktUtJRSk3JLClWsoqOVtJV0jEzNYiNrQUA'
   await paste(`https://example.org/page#${link}`)
@@ -207,11 +216,14 @@ test('copies a link and the code of a frame, which show the same', async ({ app 
   await openPanel(app)
   await choose(app, 'three.csv', THREE)
   await expect(app.status).toContainText('3 circles')
+  await app.page.getByRole('button', { name: 'Share', exact: true }).click()
   await app.page.getByRole('button', { name: 'Copy link' }).click()
-  await expect(app.page.locator('#files')).toContainText('The link is in the clipboard.')
+  // What is said is seen, whatever is open.
+  await expect(app.page.locator('#toast')).toHaveText('The link is in the clipboard.')
+  await expect(app.page.locator('#toast')).toBeInViewport()
   const link = await clipboard()
   await app.page.getByRole('button', { name: 'Copy embed code' }).click()
-  await expect(app.page.locator('#files')).toContainText('The code is in the clipboard.')
+  await expect(app.page.locator('#toast')).toHaveText('The code is in the clipboard.')
   expect(await clipboard()).toBe(
     `<iframe src="${link.replace('#', 'embed.html#')}" title="Voronoi diagram of circles" width="800" height="500" style="border: 0"></iframe>`,
   )
@@ -237,4 +249,108 @@ test('works where the part for files fails to load, once it can be loaded', asyn
   await page.unroute('**/circle-voronoi-files*.wasm')
   await choose(app, 'three.csv', THREE)
   await expect(app.status).toContainText('3 circles')
+})
+
+test('saved drawings are what is seen: its colors, its layers and its part of the plane, or all circles', async ({
+  app,
+}) => {
+  const { page } = app
+  await app.choose('Introduction')
+  await app.openPanel('Layers')
+  await page.getByLabel('Colors').selectOption('by area of the cell')
+  await page.getByLabel('Convex hull').check()
+  await openPanel(app)
+  await page.mouse.move(700, 400)
+  await page.mouse.wheel(0, -400)
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  /** The color of each of some pixels of a drawing as large as the window. */
+  const drawnColors = (svg: string, points: readonly { x: number; y: number }[]) =>
+    page.evaluate(
+      async ([svg, points]) => {
+        const image = new Image()
+        image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`
+        await image.decode()
+        const canvas = new OffscreenCanvas(innerWidth, innerHeight)
+        const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+        context.drawImage(image, 0, 0)
+        return points.map(({ x, y }) => [...context.getImageData(x, y, 1, 1).data.slice(0, 3)])
+      },
+      [svg, points] as const,
+    )
+  const points = Array.from({ length: 240 }, (_, k) => ({ x: 420 + 37 * (k % 20), y: 90 + 53 * Math.floor(k / 20) }))
+  const isSame = (one: number[] | undefined, other: number[]) =>
+    one?.every((value, k) => Math.abs(value - (other[k] as number)) < 12)
+  const seen = await app.colors(points)
+  const seenSvg = (await saved(app, 'SVG')).text
+  const drawn = await drawnColors(seenSvg, points)
+  // Where edges run, pixels may be rounded otherwise.
+  expect(drawn.filter((color, k) => isSame(seen[k], color)).length).toBeGreaterThan(0.95 * points.length)
+  expect(new Set(seen.map(String)).size).toBeGreaterThan(8)
+  await page.getByLabel('What the picture shows').selectOption('all circles')
+  const all = await drawnColors((await saved(app, 'SVG')).text, points)
+  expect(all.filter((color, k) => isSame(seen[k], color)).length).toBeLessThan(0.8 * points.length)
+  // A poster has the pixels of a sheet of paper.
+  const download = page.waitForEvent('download')
+  await page.getByRole('button', { name: 'Poster, A3' }).click()
+  const bytes = readFileSync(await (await download).path())
+  expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([4961, 3508])
+})
+
+test('columns of other names are known, or asked for with a preview; names are seen on hover and when selected', async ({
+  app,
+}) => {
+  const { page } = app
+  await openPanel(app)
+  await choose(app, 'german.csv', 'Ort;X-Koordinate;Y-Koordinate;Radius\nBonn;0,5;0;1\nUlm;6;0;1,5\nKiel;0;8;1\n')
+  await expect(app.status).toHaveText(/^3 circles/)
+  await expect.poll(() => app.circles()).toEqual(Float64Array.of(0.5, 0, 1, 6, 0, 1.5, 0, 8, 1))
+  const circles = Float64Array.of(0.5, 0, 1, 6, 0, 1.5, 0, 8, 1)
+  const at = app.center(circles, 1)
+  await page.mouse.move(at.x, at.y)
+  await expect(page.locator('#name-tag')).toHaveText('Ulm')
+  await page.mouse.click(at.x, at.y)
+  await expect(app.inspector).toContainText('Ulm')
+
+  const dialog = page.getByRole('dialog', { name: 'Which columns are the circles?' })
+  await choose(app, 'odd.csv', 'a,b,c,d\n1,2,3,4\n5,6,7,8\n15,1,2,3\n')
+  await expect(dialog.getByRole('columnheader')).toHaveText(['a', 'b', 'c', 'd'])
+  await expect(dialog.getByRole('cell')).toHaveCount(12)
+  await dialog.getByLabel('x', { exact: true }).selectOption('d')
+  await dialog.getByLabel('y', { exact: true }).selectOption('d')
+  await expect(dialog).toContainText('x and y are the same column.')
+  await expect(dialog.getByRole('button', { name: 'Open' })).toBeDisabled()
+  await dialog.getByLabel('y', { exact: true }).selectOption('a')
+  await dialog.getByLabel('radius').selectOption('the same for all')
+  await dialog.getByLabel('r', { exact: true }).fill('0.5')
+  await dialog.getByLabel('r', { exact: true }).press('Tab')
+  await dialog.getByRole('button', { name: 'Open' }).click()
+  await expect.poll(() => app.circles()).toEqual(Float64Array.of(4, 1, 0.5, 8, 5, 0.5, 3, 15, 0.5))
+  // Whoever closes it changes nothing.
+  await choose(app, 'odd.csv', 'a,b,c,d\n1,2,3,4\n5,6,7,8\n')
+  await dialog.getByRole('button', { name: 'Cancel' }).click()
+  await expect(page.getByRole('alert')).toBeHidden()
+  await expect(app.status).toHaveText(/^3 circles/)
+})
+
+test('a picture becomes circles, larger ones where it is darker', async ({ app }) => {
+  const png = await app.page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(120, 80)
+    const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
+    context.fillStyle = 'white'
+    context.fillRect(0, 0, 120, 80)
+    context.fillStyle = 'black'
+    context.fillRect(0, 0, 60, 80)
+    return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())]
+  })
+  await openPanel(app)
+  const file = { name: 'half.png', mimeType: 'image/png', buffer: Buffer.from(png) }
+  await app.page.getByLabel('Open …').setInputFiles(file)
+  await expect(app.status).toHaveText(/^1,800 circles/)
+  await expect.poll(async () => (await app.circles()).length).toBe(5400)
+  const circles = await app.circles()
+  const inHalf = (isDark: boolean) =>
+    Array.from({ length: 1800 }, (_, i) => i).filter((i) => (circles[3 * i] as number) < 60 === isDark)
+  expect(inHalf(true).length).toBeGreaterThan(5 * inHalf(false).length)
+  await choose(app, 'broken.png', 'no picture')
+  await expect(app.page.getByRole('alert')).toContainText('broken.png')
 })

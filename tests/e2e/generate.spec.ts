@@ -18,17 +18,18 @@ async function saved(page: Page): Promise<Float64Array> {
 
 test('a family with a number and a seed, again, edited, and the same after a reload', async ({ app }) => {
   const { page } = app
-  await page.getByLabel('Data set').selectOption({ label: 'Families, figures …' })
+  await page.getByLabel('Data set').selectOption({ label: 'More …' })
   const panel = page.getByRole('region', { name: 'Generate' })
-  await expect(panel.getByRole('button', { name: 'Generate' })).toBeFocused()
+  await expect(panel.getByRole('button', { name: /^Eight circles/ })).toBeFocused()
   await expect(page.getByLabel('Data set')).toHaveValue('bronzefilter')
   await panel.getByLabel('n', { exact: true }).fill('50')
   await panel.getByLabel('seed', { exact: true }).fill('7')
   await panel.getByRole('button', { name: /^clustered/ }).click()
   await expect(app.status).toContainText('50 circles')
-  await page.getByRole('button', { name: 'Files' }).click()
-  expect(await saved(page)).toEqual(generators.make({ kind: 'family', family: 'clustered', seed: 7, count: 50 }))
   await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:50' })
+  await app.openPanel('Files')
+  expect(await saved(page)).toEqual(generators.make({ kind: 'family', family: 'clustered', seed: 7, count: 50 }))
+  await app.openPanel('Generate')
 
   // What the browser refuses changes nothing; what it takes, at once.
   await panel.getByLabel('n', { exact: true }).fill('0')
@@ -50,16 +51,19 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('59 circles')
   await expect.poll(async () => (await stateOf(app))?.edits?.length).toBe(1)
+  await app.openPanel('Files')
   const edited = await saved(page)
+  await app.openPanel('Generate')
   await page.reload()
   await expect(app.status).toContainText('59 circles')
   await expect(panel.getByRole('button', { name: /^clustered/ })).toHaveAttribute('aria-current', 'true')
+  await app.openPanel('Files')
   expect(await saved(page)).toEqual(edited)
 })
 
 test('a figure of the paper, and links to what is none', async ({ app }) => {
   const { page } = app
-  await page.getByRole('button', { name: 'Generate' }).click()
+  await app.openPanel('Generate')
   await page.getByRole('button', { name: /^Figure 13b/ }).click()
   await expect(app.status).toContainText('14 circles')
   await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 13b')
@@ -82,7 +86,7 @@ test('a figure of the paper, and links to what is none', async ({ app }) => {
     location.hash = link
   }, former)
   await expect(app.status).toContainText('300 circles')
-  await page.getByRole('button', { name: 'Files' }).click()
+  await app.openPanel('Files')
   expect((await saved(page)).slice(0, 3)).toEqual(
     Float64Array.of(16.93067694602141, 9.222793535997404, 0.899472125773846),
   )

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Press and hold: what a circle would take, before it is there.
-import { readFileSync } from 'node:fs'
-import { parseCircles } from '../../web/app/csv.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
@@ -18,16 +16,9 @@ function isEmpty({ x, y }: { x: number; y: number }): boolean {
 
 const panelOf = (app: App) => app.page.getByRole('region', { name: 'A new circle' })
 
-async function saved({ page }: App): Promise<Float64Array> {
-  const download = page.waitForEvent('download')
-  await page.getByRole('button', { name: 'CSV' }).click()
-  return parseCircles(readFileSync(await (await download).path(), 'utf8'))
-}
-
 test('held, it shows what would be taken from whom; Escape leaves all as it was, release adds it', async ({ app }) => {
   const { page } = app
   await app.choose('Introduction')
-  await page.getByRole('button', { name: 'Files' }).click()
   expect(isEmpty(EMPTY)).toBe(true)
   const place = app.locate(INTRODUCTION, EMPTY)
   const panel = panelOf(app)
@@ -48,7 +39,7 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   await page.mouse.up()
   await expect(app.status).toContainText('14 circles')
   await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled()
-  expect(await saved(app)).toEqual(INTRODUCTION)
+  await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
 
   // The tool for adding does so, too, wherever it is pressed.
   await page.clock.install()
@@ -63,7 +54,8 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
     await page.mouse.up()
     await expect(panel).toBeHidden()
     await expect(app.status).toContainText('15 circles')
-    const circles = await saved(app)
+    await expect.poll(async () => (await app.circles()).length).toBe(45)
+    const circles = await app.circles()
     const [x, y, r] = circles.slice(42) as unknown as [number, number, number]
     expect(Math.hypot(x - EMPTY.x, y - EMPTY.y)).toBeLessThan(0.05)
     expect(r).toBeGreaterThan(0)
@@ -71,7 +63,8 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
     await page.keyboard.press('Control+z')
     await expect(app.status).toContainText('14 circles')
   }
-  // On a circle, and where it is moved at once, a press is what it was.
+  // On a circle, and where it is moved at once, a press is what it was. The tool for adding stays until Escape.
+  await page.keyboard.press('Escape')
   const center = app.center(INTRODUCTION, 0)
   await page.mouse.move(center.x, center.y)
   await page.mouse.down()

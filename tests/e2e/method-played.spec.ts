@@ -24,11 +24,11 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   await expect(sentence).toHaveText(/^\d+ samples lie/)
   await expect.poll(() => stepOfAddress(app)).toBe(3)
   const waiting = page.getByText('The method is played: layers are seen at its end.')
-  await page.getByRole('button', { name: 'Layers' }).click()
+  await app.openPanel('Layers')
   await expect(waiting).toBeVisible()
   await slider.press('End')
   await expect(waiting).toBeHidden()
-  await page.getByRole('button', { name: 'Layers' }).click()
+  await app.openPanel('Layers')
   await slider.press('Home')
   await slider.focus()
   for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight')
@@ -79,7 +79,7 @@ test.describe('on a phone', () => {
   test('has a sheet of its own, and leaves the picture its room', async ({ app }) => {
     const { page } = app
     const player = page.getByRole('region', { name: 'The method, step by step' })
-    await page.getByRole('button', { name: 'Play the method' }).tap()
+    await app.openPanel('Play the method')
     await expect(player.locator('.sentence')).toHaveText('There are 678 circles.')
     await player.getByRole('button', { name: 'One step', exact: true }).tap()
     await expect(player.locator('.sentence')).toContainText('The Delaunay graph of the centers')

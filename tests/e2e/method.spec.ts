@@ -5,13 +5,13 @@ import { expect, test } from './page.ts'
 
 test('candidates and samples change what the method finds, and not the diagram', async ({ app }) => {
   const { page } = app
-  await page.getByRole('button', { name: 'Generate' }).click()
+  await app.openPanel('Generate')
   await page.getByRole('button', { name: /^Figure 5d/ }).click()
   await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('Figure 5d')
-  await page.getByRole('button', { name: 'Generate' }).click()
+  await app.openPanel('Generate')
   const counts = async () => (await app.status.textContent())?.replace(/ · [^·]* m?s$/, '')
   const before = await counts()
-  await page.getByRole('button', { name: 'Layers' }).click()
+  await app.openPanel('Layers')
   const panel = page.getByRole('region', { name: 'Layers' })
   await panel.getByLabel('Edges that it misses').check()
   const said = panel.locator('#method-found')

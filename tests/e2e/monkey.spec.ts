@@ -166,6 +166,15 @@ test(
     console.log(`CIRCLE_VORONOI_SEED=${SEED}`)
     const { page } = app
     const session = await page.context().newCDPSession(page)
+    // It stays on this page.
+    const stay = () =>
+      document.addEventListener(
+        'click',
+        (event) => (event.target as Element).closest('a') !== null && event.preventDefault(),
+        { capture: true },
+      )
+    await page.addInitScript(stay)
+    await page.evaluate(stay)
     const monkey = new Monkey(app, session, SEED)
     try {
       await fold(page, 'Layers', true)
@@ -181,18 +190,18 @@ test(
       // Something is left to be undone.
       for (let k = 0; k < 10; k++) await monkey.act()
 
-      // All circles are seen and nothing stands out. Which tints cells have depends on the circles when they were asked for.
+      // All circles are seen and nothing stands out. Which colors they have depends on what they were before.
       await page.setViewportSize({ width: 1280, height: 800 })
       await page.emulateMedia({ colorScheme: 'light' })
       await fold(page, 'Layers', true)
-      await page.locator('#cell-colors').selectOption({ index: 0 })
+      await page.locator('#cell-colors').selectOption('none')
       await page.getByRole('button', { name: 'Select and move' }).click()
       await app.canvas.press('Escape')
       await page.getByRole('button', { name: 'Fit', exact: true }).click()
       await expectPaintedRight(app)
       await fold(page, 'Numbers', true)
       await expect(page.locator('#numbers .certificate').first()).toContainText('Proven')
-      await fold(page, 'Numbers', false)
+      await fold(page, 'Layers', true)
       await expectSameInNewThread(app)
 
       // So is another page.

@@ -53,8 +53,11 @@ export class Monkey {
       [2, () => this.#pinch()],
       [8, () => this.#key()],
       [6, () => this.#command()],
-      [3, () => this.#button('#toolbar button, #view button, #inspector button, #group button')],
-      [2, () => this.#button('.folding h2 button')],
+      [
+        3,
+        () => this.#button('#rail button[aria-pressed], #undo, #redo, #view button, #inspector button, #group button'),
+      ],
+      [2, () => this.#button('#more, #more-tools button')],
       [4, () => this.#layer()],
       [1, () => this.#number()],
       [1, () => this.#file()],

@@ -58,7 +58,7 @@ test('two views on one page know nothing of each other', async ({ opened: page }
   await expect.poll(() => circleOf(page, 'other', 1)).toBeUndefined()
   const again = await page.evaluate(async () => {
     views.other.dispose()
-    const view = views.mount(document.getElementById('one') as HTMLElement, { gestures: 'none' })
+    const view = views.mount(document.getElementById('one') as HTMLElement)
     const { counts } = await view.setCircles(Float64Array.of(0, 0, 1, 5, 0, 1))
     return counts
   })

@@ -3,23 +3,69 @@ import { readFileSync } from 'node:fs'
 import { test as base, expect, type Page } from '@playwright/test'
 import { parseCircles } from '../../web/app/csv.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
-import type { Point } from '../../web/lib/index.ts'
-import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
+import type { Circle, Point } from '../../web/lib/index.ts'
+import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { boundingBox, type Camera, fitted, type Padding, toScreen } from '../../web/view/camera.ts'
 
-/** What the page keeps free for its panels (`padding` in main.ts). */
-export const PADDING = { top: 72, right: 32, bottom: 64, left: 32 }
+/** What the page keeps free for its panels (web/app/padding.ts): in a wide window, and on a phone. */
+export const PADDING = { top: 84, right: 32, bottom: 76, left: 94 }
+const PADDING_OF_PHONE = { top: 120, right: 16, bottom: 130, left: 16 }
+const NARROW = 640
+const ROOM = 16
+
+const BRONZE_LINK = await encodeLink({ dataSet: 'bronzefilter' })
 
 /** The opened page, and where its circles are. */
 export class App {
   readonly page: Page
+  /** Where the open panel ends, if one is open. */
+  #panelEnd = 0
 
   constructor(page: Page) {
     this.page = page
   }
 
-  async open(): Promise<void> {
-    await this.page.goto('/')
+  /** The page with circles enough for most tests; without a link it begins with a few. */
+  async open(link = BRONZE_LINK): Promise<void> {
+    await this.page.goto(`/#${link}`)
     await expect(this.status).toContainText('edges')
+  }
+
+  /** What the page keeps free in the window as it is. */
+  get padding(): Padding {
+    const isPhone = (this.page.viewportSize()?.width ?? 0) <= NARROW
+    return isPhone ? PADDING_OF_PHONE : { ...PADDING, left: Math.max(PADDING.left, this.#panelEnd + ROOM) }
+  }
+
+  /** Opens or closes a panel by its button, which on a phone is in the second row. */
+  async openPanel(name: string): Promise<void> {
+    const more = this.page.getByRole('button', { name: 'More tools' })
+    const button = this.page.locator('#rail').getByRole('button', { name, exact: true })
+    if (!(await button.isVisible())) await more.click()
+    await button.click()
+    const panel = await this.page.evaluate(
+      () => document.querySelector('#left > .panel:not([hidden])')?.getBoundingClientRect().right,
+    )
+    this.#panelEnd = panel ?? 0
+  }
+
+  /** The circles as the address says, once they are kept: x, y, r each. */
+  async circles(): Promise<Float64Array> {
+    const link = await decodeLink(new URL(this.page.url()).hash)
+    const circles = link.circles ?? dataSet(link.dataSet as string)
+    const byId = new Map<number, Circle>()
+    const circleAt = (i: number): Circle => ({
+      x: at(circles, 3 * i),
+      y: at(circles, 3 * i + 1),
+      r: at(circles, 3 * i + 2),
+    })
+    for (let i = 0; i < circles.length / 3; i++) byId.set(i, circleAt(i))
+    let next = byId.size
+    for (const edit of link.edits ?? []) {
+      if (edit.kind === 'remove') byId.delete(edit.id)
+      else byId.set(edit.kind === 'replace' ? edit.id : next++, edit.circle as Circle)
+    }
+    return Float64Array.from([...byId.values()].flatMap(({ x, y, r }) => [x, y, r]))
   }
 
   async choose(label: string): Promise<void> {
@@ -52,7 +98,7 @@ export class App {
   /** The camera that shows all circles of a data set. */
   camera(circles: Float64Array): Camera {
     const { width, height } = this.page.viewportSize() as { width: number; height: number }
-    return fitted(boundingBox(circles), { width, height }, PADDING)
+    return fitted(boundingBox(circles), { width, height }, this.padding)
   }
 
   /** Where a point of the plane is on the page while all circles are shown. */

@@ -41,7 +41,7 @@ async function stop(server: Server): Promise<void> {
 async function kept(page: Page, url: string): Promise<App> {
   const app = new App(page)
   await page.goto(url)
-  await expect(app.status).toContainText('678 circles')
+  await expect(app.status).toHaveText(/^8 circles/)
   await page.evaluate(async () => {
     await navigator.serviceWorker.ready
     if (navigator.serviceWorker.controller !== null) return
@@ -72,7 +72,7 @@ test.describe('kept by the browser', () => {
     }
     expect(await page.request.get(url).catch(() => undefined)).toBeUndefined()
     await page.reload()
-    await expect(app.status).toContainText('678 circles')
+    await expect(app.status).toHaveText(/^8 circles/)
     await app.choose('Introduction')
     const at = app.center(INTRODUCTION, 4)
     await page.mouse.click(at.x, at.y)
@@ -81,9 +81,9 @@ test.describe('kept by the browser', () => {
     // What is loaded when it is asked for: readers and writers, charts, power diagrams.
     await openFile(app, 'three.csv', '0,0,1\n6,0,1\n0,8,1\n')
     await expect(app.status).toContainText('3 circles')
-    await page.getByRole('button', { name: 'Numbers' }).click()
+    await app.openPanel('Numbers')
     await expect(page.locator('#numbers .chart canvas').first()).toBeVisible()
-    await page.getByRole('button', { name: 'Layers' }).click()
+    await app.openPanel('Layers')
     const picture = await app.canvas.screenshot()
     await page.getByLabel('Power diagram').check()
     await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of numbers: keyboard, mouse and fingers, pasted rows, and what is selected.
-import { readFileSync } from 'node:fs'
-import { parseCircles } from '../../web/app/csv.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -17,7 +15,7 @@ class Table {
   }
 
   async open(): Promise<void> {
-    await this.app.page.getByRole('button', { name: 'Table' }).click()
+    await this.app.openPanel('Table')
     await expect(this.grid.getByRole('row').nth(1)).toBeVisible()
   }
 
@@ -26,11 +24,9 @@ class Table {
     return this.grid.locator(`[role=row][aria-rowindex="${row + 1}"] > [aria-colindex="${column}"]`)
   }
 
-  async saved(): Promise<Float64Array> {
-    const { page } = this.app
-    const download = page.waitForEvent('download')
-    await page.getByRole('button', { name: 'CSV' }).click()
-    return parseCircles(readFileSync(await (await download).path(), 'utf8'))
+  /** Waits until the circles of the page are these. */
+  async has(circles: Float64Array): Promise<void> {
+    await expect.poll(() => this.app.circles()).toEqual(circles)
   }
 
   /** As a spreadsheet has it in the clipboard. */
@@ -50,7 +46,6 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
 }) => {
   const { page } = app
   await app.choose('Introduction')
-  await page.getByRole('button', { name: 'Files' }).click()
   const table = new Table(app)
   await table.open()
   await expect(table.grid).toHaveAttribute('aria-rowcount', '15')
@@ -71,7 +66,7 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await expect(table.cell(2, 3)).toHaveText('2.5')
   const expected = INTRODUCTION.slice()
   expected.set([-3.25, 2.5], 3)
-  expect(await table.saved()).toEqual(expected)
+  await table.has(expected)
 
   // Refused by the table, and by the diagram.
   await table.grid.focus()
@@ -86,7 +81,7 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   await expect(page.getByRole('alert')).toContainText('radius')
   await expect(input).toBeFocused()
   await input.press('Escape')
-  expect(await table.saved()).toEqual(expected)
+  await table.has(expected)
 
   // Three rows, of which the last ones are new.
   await table.grid.focus()
@@ -98,13 +93,13 @@ test('cells are edited by keys, what is wrong is said and changes nothing, and r
   const pasted = new Float64Array(48)
   pasted.set(expected)
   pasted.set([7, 7, 0.25, 8, 7, 0.5, 9, 7, 0.75], 39)
-  expect(await table.saved()).toEqual(pasted)
+  await table.has(pasted)
   await table.grid.focus()
   await table.paste('1\t2\tthree')
   await expect(page.getByRole('alert')).toHaveText('“three” is not a number. Nothing has changed.')
   await page.keyboard.press('Control+z')
   await expect(app.status).toContainText('14 circles')
-  expect(await table.saved()).toEqual(expected)
+  await table.has(expected)
 
   // Rows come and go.
   await page.getByRole('button', { name: 'Add', exact: true }).click()
@@ -123,7 +118,6 @@ test('what is written goes into the circle it was begun for, and rows are sorted
 }) => {
   const { page } = app
   await app.choose('Introduction')
-  await page.getByRole('button', { name: 'Files' }).click()
   const table = new Table(app)
   await table.open()
   const x = table.grid.getByRole('columnheader', { name: 'x', exact: true })
@@ -154,7 +148,7 @@ test('what is written goes into the circle it was begun for, and rows are sorted
   const expected = INTRODUCTION.slice()
   expected[39] = 7
   expected[30] = 6
-  expect(await table.saved()).toEqual(expected)
+  await table.has(expected)
 
   // A heading is no cell to be edited, and a word of what is written can be chosen.
   await table.cell(1, 3).click()
@@ -224,12 +218,40 @@ test('rows are sorted by any column, and what is selected here is selected there
   expect(results.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([])
 })
 
+test('keys bring the current row into sight, and up from the heading there is nothing', async ({ app }) => {
+  const { page } = app
+  const table = new Table(app)
+  await table.open()
+  await expect(table.grid).toHaveAttribute('aria-rowcount', '679')
+  const isCurrent = async (row: number) =>
+    expect(table.grid).toHaveAttribute('aria-activedescendant', (await table.cell(row, 1).getAttribute('id')) as string)
+  await table.cell(1, 1).click()
+  await page.keyboard.press('Control+End')
+  await expect(table.cell(678, 1)).toBeInViewport()
+  await isCurrent(678)
+  await expect(table.grid.locator('[aria-selected=true] > [aria-colindex="1"]')).toHaveText('677')
+  await page.keyboard.press('PageUp')
+  await expect(table.grid.locator('[aria-selected=true] > [aria-colindex="1"]')).not.toHaveText('677')
+  await page.keyboard.press('Control+Home')
+  await expect(table.cell(1, 1)).toBeInViewport()
+  await isCurrent(1)
+  const heading = table.grid.getByRole('columnheader', { name: '#', exact: true })
+  for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowUp')
+  await expect(table.grid).toHaveAttribute('aria-activedescendant', (await heading.getAttribute('id')) as string)
+  // What is written there goes nowhere.
+  await page.keyboard.press('ArrowRight')
+  await page.keyboard.type('5')
+  await expect(table.grid.getByRole('textbox')).toHaveCount(0)
+  await page.keyboard.press('ArrowLeft')
+  await page.keyboard.press('ArrowDown')
+  await isCurrent(1)
+})
+
 test('of a hundred thousand rows only those that are seen are elements', async ({ app }) => {
   const { page } = app
-  await page.getByRole('button', { name: 'Generate' }).click()
+  await app.openPanel('Generate')
   await page.getByRole('button', { name: /^Figure 14/ }).click()
   await expect(app.status).toContainText('100,000 circles', { timeout: 60_000 })
-  await page.getByRole('button', { name: 'Generate' }).click()
   const table = new Table(app)
   await table.open()
   await expect(table.grid).toHaveAttribute('aria-rowcount', '100001')
@@ -254,7 +276,7 @@ test.describe('with fingers', () => {
   test('the table is a sheet', async ({ app }) => {
     const { page } = app
     const table = new Table(app)
-    await page.getByRole('button', { name: 'Table' }).tap()
+    await app.openPanel('Table')
     await table.cell(2, 4).tap()
     await expect(table.grid.locator('[aria-selected=true]')).toHaveCount(1)
     const box = await page.locator('#table').boundingBox()

@@ -2,9 +2,10 @@
 // Options and their values have one name in TypeScript, for the core, and on the command line, which has those of
 // cpp/options/option_names.h; tests/cpp/cli_documentation_test.cpp holds the manual against the command line.
 import { execFileSync } from 'node:child_process'
+import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import { CIRCLE_FORMATS, DIAGRAM_FORMATS, type DiagramFileOptions, loadFiles } from '../../web/lib/files.ts'
-import type { Options } from '../../web/lib/index.ts'
+import type { Flaw, Options, Way } from '../../web/lib/index.ts'
 import { library } from '../web/library.ts'
 
 const HELP = execFileSync(
@@ -27,6 +28,27 @@ const OPTIONS: Record<keyof Options, unknown> = {
 }
 const METHODS: Record<NonNullable<Options['method']>, true> = { auto: true, 'touching-disc': true, flip: true }
 const CANDIDATES: Record<NonNullable<Options['candidates']>, true> = { dynamic: true, uniform: true, 'all-pairs': true }
+const WAYS: Record<Way, true> = {
+  flip: true,
+  repair: true,
+  insert: true,
+  'apollonius-graph': true,
+  'touching-disc': true,
+  edit: true,
+}
+const FLAWS: Record<Flaw, true> = {
+  none: true,
+  notJudged: true,
+  badIndex: true,
+  hiddenWithoutHider: true,
+  adjacency: true,
+  eulerCount: true,
+  vertexWithoutDisc: true,
+  vertexMisplaced: true,
+  edgeOutOfOrder: true,
+  cellNotClosed: true,
+  hullNotClosed: true,
+}
 const FILE_OPTIONS: Record<keyof DiagramFileOptions, string> = {
   format: '--format',
   // Where a polygon would do as well, in what draws, the name is that of the region and not of the box.
@@ -75,6 +97,28 @@ it('those of compute', () => {
     weights: true,
     stats: { candidates: 'dynamic' },
   })
+})
+
+it('those of what comes out', () => {
+  const header = (name: string) =>
+    readFileSync(new URL(`../../cpp/include/circle_voronoi/${name}.h`, import.meta.url), 'utf8')
+  /** The values of an enumeration, without what is said of them. */
+  const valuesOf = (name: string, text: string) =>
+    (new RegExp(`enum class ${name} \\{([^}]*)\\}`).exec(text)?.[1] ?? '')
+      .replace(/\/\/.*/g, '')
+      .split(',')
+      .map((value) => value.trim())
+      .filter((value) => value !== '')
+  const hyphenated = (name: string) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
+  expect(Object.keys(FLAWS)).toEqual(valuesOf('Flaw', header('certificate')))
+  expect(Object.keys(WAYS)).toEqual(valuesOf('Way', header('method')).map(hyphenated))
+  // Where they come from: a diagram that is right, and one that is not.
+  const diagram = library.compute(CIRCLES)
+  expect(WAYS[diagram.stats.way as Way]).toBe(true)
+  expect(library.edit(CIRCLES).snapshot().stats).toMatchObject({ method: 'auto', way: 'edit', candidates: '' })
+  const { flaw } = library.certify({ ...diagram, hull: Int32Array.of(0, 1) })
+  expect(FLAWS[flaw]).toBe(true)
+  expect([flaw, diagram.certificate.flaw]).toEqual([expect.not.stringMatching('none'), 'none'])
 })
 
 it('those of files', async () => {

@@ -592,7 +592,7 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
   await shown(page)
   const element = page.locator('circle-voronoi')
   const told = () =>
-    element.evaluate((element: Element) => [[...element.numbers], [...element.selection], element.checkValidity()])
+    element.evaluate((element: Element) => [[...element.ids], [...element.selection], element.checkValidity()])
   // Of circle 3 and of circle 2, which are deleted and come back: with other numbers inside, and in another order.
   await element.evaluate((element: Element) => {
     element.focus()
@@ -604,14 +604,14 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
   await page.keyboard.press('Control+z')
   await expect.poll(async () => ((await told()) as number[][])[1]?.toSorted()).toEqual([2, 3])
   await expect.poll(async () => (await told())[2]).toBe(true)
-  const [numbers] = await told()
-  expect((numbers as number[]).toSorted()).toEqual([0, 1, 2, 3])
+  const [ids] = await told()
+  expect((ids as number[]).toSorted()).toEqual([0, 1, 2, 3])
   await element.evaluate((element: Element) => {
     element.selection = [3]
   })
   await expect.poll(() => element.evaluate((element: Element) => element.selection)).toEqual([3])
   const y = await element.evaluate(
-    (element: Element) => element.circles[3 * [...element.numbers].indexOf(element.selection[0] as number) + 1],
+    (element: Element) => element.circles[3 * [...element.ids].indexOf(element.selection[0] as number) + 1],
   )
   expect(y).toBe(3)
   // What was read is no sign that nothing has changed.
@@ -967,7 +967,7 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
     layer: /^There is no layer dsic\. The layers are circles, .*disc, /,
     method: 'The method must be auto, touching-disc or flip (got "magic").',
     controls: 'The controls must be buttons or player, or both (got "buttns").',
-    check: 'The check cannot be read: there is no circle 7. The circles have the numbers 0 to 2.',
+    check: 'The check cannot be read: there is no circle 7. The circles have the ids 0 to 2.',
   }
   // It stays once the circles are there.
   for (const text of Object.values(sentences))
@@ -993,7 +993,7 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
     [
       'check',
       { cell: 3, edges: 3 },
-      'The check cannot be read: there is no circle 3. The circles have the numbers 0 to 2.',
+      'The check cannot be read: there is no circle 3. The circles have the ids 0 to 2.',
     ],
     ['circles', [[0, 0]], 'Circle 0 does not have three numbers x, y and r.'],
     ['samples', 'many', 'The samples must be a whole number from 0 (got "many").'],
@@ -1205,6 +1205,25 @@ test('what is drawn as an SVG and as a PNG is what is seen', async ({ page }) =>
       return others / seen.length
     }, kind)
   for (const kind of ['svg', 'png'] as const) expect(await share(kind), kind).toBeLessThan(0.002)
+
+  // Nearer, where most is cut off, with other layers and colors.
+  await element.evaluate(async (element: Element) => {
+    element.layers = 'cells=different delaunay ordinary hidden no-vertices max-distance=4'
+    element.view = { x: 8, y: 2, span: 6 }
+    await element.updateComplete
+  })
+  for (const kind of ['svg', 'png'] as const) expect(await share(kind), kind).toBeLessThan(0.002)
+
+  // What is selected stands out on the page alone.
+  const svg = () => element.evaluate((element: Element) => element.toSVG())
+  const before = await svg()
+  expect(before).toContain('rgb(170, 0, 0)')
+  await element.evaluate(async (element: Element) => {
+    element.selection = [1]
+    await element.updateComplete
+  })
+  await expect.poll(() => share('png')).toBeGreaterThan(0.002)
+  expect(await svg()).toBe(before)
 })
 
 test('in German where the page is: the method, what is read out, and what is wrong', async ({ page }) => {

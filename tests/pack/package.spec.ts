@@ -49,7 +49,7 @@ test('holds the built library and nothing else', () => {
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
   // The names of what two modules of the element have in common are those of its contents.
-  const shared = /^dist\/element\/(chunk|comparison|german|player)-[A-Z0-9]+\.js$/
+  const shared = /^dist\/element\/(chunk|circle-voronoi-(comparison|regions)|german|player)-[A-Z0-9]+\.js$/
   expect(files.filter((name) => shared.test(name))).not.toHaveLength(0)
   const element = [
     ...['index', 'define', 'painter', 'bundle'].map((name) => `${name}.js`),
@@ -89,17 +89,17 @@ test.describe('is well made', () => {
   })
 
   test('to are-the-types-wrong', () => {
-    const wasm = ['', '-comparison', '-files'].map((name) => `circle-voronoi${name}.wasm`)
+    const wasm = ['', '-comparison', '-files', '-regions'].map((name) => `circle-voronoi${name}.wasm`)
     const others = [...wasm, 'element/element.css', 'custom-elements.json']
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/comparison', '/files', ...ELEMENT])
+    for (const name of ['', '/worker', '/worker-thread', '/files', ...ELEMENT])
       expect(judged).toContain(`"circle-voronoi${name}"`)
   })
 
   test('to size-limit', () => {
     const sizes = JSON.parse(run(ROOT, join(BIN, 'size-limit'), '--json'))
-    expect(sizes).toHaveLength(7)
+    expect(sizes).toHaveLength(8)
     for (const { name, passed, size } of sizes) expect(passed, `${name}: ${size} bytes`).toBe(true)
   })
 })
@@ -145,12 +145,13 @@ test.describe('in Node', () => {
   test('in a bundle of CommonJS that does not give it, with an error that says what to do', async () => {
     project.write(
       'forgetful.mjs',
-      `import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
-      import { loadComparison } from 'circle-voronoi/comparison'
+      `import { readFileSync } from 'node:fs'
+      import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
       import { createWorker } from 'circle-voronoi/worker'
       const module = WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]))
+      const wasm = readFileSync(${JSON.stringify(project.path('node_modules/circle-voronoi/dist/lib/generated/circle-voronoi.wasm'))})
       const failed = [
-        loadCircleVoronoi(), loadComparison({ compute() {} }), createWorker().compute([]), createWorker({ wasm: module }).compute([]),
+        loadCircleVoronoi(), loadCircleVoronoi({ wasm }).then((library) => library.loadComparison()), createWorker().compute([]), createWorker({ wasm: module }).compute([]),
         loadCircleVoronoi({ wasm: module }), loadCircleVoronoi({ wasm: Promise.reject('none') }),
       ].map((promise) => promise.catch((error) => error instanceof CircleVoronoiError ? error.code + ': ' + error.message : 'raw: ' + error))
       Promise.all(failed).then((lines) => console.log(lines.join('\\n')))`,
@@ -298,6 +299,48 @@ test.describe('in a page', () => {
     } finally {
       await elsewhere.close()
       await here.close()
+    }
+  })
+
+  for (const place of ['the page itself', 'a frame that has no origin']) {
+    test(`from the bundle inside ${place}`, async ({ page }) => {
+      const text = readFileSync(project.path('node_modules/circle-voronoi/dist/lib/bundle.js'), 'utf8')
+      const use = readFileSync(project.path('bundle.js'), 'utf8').replaceAll('export ', '')
+      const show = readFileSync(project.path('show.js'), 'utf8').replaceAll('export ', '')
+      project.write(
+        'pasted.html',
+        `<output></output><script type="module">${text}${use}${show}show(useBundle({ createWorker, loadCircleVoronoi }))</script>`,
+      )
+      project.write('framing.html', '<iframe sandbox="allow-scripts" src="pasted.html"></iframe>')
+      const server = await serve(
+        project.folder,
+        "default-src 'none'; frame-src 'self'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:",
+      )
+      try {
+        if (place === 'the page itself') {
+          await expectToPrint(page, `${server.address}pasted.html`, '3,4,4 3,4,4')
+        } else {
+          await page.goto(`${server.address}framing.html`)
+          await expect(page.frameLocator('iframe').locator('output')).toHaveText('3,4,4 3,4,4')
+        }
+      } finally {
+        await server.close()
+      }
+    })
+  }
+
+  test('in a frame that has no origin, the worker too', async ({ page }) => {
+    writePlainPage()
+    project.write('framing.html', '<iframe sandbox="allow-scripts" src="plain.html"></iframe>')
+    const server = await serve(
+      project.folder,
+      "default-src 'self'; script-src * data: 'wasm-unsafe-eval'; connect-src *; worker-src * data:",
+    )
+    try {
+      await page.goto(`${server.address}framing.html`)
+      await expect(page.frameLocator('iframe').locator('output')).toHaveText(EXPECTED)
+    } finally {
+      await server.close()
     }
   })
 

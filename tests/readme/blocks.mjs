@@ -9,25 +9,32 @@ const CHAPTERS = 'web/tutorial/chapters'
 const MANUAL_PAGE = 'cpp/cli/circle-voronoi.1'
 /** Of Markdown in the site: the texts that scripts/texts/documentation.mjs takes, and the chapters. */
 const MARKDOWN = [
-  ...['README.md', 'docs/element.md', 'docs/results.md', 'ARCHITECTURE.md', 'public/data/README.md'],
-  ...['CONTRIBUTING.md', 'CHANGELOG.md'],
+  ...['README.md', 'ARCHITECTURE.md', 'public/data/README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'],
+  ...['building', 'cookbook', 'cpp', 'element', 'javascript', 'results', 'shell', 'tiles'].map(
+    (name) => `docs/${name}.md`,
+  ),
   ...readdirSync(new URL(CHAPTERS, ROOT)).map((name) => `${CHAPTERS}/${name}`),
 ]
 const LISTED = 'tests/scripts/blocks.test.mjs'
 const NATIVE = 'tests/readme/native.test.mjs'
 const PACKAGE = 'tests/pack/readme.spec.ts'
 const ELEMENT = 'tests/pack/element.spec.ts'
+const COOKBOOK = 'tests/pack/cookbook.spec.ts'
 const COMMENTS = 'tests/wasm/examples.test.mjs'
 
 /** Who runs the blocks of a file, below a heading if one is named. `what`, where it is not code to be run as it stands. */
 const RUN_BY = [
-  { by: LISTED, file: 'README.md', heading: 'Start', what: 'commands' },
-  { by: NATIVE, file: 'README.md', heading: 'From the shell', language: 'sh' },
-  { by: LISTED, file: 'README.md', heading: 'From the shell', language: '', what: 'file' },
-  { by: NATIVE, file: 'README.md', heading: 'From C++' },
-  { by: PACKAGE, file: 'README.md', heading: 'From JavaScript' },
-  { by: NATIVE, file: 'README.md', heading: 'Beyond one machine' },
+  { by: PACKAGE, file: 'README.md', heading: 'In JavaScript' },
+  { by: NATIVE, file: 'README.md', heading: 'In C++' },
+  { by: PACKAGE, file: 'README.md', heading: 'As a figure in a page' },
+  { by: NATIVE, file: 'README.md', heading: 'In the shell' },
   { by: LISTED, file: 'README.md', heading: 'Speed', what: 'commands' },
+  { by: LISTED, file: 'docs/building.md', what: 'commands' },
+  { by: NATIVE, file: 'docs/shell.md', language: 'sh' },
+  { by: LISTED, file: 'docs/shell.md', language: '', what: 'file' },
+  { by: PACKAGE, file: 'docs/javascript.md' },
+  { by: NATIVE, file: 'docs/tiles.md' },
+  { by: COOKBOOK, file: 'docs/cookbook.md' },
   { by: PACKAGE, file: 'docs/element.md', language: 'html' },
   ...['js', 'sh', 'jsx'].map((language) => ({ by: ELEMENT, file: 'docs/element.md', language })),
   { by: LISTED, file: 'docs/results.md', what: 'commands' },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code for the shell and for C++ in README.md and in the manual page, run as a reader would, with the program and the
+// The code for the shell and for C++ in the documentation and in the manual page, run as a reader would, with the program and the
 // library installed from build/native.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
@@ -34,7 +34,7 @@ before(() => {
 })
 after(() => rmSync(folder, { recursive: true, force: true }))
 
-for (const heading of ['From the shell', 'EXAMPLES']) {
+for (const heading of ['In the shell', 'Use it from the shell', 'EXAMPLES']) {
   describe(heading, () => {
     for (const { code, language } of below(heading)) {
       for (const command of code.trim().split('\n')) {
@@ -61,8 +61,8 @@ function check(command, printed) {
   else assert.match(text, command.includes('--bounds') ? /^<svg [^>]*viewBox="0 -50 50 50"/ : /^<svg /)
 }
 
-describe('Beyond one machine', () => {
-  const [{ code }] = below('Beyond one machine')
+describe('More circles than fit into memory', () => {
+  const [{ code }] = below('More circles than fit into memory')
 
   it('has a driver that puts the tiles together', () => {
     symlinkSync(join(ROOT, 'examples'), join(folder, 'examples'))
@@ -74,12 +74,12 @@ describe('Beyond one machine', () => {
   })
 })
 
-describe('From C++', () => {
-  const codeOf = (name) => below('From C++').find(({ language }) => language === name).code
+describe('In C++', () => {
+  const codeOf = (name) => below('In C++').find(({ language }) => language === name).code
 
   it('builds and prints what the comment says', () => {
     assert.deepEqual(
-      below('From C++').map(({ language }) => language),
+      below('In C++').map(({ language }) => language),
       ['cmake', 'cpp'],
     )
     const preamble = 'cmake_minimum_required(VERSION 3.25)\nproject(readme LANGUAGES CXX)\n'

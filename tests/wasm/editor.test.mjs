@@ -255,11 +255,11 @@ describe('an editor in a worker', () => {
     const rejects = (promise, code, circle) => assert.rejects(promise, { name: 'CircleVoronoiError', code, circle })
     await rejects(editor.remove(7), 'unknownCircle', 7)
     await rejects(editor.replace(1, [0, 0, -1]), 'negativeRadius', 1)
-    await rejects(editor.insert([0, 0]), 'badInput', -1)
-    await rejects(editor.apply([{ kind: 'move' }]), 'badArgument', -1)
-    await rejects(editor.nearest('0', 0), 'badArgument', -1)
+    await rejects(editor.insert([0, 0]), 'badInput', undefined)
+    await rejects(editor.apply([{ kind: 'move' }]), 'badArgument', undefined)
+    await rejects(editor.nearest('0', 0), 'badArgument', undefined)
     await rejects(worker.edit([[0, 0, -1]]), 'negativeRadius', 0)
-    await rejects(worker.edit('circles'), 'badInput', -1)
+    await rejects(worker.edit('circles'), 'badInput', undefined)
     editor.onchange = () => {
       throw new RangeError('mine')
     }

@@ -5,7 +5,6 @@ import { spawnSync } from 'node:child_process'
 import { readdirSync, readFileSync } from 'node:fs'
 import { describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { loadComparison } from '../../dist/lib/comparison.js'
 import { loadFiles } from '../../dist/lib/files.js'
 import { CircleVoronoiError, loadCircleVoronoi } from '../../dist/lib/index.js'
 
@@ -14,7 +13,7 @@ const FIXTURES = readdirSync(`${ROOT}tests/fixtures`).filter((name) => name.ends
 const CORPUS = `${ROOT}tests/fuzz/reader_corpus`
 
 const library = await loadCircleVoronoi()
-const comparison = await loadComparison(library)
+const comparison = await library.loadComparison()
 const files = await loadFiles()
 
 function run(args, input) {

@@ -7,7 +7,6 @@ import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { loadComparison } from '../../dist/lib/comparison.js'
 import { linkSides } from '../../dist/lib/diagram/link-sides.js'
 import {
   bezierPointAt,
@@ -47,7 +46,7 @@ const PLACES = 7
 const ROUNDED = { name: 'hull measures', tolerance: 1e-14 }
 
 const library = await loadCircleVoronoi()
-const { computeComparison } = await loadComparison(library)
+const { computeComparison } = await library.loadComparison()
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
 after(() => rmSync(folder, { recursive: true }))
 

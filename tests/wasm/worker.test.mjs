@@ -81,9 +81,9 @@ describe('compute', () => {
   it('rejects with the errors of compute', async () => {
     const matches = (code, circle) => ({ name: 'CircleVoronoiError', code, circle })
     await assert.rejects(worker.compute(Float64Array.of(0, 0, 1, 5, 0, -1)), matches('negativeRadius', 1))
-    await assert.rejects(worker.compute('0,0,1'), matches('badInput', -1))
-    await assert.rejects(worker.compute(THREE, { method: 'magic' }), matches('badOption', -1))
-    await assert.rejects(worker.compute(THREE, { progress: 1 }), matches('badOption', -1))
+    await assert.rejects(worker.compute('0,0,1'), matches('badInput', undefined))
+    await assert.rejects(worker.compute(THREE, { method: 'magic' }), matches('badOption', undefined))
+    await assert.rejects(worker.compute(THREE, { progress: 1 }), matches('badOption', undefined))
   })
 })
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   ConvexPolygon,
   convexHull,
   type Diagram,
-  loadCircleVoronoi,
   type Metric,
   NONE,
   outlineArea,
@@ -17,7 +15,7 @@ import { anyCircles, KINDS, unit } from './arbitrary-circles.ts'
 import { library } from './library.ts'
 import { boxAround, pointIn, scaleOf } from './oracle.ts'
 
-const { computeComparison } = await loadComparison(library)
+const { computeComparison } = await library.loadComparison()
 
 function distanceTo(circles: Float64Array, i: number, { x, y }: Point, metric: Metric): number {
   const [cx, cy, r] = circles.subarray(3 * i, 3 * i + 3) as unknown as [number, number, number]
@@ -149,5 +147,5 @@ it('refuses what compute refuses, whatever the metric', () => {
 
 it('says so when its module is another', async () => {
   const wasm = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0])
-  await expect(loadComparison(await loadCircleVoronoi(), { wasm })).rejects.toMatchObject({ code: 'notLoaded' })
+  await expect(library.loadComparison({ wasm })).rejects.toMatchObject({ code: 'notLoaded' })
 })

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import { CircleVoronoiError, Diagram, type DiagramFile } from '../../web/lib/index.ts'
 import { anyCircles } from './arbitrary-circles.ts'
 import { library } from './library.ts'
@@ -57,7 +56,7 @@ describe('a diagram as JSON', () => {
   })
 
   it('keeps another distance', async () => {
-    const { computeComparison } = await loadComparison(library)
+    const { computeComparison } = await library.loadComparison()
     for (const metric of ['centers', 'power'] as const) {
       const diagram = computeComparison([...THREE, [0, 0, 0.5]], metric)
       expect(arraysOf(Diagram.fromJSON(JSON.stringify(diagram)))).toEqual(arraysOf(diagram))

@@ -55,7 +55,7 @@ class FakeThread {
   #resultOf({ method, args }: EditorCall): CallResult {
     try {
       if (method === 'edit') {
-        this.#editor = library.edit(args[0] as Float64Array)
+        this.#editor = library.edit(...(args as Parameters<typeof library.edit>))
         return { value: undefined }
       }
       const methods = this.#editor as unknown as Record<string, (...args: readonly unknown[]) => unknown>
@@ -82,7 +82,7 @@ let changes: Change[]
 const onEnd = vi.fn()
 
 beforeEach(async () => {
-  client = new EditorClient(MODULE, onEnd)
+  client = new EditorClient(MODULE, false, onEnd)
   thread = world.threads.at(-1) as FakeThread
   changes = []
   client.onchange = (change) => changes.push(change)
@@ -264,12 +264,12 @@ describe('the client of an editor', () => {
     const size = client.size()
     thread.breakDown(new Error('out of memory'))
     await expect(size).rejects.toMatchObject({ code: 'internal', message: expect.stringContaining('out of memory') })
-    await expect(client.size()).rejects.toMatchObject({ code: 'internal', circle: -1 })
+    await expect(client.size()).rejects.toMatchObject({ code: 'internal', circle: undefined })
     expect(onEnd).toHaveBeenCalledTimes(1)
   })
 
   it('ends where it cannot begin', async () => {
-    const other = new EditorClient(MODULE, onEnd)
+    const other = new EditorClient(MODULE, false, onEnd)
     const itsThread = world.threads.at(-1) as FakeThread
     const begun = other.begin(Float64Array.of(0, 0, -1))
     itsThread.answer()
@@ -277,5 +277,26 @@ describe('the client of an editor', () => {
     await expect(other.size()).rejects.toMatchObject({ code: 'negativeRadius' })
     expect(itsThread.isTerminated).toBe(true)
     expect(onEnd).toHaveBeenCalledTimes(1)
+  })
+
+  it('takes weights where it is told so', async () => {
+    const other = new EditorClient(MODULE, true, onEnd)
+    const itsThread = world.threads.at(-1) as FakeThread
+    const begun = other.begin(Float64Array.of(0, 0, -1))
+    itsThread.answer()
+    await begun
+    const edits = [
+      other.insert([5, 0, -2]),
+      other.replace(0, [0, 0, -3]),
+      other.apply([{ kind: 'insert', circle: [0, 9, -4] }]),
+    ]
+    const snapshot = other.snapshot()
+    // The first goes at once, and what is asked meanwhile together.
+    itsThread.answer()
+    itsThread.answer()
+    await Promise.all(edits)
+    expect((await snapshot).weights).toBe(true)
+    expect((await snapshot).circles).toEqual(Float64Array.of(0, 0, -3, 5, 0, -2, 0, 9, -4))
+    await expect(client.insert([5, 0, -2])).rejects.toMatchObject({ code: 'negativeRadius' })
   })
 })

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it, vi } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   type Change,
   type Circle,
@@ -241,16 +240,16 @@ describe('an editor', () => {
     const before = contentOf(editor.snapshot())
     const called = vi.fn()
     editor.onchange = called
-    const refusals: [string, number, () => unknown][] = [
+    const refusals: [string, number | undefined, () => unknown][] = [
       ['unknownCircle', 7, () => editor.remove(7)],
-      ['unknownCircle', -1, () => editor.remove(-1)],
+      ['unknownCircle', undefined, () => editor.remove(-1)],
       ['unknownCircle', 3, () => editor.replace(3, [0, 0, 1])],
       ['unknownCircle', 9, () => editor.isHidden(9)],
-      ['nonFinite', -1, () => editor.insert([0, Number.NaN, 1])],
+      ['nonFinite', undefined, () => editor.insert([0, Number.NaN, 1])],
       ['nonFinite', 2, () => editor.replace(2, { x: 0, y: Infinity, r: 1 })],
       ['negativeRadius', 2, () => editor.replace(2, { x: 0, y: 0, r: -1 })],
-      ['coordinateTooLarge', -1, () => editor.insert({ x: 0, y: 1e151, r: 1 })],
-      ['badInput', -1, () => editor.insert({ x: 0, y: 1 } as Circle)],
+      ['coordinateTooLarge', undefined, () => editor.insert({ x: 0, y: 1e151, r: 1 })],
+      ['badInput', undefined, () => editor.insert({ x: 0, y: 1 } as Circle)],
       ['badInput', 1, () => editor.replace(1, undefined as unknown as Circle)],
       ['unknownCircle', 1, () => editor.apply([1, 1].map((id) => ({ kind: 'remove', id })))],
       [
@@ -270,16 +269,17 @@ describe('an editor', () => {
   })
 
   it('takes circles alone', async () => {
-    const { computeComparison } = await loadComparison(library)
+    const { computeComparison } = await library.loadComparison()
     expect(() => library.edit(computeComparison(THREE, 'power'))).toThrow(
       expect.objectContaining({
         code: 'badArgument',
         message: 'edit takes a diagram of the metric circles, not of power.',
       }),
     )
-    expect(() => library.edit(library.compute(THREE, { weights: true }))).toThrow(
-      expect.objectContaining({ code: 'badArgument', message: 'edit takes a diagram of circles, not of weights.' }),
+    expect(() => library.edit(THREE, { weight: true } as object)).toThrow(
+      expect.objectContaining({ code: 'badOption' }),
     )
+    expect(() => library.edit(THREE, { weights: 1 } as object)).toThrow(expect.objectContaining({ code: 'badOption' }))
     expect(() => library.edit([[0, 0, -1]])).toThrow(expect.objectContaining({ code: 'negativeRadius', circle: 0 }))
   })
 
@@ -304,5 +304,54 @@ describe('an editor', () => {
       expect(act).toThrow(expect.objectContaining({ code: 'badArgument', message: 'The editor has been disposed of.' }))
     }
     expect(kept.find(5, 1)).toBe(1)
+  })
+})
+
+describe('an editor of additive weights', () => {
+  /** A circle of a script with another radius, of either sign. */
+  const lowered = ({ x, y, r }: Circle): Circle => ({ x, y, r: 2 * r - 1.5 })
+  const loweredEdit = (edit: Edit): Edit =>
+    edit.kind === 'remove' ? edit : { ...edit, circle: lowered(edit.circle as Circle) }
+
+  it('makes of 1,000 random scripts what compute makes of their circles', () => {
+    for (let seed = 1; seed <= 1000; seed++) {
+      const random = seededRandom(seed)
+      const isOnGrid = seed % 2 === 0
+      const count = seed % 9
+      const circles = Array.from({ length: count }, () => lowered(someCircle(random, isOnGrid)))
+      using editor = library.edit(circles, { weights: true })
+      const diagram = editor.snapshot()
+      for (let i = 0; i < 6; i++) {
+        // Some in batches, which may be refused as a whole.
+        const edits = Array.from({ length: i === 3 ? 4 : 1 }, () => loweredEdit(someEdit(random, isOnGrid, editor)))
+        try {
+          diagram.apply(edits.length > 1 ? editor.apply(edits) : edited(editor, edits[0] as Edit))
+        } catch (error) {
+          expect(error).toMatchObject({ code: 'unknownCircle' })
+        }
+      }
+      const ids = editor.ids()
+      const weighted = Array.from(ids, (id) => editor.circle(id) as Circle)
+      const computed = library.compute(weighted, { weights: true })
+      const none = new Int32Array()
+      const named = { ...computed, numbers: { revision: 0, circles: ids, vertices: none, edges: none } }
+      expect(contentOf(diagram), `seed ${seed}`).toEqual(contentOf(named))
+      expectSame(diagram, editor.snapshot(), random)
+    }
+  })
+
+  it('takes those of a diagram, if not told otherwise, and of traced edits', () => {
+    const circles = Float64Array.of(0, 0, -1, 6, 0, 1, 0, 8, -2)
+    const diagram = library.compute(circles, { weights: true })
+    using editor = library.edit(diagram)
+    expect(editor.insert({ x: 3, y: 3, r: -4 }).circles).toEqual(Float64Array.of(3, 3, -4))
+    expect(editor.snapshot().weights).toBe(true)
+    const negative = expect.objectContaining({ code: 'negativeRadius', circle: 0 })
+    expect(() => library.edit(diagram, { weights: false })).toThrow(negative)
+    const far = expect.objectContaining({ code: 'coordinateTooLarge', circle: undefined })
+    expect(() => editor.insert({ x: 3, y: 3, r: -1e151 })).toThrow(far)
+    const edits: Edit[] = [{ kind: 'insert', circle: [3, 3, -4] }]
+    const trace = library.trace(circles, { edits, weights: true })
+    expect(contentOf(trace.diagram)).toEqual(contentOf(editor.snapshot()))
   })
 })

@@ -94,7 +94,7 @@ describe('attributes', () => {
   )
 
   test.each([
-    ['cells=blue', 'The layer cells must be none, radius, area, degree, gap, index or different (got "blue").'],
+    ['cells=blue', 'The layer cells must be auto, none, radius, area, degree, gap, index or different (got "blue").'],
     ['max-distance=far', 'The layer maxDistance must be a number (got "far").'],
     ['near-zero=-1', 'The layer nearZero must be a number from 0 (got -1).'],
     ['{"dsic": true}', /^There is no layer dsic\. /],
@@ -171,7 +171,7 @@ describe('what it says', () => {
         Object.entries(words).flatMap(([name, value]) => (value === undefined ? [] : [name]))
       expect(names(other).sort()).toEqual(names(one).sort())
     }
-    expect(german.others?.refusals.coded(new CircleVoronoiError('negativeRadius', 3, ''))).toBe(
+    expect(german.others?.refusals.coded(new CircleVoronoiError('negativeRadius', '', { circle: 3 }))).toBe(
       'Kreis 3: Der Radius darf nicht negativ sein.',
     )
     expect(problemOf(new Error('It broke.'), true, german.others?.refusals)).toBe(
@@ -217,7 +217,17 @@ describe('what it says', () => {
 })
 
 describe('a check', () => {
-  const cell: CellFacts = { x: 1, y: 2, r: 3, hidden: false, bounded: true, edges: 3, neighbors: [0, 2], area: 7.5 }
+  const cell: CellFacts = {
+    x: 1,
+    y: 2,
+    r: 3,
+    hidden: false,
+    bounded: true,
+    edges: 3,
+    neighbors: [0, 2],
+    area: 7.5,
+    perimeter: 11,
+  }
   const facts: Facts = { circles: 4, hidden: 1, vertices: 3, edges: 6, cells: new Map([[1, cell]]) }
 
   test.each([
@@ -246,7 +256,7 @@ describe('a check', () => {
   test('is of circles that have been there', () => {
     const check = parseCheck('{ "any": [{ "not": { "cell": 3, "edges": 3 } }, { "cell": 0, "neighbor": 5 }] }')
     expect(() => checkCircles(check, 6)).not.toThrow()
-    expect(() => checkCircles(check, 5)).toThrow('there is no circle 5. The circles have the numbers 0 to 4.')
+    expect(() => checkCircles(check, 5)).toThrow('there is no circle 5. The circles have the ids 0 to 4.')
     expect(() => checkCircles(check, 3)).toThrow('there is no circle 3. ')
     expect(() => checkCircles(check, 0)).toThrow('there is no circle 3. There are no circles.')
   })
@@ -262,8 +272,8 @@ describe('a check', () => {
     ['[]', 'each part is an object'],
     ['{}', 'a part says nothing'],
     ['{"cell": 3}', 'it says nothing of the cell'],
-    ['{"cell": -1, "edges": 3}', 'cell is the number of a circle'],
-    ['{"cell": 0.5, "edges": 3}', 'cell is the number of a circle'],
+    ['{"cell": -1, "edges": 3}', 'cell is the id of a circle'],
+    ['{"cell": 0.5, "edges": 3}', 'cell is the id of a circle'],
     ['{"cell": 1, "edges": "3"}', 'edges is a number, or an object with min and max'],
     ['{"cell": 1, "edges": {}}', 'edges is a number, or an object with min and max'],
     ['{"cell": 1, "edges": {"least": 1}}', 'edges is a number, or an object with min and max'],
@@ -331,7 +341,7 @@ describe('the manifest', () => {
     const said = (pattern: RegExp, text: string) => [...text.matchAll(pattern)].map(([, name]) => name as string)
     expect(names(element.cssParts).sort()).toEqual(said(/setAttribute\('part', '([\w-]+)'\)/g, shell).sort())
     expect(names(element.slots).sort()).toEqual(said(/slot\('(\w*)'\)/g, shell).sort())
-    const theme = new Set(said(/--([\w-]+): light-dark/g, read('web/view/theme.css')))
+    const theme = new Set(said(/^ {2}--([\w-]+):/gm, read('web/view/theme.css')))
     const properties = names(element.cssProperties).map((name) => name.replace('--circle-voronoi-', ''))
     expect(properties.filter((name) => name !== 'aspect-ratio').sort()).toEqual([...theme].sort())
   })

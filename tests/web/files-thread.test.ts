@@ -22,7 +22,7 @@ it('says what went wrong, about which circle if about one, and tries again when 
     await onmessage({ data })
     return replies.at(-1)
   }
-  const error = { code: 'internal', circle: -1, message: 'The network is gone.' }
+  const error = { code: 'internal', circle: undefined, message: 'The network is gone.' }
   expect(await ask({ request: 1, kind: 'catalogue' })).toEqual({ request: 1, error })
   expect(await ask({ request: 2, kind: 'catalogue' })).toEqual({ request: 2, result: 'all families' })
   const read = { request: 3, kind: 'read', bytes: new TextEncoder().encode('0,0,1\n5,0,-1\n'), name: 'a.csv' }

@@ -93,7 +93,7 @@ describe('names of circles', () => {
   const nobody = () => Promise.reject(new Error('nothing is to be made'))
 
   it('those of older links are what they were', async () => {
-    const load = (name: string) => loadDataSet(name, nobody)
+    const load = async (name: string) => (await loadDataSet(name, nobody)).circles
     expect(labelOf('random:17')).toBe('Random, 300')
     expect(await load('random:17')).toEqual(await load('random:17'))
     expect(await load('random:18')).not.toEqual(await load('random:17'))

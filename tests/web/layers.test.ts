@@ -20,12 +20,12 @@ import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
 import { found } from '../../web/view/painter/found.ts'
 import { mergedWith } from '../../web/view/painter/layers/vertices.ts'
-import { cellArea, Measures } from '../../web/view/painter/measures.ts'
+import { cellArea, Measures, placeAmong } from '../../web/view/painter/measures.ts'
 import { methodResult } from '../../web/view/painter/method-layers.ts'
 import { methodOutcome } from '../../web/view/painter/method-outcome.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { touchingNear } from '../../web/view/painter/touching.ts'
-import { MAP_COLORS } from '../../web/view/style.ts'
+import { MAP_COLORS, rampThrough, SHADES } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 
 const random = seededRandom(23)
@@ -79,13 +79,61 @@ describe('what cells are measured by', () => {
     }
   })
 
-  it.each(['area', 'gap', 'radius', 'index'] as const)('gives each tint as many cells: %s', (measure) => {
-    const { diagram } = new Picture(library.edit(randomCircles(1200)))
-    const measures = new Measures(measure, diagram)
-    const counts = new Int32Array(6)
-    const visible = Array.from({ length: 1200 }, (_, i) => i).filter((i) => diagram.cells.exists(i))
-    for (const i of visible) (counts[measures.tintOf(i)] as number)++
-    for (const count of counts) expect(Math.abs(count - visible.length / 6)).toBeLessThan(30)
+  it.each(['area', 'gap', 'radius', 'index'] as const)(
+    'has a quarter of the cells in each quarter of the ramp: %s',
+    (measure) => {
+      const { diagram } = new Picture(library.edit(randomCircles(1200)))
+      const measures = new Measures(measure, diagram)
+      const counts = new Int32Array(4)
+      const isMeasured = (i: number) => diagram.cells.exists(i) && Number.isFinite(measures.valueOf(i))
+      const visible = Array.from({ length: 1200 }, (_, i) => i).filter(isMeasured)
+      for (const i of visible) (counts[Math.min(Math.floor((4 * measures.shadeOf(i)) / SHADES), 3)] as number)++
+      for (const count of counts) expect(Math.abs(count - visible.length / 4)).toBeLessThan(30)
+      // The legend says what the ends and quarters of the ramp are.
+      const { knots, isClipped } = measures.legend
+      const values = visible.map((i) => measures.valueOf(i)).sort((a, b) => a - b)
+      // Outliers have the colors of the ends.
+      const at = (share: number) => values[Math.round(share * (values.length - 1))]
+      expect(knots).toEqual([0.05, 0.25, 0.5, 0.75, 0.95].map(at))
+      expect(isClipped).toBe(true)
+      expect([
+        measures.shadeOf(visible.find((i) => measures.valueOf(i) === values[0]) as number),
+        measures.shadeOf(visible.find((i) => measures.valueOf(i) === values.at(-1)) as number),
+      ]).toEqual([0, SHADES - 1])
+      // What has no end has no color.
+      const endless = Array.from({ length: 1200 }, (_, i) => i).filter(
+        (i) => diagram.cells.exists(i) && measures.valueOf(i) === Number.POSITIVE_INFINITY,
+      )
+      expect(endless.length > 0).toBe(measure === 'area')
+      expect(endless.every((i) => measures.shadeOf(i) === -1)).toBe(true)
+      const least = visible.find((i) => measures.valueOf(i) === knots[0]) as number
+      const largest = visible.find((i) => measures.valueOf(i) === knots[4]) as number
+      expect([measures.shadeOf(least), measures.shadeOf(largest)]).toEqual([0, SHADES - 1])
+    },
+  )
+
+  it('is placed among the knots of the ramp', () => {
+    const knots = [1, 2, 2, 4, 8]
+    expect([0, 1, 1.5, 2, 3, 4, 6, 8, 9, Infinity].map((value) => placeAmong(knots, value))).toEqual([
+      0, 0, 0.125, 0.375, 0.625, 0.75, 0.875, 1, 1, 1,
+    ])
+    expect(placeAmong([3, 3, 3, 3, 3], 3)).toBe(0.5)
+  })
+
+  it('has a ramp through the colors that are set, evenly', () => {
+    const ramp = rampThrough(['rgb(0, 0, 0)', 'rgb(200, 100, 0)', 'rgb(200, 100, 60)'])
+    expect(ramp).toHaveLength(SHADES)
+    expect([ramp[0], ramp[15], ramp[30], ramp[45], ramp[60]]).toEqual([
+      'rgb(0, 0, 0)',
+      'rgb(100, 50, 0)',
+      'rgb(200, 100, 0)',
+      'rgb(200, 100, 30)',
+      'rgb(200, 100, 60)',
+    ])
+    // Of others, those that are there.
+    expect(new Set(rampThrough(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']))).toEqual(
+      new Set(['oklch(0.5 0.1 20)', 'rgb(1, 2, 3)']),
+    )
   })
 
   it('is the distance to the nearest circle of all', () => {
@@ -383,7 +431,7 @@ describe('layers that are set', () => {
       'The layer path must be two points { from: { x, y }, to: { x, y } } (got {"from":{"x":0,"y":0}}).',
     )
     expect(refusal({ cells: 'red' })).toBe(
-      'The layer cells must be none, radius, area, degree, gap, index or different (got "red").',
+      'The layer cells must be auto, none, radius, area, degree, gap, index or different (got "red").',
     )
     expect(refusal({ candidates: 'red' })).toBe(
       'The layer candidates must be dynamic, uniform or all-pairs (got "red").',

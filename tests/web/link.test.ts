@@ -148,7 +148,7 @@ describe('what is no link', () => {
     ['v1.AAAA', 'a part of it is missing or wrong'],
   ])('is refused: %j', async (text, reason) => {
     await expect(decodeLink(text as string)).rejects.toThrow(
-      expect.objectContaining({ code: 'badInput', circle: -1, message: `The link cannot be read: ${reason}.` }),
+      expect.objectContaining({ code: 'badInput', circle: undefined, message: `The link cannot be read: ${reason}.` }),
     )
   })
 

@@ -106,9 +106,9 @@ describe('errors', () => {
   })
 
   it.each([
-    ['a length that is no multiple of three', Float64Array.of(1, 2), -1],
-    ['text for an array', '1,2,3', -1],
-    ['nothing', undefined, -1],
+    ['a length that is no multiple of three', Float64Array.of(1, 2), undefined],
+    ['text for an array', '1,2,3', undefined],
+    ['nothing', undefined, undefined],
     [
       'text for a number',
       [
@@ -137,7 +137,10 @@ describe('errors', () => {
     null,
     'auto',
   ])('refuses the options %j', (options) => {
-    expect(errorOf(() => library.compute(THREE, options as Options))).toMatchObject({ code: 'badOption', circle: -1 })
+    expect(errorOf(() => library.compute(THREE, options as Options))).toMatchObject({
+      code: 'badOption',
+      circle: undefined,
+    })
   })
 
   it('refuses all pairs of too many circles, and goes on working', () => {
@@ -218,7 +221,7 @@ describe('the WebAssembly', () => {
       () => undefined,
       (reason) => reason,
     )
-    expect(error).toMatchObject({ name: 'CircleVoronoiError', code: 'notLoaded', circle: -1 })
+    expect(error).toMatchObject({ name: 'CircleVoronoiError', code: 'notLoaded', circle: undefined })
     expect(error.message).toContain(words)
     expect(error.message).toMatch(/[^.]\.$/)
     expect(error.cause).toBeInstanceOf(Error)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What JavaScript lets through and makes no sense: one sentence each, and nothing is answered.
 import { describe, expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   bezierPointAt,
   bisector,
@@ -42,7 +41,7 @@ import { library } from './library.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 6, 0, 1, 0, 8, 1)
 const diagram = library.compute(CIRCLES)
-const { computeComparison } = await loadComparison(library)
+const { computeComparison } = await library.loadComparison()
 const power = computeComparison(CIRCLES, 'power')
 /** As a program without types sees it. */
 const d = diagram as unknown as Record<string, (...args: unknown[]) => unknown>
@@ -340,9 +339,8 @@ describe('is refused with a sentence', () => {
     const refusal = expect.objectContaining({ name: 'CircleVoronoiError', code: 'badOption' })
     for (const options of [{ wasm: 5 }, { url: '' }, 'x']) {
       await expect(loadCircleVoronoi(options as object)).rejects.toThrow(refusal)
-      await expect(loadComparison(library, options as object)).rejects.toThrow(refusal)
+      await expect(library.loadComparison(options as object)).rejects.toThrow(refusal)
     }
-    await expect(untyped(loadComparison)()).rejects.toThrow('loadComparison takes a loaded library, not undefined.')
     using worker = createWorker()
     await expect(worker.compute(CIRCLES, { sample: 1 } as object)).rejects.toThrow(refusal)
     await expect(worker.compute(CIRCLES, { signal: 'now' } as object)).rejects.toThrow(refusal)

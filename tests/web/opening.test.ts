@@ -114,9 +114,12 @@ describe('what the page opens', () => {
     const { editing, store, view } = started()
     const made: unknown[] = []
     const padding = () => ({ top: 0, right: 0, bottom: 0, left: 0 })
-    const page = new PageActions(store, editing, view as unknown as View, padding, async (recipe) => {
-      made.push(recipe)
-      return Float64Array.of(1, 2, 3)
+    const page = new PageActions(store, editing, view as unknown as View, padding, {
+      make: async (recipe) => {
+        made.push(recipe)
+        return Float64Array.of(1, 2, 3)
+      },
+      cancel: () => {},
     })
     expect(await page.openLink(await encodeLink({ circles: Float64Array.of(4, 5, 6) }))).toBe('opened')
     expect(editing.scene).toEqual({ circles: Float64Array.of(4, 5, 6), dataSet: '', isEdited: false })

@@ -191,7 +191,8 @@ describe('the fields of the selected circle', () => {
   function mounted() {
     const set: unknown[] = []
     const store = createStore<State>({ ...INITIAL_STATE, selected: 7, circle: { x: 1, y: 2, r: 3 } })
-    const actions = { set: (edits: unknown) => set.push(edits), select: (ids: unknown) => set.push(ids) }
+    const complain = (problem: string) => store.update((state) => ({ ...state, problem }))
+    const actions = { set: (edits: unknown) => set.push(edits), select: (ids: unknown) => set.push(ids), complain }
     const frames: (() => void)[] = []
     vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
     const focusNumbers = mountInspector(store, actions as unknown as PageActions)
@@ -205,7 +206,7 @@ describe('the fields of the selected circle', () => {
       field.value = text
       for (const type of types) field.dispatchEvent(new Event(type))
     }
-    return { set, fields: [x, y, r] as FakeElement[], change, type, focusNumbers }
+    return { set, state: store.get, fields: [x, y, r] as FakeElement[], change, type, focusNumbers }
   }
 
   it('set the number that each is for', () => {
@@ -227,13 +228,16 @@ describe('the fields of the selected circle', () => {
   })
 
   it('keep what is being typed, and say that it was refused, until they are left', () => {
-    const { fields, change, type } = mounted()
+    const { fields, change, type, state } = mounted()
     const [x, y] = fields
     type(x, '-', ['input'])
     change({ circle: { x: 5, y: 6, r: 3 }, problem: 'no number' })
     expect([x?.value, y?.value]).toEqual(['-', '6'])
     expect([x, y].map((field) => field?.attributes.get('aria-invalid'))).toEqual(['true', 'false'])
     x?.dispatchEvent(new Event('blur'))
+    // What was refused does not stay, nor what was said of it.
+    expect(x?.value).toBe('5')
+    expect(state().problem).toBe('')
     change({ problem: '', circle: { x: 5, y: 6, r: 4 } })
     expect(x?.value).toBe('5')
     expect(x?.attributes.get('aria-invalid')).toBe('false')

@@ -5,7 +5,7 @@ import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
 import { answerViews } from '../../web/view/painter/painter-thread.ts'
 import type { FromPainter, ToPainter, Wish } from '../../web/view/protocol.ts'
-import { type Style, TINTS } from '../../web/view/style.ts'
+import { SHADES, type Style } from '../../web/view/style.ts'
 
 const CIRCLES = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 const LARGEST = 16_384
@@ -73,8 +73,8 @@ afterEach(() => {
   vi.unstubAllGlobals()
 })
 
-const tints = Array.from({ length: TINTS }, () => 'white')
-const style = new Proxy({}, { get: (_, name) => (name === 'tints' ? tints : 'black') }) as Style
+const colors = Array.from({ length: SHADES }, () => 'white')
+const style = new Proxy({}, { get: (_, name) => (name === 'ramp' || name === 'map' ? colors : 'black') }) as Style
 
 /** Adds a scene and opens circles in it. */
 async function openScene(scene: number): Promise<void> {

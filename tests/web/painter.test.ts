@@ -109,7 +109,11 @@ describe('the painter', () => {
     const [asked] = worker().of('ask')
     expect(asked).toMatchObject({ scene: 1, name: 'trace', args: [{}] })
     const request = asked?.request as number
-    worker().answer({ kind: 'noAnswer', request, code: 'tooManyCircles', circle: -1, message: 'Too many.' })
+    worker().answer({
+      kind: 'noAnswer',
+      request,
+      error: { code: 'tooManyCircles', circle: undefined, message: 'Too many.' },
+    })
     await expect(traced).rejects.toMatchObject({ code: 'tooManyCircles', message: 'Too many.' })
   })
 
@@ -240,9 +244,7 @@ describe('the painter', () => {
       kind: 'refused',
       scene: 1,
       revision: 2,
-      code: 'unknownCircle',
-      circle: 7,
-      message: 'No circle 7.',
+      error: { code: 'unknownCircle', circle: 7, message: 'No circle 7.' },
     })
     await expect(edit).rejects.toBeInstanceOf(CircleVoronoiError)
     expect(FakeWorker.all.length).toBe(1)

@@ -121,8 +121,22 @@ describe('the steps of a trace', () => {
     expect(of6.length).toBeGreaterThan(2)
     for (const k of of6) expect(sentenceOf(trace, steps[k] as Step)).toMatch(/\b6\b/)
     expect(columnsOf(steps, 100)).toHaveLength(100)
-    expect(columnsOf(steps, 100)[0]).toContain('stage')
+    expect([...(columnsOf(steps, 100)[0]?.keys() ?? [])]).toContain('stage')
+    // A column counts its steps: of many it is not as one that is full of them.
+    const counts = columnsOf(steps, 10).flatMap((column) => [...column.values()])
+    expect(counts.reduce((sum, count) => sum + count, 0)).toBe(
+      steps.filter((step) => sortOf(step) !== undefined).length,
+    )
+    expect(new Set(counts).size).toBeGreaterThan(2)
   })
+})
+
+it('parts of a program are numbered in their order', () => {
+  for (const program of Object.values(PROGRAMS)) {
+    const numbers = program.flatMap(({ title }) => /^\d+/.exec(ENGLISH_PLAYER.titles[title])?.[0] ?? [])
+    expect(numbers).toEqual(numbers.map((_, k) => String(k + 1)))
+  }
+  expect(PROGRAMS.touching.filter(({ title }) => /^\d/.test(ENGLISH_PLAYER.titles[title]))).toHaveLength(4)
 })
 
 describe('what is shown beside a step', () => {

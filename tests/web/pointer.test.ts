@@ -267,11 +267,24 @@ describe('a press', () => {
     const stage = new Stage()
     stage.under = disc(0)
     const touch = { pointerType: 'touch' }
+    // A circle that is large enough for a finger is dragged at once.
     await stage.drag([pixel(0, 0), pixel(1, 0)], touch)
+    expect(stage.of('set')).toHaveLength(1)
+    stage.selection = []
+    stage.done.length = 0
+    stage.camera = { ...stage.camera, scale: 4 }
+    await stage.drag(
+      [
+        { x: 400, y: 300 },
+        { x: 404, y: 300 },
+      ],
+      touch,
+    )
     expect(stage.of(...DOING)).toEqual([])
     expect(stage.camera.x).toBe(-1)
+    stage.camera = { ...CAMERA, scale: 4 }
     await stage.press([pixel(0, 0)], touch)
-    expect([stage.slack, stage.handleSlack]).toEqual([1.2, 12])
+    expect([stage.slack, stage.handleSlack]).toEqual([3, 12])
     await stage.send('pointerup', pixel(0, 0), touch)
     expect(stage.of(...DOING)).toEqual([['select', 0]])
     await stage.drag([pixel(0, 0), pixel(1, 0)], touch)

@@ -2,7 +2,6 @@
 // Circles a power of two times as large have the same diagram and geometry, bit for bit, times that power: from the
 // smallest to the largest numbers that `compute` takes.
 import { describe, expect, it } from 'vitest'
-import { loadComparison } from '../../web/lib/comparison.ts'
 import {
   type Box,
   clearestPath,
@@ -28,7 +27,7 @@ import {
 } from '../../web/lib/index.ts'
 import { library, seededRandom } from './library.ts'
 
-const comparison = await loadComparison(library)
+const comparison = await library.loadComparison()
 
 /** What geometry tells, each number with its dimension: 0 a number, 1 a length, 2 an area. */
 class Measures {

@@ -230,7 +230,7 @@ describe('what a thread answers', () => {
     await ask(request())
     await ask(request())
     expect(said).toHaveLength(2)
-    for (const [reply] of said) expect(reply).toMatchObject({ error: { code: 'notLoaded', circle: -1 } })
+    for (const [reply] of said) expect(reply).toMatchObject({ error: { code: 'notLoaded', circle: undefined } })
   })
 
   it('is what else went wrong, in one sentence', async () => {
@@ -242,6 +242,6 @@ describe('what a thread answers', () => {
     }
     await ask({ ...request(), tellsProgress: true })
     const message = 'The computation failed: No clone.'
-    expect(said).toEqual([[{ error: { code: 'internal', circle: -1, message } }, []]])
+    expect(said).toEqual([[{ error: { code: 'internal', circle: undefined, message } }, []]])
   })
 })

@@ -9,6 +9,7 @@ import { View } from '../../web/view/view.ts'
 const drawn = vi.hoisted(() => [] as { touching: unknown }[])
 vi.mock('../../web/view/overlay.ts', () => ({
   drawOverlay: (...[, , , , above]: { touching: unknown }[]) => drawn.push(above as { touching: unknown }),
+  isNothingAbove: ({ touching }: { touching: unknown }) => touching === undefined,
 }))
 vi.mock('../../web/view/style.ts', () => ({ readStyle: () => ({}), isDark: () => false }))
 vi.mock('../../web/view/base-picture.ts', () => ({
@@ -94,6 +95,26 @@ it('shows the disc of the place where the pointer is, whatever answers come late
   expect(drawn).toHaveLength(1)
   expect(frames).toHaveLength(1)
   expect(shown()).toBeUndefined()
+})
+
+it('draws nothing above the picture while it moves, if nothing is there', async () => {
+  const { view, answers, shown } = opened()
+  view.setCamera({ x: 3, y: 4, scale: 5 })
+  shown()
+  expect(drawn).toHaveLength(0)
+  const touched = view.touch(HERE, 1)
+  answers[0]?.(DISC)
+  await touched
+  shown()
+  view.setCamera({ x: 3, y: 4, scale: 6 })
+  expect(shown()).toBe(DISC)
+  // Once more, to clear it.
+  await view.touch(undefined, 1)
+  shown()
+  expect(drawn).toHaveLength(1)
+  view.setCamera({ x: 3, y: 4, scale: 7 })
+  shown()
+  expect(drawn).toHaveLength(0)
 })
 
 it('draws nothing anew where the disc is the one that is shown', async () => {

@@ -5,11 +5,14 @@ import { parseCircles } from '../../web/app/csv.ts'
 import { roundLength } from '../../web/app/panels/scale.ts'
 import type { Box, Edit } from '../../web/lib/index.ts'
 import { boundingBox, fitted, panned, toPlane, toScreen, zoomed } from '../../web/view/camera.ts'
+import { DEFAULT_LAYERS, type Layers, MOST_MAPPED } from '../../web/view/layers.ts'
 import { BoxIndex } from '../../web/view/painter/box-index.ts'
 import { addAround } from '../../web/view/painter/boxes.ts'
+import { apart } from '../../web/view/painter/grid.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { pictureFrame } from '../../web/view/picture-frame.ts'
+import type { PixelBox } from '../../web/view/protocol.ts'
 import { library, seededRandom } from './library.ts'
 
 const SIZE = { width: 800, height: 600 }
@@ -182,18 +185,54 @@ describe('parseCircles', () => {
   })
 })
 
-describe('the tint of a circle', () => {
-  const tintsOf = (radii: readonly number[]) => {
+describe('the color of a circle', () => {
+  const colorsOf = (radii: readonly number[], cells: Layers['cells']) => {
     const picture = new Picture(library.edit(radii.map((r, k) => [10 * k, 0, r])))
-    return radii.map((r) => picture.tintOf(r))
+    picture.layers = { ...DEFAULT_LAYERS, cells }
+    return radii.map((_, i) => picture.colorOf(i))
   }
 
-  it('is that of as many others, smaller ones before larger ones', () => {
-    expect(tintsOf([5, 1, 3, 2, 6, 4])).toEqual([4, 0, 2, 1, 5, 3])
+  it('is darker for larger ones by radius', () => {
+    expect(colorsOf([5, 1, 3, 2, 4], 'radius')).toEqual([60, 0, 30, 15, 45])
   })
 
   it('is the same for equal radii', () => {
-    expect(new Set(tintsOf(new Array(30).fill(1))).size).toBe(1)
+    expect(new Set(colorsOf(new Array(30).fill(1), 'radius')).size).toBe(1)
+  })
+
+  it('is another one than those of neighbors by itself, and of many circles by radius', () => {
+    const few = colorsOf([1, 1, 1, 1], 'auto')
+    expect(few.every((color, i) => i === 0 || color !== few[i - 1])).toBe(true)
+    expect(colorsOf([5, 1, 3, 2, 4, ...new Array(MOST_MAPPED).fill(3)], 'auto').slice(0, 2)).toEqual([60, 0])
+  })
+})
+
+describe('parts of a picture that are painted anew', () => {
+  const coverOf = (boxes: readonly PixelBox[]) => {
+    const pixels = new Map<string, number>()
+    for (const { left, top, width, height } of boxes) {
+      for (let y = top; y < top + height; y++) {
+        for (let x = left; x < left + width; x++) pixels.set(`${x} ${y}`, (pixels.get(`${x} ${y}`) ?? 0) + 1)
+      }
+    }
+    return pixels
+  }
+
+  it('cover all boxes, and no pixel twice', () => {
+    const random = seededRandom(4)
+    const some = (most: number) => 1 + Math.floor(most * random())
+    for (let k = 0; k < 200; k++) {
+      const boxes = Array.from({ length: some(5) }, () => ({
+        left: some(30),
+        top: some(30),
+        width: some(12),
+        height: some(12),
+      }))
+      const covered = coverOf(apart(boxes))
+      expect([...covered.values()].every((count) => count === 1)).toBe(true)
+      expect([...coverOf(boxes).keys()].every((pixel) => covered.has(pixel))).toBe(true)
+    }
+    expect(apart([{ left: 0, top: 0, width: 2, height: 2 }])).toEqual([{ left: 0, top: 0, width: 2, height: 2 }])
   })
 })
 

@@ -1,22 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../lib/index.ts'
 
+/** Circles that may have names, one each. */
+export interface NamedCircles {
+  readonly circles: Float64s
+  readonly names?: readonly string[] | undefined
+}
+
 /**
  * Reads lines `x,y,r` as x, y, r each. A header line and blank lines are allowed.
  *
  * @throws Error that names the first line which is not three numbers.
  */
 export function parseCircles(text: string): Float64s {
+  return parseNamed(text).circles
+}
+
+/**
+ * Reads the same, and the names of a fourth column `name` in the header.
+ *
+ * @throws Error as `parseCircles`
+ */
+export function parseNamed(text: string): NamedCircles {
   const numbers: number[] = []
+  const names: string[] = []
+  let hasNames = false
   for (const [index, line] of text.split(/\r?\n/).entries()) {
     const fields = line.split(',').map((field) => field.trim())
-    const values = fields.map(Number)
-    const isCircle = fields.length === 3 && fields.every((field) => field !== '') && !values.some(Number.isNaN)
+    const values = fields.slice(0, 3)
+    const isCircle =
+      fields.length === (hasNames ? 4 : 3) && values.every((field) => field !== '' && !Number.isNaN(Number(field)))
     if (isCircle) {
-      numbers.push(...values)
-    } else if (line.trim() !== '' && !(index === 0 && values.every(Number.isNaN))) {
+      numbers.push(...values.map(Number))
+      names.push(fields[3] ?? '')
+    } else if (index === 0 && fields.every((field) => Number.isNaN(Number(field)))) {
+      hasNames = fields[3] === 'name'
+    } else if (line.trim() !== '') {
       throw new Error(`Line ${index + 1} is not three numbers x,y,r: ${line}`)
     }
   }
-  return Float64Array.from(numbers)
+  return { circles: Float64Array.from(numbers), names: hasNames ? names : undefined }
 }

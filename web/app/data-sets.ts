@@ -2,26 +2,65 @@
 import type { Float64s } from '../lib/index.ts'
 import { LINK_LIMITS } from '../lib/link.ts'
 import { wholeNumber } from '../view/whole-number.ts'
-import { parseCircles } from './csv.ts'
+import { type NamedCircles, parseNamed } from './csv.ts'
 import type { Recipe } from './generators/generators.ts'
 
 /** What the menu offers. */
 export interface DataSet {
   readonly id: string
   readonly label: string
+  /** What it shows, in one line. */
+  readonly about: string
+  /** Whose data it is. */
+  readonly credit?: string
   /** Random circles, other ones each time. */
   readonly random?: { readonly family: string; readonly count: number }
 }
 
 /** The first one is shown at the start. */
 export const DATA_SETS: readonly DataSet[] = [
-  { id: 'bronzefilter', label: 'Bronze filter' },
-  { id: 'spruces', label: 'Spruces' },
-  { id: 'waka', label: 'Waka trees' },
-  { id: 'cities', label: 'Cities of Europe' },
-  { id: 'introduction', label: 'Introduction' },
-  { id: 'random', label: 'Random', random: { family: 'dense', count: 300 } },
-  { id: 'random-large', label: 'Random, 10,000', random: { family: 'dense', count: 10_000 } },
+  { id: 'start', label: 'Eight circles', about: 'Every point is colored by its nearest circle. Drag one.' },
+  {
+    id: 'introduction',
+    label: 'Introduction',
+    about: 'Circles that overlap, and one that lies hidden inside another.',
+  },
+  {
+    id: 'bronzefilter',
+    label: 'Bronze filter',
+    about: 'Particles in a section of a bronze filter, 18 mm by 7 mm.',
+    credit: 'Image by R. Bernhardt, measured by H. Wendrock; R package spatstat.data',
+  },
+  {
+    id: 'spruces',
+    label: 'Spruces',
+    about: 'Trunks of Norway spruces in a plot of Saxony, 56 m by 38 m.',
+    credit: 'Stoyan et al., 1987; R package spatstat.data',
+  },
+  {
+    id: 'waka',
+    label: 'Waka trees',
+    about: 'Trunks of trees in the Waka national park, Gabon, 100 m by 100 m.',
+    credit: 'R package spatstat.data',
+  },
+  {
+    id: 'cities',
+    label: 'Cities of Europe',
+    about: 'Cities of 100,000 inhabitants or more; the area of a circle grows with them.',
+    credit: 'GeoNames, CC BY 4.0',
+  },
+  {
+    id: 'random',
+    label: 'Random',
+    about: 'Three hundred random circles, other ones each time.',
+    random: { family: 'dense', count: 300 },
+  },
+  {
+    id: 'random-large',
+    label: 'Random, 10,000',
+    about: 'Ten thousand random circles, other ones each time.',
+    random: { family: 'dense', count: 10_000 },
+  },
 ]
 
 /** Families have at most so many circles. */
@@ -91,17 +130,17 @@ export function dataSetOf(name: string): DataSet | undefined {
 }
 
 /** @throws Error, if there are no circles of this name or they cannot be fetched or made */
-export async function loadDataSet(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<Float64s> {
+export async function loadDataSet(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<NamedCircles> {
   const source = sourceOf(name)
   switch (source?.kind) {
     case 'file':
       return fetched(name)
     case 'figure':
     case 'family':
-      return make(source)
+      return { circles: await make(source) }
     case 'former': {
       const { randomCircles, randomNumbers } = await import('./random-circles.ts')
-      return randomCircles(source.count, randomNumbers(source.seed))
+      return { circles: randomCircles(source.count, randomNumbers(source.seed)) }
     }
     case undefined:
       throw new Error('There is no data set of this name.')
@@ -113,7 +152,7 @@ export async function loadDataSet(name: string, make: (recipe: Recipe) => Promis
  *
  * @throws Error, as `loadDataSet`, and if there are too many
  */
-export async function loadLinked(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<Float64s> {
+export async function loadLinked(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<NamedCircles> {
   const source = sourceOf(name)
   if (source?.kind === 'family' && source.count > LINK_LIMITS.circles) {
     throw new Error('The link is for too many circles.')
@@ -136,10 +175,10 @@ function request(name: string): Promise<Response> {
   return fetch(new URL(`data/${name}.csv`, document.baseURI))
 }
 
-async function fetched(name: string): Promise<Float64s> {
+async function fetched(name: string): Promise<NamedCircles> {
   const asked = ahead.get(name)
   ahead.delete(name)
   const response = await (asked ?? request(name))
   if (!response.ok) throw new Error(`The data set ${labelOf(name)} could not be loaded (${response.status}).`)
-  return parseCircles(await response.text())
+  return parseNamed(await response.text())
 }

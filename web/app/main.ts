@@ -1,35 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { Editing } from '../editing/editing.ts'
+import { editView } from '../editing/edited-view.ts'
 import { listenToKeyboard } from '../editing/keyboard.ts'
 import { problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
-import { INITIAL_STATE, type State, stateAfter } from '../editing/state.ts'
-import { createStore } from '../editing/store.ts'
-import type { Padding } from '../view/camera.ts'
 import { mount } from '../view/mount.ts'
 import { listenToPointer } from '../view/pointer.ts'
+import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
 import { FileActions } from './files/file-actions.ts'
 import { FilesClient } from './files/files-client.ts'
 import { listenToClipboard } from './input/clipboard.ts'
 import { listenToFiles } from './input/dropping.ts'
+import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
 import { Keeping } from './keeping.ts'
 import { LinkWriter } from './link-writer.ts'
+import { driftAtStart } from './motion/drift.ts'
+import { Motion } from './motion/motion.ts'
 import { workOffline } from './offline.ts'
+import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'
+import { paintedOnce } from './painted-once.ts'
 import { byId } from './panels/by-id.ts'
 import { mountFiles } from './panels/files.ts'
 import { mountGenerate } from './panels/generate.ts'
 import { mountGroup } from './panels/group.ts'
 import { mountHelp } from './panels/help.ts'
 import { mountInspector } from './panels/inspector.ts'
+import { mountInspectorFacts } from './panels/inspector-facts.ts'
 import { mountLayers } from './panels/layers.ts'
-import { mountMethod, playerPadding } from './panels/method.ts'
+import { mountLegend } from './panels/legend.ts'
+import { mountMethod } from './panels/method.ts'
+import { mountMotion } from './panels/motion.ts'
+import { mountNames } from './panels/names.ts'
 import { mountNumbers } from './panels/numbers.ts'
+import { mountProgress } from './panels/progress.ts'
+import { mountSay } from './panels/say.ts'
 import { mountScale } from './panels/scale.ts'
+import { mountShare } from './panels/share.ts'
 import { mountStatus } from './panels/status.ts'
-import { mountTable, tableWidth } from './panels/table.ts'
+import { mountTable } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
@@ -42,51 +52,30 @@ import { styleSheetsLoaded } from './style-sheets.ts'
 //              │
 //              └──► panels, and what stands out in the view
 
+const firstPicture = document.getElementById('first-picture')
 if (location.hash === '') askAhead((DATA_SETS[0] as DataSet).id)
+else firstPicture?.remove()
 await styleSheetsLoaded()
 
 const figure = byId('figure', HTMLElement)
-const view = mount(figure, { gestures: 'none' })
-const store = createStore<State>(INITIAL_STATE)
-
-const editing = new Editing(
+const view = mount(figure)
+let hasShown = false
+const { store, editing } = editView(
   view,
-  (outcome) => {
+  () => {
     // What is shown at first is there without being kept.
-    if (store.get().edited !== undefined) keeping.changed()
-    const dataSet = editing.scene?.dataSet ?? ''
-    store.update((state) => ({ ...stateAfter(state, outcome, editing.circles), dataSet }))
-    // With the picture of the same edit.
-    if (store.get().selection.length > 0) choose()
+    if (hasShown) keeping.changed()
+    hasShown = true
   },
   (error) => store.update((state) => ({ ...state, problem: problemOf(error, editing.scene !== undefined) })),
 )
 
-/** What the panels at the top and at the bottom cover, the table and the player beside, and a margin. */
-const padding = (): Padding => ({ top: 72, left: 32 + tableWidth(), ...playerPadding() })
 const files = new FilesClient()
-const actions = new PageActions(store, editing, view, padding, (recipe) => files.make(recipe))
+const actions = new PageActions(store, editing, view, paddingOfPage, files)
 
 const links = new LinkWriter(files)
 const keeping = new Keeping(links, () => actions.linkState())
-
-let chosen = store.get().selection
-const choose = () => {
-  chosen = store.get().selection
-  view.choose(chosen.flatMap((id) => editing.circles.get(id) ?? []))
-}
-let marked: readonly [number | undefined, number | undefined] = [undefined, undefined]
-store.subscribe(({ selection, selected, hovered }) => {
-  if (selection !== chosen) choose()
-  if (selected !== marked[0] || hovered !== marked[1]) view.mark(selected, hovered)
-  marked = [selected, hovered]
-})
-view.on('marked', ({ selected }) => store.update((state) => ({ ...state, described: selected })))
-view.on('found', (found) => store.update((state) => ({ ...state, found })))
-view.on('layers', (layers) => {
-  store.update((state) => ({ ...state, layers }))
-  keeping.changed()
-})
+view.on('layers', () => keeping.changed())
 
 const generate = mountGenerate(actions, files)
 store.subscribe(({ dataSet }) => generate.show(dataSet))
@@ -94,12 +83,18 @@ mountToolbar(store, actions, generate.open)
 mountTrial(view)
 mountViewControls(actions)
 mountStatus(store)
+mountSay(store)
+mountProgress(actions)
+mountLegend(store, view)
 const fileActions = new FileActions(store, editing, actions, view, files, links)
 mountFiles(fileActions)
+mountShare(fileActions)
 // What is copied here is no file: this hears of it first.
 listenToClipboard(actions)
 listenToFiles(fileActions)
+restoreInvalidNumbers(document)
 const editNumbers = mountInspector(store, actions)
+mountInspectorFacts(store, editing, actions, view)
 const showHelp = mountHelp()
 mountGroup(store, actions)
 mountSaid(store, byId('said', HTMLParagraphElement))
@@ -107,7 +102,9 @@ mountLayers(store, actions, view)
 mountNumbers(store, view)
 mountTable(store, editing, actions, view)
 mountMethod(store, actions, view)
+mountMotion(new Motion(view, editing, actions), view, (problem) => actions.complain(problem))
 mountScale(view)
+mountNames(store, editing)
 const pointer = listenToPointer(figure, view, actions)
 listenToKeyboard(figure, view, pointer, store, actions, { editNumbers, showHelp })
 
@@ -118,7 +115,12 @@ if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) 
   await actions.load((DATA_SETS[0] as DataSet).id)
   // Of the link, for which these circles stand in.
   actions.complain(problem)
+  driftAtStart(view, figure)
+  paintedOnce(figure).then(() => firstPicture?.remove())
+} else {
+  firstPicture?.remove()
 }
+arrangeAround(view, actions)
 view.on('camera', () => keeping.changed())
 let step = store.get().step
 store.subscribe((state) => {

@@ -19,12 +19,14 @@ import {
   randomSeed,
   sourceOf,
 } from './data-sets.ts'
+import type { FilesClient } from './files/files-client.ts'
 import type { Read } from './files/files-protocol.ts'
 import type { Recipe } from './generators/generators.ts'
 import { interestingBox, sizeOf } from './generators/interesting-box.ts'
 
 /** What a user of the page can open beside. */
 export class PageActions extends EditorActions {
+  readonly #files: Pick<FilesClient, 'cancel'>
   readonly #make: (recipe: Recipe) => Promise<Float64s>
   readonly #shown: () => string
 
@@ -33,11 +35,18 @@ export class PageActions extends EditorActions {
     editing: Editing,
     view: View,
     padding: () => Padding,
-    make: (recipe: Recipe) => Promise<Float64s>,
+    files: Pick<FilesClient, 'make' | 'cancel'>,
   ) {
     super(store, editing, view, padding)
-    this.#make = make
+    this.#files = files
+    this.#make = (recipe) => files.make(recipe)
     this.#shown = () => store.get().dataSet
+  }
+
+  override cancelOpening(): void {
+    // What is read or made ends, too.
+    this.#files.cancel()
+    super.cancelOpening()
   }
 
   /** Circles of the menu. */
@@ -70,7 +79,7 @@ export class PageActions extends EditorActions {
   openRead(read: () => Promise<Read>): Promise<HowOpened> {
     return this.open(async () => {
       const result = await read()
-      return 'link' in result ? this.#linked(result.link) : { circles: result.circles, dataSet: '', isEdited: false }
+      return 'link' in result ? this.#linked(result.link) : { ...result, dataSet: '', isEdited: false }
     })
   }
 
@@ -84,7 +93,7 @@ export class PageActions extends EditorActions {
   }
 
   async #loadNamed(name: string, load = loadDataSet): Promise<Scene> {
-    return { circles: await load(name, this.#make), dataSet: name, isEdited: false }
+    return { ...(await load(name, this.#make)), dataSet: name, isEdited: false }
   }
 }
 

@@ -71,6 +71,11 @@ export class Editing {
     return this.#numbers.get(id) ?? id
   }
 
+  /** What a circle is called, if it is called anything. */
+  nameOf(id: number): string {
+    return this.#scene?.names?.[this.numberOf(id)] ?? ''
+  }
+
   #rename(formerId: number, id: number): void {
     const number = this.numberOf(formerId)
     this.#ids.set(number, id)
@@ -177,8 +182,10 @@ export class Editing {
     if (this.#scene === undefined) return []
     const { dataSet, isEdited } = this.#scene
     const circles = this.circles.circles()
-    const scene = { circles, dataSet, isEdited: isEdited || !isSame(circles, this.#scene.circles) }
-    return [{ kind: 'opening', scene, ids: this.circles.ids() }]
+    const ids = this.circles.ids()
+    const names = this.#scene.names && Array.from(ids, (id) => this.nameOf(id))
+    const scene = { circles, dataSet, isEdited: isEdited || !isSame(circles, this.#scene.circles), names }
+    return [{ kind: 'opening', scene, ids }]
   }
 
   /** A circle as it will be once all that was asked is done, if nothing is refused. */

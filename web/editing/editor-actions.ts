@@ -18,6 +18,12 @@ import { ENGLISH_EDITING } from './words.ts'
 /** How far one may zoom in from the picture without outliers, and out from the whole one. */
 const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
+/** How much a button zooms in. */
+export const BUTTON_ZOOM = 1.5
+/** What is zoomed to fills a part of the view: so many times as much is seen. */
+const SHOWN_AROUND = 3
+/** The share of the width that a path goes across at first. */
+const PATH_SHARE = 0.6
 /** The radius of a circle that is added with room around, in pixels. */
 const USUAL_RADIUS = 24
 /** Copies lie so far aside, in pixels. */
@@ -36,6 +42,9 @@ export interface Opened extends Scene {
   readonly method?: string | undefined
 }
 
+/** How far it is with circles that are opened. */
+export type Stage = 'loading' | 'computing' | 'opened' | 'refused'
+
 /** `superseded`: something else was asked for meanwhile. */
 export type HowOpened = 'opened' | 'refused' | 'superseded'
 
@@ -48,6 +57,8 @@ export class EditorActions implements Hands {
   isReadonly = false
   /** What is read out. */
   words = ENGLISH_EDITING
+  /** Called with each stage, and how many circles are opened; 0: not known. */
+  onstage: (stage: Stage, circles: number) => void = () => {}
   readonly #store: Store<State>
   readonly #editing: Editing
   readonly #view: View
@@ -84,15 +95,24 @@ export class EditorActions implements Hands {
     const { scene, circles } = this.#editing
     if (scene === undefined) return undefined
     const { camera, size } = this.#view
-    const isWhole = isSame(camera, this.#fitted(circles.box()))
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
     return {
       ...circlesOfLink(scene, circles),
-      ...(!isWhole && { view: viewOfLink(camera, size) }),
+      ...(!this.isWhole && { view: viewOfLink(camera, size) }),
       ...(Object.keys(layers).length > 0 && { layers }),
       ...(step !== undefined && { step, method }),
     }
+  }
+
+  /** What is covered of the picture now. */
+  get paddingNow(): Padding {
+    return this.#padding()
+  }
+
+  /** Whether all circles are seen, as large as that can be. */
+  get isWhole(): boolean {
+    return isSame(this.#view.camera, this.#fitted(this.#editing.circles.box()))
   }
 
   /** Whether anything was opened, or is about to be. */
@@ -105,19 +125,30 @@ export class EditorActions implements Hands {
     this.#lastLoad += 1
     const turn = this.#lastLoad
     const isSuperseded = () => turn !== this.#lastLoad
+    let end: Stage = 'refused'
     try {
+      this.onstage('loading', 0)
+      // What was wrong before is no longer of interest.
+      this.complain('')
       const opened = await load()
       if (isSuperseded()) return 'superseded'
       const { edits, view, layers, step, method, ...scene } = opened
-      const before = this.#view.camera
+      const before = { camera: this.#view.camera, selection: this.#store.get().selection }
+      this.select([])
       this.#view.setCamera(this.#looking(view, boundingBox(scene.circles)))
+      this.onstage('computing', scene.circles.length / 3)
       const edited = await this.#editing.open(scene, edits)
       if (isSuperseded()) return 'superseded'
       if (edited === undefined) {
-        this.#view.setCamera(before)
+        this.#view.setCamera(before.camera)
+        const { problem } = this.#store.get()
+        this.select(before.selection)
+        this.complain(problem)
         return 'refused'
       }
+      end = 'opened'
       if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
+      else this.#forgetPlaces()
       this.useTool('select')
       this.select([])
       const isPlayed = this.#store.get().step !== undefined
@@ -128,7 +159,32 @@ export class EditorActions implements Hands {
       if (isSuperseded()) return 'superseded'
       this.complain((error as Error).message)
       return 'refused'
+    } finally {
+      if (!isSuperseded()) this.onstage(end, this.#editing.circles.count)
     }
+  }
+
+  /** Ends what is being opened: what was there stays. */
+  cancelOpening(): void {
+    // What is being loaded comes too late then.
+    if (!this.#view.cancel()) {
+      this.#lastLoad += 1
+      this.onstage('refused', 0)
+    }
+  }
+
+  /** What layers have in places of other circles is no longer right. */
+  #forgetPlaces(): void {
+    const { path, nearZero, maxDistance } = this.#view.layers
+    if (path === undefined && nearZero === undefined && maxDistance === undefined) return
+    this.#view.setLayers({ path: path && this.pathAcross(), nearZero: undefined, maxDistance: undefined })
+  }
+
+  /** A path across what is seen. */
+  pathAcross(): NonNullable<Layers['path']> {
+    const { camera, size } = this.#view
+    const half = (PATH_SHARE * size.width) / camera.scale / 2
+    return { from: { x: camera.x - half, y: camera.y }, to: { x: camera.x + half, y: camera.y } }
   }
 
   /** Those that are selected, as they will be. */
@@ -167,7 +223,6 @@ export class EditorActions implements Hands {
       circles.map((circle) => ({ kind: 'insert', circle })),
       gesture,
     )
-    this.useTool('select')
     if (edited === undefined) return []
     const ids = [...edited.inserted]
     this.select(ids)
@@ -194,7 +249,8 @@ export class EditorActions implements Hands {
   async duplicateSelected(): Promise<void> {
     const aside = roundStep(ASIDE / this.#view.camera.scale)
     const circles = this.held().map(({ circle: { x, y, r } }) => ({ x: stepped(x, aside), y: stepped(y, -aside), r }))
-    if (circles.length > 0) await this.add(circles)
+    const { length } = circles.length > 0 ? await this.add(circles) : []
+    if (length > 0) this.#say(this.words.duplicated(length))
   }
 
   /** Adds copies of circles: a little aside, or in the middle of the view if they are not in it. */
@@ -350,8 +406,8 @@ export class EditorActions implements Hands {
     })
   }
 
-  #say(said: string): void {
-    this.#store.update((state) => ({ ...state, said }))
+  #say(text: string): void {
+    this.#store.update((state) => ({ ...state, said: { text } }))
   }
 
   #saySelected(): void {
@@ -427,6 +483,19 @@ export class EditorActions implements Hands {
     this.#view.setCamera(this.#looking(view, this.#editing.circles.box()))
   }
 
+  /** Shows the selected circles, with as much around them. */
+  zoomToSelection(): void {
+    const circles = this.#store.get().selection.flatMap((id) => this.#editing.circles.get(id) ?? [])
+    if (circles.length === 0) return
+    const box = boundingBox(Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r])))
+    const { camera } = this.#view
+    // A point has no size: it is seen as a circle that is added would be.
+    const least = USUAL_RADIUS / camera.scale
+    const half = SHOWN_AROUND * (Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2 || least)
+    const [x, y] = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2]
+    this.#view.setCamera(this.#fitted({ minX: x - half, minY: y - half, maxX: x + half, maxY: y + half }))
+  }
+
   /** Shows everything, or where everything is shown already, all but what lies far outside. */
   fit(): void {
     const { circles } = this.#editing
@@ -460,6 +529,11 @@ export class EditorActions implements Hands {
     if (circle !== undefined && !this.#shows(circle)) {
       this.#view.setCamera({ ...this.#view.camera, x: circle.x, y: circle.y })
     }
+  }
+
+  /** Has the view show all of some circles, where it does not. */
+  reveal(circles: readonly Circle[]): void {
+    if (!circles.every((circle) => this.#shows(circle))) this.look(undefined)
   }
 
   /** Whether a point is in the view, where no panel stands. */

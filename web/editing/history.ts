@@ -9,6 +9,8 @@ export interface Scene {
   readonly dataSet: string
   /** Whether the circles are no longer those of the data set. */
   readonly isEdited: boolean
+  /** What each circle is called; empty: nothing. */
+  readonly names?: readonly string[] | undefined
 }
 
 /** What goes back to before one gesture. */

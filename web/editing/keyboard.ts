@@ -83,6 +83,12 @@ export function listenToKeyboard(
       case '0':
         actions.fit()
         return true
+      case 'f':
+        actions.zoomToSelection()
+        return hasSelection
+      case 'n':
+        actions.addFitting(view.camera)
+        return true
       case 'Delete':
       case 'Backspace':
         actions.removeSelected()

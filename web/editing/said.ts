@@ -12,22 +12,29 @@ const REST = 250
 export function mountSaid(store: Store<State>, said: HTMLElement, words = () => ENGLISH_EDITING): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
+  /** What was done and is not said yet. */
+  let done = ''
 
   const say = (text: string) => {
     clearTimeout(timer)
     timer = setTimeout(() => {
-      said.textContent = text
+      done = ''
+      // The same text once more is heard only if it comes anew.
+      said.replaceChildren(text)
     }, REST)
   }
   store.subscribe((state) => {
     const { selected, described } = state
-    if (state.said !== before.said) say(state.said)
-    else if (
+    if (state.said !== before.said) {
+      done = state.said.text
+      say(done)
+    } else if (
       described !== undefined &&
       described.id === selected &&
       (selected !== before.selected || before.described === undefined)
     ) {
-      say(words().circle(selected, describeCell(described, words())[0]))
+      const description = describeCell(described, words())[0]
+      say(done === '' ? words().circle(selected, description) : `${done}. ${description}`)
     }
     before = state
   })

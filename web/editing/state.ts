@@ -35,8 +35,8 @@ export interface State {
   readonly tool: Tool
   /** Whether dragged circles snap without a key. */
   readonly isSnapping: boolean
-  /** What is said to who does not see it. */
-  readonly said: string
+  /** What is said to screen-reader users; another object each time. */
+  readonly said: { readonly text: string }
 }
 
 /** What a press on the figure does. */
@@ -58,7 +58,7 @@ export const INITIAL_STATE: State = {
   method: undefined,
   tool: 'select',
   isSnapping: false,
-  said: '',
+  said: { text: '' },
 }
 
 /** The state once circles were opened or edited: those that were selected may be gone, and other circles have other ids. */

@@ -4,6 +4,7 @@
 export interface EditingWords {
   added(id: number): string
   addedMany(count: number): string
+  duplicated(count: number): string
   deleted(id: number): string
   deletedMany(count: number): string
   moved(count: number): string
@@ -20,6 +21,7 @@ export interface EditingWords {
 export const ENGLISH_EDITING: EditingWords = {
   added: (id) => `Circle ${id} added`,
   addedMany: (count) => `${count} circles added`,
+  duplicated: (count) => (count === 1 ? 'Circle duplicated' : `${count} circles duplicated`),
   deleted: (id) => `Circle ${id} deleted`,
   deletedMany: (count) => `${count} circles deleted`,
   moved: (count) => `${count} circles moved`,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in attributes that are more than a word.
 import { reasonOf } from '../lib/base/errors.ts'
+import { METHODS, type Method } from '../lib/base/types.ts'
 import type { LinkView } from '../lib/link.ts'
-import type { Options } from '../lib/wasm/options.ts'
 import { checkedLayers, DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import { shownValue } from '../view/refusal.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
@@ -74,9 +74,6 @@ export function parseStep(text: string): number {
 export function parseSamples(text: string): number {
   return wholeNumberOf(text) ?? refuse((words) => words.must(words.samples, words.wholeNumber(0), shownValue(text)))
 }
-
-export type Method = Exclude<Options['method'], undefined>
-const METHODS: readonly Method[] = ['auto', 'touching-disc', 'flip']
 
 /** @throws Refusal */
 export function parseMethod(text: string): Method {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * `<circle-voronoi>` in one file with the WebAssembly inside, for a `<script type="module">` that takes it from anywhere. It is
- * not for bundlers, whose output its thread would not find.
+ * `<circle-voronoi>` in one file that contains the WebAssembly, for a `<script type="module">` in any page. Do not use it with
+ * bundlers: its thread would not find their output.
  */
 import { answerViews } from '../view/painter/painter-thread.ts'
 import { PAINTER_NAME } from '../view/painter-file.ts'

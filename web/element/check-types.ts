@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** What a number has to be: this one, or one of a range. */
+/** A condition for a number: the number itself, or a range. */
 export type NumberCondition = number | { readonly min?: number | undefined; readonly max?: number | undefined }
 
-/** What has to be so of the cell of a circle: all that is named. */
+/** Conditions for the cell of a circle, all of which must hold. */
 export interface CellCheck {
-  /** The number of the circle: they are counted from 0. */
+  /** The id of the circle, counted from 0. */
   readonly cell: number
-  /** How many edges the cell has. */
+  /** The number of edges of the cell. */
   readonly edges?: NumberCondition | undefined
-  /** How many other cells it shares them with. */
+  /** The number of neighboring cells. */
   readonly neighbors?: NumberCondition | undefined
-  /** A circle whose cell it shares an edge with. */
+  /** The id of a circle whose cell must share an edge with this cell. */
   readonly neighbor?: number | undefined
   readonly area?: NumberCondition | undefined
   readonly bounded?: boolean | undefined
-  /** Whether another circle contains this one. */
+  /** Whether the circle must be hidden, which means that another circle contains it. */
   readonly hidden?: boolean | undefined
   readonly x?: NumberCondition | undefined
   readonly y?: NumberCondition | undefined
   readonly r?: NumberCondition | undefined
 }
 
-/** What has to be so of the diagram: how many there are. */
+/** Conditions for the numbers of circles, hidden circles, vertices and edges of the diagram. */
 export interface DiagramCheck {
   readonly circles?: NumberCondition | undefined
   readonly hidden?: NumberCondition | undefined
@@ -30,7 +30,7 @@ export interface DiagramCheck {
   readonly edges?: NumberCondition | undefined
 }
 
-/** What a reader has to reach: data, never code. */
+/** A condition that a reader has to reach. A check is plain data, never code. */
 export type Check =
   | CellCheck
   | DiagramCheck

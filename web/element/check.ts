@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { isRecord } from '../lib/base/check.ts'
 import type { CellFacts, Facts } from '../view/protocol.ts'
 import type { CellCheck, Check, NumberCondition } from './check-types.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
@@ -130,10 +131,6 @@ function isCondition(value: unknown): boolean {
 
 function isOneOf(names: readonly string[], name: string): boolean {
   return names.includes(name)
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === 'object' && value !== null && !Array.isArray(value)
 }
 
 function refuseCheck(reason: (words: ElementRefusals) => string): never {

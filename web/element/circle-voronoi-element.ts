@@ -3,14 +3,13 @@ import type { EditorActions, Opened } from '../editing/editor-actions.ts'
 import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
-import type { Certificate, Float64s, Stats } from '../lib/base/types.ts'
+import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
 import { decodeLink, type LayerValue, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
 import { shownValue } from '../view/refusal.ts'
 import {
   checkedView,
-  type Method,
   parseControls,
   parseLayers,
   parseMethod,
@@ -30,7 +29,7 @@ import { Shell } from './shell.ts'
 import { watchSight } from './sight.ts'
 import type { Words } from './words.ts'
 
-/** Numbers of circles, and how many there are of everything else. */
+/** How many circles, hidden circles, vertices and edges a diagram has. */
 export interface DiagramCounts {
   readonly circles: number
   readonly hidden: number
@@ -38,39 +37,39 @@ export interface DiagramCounts {
   readonly edges: number
 }
 
-/** How a diagram was computed from nothing, and what the judge says of it. */
+/** How a diagram was computed from scratch, and the certificate of the result. */
 export interface Computation {
   readonly stats: Stats
   readonly certificate: Certificate
 }
 
-/** What an element shows, as `getState` gives it. */
+/** The state of an element, as `getState` returns it. */
 export interface FigureState {
-  /** x, y and r of each. */
+  /** The x, y and r of each circle. */
   readonly circles: readonly (readonly number[])[]
-  /** `undefined`: all circles are seen. */
+  /** The visible part of the plane; `undefined` if all circles are visible. */
   readonly view?: LinkView | undefined
-  /** The settings of layers that are not as by default. */
+  /** The layers that differ from the defaults. */
   readonly layers: Readonly<Record<string, LayerValue>>
-  /** The step of the method, if it is played. */
+  /** The step of the method that is visible; `undefined` if the method is not played. */
   readonly step?: number | undefined
-  /** That method, where it is not the usual one. */
+  /** The method that is played; `undefined` for the default method. */
   readonly method?: string | undefined
 }
 
-/** The events of an element, by their names. All bubble and leave shadow roots. */
+/** The events of an element, by name. All of them bubble and leave shadow roots. */
 export interface CircleVoronoiEventMap {
-  /** The circles are others: set, moved, added, deleted. `circles`: x, y and r of each; `numbers`: as of the element. */
-  circleschange: CustomEvent<{ readonly circles: Float64s; readonly numbers: Int32Array }>
-  /** The diagram is another, and how long that took. */
+  /** Circles were set, moved, added or deleted. `circles` has x, y and r of each; `ids` has the id of each. */
+  circleschange: CustomEvent<{ readonly circles: Float64s; readonly ids: Int32Array }>
+  /** The diagram has changed. `seconds` is the time that the change took. */
   diagramchange: CustomEvent<DiagramCounts & { readonly seconds: number }>
-  /** What `check` asks for is reached, or no longer so. */
+  /** The circles now meet the `check`, or no longer do. */
   checkchange: CustomEvent<{ readonly isMet: boolean }>
-  /** Others are selected: the numbers of these circles. */
+  /** The selection has changed: the ids of the selected circles. */
   selectionchange: CustomEvent<{ readonly selection: readonly number[] }>
-  /** A step of the method is shown, and how many there are: the last one is the diagram. */
+  /** Another step of the method is visible. `steps` is the number of steps; the last step is the diagram. */
   stepchange: CustomEvent<{ readonly step: number; readonly steps: number }>
-  /** Circles, or an attribute, that cannot be shown, and why. */
+  /** Circles, an attribute or a property cannot be shown. The message of `error` says why. */
   error: CustomEvent<{ readonly error: Error }>
 }
 
@@ -93,27 +92,27 @@ const ATTRIBUTES = [
 ] as const
 
 /**
- * `<circle-voronoi>`: circles and their Voronoi diagram, to be looked at, dragged and edited.
+ * `<circle-voronoi>`: a figure of circles and their Voronoi diagram, which readers can explore and edit.
  *
  * @category Element
- * @slot - Data, as a table or a script of type application/json; or what is shown where there is no figure.
- * @slot poster - A picture until the figure is there.
- * @slot caption - What stands below it.
+ * @slot - The circles, as a table or a script of type application/json; or the content to show where there is no figure.
+ * @slot poster - A picture to show until the figure appears.
+ * @slot caption - The caption, below the figure.
  * @csspart figure - The picture.
- * @csspart fallback - What stands in its place until it is there.
+ * @csspart fallback - The content that is visible until the figure appears.
  * @csspart controls - The buttons.
- * @csspart player - What is told of the method, and its buttons.
- * @csspart hint - What is said for a moment.
- * @csspart problem - What is said of circles that cannot be shown.
- * @cssState met - The circles are as check asks.
- * @cssprop {<color>} --circle-voronoi-paper - Behind everything.
+ * @csspart player - The player: the text about the method, and its buttons.
+ * @csspart hint - The hint that is visible for a moment.
+ * @csspart problem - The error message.
+ * @cssState met - The circles meet the check.
+ * @cssprop {<color>} --circle-voronoi-paper - The background.
  * @cssprop {<color>} --circle-voronoi-edge - Edges and vertices of the diagram.
- * @cssprop {<color>} --circle-voronoi-rim - Rims of circles.
+ * @cssprop {<color>} --circle-voronoi-rim - Rims of circles, which have none by default.
  * @cssprop {<color>} --circle-voronoi-hidden - Circles that others contain.
  * @cssprop {<color>} --circle-voronoi-accent - What is hovered, selected and focused.
- * @cssprop {<color>} --circle-voronoi-selected-disc - The selected circle.
- * @cssprop {<color>} --circle-voronoi-selected-cell - Its cell.
- * @cssprop {<color>} --circle-voronoi-neighbor-cell - The cells of its neighbors.
+ * @cssprop {<color>} --circle-voronoi-selected-disc - The outline of the selected circle.
+ * @cssprop {<color>} --circle-voronoi-selected-cell - The outline of the selected circle's cell.
+ * @cssprop {<color>} --circle-voronoi-neighbor-cell - The outlines of the cells next to the selected circle's.
  * @cssprop {<color>} --circle-voronoi-hull - The layer hull.
  * @cssprop {<color>} --circle-voronoi-dual - The layer dual.
  * @cssprop {<color>} --circle-voronoi-delaunay - The layer delaunay.
@@ -121,33 +120,33 @@ const ATTRIBUTES = [
  * @cssprop {<color>} --circle-voronoi-power - The layer power.
  * @cssprop {<color>} --circle-voronoi-touching - The layers disc and largest-disc.
  * @cssprop {<color>} --circle-voronoi-path - The layer path.
- * @cssprop {<color>} --circle-voronoi-merged - Vertices that near-zero makes one.
+ * @cssprop {<color>} --circle-voronoi-merged - Vertices that the layer near-zero merges.
  * @cssprop {<color>} --circle-voronoi-samples - The layer samples.
  * @cssprop {<color>} --circle-voronoi-sample-graph - The layer sample-graph.
  * @cssprop {<color>} --circle-voronoi-antipodal-discs - The layer antipodal-discs.
  * @cssprop {<color>} --circle-voronoi-directed-edges - The layer directed-edges.
  * @cssprop {<color>} --circle-voronoi-missed-edges - Edges that the touching disc method misses, where a page has it draw them.
- * @cssprop {<color>} --circle-voronoi-tint-0 - Of circles and cells by what they are colored by: the lowest of six classes.
- * @cssprop {<color>} --circle-voronoi-tint-1 - Class 2 of six.
- * @cssprop {<color>} --circle-voronoi-tint-2 - Class 3 of six.
- * @cssprop {<color>} --circle-voronoi-tint-3 - Class 4 of six.
- * @cssprop {<color>} --circle-voronoi-tint-4 - Class 5 of six.
- * @cssprop {<color>} --circle-voronoi-tint-5 - The highest of six classes.
- * @cssprop {<color>} --circle-voronoi-map-0 - One of six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-1 - One of six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-2 - One of six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-3 - One of six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-4 - One of six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-map-5 - One of six colors of cells=different.
- * @cssprop {<color>} --circle-voronoi-cell-opacity - Cells by radius are as weak as this color is transparent.
+ * @cssprop {<color>} --circle-voronoi-tint-0 - The ramp of colors for measures, such as cells=area, goes through six: the color of the smallest.
+ * @cssprop {<color>} --circle-voronoi-tint-1 - The second color of the ramp.
+ * @cssprop {<color>} --circle-voronoi-tint-2 - The third color of the ramp.
+ * @cssprop {<color>} --circle-voronoi-tint-3 - The fourth color of the ramp.
+ * @cssprop {<color>} --circle-voronoi-tint-4 - The fifth color of the ramp.
+ * @cssprop {<color>} --circle-voronoi-tint-5 - The color of the largest.
+ * @cssprop {<color>} --circle-voronoi-map-0 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-1 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-2 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-3 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-4 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-map-5 - One of six colors by which neighbors differ.
+ * @cssprop {<color>} --circle-voronoi-cell-opacity - A cell has the color of its circle, as weak as this color is transparent.
  * @cssprop {<ratio>} [--circle-voronoi-aspect-ratio=3 / 2] - The shape of the picture, where its height is not set.
  */
 export class CircleVoronoiElement extends Base {
-  /** The browser's sign that this can be part of a form. */
+  /** Tells the browser that the element can be part of a form. */
   static readonly formAssociated = true
-  /** The attributes that are listened to. */
+  /** The attributes that the element observes. */
   static readonly observedAttributes: readonly string[] = ATTRIBUTES
-  /** How the WebAssembly is found, by the first of these elements on a page. */
+  /** How the first element of a page loads the WebAssembly. */
   static load: LoadOptions = {}
 
   readonly #internals: ElementInternals
@@ -180,7 +179,7 @@ export class CircleVoronoiElement extends Base {
   /** What was refused or failed, as a sentence. */
   #problem = ''
 
-  /** As `document.createElement` makes one. */
+  /** Creates an element, as `document.createElement` does. */
   constructor() {
     super()
     this.#internals = this.attachInternals()
@@ -193,7 +192,7 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** Starts once it comes into sight. */
+  /** Starts the figure when it comes into view. */
   connectedCallback(): void {
     for (const name of PROPERTIES) this.#upgrade(name)
     this.#applyControls()
@@ -209,7 +208,7 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** Gives the thread back what it had for it, unless it is only moved. */
+  /** Ends the figure, unless the element is only moved. */
   disconnectedCallback(): void {
     this.#stopWatching?.()
     this.#children?.disconnect()
@@ -221,7 +220,7 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** Takes what an attribute says; what is wrong with it is told, and changes nothing. */
+  /** Applies an attribute. A wrong value is an `error` event and changes nothing. */
   attributeChangedCallback(name: (typeof ATTRIBUTES)[number]): void {
     const text = this.getAttribute(name)
     this.#try(name, () => {
@@ -273,27 +272,27 @@ export class CircleVoronoiElement extends Base {
     }
   }
 
-  /** Whether a form, or a group of its fields, is disabled. */
+  /** Disables editing while the form, or a group of its fields, is disabled. */
   formDisabledCallback(isDisabled: boolean): void {
     this.#isDisabled = isDisabled
     this.#applyControls()
   }
 
-  /** Goes back to what attributes and children say. */
+  /** Restores the circles of the attributes and children. */
   formResetCallback(): void {
     this.#own = undefined
     if (this.#figure !== undefined) this.#reload()
   }
 
-  /** Takes what the browser has kept. */
+  /** Restores the circles that the browser has kept. */
   formStateRestoreCallback(state: string): void {
     const { circles } = JSON.parse(state) as { circles: number[][] }
     this.circles = circles
   }
 
   /**
-   * Resolves once its first circles are shown, or could not be. It waits until the element comes into sight, or something is
-   * asked of it, and for an element in no page it does not wait.
+   * A promise that resolves when the first circles are visible, or when they cannot be shown. It is pending until the
+   * element comes into view or you call one of its methods. It resolves at once if the element is in no page.
    */
   get ready(): Promise<void> {
     return this.#whenReady()
@@ -306,9 +305,9 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * The x, y and r of each circle, as it is now. You can set circles in any form that `compute` takes, or as the attribute has
-   * them: JSON (`[[x, y, r], ...]`, or objects with x, y and r), GeoJSON or CSV. `undefined` or `null`: what attributes and
-   * children say. Circles that cannot be shown are an `error` event.
+   * The x, y and r of each circle, as it is now. Set circles in any form that `compute` takes, or as text like the
+   * attribute: JSON (`[[x, y, r], ...]`, or objects with x, y and r), GeoJSON or CSV. `undefined` or `null` restores the
+   * circles of the attributes and children. Circles that cannot be shown cause an `error` event.
    */
   get circles(): Float64s {
     if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.circles.circles()
@@ -321,16 +320,16 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * The number of each of `circles`, by which `selection` and `check` call it: its index when they were set, for one that is
-   * added the next number. It keeps it when others are deleted, and when it comes back by undo.
+   * The id of each of `circles`, which `selection` and `check` use. The circles that you set have the ids 0, 1 and so on;
+   * each added circle gets the next id. A circle keeps its id when others are deleted, and when undo brings it back.
    */
-  get numbers(): Int32Array {
+  get ids(): Int32Array {
     const editing = this.#figure?.editing
     if (editing?.scene === undefined) return Int32Array.from({ length: this.circles.length / 3 }, (_, i) => i)
     return editing.circles.ids().map((id) => editing.numberOf(id))
   }
 
-  /** Where the circles are: CSV, JSON or GeoJSON, or a link of the playground. */
+  /** The address of a file of circles (CSV, JSON or GeoJSON), or a link to the playground. */
   get src(): string {
     return this.getAttribute('src') ?? ''
   }
@@ -340,8 +339,8 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * The part of the plane that is looked at: the x and y of its middle, and how many units are seen at least in both directions.
-   * As an attribute these three numbers. `undefined`: all circles.
+   * The visible part of the plane: `x` and `y` of its center, and `span`, the number of units that are visible at least
+   * in both directions. The attribute has these three numbers. `undefined` shows all circles.
    */
   get view(): LinkView | undefined {
     return this.#view ?? this.#read('view', parseView)
@@ -353,8 +352,9 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * What is drawn. As an attribute words, such as `hull`, `no-edges`, `cells=degree` and `max-distance=2`, or an object in JSON.
-   * What is set is as by default where it says nothing. `undefined`: what the attribute says.
+   * The layers that the figure draws. The attribute has words, such as `hull`, `no-edges`, `cells=degree` and
+   * `max-distance=2`, or an object in JSON. Layers that you do not name have their defaults. `undefined` restores the
+   * layers of the attribute.
    */
   get layers(): Layers {
     return this.#layers ?? this.#read('layers', parseLayers) ?? DEFAULT_LAYERS
@@ -366,8 +366,8 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * The step of the method that is shown, from 0; `undefined`: the diagram. It is played as long as a step is set, and with
-   * `controls="player"`.
+   * The step of the method that is visible, from 0, or `undefined` if the figure shows the diagram. The figure shows the
+   * method while a step is set, and with `controls="player"`.
    */
   get step(): number | undefined {
     return this.#figure?.step ?? this.#ownStep
@@ -380,16 +380,16 @@ export class CircleVoronoiElement extends Base {
     })
   }
 
-  /** The method of `compute()`, by default `auto`, and of the player, by default `touching-disc`. */
-  get method(): 'auto' | 'touching-disc' | 'flip' {
+  /** The method of `compute()` (default: `auto`) and of the player (default: `touching-disc`). */
+  get method(): Method {
     return this.#read('method', parseMethod) ?? 'auto'
   }
 
-  set method(method: 'auto' | 'touching-disc' | 'flip' | undefined | null) {
+  set method(method: Method | undefined | null) {
     this.#reflect('method', method)
   }
 
-  /** How many samples that method takes, as in the library. */
+  /** The number of samples of the touching disc method, as in the options of the library. */
   get samples(): number | undefined {
     return this.#read('samples', parseSamples)
   }
@@ -398,7 +398,10 @@ export class CircleVoronoiElement extends Base {
     this.#reflect('samples', samples)
   }
 
-  /** `null`: none; `player`: the player, below the figure; `buttons player`: also buttons; otherwise buttons. */
+  /**
+   * The controls: `player` is the player below the figure, `buttons player` adds buttons, and any other text shows
+   * buttons. `null` for no controls.
+   */
   get controls(): string | null {
     return this.getAttribute('controls')
   }
@@ -407,7 +410,7 @@ export class CircleVoronoiElement extends Base {
     this.#reflect('controls', controls === true ? '' : controls === false ? undefined : controls)
   }
 
-  /** Whether circles are only looked at. */
+  /** Whether readers cannot edit the circles. */
   get readonly(): boolean {
     return this.hasAttribute('readonly')
   }
@@ -416,7 +419,7 @@ export class CircleVoronoiElement extends Base {
     this.toggleAttribute('readonly', isReadonly === true)
   }
 
-  /** What the figure is called, for screen readers. */
+  /** The name of the figure for screen readers. */
   get alt(): string {
     return this.getAttribute('alt') ?? ''
   }
@@ -425,7 +428,7 @@ export class CircleVoronoiElement extends Base {
     this.#reflect('alt', alt)
   }
 
-  /** The language of what the element says: German (`de`), otherwise English. Default: that of the page. */
+  /** The language of the element: German (`de`) or English (anything else). Default: the language of the page. */
   override get lang(): string {
     return this.getAttribute('lang') ?? ''
   }
@@ -434,7 +437,7 @@ export class CircleVoronoiElement extends Base {
     this.#reflect('lang', lang)
   }
 
-  /** What the circles have to be for its form to be sent; as an attribute in JSON: `{ "cell": 3, "edges": 3 }`. */
+  /** The condition that the circles must meet before the form can be submitted, for example `{ cell: 3, edges: 3 }`. */
   get check(): Check | undefined {
     return this.#check
   }
@@ -443,7 +446,7 @@ export class CircleVoronoiElement extends Base {
     this.#reflect('check', typeof check === 'object' && check !== null ? JSON.stringify(check) : check)
   }
 
-  /** Its name in a form, which is sent `{ "circles": [[x, y, r], ...], "check": true }` in JSON. */
+  /** The name of the field in a form. Its value is JSON: `{ "circles": [[x, y, r], ...], "check": true }`. */
   get name(): string {
     return this.getAttribute('name') ?? ''
   }
@@ -452,32 +455,32 @@ export class CircleVoronoiElement extends Base {
     this.#reflect('name', name)
   }
 
-  /** The form that it is a part of. */
+  /** The form that the element belongs to. */
   get form(): HTMLFormElement | null {
     return this.#internals.form
   }
 
-  /** Whether its check, if it has one, is met. */
+  /** The validity of the field: invalid while the circles do not meet the `check`. */
   get validity(): ValidityState {
     return this.#internals.validity
   }
 
-  /** What is said if it is not. */
+  /** The message of an invalid field. */
   get validationMessage(): string {
     return this.#internals.validationMessage
   }
 
-  /** Whether a form may be sent, as far as this is concerned. */
+  /** Returns whether the circles meet the `check`. */
   checkValidity(): boolean {
     return this.#internals.checkValidity()
   }
 
-  /** The same; if it may not, the browser says why. */
+  /** Returns whether the circles meet the `check`; if they do not, the browser shows the message. */
   reportValidity(): boolean {
     return this.#internals.reportValidity()
   }
 
-  /** The numbers of the circles that are selected. */
+  /** The ids of the selected circles. */
   get selection(): readonly number[] {
     return this.#selection
   }
@@ -485,27 +488,27 @@ export class CircleVoronoiElement extends Base {
   set selection(selection: readonly number[] | undefined | null) {
     const figure = this.#figure
     this.#try('selection', () => {
-      const numbers: unknown = selection ?? []
-      if (!Array.isArray(numbers)) {
-        refuse((words) => words.must(words.selection, words.listOfNumbers, shownValue(numbers)))
+      const ids: unknown = selection ?? []
+      if (!Array.isArray(ids)) {
+        refuse((words) => words.must(words.selection, words.listOfIds, shownValue(ids)))
       }
-      figure?.actions.select(numbers.map((number) => figure.editing.idOf(number)))
+      figure?.actions.select(ids.map((id) => figure.editing.idOf(id)))
     })
   }
 
-  /** Settled once all that was set is computed and painted. */
+  /** A promise that resolves when everything that you set is computed and painted. */
   get updateComplete(): Promise<void> {
     return this.#settled()
   }
 
-  /** Moves the focus to the picture. */
+  /** Moves the focus to the figure. */
   override focus(options?: FocusOptions): void {
     this.#shell.figure.focus(options)
   }
 
   /**
-   * Computes the diagram of the circles as they are from nothing, by `method` and `samples`: how, and what the judge says. What
-   * is shown stays the certified diagram.
+   * Computes the diagram of the current circles from scratch, by `method` and `samples`, and returns how it was computed
+   * and its certificate. The figure keeps showing the certified diagram.
    *
    * @throws CircleVoronoiError as `compute` of the library
    */
@@ -518,11 +521,11 @@ export class CircleVoronoiElement extends Base {
     const { method, samples } = this
     const computed = await figure.view.compute({ method, ...(samples !== undefined && { samples }) })
     if (computed === undefined) refuse((words) => words.notComputedAgain, 'internal')
-    if ('problem' in computed) throw new CircleVoronoiError('badOption', -1, computed.problem)
+    if ('problem' in computed) throw new CircleVoronoiError('badOption', computed.problem)
     return computed
   }
 
-  /** What is shown, to be kept: plain data, which `JSON.stringify` and `encodeLink` take. */
+  /** Returns the state of the figure as plain data, which `JSON.stringify` and `encodeLink` take. */
   getState(): FigureState {
     const circles = listOf(this.circles)
     const own = this.#own
@@ -542,10 +545,10 @@ export class CircleVoronoiElement extends Base {
   }
 
   /**
-   * Shows what was kept, or what a link says. A state without circles leaves those that there are, and what else it does not
-   * say.
+   * Restores a state, or opens a link. A state without circles leaves the circles as they are, and whatever else it does
+   * not name.
    *
-   * @throws CircleVoronoiError if that cannot be shown; then all stays as it was
+   * @throws CircleVoronoiError if the state cannot be shown; the figure then stays as it is
    */
   async setState(state: LinkInput | string): Promise<void> {
     const said: LinkState =
@@ -562,19 +565,19 @@ export class CircleVoronoiElement extends Base {
     this.#own = next
   }
 
-  /** Plays the method from the step that is shown on, or from the beginning. Ends once it is played. */
+  /** Plays the method from the visible step, or from the beginning. The promise resolves when playback has begun. */
   async play(): Promise<void> {
     const figure = await this.#started()
     figure.stepping.play()
     await figure.stepping.whenReady()
   }
 
-  /** Stays at the step that is shown. */
+  /** Pauses playback at the visible step. */
   pause(): void {
     this.#figure?.stepping.pause()
   }
 
-  /** Shows a step of the method, or the nearest one that there is. Ends once it is shown. */
+  /** Shows a step of the method, or the nearest existing one. The promise resolves when the step is visible. */
   async stepTo(step: number): Promise<void> {
     parseStep(String(step))
     const figure = await this.#started()
@@ -583,12 +586,12 @@ export class CircleVoronoiElement extends Base {
     await figure.stepping.whenReady()
   }
 
-  /** What is seen, as the text of an SVG. */
+  /** Returns the visible picture, without the selection, as the text of an SVG. */
   async toSVG(): Promise<string> {
     return (await this.#started()).view.toSVG()
   }
 
-  /** What is seen, as a PNG of `scale` pixels for each CSS pixel. */
+  /** Returns the visible picture, without the selection, as a PNG with `scale` pixels for each CSS pixel. */
   async toPNG(scale?: number): Promise<Blob> {
     return (await this.#started()).view.toPNG(scale)
   }
@@ -608,7 +611,7 @@ export class CircleVoronoiElement extends Base {
     listener: EventListenerOrEventListenerObject,
     options?: boolean | AddEventListenerOptions,
   ): void
-  /** As of any element, with the types of its own events. */
+  /** Adds a listener, with the types of the events of this element. */
   override addEventListener(
     name: string,
     listener: EventListenerOrEventListenerObject,
@@ -867,7 +870,7 @@ export class CircleVoronoiElement extends Base {
   /** The circles are copied for whoever looks at them. */
   #detail(): CircleVoronoiEventMap['circleschange']['detail'] {
     let circles: Float64s | undefined
-    const numbers = () => this.numbers
+    const ids = () => this.ids
     this.#changes += 1
     const turn = this.#changes
     this.#newest = undefined
@@ -880,8 +883,8 @@ export class CircleVoronoiElement extends Base {
       get circles() {
         return give()
       },
-      get numbers() {
-        return numbers()
+      get ids() {
+        return ids()
       },
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { BUTTON_ZOOM } from '../editing/editor-actions.ts'
 import type { Figure } from './figure.ts'
 import { make, type Shell } from './shell.ts'
 import type { Words } from './words.ts'
 
-const ZOOM_STEP = 1.5
 const SVG = 'http://www.w3.org/2000/svg'
 const RING = 'M3 10a7 7 0 1 0 14 0a7 7 0 1 0-14 0'
 
@@ -31,8 +31,8 @@ export function mountControls(
   const remove = button(buttons.remove, `${RING}M7 10h6`, () => actions.removeSelected())
   const undo = button(buttons.undo, 'M7 4 3.5 7.5 7 11M4 7.5h7.5a4 4 0 0 1 0 8H8', () => actions.undo())
   const redo = button(buttons.redo, 'm13 4 3.500 3.500L13 11M16 7.500H8.500a4 4 0 0 0 0 8H12', () => actions.redo())
-  const zoomOut = button(buttons.zoomOut, 'M5 10h10', () => actions.zoomAtMiddle(1 / ZOOM_STEP))
-  const zoomIn = button(buttons.zoomIn, 'M10 5v10M5 10h10', () => actions.zoomAtMiddle(ZOOM_STEP))
+  const zoomOut = button(buttons.zoomOut, 'M5 10h10', () => actions.zoomAtMiddle(1 / BUTTON_ZOOM))
+  const zoomIn = button(buttons.zoomIn, 'M10 5v10M5 10h10', () => actions.zoomAtMiddle(BUTTON_ZOOM))
   const fit = button(buttons.fit, 'M4 8V4h4M12 4h4v4M16 12v4h-4M8 16H4v-4', () => actions.fit())
   controls.replaceChildren(...(isReadonly ? [] : [add, remove, undo, redo]), zoomOut, zoomIn, fit)
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * `<circle-voronoi>` for who has the WebAssembly already, or wants another name.
+ * `<circle-voronoi>` if you already have the WebAssembly, or want another tag name.
  *
  * @module circle-voronoi/element/define
  */
@@ -10,17 +10,17 @@ import { CircleVoronoiElement } from './circle-voronoi-element.ts'
 export * from './exports.ts'
 
 /**
- * How the element is defined.
+ * Options of `defineCircleVoronoi`.
  *
  * @category Element
  */
 export interface DefineOptions extends LoadOptions {
-  /** The name of its tag, with a hyphen in it. Default: `circle-voronoi`. */
+  /** The tag name, which must contain a hyphen. Default: `circle-voronoi`. */
   readonly name?: string | undefined
 }
 
 /**
- * Defines the element in a page, once; nothing happens where there is no page, or something has that name.
+ * Defines the element in a page. Does nothing outside of a page, or if the tag name is already defined.
  *
  * @category Element
  */

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { Editing, type Outcome } from '../editing/editing.ts'
+import { editView } from '../editing/edited-view.ts'
+import type { Editing, Outcome } from '../editing/editing.ts'
 import { EditorActions, type Opened } from '../editing/editor-actions.ts'
 import { listenToKeyboard } from '../editing/keyboard.ts'
 import { problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
-import { INITIAL_STATE, type State, stateAfter } from '../editing/state.ts'
-import { createStore, type Store } from '../editing/store.ts'
+import type { State } from '../editing/state.ts'
+import type { Store } from '../editing/store.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
@@ -64,24 +65,15 @@ export class Figure {
     load: LoadOptions,
     { onoutcome, onproblem, played, onstep, words }: FigureEvents,
   ) {
-    const view = mount(figure, { ...load, gestures: 'none' })
-    const store = createStore<State>(INITIAL_STATE)
-    const editing = new Editing(
-      view,
-      (outcome) => {
-        store.update((state) => stateAfter(state, outcome, editing.circles))
-        if (store.get().selection.length > 0) this.#choose()
-        onoutcome(outcome)
-      },
-      (error) => {
-        // What was asked of a figure that goes is not missed.
-        if (this.#keys.signal.aborted) return
-        const problem = problemOf(error, editing.scene !== undefined, words().others?.refusals)
-        store.update((state) => ({ ...state, problem }))
-        this.#refused = error
-        onproblem(error)
-      },
-    )
+    const view = mount(figure, load)
+    const { store, editing } = editView(view, onoutcome, (error) => {
+      // What was asked of a figure that goes is not missed.
+      if (this.#keys.signal.aborted) return
+      const problem = problemOf(error, editing.scene !== undefined, words().others?.refusals)
+      store.update((state) => ({ ...state, problem }))
+      this.#refused = error
+      onproblem(error)
+    })
     const actions = new EditorActions(store, editing, view, () => {
       const { clientHeight } = controls
       const top = clientHeight === 0 ? ROOM : clientHeight + BELOW_BUTTONS
@@ -103,16 +95,6 @@ export class Figure {
       onproblem,
     })
 
-    let before = store.get()
-    store.subscribe((state) => {
-      if (state.selection !== before.selection) this.#choose()
-      if (state.selected !== before.selected || state.hovered !== before.hovered)
-        view.mark(state.selected, state.hovered)
-      before = state
-    })
-    view.on('marked', ({ selected }) => store.update((state) => ({ ...state, described: selected })))
-    view.on('found', (found) => store.update((state) => ({ ...state, found })))
-    view.on('layers', (layers) => store.update((state) => ({ ...state, layers })))
     mountSaid(store, said, () => words().editing)
     this.#listening = listenToPointer(figure, view, actions, {
       isGrabbed: (point, within) => !actions.isReadonly && editing.circles.hasAt(point, within),
@@ -192,9 +174,5 @@ export class Figure {
     this.#keys.abort()
     this.stepping.dispose()
     this.view.dispose()
-  }
-
-  #choose(): void {
-    this.view.choose(this.store.get().selection.flatMap((id) => this.editing.circles.get(id) ?? []))
   }
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The element in JSX and in templates. A framework that is not installed is no part of a program.
-import type { Circles } from '../lib/index.ts'
+import type { Circles, Method } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
 import type { Layers } from '../view/layers.ts'
 import type { Check } from './check-types.ts'
 import type { CircleVoronoiEventMap } from './circle-voronoi-element.ts'
 
 /**
- * What may be set of `<circle-voronoi>` in JSX and in templates. `undefined` and `null` are not set; a string is what the
- * attribute says.
+ * The properties of `<circle-voronoi>` in JSX and in templates. `undefined` and `null` mean "not set", and a string is read
+ * like the attribute.
  *
  * @category Element
  */
@@ -19,7 +19,7 @@ export interface CircleVoronoiProps {
   controls?: string | boolean | null | undefined
   lang?: string | undefined
   layers?: Partial<Layers> | string | null | undefined
-  method?: 'auto' | 'touching-disc' | 'flip' | null | undefined
+  method?: Method | null | undefined
   name?: string | null | undefined
   readonly?: boolean | null | undefined
   samples?: number | string | null | undefined

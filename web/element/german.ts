@@ -49,6 +49,7 @@ export function germanWords(lang: string): Words {
 const EDITING: EditingWords = {
   added: (id) => `Kreis ${id} hinzugefügt`,
   addedMany: (count) => `${count} Kreise hinzugefügt`,
+  duplicated: (count) => (count === 1 ? 'Kreis verdoppelt' : `${count} Kreise verdoppelt`),
   deleted: (id) => `Kreis ${id} gelöscht`,
   deletedMany: (count) => `${count} Kreise gelöscht`,
   moved: (count) => `${count} Kreise verschoben`,
@@ -70,6 +71,7 @@ const CODES: Readonly<Record<ErrorCode, string>> = {
   tooManyCircles: 'Es sind zu viele Kreise.',
   badOption: 'Eine Option hat einen falschen Wert.',
   notCertified: 'Das Diagramm konnte nicht bewiesen werden.',
+  notConverged: 'Die Flächen wurden nicht erreicht.',
   unknownCircle: 'Diesen Kreis gibt es nicht.',
   badInput: 'Das sind nicht drei Zahlen x, y und r für jeden Kreis.',
   badArgument: 'Eine Angabe ist falsch.',
@@ -80,7 +82,7 @@ const CODES: Readonly<Record<ErrorCode, string>> = {
 }
 
 const REFUSALS: ElementRefusals & ProblemWords = {
-  coded: ({ code, circle }) => (circle < 0 ? CODES[code] : `Kreis ${circle}: ${CODES[code]}`),
+  coded: ({ code, circle }) => (circle === undefined ? CODES[code] : `Kreis ${circle}: ${CODES[code]}`),
   must: (what, allowed, got) => `${what} muss ${allowed} sein (angegeben: ${got}).`,
   layers: 'Der Wert der Ebenen',
   object: 'ein Objekt',
@@ -97,13 +99,14 @@ const REFUSALS: ElementRefusals & ProblemWords = {
   notDrawn: 'Das Bild konnte nicht gezeichnet werden.',
   nothingChanged: 'Nichts hat sich geändert. Versuchen Sie es noch einmal.',
   disposed: 'es wird nicht mehr gebraucht',
+  canceled: 'du hast es abgebrochen',
   noThread: 'seine Datei kann nicht geladen werden',
   circles: 'Der Wert der Kreise',
   method: 'Die Methode',
   controls: 'Der Wert von controls',
   samples: 'Die Zahl der Proben',
   selection: 'Die Auswahl',
-  listOfNumbers: 'eine Liste von Nummern von Kreisen',
+  listOfIds: 'eine Liste von Nummern von Kreisen',
   someOf: (words) => `${listed(words, 'oder')} oder beides`,
   notJson: (what, reason) => `${what} ist kein gültiges JSON: ${reason}.`,
   view: 'Ein Ausschnitt besteht aus drei Zahlen: x, y und einer Weite über 0.',
@@ -181,9 +184,9 @@ const PLAYER: PlayerWords = {
   ringNote: 'Von rechts gegen den Uhrzeigersinn. Grün: noch nicht benutzt.',
   titles: {
     prepare: '1 Vorbereiten',
-    loop: '4 Schleife',
-    antipodal: '2 Antipodale Scheibe von a und b',
-    threeTouch: '3 Dreiberührscheibe von a→b→c',
+    loop: '2 Schleife',
+    antipodal: '3 Antipodale Scheibe von a und b',
+    threeTouch: '4 Dreiberührscheibe von a→b→c',
     end: 'Ende',
     flips: 'Flips',
     edit: 'Eine Änderung',

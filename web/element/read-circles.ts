@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small readers for what a page says of circles. Those of `circle-voronoi/files` read more, and are ten times as large.
+import { isRecord } from '../lib/base/check.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import type { Float64s } from '../lib/index.ts'
 import { parseJson } from './attributes.ts'
@@ -88,8 +89,4 @@ function circlesOfRows(rows: readonly Row[]): Float64s {
   }
   if (numbers.length === 0) refuse((words) => words.noCircles, 'badInput')
   return Float64Array.from(numbers)
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === 'object' && value !== null && !Array.isArray(value)
 }

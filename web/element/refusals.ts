@@ -9,7 +9,7 @@ export interface ElementRefusals extends Refusals {
   readonly controls: string
   readonly samples: string
   readonly selection: string
-  readonly listOfNumbers: string
+  readonly listOfIds: string
   /** Of words of which several may stand: these, or all. */
   someOf(words: readonly string[]): string
   notJson(what: string, reason: string): string
@@ -27,7 +27,7 @@ export interface ElementRefusals extends Refusals {
   checkFlag(name: string): string
   checkCondition(name: string): string
   checkName(isOfCell: boolean, name: string, known: readonly string[]): string
-  /** `count`: how many numbers circles have had. */
+  /** `count`: how many ids circles have had. */
   checkMissing(circle: number, count: number): string
   line(k: number): string
   row(k: number): string
@@ -47,7 +47,7 @@ export const ENGLISH: ElementRefusals = {
   controls: 'The controls',
   samples: 'The samples',
   selection: 'The selection',
-  listOfNumbers: 'a list of numbers of circles',
+  listOfIds: 'a list of circle ids',
   someOf: (words) => `${listed(words, 'or')}, or both`,
   notJson: (what, reason) => `${what} are not valid JSON: ${reason}.`,
   view: 'A view is three numbers: x, y and a span above 0.',
@@ -60,13 +60,13 @@ export const ENGLISH: ElementRefusals = {
   checkNoCell: 'it says nothing of the cell',
   checkAlone: (name) => `${name} stands alone`,
   checkList: (name) => `${name} has a list`,
-  checkCircle: (name) => `${name} is the number of a circle`,
+  checkCircle: (name) => `${name} is the id of a circle`,
   checkFlag: (name) => `${name} is true or false`,
   checkCondition: (name) => `${name} is a number, or an object with min and max`,
   checkName: (isOfCell, name, known) =>
     `${isOfCell ? 'a cell' : 'a diagram'} has no ${name}; it has ${listed(known, 'and')}`,
   checkMissing: (circle, count) =>
-    `there is no circle ${circle}. ${count === 0 ? 'There are no circles' : `The circles have the numbers 0 to ${count - 1}`}`,
+    `there is no circle ${circle}. ${count === 0 ? 'There are no circles' : `The circles have the ids 0 to ${count - 1}`}`,
   line: (k) => `Line ${k}`,
   row: (k) => `Row ${k} of the table`,
   notThree: (place, fields) => `${place} is not three numbers x, y and r: ${fields}`,

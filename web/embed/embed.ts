@@ -19,7 +19,7 @@ async function show(): Promise<void> {
   link.href = `./${location.hash}`
   try {
     const { circles: own, dataSet = '', ...rest } = await decodeLink(location.hash)
-    const circles = own ?? (await loadLinked(dataSet, (recipe) => files.make(recipe)))
+    const circles = own ?? (await loadLinked(dataSet, (recipe) => files.make(recipe))).circles
     if (turn !== lastTurn) return
     figure.controls = rest.step === undefined ? '' : 'player'
     await figure.setState({ ...rest, circles })

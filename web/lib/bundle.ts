@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The library and its worker in one file with the WebAssembly inside, for a `<script type="module">` that takes it from
- * anywhere. It is not for bundlers, whose output its worker would not find.
+ * The library and its worker in one file that contains the WebAssembly, for a `<script type="module">` in any page. Do not use
+ * it with bundlers: its worker would not find their output.
  */
 import { answerRequests } from './threads/answer-requests.ts'
 import { THREAD_NAME } from './threads/thread-file.ts'

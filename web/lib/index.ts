@@ -14,19 +14,22 @@
 export { REGION_LIMIT } from './base/coordinate-limits.ts'
 export type { Accessor, CircleLike, Circles } from './base/coordinates.ts'
 export { circleAt, edgeAt, NONE, vertexAt } from './base/diagram-data.ts'
-export { CircleVoronoiError, ERROR_CODES, type ErrorCode } from './base/errors.ts'
+export { CircleVoronoiError, ERROR_CODES, type ErrorCode, type ErrorDetails } from './base/errors.ts'
 export { distanceFrom } from './base/metric.ts'
 export type {
   Box,
+  Candidates,
   Certificate,
   Circle,
   Counts,
   DiagramData,
   Disposal,
   Edge,
+  Flaw,
   Float64s,
   HiddenCircle,
   Int32s,
+  Method,
   PathSink,
   Point,
   Seconds,
@@ -34,6 +37,7 @@ export type {
   Stats,
   Vector,
   Vertex,
+  Way,
 } from './base/types.ts'
 export { METRICS, type Metric } from './base/types.ts'
 export {
@@ -50,6 +54,7 @@ export { type BoundedCurve, type EdgeCurve, edgeCurve, isBoundedCurve } from './
 export type { Change, EditWay } from './diagram/change.ts'
 export { type Cell, Diagram } from './diagram/diagram.ts'
 export type { DiagramFile } from './diagram/diagram-file.ts'
+export type { MultiPolygon } from './drawing/draw-clipped.ts'
 export type { BoundsOptions, ContextOptions, DrawOptions, PolygonOptions, TextOptions } from './drawing/draw-options.ts'
 export type { Polygon } from './drawing/polygon.ts'
 export { SvgPath } from './drawing/svg-path.ts'
@@ -79,12 +84,16 @@ export { exportBox } from './regions/export-box.ts'
 export { convexHull, type Hull, type HullArc } from './regions/hull.ts'
 export { curveLength, outlineArea, outlineCentroid, outlinePerimeter } from './regions/measure.ts'
 export type { Outline, OutlinePiece } from './regions/outline-piece.ts'
-export type { DiagramEditor, Edit, EditorMethods } from './wasm/editor.ts'
+export { Region } from './regions/region.ts'
+export type { RegionShape } from './regions/region-shape.ts'
+export type { Comparison } from './wasm/comparison.ts'
+export type { DiagramEditor, Edit, EditorMethods, EditorOptions } from './wasm/editor.ts'
 export type { Verifiable } from './wasm/judged-arrays.ts'
 export type { CircleVoronoi, FinalCells, Known } from './wasm/library.ts'
 export type { LoadOptions } from './wasm/load-options.ts'
 export { loadCircleVoronoi } from './wasm/loader.ts'
 export type { Options, Progress, Stage } from './wasm/options.ts'
+export type { AreaFit, FitOptions, FitStep, Regions, SiteLike } from './wasm/regions.ts'
 export {
   TRACE_KINDS,
   Trace,

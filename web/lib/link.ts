@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands after the `#` of a link to the page: circles or a data set, edits, what is looked at. It is compressed, and
 // whatever stands there, reading it ends in a `LinkState` or a `CircleVoronoiError`.
-import { refuseArgument, shown } from './base/check.ts'
+import { isRecord, refuseArgument, shown } from './base/check.ts'
 import { packed, packedAtOnce, unpacked } from './base/compressed-text.ts'
 import { COORDINATE_LIMIT } from './base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './base/coordinates.ts'
@@ -291,18 +291,14 @@ function isLayer(value: unknown, depth: number, count: { left: number }): value 
   return value === null || ['boolean', 'string'].includes(typeof value) || Number.isFinite(value)
 }
 
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === 'object' && value !== null && !Array.isArray(value)
-}
-
 function isListOfNumbers(value: unknown): value is number[] {
   return Array.isArray(value) && value.every(Number.isFinite)
 }
 
 function refuse(reason: string): never {
-  throw new CircleVoronoiError('badInput', -1, `The link cannot be read: ${reason}.`)
+  throw new CircleVoronoiError('badInput', `The link cannot be read: ${reason}.`)
 }
 
 function tooMuch(): never {
-  throw new CircleVoronoiError('tooManyCircles', -1, 'Too large for a link.')
+  throw new CircleVoronoiError('tooManyCircles', 'Too large for a link.')
 }

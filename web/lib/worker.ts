@@ -6,14 +6,14 @@
  */
 import { refuseOption } from './base/check.ts'
 import { type Circles, coordinatesOf } from './base/coordinates.ts'
-import { CircleVoronoiError, workerFailure } from './base/errors.ts'
+import { receivedError, workerFailure } from './base/errors.ts'
 import type { DiagramData, Disposal } from './base/types.ts'
 import { Diagram } from './diagram/diagram.ts'
 import { EditorClient } from './threads/editor-client.ts'
 import { startThread, type Thread } from './threads/thread.ts'
 import type { AsyncDiagramEditor } from './threads/worker-editor.ts'
 import type { Reply, Request } from './threads/worker-messages.ts'
-import { editedCircles } from './wasm/editor.ts'
+import { type EditorOptions, editorStart } from './wasm/editor.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './wasm/load-options.ts'
 import { checkOptions, type Options } from './wasm/options.ts'
 import type { CompiledWasm } from './wasm/wasm.ts'
@@ -59,7 +59,7 @@ export interface WorkerMethods {
    * canvas.onpointermove = ({ offsetX: x, offsetY: y }) => editor.replace(0, { x, y, r: 5 })
    * ```
    */
-  edit(circles: Circles | DiagramData): Promise<AsyncDiagramEditor>
+  edit(circles: Circles | DiagramData, options?: EditorOptions): Promise<AsyncDiagramEditor>
   /** Ends the worker and its editors and cancels their work. */
   dispose(): void
 }
@@ -127,8 +127,8 @@ class Client implements CircleVoronoiWorker {
     })
   }
 
-  async edit(circles: Circles | DiagramData): Promise<AsyncDiagramEditor> {
-    const coordinates = editedCircles(circles)
+  async edit(circles: Circles | DiagramData, options: EditorOptions = {}): Promise<AsyncDiagramEditor> {
+    const start = editorStart(circles, options)
     if (this.#isDisposed) throw disposed()
     this.#module ??= compileCircleVoronoi(this.#loadOptions)
     const module = await this.#module.catch((error) => {
@@ -136,9 +136,9 @@ class Client implements CircleVoronoiWorker {
       throw error
     })
     if (this.#isDisposed) throw disposed()
-    const editor = new EditorClient(module, () => this.#editors.delete(editor))
+    const editor = new EditorClient(module, start.weights, () => this.#editors.delete(editor))
     this.#editors.add(editor)
-    await editor.begin(coordinates)
+    await editor.begin(start.circles)
     return editor
   }
 
@@ -204,8 +204,7 @@ class Client implements CircleVoronoiWorker {
     this.#running = undefined
     this.#settle(job, () => {
       if ('diagram' in reply) return job.resolve(new Diagram(reply.diagram))
-      const { code, circle, message } = reply.error
-      job.reject(new CircleVoronoiError(code, circle, message))
+      job.reject(receivedError(reply.error))
     })
   }
 

@@ -12,9 +12,11 @@ const ROWS: readonly (readonly [sort: Sort, color: string, top: number, bottom: 
 ]
 
 /** Those of steps that are shown, as wide as they are. */
-const known = new WeakMap<readonly Step[], readonly ReadonlySet<Sort>[]>()
+const known = new WeakMap<readonly Step[], readonly ReadonlyMap<Sort, number>[]>()
+/** How weak a mark is where there are fewest steps of its sort. */
+const WEAKEST = 0.15
 
-function knownColumns(steps: readonly Step[], width: number): readonly ReadonlySet<Sort>[] {
+function knownColumns(steps: readonly Step[], width: number): readonly ReadonlyMap<Sort, number>[] {
   const before = known.get(steps)
   if (before?.length === width) return before
   const columns = columnsOf(steps, width)
@@ -22,13 +24,14 @@ function knownColumns(steps: readonly Step[], width: number): readonly ReadonlyS
   return columns
 }
 
-/** For each column of pixels the sorts of its steps. */
-export function columnsOf(steps: readonly Step[], width: number): readonly ReadonlySet<Sort>[] {
-  const columns = Array.from({ length: width }, () => new Set<Sort>())
+/** For each column of pixels how many of its steps are of each sort. */
+export function columnsOf(steps: readonly Step[], width: number): readonly ReadonlyMap<Sort, number>[] {
+  const columns = Array.from({ length: width }, () => new Map<Sort, number>())
   const last = Math.max(steps.length - 1, 1)
   for (const [k, step] of steps.entries()) {
     const sort = sortOf(step)
-    if (sort !== undefined) columns[Math.round((k / last) * (width - 1))]?.add(sort)
+    const column = columns[Math.round((k / last) * (width - 1))]
+    if (sort !== undefined) column?.set(sort, (column.get(sort) ?? 0) + 1)
   }
   return columns
 }
@@ -51,10 +54,16 @@ export function drawTimeline(
   const columns = knownColumns(steps, width)
   for (const [sort, color, top, bottom] of ROWS) {
     context.fillStyle = colorOf(color)
-    for (const [x, sorts] of columns.entries()) {
-      if (sorts.has(sort)) context.fillRect(x, top * height, thick, (bottom - top) * height)
+    const most = columns.reduce((most, counts) => Math.max(most, counts.get(sort) ?? 0), 1)
+    for (const [x, counts] of columns.entries()) {
+      const count = counts.get(sort)
+      if (count === undefined) continue
+      // Where a column stands for many steps, how many there are shows.
+      context.globalAlpha = most === 1 ? 1 : WEAKEST + ((1 - WEAKEST) * count) / most
+      context.fillRect(x, top * height, thick, (bottom - top) * height)
     }
   }
+  context.globalAlpha = 1
   const place = (k: number) => (k / Math.max(steps.length - 1, 1)) * (width - 1)
   context.fillStyle = colorOf('--player-bad')
   for (const k of breakpoints) {

@@ -1,11 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type MiniSearch from 'minisearch'
+import type { SearchOptions } from 'minisearch'
 
-const MOST = 8
-interface Page {
-  readonly id: number
+/** A section of a page, as scripts/texts/texts.mjs writes it. */
+export interface Section {
   readonly title: string
-  readonly file: string
+  /** Empty: the text that a page begins with. */
+  readonly heading: string
+  /** From the site's folder. */
+  readonly address: string
+  /** Its text, or the beginning of it. */
+  readonly shown: string
+}
+
+/** What is shown of a section: its words around the first one that was found, in parts that are marked or not. */
+export type Snippet = readonly { readonly text: string; readonly isMarked: boolean }[]
+
+const MOST = 10
+/** Of one page. */
+const MOST_OF_PAGE = 3
+/** Of a snippet, in characters. */
+const BEFORE = 40
+const LENGTH = 150
+/** Names of the reference stand behind pages that explain. */
+const REFERENCE = 0.3
+
+const OPTIONS: SearchOptions = {
+  combineWith: 'AND',
+  prefix: (term) => term.length > 2,
+  fuzzy: (term) => (term.length > 4 ? 0.2 : false),
+  // A word as it was written counts more than one that begins so or is spelled so.
+  weights: { prefix: 0.35, fuzzy: 0.1 },
+  boost: { title: 4, heading: 4 },
+  boostDocument: (_, term, stored) => {
+    const { title = '', heading = '', address = '' } = (stored ?? {}) as Partial<Section>
+    const isNamed = `${title} ${heading}`
+      .toLowerCase()
+      .split(/[^\p{L}\p{N}]+/u)
+      .includes(term.toLowerCase())
+    return (address.startsWith('api/') ? REFERENCE : 1) * (isNamed ? 2 : 1)
+  },
+}
+
+export interface Found extends Section {
+  readonly snippet: Snippet
+}
+
+/** The sections that have all words of a text, or else some of them; the best first. */
+export function find(search: MiniSearch<Section>, words: string): readonly Found[] {
+  const all = search.search(words, OPTIONS)
+  const results = all.length > 0 ? all : search.search(words, { ...OPTIONS, combineWith: 'OR' })
+  const ofPage = new Map<string, number>()
+  return results
+    .filter(({ address }) => {
+      const [page] = (address as string).split('#') as [string]
+      const count = (ofPage.get(page) ?? 0) + 1
+      ofPage.set(page, count)
+      return count <= MOST_OF_PAGE
+    })
+    .slice(0, MOST)
+    .map((result) => {
+      const { title, heading, address, shown } = result as unknown as Section
+      return { title, heading, address, shown, snippet: snippetOf(shown, result.terms) }
+    })
+}
+
+export function snippetOf(text: string, terms: readonly string[]): Snippet {
+  const escaped = terms.map((term) => term.replace(/[.*+?^${}()|[\]\\]/g, '\\$&'))
+  const pattern = terms.length === 0 ? /$^/g : new RegExp(`(?<![\\p{L}\\p{N}])(?:${escaped.join('|')})`, 'giu')
+  const first = text.search(pattern)
+  const start = first <= BEFORE ? 0 : text.indexOf(' ', first - BEFORE) + 1
+  const end = text.length - start <= LENGTH ? text.length : text.lastIndexOf(' ', start + LENGTH)
+  const shown = text.slice(start, end)
+  const parts: { text: string; isMarked: boolean }[] = []
+  const add = (part: string, isMarked: boolean) => part !== '' && parts.push({ text: part, isMarked })
+  if (start > 0) add('… ', false)
+  let reached = 0
+  for (const { 0: word, index } of shown.matchAll(pattern)) {
+    add(shown.slice(reached, index), false)
+    add(word, true)
+    reached = index + word.length
+  }
+  add(shown.slice(reached), false)
+  if (end < text.length) add(' …', false)
+  return parts
 }
 
 /** A search over all pages, in the page itself: what it needs is loaded when somebody begins to search. */
@@ -13,7 +91,7 @@ export function offerSearch(page: Document): void {
   const form = page.querySelector('form.search') as HTMLFormElement
   const field = form.elements.namedItem('q') as HTMLInputElement
   const list = page.querySelector('ol.found') as HTMLOListElement
-  let loading: Promise<MiniSearch<Page>> | undefined
+  let loading: Promise<MiniSearch<Section>> | undefined
   const load = () => {
     loading ??= loadSearch().catch((error) => {
       loading = undefined
@@ -28,8 +106,21 @@ export function offerSearch(page: Document): void {
     event.preventDefault()
     list.querySelector('a')?.click()
   })
-  form.addEventListener('keydown', ({ key }) => {
-    if (key === 'Escape') list.hidden = true
+  const box = form.parentElement as HTMLElement
+  box.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') {
+      list.hidden = true
+      field.focus()
+    }
+    if (event.key !== 'ArrowDown' && event.key !== 'ArrowUp') return
+    const stops: HTMLElement[] = [field, ...list.querySelectorAll('a')]
+    const next = stops[stops.indexOf(page.activeElement as HTMLElement) + (event.key === 'ArrowDown' ? 1 : -1)]
+    if (next === undefined) return
+    event.preventDefault()
+    next.focus()
+  })
+  page.addEventListener('pointerdown', ({ target }) => {
+    if (!box.contains(target as Node)) list.hidden = true
   })
 
   // Somebody may have been faster than this script.
@@ -40,8 +131,8 @@ export function offerSearch(page: Document): void {
     try {
       const search = await load()
       if (words !== field.value.trim()) return
-      const found = search.search(words, { prefix: true, fuzzy: 0.2, boost: { title: 3 } }).slice(0, MOST)
-      say(found.map(({ file, title }) => linkTo(file, title)))
+      const found = find(search, words)
+      say(found.map(linkTo))
       if (words !== '' && found.length === 0) say(['Nothing found.'])
     } catch {
       say(['The search could not be loaded.'])
@@ -59,13 +150,30 @@ export function offerSearch(page: Document): void {
     )
   }
 
-  function linkTo(file: string, title: string) {
-    return Object.assign(page.createElement('a'), { href: `../${file}`, textContent: title })
+  function linkTo({ title, heading, address, snippet }: Found) {
+    const link = Object.assign(page.createElement('a'), { href: `../${address}` })
+    // A place on this page is only scrolled to.
+    link.addEventListener('click', () => {
+      list.hidden = true
+    })
+    link.append(element('b', heading || title))
+    if (heading !== '') link.append(' ', element('i', title))
+    const words = page.createElement('span')
+    words.append(...snippet.map(({ text, isMarked }) => (isMarked ? element('mark', text) : text)))
+    link.append(words)
+    return link
+  }
+
+  function element(name: string, textContent: string) {
+    return Object.assign(page.createElement(name), { textContent })
   }
 }
 
-async function loadSearch(): Promise<MiniSearch<Page>> {
+async function loadSearch(): Promise<MiniSearch<Section>> {
   const [{ default: Search }, index] = await Promise.all([import('minisearch'), fetch('../search.json')])
   if (!index.ok) throw new Error(`search.json: ${index.status}`)
-  return Search.loadJSON(await index.text(), { fields: ['title', 'text'], storeFields: ['title', 'file'] })
+  return Search.loadJSON(await index.text(), {
+    fields: ['title', 'heading', 'text'],
+    storeFields: ['title', 'heading', 'address', 'shown'],
+  })
 }

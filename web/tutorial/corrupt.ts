@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A diagram that the reader may make wrong by hand, and what the judge says of it.
+// A diagram that the reader makes wrong, and what the judge says of it.
 import type { CircleVoronoiElement } from '../element/index.ts'
 import { type CircleVoronoi, type Diagram, loadCircleVoronoi } from '../lib/index.ts'
 import type { DataLayer } from '../view/layers.ts'
+import { CORRUPTIONS } from './corruptions.ts'
+import { numberCircles } from './numbers.ts'
 
 /** What of a diagram can be changed: a circle of a vertex. */
 interface Place {
@@ -13,14 +15,19 @@ interface Place {
 
 /** Of what is marked in the picture; it is seen on light paper and on dark. */
 const MARK = '#d2491b'
+const RIGHT = 'This is the right diagram. Choose a change.'
+const OWN = 'You changed a vertex.'
+const IMPOSSIBLE = 'These circles leave nothing to be changed so. Drag a circle and try again.'
 
 export function letCorrupt(page: Document): void {
-  for (const figure of page.querySelectorAll<HTMLElement>('[data-corrupt]')) new Corruption(page, figure)
+  for (const figure of page.querySelectorAll<HTMLElement>('[data-corrupt]')) new CorruptFigure(page, figure)
 }
 
-class Corruption {
+class CorruptFigure {
   readonly #page: Document
   readonly #figure: CircleVoronoiElement
+  readonly #choice: HTMLSelectElement
+  readonly #about: HTMLParagraphElement
   readonly #table: HTMLTableElement
   readonly #verdict: HTMLOutputElement
   #library: Promise<CircleVoronoi> | undefined
@@ -29,25 +36,45 @@ class Corruption {
   constructor(page: Document, figure: HTMLElement) {
     this.#page = page
     this.#figure = figure.querySelector('circle-voronoi') as CircleVoronoiElement
+    this.#choice = page.createElement('select')
+    this.#choice.append(
+      new Option('Nothing: the right diagram', ''),
+      ...CORRUPTIONS.map(({ name }, k) => new Option(name, `${k}`)),
+    )
+    this.#choice.addEventListener('change', () => void this.#begin(this.#choice.value))
+    this.#about = page.createElement('p')
     this.#table = page.createElement('table')
     this.#verdict = page.createElement('output')
+    this.#choice.id = `${figure.id}-change`
+    const label = Object.assign(page.createElement('label'), { htmlFor: this.#choice.id, textContent: 'Change' })
     const restore = Object.assign(page.createElement('button'), { type: 'button', textContent: 'Make it right again' })
     restore.addEventListener('click', () => void this.#begin())
+    const details = page.createElement('details')
+    details.append(
+      Object.assign(page.createElement('summary'), { textContent: 'Choose the circles of each vertex yourself' }),
+      this.#table,
+    )
     const box = Object.assign(page.createElement('div'), { className: 'corrupt' })
-    box.append(this.#table, this.#verdict, restore)
+    box.append(label, ' ', this.#choice, this.#about, this.#verdict, details, restore)
     figure.querySelector('figcaption')?.before(box)
+    numberCircles(this.#figure)
     this.#figure.addEventListener('circleschange', () => void this.#begin())
     for (const leave of ['focusout', 'pointerleave']) this.#table.addEventListener(leave, () => this.#mark(undefined))
     void this.#begin()
   }
 
-  /** The right diagram of the circles that are shown. */
-  async #begin(): Promise<void> {
+  /** The right diagram of the circles that are shown, or a wrong one. */
+  async #begin(choice = ''): Promise<void> {
+    this.#choice.value = choice
     try {
       this.#library ??= loadCircleVoronoi()
       const library = await this.#library
       await this.#figure.ready
-      this.#diagram = library.compute(this.#figure.circles)
+      const right = library.compute(this.#figure.circles)
+      const corruption = CORRUPTIONS[choice === '' ? -1 : Number(choice)]
+      const wrong = corruption?.make(right, library)
+      this.#diagram = wrong ?? right
+      this.#about.textContent = corruption === undefined ? RIGHT : wrong === undefined ? IMPOSSIBLE : corruption.about
     } catch (error) {
       this.#library = undefined
       this.#verdict.value = `${(error as Error).message}`
@@ -59,7 +86,7 @@ class Corruption {
 
   #show(diagram: Diagram): void {
     const circles = Array.from(diagram.circles.subarray(0, diagram.circles.length / 3), (_, i) => i)
-    const vertices = Array.from(diagram.vertices.subarray(0, diagram.vertices.length / 3), (_, v) => v)
+    const vertices = Array.from(diagram.vertexCircles.subarray(0, diagram.vertexCircles.length / 3), (_, v) => v)
     const rows = [
       this.#heading(['Vertex', 'touches these circles']),
       ...vertices.map((v) =>
@@ -98,6 +125,7 @@ class Corruption {
       }
       select.addEventListener('change', () => {
         vertexCircles[place.index] = Number(select.value)
+        this.#about.textContent = OWN
         this.#mark(vertex)
         void this.#judge()
       })

@@ -5,7 +5,9 @@ import { encodeLink } from '../lib/link.ts'
 /** The links of figures lead to what they show now, not to what they showed at first. */
 export function linkFigures(page: ParentNode): void {
   for (const link of page.querySelectorAll<HTMLAnchorElement>('a.open')) {
-    const figure = link.closest('figure')?.querySelector('circle-voronoi') as CircleVoronoiElement
+    const figure = link.closest('figure')?.querySelector<CircleVoronoiElement>('circle-voronoi')
+    // Others see to their own links.
+    if (figure === null || figure === undefined) continue
     const [address] = link.href.split('#') as [string]
     const follow = async () => {
       const state = figure.getState()

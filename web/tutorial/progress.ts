@@ -5,7 +5,7 @@ const KEY = 'circle-voronoi tutorial'
 /** Chapters count as read once their end has been seen; the contents mark them. A browser that keeps nothing marks none. */
 export function markRead(page: Document): void {
   const read = new Set(kept())
-  for (const link of page.querySelectorAll<HTMLAnchorElement>('nav.pages ol a, ol.contents a')) {
+  for (const link of page.querySelectorAll<HTMLAnchorElement>('nav.pages ol a, ol.gallery a')) {
     const file = link.getAttribute('href') as string
     if (!read.has(file)) continue
     link.classList.add('read')

@@ -28,5 +28,18 @@ if (document.querySelector('figure.printed') !== null) {
   const { followPrinted } = await import('./printed.ts')
   followPrinted(document)
 }
+if (document.querySelector('[data-rims], [data-steps]') !== null) {
+  const { showExtras } = await import('./extras.ts')
+  void showExtras(document)
+}
+if (document.querySelector('[data-drawn]') !== null) {
+  const { bringToLife } = await import('./drawn.ts')
+  // Like other figures they wait for the WebAssembly.
+  void bringToLife(document)
+}
+if (document.querySelector('[data-cones]') !== null) {
+  const { turnCones } = await import('./cones.ts')
+  turnCones(document)
+}
 if (document.readyState !== 'complete') await new Promise((resolve) => addEventListener('load', resolve))
 await workOffline('../')

@@ -5,6 +5,8 @@ import { type Grid, type PixelBox, TILE, type Wish } from './protocol.ts'
 
 /** Around what is seen, so many device pixels are painted, too: room to pan before there is more. */
 const ROOM = TILE
+/** What was painted is shown up to so many times as large or small until it is painted sharp. */
+const MOST_ENLARGED = 256
 
 /** A part of a grid, as far as it is painted. */
 interface Sheet {
@@ -96,6 +98,8 @@ export class BasePicture {
       if (sheet === undefined || (sheet === this.#before && this.#sheet?.isWhole === true)) continue
       const { grid, box, canvas } = sheet
       const zoom = (camera.scale * pixelRatio) / grid.scale
+      // Browsers take minutes for what is far larger or smaller, and nothing could be told in it.
+      if (zoom > MOST_ENLARGED || zoom < 1 / MOST_ENLARGED) continue
       const corner = toPlane(camera, size, { x: 0, y: 0 })
       let left = (grid.x - corner.x) * camera.scale * pixelRatio + box.left * zoom
       let top = (corner.y - grid.y) * camera.scale * pixelRatio + box.top * zoom

@@ -41,6 +41,18 @@ export class CircleTable {
     return this.#size
   }
 
+  /** How many circles there are. */
+  get count(): number {
+    return this.#count
+  }
+
+  /** How many circles have a lower id. */
+  countBelow(id: number): number {
+    let count = 0
+    for (let k = 0; k < Math.min(id, this.#size); k++) count += this.#isThere[k] as number
+    return count
+  }
+
   get(id: number): Circle | undefined {
     if (this.#isThere[id] !== 1) return undefined
     return { x: at(this.#numbers, 3 * id), y: at(this.#numbers, 3 * id + 1), r: at(this.#numbers, 3 * id + 2) }

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Point } from '../lib/index.ts'
+import { CANDIDATES, type Candidates, type Point } from '../lib/base/types.ts'
 import type { LayerValue } from '../lib/link.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
 
-/** What the color of a cell says. `different`: no two neighbors have one color. `gap`: how near the nearest other circle is. */
-export const CELL_COLORS = ['none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
-/** One of `CELL_COLORS`: what the color of a cell says. */
+/**
+ * What the color of a circle and its cell says. `different`: no two neighbors have one color. `gap`: how near the nearest other
+ * circle is. `auto`: `different` for up to `MOST_MAPPED` circles, `radius` for more.
+ */
+export const CELL_COLORS = ['auto', 'none', 'radius', 'area', 'degree', 'gap', 'index', 'different'] as const
+/** One of `CELL_COLORS`: what the color of a circle and its cell says. */
 export type CellColors = (typeof CELL_COLORS)[number]
+
+/** Neighbors are told apart by their colors among so many circles. */
+export const MOST_MAPPED = 2000
 
 /** What the touching disc method makes on its way, for so many circles at most. */
 export const METHOD_LAYERS = ['samples', 'sampleGraph', 'antipodalDiscs', 'directedEdges'] as const
@@ -15,10 +21,7 @@ export const MOST_TRACED = 5000
 /** All pairs are many. */
 export const MOST_PAIRED = 1000
 
-/** Which pairs of circles the touching disc method looks at: the option `candidates` of `compute`. */
-export const CANDIDATES = ['dynamic', 'uniform', 'all-pairs'] as const
-export type Candidates = (typeof CANDIDATES)[number]
-/** How many samples these take by default, and at most here. */
+/** How many samples the candidates of the touching disc method take by default, and at most here. */
 export const SAMPLES: Readonly<
   Record<Candidates, { readonly least: number; readonly usual: number; readonly most: number }>
 > = {
@@ -27,16 +30,16 @@ export const SAMPLES: Readonly<
   'all-pairs': { least: 0, usual: 0, most: 0 },
 }
 
-/** What a client adds of its own, in the units of the circles. */
+/** A layer of your own, in the units of the circles. */
 export interface DataLayer {
   readonly id: string
   /** A CSS color. */
   readonly color: string
-  /** x and y each, drawn as dots. */
+  /** Dots: x and y of each. */
   readonly points?: Float64Array
-  /** x, y of one end, x, y of the other. */
+  /** Segments: x and y of one end and of the other end of each. */
   readonly segments?: Float64Array
-  /** x, y, r each, drawn as outlines. */
+  /** Outlines of circles: x, y and r of each. */
   readonly discs?: Float64Array
 }
 
@@ -53,53 +56,59 @@ export interface AboveLayer extends DataLayer {
   readonly fill?: number
 }
 
-/** What is drawn: plain data, as it goes to the painter's thread. */
+/** The layers that a figure draws, as plain data. */
 export interface Layers {
   readonly circles: boolean
+  /** The quantity by which cells are colored, or `none`. */
   readonly cells: CellColors
   readonly edges: boolean
   readonly vertices: boolean
-  /** Vertices with edges between them that are no longer than this are drawn as one. `undefined`: each by itself. */
+  /** Vertices that are joined by edges of at most this length are drawn as one. `undefined`: no vertices are merged. */
   readonly nearZero: number | undefined
-  /** Which circle hides each hidden one. */
+  /** For each hidden circle, the circle that hides it. */
   readonly hidden: boolean
-  /** The disc of the vertex or of the point of an edge under the pointer, and where it touches. */
+  /** The disc of the vertex or edge point under the pointer, and the points where it touches circles. */
   readonly disc: boolean
+  /** The convex hull of the circles. */
   readonly hull: boolean
-  /** A segment for each two circles whose cells share an edge. */
+  /** The dual: a segment between the centers of circles whose cells share an edge. */
   readonly dual: boolean
-  /** The same of the Voronoi diagram of the centers. */
+  /** The Delaunay graph of the centers. */
   readonly delaunay: boolean
   /** The Voronoi diagram of the centers. */
   readonly ordinary: boolean
   /** The power diagram of the circles. */
   readonly power: boolean
-  /** The largest disc that meets no circle, with its center inside the hull. */
+  /** The largest empty disc whose center lies inside the hull. */
   readonly largestDisc: boolean
-  /** The path between two points that keeps farthest from all circles. */
+  /** The clearest path between two points, which keeps as far as possible from all circles. */
   readonly path: { readonly from: Point; readonly to: Point } | undefined
-  /** Cells and edges end at this distance from their circles. */
+  /** The distance from their circles at which cells and edges are cut. `undefined`: no limit. */
   readonly maxDistance: number | undefined
   /** The samples of the touching disc method. */
   readonly samples: boolean
-  /** Their Delaunay graph. */
+  /** The Delaunay graph of these samples. */
   readonly sampleGraph: boolean
-  /** Its antipodal discs that are empty. */
+  /** The empty antipodal discs of the touching disc method. */
   readonly antipodalDiscs: boolean
-  /** Its directed edges that are left over, those of the hull. */
+  /** The leftover directed edges of the touching disc method, which form the hull. */
   readonly directedEdges: boolean
-  /** The edges of the diagram that it misses. */
+  /** The edges of the diagram that the touching disc method misses. */
   readonly missedEdges: boolean
-  /** How its samples are taken. */
+  /** The kind of candidates of the touching disc method. */
   readonly candidates: Candidates
-  /** How many: inside each angle of a Delaunay face, or on each circle. `undefined`: as usual. */
+  /**
+   * The number of samples: inside each angle of a Delaunay face (`dynamic`), or on each circle (`uniform`). `undefined`:
+   * the default of the library.
+   */
   readonly sampleCount: number | undefined
+  /** Layers of your own. */
   readonly data: readonly DataLayer[]
 }
 
 export const DEFAULT_LAYERS: Layers = {
   circles: true,
-  cells: 'radius',
+  cells: 'auto',
   edges: true,
   vertices: true,
   nearZero: undefined,
@@ -137,10 +146,10 @@ export function isMethodShown(layers: Layers): boolean {
 }
 
 /** What a cell is measured by. */
-export type Measure = Exclude<CellColors, 'none' | 'different'>
+export type Measure = Exclude<CellColors, 'auto' | 'none' | 'different'>
 
 export function isMeasure(colors: CellColors): colors is Measure {
-  return colors !== 'none' && colors !== 'different'
+  return colors !== 'auto' && colors !== 'none' && colors !== 'different'
 }
 
 /** What of layers differs from the default, to be kept; not what clients have added. */

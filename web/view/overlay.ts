@@ -9,11 +9,16 @@ import type { Frame } from './painter/frame.ts'
 import { FrameSink } from './painter/frame-sink.ts'
 import { addSegment } from './painter/segment-path.ts'
 import type { Described, Found, Marks, Touching, Trial } from './protocol.ts'
-import { DISC_OPACITY, DOT_RADIUS, type Style } from './style.ts'
+import { DOT_RADIUS, isSeen, type Style } from './style.ts'
 import { areaText, namedOf } from './taken-text.ts'
 import type { Band, Chosen } from './view.ts'
 
-const HOVER_OPACITY = 0.55
+/** Widths of outlines around what stands out, in pixels, and of the paper beside them, which keeps them apart from any color. */
+const OUTLINE = 2.5
+const NEIGHBOR_OUTLINE = 1.5
+const HALO = 2
+/** Of a circle that is not there yet. */
+const TRIAL_OPACITY = 0.3
 const FOUND_OPACITY = 0.18
 const FOUND_LINE = 1.75
 const PATH_LINE = 2.5
@@ -62,6 +67,13 @@ export interface Above extends StandingOut {
   readonly layers: Layers
 }
 
+/** Whether nothing is drawn above the picture. */
+export function isNothingAbove({ marks, found, touching, trial, layers, chosen, band, above }: Above): boolean {
+  const { hull, largestDisc, path } = found ?? {}
+  const drawn = [marks.selected, marks.hovered, touching, trial, chosen, band, hull, largestDisc, path, layers.path]
+  return above.length === 0 && drawn.every((what) => what === undefined)
+}
+
 /** Draws on what has the frame's pixels. `pixelRatio`: device pixels per CSS pixel. */
 export function drawOverlay(
   drawing: Drawing,
@@ -91,14 +103,18 @@ export function drawOverlay(
   }
   const dot = ({ x, y }: Point, radius: number) => discOf(x, y, 0, radius)
 
-  const { selected, hovered } = marks
-  if (selected !== undefined) {
-    fill(pathOf(selected.neighborhood), style.neighborCell)
-    fill(pathOf(selected.outline), style.selectedCell)
+  /** Colors stay what they are: what stands out has an outline. */
+  const outline = (path: PathSink, color: string, width: number, dash: readonly number[] = []) => {
+    stroke(path, style.paper, width + 2 * HALO)
+    stroke(path, color, width, dash)
   }
+
+  const { selected, hovered } = marks
+  if (selected !== undefined && isSeen(style.neighborCell))
+    stroke(pathOf(selected.neighborhood), style.neighborCell, NEIGHBOR_OUTLINE)
   if (hovered !== undefined && hovered.id !== selected?.id) {
-    if (selected === undefined) fill(pathOf(hovered.neighborhood), style.neighborCell, HOVER_OPACITY)
-    fill(pathOf(hovered.outline), style.selectedCell, HOVER_OPACITY)
+    outline(pathOf(hovered.outline), style.edge, OUTLINE)
+    outline(discOf(hovered.circle.x, hovered.circle.y, hovered.circle.r, DOT_RADIUS), style.edge, OUTLINE)
   }
   if (found?.hull !== undefined && layers.hull)
     stroke(hullPath(drawing.path(), frame, to, found.hull), style.hull, FOUND_LINE)
@@ -181,8 +197,7 @@ export function drawOverlay(
   }
 
   function drawChosenPath(path: PathSink): void {
-    fill(path, style.selectedDisc, DISC_OPACITY)
-    stroke(path, style.accent, 1.5)
+    outline(path, style.selectedDisc, NEIGHBOR_OUTLINE)
   }
 
   function drawBand({ from, to }: Band): void {
@@ -205,15 +220,15 @@ export function drawOverlay(
   function drawTrial(trial: Trial): void {
     const {
       circle: { x, y, r },
-      outline,
+      outline: around,
       hiddenBy,
     } = trial
-    const cell = pathOf(outline)
+    const cell = pathOf(around)
     const rim = discOf(x, y, r, DOT_RADIUS)
-    fill(cell, style.selectedCell)
-    fill(rim, style.selectedDisc, DISC_OPACITY)
-    stroke(cell, style.accent, 2, [6, 4])
-    stroke(rim, style.accent, 2, hiddenBy === undefined ? [] : [4, 4])
+    fill(cell, style.accent, TRIAL_OPACITY)
+    fill(rim, style.accent, TRIAL_OPACITY)
+    outline(cell, style.accent, OUTLINE, [6, 4])
+    outline(rim, style.accent, OUTLINE, hiddenBy === undefined ? [] : [4, 4])
     // What the panel tells of anyway is left out where there is no room.
     const written: Point[] = []
     for (const taken of namedOf(trial)) {
@@ -230,11 +245,9 @@ export function drawOverlay(
     }
   }
 
-  function drawSelected({ circle: { x, y, r }, outline, hiddenBy }: Described): void {
-    const rim = discOf(x, y, r, DOT_RADIUS)
-    fill(rim, style.selectedDisc, DISC_OPACITY)
-    stroke(pathOf(outline), style.accent, 2)
-    stroke(rim, style.accent, 2, hiddenBy === undefined ? [] : [4, 4])
+  function drawSelected({ circle: { x, y, r }, outline: cell, hiddenBy }: Described): void {
+    outline(pathOf(cell), style.selectedCell, OUTLINE)
+    outline(discOf(x, y, r, DOT_RADIUS), style.selectedDisc, OUTLINE, hiddenBy === undefined ? [] : [4, 4])
   }
 }
 

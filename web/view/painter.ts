@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError, reasonOf } from '../lib/base/errors.ts'
+import { reasonOf, receivedError } from '../lib/base/errors.ts'
 import type { Edit } from '../lib/index.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
@@ -117,6 +117,14 @@ export class Painter {
           if (this.#worker === undefined) this.#start()
           this.#worker?.postMessage(message)
         }),
+      cancel: () => {
+        const isOpening = [...scene.waiting.values()].some(({ message }) => message.kind === 'open')
+        if (isOpening) {
+          this.#stop((words) => words.canceled)
+          this.#start()
+        }
+        return isOpening
+      },
       ask: (name, args) =>
         new Promise((resolve, reject) => {
           if (this.#worker === undefined || isClosed()) {
@@ -177,7 +185,7 @@ export class Painter {
       const asked = this.#asked.get(message.request)
       this.#asked.delete(message.request)
       if (message.kind === 'answer') asked?.resolve(message.value)
-      else asked?.reject(new CircleVoronoiError(message.code, message.circle, message.message))
+      else asked?.reject(receivedError(message.error))
       return
     }
     const scene = this.#scenes.get(message.scene)
@@ -192,7 +200,7 @@ export class Painter {
     this.#hasWorked = true
     scene.waiting.delete(message.revision)
     if (message.kind === 'refused') {
-      waiting.reject(new CircleVoronoiError(message.code, message.circle, message.message))
+      waiting.reject(receivedError(message.error))
       return
     }
     if (waiting.message.kind === 'open') scene.circles = new CircleTable(waiting.message.circles.slice())
@@ -240,6 +248,7 @@ interface Line {
   post(message: ToPainter): void
   /** Posts it, too. */
   edited(message: Waiting['message']): Promise<Edited>
+  cancel(): boolean
   ask(name: keyof Questions, args: readonly unknown[]): Promise<unknown>
 }
 
@@ -270,6 +279,11 @@ export class PainterScene {
   edit(edits: readonly Edit[]): Promise<Edited> {
     this.#revision += 1
     return this.#line.edited({ kind: 'edit', scene: this.#scene, revision: this.#revision, edits })
+  }
+
+  /** Ends the thread that computes circles which are being opened; another one goes on. False: none are. */
+  cancel(): boolean {
+    return this.#line.cancel()
   }
 
   look(wish: Wish, style: Style): void {

@@ -8,8 +8,11 @@ import type { View } from './view.ts'
 /** How near to a rim or a dot counts as on it, in pixels. */
 const MOUSE_SLACK = 5
 const TOUCH_SLACK = 12
-/** How near to an edge the pointer shows its disc. */
+/** How near to an edge the pointer or a finger shows its disc. */
 const DISC_SLACK = 14
+const TOUCH_DISC_SLACK = 24
+/** A finger drags circles of this radius in pixels at once; on smaller ones it may be meant to pan. */
+const LARGE_FOR_FINGERS = 22
 /** A pointer that moves less than this was a click. */
 const CLICK_DISTANCE = 4
 /** A press that rests so long where nothing is tries a circle, in milliseconds. */
@@ -100,8 +103,9 @@ export function listenToPointer(
     if (hit === undefined) return gestures.pan(point, () => hands.select([]))
     const { id, part } = hit
     const isSelected = hands.isSelected(id)
+    const isLarge = circle !== undefined && circle.r * view.camera.scale >= LARGE_FOR_FINGERS
     // A finger that is to pan may well begin on a circle.
-    const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected && !letsPageScroll)
+    const isPan = part === 'cell' || (pointerType === 'touch' && !isSelected && !letsPageScroll && !isLarge)
     // One that is not for this hand, or is gone, can still be selected.
     if (isPan || circle === undefined) return gestures.pan(point, () => hands.select([id]))
     if (!isSelected) hands.select([id])
@@ -150,8 +154,16 @@ export function listenToPointer(
     const isOver = () => hasMoved || gesture !== begun
     if (isOver() || event.button !== MAIN || event.shiftKey || !(await isEmpty(point, event)) || isOver()) return
     begun.cancel?.()
-    gesture = gestures.holdCircle(point)
+    const showsDisc = event.pointerType === 'touch' && view.layers.disc && hands.tool === 'select'
+    gesture = showsDisc ? showDisc(point) : gestures.holdCircle(point)
     hasMoved = true
+  }
+
+  /** The disc that a finger shows, which rests and is then moved, follows it. */
+  const showDisc = (from: Point): Gesture => {
+    const show = (point: Point) => view.touch(planeAt(point), TOUCH_DISC_SLACK / view.camera.scale)
+    show(from)
+    return { move: show }
   }
 
   const showCursor = (hit: Hit | undefined) => {
@@ -192,6 +204,8 @@ export function listenToPointer(
     }
     start = point
     hasMoved = false
+    // A finger cannot hover: a tap shows what a pointer shows that is moved there, until the next one.
+    if (event.pointerType === 'touch') view.touch(planeAt(point), TOUCH_DISC_SLACK / view.camera.scale)
     const begun = begin(point, event)
     gesture = begun
     // Browsers tell of moves with the next frame: where that is late, what is dragged does not rest.
@@ -235,11 +249,12 @@ export function listenToPointer(
   on('contextmenu', (event) => {
     if (pressed.size > 0) event.preventDefault()
   })
-  on('pointerleave', () => {
+  on('pointerleave', ({ pointerType }) => {
     isActive = !letsPageScroll
     isHovering = false
     hands.hover(undefined)
-    view.touch(undefined, 0)
+    // Each finger leaves as it is lifted.
+    if (pointerType !== 'touch') view.touch(undefined, 0)
   })
   on('keydown', (event) => {
     if (event.key === 'Escape' && gesture !== undefined) {

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between a view and the painter's thread. A scene is one view's circles; a thread has many.
-import type {
-  Box,
-  Certificate,
-  Circle,
-  DiagramData,
-  Edit,
-  ErrorCode,
-  Options,
-  Point,
-  Stats,
-  Vertex,
-} from '../lib/index.ts'
+import type { PostedError } from '../lib/base/errors.ts'
+import type { Box, Certificate, Circle, DiagramData, Edit, Options, Point, Stats, Vertex } from '../lib/index.ts'
 import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange } from './circle-table.ts'
-import type { Layers } from './layers.ts'
+import type { Layers, Measure } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Style } from './style.ts'
 
@@ -66,6 +56,8 @@ export interface Questions {
   svg(frame: Frame, pixelRatio: number, style: Style): string | undefined
   /** The same in pixels. */
   image(frame: Frame, pixelRatio: number, style: Style): ImageBitmap | undefined
+  /** What the colors of the layers mean. `undefined`: no measure. */
+  legend(): Legend | undefined
   /** How cells are distributed: a moment later, where there are many. */
   measure(): Distribution
   /** What circles and their cells measure: of these ids at once, of all a moment later. */
@@ -136,14 +128,7 @@ export type FromPainter =
       readonly found: Found | undefined
       readonly seconds: number
     }
-  | {
-      readonly kind: 'refused'
-      readonly scene: number
-      readonly revision: number
-      readonly code: ErrorCode
-      readonly circle: number
-      readonly message: string
-    }
+  | { readonly kind: 'refused'; readonly scene: number; readonly revision: number; readonly error: PostedError }
   | {
       readonly kind: 'painted'
       readonly scene: number
@@ -155,13 +140,7 @@ export type FromPainter =
       readonly isWhole: boolean
     }
   | { readonly kind: 'answer'; readonly request: number; readonly value: unknown }
-  | {
-      readonly kind: 'noAnswer'
-      readonly request: number
-      readonly code: ErrorCode
-      readonly circle: number
-      readonly message: string
-    }
+  | { readonly kind: 'noAnswer'; readonly request: number; readonly error: PostedError }
   | { readonly kind: 'found'; readonly scene: number; readonly found: Found }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
   /** The same, with outlines for what is looked at now. */
@@ -187,6 +166,8 @@ export interface CellFacts extends Circle {
   readonly neighbors: readonly number[]
   /** Infinite, if the cell is not bounded. */
   readonly area: number
+  /** Likewise. */
+  readonly perimeter: number
 }
 
 /** What is so of a diagram. */
@@ -274,6 +255,15 @@ export interface Distribution {
   readonly areaStep: number
   readonly medianArea: number
   readonly certificate: Certificate
+}
+
+/** What the ramp of colors means. */
+export interface Legend {
+  readonly measure: Measure
+  /** What its beginning, its quarters and its end stand for. */
+  readonly knots: readonly number[]
+  /** Whether there may be smaller and larger values than those of its ends, which have their colors. */
+  readonly isClipped: boolean
 }
 
 /** What a cell measures: its area, how many neighbors it has, and how far the circle is from the nearest other one. */

@@ -21,6 +21,7 @@ export interface Refusals {
   readonly notDrawn: string
   readonly nothingChanged: string
   readonly disposed: string
+  readonly canceled: string
   readonly noThread: string
 }
 
@@ -46,6 +47,7 @@ export const ENGLISH_REFUSALS: Refusals = {
   notDrawn: 'The picture could not be drawn.',
   nothingChanged: 'Nothing has changed. Try again.',
   disposed: 'it was disposed of',
+  canceled: 'you canceled it',
   noThread: 'its file cannot be loaded',
 }
 
@@ -59,7 +61,7 @@ export class Refusal<Words = Refusals> extends CircleVoronoiError implements Tel
   readonly say: (words: Words) => string
 
   constructor(english: Words, say: (words: Words) => string, code: ErrorCode = 'badArgument') {
-    super(code, -1, say(english))
+    super(code, say(english))
     this.say = say
   }
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-export const DISC_OPACITY = 0.85
 /** Smaller circles are drawn as dots of this radius, in pixels. */
 export const DOT_RADIUS = 1.5
-/** How many tints circles and cells have by size. */
+/** How many colors a page may set of the ramp by which measures are shown. */
 export const TINTS = 6
+/** How many shades the ramp has between them. */
+export const SHADES = 61
 /** Every map takes at most so many colors that are chosen greedily, the cells with fewest neighbors last. */
 export const MAP_COLORS = 6
 
@@ -34,8 +35,8 @@ const COLORS = [
 
 /** The colors of the drawing: CSS colors. */
 export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
-  /** From the smallest to the largest. */
-  readonly tints: readonly string[]
+  /** `SHADES` colors for measures, from the smallest to the largest. */
+  readonly ramp: readonly string[]
   /** For neighbors to differ. */
   readonly map: readonly string[]
   /** A cell has the tint of its circle, so much weaker. */
@@ -47,28 +48,59 @@ export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
  * or else that of the theme.
  */
 export function readStyle(element: Element): Style {
-  // As numbers: a worker knows neither the scheme nor the system's colors.
-  const probe = element.appendChild(document.createElement('span'))
-  // The system's colors are named where they are to be: data keeps its own.
-  probe.style.setProperty('forced-color-adjust', 'none')
-  const color = (name: string) => {
+  const names = [...COLORS, 'cellOpacity', ...numbered('tint', TINTS), ...numbered('map', MAP_COLORS)]
+  const probes = document.createElement('span')
+  for (const name of names) {
     const property = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
-    probe.style.color = `var(--circle-voronoi-${property}, var(--${property}))`
-    return getComputedStyle(probe).color
+    const { style } = probes.appendChild(document.createElement('span'))
+    // The system's colors are named where they are to be: data keeps its own.
+    style.setProperty('forced-color-adjust', 'none')
+    style.color = `var(--circle-voronoi-${property}, var(--${property}))`
   }
-  const list = (name: string, count: number) => Array.from({ length: count }, (_, k) => color(`${name}-${k}`))
-  const colors = Object.fromEntries(COLORS.map((name) => [name, color(name)])) as Record<
-    (typeof COLORS)[number],
-    string
-  >
-  const style = {
-    ...colors,
-    tints: list('tint', TINTS),
-    map: list('map', MAP_COLORS),
+  // All at once: the browser finds the styles anew when the first of them is read.
+  element.append(probes)
+  // As numbers: a worker knows neither the scheme nor the system's colors.
+  const colors = Object.fromEntries(
+    names.map((name, k) => [name, getComputedStyle(probes.children[k] as Element).color]),
+  )
+  probes.remove()
+  const color = (name: string) => colors[name] as string
+  return {
+    ...(Object.fromEntries(COLORS.map((name) => [name, color(name)])) as Record<(typeof COLORS)[number], string>),
+    ramp: rampThrough(numbered('tint', TINTS).map(color)),
+    map: numbered('map', MAP_COLORS).map(color),
     cellOpacity: opacityOf(color('cellOpacity')),
   }
-  probe.remove()
-  return style
+}
+
+function numbered(name: string, count: number): string[] {
+  return Array.from({ length: count }, (_, k) => `${name}-${k}`)
+}
+
+/** A ramp of `SHADES` colors that goes evenly through some colors. */
+export function rampThrough(stops: readonly string[]): string[] {
+  const last = stops.length - 1
+  return Array.from({ length: SHADES }, (_, k) => {
+    const place = (k / (SHADES - 1)) * last
+    const from = Math.min(Math.floor(place), last - 1)
+    return mixed(stops[from] as string, stops[from + 1] as string, place - from)
+  })
+}
+
+/** Where a page has set a color that is not written as red, green and blue, the nearer one of two. */
+function mixed(one: string, other: string, share: number): string {
+  const [from, to] = [channelsOf(one), channelsOf(other)]
+  if (from === undefined || to === undefined) return share < 0.5 ? one : other
+  return `rgb(${from.map((value, k) => Math.round(value + share * ((to[k] as number) - value))).join(', ')})`
+}
+
+function channelsOf(color: string): readonly number[] | undefined {
+  return /^rgb\((\d+), (\d+), (\d+)\)$/.exec(color)?.slice(1).map(Number)
+}
+
+/** Whether a computed color can be seen. */
+export function isSeen(color: string): boolean {
+  return opacityOf(color) > 0
 }
 
 /** Whether what is drawn is light on dark. */

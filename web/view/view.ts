@@ -5,7 +5,15 @@ import { BasePicture } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
 import type { CircleTable } from './circle-table.ts'
 import { type AboveLayer, checkLayers, DEFAULT_LAYERS, type Layers, withoutDiagram } from './layers.ts'
-import { drawOverlay, HANDLE_RADIUS, handleOf, NOTHING_STANDS_OUT, type StandingOut } from './overlay.ts'
+import {
+  type Above,
+  drawOverlay,
+  HANDLE_RADIUS,
+  handleOf,
+  isNothingAbove,
+  NOTHING_STANDS_OUT,
+  type StandingOut,
+} from './overlay.ts'
 import { CanvasDrawing, type Drawing, SvgDrawing, svgOf } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
 import type { Edited, Painter, PainterScene } from './painter.ts'
@@ -17,6 +25,7 @@ import type {
   Facts,
   Found,
   Hit,
+  Legend,
   Marks,
   Tabulated,
   Touching,
@@ -56,6 +65,12 @@ export interface Chosen {
   readonly box: Box
 }
 
+/** A part of the plane, and the size that it is drawn in. */
+export interface Shot {
+  readonly camera: Camera
+  readonly size: Size
+}
+
 /** The corners of what is selected with a rubber band, in pixels. */
 export interface Band {
   readonly from: Point
@@ -88,6 +103,8 @@ export class View {
   #above: readonly AboveLayer[] = []
   #baseChanged = false
   #overlayChanged = false
+  /** Whether there is nothing on the overlay: then it need not be cleared. */
+  #isOverlayEmpty = true
   #isShown = true
   #hasDiagram = true
 
@@ -155,6 +172,11 @@ export class View {
     return this.#told(opened)
   }
 
+  /** Ends the computation of circles that were set and are not there yet. False: there are none. */
+  cancel(): boolean {
+    return this.#scene.cancel()
+  }
+
   /**
    * All or none of the edits.
    *
@@ -199,6 +221,11 @@ export class View {
 
   hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
     return this.#scene.ask('hit', x, y, slack)
+  }
+
+  /** What the colors of the layers mean. `undefined`: no measure. */
+  legend(): Promise<Legend | undefined> {
+    return this.#scene.ask('legend')
   }
 
   /** How cells are distributed. */
@@ -319,14 +346,14 @@ export class View {
     this.#tell('layers', this.#layers)
   }
 
-  /** What is seen, as the text of an SVG: without what is selected. */
-  async toSVG(): Promise<string> {
-    const { width, height } = this.#size
-    const frame = { ...this.#camera, width, height }
+  /** What is seen, or another part, as the text of an SVG: without what is selected. */
+  async toSVG({ camera, size }: Shot = this): Promise<string> {
+    const { width, height } = size
+    const frame = { ...camera, width, height }
     const elements = await this.#scene.ask('svg', frame, 1, this.#style)
     if (elements === undefined) throw notDrawn()
     const above = new SvgDrawing()
-    this.#drawAbove(above, frame, 1, NOTHING_STANDS_OUT)
+    this.#drawAbove(above, frame, 1)
     return svgOf(width, height, [elements, String(above)])
   }
 
@@ -335,16 +362,21 @@ export class View {
    *
    * @throws CircleVoronoiError `badArgument`, if no browser could draw it
    */
-  async toPNG(scale = devicePixelRatio): Promise<Blob> {
-    const frame = pictureFrame(this.#camera, this.#size, scale)
+  async toPNG(scale = devicePixelRatio, { camera, size }: Shot = this): Promise<Blob> {
+    const frame = pictureFrame(camera, size, scale)
     const image = await this.#scene.ask('image', frame, scale, this.#style)
     if (image === undefined) throw notDrawn()
     const canvas = new OffscreenCanvas(frame.width, frame.height)
     const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
     context.drawImage(image, 0, 0)
     image.close()
-    this.#drawAbove(new CanvasDrawing(context), frame, scale, NOTHING_STANDS_OUT)
+    this.#drawAbove(new CanvasDrawing(context), frame, scale)
     return canvas.convertToBlob({ type: 'image/png' })
+  }
+
+  /** What is seen as a film that goes on, without what stands out. */
+  stream(): MediaStream {
+    return this.#base.captureStream()
   }
 
   /** Has one circle stand out, or none. */
@@ -467,24 +499,37 @@ export class View {
     this.#overlayChanged = false
   }
 
-  #drawOverlay(): void {
-    const context = this.#overlay.getContext('2d') as CanvasRenderingContext2D
-    const { width, height } = this.#overlay
-    const frame = { x: this.#camera.x, y: this.#camera.y, scale: this.#camera.scale * devicePixelRatio, width, height }
-    context.clearRect(0, 0, width, height)
-    this.#drawAbove(new CanvasDrawing(context), frame, devicePixelRatio, {
+  /** What stands out on the screen. On paper, nothing does. */
+  get #standingOut(): StandingOut {
+    if (matchMedia('print').matches) return NOTHING_STANDS_OUT
+    return {
       marks: this.#marks,
       touching: this.#touching,
       trial: this.#trial,
       chosen: this.#chosen,
       band: this.#band,
-    })
+    }
   }
 
-  #drawAbove(drawing: Drawing, frame: Frame, pixelRatio: number, standingOut: StandingOut): void {
+  #drawOverlay(): void {
+    const above = this.#aboveOf(this.#standingOut)
+    const isEmpty = isNothingAbove(above)
+    if (isEmpty && this.#isOverlayEmpty) return
+    this.#isOverlayEmpty = isEmpty
+    const context = this.#overlay.getContext('2d') as CanvasRenderingContext2D
+    const { width, height } = this.#overlay
+    const frame = { x: this.#camera.x, y: this.#camera.y, scale: this.#camera.scale * devicePixelRatio, width, height }
+    context.clearRect(0, 0, width, height)
+    drawOverlay(new CanvasDrawing(context), frame, devicePixelRatio, this.#style, above)
+  }
+
+  #drawAbove(drawing: Drawing, frame: Frame, pixelRatio: number): void {
+    drawOverlay(drawing, frame, pixelRatio, this.#style, this.#aboveOf(NOTHING_STANDS_OUT))
+  }
+
+  #aboveOf(standingOut: StandingOut): Above {
     const marks = this.#hasDiagram ? standingOut.marks : withoutCells(standingOut.marks)
-    const above = { found: this.#found, layers: this.#drawnLayers, above: this.#above, ...standingOut, marks }
-    drawOverlay(drawing, frame, pixelRatio, this.#style, above)
+    return { found: this.#found, layers: this.#drawnLayers, above: this.#above, ...standingOut, marks }
   }
 
   #findingChanges(found: Found | undefined): void {
@@ -522,6 +567,8 @@ export class View {
     for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
       matchMedia(query).addEventListener('change', () => this.restyle(), { signal })
     }
+    // Paper gets what is drawn by then.
+    matchMedia('print').addEventListener('change', () => this.#drawOverlay(), { signal })
     const watchPixels = () => {
       const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
       const change = () => {

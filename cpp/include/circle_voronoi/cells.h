@@ -7,6 +7,7 @@
 #include "circle_voronoi/convex_polygon.h"
 #include "circle_voronoi/curve.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/index.h"
 #include "circle_voronoi/point.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
@@ -37,12 +38,15 @@ struct OutlinePiece {
   /// the cell's center. It is counter-clockwise and at most a quarter turn, so its ends and radius determine its
   /// center.
   double r = 0;
+  /// The side of the Region on which the piece lies (ClippedDiagram), otherwise kNone.
+  RegionSideIndex regionSide = {};
 
   [[nodiscard]] bool isOnCircle() const { return r > 0; }
 };
 
 /// Closed loops of pieces, counter-clockwise, one for each component. Each piece ends where the next one starts. Some
-/// pieces have length zero.
+/// pieces have length zero. The part of a cell in a Region may have holes: these are clockwise loops, after the loop
+/// around them.
 using Outline = std::vector<std::vector<OutlinePiece>>;
 
 /// Returns the outline of the part of a cell inside a region. It is empty if cell and region do not meet. It has

@@ -21,6 +21,7 @@ enum class ErrorCode {
   tooManyCircles,      ///< the input, or the requested candidates, do not fit in memory or in 32-bit indices
   badOption,           ///< an option is out of range
   notCertified,        ///< no construction led to a certified diagram
+  notConverged,        ///< an iteration did not reach its tolerance
   unknownCircle,       ///< an editor has no circle with this id
   badInput,            ///< the text cannot be read as circles, or the parts of an argument do not fit together
   badArithmetic,       ///< the program does not round to nearest, or flushes tiny numbers to zero

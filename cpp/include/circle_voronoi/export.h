@@ -15,6 +15,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/point.h"
+#include "circle_voronoi/region.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
@@ -24,6 +25,9 @@ struct ExportOptions {
   /// bounding box of the circles with a margin of a twentieth of its size. The circles are first grown by
   /// `maxDistance`, if that is given.
   std::optional<Box> bounds = {};
+  /// The region to which cells and edges are clipped, in place of `bounds`. It must outlive the call. The box is then
+  /// its bounding box. Cells that the boundary of the region crosses, and those beside them, keep all digits.
+  const Region* region = nullptr;
   /// Cells and edges are cut at this distance from the nearest circle (`bufferOutline`). Finite and at most
   /// kRegionLimit in absolute value.
   std::optional<double> maxDistance = {};
@@ -34,6 +38,9 @@ struct ExportOptions {
   /// as the tolerance requires. With this option rounding may move points by more than the tolerance, and the default
   /// box grows to coordinates with that many digits.
   std::optional<int> digits = {};
+  /// For each circle members of a JSON object, without braces, that GeoJSON features get as properties after their own
+  /// (readAttributes). Empty, or one entry for each circle.
+  std::span<const std::string> attributes = {};
 };
 
 /// Returns the default box if no digits are given.

@@ -44,6 +44,10 @@ using VertexIndex = Index<struct OfVertices>;
 using EdgeIndex = Index<struct OfEdges>;
 /// A side: an edge as seen from one of its two cells (Diagram).
 using SideIndex = Index<struct OfSides>;
+/// A side of a Region.
+using RegionSideIndex = Index<struct OfRegionSides>;
+/// A ring of a Region.
+using RegionRingIndex = Index<struct OfRegionRings>;
 
 }  // namespace circle_voronoi
 

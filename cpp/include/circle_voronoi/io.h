@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "circle_voronoi/circle.h"
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
+#include "circle_voronoi/region.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
 
@@ -35,6 +37,25 @@ struct ReadOptions {
 /// Errors: badInput, also for an empty text and for a line of a table longer than 64 MiB; and what `compute` would
 /// reject, so that the message can name the line: nonFinite, negativeRadius, coordinateTooLarge, tooManyCircles.
 Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view name, const ReadOptions& options = {});
+
+/// Reads what a text that `readCircles` accepts says about its circles beyond x, y and r: the other columns of a table,
+/// the other properties of GeoJSON points, the other members of JSON objects. Returns for each circle the members of a
+/// JSON object, without braces and on one line, for ExportOptions::attributes.
+///
+/// Fields of a table become numbers where they are numbers of JSON, otherwise strings, and null where they are empty. A
+/// name that `writeGeoJson` uses itself, such as area, gets `input_` in front. Errors: badInput.
+Result<std::vector<std::string>> readAttributes(std::string_view text, std::string_view name);
+
+/// Reads one number for each circle of a text that `readCircles` accepts: a column of a table, a property of GeoJSON
+/// points, or a member of JSON objects. Errors: badInput, also if a circle has no such number.
+Result<std::vector<double>> readNumbers(std::string_view text, std::string_view name, std::string_view column);
+
+/// Reads a region from UTF-8 text: a GeoJSON Polygon, MultiPolygon, Feature or FeatureCollection of these, or
+/// well-known text (POLYGON or MULTIPOLYGON). Coordinates beyond the second of a position are ignored.
+///
+/// `name` is what errors call the text. Messages about the syntax start with `name:line:`, others with `name:`.
+/// Errors: badInput; also those of Region::fromPolygons.
+Result<Region> readRegion(std::string_view text, std::string_view name);
 
 // The functions below write circles so that `readCircles` reads them back to the same bits: as CSV with a header line,
 // as JSON objects, and as GeoJSON Points with the properties circle (the index) and r. Radii may be negative

@@ -14,6 +14,8 @@ inline constexpr double kCoordinateLimit = 1e150;
 inline constexpr double kRegionLimit = 1e152;
 /// The largest number of circles. Half-edges, six for each circle and more for samples, must fit in 32-bit indices.
 inline constexpr std::size_t kMaxCircles = 100'000'000;
+/// The largest number of sides of a region (Region).
+inline constexpr std::size_t kMaxRegionSides = 100'000'000;
 /// The largest number of circles for `Candidates::allPairs`: 50 million pairs.
 inline constexpr std::size_t kMaxAllPairsCircles = 10'000;
 /// The largest value of `Options::samples`.

@@ -16,6 +16,8 @@ struct Point {
 struct Vector {
   double x = 0;
   double y = 0;
+
+  friend bool operator==(const Vector&, const Vector&) = default;
 };
 
 }  // namespace circle_voronoi

@@ -26,7 +26,7 @@ constexpr auto kCandidates = std::to_array<std::string_view>({"dynamic", "unifor
 constexpr auto kWays =
     std::to_array<std::string_view>({"flip", "repair", "insert", "apollonius-graph", "touching-disc", "edit"});
 constexpr auto kErrorCodes = std::to_array<std::string_view>(
-    {"nonFinite", "negativeRadius", "coordinateTooLarge", "tooManyCircles", "badOption", "notCertified",
+    {"nonFinite", "negativeRadius", "coordinateTooLarge", "tooManyCircles", "badOption", "notCertified", "notConverged",
      "unknownCircle", "badInput", "badArithmetic", "notWritten", "internal"});
 static_assert(std::is_same_v<decltype(kErrorCodes), const Names<ErrorCode::internal>>);
 constexpr auto kFlaws = std::to_array<std::string_view>(

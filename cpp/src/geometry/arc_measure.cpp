@@ -10,25 +10,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// sinh(d) - d for d = ln(ratio) >= 0, with square roots alone: f(2 d) = 2 f(d) + 2 sinh(d) (cosh(d) - 1) has no
-/// cancellation, and leads back to small d.
-double sinhExcess(double ratio) {
-  if (ratio < 1.25) {
-    const double z = (ratio - 1) / (ratio + 1);
-    double d = 0;
-    for (int k = 15; k > 0; k -= 2) d = d * z * z + 2.0 / k;
-    d *= z;
-    double sum = 0;
-    for (const int k : {13, 11, 9, 7, 5, 3}) sum = (1 + sum) * d * d / (k * (k - 1));
-    return d * sum;
-  }
-  const double root = std::sqrt(ratio);
-  const double sine = (root - 1 / root) / 2;
-  const double cosineExcess = (root - 1) * (root - 1) / (2 * root);
-  return 2 * sinhExcess(root) + 2 * sine * cosineExcess;
-}
-
-/// The same divided by the ratio, which may be beyond all numbers.
+/// sinhExcess divided by the ratio, which may be beyond all numbers.
 double sinhExcessShare(double ratio) { return ratio < 1e300 ? sinhExcess(ratio) / ratio : 0.5; }
 
 /// The length from parameter 1 <= from to `to`, in the bisector's unit; a branch is alike on both sides of its apex.
@@ -67,6 +49,23 @@ double lengthBeyondApex(const Bisector& bisector, double from, double to) {
 }
 
 }  // namespace
+
+// f(2 d) = 2 f(d) + 2 sinh(d) (cosh(d) - 1) has no cancellation, and leads back to small d.
+double sinhExcess(double ratio) {
+  if (ratio < 1.25) {
+    const double z = (ratio - 1) / (ratio + 1);
+    double d = 0;
+    for (int k = 15; k > 0; k -= 2) d = d * z * z + 2.0 / k;
+    d *= z;
+    double sum = 0;
+    for (const int k : {13, 11, 9, 7, 5, 3}) sum = (1 + sum) * d * d / (k * (k - 1));
+    return d * sum;
+  }
+  const double root = std::sqrt(ratio);
+  const double sine = (root - 1 / root) / 2;
+  const double cosineExcess = (root - 1) * (root - 1) / (2 * root);
+  return 2 * sinhExcess(root) + 2 * sine * cosineExcess;
+}
 
 double arcLength(const EdgeCurve& curve) {
   const auto& [bisector, from, to, start, end] = curve;

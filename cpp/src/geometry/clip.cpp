@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "far_view.h"
 #include "scale.h"
@@ -94,10 +95,19 @@ LineCrossing::LineCrossing(const Bisector& bisector, Point p, Vector direction) 
   const double discriminant = k * (k + 2 * a) + b * b;
   if (!(discriminant > 0)) return;
   const double sum = half_ + std::copysign(std::sqrt(discriminant), half_);
-  for (const double s : {sum / growth_, decay_ / sum}) {
-    if (s > 0 && s < kInfinite) parameters_.push_back(s);
+  // The root of larger magnitude and the other one, each with the slope of the height there.
+  const auto add = [&](double s, bool goesRight) {
+    if (!(s > 0 && s < kInfinite)) return;
+    parameters_[count_] = s;
+    goesRight_[count_] = goesRight;
+    ++count_;
+  };
+  add(sum / growth_, growth_ > 0);
+  add(decay_ / sum, decay_ < 0);
+  if (count_ == 2 && parameters_[0] > parameters_[1]) {
+    std::swap(parameters_[0], parameters_[1]);
+    std::swap(goesRight_[0], goesRight_[1]);
   }
-  std::sort(parameters_.begin(), parameters_.end());
 }
 
 bool LineCrossing::isRight(double from, double to) const {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "circle_voronoi/curve.h"
@@ -30,7 +33,10 @@ class LineCrossing {
   LineCrossing(const Bisector& bisector, Point p, Vector direction);
 
   /// Returns the parameters in increasing order: none, one or two.
-  const std::vector<double>& parameters() const { return parameters_; }
+  std::span<const double> parameters() const { return {parameters_.data(), count_}; }
+
+  /// Returns whether the branch goes from the left of the line to its right at a crossing, which is counted from 0.
+  bool goesRight(std::size_t crossing) const { return goesRight_[crossing]; }
 
   /// Returns whether the branch lies right of the line between two parameters, which may be 0 and infinity.
   /// Precondition: it does not cross the line between them.
@@ -40,7 +46,9 @@ class LineCrossing {
   double growth_;
   double half_;
   double decay_;
-  std::vector<double> parameters_;
+  std::size_t count_ = 0;
+  std::array<double, 2> parameters_ = {};
+  std::array<bool, 2> goesRight_ = {};
 };
 
 }  // namespace circle_voronoi

@@ -101,7 +101,7 @@ std::optional<EmptyDisc> largestEmptyDiscCenteredInHull(const Diagram& diagram) 
       const EdgeCurve whole = sideCurve(diagram, side);
       const EdgeCurve curve = seenFrom(whole, largestOf(vectorTo(whole.bisector.origin, touch)));
       const LineCrossing crossing(curve.bisector, touch, {-normal.y, normal.x});
-      std::vector<double> crossings = crossing.parameters();
+      std::vector<double> crossings(crossing.parameters().begin(), crossing.parameters().end());
       std::erase_if(crossings, [&](double s) { return s <= curve.from || s >= curve.to; });
       const VertexIndex target = diagram.targetOf(side);
       // An edge that crosses the line twice has come out of the hull again elsewhere.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
+#include <utility>
 
 #include "arc_measure.h"
 #include "cell_limits.h"
+#include "chains.h"
 #include "circle_arc.h"
 #include "circle_voronoi/cells.h"
 #include "clip.h"
@@ -14,23 +15,6 @@
 
 namespace circle_voronoi {
 namespace {
-
-/// Sides of a cell inside the region that follow each other without a gap, and where on the ring they begin and end.
-struct Chain {
-  std::vector<OutlinePiece> pieces;
-  double entry = 0;
-  double exit = 0;
-};
-
-void append(std::vector<OutlinePiece>& loop, const Ring::Element& element) {
-  loop.push_back({segment(element.start, element.end), kNone, kNone, element.r});
-}
-
-std::vector<OutlinePiece> wholeLoop(const Ring& ring) {
-  std::vector<OutlinePiece> loop;
-  for (const Ring::Element& element : ring.elements()) append(loop, element);
-  return loop;
-}
 
 class Clipper {
  public:
@@ -46,7 +30,7 @@ class Clipper {
       return {};
     }
     if (isClosed) return {std::move(chains_.front().pieces)};
-    Outline loops = joinChains();
+    Outline loops = joined(ring_, std::move(chains_), [&](Point p) { return lead(p); });
     if (loops.size() < 2 || !ring_.isCircle()) return loops;
     // In a disc it is in one piece: what rounding cut off where several edges end next to the circle goes.
     const auto areaOf = [](const std::vector<OutlinePiece>& loop) { return area({loop}); };
@@ -98,79 +82,6 @@ class Clipper {
 
   /// Where a chain begins or ends. Rounding may end it at a vertex next to the boundary.
   double place(std::int32_t cut, Point p) const { return cut == kNone ? ring_.placeNear(p) : ring_.placeNear(p, cut); }
-
-  /// Along the ring exits and entries of the cell alternate. To pair the k-th exit with the k-th entry, or the one
-  /// after it, is right wherever rounding confuses the order of an exit and an entry next to each other; it takes a
-  /// place to begin that is neither, and is known to be inside the cell or not.
-  Outline joinChains() {
-    const double begin = clearPlace();
-    const bool beginsInside = lead(ring_.at(begin)) > 0;
-    const auto ahead = [&](double place) { return place < begin ? place + ring_.total() : place; };
-    const std::size_t count = chains_.size();
-    std::vector<std::size_t> byExit(count);
-    for (std::size_t i = 0; i < count; ++i) byExit[i] = i;
-    std::vector<std::size_t> byEntry = byExit;
-    std::ranges::sort(byExit, {}, [&](std::size_t i) { return ahead(chains_[i].exit); });
-    std::ranges::sort(byEntry, {}, [&](std::size_t i) { return ahead(chains_[i].entry); });
-
-    std::vector<std::size_t> next(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = byExit[k];
-      const std::size_t j = byEntry[beginsInside ? (k + 1) % count : k];
-      next[i] = j;
-      const double from = ahead(chains_[i].exit);
-      const double to = ahead(chains_[j].entry) + (beginsInside && k + 1 == count ? ring_.total() : 0);
-      const Point start = chains_[i].pieces.back().curve.end;
-      const Point end = chains_[j].pieces.front().curve.start;
-      for (const Ring::Element& part : ring_.between(from, to, start, end)) append(chains_[i].pieces, part);
-    }
-
-    Outline outline;
-    std::vector<bool> isDone(count, false);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (isDone[i]) continue;
-      auto& loop = outline.emplace_back();
-      for (std::size_t j = i; !isDone[j]; j = next[j]) {
-        isDone[j] = true;
-        std::ranges::move(chains_[j].pieces, std::back_inserter(loop));
-      }
-    }
-    return outline;
-  }
-
-  /// A place in one of the largest gaps between entries and exits: of several that where the cell's own circle and the
-  /// others differ most. One alone may lie on the boundary of both the region and the cell.
-  double clearPlace() const {
-    struct Gap {
-      double size;
-      double start;
-    };
-    std::vector<double> places;
-    for (const Chain& chain : chains_) places.insert(places.end(), {chain.entry, chain.exit});
-    std::ranges::sort(places);
-    std::vector<Gap> gaps;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const double next = i + 1 < places.size() ? places[i + 1] : places.front() + ring_.total();
-      gaps.push_back({next - places[i], places[i]});
-    }
-    constexpr std::size_t kTried = 4;
-    const auto tried = gaps.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, gaps.size()));
-    std::ranges::partial_sort(gaps, tried, std::ranges::greater(), &Gap::size);
-    double best = -1;
-    double place = 0;
-    for (auto gap = gaps.begin(); gap != tried; ++gap) {
-      for (const double share : {0.5, 0.3, 0.8}) {
-        const double ahead = gap->start + share * gap->size;
-        const double candidate = ahead < ring_.total() ? ahead : ahead - ring_.total();
-        const double difference = std::abs(lead(ring_.at(candidate)));
-        if (difference > best) {
-          best = difference;
-          place = candidate;
-        }
-      }
-    }
-    return place;
-  }
 
   /// How much nearer the circle is to a point than its nearest neighbour.
   double lead(Point p) const {

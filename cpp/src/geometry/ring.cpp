@@ -24,11 +24,7 @@ std::size_t quarterOf(Vector v) {
   return v.x < 0 ? 2 : 3;
 }
 
-/// The part of a segment inside a disc by the shares of its ends, whether these are inside having been decided.
-struct Chord {
-  double from = 0;
-  double to = 1;
-};
+}  // namespace
 
 std::optional<Chord> chordOf(Point from, Point to, bool hasFrom, bool hasTo, const Circle& disc) {
   if (hasFrom && hasTo) return Chord{};
@@ -47,8 +43,6 @@ std::optional<Chord> chordOf(Point from, Point to, bool hasFrom, bool hasTo, con
   if (!hasFrom && !hasTo && !(height < r && chord.from < chord.to)) return std::nullopt;
   return chord;
 }
-
-}  // namespace
 
 Ring::Ring(const ConvexPolygon* polygon, const std::optional<Circle>& disc) {
   if (disc) disc_ = *disc;
@@ -83,12 +77,12 @@ void Ring::takeCommon(const ConvexPolygon& polygon) {
   const auto corners = polygon.corners();
   std::vector<bool> isInside;
   for (const Point& corner : corners) isInside.push_back(lengthOf(vectorTo(centre, corner)) <= disc_.r);
-  struct Chord {
+  struct Part {
     Point start;
     Point end;
     std::size_t side;
   };
-  std::vector<Chord> parts;
+  std::vector<Part> parts;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Point to = polygon.cornerAfter(k);
     const auto chord = chordOf(corners[k], to, isInside[k], isInside[(k + 1) % corners.size()], disc_);

@@ -16,6 +16,15 @@ namespace circle_voronoi {
 /// In place of a side of a region: the circle that limits it.
 inline constexpr std::int32_t kCircleOfRing = -2;
 
+/// A part of a segment, by how far its ends are along it: from 0 to 1.
+struct Chord {
+  double from = 0;
+  double to = 1;
+};
+
+/// Returns the part of a segment inside a disc. Whether the ends of the segment are inside has been decided.
+std::optional<Chord> chordOf(Point from, Point to, bool hasFrom, bool hasTo, const Circle& disc);
+
 /// The boundary of a convex region as one closed line, counter-clockwise: of a polygon, of a disc, or of what both have
 /// in common. It is made of segments and of arcs of a quarter turn at most.
 class Ring {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "arc_measure.h"
-#include "chord.h"
 #include "circle_arc.h"
+#include "flatten.h"
 #include "near_vertices.h"
 #include "scale.h"
 #include "vectors.h"
@@ -15,58 +15,12 @@
 namespace circle_voronoi {
 namespace {
 
-/// Enough to halve the turn of any arc, of less than a full turn, to less than half a turn around both foci.
-constexpr int kMostHalvings = 8;
 /// Of coordinates: far above rounding errors, far below what can be seen.
 constexpr double kRoundingError = 0x1p-40;
 /// Rounds in which edges take back the rounding of their points, which may then turn edges beside them; few need two.
 constexpr int kMostRounds = 8;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-/// Whether the triangle p, q, r is counter-clockwise.
-bool isLeftTurn(Point p, Point q, Point r) { return turn(vectorTo(p, q), vectorTo(p, r)) > 0; }
-
-/// Whether the step from p to q turns around both foci of an arc, by less than half a turn.
-bool turnsAround(Point left, Point right, Point p, Point q) {
-  return isLeftTurn(left, p, q) && isLeftTurn(right, q, p);
-}
-
-/// Adds points of the arc until each step turns around both foci, by less than half a turn. A cell is star-shaped from
-/// its circle's centre, so a polygon of such steps is, too, and does not cross itself.
-void refine(std::vector<Point>& points, const EdgeCurve& curve) {
-  const Bisector& bisector = curve.bisector;
-  const auto isCoarse = [&](Point p, Point q) { return !turnsAround(bisector.left, bisector.right, p, q); };
-  for (int i = 0; i < kMostHalvings; ++i) {
-    if (std::ranges::adjacent_find(points, isCoarse) == points.end()) return;
-    std::vector<Point> finer = {points.front()};
-    for (std::size_t k = 1; k < points.size(); ++k) {
-      const Point p = points[k - 1];
-      const Point q = points[k];
-      const double middle = std::sqrt(parameterAt(bisector, p)) * std::sqrt(parameterAt(bisector, q));
-      if (isCoarse(p, q)) finer.push_back(pointAt(bisector, middle));
-      finer.push_back(q);
-    }
-    points = std::move(finer);
-  }
-}
-
-/// The points of an arc from `start` to `end`, which are its ends but for rounding.
-std::vector<Point> pointsBetween(const EdgeCurve& curve, Point start, Point end, double tolerance) {
-  if (start == end) return {start};
-  std::vector<Point> points = polyline(curve, tolerance);
-  if (!curve.isStraight()) refine(points, curve);
-  points.front() = start;
-  points.back() = end;
-  return points;
-}
-
-/// Whether pointsBetween has none but the ends.
-bool isOneStep(const EdgeCurve& curve, Point start, Point end, double tolerance) {
-  if (start == end) return true;
-  return isNearChord(curve, tolerance) &&
-         turnsAround(curve.bisector.left, curve.bisector.right, curve.start, curve.end);
-}
 
 /// Whether the area of a counter-clockwise ring is more than what rounding of its points can make.
 bool hasArea(const std::vector<Point>& ring) {
@@ -109,6 +63,9 @@ CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame) {
   for (std::size_t v = 0; v < places_.size(); ++v) places_[v] = places_[index(firstHere[v])];
   followEdges();
   roundPoints(firstHere);
+  if (!frame.clipped) return;
+  flattener_.emplace(*frame.clipped, frame.tolerance);
+  areas_ = frame.clipped->areas();
 }
 
 void CellPolygons::followEdges() {
@@ -146,7 +103,7 @@ void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
     places_[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
     isRestored[firstOf(vertex)] = true;
   };
-  isExact_.assign(edges.size(), !frame_.hasDigits);
+  isExact_.assign(edges.size(), !frame_.hasDigits || frame_.clipped);
   const auto restoreEnds = [&](std::size_t edge) {
     isExact_[edge] = true;
     restorePlace(edges[edge].start);
@@ -202,7 +159,7 @@ std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
   for (EdgeIndex e = 0; e < count; ++e) {
     if (!isInside(e) && !isExact_[index(e)] && !partsTurnRight(e)) wrong.push_back(e);
   }
-  if (!frame_.limits.maxDistance) return wrong;
+  if (!frame_.limits.maxDistance || frame_.clipped) return wrong;
   for (CircleIndex i = 0; i < circleCount(); ++i) {
     if (isWhole(i)) continue;
     for (const auto& loop : limitedOutline(frame_.diagram, i, frame_.limits)) {
@@ -327,6 +284,15 @@ CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
     points.push_back(placeOf(frame_.diagram.targetOf(piece.side)));
     return points;
   }
+  if (frame_.clipped) {
+    Ring points = flattener_->pointsOf(kNone, piece);
+    const auto drawn = [&](VertexIndex vertex, Point& end) {
+      if (isDrawnIn(vertex, end)) end = placeOf(vertex);
+    };
+    drawn(frame_.diagram.originOf(piece.side), points.front());
+    drawn(frame_.diagram.targetOf(piece.side), points.back());
+    return points;
+  }
   Ring points = pointsOfPart(Diagram::edgeOf(piece.side), edgeDirection(frame_.diagram, piece));
   if (piece.side % 2 == 1) std::ranges::reverse(points);
   return points;
@@ -396,33 +362,61 @@ CellPolygons::Ring CellPolygons::ringOf(CircleIndex circle, std::vector<OutlineP
   return ring;
 }
 
-std::vector<CellPolygons::Ring> CellPolygons::rings(CircleIndex circle) const {
-  std::vector<Ring> rings;
+/// A loop of the outline of a cell that is not whole, in the region.
+CellPolygons::Ring CellPolygons::regionRing(CircleIndex circle, const std::vector<OutlinePiece>& loop) const {
+  Ring ring;
+  for (const OutlinePiece& piece : loop) {
+    if (piece.side == kNone && !piece.isOnCircle()) {
+      addPoint(ring, piece.curve.start);
+      continue;
+    }
+    const auto points = piece.side != kNone ? pointsOf(piece) : flattener_->pointsOf(circle, piece);
+    for (std::size_t k = 0; k + 1 < std::max<std::size_t>(points.size(), 2); ++k) addPoint(ring, points[k]);
+  }
+  closeRing(ring);
+  return ring;
+}
+
+std::vector<CellPolygons::Polygon> CellPolygons::polygons(CircleIndex circle) const {
+  std::vector<Polygon> polygons;
   const auto keep = [&](Ring ring) {
     const bool isKept = hasArea(ring);
-    if (isKept) rings.push_back(std::move(ring));
+    if (isKept) polygons.push_back({std::move(ring)});
     return isKept;
   };
   if (isWhole(circle)) {
     keep(wholeRing(circle));
-    return rings;
+    return polygons;
   }
-  for (const auto& loop : limitedOutline(frame_.diagram, circle, frame_.limits)) {
-    if (!keep(ringOf(circle, loop, true))) keep(ringOf(circle, loop, false));
+  const Outline outline = outlineIn(frame_, circle);
+  if (!frame_.clipped) {
+    for (const auto& loop : outline) {
+      if (!keep(ringOf(circle, loop, true))) keep(ringOf(circle, loop, false));
+    }
+    return polygons;
   }
-  return rings;
+  bool isKept = false;
+  for (const auto& loop : outline) {
+    Ring ring = regionRing(circle, loop);
+    const bool isHole = &loop != &outline.front() && circle_voronoi::area({loop}) < 0;
+    if (!isHole) {
+      isKept = keep(std::move(ring));
+    } else if (isKept && ring.size() > 2) {
+      polygons.back().push_back(std::move(ring));
+    }
+  }
+  return polygons;
 }
 
 std::vector<CellPolygons::Ring> CellPolygons::polylines(EdgeIndex edge) const {
   if (isInside(edge)) return {pointsOf({{}, 2 * edge, kNone})};
   std::vector<Ring> lines;
-  for (const CurvePart& part : keptParts(frame_.diagram, edge, frame_.limits)) {
-    lines.push_back(pointsOf({part.curve, 2 * edge, kNone}));
-  }
+  for (const EdgeCurve& part : partsIn(frame_, edge)) lines.push_back(pointsOf({part, 2 * edge, kNone}));
   return lines;
 }
 
 double CellPolygons::area(CircleIndex circle) const {
+  if (frame_.clipped) return areas_[index(circle)];
   if (isWhole(circle)) {
     const auto& vertices = frame_.diagram.vertices;
     const auto sides = frame_.diagram.sides(circle);

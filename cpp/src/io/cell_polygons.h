@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "clip_polygons.h"
 #include "export_frame.h"
 #include "visit_ahead.h"
 
@@ -21,10 +23,13 @@ class CellPolygons {
 
   explicit CellPolygons(const ExportFrame& frame);
 
-  /// Closed rings of a cell inside the box, counter-clockwise, without the first point at the end and without points in
-  /// a row that are equal. They do not cross themselves, however large the tolerance is. Rings are left out whose area
-  /// is but rounding error.
-  std::vector<Ring> rings(CircleIndex circle) const;
+  /// An outer ring and its holes.
+  using Polygon = std::vector<Ring>;
+
+  /// The polygons of a cell inside the box or the region. Rings are closed, outer ones counter-clockwise and holes
+  /// clockwise, without the first point at the end and without points in a row that are equal. They do not cross
+  /// themselves, however large the tolerance is. Rings are left out whose area is but rounding error.
+  std::vector<Polygon> polygons(CircleIndex circle) const;
 
   /// Calls `visitCell` with each circle in order; quicker than doing so without this.
   template <class VisitCell>
@@ -68,11 +73,14 @@ class CellPolygons {
   Ring pointsOf(const OutlinePiece& piece) const;
   Ring pointsOfArcs(CircleIndex circle, std::span<const OutlinePiece> arcs, Point from, Point to, bool rounds) const;
   Ring ringOf(CircleIndex circle, std::vector<OutlinePiece> loop, bool rounds) const;
+  Ring regionRing(CircleIndex circle, const std::vector<OutlinePiece>& loop) const;
   Ring pointsOfPart(EdgeIndex edge, const EdgeCurve& curve) const;
   Ring wholeRing(CircleIndex circle) const;
   bool isDrawnIn(VertexIndex vertex, Point end) const;
 
   const ExportFrame& frame_;
+  std::optional<ClipFlattener> flattener_;  ///< of edges that are not inside, if there is a region
+  std::vector<double> areas_;               ///< of cells in the region, if there is one
   /// Of each vertex; those joined by edges of length near zero have one, so that rounding cannot turn such an edge
   /// around.
   std::vector<Point> places_;

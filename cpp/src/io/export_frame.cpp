@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "checks.h"
+#include "clip_parts.h"
 
 namespace circle_voronoi {
 namespace {
@@ -24,6 +25,7 @@ double toleranceOf(const Box& box, const ExportOptions& options) {
 }
 
 Box boxOf(const Diagram& diagram, const ExportOptions& options) {
+  if (options.region != nullptr) return options.region->bounds();
   return options.bounds ? *options.bounds : exportBox(diagram.circles, options.maxDistance);
 }
 
@@ -35,7 +37,7 @@ DecimalGrid gridOf(const Diagram& diagram, const ExportOptions& options) {
 /// With digits the default box grows to points of the grid.
 Box boxOf(const Diagram& diagram, const ExportOptions& options, const DecimalGrid& grid) {
   const Box box = boxOf(diagram, options);
-  if (options.bounds || !options.digits) return box;
+  if (options.bounds || options.region != nullptr || !options.digits) return box;
   const double half = grid.error() / 2;
   return {grid.round(box.minX - half), grid.round(box.minY - half), grid.round(box.maxX + half),
           grid.round(box.maxY + half)};
@@ -73,16 +75,35 @@ Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& 
   if (options.maxDistance && !(std::abs(*options.maxDistance) <= kRegionLimit)) {
     return errorWith(ErrorCode::badOption, "The maximum distance must be finite and at most 1e152.");
   }
+  if (!options.attributes.empty() && options.attributes.size() != diagram.circles.size()) {
+    return errorWith(ErrorCode::badInput, "There are not as many attributes as circles.");
+  }
+  if (options.region != nullptr && options.bounds) {
+    return errorWith(ErrorCode::badOption, "Cells are clipped to a box or to a region, not to both.");
+  }
   return ConvexPolygon::from(boxOf(diagram, options, gridOf(diagram, options)));
 }
 
-ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion)
+Result<std::optional<ClippedDiagram>> clipFor(const Diagram& diagram, const ExportOptions& options) {
+  std::optional<ClippedDiagram> clip;
+  if (options.region != nullptr) {
+    auto made = ClippedDiagram::from(diagram, *options.region, options.maxDistance);
+    if (!made) return made.error();
+    clip = *std::move(made);
+  }
+  return clip;
+}
+
+ExportFrame::ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion,
+                         std::optional<ClippedDiagram> itsClip)
     : diagram(its),
       hasDigits(options.digits.has_value()),
       grid(gridOf(its, options)),
       box(boxOf(its, options, grid)),
       region(std::move(itsRegion)),
       limits{&region, options.maxDistance},
+      clipped(std::move(itsClip)),
+      attributes(options.attributes),
       tolerance(std::max(toleranceOf(box, options) - grid.error(), toleranceOf(box, options) / 2)) {}
 
 Point ExportFrame::roundInBox(Point p) const {
@@ -91,6 +112,17 @@ Point ExportFrame::roundInBox(Point p) const {
     return value == min || value == max ? value : std::clamp(grid.round(value), min, max);
   };
   return {rounded(p.x, box.minX, box.maxX), rounded(p.y, box.minY, box.maxY)};
+}
+
+Outline outlineIn(const ExportFrame& frame, CircleIndex circle) {
+  return frame.clipped ? frame.clipped->outline(circle) : limitedOutline(frame.diagram, circle, frame.limits);
+}
+
+std::vector<EdgeCurve> partsIn(const ExportFrame& frame, EdgeIndex edge) {
+  if (frame.clipped) return frame.clipped->edgeParts(edge);
+  std::vector<EdgeCurve> curves;
+  for (const CurvePart& part : keptParts(frame.diagram, edge, frame.limits)) curves.push_back(part.curve);
+  return curves;
 }
 
 EdgeCurve edgeDirection(const Diagram& diagram, const OutlinePiece& piece) {
@@ -107,6 +139,11 @@ bool isInside(const ExportFrame& frame, const Edge& edge, const EdgeCurve& curve
   if (edge.start == kNone || edge.end == kNone) return false;
   // Along an edge the distance is largest at one of its ends.
   if (!frame.isNear(edge.start) || !frame.isNear(edge.end)) return false;
+  // Corners of the region may be near the edges of cells that its boundary crosses.
+  const auto isWhole = [&](CircleIndex circle) {
+    return frame.clipped->parts().placeOf(circle) == ClippedDiagram::Place::inside;
+  };
+  if (frame.clipped && !(isWhole(edge.left) && isWhole(edge.right))) return false;
   const double margin = frame.grid.error();
   const auto& box = frame.box;
   const auto isIn = [&](Point p) {

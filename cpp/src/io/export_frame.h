@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "cell_limits.h"
 #include "circle_voronoi/cells.h"
+#include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/export.h"
 #include "digits.h"
 #include "guarded.h"
@@ -15,10 +21,14 @@ namespace circle_voronoi {
 /// badOption if an option is out of range.
 Result<ConvexPolygon> exportRegion(const Diagram& diagram, const ExportOptions& options);
 
+/// Returns the diagram in the region of the options, if there is one.
+Result<std::optional<ClippedDiagram>> clipFor(const Diagram& diagram, const ExportOptions& options);
+
 /// What every writer of a drawing needs: the diagram, the region, and how closely curves and coordinates are written.
 struct ExportFrame {
-  /// `itsRegion` is that of `exportRegion`.
-  ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion);
+  /// `itsRegion` is that of `exportRegion`, `itsClip` what `clipFor` returns.
+  ExportFrame(const Diagram& its, const ExportOptions& options, ConvexPolygon itsRegion,
+              std::optional<ClippedDiagram> itsClip);
   ExportFrame(const ExportFrame&) = delete;
   ExportFrame& operator=(const ExportFrame&) = delete;
 
@@ -27,6 +37,8 @@ struct ExportFrame {
   Point roundInBox(Point p) const;
   double area(double value) const { return hasDigits ? grid.round(value) : value; }
 
+  /// Returns whether a point lies in the region, or in the box if there is none.
+  bool hasInside(Point p) const { return clipped ? clipped->region().contains(p) : region.contains(p); }
   /// Returns whether a vertex lies within the maximum distance.
   bool isNear(VertexIndex vertex) const {
     return !limits.maxDistance || diagram.vertices[static_cast<std::size_t>(vertex)].r <= *limits.maxDistance;
@@ -36,10 +48,18 @@ struct ExportFrame {
   bool hasDigits;  ///< whether digits are given
   DecimalGrid grid;
   Box box;
-  ConvexPolygon region;  ///< the box
-  Limits limits;         ///< of cells and edges
+  ConvexPolygon region;                   ///< the box
+  Limits limits;                          ///< of cells and edges, unless there is a region
+  std::optional<ClippedDiagram> clipped;  ///< the diagram in the region, if there is one
+  std::span<const std::string> attributes;
   double tolerance;      ///< of curves: the part that rounding leaves
 };
+
+/// Returns the outline of the kept part of a cell.
+Outline outlineIn(const ExportFrame& frame, CircleIndex circle);
+
+/// Returns the kept parts of an edge, in its direction.
+std::vector<EdgeCurve> partsIn(const ExportFrame& frame, EdgeIndex edge);
 
 /// Returns the curve of a piece of an outline in the direction of its edge, with the same bits for both cells.
 /// Precondition: the piece does not belong to the region's boundary.
@@ -54,7 +74,9 @@ template <class Body>
 Result<void> unguardedWritingIn(std::ostream& stream, const Diagram& diagram, const ExportOptions& options, Body body) {
   auto region = exportRegion(diagram, options);
   if (!region) return region.error();
-  const ExportFrame frame(diagram, options, *std::move(region));
+  auto clip = clipFor(diagram, options);
+  if (!clip) return clip.error();
+  const ExportFrame frame(diagram, options, *std::move(region), *std::move(clip));
   return unguardedWriting(stream, [&](Writer& out) { body(out, frame); });
 }
 

@@ -10,26 +10,31 @@ namespace {
 
 void writePosition(Writer& out, Point p) { out << "[" << p.x << "," << p.y << "]"; }
 
-void writeRing(Writer& out, const std::vector<Point>& ring) {
-  out << "[[";
-  for (const Point& p : ring) {
-    writePosition(out, p);
-    out << ",";
+void writePolygon(Writer& out, const CellPolygons::Polygon& rings) {
+  std::string_view separator = "[[";
+  for (const auto& ring : rings) {
+    out << separator;
+    for (const Point& p : ring) {
+      writePosition(out, p);
+      out << ",";
+    }
+    writePosition(out, ring.front());
+    out << "]";
+    separator = ",[";
   }
-  writePosition(out, ring.front());
-  out << "]]";
+  out << "]";
 }
 
-void writeGeometry(Writer& out, const std::vector<std::vector<Point>>& rings) {
-  if (rings.empty()) {
+void writeGeometry(Writer& out, const std::vector<CellPolygons::Polygon>& polygons) {
+  if (polygons.empty()) {
     out << "null";
     return;
   }
-  const bool isOne = rings.size() == 1;
+  const bool isOne = polygons.size() == 1;
   out << R"({"type":")" << (isOne ? "Polygon" : "MultiPolygon") << R"(","coordinates":)" << (isOne ? "" : "[");
-  for (std::size_t i = 0; i < rings.size(); ++i) {
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
     if (i > 0) out << ",";
-    writeRing(out, rings[i]);
+    writePolygon(out, polygons[i]);
   }
   out << (isOne ? "}" : "]}");
 }
@@ -56,8 +61,11 @@ bool writeFeatures(Writer& out, const ExportFrame& frame, const Selection& selec
     if (const std::int32_t hider = hiders[static_cast<std::size_t>(i)]; hider != kNone) {
       out << R"(,"hiddenBy":)" << selection.id(hider);
     }
+    if (!frame.attributes.empty() && !frame.attributes[static_cast<std::size_t>(i)].empty()) {
+      out << "," << frame.attributes[static_cast<std::size_t>(i)];
+    }
     out << R"(},"geometry":)";
-    writeGeometry(out, polygons.rings(i));
+    writeGeometry(out, polygons.polygons(i));
     out << "}";
     between = separator;
     isAny = true;

@@ -14,6 +14,15 @@ void writeElement(Writer& out, std::string_view element, const std::vector<Point
   out << "\n";
 }
 
+/// A closed line.
+void writeLoop(Writer& out, const std::vector<Point>& points, std::int64_t& count) {
+  const std::int64_t first = count + 1;
+  for (const Point& p : points) out << "v " << p.x << " " << p.y << " 0\n";
+  out << "l";
+  for (std::size_t i = 0; i < points.size(); ++i) out << " " << ++count;
+  out << " " << first << "\n";
+}
+
 }  // namespace
 
 Result<void> writeObj(std::ostream& stream, const Diagram& diagram, const ExportOptions& options) {
@@ -27,7 +36,11 @@ Result<void> writeObj(std::ostream& stream, const Diagram& diagram, const Export
     out << "o cells\n";
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagram.circles.size()); ++i) {
       out << "g circle" << i << "\n";
-      for (const auto& ring : polygons.rings(i)) writeElement(out, "f", ring, count);
+      for (const auto& rings : polygons.polygons(i)) {
+        writeElement(out, "f", rings.front(), count);
+        // A face has no holes: lines show them.
+        for (std::size_t k = 1; k < rings.size(); ++k) writeLoop(out, rings[k], count);
+      }
     }
   });
 }

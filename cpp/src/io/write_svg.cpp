@@ -148,7 +148,7 @@ void writeCells(Writer& out, const Drawing& drawing) {
       out << "Z\"/>\n";
       return;
     }
-    const Outline loops = limitedOutline(diagram, i, drawing.frame.limits);
+    const Outline loops = outlineIn(drawing.frame, i);
     if (loops.empty()) return;
     begin();
     for (const auto& loop : loops) {
@@ -175,13 +175,13 @@ void writeEdges(Writer& out, const Drawing& drawing) {
       out << "\"/>\n";
       continue;
     }
-    const auto parts = keptParts(diagram, e, frame.limits);
+    const auto parts = partsIn(frame, e);
     if (parts.empty()) continue;
     begin();
-    for (const CurvePart& part : parts) {
-      writePoint(out, "M", frame.round(part.curve.start));
-      const auto points = innerPoints(frame, part.curve);
-      trace(out, points.begin(), points.end(), frame.round(part.curve.end));
+    for (const EdgeCurve& part : parts) {
+      writePoint(out, "M", frame.round(part.start));
+      const auto points = innerPoints(frame, part);
+      trace(out, points.begin(), points.end(), frame.round(part.end));
     }
     out << "\"/>\n";
   }
@@ -257,7 +257,7 @@ void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
 void writeVertices(Writer& out, const Drawing& drawing, double radius) {
   const auto& vertices = drawing.frame.diagram.vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (!drawing.frame.region.contains({vertices[v].x, vertices[v].y})) continue;
+    if (!drawing.frame.hasInside({vertices[v].x, vertices[v].y})) continue;
     if (!drawing.frame.isNear(static_cast<std::int32_t>(v))) continue;
     out << "<circle data-vertex=\"" << static_cast<std::int64_t>(v) << "\" cx=\"" << drawing.vertices[v].x << "\" cy=\""
         << drawing.vertices[v].y << "\" r=\"" << radius << "\"/>\n";

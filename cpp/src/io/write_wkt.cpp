@@ -8,14 +8,19 @@ namespace {
 
 void writeCoordinates(Writer& out, Point p) { out << p.x << " " << p.y; }
 
-void writePolygon(Writer& out, const std::vector<Point>& ring) {
-  out << "((";
-  for (const Point& p : ring) {
-    writeCoordinates(out, p);
-    out << ", ";
+void writeWktPolygon(Writer& out, const CellPolygons::Polygon& rings) {
+  std::string_view separator = "((";
+  for (const auto& ring : rings) {
+    out << separator;
+    for (const Point& p : ring) {
+      writeCoordinates(out, p);
+      out << ", ";
+    }
+    writeCoordinates(out, ring.front());
+    out << ")";
+    separator = ", (";
   }
-  writeCoordinates(out, ring.front());
-  out << "))";
+  out << ")";
 }
 
 }  // namespace
@@ -24,17 +29,17 @@ Result<void> writeWkt(std::ostream& stream, const Diagram& diagram, const Export
   return writingIn(stream, diagram, options, [&](Writer& out, const ExportFrame& frame) {
     const CellPolygons polygons(frame);
     polygons.visit([&](std::int32_t i) {
-      const auto rings = polygons.rings(i);
-      if (rings.empty()) {
+      const auto its = polygons.polygons(i);
+      if (its.empty()) {
         out << "POLYGON EMPTY\n";
         return;
       }
-      out << (rings.size() == 1 ? "POLYGON " : "MULTIPOLYGON (");
-      for (std::size_t k = 0; k < rings.size(); ++k) {
+      out << (its.size() == 1 ? "POLYGON " : "MULTIPOLYGON (");
+      for (std::size_t k = 0; k < its.size(); ++k) {
         if (k > 0) out << ", ";
-        writePolygon(out, rings[k]);
+        writeWktPolygon(out, its[k]);
       }
-      out << (rings.size() == 1 ? "\n" : ")\n");
+      out << (its.size() == 1 ? "\n" : ")\n");
     });
   });
 }

@@ -8,6 +8,13 @@
 
 namespace circle_voronoi {
 
+/// Whether programs may have more than one thread. WebAssembly has one, and spares the code for others.
+#ifdef CIRCLE_VORONOI_ONE_THREAD
+inline constexpr bool kHasThreads = false;
+#else
+inline constexpr bool kHasThreads = true;
+#endif
+
 /// How many threads a computation may use. Threads only share out work whose result does not depend on how it is
 /// shared out.
 class Threads {
@@ -15,7 +22,7 @@ class Threads {
   /// 0: as many as the machine has. One where programs have no threads.
   explicit Threads(int count = 1);
 
-  int count() const { return count_; }
+  int count() const { return kHasThreads ? count_ : 1; }
 
   /// Calls task(i) for each i below `count`, each in one of the threads, and returns when all have ended. What a task
   /// throws is thrown here; then not all need have been called.
@@ -23,7 +30,7 @@ class Threads {
 
   /// Into how many ranges `forRanges` divides so many items. For one thread it is one.
   std::size_t rangesOf(std::size_t items) const {
-    if (count_ == 1) return 1;
+    if (!kHasThreads || count_ == 1) return 1;
     // Some more than there are threads, for not all take as long.
     return std::clamp(items / kFewItems, std::size_t{1}, 4 * static_cast<std::size_t>(count_));
   }
@@ -32,9 +39,8 @@ class Threads {
   template <class Function>
   void forRanges(std::size_t items, Function function) const {
     const std::size_t ranges = rangesOf(items);
-    if (ranges == 1) {
-      function(std::size_t{0}, items, std::size_t{0});
-    } else {
+    if (ranges == 1) return function(std::size_t{0}, items, std::size_t{0});
+    if constexpr (kHasThreads) {
       run(ranges, [&](std::size_t i) { function(beginOf(i, ranges, items), beginOf(i + 1, ranges, items), i); });
     }
   }

@@ -11,9 +11,11 @@
 #include <range/v3/algorithm/copy.hpp>
 #include <range/v3/algorithm/count.hpp>
 #include <range/v3/algorithm/equal.hpp>
+#include <range/v3/algorithm/equal_range.hpp>
 #include <range/v3/algorithm/find.hpp>
 #include <range/v3/algorithm/find_if.hpp>
 #include <range/v3/algorithm/for_each.hpp>
+#include <range/v3/algorithm/is_sorted.hpp>
 #include <range/v3/algorithm/lower_bound.hpp>
 #include <range/v3/algorithm/max.hpp>
 #include <range/v3/algorithm/max_element.hpp>
@@ -22,10 +24,12 @@
 #include <range/v3/algorithm/none_of.hpp>
 #include <range/v3/algorithm/partial_sort.hpp>
 #include <range/v3/algorithm/partition_point.hpp>
+#include <range/v3/algorithm/replace_if.hpp>
 #include <range/v3/algorithm/reverse.hpp>
 #include <range/v3/algorithm/sort.hpp>
 #include <range/v3/algorithm/stable_sort.hpp>
 #include <range/v3/algorithm/transform.hpp>
+#include <range/v3/algorithm/upper_bound.hpp>
 #include <span>
 
 namespace std::ranges {
@@ -35,9 +39,11 @@ using ::ranges::any_of;
 using ::ranges::copy;
 using ::ranges::count;
 using ::ranges::equal;
+using ::ranges::equal_range;
 using ::ranges::find;
 using ::ranges::find_if;
 using ::ranges::for_each;
+using ::ranges::is_sorted;
 using ::ranges::lower_bound;
 using ::ranges::max;
 using ::ranges::max_element;
@@ -46,9 +52,11 @@ using ::ranges::move;
 using ::ranges::none_of;
 using ::ranges::partial_sort;
 using ::ranges::partition_point;
+using ::ranges::replace_if;
 using ::ranges::reverse;
 using ::ranges::sort;
 using ::ranges::stable_sort;
 using ::ranges::transform;
+using ::ranges::upper_bound;
 }  // namespace std::ranges
 #endif

@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { editView } from '../../../web/editing/edited-view.ts'
+import { EditorActions } from '../../../web/editing/editor-actions.ts'
 import { mount } from '../../../web/view/mount.ts'
+import { listenToPointer } from '../../../web/view/pointer.ts'
 import type { View } from '../../../web/view/view.ts'
 
 const circles = Float64Array.of(0, 0, 2, 10, 0, 1, 5, 8, 1.5)
-const [one, other] = ['one', 'other'].map((id) => mount(document.getElementById(id) as HTMLElement, { circles }))
+const nothing = () => {}
+const edited = async (id: string) => {
+  const container = document.getElementById(id) as HTMLElement
+  const view = mount(container)
+  const { store, editing } = editView(view, nothing, nothing)
+  const actions = new EditorActions(store, editing, view, () => ({ top: 16, right: 16, bottom: 16, left: 16 }))
+  listenToPointer(container, view, actions)
+  await actions.open(async () => ({ circles, dataSet: '', isEdited: false }))
+  return view
+}
+const [one, other] = await Promise.all([edited('one'), edited('other')])
 
 /** What the test talks to. */
 export interface TwoViews {

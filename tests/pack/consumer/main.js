@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uses the package as its README says, the same in Node and in a page.
 import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
-import { loadComparison } from 'circle-voronoi/comparison'
 import { createWorker } from 'circle-voronoi/worker'
 
 export const CIRCLES = [
@@ -19,7 +18,7 @@ const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).m
 export async function use(options, comparisonOptions) {
   const library = await loadCircleVoronoi(options)
   const here = library.compute(CIRCLES)
-  const { computeComparison } = await loadComparison(library, comparisonOptions)
+  const { computeComparison } = await library.loadComparison(comparisonOptions)
   const power = computeComparison(CIRCLES, 'power')
   const worker = createWorker(options)
   const stages = []

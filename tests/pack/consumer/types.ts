@@ -13,7 +13,6 @@ import {
   type PathSink,
   type Stage,
 } from 'circle-voronoi'
-import { loadComparison } from 'circle-voronoi/comparison'
 import { loadFiles } from 'circle-voronoi/files'
 import { type CircleVoronoiWorker, createWorker } from 'circle-voronoi/worker'
 
@@ -23,7 +22,7 @@ export const certificate: Certificate = library.certify(diagram)
 export const path: string = diagram.render()
 export const neighbors: Int32Array = diagram.neighbors(0)
 export const code: ErrorCode | undefined = ERROR_CODES[0]
-export const power: Diagram = (await loadComparison(library)).computeComparison([], 'power')
+export const power: Diagram = (await library.loadComparison()).computeComparison([], 'power')
 
 // Every option.
 const { bounds, ...rest } = { bounds: [0, 0, 1, 1] as const, tolerance: 0.1 }

@@ -8,8 +8,8 @@ type VueProps = InstanceType<GlobalComponents['circle-voronoi']>['$props']
 type SvelteProps = SvelteHTMLElements['circle-voronoi']
 
 const circles = [[0, 0, 1]]
-export const vue: VueProps = { circles, class: 'figure', onCircleschange: ({ detail }) => detail.numbers }
-export const svelte: SvelteProps = { circles, class: 'figure', oncircleschange: ({ detail }) => detail.numbers }
+export const vue: VueProps = { circles, class: 'figure', onCircleschange: ({ detail }) => detail.ids }
+export const svelte: SvelteProps = { circles, class: 'figure', oncircleschange: ({ detail }) => detail.ids }
 // @ts-expect-error There is no such method.
 export const wrongVue: VueProps = { method: 'magic' }
 // @ts-expect-error There is no such method.

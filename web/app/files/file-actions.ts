@@ -4,27 +4,42 @@ import type { Editing } from '../../editing/editing.ts'
 import type { HowOpened } from '../../editing/editor-actions.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
-import { CircleVoronoiError } from '../../lib/index.ts'
+import { CircleVoronoiError, circleAt } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
-import type { View } from '../../view/view.ts'
+import { fitted } from '../../view/camera.ts'
+import type { Shot, View } from '../../view/view.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
 import { sourceOf } from '../data-sets.ts'
 import type { LinkWriter } from '../link-writer.ts'
 import type { PageActions } from '../page-actions.ts'
+import { chooseColumns } from '../panels/choose-columns.ts'
+import { toast } from '../panels/toast.ts'
+import { circlesFrom, rowsOf } from './columns.ts'
 import type { FilesClient } from './files-client.ts'
-import type { SavedFormat } from './files-protocol.ts'
+import type { Read, SavedFormat } from './files-protocol.ts'
 import { elementCode, embedCode, save } from './saving.ts'
+import { withLink } from './svg-scene.ts'
 
 /** Larger files are none that a browser could show. */
 const LARGEST_FILE = 2 ** 28
+/** What the reader says of a table whose columns it does not know. */
+const UNKNOWN_COLUMNS = /no column is called|a header has to name|both mean|expected three numbers/
+const READABLE = 'Open CSV, JSON, GeoJSON, an SVG that was saved here, or a picture.'
 /** A longer address is none that browsers open. */
 const LONGEST_LINK = 2_000_000
+/** What of a sheet of paper is a picture: A3 at 300 dots per inch. */
+const POSTER = { long: 4961, short: 3508 }
+/** Around circles that are all in a picture, in pixels. */
+const ROOM = 24
 const TYPES: Readonly<Record<SavedFormat, readonly [ending: string, type: string]>> = {
-  svg: ['.svg', 'image/svg+xml'],
   csv: ['.csv', 'text/csv'],
   json: ['.json', 'application/json'],
   geojson: ['.geojson', 'application/geo+json'],
   cells: ['-cells.geojson', 'application/geo+json'],
 }
+
+/** What a picture shows: as much as the window, or all circles. */
+export type Part = 'seen' | 'all'
 
 /** All that a user can do with files and links. */
 export class FileActions {
@@ -53,31 +68,108 @@ export class FileActions {
 
   /** Opens a file. One that cannot be read changes nothing. */
   openFile(file: File): Promise<HowOpened> {
-    return this.#actions.openRead(async () => {
-      if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
-      return this.#client.read(new Uint8Array(await file.arrayBuffer()), file.name)
-    })
+    return this.#actions.openRead(() => this.#readFile(file))
   }
 
-  /** Opens a text as if it were a file, or a link. */
-  openText(text: string): Promise<HowOpened> {
+  /** Takes a text as if it were a file, or a link. Circles of a table are added to those that there are. */
+  async openText(text: string): Promise<HowOpened> {
     const link = /^\S*#(v\d+\.[\w-]+)$/.exec(text.trim())?.[1]
     if (link !== undefined) return this.#actions.openLink(link)
-    return this.#actions.openRead(() => this.#client.read(new TextEncoder().encode(text), 'The pasted text'))
+    const name = 'The pasted text'
+    const read = () => this.#read(new TextEncoder().encode(text), name)
+    const isTable = !/^\s*[[{<]/.test(text)
+    if (!isTable || this.#editing.circles.count === 0) return this.#actions.openRead(read)
+    return this.#add(read)
+  }
+
+  async #add(read: () => Promise<Read>): Promise<HowOpened> {
+    try {
+      const result = await read()
+      if ('link' in result) return this.#actions.openLink(result.link)
+      const { circles } = result
+      const added = Array.from({ length: circles.length / 3 }, (_, i) => circleAt(circles, i))
+      const ids = await this.#actions.add(added)
+      if (ids.length === 0) return 'refused'
+      this.#actions.reveal(added)
+      const count = ids.length === 1 ? 'One circle was' : `${wholeNumber(ids.length)} circles were`
+      const replace = async () => {
+        await this.#actions.undo()
+        await this.#actions.openRead(async () => result)
+      }
+      toast(`${count} added.`, { label: 'Replace all circles instead', act: replace })
+      return 'opened'
+    } catch (error) {
+      this.#actions.complain((error as Error).message)
+      return 'refused'
+    }
+  }
+
+  async #readFile(file: File): Promise<Read> {
+    if (file.size > LARGEST_FILE) throw new Error(`${file.name}: the file is too large.`)
+    const isPicture = file.type.startsWith('image/') && file.type !== 'image/svg+xml'
+    if (!isPicture) return this.#read(new Uint8Array(await file.arrayBuffer()), file.name)
+    try {
+      return await this.#client.stipple(file)
+    } catch {
+      throw new Error(`${file.name} cannot be read as a picture.`)
+    }
+  }
+
+  /** What the library does not know as a table of circles may be one with other names of columns. */
+  async #read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
+    try {
+      // The thread gets them.
+      return await this.#client.read(bytes.slice(), name)
+    } catch (error) {
+      const { message } = error as Error
+      if (isBinary(bytes)) throw new Error(`${name} is not a table of circles. ${READABLE}`)
+      const rows = UNKNOWN_COLUMNS.test(message) ? rowsOf(new TextDecoder().decode(bytes)) : undefined
+      // Of three columns without names, a row is wrong, and not the columns.
+      if (rows === undefined || (rows.heading.length === 3 && !rows.hasHeading)) throw error
+      const chosen = await chooseColumns(rows, name)
+      // Whoever has closed the dialog knows.
+      if (chosen === undefined) throw new Error('')
+      return circlesFrom(rows, chosen.columns, chosen.isDiameter, name)
+    }
   }
 
   async saveAs(format: SavedFormat): Promise<void> {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
-      const text = await this.#client.write(circles, format, format === 'svg' ? await this.#link() : '')
+      const text = await this.#client.write(circles, format)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
     })
   }
 
-  /** The picture that is seen, so many times as large. */
-  async savePicture(scale: number): Promise<void> {
-    await this.#try(async () => save(await this.#view.toPNG(scale), `${this.#name}.png`))
+  /** The drawing as it is seen, which opens the same again if it is not too large. */
+  async saveDrawing(part: Part): Promise<void> {
+    await this.#try(async () => {
+      const svg = withLink(await this.#view.toSVG(this.#shotOf(part)), await this.#link())
+      save(new Blob([svg], { type: 'image/svg+xml' }), `${this.#name}.svg`)
+    })
+  }
+
+  /** The picture as it is seen, so many times as large. */
+  async savePicture(part: Part, scale: number): Promise<void> {
+    await this.#try(async () => save(await this.#view.toPNG(scale, this.#shotOf(part)), `${this.#name}.png`))
+  }
+
+  /** The same for a sheet of paper, which shows a little more on two sides. */
+  async savePoster(part: Part): Promise<void> {
+    const { camera, size } = this.#shotOf(part)
+    const isWide = size.width >= size.height
+    const [across, down] = isWide ? [POSTER.long, POSTER.short] : [POSTER.short, POSTER.long]
+    const scale = Math.min(across / size.width, down / size.height)
+    const sheet = { camera, size: { width: across / scale, height: down / scale } }
+    await this.#try(async () => save(await this.#view.toPNG(scale, sheet), `${this.#name}-poster.png`))
+  }
+
+  #shotOf(part: Part): Shot {
+    const { camera, size } = this.#view
+    if (part === 'seen') return { camera, size }
+    const room = { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM }
+    return { camera: fitted(this.#editing.circles.box(), size, room), size }
   }
 
   /** Reports whether it is in the clipboard. */
@@ -139,6 +231,11 @@ export class FileActions {
       return false
     }
   }
+}
+
+/** Whether these are no text: there is a byte that none has. */
+function isBinary(bytes: Uint8Array): boolean {
+  return bytes.subarray(0, 4096).includes(0)
 }
 
 /** Where something beside this page is. */

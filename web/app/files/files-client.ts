@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { CircleVoronoiError } from '../../lib/base/errors.ts'
+import { receivedError } from '../../lib/base/errors.ts'
 import type { Float64s } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
 import type { Catalogue, Recipe } from '../generators/generators.ts'
@@ -16,9 +16,14 @@ export class FilesClient {
     return this.#ask((request) => ({ kind: 'read', request, bytes, name }))
   }
 
+  /** Circles that show a picture. @throws CircleVoronoiError `internal`, if the browser cannot read it */
+  stipple(picture: Blob): Promise<Read> {
+    return this.#ask((request) => ({ kind: 'stipple', request, picture }))
+  }
+
   /** @throws CircleVoronoiError as `compute`, `writeDiagram` */
-  write(circles: Float64s, format: SavedFormat, link: string): Promise<string> {
-    return this.#ask((request) => ({ kind: 'write', request, circles, format, link }))
+  write(circles: Float64s, format: SavedFormat): Promise<string> {
+    return this.#ask((request) => ({ kind: 'write', request, circles, format }))
   }
 
   /** @throws CircleVoronoiError as `encodeLink` */
@@ -43,8 +48,15 @@ export class FilesClient {
       this.#waiting.set(request, resolve)
       worker.postMessage(question(request))
     })
-    if (error !== undefined) throw new CircleVoronoiError(error.code, error.circle, error.message)
+    if (error !== undefined) throw receivedError(error)
     return result as Result
+  }
+
+  /** Ends all that is being done; nobody hears of it any more. */
+  cancel(): void {
+    this.#worker?.terminate()
+    this.#worker = undefined
+    this.#waiting.clear()
   }
 
   #start(): Worker {
@@ -57,7 +69,7 @@ export class FilesClient {
     worker.onerror = () => {
       const message = 'The part of the page that does this could not be loaded. Try again.'
       for (const [request, answer] of this.#waiting)
-        answer({ request, error: { code: 'notLoaded', circle: -1, message } })
+        answer({ request, error: { code: 'notLoaded', circle: undefined, message } })
       this.#waiting.clear()
       // The next one may work.
       worker.terminate()

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between the page and the thread that reads and writes files and links, and makes circles.
-import type { ErrorCode, Float64s } from '../../lib/index.ts'
+import type { PostedError } from '../../lib/base/errors.ts'
+import type { Float64s } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
+import type { NamedCircles } from '../csv.ts'
 import type { Recipe } from '../generators/generators.ts'
 
 /** `geojson`: circles as points with a radius; `cells`: cells as polygons, in GeoJSON too. */
-export type SavedFormat = 'svg' | 'csv' | 'json' | 'geojson' | 'cells'
+export type SavedFormat = 'csv' | 'json' | 'geojson' | 'cells'
 
 /** What a file holds: circles, or a link that was saved with them. */
-export type Read = { readonly circles: Float64s } | { readonly link: string }
+export type Read = NamedCircles | { readonly link: string }
 
 export type FilesRequest =
   | { readonly kind: 'read'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer>; readonly name: string }
+  | { readonly kind: 'stipple'; readonly request: number; readonly picture: Blob }
   | {
       readonly kind: 'write'
       readonly request: number
       readonly circles: Float64s
       readonly format: SavedFormat
-      /** What opens the same again; empty: too large for a link. */
-      readonly link: string
     }
   | { readonly kind: 'link'; readonly request: number; readonly state: LinkInput }
   | { readonly kind: 'make'; readonly request: number; readonly recipe: Recipe }
@@ -27,5 +28,5 @@ export type FilesRequest =
 export interface FilesReply {
   readonly request: number
   readonly result?: unknown
-  readonly error?: { readonly code: ErrorCode; readonly circle: number; readonly message: string }
+  readonly error?: PostedError
 }

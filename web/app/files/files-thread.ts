@@ -2,13 +2,19 @@
 // What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { encodeLink } from '../../lib/link.ts'
+import { randomNumbers } from '../random-circles.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
-import { circlesOfSvg, withLink } from './svg-scene.ts'
+import { namesIn } from './names.ts'
+import { stippled, tonesOf } from './stipple.ts'
+import { circlesOfSvg } from './svg-scene.ts'
 
 const port = globalThis as unknown as {
   onmessage: (event: MessageEvent<FilesRequest>) => void
   postMessage(message: FilesReply, transfer?: Transferable[]): void
 }
+
+/** The same picture becomes the same circles. */
+const STIPPLED = 1
 
 const files = kept(async () => (await import('../../lib/files.ts')).loadFiles())
 const library = kept(async () => (await import('../../lib/wasm/loader.ts')).loadCircleVoronoi())
@@ -19,7 +25,8 @@ port.onmessage = async ({ data }) => {
   try {
     port.postMessage({ request, result: await resultOf(data) })
   } catch (error) {
-    const { code, circle } = error instanceof CircleVoronoiError ? error : { code: 'internal' as const, circle: -1 }
+    const { code, circle } =
+      error instanceof CircleVoronoiError ? error : { code: 'internal' as const, circle: undefined }
     port.postMessage({ request, error: { code, circle, message: `${reasonOf(error)}.` } })
   }
 }
@@ -28,6 +35,8 @@ async function resultOf(data: FilesRequest): Promise<unknown> {
   switch (data.kind) {
     case 'read':
       return read(data)
+    case 'stipple':
+      return { circles: stippled(await tonesOf(data.picture), randomNumbers(STIPPLED)) } satisfies Read
     case 'write':
       return write(data)
     case 'link':
@@ -43,10 +52,12 @@ async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): P
   const text = new TextDecoder().decode(bytes)
   if (/^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)) return circlesOfSvg(text, name)
   const { holdsDiagram, readCircles, readDiagram } = await files()
-  return { circles: holdsDiagram(bytes) ? readDiagram(bytes, { name }).circles : readCircles(bytes, { name }) }
+  if (holdsDiagram(bytes)) return { circles: readDiagram(bytes, { name }).circles }
+  const circles = readCircles(bytes, { name })
+  return { circles, names: namesIn(text, circles.length / 3) }
 }
 
-async function write({ circles, format, link }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {
+async function write({ circles, format }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
   const { compute } = await library()
   switch (format) {
@@ -58,8 +69,6 @@ async function write({ circles, format, link }: Extract<FilesRequest, { kind: 'w
       return writeDiagram(compute(circles), { format })
     case 'cells':
       return writeDiagram(compute(circles), { format: 'geojson' })
-    case 'svg':
-      return withLink(writeDiagram(compute(circles), { format }), link)
   }
 }
 

@@ -8,11 +8,9 @@ const CIRCLES = /<g id="circles" class="circles">([\s\S]*?)<\/g>/
 // As they are written: circles, and those of radius 0 as points.
 const CIRCLE = /<circle data-circle="(\d+)"[^<>]* cx="([^"]+)" cy="([^"]+)" r="([^"]+)"\/>/y
 
-/** A drawing of `writeDiagram` that says what it shows. */
+/** A drawing that says what it shows. */
 export function withLink(svg: string, link: string): string {
-  return link === ''
-    ? svg
-    : svg.replace('\n<style>', () => `\n<metadata id="circle-voronoi">${link}</metadata>\n<style>`)
+  return link === '' ? svg : svg.replace('>\n', () => `>\n<metadata id="circle-voronoi">${link}</metadata>\n`)
 }
 
 /** @throws CircleVoronoiError `badInput` */
@@ -34,5 +32,5 @@ export function circlesOfSvg(text: string, name: string): Read {
 }
 
 function refuse(name: string): never {
-  throw new CircleVoronoiError('badInput', -1, `${name}: this SVG is none that was saved here with all of its circles.`)
+  throw new CircleVoronoiError('badInput', `${name}: this SVG is none that was saved here with all of its circles.`)
 }

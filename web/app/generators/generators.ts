@@ -53,7 +53,7 @@ export async function loadGenerators(wasm?: WasmSource): Promise<Generators> {
         : module.generate(recipe.family, recipe.count, recipe.seed)
     if (circles !== undefined) return circles
     const name = recipe.kind === 'figure' ? `figure "${recipe.figure}"` : `family "${recipe.family}"`
-    throw new CircleVoronoiError('badInput', -1, `There is no ${name}.`)
+    throw new CircleVoronoiError('badInput', `There is no ${name}.`)
   }
   const sampleOf = (circles: Float64s) => (circles.length > 3 * LARGEST_SAMPLE ? circles.slice(0, 3 * SAMPLE) : circles)
 

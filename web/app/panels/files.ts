@@ -1,43 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, svg, type TemplateResult } from 'lit'
-import type { FileActions } from '../files/file-actions.ts'
+import type { FileActions, Part } from '../files/file-actions.ts'
 import type { SavedFormat } from '../files/files-protocol.ts'
 import { byId } from './by-id.ts'
-import { folding } from './folding.ts'
+import { panelOf } from './panel.ts'
 
-const OPENED = '.csv,.tsv,.txt,.json,.geojson,.svg'
-/** What is copied is said for so long, in milliseconds. */
-const SAID = 4000
+const OPENED = '.csv,.tsv,.txt,.json,.geojson,.svg,image/*'
 
 const SAVED: readonly (readonly [format: SavedFormat, label: string, what: string])[] = [
-  ['svg', 'SVG', 'a drawing, which opens again as it is'],
   ['csv', 'CSV', 'x, y and r of each circle'],
   ['json', 'JSON', 'circles and their diagram'],
   ['geojson', 'GeoJSON', 'circles as points with a radius'],
   ['cells', 'Cells', 'GeoJSON with the cells as polygons'],
 ]
+const PARTS: readonly (readonly [part: Part, label: string])[] = [
+  ['seen', 'what you see'],
+  ['all', 'all circles'],
+]
 
 const icon = (path: TemplateResult) => html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`
 const FOLDER = icon(svg`<path d="M3 6v9h14V7h-7L8 5H3Z" />`)
 const DOWN = icon(svg`<path d="M10 4v8m-3-3 3 3 3-3M4 16h12" />`)
-const CHAIN = icon(svg`<path d="M8 12l4-4M7 9l-2 2a2.800 2.800 0 0 0 4 4l2-2M13 11l2-2a2.800 2.800 0 0 0-4-4L9 7" />`)
-const CODE = icon(svg`<path d="m7 6-4 4 4 4M13 6l4 4-4 4" />`)
 
-/** Open, save and share. */
+/** Opening and saving. */
 export function mountFiles(actions: FileActions): void {
-  let said = ''
   /** How many pixels a saved picture has for one that is seen. */
   let scale = 2
-  let timer: ReturnType<typeof setTimeout> | undefined
+  let part: Part = 'seen'
 
-  const say = (text: string) => {
-    said = text
-    draw()
-    clearTimeout(timer)
-    if (text !== '') timer = setTimeout(() => say(''), SAID)
-  }
-  const copy = async (act: () => Promise<boolean>, what: string) =>
-    say((await act()) ? `${what} is in the clipboard.` : '')
   const open = async ({ target }: Event) => {
     const input = target as HTMLInputElement
     const file = input.files?.[0]
@@ -45,9 +35,14 @@ export function mountFiles(actions: FileActions): void {
     // The same file may be chosen once more.
     input.value = ''
   }
-
   const rescale = ({ target }: Event) => {
-    scale = (target as HTMLInputElement).valueAsNumber
+    const input = target as HTMLInputElement
+    if (input.reportValidity()) scale = input.valueAsNumber
+    // What is not used does not stay.
+    else input.value = String(scale)
+  }
+  const choosePart = ({ target }: Event) => {
+    part = (target as HTMLSelectElement).value as Part
   }
 
   const draw = () =>
@@ -57,8 +52,31 @@ export function mountFiles(actions: FileActions): void {
             ${FOLDER}Open …
             <input type="file" class="visually-hidden" accept=${OPENED} @change=${open} />
           </label>
-          <p>or drop or paste it: CSV, JSON, GeoJSON, or an SVG that was saved here</p>
-          <h3>Save</h3>
+          <p>You can also drop or paste a file: CSV, JSON, GeoJSON, an SVG that was saved here, or a picture, which becomes circles.</p>
+          <h3>Save the picture</h3>
+          <div class="choices">
+            <label>of
+              <select aria-label="What the picture shows" @change=${choosePart}>
+                ${PARTS.map(([value, label]) => html`<option value=${value} ?selected=${value === part}>${label}</option>`)}
+              </select>
+            </label>
+          </div>
+          <div class="choices">
+            <button type="button" title="Save a drawing as you see it, which opens here again" @click=${() => actions.saveDrawing(part)}>
+              ${DOWN}SVG
+            </button>
+            <button type="button" title="Save a picture as you see it" @click=${() => actions.savePicture(part, scale)}>
+              ${DOWN}PNG
+            </button>
+            <label>
+              times
+              <input type="number" min="0.1" step="any" required .value=${String(scale)} @change=${rescale} autocomplete="off" />
+            </label>
+            <button type="button" title="Save a PNG for a sheet of A3 paper at 300 dots per inch" @click=${() => actions.savePoster(part)}>
+              ${DOWN}Poster, A3
+            </button>
+          </div>
+          <h3>Save the data</h3>
           <div class="choices">
             ${SAVED.map(
               ([format, label, what]) =>
@@ -67,38 +85,8 @@ export function mountFiles(actions: FileActions): void {
                 </button>`,
             )}
           </div>
-          <div class="choices">
-            <button type="button" title="Save the picture that is seen" @click=${() => actions.savePicture(scale)}>
-              ${DOWN}PNG
-            </button>
-            <label>
-              times
-              <input type="number" min="0.1" step="any" .value=${String(scale)} @change=${rescale} autocomplete="off" />
-            </label>
-          </div>
-          <h3>Share</h3>
-          <div class="choices">
-            <button type="button" title="Copy a link to what is shown" @click=${() => copy(() => actions.copyLink(), 'The link')}>
-              ${CHAIN}Copy link
-            </button>
-            <button
-              type="button"
-              title="Copy HTML that shows this in another page"
-              @click=${() => copy(() => actions.copyEmbedCode(), 'The code')}
-            >
-              ${CODE}Copy embed code
-            </button>
-            <button
-              type="button"
-              title="Copy a script and a tag that show these circles in another page, without a frame"
-              @click=${() => copy(() => actions.copyElementCode(), 'The code')}
-            >
-              ${CODE}Copy element
-            </button>
-          </div>
-          <p aria-live="polite">${said}</p>
       `,
     )
-  const panel = folding(byId('files', HTMLElement), 'Files', svg`<path d="M3 6v9h14V7h-7L8 5H3Z" />`, draw)
+  const panel = panelOf(byId('files', HTMLElement), 'Open and save', draw)
   draw()
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg, type TemplateResult } from 'lit'
+import { html, nothing, svg, type TemplateResult } from 'lit'
 import type { Float64s } from '../../lib/index.ts'
-import { MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
+import { DATA_SETS, type DataSet, MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
 import type { FilesClient } from '../files/files-client.ts'
 import type { Catalogue, Family, Figure, Pictured } from '../generators/generators.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
-import { folding } from './folding.ts'
+import { panelOf } from './panel.ts'
 
-const ICON = svg`<circle cx="7" cy="13" r="4" /><circle cx="14.500" cy="6" r="2.500" /><path d="M5 3v5M2.500 5.500h5" />`
 const DICE = svg`<rect x="4" y="4" width="12" height="12" rx="2" /><path d="M7.500 7.500v.1M12.500 7.500v.1M10 10v.1M7.500 12.500v.1M12.500 12.500v.1" />`
 
 /** What the fields say until a family is shown. */
@@ -41,7 +40,7 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
     draw()
   }
   const draw = () => folded.render(body)
-  const folded = folding(panel, 'Generate', ICON, draw, load)
+  const folded = panelOf(panel, 'Circles', draw, { onopen: load })
 
   const generate = (family: string) => actions.generate({ kind: 'family', family, ...fields })
   const change = (event: Event) => {
@@ -99,7 +98,19 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
     `
   }
 
+  const setRow = ({ id, label, about, credit }: DataSet) => html`
+    <li>
+      <button type="button" data-name=${id} aria-current=${id === shown} @click=${() => actions.load(id)}>
+        <span>${label}<small>${about}${credit === undefined ? nothing : html`<br />${credit}`}</small></span>
+      </button>
+    </li>
+  `
+
   const body = () => html`
+    <ul aria-label="Prepared circles">
+      ${DATA_SETS.filter(({ random }) => random === undefined).map(setRow)}
+    </ul>
+    <h3>Random circles</h3>
     <div class="fields">
       <label title="How many circles a family makes">
         n
@@ -117,7 +128,6 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
   `
 
   draw()
-  if (folded.isOpen) load()
   return {
     show(dataSet) {
       if (dataSet === shown) return
@@ -128,7 +138,7 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
     },
     open() {
       folded.open()
-      panel.querySelector('button')?.focus()
+      panel.querySelector<HTMLElement>('.body button, .body input')?.focus()
     },
   }
 }

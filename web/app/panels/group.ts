@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, render } from 'lit'
+import { html, render, type TemplateResult } from 'lit'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
@@ -10,8 +10,8 @@ import { byId } from './by-id.ts'
 export function mountGroup(store: Store<State>, actions: PageActions): void {
   const panel = byId('group', HTMLElement)
   const figure = byId('figure', HTMLElement)
-  const act = (action: () => void) => () => {
-    action()
+  const deselect = () => {
+    actions.select([])
     figure.focus()
   }
   store.subscribe(({ selection }) => {
@@ -19,18 +19,29 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
     if (panel.hidden) return
     render(
       html`
-        <header class="row">
+        <header>
           <h2>${wholeNumber(selection.length)} circles</h2>
-          <button type="button" class="icon" aria-label="Deselect" title="Deselect (Escape)" @click=${act(() => actions.select([]))}>
+          <button type="button" class="icon" aria-label="Deselect" title="Deselect (Escape)" @click=${deselect}>
             <svg viewBox="0 0 20 20" aria-hidden="true"><path d="m6 6 8 8M14 6l-8 8" /></svg>
           </button>
         </header>
-        <div class="choices">
-          <button type="button" title="Duplicate (Ctrl+D)" @click=${act(() => actions.duplicateSelected())}>Duplicate</button>
-          <button type="button" title="Delete (Delete)" @click=${act(() => actions.removeSelected())}>Delete</button>
-        </div>
+        <div class="choices">${selectionActions(actions)}</div>
       `,
       panel,
     )
   })
+}
+
+/** What can be done with circles that are selected, one or several. */
+export function selectionActions(actions: PageActions): TemplateResult {
+  const figure = byId('figure', HTMLElement)
+  const act = (action: () => void) => () => {
+    action()
+    figure.focus()
+  }
+  return html`
+    <button type="button" title="Zoom to the selection (F)" @click=${act(() => actions.zoomToSelection())}>Zoom to</button>
+    <button type="button" title="Duplicate (Ctrl+D)" @click=${act(() => actions.duplicateSelected())}>Duplicate</button>
+    <button type="button" title="Delete (Delete)" @click=${act(() => actions.removeSelected())}>Delete</button>
+  `
 }

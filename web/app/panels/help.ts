@@ -9,6 +9,7 @@ const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: st
       ['wheel, pinch, + −', 'zoom'],
       ['drag, Space + drag, middle button, arrows', 'pan'],
       ['0', 'show everything; again: leave out what lies far outside'],
+      ['F', 'zoom to the selection'],
     ],
   ],
   [
@@ -24,9 +25,10 @@ const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: st
   [
     'Edit',
     [
-      ['double click, A and drag', 'add a circle'],
-      ['press and hold where no circle is', 'what a new one would take; release: it is added'],
-      ['drag its disc, its rim, the square', 'move, resize, scale'],
+      ['double click or double tap, A and drag', 'add a circle'],
+      ['N', 'add a circle in the middle of the picture'],
+      ['press and hold where no circle is', 'see what a new circle would take; release to add it'],
+      ['drag its disc, its rim, the square handle', 'move, resize, scale'],
       ['arrows, + −', 'move and resize by a step: Shift ten, Alt a tenth'],
       ['Alt + drag, S', 'snap to neighbors and to a grid'],
       ['Ctrl + C, X, V, D', 'copy, cut, paste, duplicate'],
@@ -38,7 +40,7 @@ const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: st
   [
     'Tools',
     [
-      ['V, H, A', 'select, pan, add'],
+      ['V, H, A', 'select, pan, add until Escape'],
       ['?', 'this help'],
     ],
   ],

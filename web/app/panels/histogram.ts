@@ -43,7 +43,7 @@ export class Histogram {
         series: [
           {},
           {
-            fill: style.getPropertyValue('--bar').trim(),
+            fill: style.accentColor,
             points: { show: false },
             paths: (uPlot.paths.bars as uPlot.Series.BarsPathBuilderFactory)({ size: [0.9, 60], align: 0 }),
           },

@@ -32,6 +32,13 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     })
     field.addEventListener('blur', () => {
       typing = undefined
+      // What was refused does not stay.
+      const { circle, problem } = store.get()
+      if (circle === undefined) return
+      const text = shortest(circle[FIELDS[i] as Field])
+      if (field.value !== text && problem !== '') actions.complain('')
+      field.value = text
+      field.setAttribute('aria-invalid', 'false')
     })
     field.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') figure.focus()
@@ -57,7 +64,8 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     panel.hidden = circle === undefined
     if (circle === undefined) return
 
-    if (title.textContent !== `Circle ${state.selected}`) title.textContent = `Circle ${state.selected}`
+    const id = state.selected as number
+    if (title.textContent !== `Circle ${id}`) title.textContent = `Circle ${id}`
     fields.forEach((field, i) => {
       const value = circle[FIELDS[i] as Field]
       const text = shortest(value)

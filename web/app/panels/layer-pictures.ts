@@ -8,7 +8,7 @@ const OTHERS = svg`<path class="q" d=${EDGE} />`
 
 const PICTURES = {
   circles: svg`<circle class="f" cx="9" cy="15" r="5" /><circle class="f" cx="24" cy="7" r="3" />`,
-  cells: svg`<path class="t1" d="M0 0h11c1 6 5 10 11 16v6H0z" /><path class="t4" d="M11 0c1 6 5 10 11 16h10V0z" />`,
+  cells: svg`<path class="a" d="M0 0h11c1 6 5 10 11 16v6H0z" /><path class="b" d="M11 0c1 6 5 10 11 16h10V0z" />`,
   edges: svg`${CIRCLES}<path class="edge" d=${EDGE} />`,
   vertices: svg`<path class="q" d="M1 3l13 8M14 11l2 10M14 11 31 6" /><circle class="vertex" cx="14" cy="11" r="2.6" />`,
   disc: svg`${CIRCLES}${OTHERS}<circle class="touching" cx="15.500" cy="8.300" r="4.300" /><circle class="touching dot" cx="12.200" cy="11.200" r="1.500" /><circle class="touching dot" cx="19.700" cy="7.700" r="1.500" />`,
@@ -20,7 +20,7 @@ const PICTURES = {
   power: svg`${CIRCLES}<path class="power" d="M12 0l11 22" />`,
   largestDisc: svg`<circle class="c" cx="5" cy="5" r="3.500" /><circle class="c" cx="27" cy="7" r="3" /><circle class="c" cx="16" cy="22" r="3" /><circle class="touching" cx="16" cy="9.500" r="9" />`,
   path: svg`<circle class="c" cx="9" cy="6" r="4" /><circle class="c" cx="20" cy="17" r="4" /><path class="path" d="M2 18c8 0 12-8 28-14" />`,
-  maxDistance: svg`<path class="t4" d="M4 15a9 9 0 0 1 12-8.400A16 16 0 0 0 21 17a9 9 0 0 1-17-2z" /><circle class="c" cx="12" cy="14" r="3.500" />`,
+  maxDistance: svg`<path class="b" d="M4 15a9 9 0 0 1 12-8.400A16 16 0 0 0 21 17a9 9 0 0 1-17-2z" /><circle class="c" cx="12" cy="14" r="3.500" />`,
   samples: svg`${CIRCLES}<circle class="samples" cx="13" cy="12" r="1.800" /><circle class="samples" cx="5" cy="18" r="1.800" /><circle class="samples" cx="21" cy="6" r="1.800" />`,
   sampleGraph: svg`<path class="sample-graph" d="M3 18 13 12l8-8 8 8-16 0 4 9z" />`,
   antipodalDiscs: svg`${CIRCLES}<circle class="antipodal" cx="17.200" cy="10.700" r="4.300" />`,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, svg, type TemplateResult } from 'lit'
+import { html, nothing, type TemplateResult } from 'lit'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { CANDIDATES, type Candidates } from '../../lib/base/types.ts'
 import {
-  CANDIDATES,
-  type Candidates,
   CELL_COLORS,
   type CellColors,
   isMethodShown,
@@ -14,24 +13,23 @@ import {
   SAMPLES,
 } from '../../view/layers.ts'
 import type { MethodFound } from '../../view/protocol.ts'
-import { MAP_COLORS, TINTS } from '../../view/style.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
-import { folding } from './folding.ts'
 import { type Pictured, pictureOf } from './layer-pictures.ts'
 import { saidOf } from './method-found.ts'
+import { panelOf } from './panel.ts'
 
-const ICON = svg`<path d="m10 3 7 4-7 4-7-4zM3 10.500l7 4 7-4M3 14l7 4 7-4" />`
 /** In extents of what is seen: where nothing is merged but by rounding, and how far the slider goes. */
 const NEAR_ZERO = 1e-9
 const FARTHEST = 0.25
 
 const COLOR_NAMES: Readonly<Record<CellColors, string>> = {
-  none: 'no color',
+  auto: 'automatic',
+  none: 'none',
   radius: 'by radius',
-  area: 'by area',
+  area: 'by area of the cell',
   degree: 'by neighbors',
   gap: 'by nearest distance',
   index: 'by number',
@@ -42,21 +40,12 @@ const CANDIDATE_NAMES: Readonly<Record<Candidates, string>> = {
   uniform: 'equally spaced samples',
   'all-pairs': 'all pairs of circles',
 }
-/** What the first and the last of the tints stand for. */
-const ENDS: Readonly<Partial<Record<CellColors, readonly [string, string]>>> = {
-  radius: ['small', 'large'],
-  area: ['small', 'large'],
-  degree: ['4 or fewer', '9 or more'],
-  gap: ['near', 'far'],
-  index: ['first', 'last'],
-}
-
-/** What is drawn: a legend in which each layer can be switched. */
+/** What is drawn: each layer with its picture and a switch. */
 export function mountLayers(store: Store<State>, actions: PageActions, view: View): void {
   const panel = byId('layers', HTMLElement)
   const draw = () => folded.render(() => html`${waiting()} ${body(store.get())}`)
   view.on('diagram', () => draw())
-  const folded = folding(panel, 'Layers', ICON, draw)
+  const folded = panelOf(panel, 'Layers', draw)
 
   const toggle = (name: keyof Layers & Pictured, label: string, note: unknown = nothing): TemplateResult => {
     const layers = store.get().layers
@@ -124,7 +113,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
       <legend>Diagram</legend>
       ${toggle('circles', 'Circles')}
       <div class="layer">
-        ${pictureOf('cells')}<label for="cell-colors">Cells</label>
+        ${pictureOf('cells')}<label for="cell-colors">Colors</label>
         <select
           id="cell-colors"
           .value=${layers.cells}
@@ -133,7 +122,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
           ${CELL_COLORS.map((name) => html`<option value=${name} ?selected=${name === layers.cells}>${COLOR_NAMES[name]}</option>`)}
         </select>
       </div>
-      ${key(layers.cells)} ${toggle('edges', 'Edges')} ${toggle('vertices', 'Vertices')}
+      ${toggle('edges', 'Edges')} ${toggle('vertices', 'Vertices')}
       ${layers.vertices ? mergeControl(layers) : nothing} ${toggle('hidden', 'What hides hidden circles')}
       ${cutControl(layers)}
     </fieldset>
@@ -157,9 +146,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
       actions.setLayers({ path: undefined })
       return
     }
-    const { x, y, scale } = view.camera
-    const half = (0.3 * view.size.width) / scale
-    actions.setLayers({ path: { from: { x: x - half, y }, to: { x: x + half, y } } })
+    actions.setLayers({ path: actions.pathAcross() })
   }
 
   const mergeControl = ({ nearZero }: Layers) => html`
@@ -234,19 +221,6 @@ function row(
 ): TemplateResult {
   return html`<div class="layer">
     <label>${pictureOf(picture)}<span>${label}</span>${note}<input type="checkbox" .checked=${isOn} @change=${change} /></label>
-  </div>`
-}
-
-function key(colors: CellColors): unknown {
-  if (colors === 'none') return nothing
-  const isMap = colors === 'different'
-  const swatches = Array.from(
-    { length: isMap ? MAP_COLORS : TINTS },
-    (_, k) => svg`<rect class=${`${isMap ? 'm' : 't'}${k}`} x=${16 * k} width="16" height="8" />`,
-  )
-  const [first, last] = ENDS[colors] ?? ['at most six colors', '']
-  return html`<div class="key">
-    <span>${first}</span><svg viewBox="0 0 96 8" aria-hidden="true">${swatches}</svg><span>${last}</span>
   </div>`
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, svg, type TemplateResult } from 'lit'
+import { html, nothing, type TemplateResult } from 'lit'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { Options } from '../../lib/index.ts'
@@ -8,10 +8,9 @@ import type { Computed, Distribution } from '../../view/protocol.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
-import { folding } from './folding.ts'
 import type { Histogram } from './histogram.ts'
+import { panelOf } from './panel.ts'
 
-const ICON = svg`<path d="M4 16V9M8 16V4M12 16v-5M16 16v-8M2 16h16" />`
 /** How long nothing changes before cells are counted, in milliseconds. */
 const REST = 250
 
@@ -48,7 +47,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
     clearTimeout(rest)
     if (folded.isOpen) rest = setTimeout(measure, REST)
   }
-  const folded = folding(panel, 'Numbers', ICON, draw, measureAtRest)
+  const folded = panelOf(panel, 'Numbers', draw, { onopen: measureAtRest })
 
   const measure = async () => {
     const of = edited

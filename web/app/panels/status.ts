@@ -9,41 +9,48 @@ export function mountStatus(store: Store<State>): void {
   const status = byId('status', HTMLParagraphElement)
   const problem = byId('problem', HTMLParagraphElement)
 
-  const hint = byId('hint', HTMLParagraphElement)
   let edited: State['edited']
-  status.replaceChildren(...statusParts(edited))
 
   store.subscribe((state) => {
-    // Whoever has done something knows.
-    hint.hidden =
-      state.edited === undefined || state.history.done.length > 0 || state.selection.length > 0 || state.problem !== ''
     // It is read out each time.
-    if (state.edited !== edited) status.replaceChildren(...statusParts(state.edited))
-    edited = state.edited
+    if (state.edited !== edited && state.edited !== undefined) {
+      status.replaceChildren(statusOf(state.edited))
+      edited = state.edited
+    }
     problem.hidden = state.problem === ''
     if (problem.textContent !== state.problem) problem.textContent = state.problem
   })
 }
 
-function statusParts(edited: State['edited']): (string | Node)[] {
-  if (edited === undefined) return ['Loading …']
-  const { counts, seconds } = edited
-  const parts = [
-    count(counts.circles, 'circle'),
-    count(counts.vertices, 'vertex', 'vertices'),
-    count(counts.edges, 'edge'),
-    ...(counts.hidden > 0 ? [[bold(counts.hidden), ' hidden']] : []),
-    duration(seconds),
-  ]
-  // Each part keeps its direction where that of the page is another.
-  return parts.flatMap((part, i) => (i === 0 ? [isolated(part)] : [' · ', isolated(part)]))
-}
+/** Phones have no room for minor parts, and small ones none for second ones. */
+type Part = readonly [content: readonly (string | Node)[], rank?: 'minor' | 'second']
 
-function isolated(part: (string | Node)[]): Node {
-  const element = document.createElement('bdi')
-  element.dir = 'ltr'
-  element.append(...part)
-  return element
+function statusOf({ counts, seconds }: NonNullable<State['edited']>): Node {
+  const proven = document.createElement('span')
+  proven.className = 'good'
+  proven.title = 'A judge has proven this diagram with exact signs, independently of how it was made.'
+  proven.textContent = '✓ proven'
+  const parts: Part[] = [
+    [count(counts.circles, 'circle')],
+    [count(counts.vertices, 'vertex', 'vertices'), 'second'],
+    [count(counts.edges, 'edge'), 'minor'],
+    ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden']] as Part] : []),
+    [[proven]],
+    [duration(seconds), 'minor'],
+  ]
+  const line = document.createElement('span')
+  for (const [k, [content, rank]] of parts.entries()) {
+    // Each part keeps its direction where that of the page is another.
+    const part = document.createElement('bdi')
+    part.dir = 'ltr'
+    part.append(...content)
+    const item = document.createElement('span')
+    if (rank !== undefined) item.className = rank
+    if (k > 0) item.append(' · ')
+    item.append(part)
+    line.append(item)
+  }
+  return line
 }
 
 function count(value: number, one: string, many = `${one}s`): (string | Node)[] {

@@ -7,20 +7,10 @@ import type { View } from '../../view/view.ts'
 import type { PageActions } from '../page-actions.ts'
 import type { CircleGrid } from '../table/circle-grid.ts'
 import { byId } from './by-id.ts'
-import { folding } from './folding.ts'
+import { panelOf } from './panel.ts'
 
-const ICON = svg`<path d="M3 4.500h14v11H3zM3 8.500h14M3 12h14M8 4.500v11" />`
 const PLUS = svg`<path d="M10 5v10M5 10h10" />`
 const MINUS = svg`<path d="M5 10h10" />`
-/** Narrower windows have no room beside the table. */
-const BESIDE = '(min-width: 62.5em)'
-
-/** What the table covers of the picture beside it, in pixels. */
-export function tableWidth(): number {
-  const panel = byId('table', HTMLElement)
-  return panel.classList.contains('open') && matchMedia(BESIDE).matches ? panel.offsetWidth : 0
-}
-
 /** The numbers of all circles, loaded when they are looked at for the first time. */
 export function mountTable(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
   const panel = byId('table', HTMLElement)
@@ -35,7 +25,7 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
       grid = undefined
     }
   }
-  const folded = folding(panel, 'Table', ICON, draw)
+  const folded = panelOf(panel, 'Table', draw)
   /** Of the element that is there then. */
   const fill = async () => {
     try {

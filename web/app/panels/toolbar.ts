@@ -8,23 +8,27 @@ import { byId } from './by-id.ts'
 
 /** What is chosen to see all families and figures. */
 const MORE = 'more'
+/** What the menu shows of circles that are none of its own. */
+const OWN = ''
 
-/** The choice of circles, adding and deleting, undo and redo. `showMore`: shows all families and figures. */
+/** The choice of circles, and the tools of the rail. `showMore`: shows all families and figures. */
 export function mountToolbar(store: Store<State>, actions: PageActions, showMore: () => void): void {
   const figure = byId('figure', HTMLElement)
   const dataSet = byId('data-set', HTMLSelectElement)
   const again = byId('again', HTMLButtonElement)
-  const remove = byId('remove', HTMLButtonElement)
   const undo = byId('undo', HTMLButtonElement)
   const redo = byId('redo', HTMLButtonElement)
 
-  const own = new Option('Your circles', '')
+  // What was edited is another entry than its data set, so that choosing that one takes the edits back.
+  const own = new Option('Your circles', OWN)
   own.hidden = true
-  const more = new Option('Families, figures …', MORE)
+  const more = new Option('More …', MORE)
   dataSet.append(own, ...DATA_SETS.map(({ id, label }) => new Option(label, id)), more)
-  const showChosen = ({ dataSet: name }: State) => {
-    own.textContent = labelOf(name) || 'Your circles'
-    dataSet.value = dataSetOf(name)?.id ?? ''
+  const showChosen = ({ dataSet: name, history, edited }: State) => {
+    const isEdited = history.done.at(-1)?.kind === 'edits'
+    const label = labelOf(name)
+    own.textContent = edited?.counts.circles === 0 ? 'No circles' : nameOf(label, isEdited)
+    dataSet.value = isEdited ? OWN : (dataSetOf(name)?.id ?? OWN)
   }
   dataSet.addEventListener('change', () => {
     if (dataSet.value !== MORE) {
@@ -43,9 +47,9 @@ export function mountToolbar(store: Store<State>, actions: PageActions, showMore
   for (const [tool, button] of tools) {
     button.addEventListener('click', () => (tool === 'add' ? actions.toggleAdding() : actions.useTool(tool)))
   }
-  remove.addEventListener('click', () => actions.removeSelected())
   undo.addEventListener('click', () => actions.undo())
   redo.addEventListener('click', () => actions.redo())
+  mountMore()
 
   /** The focus of a button that is disabled would fall to the body. */
   const disable = (button: HTMLButtonElement, isDisabled: boolean) => {
@@ -57,8 +61,22 @@ export function mountToolbar(store: Store<State>, actions: PageActions, showMore
     showChosen(state)
     again.hidden = !['family', 'former'].includes(sourceOf(state.dataSet)?.kind ?? '')
     for (const [tool, button] of tools) button.setAttribute('aria-pressed', String(state.tool === tool))
-    disable(remove, state.selection.length === 0)
     disable(undo, state.history.done.length === 0)
     disable(redo, state.history.undone.length === 0)
+  })
+}
+
+function nameOf(label: string, isEdited: boolean): string {
+  if (label === '') return 'Your circles'
+  return isEdited ? `${label}, edited` : label
+}
+
+/** On phones, the tools of the second row. */
+function mountMore(): void {
+  const rail = byId('rail', HTMLElement)
+  const more = byId('more', HTMLButtonElement)
+  more.addEventListener('click', () => {
+    const isOpen = rail.classList.toggle('open')
+    more.setAttribute('aria-expanded', String(isOpen))
   })
 }

@@ -7,12 +7,12 @@ import type { DiagramData, Metric, Point } from './types.ts'
 
 /** @throws CircleVoronoiError `badArgument` */
 export function refuseArgument(message: string): never {
-  throw new CircleVoronoiError('badArgument', -1, message)
+  throw new CircleVoronoiError('badArgument', message)
 }
 
 /** @throws CircleVoronoiError `badOption` */
 export function refuseOption(message: string): never {
-  throw new CircleVoronoiError('badOption', -1, message)
+  throw new CircleVoronoiError('badOption', message)
 }
 
 /**
@@ -140,6 +140,11 @@ export function checkDigits(digits: unknown): void {
   if (digits !== undefined && !(Number.isInteger(digits) && (digits as number) >= 0)) {
     refuseOption(`The number of digits is a whole number from 0, not ${shown(digits)}.`)
   }
+}
+
+/** Whether a value is an object with names, as JSON has them. */
+export function isRecord(value: unknown): value is Record<string, unknown> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value)
 }
 
 /** A value as it can stand in a sentence. */

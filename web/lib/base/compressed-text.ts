@@ -56,7 +56,7 @@ type Transformation = ReadableWritablePair<Uint8Array<ArrayBuffer>, BufferSource
 
 function streamOf(name: 'CompressionStream' | 'DecompressionStream'): Transformation {
   const Stream = globalThis[name]
-  if (Stream === undefined) throw new CircleVoronoiError('notLoaded', -1, `Links need ${name}, which is missing here.`)
+  if (Stream === undefined) throw new CircleVoronoiError('notLoaded', `Links need ${name}, which is missing here.`)
   return new Stream('deflate-raw') as Transformation
 }
 

@@ -24,7 +24,7 @@ export type Circles = Float64Array | Float32Array | Iterable<CircleLike>
  */
 export function coordinatesOf(circles: Circles): Float64s {
   if (circles instanceof Float64Array || circles instanceof Float32Array) {
-    if (circles.length % 3 !== 0) refuse(-1, `Three numbers per circle are needed, but there are ${circles.length}.`)
+    if (circles.length % 3 !== 0) refuse(`Three numbers per circle are needed, but there are ${circles.length}.`)
     return new Float64Array(circles)
   }
   return coordinatesFrom(circles, circleX, circleY, circleRadius)
@@ -53,14 +53,14 @@ export function coordinatesFrom<Datum>(
     typeof (data as Partial<Iterable<Datum>> | null | undefined)?.[Symbol.iterator] !== 'function' ||
     typeof data === 'string'
   ) {
-    refuse(-1, `The circles are neither a typed array nor a list, but ${shown(data)}.`)
+    refuse(`The circles are neither a typed array nor a list, but ${shown(data)}.`)
   }
   const numbers: number[] = []
   let i = 0
   for (const datum of data) {
     const [x, y, r]: readonly unknown[] = [fx(datum, i, data), fy(datum, i, data), fr(datum, i, data)]
     if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
-      refuse(i, `Circle ${i} does not have three numbers x, y and r.`)
+      refuse(`Circle ${i} does not have three numbers x, y and r.`, i)
     }
     numbers.push(x, y, r)
     i += 1
@@ -85,6 +85,6 @@ function part(circle: CircleLike | null | undefined, k: number, name: keyof Circ
   return value as number
 }
 
-function refuse(circle: number, message: string): never {
-  throw new CircleVoronoiError('badInput', circle, message)
+function refuse(message: string, circle?: number): never {
+  throw new CircleVoronoiError('badInput', message, { circle })
 }

@@ -24,6 +24,11 @@ export const NONE = -1
 export function circleAt(circles: Float64Array, i: number): Circle {
   checkCircles(circles, 'circleAt')
   checkIndex(i, circles.length / 3, 'circleAt', 'circle')
+  return circleOf(circles, i)
+}
+
+/** The same of checked arguments. */
+export function circleOf(circles: Float64Array, i: number): Circle {
   return { x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) }
 }
 

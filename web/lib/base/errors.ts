@@ -14,6 +14,7 @@ export const ERROR_CODES = [
   'tooManyCircles',
   'badOption',
   'notCertified',
+  'notConverged',
   'unknownCircle',
   'badInput',
   'badArithmetic',
@@ -31,6 +32,7 @@ export const ERROR_CODES = [
  * - `tooManyCircles`: the input, or the requested number of candidates, does not fit in memory
  * - `badOption`: an option is invalid
  * - `notCertified`: no construction led to a certified diagram
+ * - `notConverged`: an iteration did not reach its tolerance
  * - `unknownCircle`: an editor has no circle with this id
  * - `badInput`: the input cannot be read as circles
  * - `badArgument`: another argument of a method or function is invalid
@@ -59,15 +61,42 @@ export class CircleVoronoiError extends Error {
   override readonly name = 'CircleVoronoiError'
   /** The reason. */
   readonly code: ErrorCode
-  /** Index of the circle with the problem (its id in an editor), or -1. */
-  readonly circle: number
+  /** The index of the circle with the problem (its id in an editor); `undefined` if there is no such circle. */
+  readonly circle: number | undefined
 
-  /** `options`: its cause, if there is one. */
-  constructor(code: ErrorCode, circle: number, message: string, options?: ErrorOptions) {
+  /** Creates an error. `details`: the circle with the problem, and the error that caused this one, where there are any. */
+  constructor(code: ErrorCode, message: string, { circle, ...options }: ErrorDetails = {}) {
     super(message, options)
     this.code = code
     this.circle = circle
   }
+}
+
+/**
+ * Details of an error, each of them optional.
+ *
+ * @category Errors
+ */
+export interface ErrorDetails extends ErrorOptions {
+  /** The index of the circle with the problem, or its id in an editor. */
+  readonly circle?: number | undefined
+}
+
+/** An error as plain data, which threads post to each other. */
+export interface PostedError {
+  readonly code: ErrorCode
+  readonly circle: number | undefined
+  readonly message: string
+}
+
+/** Returns an error as plain data. */
+export function postedError({ code, circle, message }: CircleVoronoiError): PostedError {
+  return { code, circle, message }
+}
+
+/** Returns the error that another thread has posted. */
+export function receivedError({ code, circle, message }: PostedError): CircleVoronoiError {
+  return new CircleVoronoiError(code, message, { circle })
 }
 
 /** What a caught value says, to be put into a sentence. */
@@ -77,5 +106,5 @@ export function reasonOf(cause: unknown): string {
 
 /** The error of what could not be done because a worker failed. */
 export function workerFailure(cause: unknown): CircleVoronoiError {
-  return new CircleVoronoiError('internal', -1, `The worker failed: ${reasonOf(cause)}.`, { cause })
+  return new CircleVoronoiError('internal', `The worker failed: ${reasonOf(cause)}.`, { cause })
 }

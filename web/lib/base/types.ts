@@ -68,17 +68,44 @@ export interface HiddenCircle {
 }
 
 /**
+ * The first reason why a diagram is not certified, named as in the C++ enumeration `Flaw` (circle_voronoi/certificate.h).
+ *
+ * - `none`: the diagram is correct
+ * - `notJudged`: the diagram has not been checked
+ * - `badIndex`: an index is out of range, or a vertex, an edge or the hull names a circle twice or a hidden circle
+ * - `hiddenWithoutHider`: the circle that is named as the hider of a hidden circle does not contain it
+ * - `adjacency`: edges, vertices and hull do not fit together
+ * - `eulerCount`: the numbers of vertices and hull circles contradict Euler's formula
+ * - `vertexWithoutDisc`: no disc touches the three circles of a vertex in that order
+ * - `vertexMisplaced`: the disc that touches the three circles of a vertex lies elsewhere
+ * - `edgeOutOfOrder`: the ends of an edge are in the wrong order along their bisector
+ * - `cellNotClosed`: the edges of a cell do not turn exactly once around its circle
+ * - `hullNotClosed`: the tangent lines of the hull do not turn exactly once
+ *
+ * @category Diagrams
+ */
+export type Flaw =
+  | 'none'
+  | 'notJudged'
+  | 'badIndex'
+  | 'hiddenWithoutHider'
+  | 'adjacency'
+  | 'eulerCount'
+  | 'vertexWithoutDisc'
+  | 'vertexMisplaced'
+  | 'edgeOutOfOrder'
+  | 'cellNotClosed'
+  | 'hullNotClosed'
+
+/**
  * The result of checking a diagram: a proof that it is the Voronoi diagram, or the first flaw.
  *
  * @category Diagrams
  */
 export interface Certificate {
   readonly certified: boolean
-  /**
-   * The first flaw, named as in the C++ enumeration `Flaw` (circle_voronoi/certificate.h); `none` if the diagram is
-   * certified.
-   */
-  readonly flaw: string
+  /** The first flaw; `none` if the diagram is certified. */
+  readonly flaw: Flaw
   /** The circle with the flaw, or `NONE`. */
   readonly circle: number
   /** The vertex with the flaw, or `NONE`. */
@@ -146,18 +173,49 @@ export interface Seconds {
   readonly total: number
 }
 
+/** The names of the methods, candidates and ways, in the order of the C++ enumerations (circle_voronoi/method.h). */
+export const METHODS = ['auto', 'touching-disc', 'flip'] as const
+export const CANDIDATES = ['dynamic', 'uniform', 'all-pairs'] as const
+export const WAYS = ['flip', 'repair', 'insert', 'apollonius-graph', 'touching-disc', 'edit'] as const
+
 /**
- * How a diagram was computed.
+ * A construction method. `auto`: the fastest construction that leads to a certified diagram. `touching-disc`: the method
+ * of the paper, candidate pairs followed by the event loop. `flip`: edge flips that start from the Delaunay
+ * triangulation of the centers. The last two may give a wrong diagram; its certificate says so.
+ *
+ * @category Loading
+ */
+export type Method = (typeof METHODS)[number]
+
+/**
+ * Which pairs of circles get an antipodal disc in the touching disc method: neighbors in the Delaunay graph of
+ * dynamically chosen samples (`dynamic`) or of equally spaced samples (`uniform`), or all pairs (`all-pairs`).
+ *
+ * @category Loading
+ */
+export type Candidates = (typeof CANDIDATES)[number]
+
+/**
+ * The construction that produced a diagram: edge flips (`flip`), flips and locally computed diagrams (`repair`),
+ * insertion of one circle after the other (`insert`), CGAL's Apollonius graph (`apollonius-graph`), the touching disc
+ * method (`touching-disc`), or an editor (`edit`).
+ *
+ * @category Diagrams
+ */
+export type Way = (typeof WAYS)[number]
+
+/**
+ * How a diagram was computed. A name is empty if it does not apply or is not known.
  *
  * @category Diagrams
  */
 export interface Stats {
   /** The requested method. */
-  readonly method: string
-  /** The construction that produced the result: `flip`, `repair`, `insert`, `touching-disc` or `apollonius-graph`. */
-  readonly way: string
+  readonly method: Method | ''
+  /** The construction that produced the result. */
+  readonly way: Way | ''
   /** The kind of candidates of the touching disc method; empty for other methods. */
-  readonly candidates: string
+  readonly candidates: Candidates | ''
   readonly counts: Counts
   readonly seconds: Seconds
 }

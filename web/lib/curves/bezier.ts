@@ -7,8 +7,7 @@
 //     w = (sqrt(to / from) + sqrt(from / to)) / 2.
 
 import { checkBoundedCurve, checkLength, checkNumber, checkThing } from '../base/check.ts'
-import { between } from '../base/point.ts'
-import { lengthOf } from '../base/scale.ts'
+import { hypotenuse } from '../base/scale.ts'
 import type { PathSink, Point } from '../base/types.ts'
 import { type Bisector, inPlane, pointOf } from './bisector.ts'
 import type { BoundedCurve } from './curve.ts'
@@ -142,10 +141,11 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
     sink.lineTo(curve.end.x, curve.end.y)
     return
   }
-  const limit = atLeast(1e-12, curve, tolerance)
+  let error = chordError(bisector, from, last)
+  const limit = atLeast(1e-12, curve, error, tolerance)
   for (let isLast = false; !isLast; ) {
     // To know that one curve does for the rest spares the search for how far a line would do.
-    const byOneCubic = chordError(bisector, from, last) > limit && cubicError(bisector, from, last) <= limit
+    const byOneCubic = error > limit && cubicError(bisector, from, last) <= limit
     const byLine = byOneCubic ? from : farthest(bisector, from, last, limit, chordError)
     const byCubic = byOneCubic || byLine === last ? last : farthest(bisector, from, last, limit, cubicError)
     const to = Math.max(byLine, byCubic)
@@ -163,6 +163,7 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
     }
     from = to
     start = end
+    if (!isLast) error = chordError(bisector, from, last)
   }
 }
 
@@ -180,15 +181,16 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
 export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
   checkBoundedCurve(curve, 'polyline')
   checkLength(tolerance, 'polyline', 'tolerance')
-  const { bisector, to } = curve
-  const limit = atLeast(1e-9, curve, tolerance)
-  const points = [curve.start]
-  let from = farthest(bisector, curve.from, to, limit, chordError)
+  const { bisector, from: first, to, start, end } = curve
+  if (isNearlyStraight(bisector, first, to, tolerance)) return [start, end]
+  const limit = atLeast(1e-9, curve, chordError(bisector, first, to), tolerance)
+  const points = [start]
+  let from = farthest(bisector, first, to, limit, chordError)
   while (from < to) {
     points.push(pointOf(bisector, from))
     from = farthest(bisector, from, to, limit, chordError)
   }
-  points.push(curve.end)
+  points.push(end)
   return points
 }
 
@@ -218,7 +220,7 @@ function chordError({ a, b }: Bisector, from: number, to: number): number {
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const x = (a * (middle - 1 / middle)) / 2
   const y = (b * (middle + 1 / middle)) / 2
-  return along * (b / lengthOf({ x, y }))
+  return along * (b / hypotenuse(x, y))
 }
 
 /**
@@ -277,10 +279,10 @@ function farthest(
   return good > from ? good : bad
 }
 
-/** A tolerance in the unit of the bisector, and not below a share of the arc's extent. */
-function atLeast(share: number, { bisector, from, to, start, end }: BoundedCurve, tolerance: number): number {
+/** A tolerance in the unit of the bisector, and not below a share of the arc's extent. `error`: of its chord. */
+function atLeast(share: number, { bisector, start, end }: BoundedCurve, error: number, tolerance: number): number {
   const { unit } = bisector
-  const least = share * (lengthOf(between(start, end)) / unit + chordError(bisector, from, to))
+  const least = share * (hypotenuse(end.x - start.x, end.y - start.y) / unit + error)
   return tolerance / unit > least ? tolerance / unit : least
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkCircles, checkIndex, checkNumber, checkThing, refuseArgument, shown } from '../base/check.ts'
 import { at } from '../base/diagram-data.ts'
-import { between, dot, length } from '../base/point.ts'
-import { largestOf, lengthOf, measuredIn, powerOfTwoIn, unitFor } from '../base/scale.ts'
+import { hypotenuse, powerOfTwoIn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { METRICS, type Metric } from '../base/types.ts'
 
@@ -86,10 +85,11 @@ export function bisectorOf(circles: Float64Array, left: number, right: number, m
   const rightRadius = at(circles, 3 * right + 2)
   const originIsLeft = metric !== 'circles' || leftRadius <= rightRadius
   const origin = originIsLeft ? leftCenter : rightCenter
-  const toOther = between(origin, originIsLeft ? rightCenter : leftCenter)
-  const unit = unitFor(largestOf(toOther))
-  const { x, y } = measuredIn(unit, toOther)
-  const d = length({ x, y })
+  const other = originIsLeft ? rightCenter : leftCenter
+  const unit = unitFor(Math.max(Math.abs(other.x - origin.x), Math.abs(other.y - origin.y)))
+  const x = (other.x - origin.x) / unit
+  const y = (other.y - origin.y) / unit
+  const d = Math.sqrt(x * x + y * y)
   const difference = metric === 'circles' ? (leftRadius - rightRadius) / unit : 0
   const size = Math.abs(difference)
   const along = { x: x / d, y: y / d }
@@ -156,16 +156,17 @@ export function parameterAt(bisector: Bisector, x: number, y: number): number {
 /** The same of checked arguments. */
 export function parameterOf(bisector: Bisector, x: number, y: number): number {
   const { origin, unit, across, apex, a, b } = bisector
-  const toPoint = measuredIn(unit, between(origin, { x, y }))
-  const sine = dot(toPoint, across) / b
+  const dx = (x - origin.x) / unit
+  const dy = (y - origin.y) / unit
+  const sine = (dx * across.x + dy * across.y) / b
   if (a === 0) return exponentialOf(sine)
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
   // changes faster. Of a narrow branch that is the distance. Its height may be off by any factor, as b is: each of the
   // two says whether the distance is the one.
   const c = apex + Math.abs(a)
-  const rise = Math.max((lengthOf(toPoint) - apex) / c, 0)
+  const rise = Math.max((hypotenuse(dx, dy) - apex) / c, 0)
   const size = Math.max(Math.abs(sine), Math.sqrt(rise) * Math.sqrt(rise + 2))
-  const isSteep = c * size > b * lengthOf({ x: size, y: 1 })
+  const isSteep = c * size > b * hypotenuse(size, 1)
   if (!isSteep) return exponentialOf(sine)
   return sine < 0 ? 1 / parameterAtRise(rise) : parameterAtRise(rise)
 }

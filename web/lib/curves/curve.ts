@@ -61,15 +61,24 @@ export function isBoundedCurve(curve: EdgeCurve): curve is BoundedCurve {
  */
 export function edgeCurve(diagram: DiagramData, edge: number): EdgeCurve {
   checkData(diagram, 'edgeCurve')
-  const { circles, metric, vertices, edges } = diagram
-  checkIndex(edge, edges.length / 4, 'edgeCurve', 'edge')
+  checkIndex(edge, diagram.edges.length / 4, 'edgeCurve', 'edge')
+  return curveOf(diagram, edge)
+}
+
+/** The same of checked arguments. */
+export function curveOf({ circles, metric, vertices, edges }: DiagramData, edge: number): EdgeCurve {
   const start = at(edges, 4 * edge + 2)
   const end = at(edges, 4 * edge + 3)
   const startPoint = start === NONE ? undefined : { x: at(vertices, 3 * start), y: at(vertices, 3 * start + 1) }
   const endPoint = end === NONE ? undefined : { x: at(vertices, 3 * end), y: at(vertices, 3 * end + 1) }
   const whole = bisectorOf(circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
-  const reachOf = (p: Point | undefined) => (p === undefined ? 0 : largestOf(between(whole.origin, p)))
-  return arcBetween(movedApart(whole, Math.max(reachOf(startPoint), reachOf(endPoint))), startPoint, endPoint)
+  const reach = Math.max(reachOf(whole.origin, startPoint), reachOf(whole.origin, endPoint))
+  return arcBetween(movedApart(whole, reach), startPoint, endPoint)
+}
+
+/** How far an end is, along one axis; 0 at infinity. */
+function reachOf(origin: Point, end: Point | undefined): number {
+  return end === undefined ? 0 : Math.max(Math.abs(end.x - origin.x), Math.abs(end.y - origin.y))
 }
 
 /** The arc of a bisector with two ends, of which those that are `undefined` are at infinity. */

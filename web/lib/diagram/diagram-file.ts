@@ -5,7 +5,7 @@ import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
 import type { Certificate, Circle, Counts, DiagramData, HiddenCircle, Seconds, Stats } from '../base/types.ts'
-import { METRICS, type Metric } from '../base/types.ts'
+import { CANDIDATES, METHODS, METRICS, type Metric, WAYS } from '../base/types.ts'
 import { linkSides } from './link-sides.ts'
 
 const FORMAT = 'circle-voronoi'
@@ -146,7 +146,7 @@ function parsed(text: string): unknown {
   try {
     return JSON.parse(text)
   } catch (cause) {
-    throw new CircleVoronoiError('badInput', -1, `The text is no JSON: ${(cause as Error).message}.`, { cause })
+    throw new CircleVoronoiError('badInput', `The text is no JSON: ${(cause as Error).message}.`, { cause })
   }
 }
 
@@ -193,19 +193,17 @@ function indicesOf(value: unknown, size: number | undefined, first: number, coun
 /** As far as they are there: what is missing or makes no sense is empty, as on the command line. */
 export function statsOf(value: unknown): Stats {
   const part = (item: unknown, name: string): unknown => Object(item)[name]
-  const text = (name: string) => {
-    const given = part(value, name)
-    return typeof given === 'string' && /^[a-z-]*$/.test(given) ? given : ''
-  }
+  const nameOf = <Name extends string>(list: string, known: readonly Name[]): Name | '' =>
+    known.find((name) => name === part(value, list)) ?? ''
   const numbers = <Numbers extends object>(list: string, none: Numbers, fits: (item: unknown) => boolean): Numbers => {
     const given = Object.entries(Object(part(value, list))).filter(([name, item]) => name in none && fits(item))
     return { ...none, ...Object.fromEntries(given) }
   }
   const isCount = (item: unknown) => Number.isSafeInteger(item) && (item as number) >= 0
   return {
-    method: text('method'),
-    way: text('way'),
-    candidates: text('candidates'),
+    method: nameOf('method', METHODS),
+    way: nameOf('way', WAYS),
+    candidates: nameOf('candidates', CANDIDATES),
     counts: numbers('counts', NO_COUNTS, isCount),
     seconds: numbers('seconds', NO_SECONDS, Number.isFinite),
   }
@@ -240,6 +238,6 @@ const NO_SECONDS: Seconds = {
   total: 0,
 }
 
-function refuse(message: string, code: ErrorCode = 'badInput', circle = -1): never {
-  throw new CircleVoronoiError(code, circle, message)
+function refuse(message: string, code: ErrorCode = 'badInput', circle?: number): never {
+  throw new CircleVoronoiError(code, message, { circle })
 }

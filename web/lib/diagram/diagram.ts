@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkData, checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from '../base/check.ts'
+import {
+  checkData,
+  checkIndex,
+  checkMaxDistance,
+  checkNumber,
+  refuseArgument,
+  refuseOption,
+  shown,
+} from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import type {
   Certificate,
@@ -15,25 +23,38 @@ import type {
 } from '../base/types.ts'
 import { drawCell, drawCircle, drawDual, drawEdge, drawHull, drawRegion } from '../drawing/draw.ts'
 import {
+  clippedOutline,
+  drawClippedEdges,
+  drawOutline,
+  drawRings,
+  type MultiPolygon,
+  multiPolygonOf,
+} from '../drawing/draw-clipped.ts'
+import {
+  BOUNDS_OPTIONS,
   type BoundsOptions,
   type ContextOptions,
   checkDrawOptions,
   DRAW_OPTIONS,
   type DrawOptions,
   drawn,
+  type InBounds,
+  type InRegion,
   PATH_OPTIONS,
+  POLYGON_OPTIONS,
   type PolygonOptions,
   type TextOptions,
   toleranceOf,
 } from '../drawing/draw-options.ts'
 import { hullRing, type Polygon, ringOf } from '../drawing/polygon.ts'
-import type { Limits } from '../regions/cell-limits.ts'
+import { keptParts, type Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
 import { outlineArea, outlineCentroid, outlinePerimeter } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
+import { type ClippedDiagram, Region } from '../regions/region.ts'
 import type { Change } from './change.ts'
 import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
 import { DiagramPatch } from './diagram-patch.ts'
@@ -95,16 +116,16 @@ export class Diagram implements DiagramData {
   readonly certificate: Certificate
   readonly stats: Stats
   declare readonly numbers?: SnapshotNumbers
-  readonly #recompute: ((circles: Float64s) => DiagramData) | undefined
   #cells: Cells | undefined
   #finder: Finder | undefined
   #bounds: ConvexPolygon | undefined
   #halfedges: Int32Array | undefined
   #patch: DiagramPatch | undefined
   #lastRegion: ConvexPolygon | undefined
+  #clip: { region: Region; maxDistance: number | undefined; clipped: ClippedDiagram } | undefined
 
-  /** Wraps the arrays of `data` without copying them. `update` calls `recompute`. */
-  constructor(data: DiagramData, recompute?: (circles: Float64s) => DiagramData) {
+  /** Wraps the arrays of `data` without copying them. */
+  constructor(data: DiagramData) {
     checkData(data, 'new Diagram')
     this.metric = data.metric
     this.weights = data.weights
@@ -120,7 +141,6 @@ export class Diagram implements DiagramData {
     this.certificate = data.certificate
     this.stats = data.stats
     if (data.numbers !== undefined) this.numbers = data.numbers
-    this.#recompute = recompute
   }
 
   /**
@@ -147,11 +167,13 @@ export class Diagram implements DiagramData {
    * @throws CircleVoronoiError as `compute`; `badArgument`, if the diagram was not made by `compute` here
    */
   update(): this {
-    if (this.#recompute === undefined) refuseArgument('update takes a diagram that compute made here.')
-    Object.assign(this, this.#recompute(this.circles))
+    const recompute = recomputations.get(this)
+    if (recompute === undefined) refuseArgument('update takes a diagram that compute made here.')
+    Object.assign(this, recompute(this.circles))
     this.#cells = undefined
     this.#finder = undefined
     this.#bounds = undefined
+    this.#clip = undefined
     this.#halfedges = undefined
     return this
   }
@@ -182,6 +204,7 @@ export class Diagram implements DiagramData {
     Object.assign(this, { stats: { ...this.stats, counts } })
     if (this.#finder?.follow(changed) === false) this.#finder = undefined
     this.#bounds = undefined
+    this.#clip = undefined
     this.#halfedges = undefined
     return this
   }
@@ -244,10 +267,18 @@ export class Diagram implements DiagramData {
   /**
    * Returns the circles whose cells share an edge with the cell of circle `i`, counter-clockwise. A circle appears once
    * for each shared edge. The result is empty if circle `i` is hidden.
+   *
+   * With `bounds`, a `region` or `maxDistance`, it returns those that share a part of an edge inside, each once.
    */
-  neighbors(i: number): Int32Array {
+  neighbors(i: number, options: BoundsOptions = {}): Int32Array {
     this.#checkCircle(i, 'neighbors')
-    return this.cells.neighbors(i)
+    checkDrawOptions(options, 'neighbors', BOUNDS_OPTIONS)
+    const clipped = this.#clippedTo('neighbors', options)
+    if (clipped !== undefined) return clipped.neighbors(i)
+    if (options.bounds === undefined && options.maxDistance === undefined) return this.cells.neighbors(i)
+    const limits = this.#limitsOf('neighbors', options, BOUNDS_OPTIONS)
+    const sides = this.cells.sides(i).filter((side) => keptParts(this, side >> 1, limits).length > 0)
+    return Int32Array.from(new Set(sides.map((side) => this.cells.neighborOf(side))))
   }
 
   /** Returns whether (x, y) lies in the cell of circle `i`, up to rounding. Returns false if circle `i` is hidden. */
@@ -292,7 +323,10 @@ export class Diagram implements DiagramData {
   edgePath(e: number, options: PolygonOptions & ContextOptions): void
   edgePath(e: number, options: DrawOptions = {}): string | undefined {
     checkIndex(e, this.edges.length / 4, 'edgePath', 'edge')
-    return this.#drawn('edgePath', options, (sink, limits, tolerance) => drawEdge(sink, this, e, limits, tolerance))
+    return this.#drawn('edgePath', options, {
+      bounds: (sink, limits, tolerance) => drawEdge(sink, this, e, limits, tolerance),
+      region: (sink, { edges }, tolerance) => drawClippedEdges(sink, this, edges, tolerance, e),
+    })
   }
 
   /**
@@ -303,25 +337,32 @@ export class Diagram implements DiagramData {
   cellPath(i: number, options: PolygonOptions & ContextOptions): void
   cellPath(i: number, options: DrawOptions = {}): string | undefined {
     this.#checkCircle(i, 'cellPath')
-    return this.#drawn('cellPath', options, (sink, limits, tolerance) =>
-      drawCell(sink, this.cells, i, limits, tolerance),
-    )
+    return this.#drawn('cellPath', options, {
+      bounds: (sink, limits, tolerance) => drawCell(sink, this.cells, i, limits, tolerance),
+      region: (sink, { cells }, tolerance) => drawOutline(sink, clippedOutline(this, cells, i), tolerance),
+    })
   }
 
   /** Draws all edges inside the bounds. */
   render(options?: PolygonOptions & TextOptions): string
   render(options: PolygonOptions & ContextOptions): void
   render(options: DrawOptions = {}): string | undefined {
-    return this.#drawn('render', options, (sink, limits, tolerance) => {
-      for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, limits, tolerance)
+    return this.#drawn('render', options, {
+      bounds: (sink, limits, tolerance) => {
+        for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, limits, tolerance)
+      },
+      region: (sink, { edges }, tolerance) => drawClippedEdges(sink, this, edges, tolerance),
     })
   }
 
-  /** Draws the outline of the bounds. */
+  /** Draws the outline of the bounds, or of the region. */
   renderBounds(options?: PolygonOptions & TextOptions): string
   renderBounds(options: PolygonOptions & ContextOptions): void
   renderBounds(options: DrawOptions = {}): string | undefined {
-    return this.#drawn('renderBounds', options, (sink, { region }) => drawRegion(sink, region))
+    return this.#drawn('renderBounds', options, {
+      bounds: (sink, { region }) => drawRegion(sink, region),
+      region: (sink) => drawRings(sink, options.region as Region),
+    })
   }
 
   /** Draws all circles, including hidden ones. */
@@ -354,18 +395,28 @@ export class Diagram implements DiagramData {
    * Returns the part of cell `i` inside the bounds as a closed counter-clockwise polygon that repeats its first point
    * at the end, or `undefined` if the part is empty. If the bounds cut the cell into several pieces, the ring goes to
    * each further piece and back along the same segment, so that its area and inside are correct; `cellOutline` returns
-   * the pieces. Neighboring cells share their points bit for bit.
+   * the pieces. With a `region`, returns a `MultiPolygon`. Neighboring cells share their points bit for bit.
    */
-  cellPolygon(i: number, options: PolygonOptions = {}): Polygon | undefined {
+  cellPolygon(i: number, options: PolygonOptions & InRegion): MultiPolygon | undefined
+  cellPolygon(i: number, options?: PolygonOptions & InBounds): Polygon | undefined
+  cellPolygon(i: number, options: PolygonOptions = {}): Polygon | MultiPolygon | undefined {
     this.#checkCircle(i, 'cellPolygon')
-    const limits = this.#limitsOf('cellPolygon', options, ['bounds', 'maxDistance', 'tolerance'])
+    checkDrawOptions(options, 'cellPolygon', POLYGON_OPTIONS)
+    const clipped = this.#clippedTo('cellPolygon', options)
+    if (clipped !== undefined) {
+      const polygons = multiPolygonOf(clipped.polygons(toleranceOf(options, options.region as Region)), i)
+      return polygons.length > 0 ? polygons : undefined
+    }
+    const limits = this.#limitsOf('cellPolygon', options, POLYGON_OPTIONS)
     return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))
   }
 
   /** Generates the polygons of all cells that are not empty, each with the `index` of its circle. */
-  *cellPolygons(options: PolygonOptions = {}): Generator<Polygon & { index: number }, void> {
+  cellPolygons(options: PolygonOptions & InRegion): Generator<MultiPolygon & { index: number }, void>
+  cellPolygons(options?: PolygonOptions & InBounds): Generator<Polygon & { index: number }, void>
+  *cellPolygons(options: PolygonOptions = {}): Generator<(Polygon | MultiPolygon) & { index: number }, void> {
     for (let index = 0; index < this.circles.length / 3; index++) {
-      const polygon = this.cellPolygon(index, options)
+      const polygon = this.cellPolygon(index, options as PolygonOptions & InBounds)
       if (polygon !== undefined) yield Object.assign(polygon, { index })
     }
   }
@@ -408,12 +459,12 @@ export class Diagram implements DiagramData {
 
   /** Returns the area of each cell inside the bounds. */
   cellAreas(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellAreas', options, 1, (outline) => [outlineArea(outline)])
+    return this.#ofEach('cellAreas', options, 'areas', (outline) => [outlineArea(outline)])
   }
 
   /** Returns the centroid of each cell inside the bounds, as x and y; NaN for an empty cell. */
   cellCentroids(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellCentroids', options, 2, (outline) => {
+    return this.#ofEach('cellCentroids', options, 'centroids', (outline) => {
       if (outline.length === 0) return [Number.NaN, Number.NaN]
       const { x, y } = outlineCentroid(outline)
       return [x, y]
@@ -422,35 +473,67 @@ export class Diagram implements DiagramData {
 
   /** Returns the perimeter of each cell inside the bounds. */
   cellPerimeters(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellPerimeters', options, 1, (outline) => [outlinePerimeter(outline)])
+    return this.#ofEach('cellPerimeters', options, 'perimeters', (outline) => [outlinePerimeter(outline)])
   }
 
   #outline(i: number, caller: string, options: BoundsOptions): Outline {
     this.#checkCircle(i, caller)
-    return outlineOf(this.cells, i, this.#limitsOf(caller, options, ['bounds', 'maxDistance']))
+    checkDrawOptions(options, caller, BOUNDS_OPTIONS)
+    const clipped = this.#clippedTo(caller, options)
+    if (clipped !== undefined) return clippedOutline(this, clipped.cells, i)
+    return outlineOf(this.cells, i, this.#limitsOf(caller, options, BOUNDS_OPTIONS))
   }
 
   #ofEach(
     caller: string,
     options: BoundsOptions,
-    size: number,
+    measures: 'areas' | 'centroids' | 'perimeters',
     measure: (outline: Outline) => readonly number[],
   ): Float64Array {
-    const limits = this.#limitsOf(caller, options, ['bounds', 'maxDistance'])
+    checkDrawOptions(options, caller, BOUNDS_OPTIONS)
+    const clipped = this.#clippedTo(caller, options)
+    if (clipped !== undefined) return clipped[measures]
+    const limits = this.#limitsOf(caller, options, BOUNDS_OPTIONS)
     const count = this.circles.length / 3
+    const size = measures === 'centroids' ? 2 : 1
     const values = new Float64Array(size * count)
     for (let i = 0; i < count; i++) values.set(measure(outlineOf(this.cells, i, limits)), size * i)
     return values
   }
 
+  /** Draws what bounds or a region keep. */
   #drawn(
     caller: string,
     options: DrawOptions,
-    draw: (sink: PathSink, limits: Limits, tolerance: number) => void,
+    draw: {
+      readonly bounds: (sink: PathSink, limits: Limits, tolerance: number) => void
+      readonly region: (sink: PathSink, clipped: ClippedDiagram, tolerance: number) => void
+    },
   ): string | undefined {
+    checkDrawOptions(options, caller, DRAW_OPTIONS)
+    const clipped = this.#clippedTo(caller, options)
+    if (clipped !== undefined) {
+      const tolerance = toleranceOf(options, options.region as Region)
+      return drawn(options, tolerance, (sink) => draw.region(sink, clipped, tolerance))
+    }
     const limits = this.#limitsOf(caller, options, DRAW_OPTIONS)
     const tolerance = toleranceOf(options, limits.region)
-    return drawn(options, tolerance, (sink) => draw(sink, limits, tolerance))
+    return drawn(options, tolerance, (sink) => draw.bounds(sink, limits, tolerance))
+  }
+
+  /** The diagram in the region of the options, if they have one. The last one is kept, for the next question. */
+  #clippedTo(caller: string, { region, bounds, maxDistance }: BoundsOptions): ClippedDiagram | undefined {
+    if (region === undefined) return undefined
+    if (!(region instanceof Region)) {
+      refuseOption(`The region of ${caller} is made by loadRegions().region, not ${shown(region)}.`)
+    }
+    if (bounds !== undefined) refuseOption(`${caller} takes bounds or a region, not both.`)
+    checkMaxDistance(this, caller, maxDistance)
+    const last = this.#clip
+    if (last?.region === region && last.maxDistance === maxDistance) return last.clipped
+    const clipped = region.clip(this, maxDistance)
+    this.#clip = { region, maxDistance, clipped }
+    return clipped
   }
 
   #limitsOf(caller: string, options: BoundsOptions, known: readonly string[]): Limits {
@@ -485,6 +568,15 @@ export class Diagram implements DiagramData {
   #checkCircle(i: number, caller: string): void {
     checkIndex(i, this.circles.length / 3, caller, 'circle')
   }
+}
+
+/** How to compute the diagrams again that `compute` made here. */
+const recomputations = new WeakMap<Diagram, (circles: Float64s) => DiagramData>()
+
+/** Has `update` compute a diagram again with `recompute`, and returns the diagram. */
+export function updatable(diagram: Diagram, recompute: (circles: Float64s) => DiagramData): Diagram {
+  recomputations.set(diagram, recompute)
+  return diagram
 }
 
 function numberOf(value: unknown): number {

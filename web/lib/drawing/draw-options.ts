@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkDigits, checkOptionNames, checkTolerance, refuseOption, shown } from '../base/check.ts'
-import type { PathSink } from '../base/types.ts'
-import type { Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
+import type { Box, PathSink } from '../base/types.ts'
+import type { Bounds } from '../regions/convex-polygon.ts'
 import { exportTolerance } from '../regions/export-box.ts'
+import type { Region } from '../regions/region.ts'
 import { SvgPath } from './svg-path.ts'
 
 /**
@@ -16,6 +17,8 @@ export interface BoundsOptions {
    * twentieth of its size.
    */
   readonly bounds?: Bounds | undefined
+  /** The region to clip to, in place of bounds: polygons with holes (`Regions.region`). */
+  readonly region?: Region | undefined
   /**
    * The distance from their circles at which cells and edges are cut. A cell is cut by the circle of radius r +
    * maxDistance around the same center, so all cells together are the union of the grown circles and do not overlap. A
@@ -23,6 +26,16 @@ export interface BoundsOptions {
    * circles. Default: no limit.
    */
   readonly maxDistance?: number | undefined
+}
+
+/** Options with a region. */
+export interface InRegion {
+  readonly region: Region
+}
+
+/** Options without a region. */
+export interface InBounds {
+  readonly region?: undefined
 }
 
 /**
@@ -68,7 +81,7 @@ export interface ContextOptions {
 export type DrawOptions = PolygonOptions & (TextOptions | ContextOptions)
 
 /** @throws CircleVoronoiError `badOption`, if there is a tolerance that is none */
-export function toleranceOf({ tolerance }: PolygonOptions, region: ConvexPolygon): number {
+export function toleranceOf({ tolerance }: PolygonOptions, region: { readonly box: Box }): number {
   if (tolerance === undefined) return exportTolerance(region.box)
   checkTolerance(tolerance)
   return tolerance
@@ -96,7 +109,9 @@ export function drawn(
 }
 
 /** The names of the options of what is drawn within bounds, and of what is not. */
-export const DRAW_OPTIONS = ['context', 'bounds', 'maxDistance', 'tolerance', 'digits']
+export const BOUNDS_OPTIONS = ['bounds', 'region', 'maxDistance']
+export const POLYGON_OPTIONS = [...BOUNDS_OPTIONS, 'tolerance']
+export const DRAW_OPTIONS = ['context', ...POLYGON_OPTIONS, 'digits']
 export const PATH_OPTIONS = ['context', 'digits']
 
 /** @throws CircleVoronoiError `badOption`, if there are others than those named */

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, circleAt, NONE } from '../base/diagram-data.ts'
+import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import { hypotenuse, lengthOf } from '../base/scale.ts'
 import type { Box, DiagramData, PathSink, Point } from '../base/types.ts'
 import { addArc, controlPoint } from '../curves/bezier.ts'
-import { type BoundedCurve, edgeCurve } from '../curves/curve.ts'
-import { keptParts, type Limits, reachFrom } from '../regions/cell-limits.ts'
+import { type BoundedCurve, curveOf } from '../curves/curve.ts'
+import { isKeptWhole, keptParts, type Limits } from '../regions/cell-limits.ts'
 import type { Cells } from '../regions/cells.ts'
-import { isCircleArc, traceCircleArc } from '../regions/circle-arc.ts'
 import type { ConvexPolygon } from '../regions/convex-polygon.ts'
 import { convexHull } from '../regions/hull.ts'
 import { outlineOf } from '../regions/outline.ts'
+import { drawOutline } from './draw-clipped.ts'
 
 /** Draws what is kept of edge `e`, no farther than `tolerance` from the true curve. */
 export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits: Limits, tolerance: number): void {
@@ -23,7 +23,7 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
       sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
       return
     }
-    const curve = edgeCurve(diagram, e) as BoundedCurve
+    const curve = curveOf(diagram, e) as BoundedCurve
     // An arc lies in the triangle of its Bezier points.
     if (isWithin(limits.region.box, controlPoint(curve.bisector, curve.from, curve.to), 0)) {
       sink.moveTo(curve.start.x, curve.start.y)
@@ -40,23 +40,13 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
 
 /** Draws the outline of what is kept of a cell, counter-clockwise: a closed path for each of its parts. */
 export function drawCell(sink: PathSink, cells: Cells, circle: number, limits: Limits, tolerance: number): void {
-  const { region, maxDistance } = limits
   const reach = cells.reach(circle)
-  if (!(distanceTo(region, cells.diagram, circle) <= reach)) return
-  const isNear = maxDistance === undefined || reach < reachFrom(cells.diagram, circle, maxDistance)
-  if (isNear && holdsDisc(region, circleAt(cells.diagram.circles, circle), reach)) {
+  if (!(distanceTo(limits.region, cells.diagram, circle) <= reach)) return
+  if (isKeptWhole(cells.diagram, circle, reach, limits)) {
     drawWholeCell(sink, cells, circle, tolerance)
     return
   }
-  for (const loop of outlineOf(cells, circle, limits)) {
-    loop.forEach((piece, k) => {
-      const { curve } = piece
-      if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
-      if (isCircleArc(piece)) traceCircleArc(sink, piece)
-      else addArc(sink, curve, tolerance)
-    })
-    sink.closePath()
-  }
+  drawOutline(sink, outlineOf(cells, circle, limits), tolerance)
 }
 
 /** The same of a cell that lies inside the region, without cutting it: most cells of a view do. */
@@ -130,7 +120,7 @@ function isWithin({ minX, minY, maxX, maxY }: Box, { x, y }: Point, margin: numb
 export function drawHull(sink: PathSink, diagram: DiagramData): void {
   const { arcs } = convexHull(diagram)
   arcs.forEach(({ circle, start, angle }, k) => {
-    const { x, y } = circleAt(diagram.circles, circle)
+    const { x, y } = circleOf(diagram.circles, circle)
     const radius = lengthOf({ x: start.x - x, y: start.y - y })
     const from = Math.atan2(start.y - y, start.x - x)
     if (k === 0) sink.moveTo(start.x, start.y)
@@ -160,7 +150,7 @@ export function drawDual(sink: PathSink, { circles, edges }: DiagramData): void 
 
 /** Draws a circle, one of negative radius as a point. */
 export function drawCircle(sink: PathSink, { circles }: DiagramData, i: number): void {
-  const { x, y, r } = circleAt(circles, i)
+  const { x, y, r } = circleOf(circles, i)
   const radius = Math.max(r, 0)
   sink.moveTo(x + radius, y)
   sink.arc(x, y, radius, 0, 2 * Math.PI)
@@ -182,15 +172,6 @@ function isBeyondEdge(diagram: DiagramData, e: number, region: ConvexPolygon): b
   const toStart = hypotenuse(at(vertices, 3 * start) - x, at(vertices, 3 * start + 1) - y)
   const toEnd = hypotenuse(at(vertices, 3 * end) - x, at(vertices, 3 * end + 1) - y)
   return Math.max(toStart, toEnd) < distanceTo(region, diagram, left)
-}
-
-/** Whether the square around a disc lies in the region. */
-function holdsDisc(region: ConvexPolygon, { x, y }: Point, radius: number): boolean {
-  if (region.isBox) {
-    const { minX, minY, maxX, maxY } = region.box
-    return minX <= x - radius && x + radius <= maxX && minY <= y - radius && y + radius <= maxY
-  }
-  return [-radius, radius].every((dx) => [-radius, radius].every((dy) => region.contains({ x: x + dx, y: y + dy })))
 }
 
 /** At most the distance from a circle's center to the region. */

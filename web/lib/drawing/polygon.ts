@@ -21,10 +21,15 @@ export type Polygon = [x: number, y: number][]
  */
 export function ringOf(outline: readonly (readonly SharedPiece[])[], tolerance: number): Polygon | undefined {
   const [ring, ...others] = outline.map((loop) => {
-    const points: Polygon = loop.flatMap((piece) =>
-      pointsOf(piece, tolerance).map(({ x, y }): [number, number] => [x, y]),
-    )
-    return points.filter(([x, y], k) => k === 0 || x !== points[k - 1]?.[0] || y !== points[k - 1]?.[1])
+    const points: Polygon = []
+    let last: Point | undefined
+    for (const piece of loop) {
+      for (const point of pointsOf(piece, tolerance)) {
+        if (point.x !== last?.x || point.y !== last.y) points.push([point.x, point.y])
+        last = point
+      }
+    }
+    return points
   })
   if (ring === undefined || ring[0] === undefined) return undefined
   const [x, y] = ring[0]

@@ -2,7 +2,7 @@
 
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData } from '../base/types.ts'
-import { edgeCurve } from '../curves/curve.ts'
+import { curveOf } from '../curves/curve.ts'
 import { type Part, partNear, partsInside } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
 
@@ -17,9 +17,21 @@ export function reachFrom({ circles, metric }: DiagramData, circle: number, maxD
   return (metric === 'circles' ? at(circles, 3 * circle + 2) : 0) + maxDistance
 }
 
+/** Whether all of a cell is kept, for all points up to `reach` from its circle's center are. */
+export function isKeptWhole(diagram: DiagramData, circle: number, reach: number, limits: Limits): boolean {
+  const { region, maxDistance } = limits
+  if (maxDistance !== undefined && !(reach < reachFrom(diagram, circle, maxDistance))) return false
+  const x = at(diagram.circles, 3 * circle)
+  const y = at(diagram.circles, 3 * circle + 1)
+  const { minX, minY, maxX, maxY } = region.box
+  if (!(minX <= x - reach && x + reach <= maxX && minY <= y - reach && y + reach <= maxY)) return false
+  if (region.isBox) return true
+  return [-reach, reach].every((dx) => [-reach, reach].every((dy) => region.contains({ x: x + dx, y: y + dy })))
+}
+
 /** The parts of an edge that are kept, in its direction. */
 export function keptParts(diagram: DiagramData, edge: number, { region, maxDistance }: Limits): Part[] {
-  const curve = edgeCurve(diagram, edge)
+  const curve = curveOf(diagram, edge)
   if (maxDistance === undefined) return partsInside(curve, region)
   const reachOf = (end: number) => reachFrom(diagram, at(diagram.edges, 4 * edge + end), maxDistance)
   const near = partNear(curve, Math.min(reachOf(0), reachOf(1)))

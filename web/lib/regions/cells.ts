@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, circleAt, NONE } from '../base/diagram-data.ts'
+import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import { between, dot } from '../base/point.ts'
 import { hypotenuse, largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
-import { type EdgeCurve, edgeCurve, reversed } from '../curves/curve.ts'
+import { curveOf, type EdgeCurve, reversed } from '../curves/curve.ts'
 
 /**
  * The cells of a diagram and their sides. The diagram must be certified, or a comparison diagram.
@@ -90,7 +90,7 @@ export class Cells {
 
   /** Returns the curve of a side, with its cell on the left. */
   curveOf(side: number): EdgeCurve {
-    const curve = edgeCurve(this.diagram, side >> 1)
+    const curve = curveOf(this.diagram, side >> 1)
     return side & 1 ? reversed(curve) : curve
   }
 
@@ -121,8 +121,8 @@ export class Cells {
   lead(circle: number, other: number, x: number, y: number): number {
     // |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d))
     const { circles, metric } = this.diagram
-    const c = circleAt(circles, circle)
-    const d = circleAt(circles, other)
+    const c = circleOf(circles, circle)
+    const d = circleOf(circles, other)
     const fromCircle = between(c, { x, y })
     const fromOther = between(d, { x, y })
     const difference = metric === 'centers' ? 0 : d.r - c.r

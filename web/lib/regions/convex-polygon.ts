@@ -2,7 +2,7 @@
 import { checkOptionNames, refuseOption, shown } from '../base/check.ts'
 import { REGION_LIMIT } from '../base/coordinate-limits.ts'
 import { between, cross } from '../base/point.ts'
-import { facing, largestOf, turn } from '../base/scale.ts'
+import { facing, turn } from '../base/scale.ts'
 import type { Box, Point, Vector } from '../base/types.ts'
 
 /**
@@ -121,10 +121,9 @@ export class ConvexPolygon {
   }
 
   /** How far what is inside may be from a point, along one axis. */
-  reachFrom(p: Point): number {
-    let reach = 0
-    for (const corner of this.corners) reach = Math.max(reach, largestOf(between(p, corner)))
-    return reach
+  reachFrom({ x, y }: Point): number {
+    const { minX, minY, maxX, maxY } = this.box
+    return Math.max(Math.abs(minX - x), Math.abs(maxX - x), Math.abs(minY - y), Math.abs(maxY - y))
   }
 
   /** Returns the area. */

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { circleAt, NONE } from '../base/diagram-data.ts'
+import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import type { Circle, Point } from '../base/types.ts'
-import { type BoundedCurve, reversed, segment } from '../curves/curve.ts'
-import { keptParts, type Limits, reachFrom } from './cell-limits.ts'
+import { type BoundedCurve, curveOf, reversed, seenFrom, segment } from '../curves/curve.ts'
+import { isKeptWhole, keptParts, type Limits, reachFrom } from './cell-limits.ts'
 import type { Cells } from './cells.ts'
 import type { Part } from './clip.ts'
+import type { ConvexPolygon } from './convex-polygon.ts'
 import { outlineArea } from './measure.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 import { Ring, type RingElement } from './ring.ts'
@@ -20,10 +21,11 @@ export function outlineOf(cells: Cells, circle: number, limits: Limits): readonl
   const { region, maxDistance } = limits
   let disc: Circle | undefined
   if (maxDistance !== undefined) {
-    const { x, y } = circleAt(cells.diagram.circles, circle)
+    const { x, y } = circleOf(cells.diagram.circles, circle)
     disc = { x, y, r: reachFrom(cells.diagram, circle, maxDistance) }
     if (!(disc.r > 0)) return []
   }
+  if (isKeptWhole(cells.diagram, circle, cells.reach(circle), limits)) return [wholeLoop(cells, circle, region)]
   const { chains, isClosed } = chainsOf(cells, circle, limits)
   if (isClosed) return chains.map(({ pieces }) => pieces)
   const ring = new Ring(region, disc)
@@ -36,6 +38,22 @@ export function outlineOf(cells: Cells, circle: number, limits: Limits): readonl
   // In a disc it is in one piece: what rounding cut off where several edges end next to the circle goes.
   if (loops.length < 2 || !ring.isCircle) return loops
   return [loops.reduce((one, other) => (outlineArea([other]) > outlineArea([one]) ? other : one))]
+}
+
+/** The outline of a cell that the region contains, without cutting it. */
+function wholeLoop(cells: Cells, circle: number, region: ConvexPolygon): SharedPiece[] {
+  const { diagram } = cells
+  const pieces: SharedPiece[] = []
+  const first = at(diagram.firstSide, circle)
+  let side = first
+  do {
+    const whole = curveOf(diagram, side >> 1)
+    const forward = seenFrom(whole, region.reachFrom(whole.bisector.origin)) as BoundedCurve
+    const curve = side & 1 ? reversed(forward) : forward
+    pieces.push({ curve, forward, side, neighbor: cells.neighborOf(side), r: 0 })
+    side = at(diagram.nextSide, side)
+  } while (side !== first)
+  return pieces
 }
 
 /** Sides of a cell inside the region that follow each other without a gap. */

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { CircleVoronoiError, reasonOf } from '../base/errors.ts'
+import { CircleVoronoiError, type PostedError, postedError, reasonOf } from '../base/errors.ts'
 import type { DiagramData } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
 import type { DiagramEditor } from '../wasm/editor.ts'
-import { type CircleVoronoi, circleVoronoiOf } from '../wasm/library.ts'
+import { type CircleVoronoi, type ComputingLibrary, circleVoronoiOf } from '../wasm/library.ts'
 import type { Progress } from '../wasm/options.ts'
-import type { CallResult, EditorCall, EditorCalls, PostedError, Reply, Request, Start } from './worker-messages.ts'
+import type { CallResult, EditorCall, EditorCalls, Reply, Request, Start } from './worker-messages.ts'
 
 /** What Node's parent port and the global scope of a browser's worker have in common. */
 interface Port {
@@ -18,7 +18,7 @@ interface Port {
 export function answerRequests(): void {
   const nodePort = globalThis.process?.getBuiltinModule?.('node:worker_threads').parentPort
   const port = (nodePort ?? globalThis) as unknown as Port
-  let library: Promise<CircleVoronoi> | undefined
+  let library: Promise<ComputingLibrary> | undefined
   const answerCalls = editing()
 
   port.onmessage = async ({ data }) => {
@@ -29,7 +29,7 @@ export function answerRequests(): void {
       return
     }
     if ('calls' in data) {
-      const results = await answerCalls(data.calls, library as Promise<CircleVoronoi>)
+      const results = await answerCalls(data.calls, library as Promise<ComputingLibrary>)
       const snapshots = results.flatMap((result) =>
         'value' in result && result.value instanceof Diagram ? [result.value] : [],
       )
@@ -37,14 +37,14 @@ export function answerRequests(): void {
       return
     }
     const progress: Progress = (...told) => port.postMessage({ progress: told })
-    const reply = await replyTo(data, library as Promise<CircleVoronoi>, progress)
+    const reply = await replyTo(data, library as Promise<ComputingLibrary>, progress)
     port.postMessage(reply, 'diagram' in reply ? buffersOf(reply.diagram) : [])
   }
 }
 
 async function replyTo(
   { circles, options, tellsProgress }: Request,
-  library: Promise<CircleVoronoi>,
+  library: Promise<ComputingLibrary>,
   progress: Progress,
 ): Promise<Reply> {
   try {
@@ -56,7 +56,7 @@ async function replyTo(
 }
 
 /** Answers the calls of an editor, the first of which makes it. */
-function editing(): (calls: readonly EditorCall[], library: Promise<CircleVoronoi>) => Promise<CallResult[]> {
+function editing(): (calls: readonly EditorCall[], library: Promise<ComputingLibrary>) => Promise<CallResult[]> {
   let editor: DiagramEditor | undefined
   return (calls, library) =>
     Promise.all(
@@ -64,7 +64,7 @@ function editing(): (calls: readonly EditorCall[], library: Promise<CircleVorono
         try {
           const { edit } = await library
           if (method === 'edit') {
-            editor = edit(args[0] as Float64Array)
+            editor = edit(...(args as Parameters<CircleVoronoi['edit']>))
             return { value: undefined }
           }
           const methods = editor as unknown as Record<string, (...args: readonly unknown[]) => unknown>
@@ -77,11 +77,8 @@ function editing(): (calls: readonly EditorCall[], library: Promise<CircleVorono
 }
 
 function posted(error: unknown): PostedError {
-  if (error instanceof CircleVoronoiError) {
-    const { code, circle, message } = error
-    return { code, circle, message }
-  }
-  return { code: 'internal', circle: -1, message: `The computation failed: ${reasonOf(error)}.` }
+  if (error instanceof CircleVoronoiError) return postedError(error)
+  return { code: 'internal', circle: undefined, message: `The computation failed: ${reasonOf(error)}.` }
 }
 
 /** The memory of all arrays of a diagram, to be handed over instead of copied. */

@@ -3,7 +3,7 @@
 import { checkNumber } from '../base/check.ts'
 import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
-import { CircleVoronoiError, workerFailure } from '../base/errors.ts'
+import { receivedError, workerFailure } from '../base/errors.ts'
 import { NewestQueue, type Queued } from '../base/newest-queue.ts'
 import type { Certificate, Circle, DiagramData, Float64s, Int32s } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
@@ -21,12 +21,14 @@ export class EditorClient implements AsyncEditorMethods {
   /** What the thread has been given. */
   #sent: Queued<EditorCall, unknown>[] = []
   readonly #queue = new NewestQueue<EditorCall, unknown>()
+  readonly #weights: boolean
   readonly #onEnd: () => void
   /** Why nothing is answered any more. */
   #end: unknown
 
   /** `onEnd`: called when nothing is answered any more. */
-  constructor(module: CompiledWasm, onEnd: () => void) {
+  constructor(module: CompiledWasm, weights: boolean, onEnd: () => void) {
+    this.#weights = weights
     this.#onEnd = onEnd
     this.#thread = startThread({
       onReply: (reply) => this.#receive(reply),
@@ -38,7 +40,7 @@ export class EditorClient implements AsyncEditorMethods {
   /** Before anything else. */
   async begin(circles: Float64s): Promise<void> {
     try {
-      await this.#ask('edit', circles)
+      await this.#ask('edit', circles, { weights: this.#weights })
     } catch (error) {
       this.#stop(error)
       throw error
@@ -47,7 +49,7 @@ export class EditorClient implements AsyncEditorMethods {
 
   async insert(circle: CircleLike, hint: number = NONE): Promise<Change> {
     checkNumber(hint, 'insert', 'hint')
-    return this.#ask('insert', checkedCircle(circle, NONE), hint)
+    return this.#ask('insert', checkedCircle(circle, this.#weights), hint)
   }
 
   async remove(id: number): Promise<Change> {
@@ -60,11 +62,11 @@ export class EditorClient implements AsyncEditorMethods {
 
   async replace(id: number, circle: CircleLike): Promise<Change> {
     checkId(id, 'replace')
-    return this.#add(id, 'replace', id, checkedCircle(circle, id))
+    return this.#add(id, 'replace', id, checkedCircle(circle, this.#weights, id))
   }
 
   async apply(edits: Iterable<Edit>): Promise<Change> {
-    return this.#inOrder('apply', checkedEdits(edits))
+    return this.#inOrder('apply', checkedEdits(edits, this.#weights))
   }
 
   async nearest(x: number, y: number, hint: number = NONE): Promise<number> {
@@ -144,8 +146,7 @@ export class EditorClient implements AsyncEditorMethods {
     reply.results.forEach((result, k) => {
       const { work, askers } = answered[k] as Queued<EditorCall, unknown>
       if ('error' in result) {
-        const { code, circle, message } = result.error
-        for (const { reject } of askers) reject(new CircleVoronoiError(code, circle, message))
+        for (const { reject } of askers) reject(receivedError(result.error))
         return
       }
       try {

@@ -2,7 +2,7 @@
 
 /**
  * A worker that `make` makes of a module of a page; where that lies in another origin, from which a page takes no workers,
- * one of the same name that imports `file`: a worker takes modules from anywhere. A string is what that worker runs instead.
+ * one of the same name that imports `file`: a worker takes modules from anywhere. If `file` is a text, that worker runs it.
  */
 export function startModuleWorker(make: () => Worker, file: () => URL | string, name: string): Worker {
   try {

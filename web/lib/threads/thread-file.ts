@@ -5,8 +5,8 @@ export function newWorker(): Worker {
   return new Worker(new URL('../worker-thread.js', import.meta.url), { type: 'module' })
 }
 
-/** Where that file is. Not the expression above, for which bundlers would copy the file for every page. */
-export function threadFile(): URL {
+/** Where that file is, or its text. Not the expression above, for which bundlers would copy the file for every page. */
+export function threadFile(): URL | string {
   const here = import.meta.url
   return new URL('../worker-thread.js', here)
 }

@@ -40,8 +40,10 @@ function startWebWorker({ onReply, onFailure }: ThreadEvents): Thread {
 function startNodeThread({ onReply, onFailure }: ThreadEvents): Thread {
   const threads = globalThis.process?.getBuiltinModule?.('node:worker_threads')
   if (threads === undefined) throw new Error('there are none here')
+  const file = threadFile()
   // It needs none of the options of this process, and some (--input-type) would break it.
-  const worker: NodeWorker = new threads.Worker(threadFile(), { execArgv: [], workerData: THREAD_NAME })
+  const options = { eval: typeof file === 'string', execArgv: [], workerData: THREAD_NAME }
+  const worker: NodeWorker = new threads.Worker(file, options)
   worker.on('message', onReply)
   worker.on('error', onFailure)
   return {

@@ -2,7 +2,7 @@
 // What goes between a worker's client and its thread: `Start` once, then one `Request` at a time, each followed by any
 // number of `progress` and one other reply; or, to a thread that edits, one `EditorCalls` at a time, followed by `results`.
 
-import type { ErrorCode } from '../base/errors.ts'
+import type { PostedError } from '../base/errors.ts'
 import type { DiagramData, Float64s } from '../base/types.ts'
 import type { Options, Stage } from '../wasm/options.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
@@ -25,12 +25,6 @@ export interface EditorCall {
 
 export interface EditorCalls {
   readonly calls: readonly EditorCall[]
-}
-
-export interface PostedError {
-  readonly code: ErrorCode
-  readonly circle: number
-  readonly message: string
 }
 
 /** What came of a call. */

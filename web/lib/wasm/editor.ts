@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkMetric, checkNumber, refuseArgument, shown } from '../base/check.ts'
+import { checkMetric, checkNumber, checkOptionNames, refuseArgument, shown } from '../base/check.ts'
 import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
@@ -8,6 +8,7 @@ import { CircleVoronoiError, type ErrorCode } from '../base/errors.ts'
 import type { Certificate, Circle, DiagramData, Disposal, Float64s, Int32s } from '../base/types.ts'
 import type { Change } from '../diagram/change.ts'
 import type { Diagram } from '../diagram/diagram.ts'
+import { checkWeights } from './options.ts'
 
 /**
  * One edit of a batch.
@@ -18,6 +19,19 @@ export type Edit =
   | { readonly kind: 'insert'; readonly circle: CircleLike }
   | { readonly kind: 'remove'; readonly id: number }
   | { readonly kind: 'replace'; readonly id: number; readonly circle: CircleLike }
+
+/**
+ * Options of an editor.
+ *
+ * @category Editing
+ */
+export interface EditorOptions {
+  /**
+   * Whether the radii are additive weights, which may be negative, as in `compute`. Default: false; for a diagram, what
+   * the diagram says.
+   */
+  readonly weights?: boolean | undefined
+}
 
 /**
  * The methods of an editor.
@@ -86,7 +100,7 @@ export interface EditorMethods {
  * when the outer circle goes. The diagram does not depend on the edits that led to it: it equals the result of
  * `compute`.
  *
- * Errors contain the id of the circle as `circle`, or -1 for a new circle. After `dispose`, every method throws
+ * Errors contain the id of the circle as `circle`, or `undefined` for a new circle. After `dispose`, every method throws
  * `badArgument`.
  *
  * The editor holds WebAssembly memory. `dispose` or `using` frees it; otherwise the garbage collector does so at some
@@ -108,16 +122,25 @@ export interface EditorMethods {
  */
 export type DiagramEditor = EditorMethods & Disposal
 
+/** What an editor begins with. */
+export interface EditorStart {
+  readonly circles: Float64s
+  readonly weights: boolean
+}
+
 /**
  * Copies the circles to edit.
  *
- * @throws CircleVoronoiError `badInput`, `badArgument`
+ * @throws CircleVoronoiError `badInput`, `badArgument`, `badOption`
  */
-export function editedCircles(circles: Circles | DiagramData): Float64s {
-  if (!(typeof circles === 'object' && circles !== null && 'vertexCircles' in circles)) return coordinatesOf(circles)
+export function editorStart(circles: Circles | DiagramData, options: EditorOptions): EditorStart {
+  checkOptionNames(options, 'edit', ['weights'])
+  const isDiagram = typeof circles === 'object' && circles !== null && 'vertexCircles' in circles
+  const { weights = isDiagram && circles.weights === true } = options
+  checkWeights(weights)
+  if (!isDiagram) return { circles: coordinatesOf(circles), weights }
   checkMetric(circles, 'edit', 'circles')
-  if (circles.weights) refuseArgument('edit takes a diagram of circles, not of weights.')
-  return coordinatesOf(circles.circles)
+  return { circles: coordinatesOf(circles.circles), weights }
 }
 
 /** A checked edit as plain data. */
@@ -128,18 +151,18 @@ export interface CheckedEdit {
 }
 
 /** @throws CircleVoronoiError as `apply`, but for ids that the editor does not know */
-export function checkedEdits(edits: Iterable<Edit>): CheckedEdit[] {
+export function checkedEdits(edits: Iterable<Edit>, weights: boolean): CheckedEdit[] {
   if (typeof (edits as Partial<Iterable<Edit>> | null | undefined)?.[Symbol.iterator] !== 'function') {
     refuseArgument(`apply takes a list of edits, not ${shown(edits)}.`)
   }
   return Array.from(edits, (edit) => {
     const { kind, id, circle }: { kind?: Edit['kind']; id?: number; circle?: CircleLike } = Object(edit)
-    if (kind === 'insert') return { kind, circle: checkedCircle(circle as CircleLike, NONE) }
+    if (kind === 'insert') return { kind, circle: checkedCircle(circle as CircleLike, weights) }
     if (kind !== 'remove' && kind !== 'replace') {
       refuseArgument(`An edit has a kind, insert, remove or replace, not ${shown(kind)}.`)
     }
     checkId(id, 'apply')
-    return kind === 'remove' ? { kind, id } : { kind, id, circle: checkedCircle(circle as CircleLike, id) }
+    return kind === 'remove' ? { kind, id } : { kind, id, circle: checkedCircle(circle as CircleLike, weights, id) }
   })
 }
 
@@ -147,28 +170,28 @@ export function checkedEdits(edits: Iterable<Edit>): CheckedEdit[] {
 export function checkId(id: unknown, caller: string): asserts id is number {
   checkNumber(id, caller, 'the id of a circle')
   if (!Number.isInteger(id) || (id as number) < NONE || (id as number) >= 2 ** 31) {
-    refuse('unknownCircle', -1, `There is no circle with id ${id}.`)
+    refuse('unknownCircle', `There is no circle with id ${id}.`)
   }
 }
 
 /** @throws CircleVoronoiError `badInput`, and the codes of `compute`; by the id, where the core knows of places in a list */
-export function checkedCircle(circle: CircleLike, id: number): Circle {
+export function checkedCircle(circle: CircleLike, weights: boolean, id?: number): Circle {
   const [x, y, r]: readonly unknown[] = [circleX(circle), circleY(circle), circleRadius(circle)]
-  const who = id === NONE ? 'The new circle' : `Circle ${id}`
+  const who = id === undefined ? 'The new circle' : `Circle ${id}`
   if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
-    refuse('badInput', id, `${who} does not have three numbers x, y and r.`)
+    refuse('badInput', `${who} does not have three numbers x, y and r.`, id)
   }
   if (!Number.isFinite(x) || !Number.isFinite(y) || !Number.isFinite(r)) {
-    refuse('nonFinite', id, `${who} has a number that is not finite.`)
+    refuse('nonFinite', `${who} has a number that is not finite.`, id)
   }
-  if (r < 0) refuse('negativeRadius', id, `${who} has a negative radius.`)
-  if (Math.max(Math.abs(x), Math.abs(y), r) > COORDINATE_LIMIT) {
-    refuse('coordinateTooLarge', id, `${who} has a coordinate or a radius beyond 1e150.`)
+  if (r < 0 && !weights) refuse('negativeRadius', `${who} has a negative radius.`, id)
+  if (Math.max(Math.abs(x), Math.abs(y), Math.abs(r)) > COORDINATE_LIMIT) {
+    refuse('coordinateTooLarge', `${who} has a coordinate or a radius beyond 1e150.`, id)
   }
   return { x, y, r }
 }
 
 /** @throws CircleVoronoiError always */
-export function refuse(code: ErrorCode, circle: number, message: string): never {
-  throw new CircleVoronoiError(code, circle, message)
+export function refuse(code: ErrorCode, message: string, circle?: number): never {
+  throw new CircleVoronoiError(code, message, { circle })
 }

@@ -45,5 +45,5 @@ function checkArray(
 }
 
 function refuse(message: string): never {
-  throw new CircleVoronoiError('badInput', -1, message)
+  throw new CircleVoronoiError('badInput', message)
 }

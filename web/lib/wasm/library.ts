@@ -11,12 +11,15 @@ import {
   coordinatesOf,
 } from '../base/coordinates.ts'
 import type { Box, Certificate, DiagramData, Float64s } from '../base/types.ts'
-import { Diagram } from '../diagram/diagram.ts'
+import { Diagram, updatable } from '../diagram/diagram.ts'
 import createModule from '../generated/circle-voronoi.js'
-import { type DiagramEditor, editedCircles } from './editor.ts'
+import type { Comparison } from './comparison.ts'
+import { type DiagramEditor, type EditorOptions, editorStart } from './editor.ts'
 import { judgedArrays, type Verifiable } from './judged-arrays.ts'
+import type { LoadOptions } from './load-options.ts'
 import { editorsOf } from './module-editor.ts'
 import { checkOptions, type Options, type Progress } from './options.ts'
+import type { Regions } from './regions.ts'
 import { Trace, type TraceOptions } from './trace.ts'
 import { type CompiledWasm, instantiate, unwrap } from './wasm.ts'
 
@@ -93,12 +96,11 @@ export interface CircleVoronoi {
    */
   trace(circles: Circles, options?: TraceOptions): Trace
   /**
-   * Creates an editor for the diagram of `circles`, or for the circles of a diagram. Circle i gets the id i. Diagrams
-   * with additive weights cannot be edited.
+   * Creates an editor for the diagram of `circles`, or for the circles of a diagram. Circle i gets the id i.
    *
-   * @throws CircleVoronoiError as `compute`; `badArgument`, if it is a diagram with weights or of another metric
+   * @throws CircleVoronoiError as `compute`; `badArgument`, if it is a diagram of another metric
    */
-  edit(circles: Circles | DiagramData): DiagramEditor
+  edit(circles: Circles | DiagramData, options?: EditorOptions): DiagramEditor
   /**
    * Checks in linear time, with exact signs, whether a diagram is the Voronoi diagram of its `circles`, whatever made
    * it. Only its typed arrays are read. `compute` has already checked its results.
@@ -115,10 +117,41 @@ export interface CircleVoronoi {
    *   length; `badOption` if the box is empty or the radius negative or not finite.
    */
   finalCells(diagram: Verifiable, known: Known): FinalCells
+  /**
+   * Loads a second WebAssembly module, which computes two related diagrams: the ordinary Voronoi diagram of the
+   * centers, and the power diagram.
+   *
+   * @param options `wasm`: the source of `circle-voronoi-comparison.wasm`. Default: the file beside the library.
+   * @throws CircleVoronoiError `notLoaded`, `badOption`. Each as a rejection.
+   *
+   * @example
+   * ```js
+   * const { computeComparison } = await library.loadComparison()
+   * computeComparison([[0, 0, 3], [10, 0, 1]], 'power').find(5.2, 0) // 0
+   * ```
+   */
+  loadComparison(options?: LoadOptions): Promise<Comparison>
+  /**
+   * Loads a WebAssembly module that clips diagrams to regions, and fits cells to given areas.
+   *
+   * @param options `wasm`: the source of `circle-voronoi-regions.wasm`. Default: the file beside the library.
+   * @throws CircleVoronoiError `notLoaded`, `badOption`. Each as a rejection.
+   *
+   * @example
+   * ```js
+   * const { region } = await library.loadRegions()
+   * const triangle = region([[[0, 0], [9, 0], [0, 9]]])
+   * diagram.cellArea(0, { region: triangle }) // 12
+   * ```
+   */
+  loadRegions(options?: LoadOptions): Promise<Regions>
 }
 
+/** The part of the library that is there from the start. */
+export type ComputingLibrary = Omit<CircleVoronoi, 'loadComparison' | 'loadRegions'>
+
 /** The library on a compiled `circle-voronoi.wasm`, with a memory of its own. */
-export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi> {
+export async function circleVoronoiOf(wasm: CompiledWasm): Promise<ComputingLibrary> {
   const module = await instantiate(createModule, wasm)
   const edit = editorsOf(module)
 
@@ -138,7 +171,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
   }
 
   const diagramOf = (coordinates: Float64s, options: Options): Diagram =>
-    new Diagram(dataOf(coordinates, options), (circles) => dataOf(circles, options))
+    updatable(new Diagram(dataOf(coordinates, options)), (circles) => dataOf(circles, options))
 
   return {
     compute(circles, options = {}) {
@@ -163,9 +196,10 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       const { edits, ...others } = options
       const coordinates = coordinatesOf(circles)
       if (edits !== undefined) {
-        const unused = Object.entries(others).find(([, value]) => value !== undefined)
+        const { weights = false, ...unusable } = others
+        const unused = Object.entries(unusable).find(([, value]) => value !== undefined)
         if (unused !== undefined) refuseOption(`The option ${unused[0]} does not go with edits.`)
-        const editor = edit(coordinates)
+        const editor = edit({ circles: coordinates, weights })
         try {
           const events = editor.trace(edits)
           return new Trace(editor.snapshot(), events)
@@ -178,7 +212,7 @@ export async function circleVoronoiOf(wasm: CompiledWasm): Promise<CircleVoronoi
       const { diagram, events } = unwrap(told(others, run))
       return new Trace(new Diagram({ metric: 'circles', circles: coordinates, ...diagram }), events)
     },
-    edit: (circles) => edit(editedCircles(circles)),
+    edit: (circles, options = {}) => edit(editorStart(circles, options)),
     certify,
     finalCells(diagram, known) {
       const { box, maxRadius }: Partial<Known> = Object(known)

@@ -3,7 +3,7 @@
 import { checkNumber, refuseArgument } from '../base/check.ts'
 import type { CircleLike } from '../base/coordinates.ts'
 import { NONE } from '../base/diagram-data.ts'
-import type { Certificate, Circle, Float64s, Int32s } from '../base/types.ts'
+import type { Certificate, Circle, Int32s } from '../base/types.ts'
 import { type Change, changeOf } from '../diagram/change.ts'
 import { Diagram } from '../diagram/diagram.ts'
 import {
@@ -13,6 +13,7 @@ import {
   checkId,
   type Edit,
   type EditorMethods,
+  type EditorStart,
   refuse,
 } from './editor.ts'
 import type { TraceArrays } from './trace.ts'
@@ -35,10 +36,11 @@ type EditorModule = Pick<
 >
 
 /** A function that makes editors in a module; circle i gets id i. */
-export function editorsOf(module: EditorModule): (circles: Float64s) => Editor {
+export function editorsOf(module: EditorModule): (start: EditorStart) => Editor {
   // Frees what nobody has disposed of.
   const registry = new FinalizationRegistry((address: number) => module.deleteEditor(address))
-  return (circles) => new Editor(module, registry, unwrap(module.createEditor(circles)).editor)
+  return ({ circles, weights }) =>
+    new Editor(module, registry, weights, unwrap(module.createEditor(circles, weights)).editor)
 }
 
 /** Of `Edit.kind` the numbers that the core has for them. */
@@ -52,19 +54,21 @@ export class Editor implements EditorMethods {
   onchange: ((change: Change) => void) | undefined
   readonly #module: EditorModule
   readonly #registry: FinalizationRegistry<number>
+  readonly #weights: boolean
   /** 0 once it is disposed of. */
   #address: number
   #revision = 0
 
-  constructor(module: EditorModule, registry: FinalizationRegistry<number>, address: number) {
+  constructor(module: EditorModule, registry: FinalizationRegistry<number>, weights: boolean, address: number) {
     this.#module = module
     this.#registry = registry
+    this.#weights = weights
     this.#address = address
     registry.register(this, address, this)
   }
 
   insert(circle: CircleLike, hint: number = NONE): Change {
-    const { x, y, r } = checkedCircle(circle, NONE)
+    const { x, y, r } = checkedCircle(circle, this.#weights)
     checkNumber(hint, 'insert', 'hint')
     return this.#changed(this.#module.editCircle(this.#live(), INSERT, NONE, x, y, r, hint))
   }
@@ -76,18 +80,18 @@ export class Editor implements EditorMethods {
 
   replace(id: number, circle: CircleLike): Change {
     checkId(id, 'replace')
-    const { x, y, r } = checkedCircle(circle, id)
+    const { x, y, r } = checkedCircle(circle, this.#weights, id)
     return this.#changed(this.#module.editCircle(this.#live(), REPLACE, id, x, y, r, NONE))
   }
 
   apply(edits: Iterable<Edit>): Change {
-    const checked = checkedEdits(edits)
+    const checked = checkedEdits(edits, this.#weights)
     return this.#changed(this.#module.applyEdits(this.#live(), numbersOf(checked)))
   }
 
   /** The same, told event by event. */
   trace(edits: Iterable<Edit>): TraceArrays {
-    const checked = checkedEdits(edits)
+    const checked = checkedEdits(edits, this.#weights)
     return unwrap(this.#module.traceEdits(this.#live(), numbersOf(checked)))
   }
 
@@ -113,7 +117,7 @@ export class Editor implements EditorMethods {
   isHidden(id: number): boolean {
     checkId(id, 'isHidden')
     const numbers = this.#module.circleOfEditor(this.#live(), id)
-    if (numbers === undefined) refuse('unknownCircle', id, `There is no circle with id ${id}.`)
+    if (numbers === undefined) refuse('unknownCircle', `There is no circle with id ${id}.`, id)
     return numbers[3] === 1
   }
 

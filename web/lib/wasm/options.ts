@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkOptionNames, refuseOption, shown } from '../base/check.ts'
-import type { Seconds } from '../base/types.ts'
+import type { Candidates, Method, Seconds } from '../base/types.ts'
 
 /**
  * A stage of the computation.
@@ -43,13 +43,13 @@ export interface Options {
    * `touching-disc`: the method of the paper, candidate pairs followed by the event loop. `flip`: edge flips that start
    * from the Delaunay triangulation of the centers. The last two may give a wrong diagram; its certificate says so.
    */
-  readonly method?: 'auto' | 'touching-disc' | 'flip' | undefined
+  readonly method?: Method | undefined
   /**
    * For the touching disc method: which pairs of circles get an antipodal disc. These are neighbors in the Delaunay
    * graph of dynamically chosen samples (`dynamic`, default) or of equally spaced samples (`uniform`), or all pairs
    * (`all-pairs`: quadratic, at most 10,000 circles).
    */
-  readonly candidates?: 'dynamic' | 'uniform' | 'all-pairs' | undefined
+  readonly candidates?: Candidates | undefined
   /**
    * The number of samples. `dynamic`: inside each angle of a Delaunay face, 0 to 1000, default 1. `uniform`: on each
    * circle, 1 to 1000, default 50. `all-pairs` uses none.
@@ -85,7 +85,12 @@ export function checkOptions(options: Options, caller: string, more: readonly st
   ) {
     refuseOption(`The option samples is a whole number from 0, not ${shown(samples)}.`)
   }
-  if (weights !== undefined && typeof weights !== 'boolean') refuseOption('The option weights is true or false.')
+  if (weights !== undefined) checkWeights(weights)
   if (resample !== undefined && typeof resample !== 'boolean') refuseOption('The option resample is true or false.')
   if (progress !== undefined && typeof progress !== 'function') refuseOption('The option progress is a function.')
+}
+
+/** @throws CircleVoronoiError `badOption` */
+export function checkWeights(weights: unknown): asserts weights is boolean {
+  if (typeof weights !== 'boolean') refuseOption('The option weights is true or false.')
 }

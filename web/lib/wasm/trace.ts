@@ -79,7 +79,7 @@ export type TraceKind = (typeof TRACE_KINDS)[number]
  * @category Tracing
  */
 export interface TraceOptions extends Options {
-  /** Edits to the diagram of `circles`, in which circle i has the id i. They cannot be combined with other options. */
+  /** Edits to the diagram of `circles`, in which circle i has the id i. The only other option that they can be combined with is `weights`. */
   readonly edits?: Iterable<Edit> | undefined
 }
 

@@ -29,7 +29,7 @@ interface WasmModule {
   finalCells(diagram: JudgedArrays, box: Float64Array, maxRadius: number): WasmError | import('./library.ts').FinalCells
   errorCodeNames(): string[]
 
-  createEditor(circles: Float64Array): WasmError | { readonly editor: number }
+  createEditor(circles: Float64Array, weights: boolean): WasmError | { readonly editor: number }
   deleteEditor(editor: number): void
   // What a change is in bytes, cpp/wasm/editor_bindings.cpp says; they are good until the next call.
   /** `kind`: 0 insert, 1 remove, 2 replace. */
@@ -63,6 +63,56 @@ interface WasmComparisonModule {
   powerDiagram(circles: Float64Array): WasmError | WasmDiagram
 }
 
+interface WasmRegionsModule {
+  createRegion(
+    points: Float64Array,
+    ringOffsets: Int32Array,
+    polygonOffsets: Int32Array | undefined,
+  ):
+    | WasmError
+    | ({ readonly address: number } & Pick<
+        import('../regions/region.ts').Region,
+        'points' | 'ringOffsets' | 'polygonOffsets' | 'area' | 'perimeter'
+      >)
+  deleteRegion(region: number): void
+  regionContains(region: number, x: number, y: number): boolean
+  createClip(
+    region: number,
+    diagram: JudgedArrays & { readonly metric: string },
+    maxDistance: number | undefined,
+  ): WasmError | { readonly address: number }
+  deleteClip(clip: number): void
+  clippedCells(clip: number): WasmError | import('../regions/region.ts').ClippedCells
+  clippedEdges(clip: number): WasmError | import('../regions/region.ts').ClippedEdges
+  clippedAreas(clip: number): WasmError | Float64Array<ArrayBuffer>
+  clippedCentroids(clip: number): WasmError | Float64Array<ArrayBuffer>
+  clippedPerimeters(clip: number): WasmError | Float64Array<ArrayBuffer>
+  clippedNeighbors(clip: number, circle: number): WasmError | Int32Array<ArrayBuffer>
+  clippedPolygons(clip: number, tolerance: number): WasmError | import('../regions/region.ts').ClippedPolygons
+  /** `sites`: x, y and the weight of each. */
+  fitAreas(
+    region: number,
+    sites: Float64Array,
+    areas: Float64Array,
+    options: {
+      readonly shares: boolean
+      readonly tolerance: number
+      readonly maxSteps: number
+      /** Whether to go on; must not throw. */
+      readonly onStep: (steps: number, error: number, weights: Float64Array<ArrayBuffer>) => boolean
+    },
+  ):
+    | WasmError
+    | {
+        readonly circles: import('../base/types.ts').Float64s
+        readonly diagram: WasmDiagram
+        readonly weights: Float64Array<ArrayBuffer>
+        readonly areas: Float64Array<ArrayBuffer>
+        readonly relativeError: number
+        readonly steps: number
+      }
+}
+
 /** What is written, as far as it is said. `bounds`: minX, minY, maxX, maxY. */
 interface WasmWriteOptions {
   readonly bounds: Float64Array | undefined
@@ -93,6 +143,10 @@ declare module '*/generated/circle-voronoi-files.js' {
 
 declare module '*/generated/circle-voronoi.js' {
   export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmModule>
+}
+
+declare module '*/generated/circle-voronoi-regions.js' {
+  export default function createModule(options: import('./wasm.ts').EmscriptenOptions): Promise<WasmRegionsModule>
 }
 
 declare module '*/generated/circle-voronoi-comparison.js' {

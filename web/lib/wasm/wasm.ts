@@ -20,6 +20,7 @@ export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView
 
 /** What a function of the core returns in place of its result. */
 export interface WasmError {
+  /** `circle`: -1 if there is none. */
   readonly error: { readonly code: string; readonly circle: number; readonly message: string }
 }
 
@@ -84,7 +85,7 @@ export function instantiate<Exports>(
 export function unwrap<Value extends object>(result: Value | WasmError): Value {
   if (!('error' in result)) return result
   const { code, circle, message } = result.error
-  throw new CircleVoronoiError(code as ErrorCode, circle, message)
+  throw new CircleVoronoiError(code as ErrorCode, message, { circle: circle < 0 ? undefined : circle })
 }
 
 async function compileFrom(url: URL): Promise<CompiledWasm> {
@@ -103,7 +104,14 @@ async function compileResponse(response: Response): Promise<CompiledWasm> {
   return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer())
 }
 
+/** Makes an error of the reason why the script of a module cannot be loaded, and throws it. */
+export function scriptNotLoaded(what: string): (cause: unknown) => never {
+  return (cause) => {
+    throw new CircleVoronoiError('notLoaded', `${what} cannot be loaded: ${reasonOf(cause)}.`, { cause })
+  }
+}
+
 function notLoaded(place: string, cause: unknown): CircleVoronoiError {
   const message = `The WebAssembly cannot be loaded ${place}: ${reasonOf(cause)}.`
-  return new CircleVoronoiError('notLoaded', -1, message, { cause })
+  return new CircleVoronoiError('notLoaded', message, { cause })
 }

@@ -23,24 +23,26 @@ export class Coloring {
   }
 
   /**
-   * Follows a change to cells: those that changed are told by their ids. False: all had to be colored anew, else only these
-   * may have another color.
+   * Follows a change to cells, which are told by their ids, and returns those that have another color. `undefined`: all were
+   * colored anew.
    */
-  follow(diagram: Diagram, changed: Iterable<number>): boolean {
+  follow(diagram: Diagram, changed: Iterable<number>): number[] | undefined {
+    const recolored: number[] = []
     for (const id of changed) {
       const i = diagram.indexOf(id)
       if (i === NONE) continue
       if (id >= this.#colors.length) this.#grow(id)
       const taken = this.#takenBeside(diagram, i)
       if (this.#colors[id] !== UNCOLORED && (taken & (1 << this.colorOf(id))) === 0) continue
-      const color = freeColor(taken)
-      if (color === MAP_COLORS) {
+      const color = freeColor(taken, id)
+      if (color === undefined) {
         this.#colors = colored(diagram)
-        return false
+        return undefined
       }
       this.#colors[id] = color
+      recolored.push(id)
     }
-    return true
+    return recolored
   }
 
   #takenBeside(diagram: Diagram, i: number): number {
@@ -61,10 +63,13 @@ export class Coloring {
 
 const UNCOLORED = 255
 
-function freeColor(taken: number): number {
-  let color = 0
-  while (taken & (1 << color)) color += 1
-  return color
+/** A color that is not taken, the first one from `from` on: all are used about as often. */
+function freeColor(taken: number, from: number): number | undefined {
+  for (let k = 0; k < MAP_COLORS; k++) {
+    const color = (from + k) % MAP_COLORS
+    if ((taken & (1 << color)) === 0) return color
+  }
+  return undefined
 }
 
 function colored(diagram: Diagram): Uint8Array {
@@ -75,7 +80,7 @@ function colored(diagram: Diagram): Uint8Array {
     const i = at(order, k)
     let taken = 0
     for (const j of diagram.neighbors(i)) if (colors[j] !== UNCOLORED) taken |= 1 << (colors[j] as number)
-    colors[i] = freeColor(taken)
+    colors[i] = freeColor(taken, i) as number
   }
   const ids = diagram.numbers?.circles
   if (ids === undefined) return colors

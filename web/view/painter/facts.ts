@@ -22,5 +22,6 @@ function cellFacts(diagram: Diagram, i: number): CellFacts {
     edges: around.length,
     neighbors: [...new Set(around)].map((k) => numbers?.circles[k] ?? k),
     area: diagram.cellArea(i),
+    perimeter: diagram.cells.isBounded(i) ? diagram.cellPerimeter(i) : Number.POSITIVE_INFINITY,
   }
 }

@@ -29,6 +29,30 @@ export function intersection(a: PixelBox, b: PixelBox): PixelBox | undefined {
   return width > 0 && height > 0 ? { left, top, width, height } : undefined
 }
 
+/** Boxes that cover all of some boxes, no pixel twice: those that overlap become the one around both. */
+export function apart(boxes: readonly PixelBox[]): PixelBox[] {
+  const covered: PixelBox[] = []
+  for (let box of boxes) {
+    for (let k = 0; k < covered.length; k++) {
+      const other = covered[k] as PixelBox
+      if (intersection(box, other) === undefined) continue
+      covered.splice(k, 1)
+      box = around(box, other)
+      // It may meet those before, now.
+      k = -1
+    }
+    covered.push(box)
+  }
+  return covered
+}
+
+function around(a: PixelBox, b: PixelBox): PixelBox {
+  const [left, top] = [Math.min(a.left, b.left), Math.min(a.top, b.top)]
+  const width = Math.max(a.left + a.width, b.left + b.width) - left
+  const height = Math.max(a.top + a.height, b.top + b.height) - top
+  return { left, top, width, height }
+}
+
 /** The squares of the grid that a box meets. */
 export function tilesOf({ left, top, width, height }: PixelBox): PixelBox[] {
   const tiles: PixelBox[] = []

@@ -5,17 +5,26 @@ import { hypotenuse } from '../../lib/base/scale.ts'
 import type { BoundedCurve } from '../../lib/curves/curve.ts'
 import { type Diagram, outlineArea } from '../../lib/index.ts'
 import type { Measure } from '../layers.ts'
-import { TINTS } from '../style.ts'
+import type { Legend } from '../protocol.ts'
+import { SHADES } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
 
 /** So many cells say which are the small ones. */
 const MOST_SAMPLES = 2000
+/** What the beginning, the quarters and the end of the ramp stand for: a few outliers do not take most of it. */
+const SHARES = [0.05, 0.25, 0.5, 0.75, 0.95]
+/** Numbers of neighbors that differ in color. */
+const DEGREES = [4, 5, 6, 7, 8]
 
-/** The tints of cells by a measure: each tint as many as others, equal measures one; the number of neighbors up to 4, 5 … 8, more. */
+/**
+ * The shades of circles by a measure. The ramp goes evenly from one quartile to the next, so that it is used whatever the
+ * distribution; equal measures have one shade.
+ */
 export class Measures {
   readonly measure: Measure
   readonly #diagram: Diagram
-  #bounds: readonly number[] | undefined
+  #knots: readonly number[] | undefined
+  #isClipped = true
   /** What takes long to find, by the circles' ids. */
   #known = new Float64Array()
 
@@ -24,13 +33,21 @@ export class Measures {
     this.#diagram = diagram
   }
 
-  /** From 0 to 5. */
-  tintOf(i: number): number {
-    this.#bounds ??= this.measure === 'degree' ? [5, 6, 7, 8, 9] : this.#quantiles()
-    const value = this.valueOf(i)
-    let tint = 0
-    while (tint < TINTS - 1 && (this.#bounds[tint] as number) <= value) tint += 1
-    return tint
+  /** What the shades mean. They stay the same while circles are edited. */
+  get legend(): Legend {
+    const knots = this.#knotsNow
+    return { measure: this.measure, knots, isClipped: this.#isClipped }
+  }
+
+  /** From 0 to `SHADES` - 1; of an area without end `NONE`: it is not the largest. */
+  shadeOf(i: number): number {
+    if (this.valueOf(i) === Number.POSITIVE_INFINITY) return NONE
+    return Math.round(placeAmong(this.#knotsNow, this.valueOf(i)) * (SHADES - 1))
+  }
+
+  get #knotsNow(): readonly number[] {
+    this.#knots ??= this.measure === 'degree' ? DEGREES : this.#quantiles()
+    return this.#knots
   }
 
   /** Of a circle by its index. */
@@ -55,15 +72,36 @@ export class Measures {
     for (const id of ids) if (id < this.#known.length) this.#known[id] = Number.NaN
   }
 
-  /** Of cells that there are. */
+  /** Of so many circles one says which are the small ones. */
+  get #step(): number {
+    return Math.max(Math.ceil(this.#diagram.circles.length / 3 / MOST_SAMPLES), 1)
+  }
+
+  /** Of cells that there are and that have an end. */
   #quantiles(): number[] {
     const { circles, cells } = this.#diagram
-    const count = circles.length / 3
-    const step = Math.max(Math.ceil(count / MOST_SAMPLES), 1)
-    const some = Array.from({ length: Math.floor(count / step) }, (_, k) => k * step).filter((i) => cells.exists(i))
-    const values = Float64Array.from(some, (i) => this.valueOf(i)).sort()
-    return Array.from({ length: TINTS - 1 }, (_, k) => values[Math.floor(((k + 1) * values.length) / TINTS)] ?? 0)
+    const step = this.#step
+    const some = Array.from({ length: Math.ceil(circles.length / 3 / step) }, (_, k) => k * step)
+    const values = Float64Array.from(some.filter((i) => cells.exists(i)).map((i) => this.valueOf(i))).filter(
+      Number.isFinite,
+    )
+    values.sort()
+    const knots = SHARES.map((share) => values[Math.round(share * (values.length - 1))] ?? 0)
+    this.#isClipped = step > 1 || knots[0] !== values[0] || knots.at(-1) !== values.at(-1)
+    return knots
   }
+}
+
+/** Where a value lies among ascending ones, from 0 to 1: evenly between two, in the middle of those that it equals. */
+export function placeAmong(knots: readonly number[], value: number): number {
+  const last = knots.length - 1
+  const below = knots.filter((knot) => knot < value).length
+  const upTo = knots.filter((knot) => knot <= value).length
+  if (upTo > below) return (below + upTo - 1) / 2 / last
+  if (below === 0) return 0
+  if (below > last) return 1
+  const [low, high] = [knots[below - 1] as number, knots[below] as number]
+  return (below - 1 + (value - low) / (high - low)) / last
 }
 
 /** The area of a cell; infinite, if it goes to infinity; 0 if there is none. */

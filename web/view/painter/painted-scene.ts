@@ -2,8 +2,7 @@
 
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { Comparison } from '../../lib/comparison.ts'
-import type { Box, Circle, CircleVoronoi, Diagram, Edit, Options } from '../../lib/index.ts'
+import type { Box, Circle, CircleVoronoi, Comparison, Diagram, Edit, Options } from '../../lib/index.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import type { CircleChange } from '../circle-table.ts'
 import { DEFAULT_LAYERS, isMethodShown, type Layers } from '../layers.ts'
@@ -16,6 +15,7 @@ import type {
   Facts,
   Found,
   Hit,
+  Legend,
   Marks,
   Patch,
   PixelBox,
@@ -33,13 +33,13 @@ import { CanvasDrawing, type Drawing } from './drawing.ts'
 import { factsOf } from './facts.ts'
 import { found, isAnythingFound } from './found.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
-import { frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
+import { apart, frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
 import { isTraced, methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
 import { tabulated, tabulatedAll } from './tabulate.ts'
-import { touchingNear } from './touching.ts'
+import { touchingAround, touchingNear } from './touching.ts'
 import { traced } from './traced.ts'
 import { trialOf } from './trial.ts'
 
@@ -173,6 +173,11 @@ export class PaintedScene {
     paint(new Painting(drawing, frame, pixelRatio, this.#picture, style))
   }
 
+  /** What the colors of the layers mean. */
+  get legend(): Legend | undefined {
+    return this.#picture.legend
+  }
+
   /** How cells are distributed. */
   measure(): Generator<void, Distribution> {
     return distributionOf(this.#picture)
@@ -212,10 +217,14 @@ export class PaintedScene {
     return traced(this.#library, this.#picture.diagram, options)
   }
 
-  /** The disc around the vertex or the point of an edge next to a point of the plane. */
+  /** The disc around the vertex or the point of an edge next to a point of the plane, or else around that point. */
   touch(x: number, y: number, slack: number): Touching | undefined {
+    const { diagram, editor } = this.#picture
     const box = { minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack }
-    return touchingNear(this.#picture.diagram, this.#picture.circlesIn(box), x, y, slack)
+    const near = touchingNear(diagram, this.#picture.circlesIn(box), x, y, slack)
+    if (near !== undefined) return near
+    this.#hint = editor.nearest(x, y, this.#hint)
+    return this.#hint < 0 ? undefined : touchingAround(diagram, diagram.indexOf(this.#hint), x, y)
   }
 
   /** What a circle would take; `undefined`: it is none. */
@@ -378,12 +387,10 @@ export class PaintedScene {
     if (look === undefined) return []
     const margin = STROKE * look.grid.pixelRatio
     const tiles = tilesOf(look.wanted).filter((tile) => this.#painted.has(keyOf(tile)))
-    return tiles.flatMap((tile) =>
-      boxes.flatMap((box) => {
-        const part = intersection(tile, pixelsOf(look.grid, box, margin))
-        return part === undefined ? [] : [this.#paint(part, look)]
-      }),
-    )
+    return tiles.flatMap((tile) => {
+      const parts = boxes.flatMap((box) => intersection(tile, pixelsOf(look.grid, box, margin)) ?? [])
+      return apart(parts).map((part) => this.#paint(part, look))
+    })
   }
 
   #restart(): void {

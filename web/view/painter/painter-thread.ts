@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
-import type { Comparison } from '../../lib/comparison.ts'
-import { type CircleVoronoi, circleVoronoiOf } from '../../lib/wasm/library.ts'
+import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
+import type { CircleVoronoi, Comparison } from '../../lib/index.ts'
+import { circleVoronoiOf } from '../../lib/wasm/library.ts'
+import { withModules } from '../../lib/wasm/with-modules.ts'
 import type { FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
 import { CanvasDrawing, SvgDrawing } from './drawing.ts'
 import { PaintedScene } from './painted-scene.ts'
@@ -41,7 +42,7 @@ export function answerViews(): void {
   // One after the other, though the first ones wait for the library.
   let last: Promise<void> = Promise.resolve()
   port.onmessage = ({ data }) => {
-    if (data.kind === 'start') begin(circleVoronoiOf(data.module))
+    if (data.kind === 'start') begin(circleVoronoiOf(data.module).then(withModules))
     else last = last.then(() => answer(data)).catch((error) => post({ kind: 'failed', message: reasonOf(error) }))
   }
 }
@@ -150,6 +151,7 @@ const answers: Answers = {
       scene.draw(new CanvasDrawing(context), frame, ...given)
       return canvas.transferToImageBitmap()
     }),
+  legend: (scene) => scene.legend,
   measure: (scene) => () => scene.measure(),
   tabulate: (scene, columns, ids) =>
     ids === undefined ? () => scene.tabulateAll(columns) : scene.tabulate(columns, ids),
@@ -170,7 +172,7 @@ function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, 
     })
   } catch (error) {
     if (!(error instanceof CircleVoronoiError)) throw error
-    post({ kind: 'noAnswer', request, code: error.code, circle: error.circle, message: error.message })
+    post({ kind: 'noAnswer', request, error: postedError(error) })
   }
 }
 
@@ -194,7 +196,7 @@ function tellFound(number: number, scene: PaintedScene): void {
 
 function refuse(scene: number, revision: number, error: unknown): void {
   if (!(error instanceof CircleVoronoiError)) throw error
-  post({ kind: 'refused', scene, revision, code: error.code, circle: error.circle, message: error.message })
+  post({ kind: 'refused', scene, revision, error: postedError(error) })
 }
 
 function secondsSince(start: number): number {
@@ -266,7 +268,7 @@ async function findAll(): Promise<void> {
     }
     if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
     if (!scene.isPowerMissing) continue
-    comparison ??= import('../../lib/comparison.ts').then(async ({ loadComparison }) => loadComparison(await library))
+    comparison ??= (await library).loadComparison()
     const loaded = await comparison.catch(() => undefined)
     if (loaded === undefined) {
       // What cannot be loaded is not drawn; it may be there the next time.

@@ -2,7 +2,7 @@
 
 import type { PathSink } from '../../lib/index.ts'
 import type { Limits } from '../../lib/regions/cell-limits.ts'
-import type { Layers } from '../layers.ts'
+import { isMeasure, type Layers } from '../layers.ts'
 import type { Style } from '../style.ts'
 import type { Drawing } from './drawing.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
@@ -10,8 +10,8 @@ import { FrameSink } from './frame-sink.ts'
 import type { Picture } from './picture.ts'
 
 const CELL_WIDTH_PER_LINE_WIDTH = 16
-const THINNEST_LINE = 0.35
-const THICKEST_LINE = 1.25
+/** As `--edge-width` of the page. */
+const THICKEST_LINE = 1.5
 
 /** A frame of a picture that is being painted, on a drawing whose pixels are those of the frame. */
 export class Painting {
@@ -30,7 +30,7 @@ export class Painting {
   readonly circles: readonly number[]
   /** About how wide cells are, in CSS pixels. */
   readonly width: number
-  /** Of edges, in device pixels. */
+  /** Of edges, in device pixels: thinner than a pixel, they fade, so that as much is ink wherever cells are small. */
   readonly lineWidth: number
 
   constructor(drawing: Drawing, frame: Frame, pixelRatio: number, picture: Picture, style: Style) {
@@ -44,8 +44,13 @@ export class Painting {
     this.tolerance = toleranceOf(frame)
     this.circles = picture.circlesIn(this.limits.region.box)
     this.width = (picture.cellWidth * frame.scale) / pixelRatio
-    const thickness = Math.min(Math.max(this.width / CELL_WIDTH_PER_LINE_WIDTH, THINNEST_LINE), THICKEST_LINE)
-    this.lineWidth = pixelRatio * thickness
+    this.lineWidth = pixelRatio * Math.min(this.width / CELL_WIDTH_PER_LINE_WIDTH, THICKEST_LINE)
+  }
+
+  /** Those of circles and their cells (`colorOf`). */
+  get palette(): readonly string[] {
+    const { colors } = this.picture
+    return isMeasure(colors) ? this.style.ramp : this.style.map
   }
 
   /** What is drawn in the plane goes there. */

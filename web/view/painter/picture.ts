@@ -2,8 +2,16 @@
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import type { Box, Change, Diagram, DiagramEditor } from '../../lib/index.ts'
 import { boundingBox } from '../camera.ts'
-import { type DataLayer, DEFAULT_LAYERS, isMeasure, type Layers, type MethodLayer } from '../layers.ts'
-import { TINTS } from '../style.ts'
+import {
+  type CellColors,
+  type DataLayer,
+  DEFAULT_LAYERS,
+  isMeasure,
+  type Layers,
+  type MethodLayer,
+  MOST_MAPPED,
+} from '../layers.ts'
+import type { Legend } from '../protocol.ts'
 import { BoxIndex } from './box-index.ts'
 import { addAround, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
@@ -14,8 +22,6 @@ import type { MethodResult } from './method-layers.ts'
 
 /** How far, in extents of all circles, edges are taken to go that go to infinity. */
 const HORIZON = 1000
-/** So many radii say which are the small ones. */
-const MOST_RADII = 20_000
 
 /** A diagram that does not follow, and where its cells are. */
 export interface Ghost {
@@ -58,7 +64,8 @@ export class Picture {
   data: readonly IndexedData[] = []
   /** What the touching disc method makes of the circles as they are, likewise. */
   method: (MethodResult & { readonly layers: readonly (IndexedData & { readonly color: MethodLayer })[] }) | undefined
-  readonly #tintBounds: readonly number[]
+  /** What `auto` is: that of the circles as they were opened, so that no edit changes all colors. */
+  readonly #automatic: CellColors
   #layers = DEFAULT_LAYERS
   #measures: Measures | undefined
   #areas: Measures | undefined
@@ -76,8 +83,8 @@ export class Picture {
     const box = boundingBox(circles)
     const extent = Math.max(box.maxX - box.minX, box.maxY - box.minY)
     this.reach = HORIZON * extent
-    this.#tintBounds = tintBounds(circles)
     const count = circles.length / 3
+    this.#automatic = count <= MOST_MAPPED ? 'different' : 'radius'
     const area = (box.maxX - box.minX) * (box.maxY - box.minY)
     // Circles in a row have hardly any area between them.
     this.cellWidth = count === 0 ? 1 : Math.max(Math.sqrt(area / count), extent / count)
@@ -89,7 +96,7 @@ export class Picture {
   }
 
   set layers(layers: Layers) {
-    const { cells } = layers
+    const cells = layers.cells === 'auto' ? this.#automatic : layers.cells
     if (!isMeasure(cells)) this.#measures = undefined
     else if (cells === 'area') this.#measures = this.areas()
     else if (cells === 'gap') this.#measures = this.gaps()
@@ -110,16 +117,19 @@ export class Picture {
     this.method = { ...result, layers: result.data.map((layer) => indexed(layer, layer.name)) }
   }
 
-  /** Which of the tints circles of this radius have: each tint about as many as others, equal radii one. */
-  readonly tintOf = (r: number): number => {
-    let tint = 0
-    while (tint < TINTS - 1 && (this.#tintBounds[tint] as number) <= r) tint += 1
-    return tint
+  /** What colors say, `auto` being one of the others. */
+  get colors(): CellColors {
+    return this.#layers.cells === 'auto' ? this.#automatic : this.#layers.cells
   }
 
-  /** Which color the cell of circle `i` has, of those that the layer of cells shows. */
+  /** Which color circle `i` and its cell have, of those that the layer of cells shows; `NONE`: a cell has none. */
   colorOf(i: number): number {
-    return this.#coloring?.colorOf(idOf(this.diagram, i)) ?? this.#measures?.tintOf(i) ?? 0
+    return this.#coloring?.colorOf(idOf(this.diagram, i)) ?? this.#measures?.shadeOf(i) ?? 0
+  }
+
+  /** What the shades mean; `undefined`: colors say nothing. */
+  get legend(): Legend | undefined {
+    return this.#measures?.legend
   }
 
   /** The areas of cells, each found when it is asked for. */
@@ -173,12 +183,12 @@ export class Picture {
     this.#measures?.forget(changed)
     this.#areas?.forget(changed)
     this.#gaps?.forget(changed)
-    const isFollowed = this.#coloring?.follow(this.diagram, changed) ?? true
-    const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown], cells)]
+    const recolored = this.#coloring === undefined ? [] : this.#coloring.follow(this.diagram, changed)
+    const boxes = [before, this.#lookOf([...replaced, ...inserted, ...hidden, ...shown, ...(recolored ?? [])], cells)]
     boxes.push(...(this.centers?.apply(change).boxes ?? []))
     return {
       boxes: boxes.filter(({ minX, maxX }) => minX <= maxX),
-      isEverywhere: !isFollowed || isMethodShown || this.#layers.power,
+      isEverywhere: recolored === undefined || isMethodShown || this.#layers.power,
     }
   }
 
@@ -187,8 +197,9 @@ export class Picture {
   }
 
   #lookOf(ids: readonly number[], cells: Iterable<number>): Box {
-    const { cells: colors, dual, nearZero, hidden } = this.#layers
-    const isWide = colors === 'area' || colors === 'degree' || colors === 'gap' || colors === 'different'
+    const { dual, nearZero, hidden } = this.#layers
+    const { colors } = this
+    const isWide = colors === 'area' || colors === 'degree' || colors === 'gap'
     const all = isWide || dual || hidden || nearZero !== undefined ? [...ids, ...cells] : ids
     return all.reduce((box, id) => union(union(box, this.index.get(id)), this.#stars?.get(id) ?? EMPTY_BOX), EMPTY_BOX)
   }
@@ -200,14 +211,6 @@ export class Picture {
     this.index.set(id, (boxes, k) => addCell(boxes, k, this.diagram, i, this.reach))
     this.#stars?.set(id, (boxes, k) => addStar(boxes, k, this.diagram, i))
   }
-}
-
-/** From some of the radii, if there are many. */
-function tintBounds(circles: Float64Array): number[] {
-  const count = circles.length / 3
-  const step = Math.max(Math.ceil(count / MOST_RADII), 1)
-  const radii = new Float64Array(Math.floor(count / step)).map((_, k) => at(circles, 3 * step * k + 2)).sort()
-  return Array.from({ length: TINTS - 1 }, (_, k) => radii[Math.floor(((k + 1) * radii.length) / TINTS)] ?? 0)
 }
 
 function hiddenByHider({ hidden }: Diagram): Map<number, number[]> {

@@ -43,6 +43,13 @@ export function touchingNear(
   return touching(diagram, { ...place, r }, [at(edges, 4 * edge), at(edges, 4 * edge + 1)])
 }
 
+/** The largest disc around a point that meets no circle: it touches the nearest one. `undefined`: the point is inside that. */
+export function touchingAround(diagram: Diagram, nearest: number, x: number, y: number): Touching | undefined {
+  const circle = circleAt(diagram.circles, nearest)
+  const r = hypotenuse(x - circle.x, y - circle.y) - circle.r
+  return r > 0 ? touching(diagram, { x, y, r }, [nearest]) : undefined
+}
+
 /** A disc and where it touches circles. */
 export function touching(diagram: Diagram, disc: Vertex, circles: readonly number[]): Touching {
   const points = circles.map((i) => {

@@ -16,7 +16,7 @@ export function traced(library: CircleVoronoi, { circles, numbers }: Diagram, op
   const count = circles.length / 3
   if (count > MOST_PLAYED) {
     const reason = `A method is played for ${wholeNumber(MOST_PLAYED)} circles at most; there are ${wholeNumber(count)}.`
-    throw new CircleVoronoiError('tooManyCircles', -1, reason)
+    throw new CircleVoronoiError('tooManyCircles', reason)
   }
   const idOf = (i: number) => at(numbers?.circles as Int32Array, i)
   const order = Int32Array.from({ length: count }, (_, i) => i).sort((i, j) => idOf(i) - idOf(j))
@@ -41,7 +41,7 @@ function renamed(edits: Iterable<Edit>, ids: Int32Array, next: number): Edit[] {
     }
     const { id } = edit
     const place = id < next ? ids.indexOf(id) : id < next + inserted ? ids.length + id - next : -1
-    if (place < 0) throw new CircleVoronoiError('unknownCircle', id, `There is no circle with id ${id}.`)
+    if (place < 0) throw new CircleVoronoiError('unknownCircle', `There is no circle with id ${id}.`, { circle: id })
     return { ...edit, id: place }
   })
 }

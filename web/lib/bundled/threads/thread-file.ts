@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In place of ../../threads/thread-file.ts in the bundle: its threads run the same file, and know by their name what they are.
+import { scriptOfFile, workerOfFile } from '../one-file.ts'
 
 export const THREAD_NAME = 'circle-voronoi/bundle'
 
-export function threadFile(): URL {
-  return new URL(import.meta.url)
-}
+export const threadFile = scriptOfFile
 
 export function newWorker(): Worker {
-  return new Worker(threadFile(), { type: 'module', name: THREAD_NAME })
+  return workerOfFile(THREAD_NAME)
 }

@@ -1,42 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { NONE } from '../../../lib/base/diagram-data.ts'
 import { drawCell } from '../../../lib/drawing/draw.ts'
 import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 
 /** Browsers fill long paths in more than linear time. */
 const CELLS_PER_PATH = 64
-/** The tints of circles' sizes are background: they are not missed where cells are small, in pixels. */
+/** Colors that discs have, too, are not missed where cells are so wide, in pixels. */
 const TINTED_CELL = [6, 12] as const
-/** Of colors that were asked for. */
-const OPACITY = 0.7
 
-/** The colors of cells. */
+/** The colors of cells: those of their circles, but weaker, or else what the cells themselves are measured by. */
 export const cells: Layer = {
   id: 'cells',
   isOn: (layers) => layers.cells !== 'none',
   draw(painting) {
-    const { layers, style, width } = painting
-    const isBackground = layers.cells === 'radius'
-    const opacity = isBackground ? style.cellOpacity * shareOf(width, TINTED_CELL) : OPACITY
-    if (opacity === 0) return
-    fillCells(painting, layers.cells === 'different' ? style.map : style.tints, opacity)
+    const { style, width, picture } = painting
+    const isBackground = picture.colors === 'radius' || picture.colors === 'different'
+    const opacity = isBackground ? style.cellOpacity * shareOf(width, TINTED_CELL) : 1
+    if (opacity > 0) fillCells(painting, opacity)
   },
 }
 
-function fillCells(painting: Painting, colors: readonly string[], opacity: number): void {
-  const { picture, limits, tolerance } = painting
-  const paths = colors.map(() => ({ sink: painting.sink(), count: 0 }))
+function fillCells(painting: Painting, opacity: number): void {
+  const { picture, limits, tolerance, palette } = painting
+  const paths = new Map<number, { readonly sink: FrameSink; count: number }>()
   const flush = (k: number) => {
-    painting.fill((paths[k] as { sink: FrameSink }).sink.path, colors[k] as string, opacity)
-    paths[k] = { sink: painting.sink(), count: 0 }
+    const own = paths.get(k)
+    if (own !== undefined) painting.fill(own.sink.path, palette[k] as string, opacity)
+    paths.delete(k)
   }
   for (const i of painting.circles) {
     const k = picture.colorOf(i)
-    const own = paths[k] as { sink: FrameSink; count: number }
+    if (k === NONE) continue
+    const own = paths.get(k) ?? { sink: painting.sink(), count: 0 }
+    paths.set(k, own)
     drawCell(own.sink, picture.diagram.cells, i, limits, tolerance)
     own.count += 1
     if (own.count === CELLS_PER_PATH) flush(k)
   }
-  for (const k of paths.keys()) flush(k)
+  for (const k of [...paths.keys()]) flush(k)
 }

@@ -2,64 +2,126 @@
 
 import { at } from '../../../lib/base/diagram-data.ts'
 import type { PathSink } from '../../../lib/index.ts'
-import { DISC_OPACITY, DOT_RADIUS } from '../../style.ts'
+import { DOT_RADIUS, isSeen } from '../../style.ts'
 import { addDisc } from '../disc-path.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 
-/** Dots fade in where cells are so wide, in pixels. */
+/** Circles that are too small to be seen become dots where cells are so wide, in pixels, and specks where they are not. */
 const CELL_WITH_DOTS = [4, 8] as const
+/** The least side of a speck, in pixels. */
+const SPECK = 0.7
+/** Browsers fill long paths in more than linear time. */
+const SPECKS_PER_PATH = 256
 const HIDDEN_LINE = 1.25
+const RIM_LINE = 1
 /** Discs let the color of their cells through that was asked for. */
-const PLAIN_OPACITY = 0.45
+const SHADE = 0.28
 
-/** The discs of visible circles; their rims are drawn later. */
+/** The discs of visible circles, and the dots and specks that small ones are. */
 export const discs: Layer = {
   id: 'circles',
   isOn: (layers) => layers.circles,
   draw(painting) {
-    const { style, layers } = painting
-    const isTinted = layers.cells === 'radius' || layers.cells === 'none'
-    pathsOf(painting).discs.forEach((disc, tint) => {
-      if (isTinted) painting.fill(disc, style.tints[tint] as string, DISC_OPACITY)
-      else painting.fill(disc, style.paper, PLAIN_OPACITY)
-    })
+    const { style, palette, width, picture } = painting
+    const { discs, dots, specks } = pathsOf(painting)
+    const { colors } = picture
+    // Else the cells are what is colored.
+    const isColored = colors === 'radius' || colors === 'different' || colors === 'none'
+    const fill = (path: PathSink, color: number, opacity: number) => {
+      if (isColored) painting.fill(path, palette[color] as string, opacity)
+      else painting.fill(path, style.edge, SHADE * opacity)
+    }
+    const share = shareOf(width, CELL_WITH_DOTS)
+    for (const [color, path] of specks) fill(path, color, 1 - share)
+    for (const [color, path] of discs) fill(path, color, 1)
+    for (const [color, path] of dots) fill(path, color, share)
   },
 }
 
-/** Rims, the dots that small circles are, and hidden circles. */
+/** Rims, where the style has any, and hidden circles. */
 export const rims: Layer = {
   id: 'circles',
   isOn: (layers) => layers.circles,
   draw(painting) {
-    const { style, lineWidth, pixelRatio, width } = painting
-    const { discs, dots, hidden } = pathsOf(painting)
-    for (const disc of discs) painting.stroke(disc, style.rim, Math.min(lineWidth, pixelRatio))
-    painting.fill(dots, style.rim, shareOf(width, CELL_WITH_DOTS))
+    const { style, lineWidth, pixelRatio } = painting
+    const { discs, hidden } = pathsOf(painting)
+    if (isSeen(style.rim)) {
+      for (const [, disc] of discs) painting.stroke(disc, style.rim, Math.min(lineWidth, RIM_LINE * pixelRatio))
+    }
     painting.stroke(hidden, style.hidden, HIDDEN_LINE * pixelRatio, [3, 3])
   },
 }
 
-function pathsOf(painting: Painting): {
-  readonly discs: readonly PathSink[]
-  readonly dots: PathSink
+/** Paths by the numbers of their colors. */
+type Colored = readonly (readonly [color: number, path: PathSink])[]
+
+interface Paths {
+  readonly discs: Colored
+  readonly dots: Colored
+  readonly specks: Colored
   readonly hidden: PathSink
-} {
-  const { picture, frame, circles, pixelRatio, style } = painting
+}
+
+/** Those of a painting are drawn below edges and above them. */
+const known = new WeakMap<Painting, Paths>()
+
+function pathsOf(painting: Painting): Paths {
+  const paths = known.get(painting) ?? madePaths(painting)
+  known.set(painting, paths)
+  return paths
+}
+
+function madePaths(painting: Painting): Paths {
+  const { picture, frame, circles, pixelRatio, width } = painting
   const { diagram } = picture
-  const discs = style.tints.map(() => painting.drawing.path())
-  const dots = painting.drawing.path()
+  const discs = new Map<number, PathSink>()
+  const dots = new Map<number, PathSink>()
+  const specks: [number, PathSink][] = []
+  const speckPaths = new Map<number, { readonly path: PathSink; count: number }>()
   const hidden = painting.drawing.path()
   const sink = painting.sink()
   const smallest = DOT_RADIUS * pixelRatio
+  const share = shareOf(width, CELL_WITH_DOTS)
+  const pathOf = (paths: Map<number, PathSink>, color: number) => {
+    const path = paths.get(color) ?? painting.drawing.path()
+    paths.set(color, path)
+    return path
+  }
+  const addSpeck = (color: number, x: number, y: number, half: number) => {
+    const own = speckPaths.get(color) ?? { path: painting.drawing.path(), count: 0 }
+    if (own.count === 0) specks.push([color, own.path])
+    addSquare(own.path, x, y, half)
+    own.count += 1
+    if (own.count < SPECKS_PER_PATH) speckPaths.set(color, own)
+    else speckPaths.delete(color)
+  }
   for (const i of circles) {
-    const r = at(diagram.circles, 3 * i + 2)
-    const radius = r * frame.scale
-    const path = !diagram.cells.exists(i) ? hidden : radius < smallest ? dots : (discs[picture.tintOf(r)] as PathSink)
+    const radius = at(diagram.circles, 3 * i + 2) * frame.scale
+    const isHidden = !diagram.cells.exists(i)
     // A hidden circle too small to be seen is not there.
-    if (path === hidden && radius < smallest) continue
+    if (isHidden && radius < smallest) continue
     const x = sink.x(at(diagram.circles, 3 * i))
     const y = sink.y(at(diagram.circles, 3 * i + 1))
-    addDisc(path, frame, x, y, Math.max(radius, smallest))
+    if (isHidden) {
+      addDisc(hidden, frame, x, y, radius)
+      continue
+    }
+    const color = picture.colorOf(i)
+    if (radius >= smallest) addDisc(pathOf(discs, color), frame, x, y, radius)
+    else {
+      if (share > 0) addDisc(pathOf(dots, color), frame, x, y, smallest)
+      if (share < 1) addSpeck(color, x, y, Math.max(radius, (SPECK / 2) * pixelRatio))
+    }
   }
-  return { discs, dots, hidden }
+  // What overlaps does so in one way, whichever part of the picture is painted.
+  const byColor = <Path>(paths: Iterable<readonly [number, Path]>) => [...paths].sort(([one], [other]) => one - other)
+  return { discs: byColor(discs), dots: byColor(dots), specks: byColor(specks), hidden }
+}
+
+function addSquare(path: PathSink, x: number, y: number, half: number): void {
+  path.moveTo(x - half, y - half)
+  path.lineTo(x + half, y - half)
+  path.lineTo(x + half, y + half)
+  path.lineTo(x - half, y + half)
+  path.closePath()
 }

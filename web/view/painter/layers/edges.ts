@@ -2,10 +2,12 @@
 
 import { drawEdge } from '../../../lib/drawing/draw.ts'
 import type { Diagram, PathSink } from '../../../lib/index.ts'
-import type { Layer, Painting } from '../painting.ts'
+import { type Layer, type Painting, shareOf } from '../painting.ts'
 
 /** Browsers stroke long paths in more than linear time. */
 const EDGES_PER_PATH = 1000
+/** Edges fade in where cells are so wide, in pixels. */
+const CELL_WITH_EDGES = [1.5, 4] as const
 const GHOST_LINE = 1.1
 const MISSED_LINE = 3
 
@@ -14,8 +16,10 @@ export const edges: Layer = {
   id: 'edges',
   isOn: (layers) => layers.edges,
   draw(painting) {
-    const { picture, style, lineWidth, circles } = painting
-    strokeEdges(painting, picture.diagram, circles, (path) => painting.stroke(path, style.edge, lineWidth))
+    const { picture, style, lineWidth, circles, width } = painting
+    const opacity = shareOf(width, CELL_WITH_EDGES)
+    if (opacity === 0) return
+    strokeEdges(painting, picture.diagram, circles, (path) => painting.stroke(path, style.edge, lineWidth, [], opacity))
   },
 }
 

@@ -7,7 +7,7 @@ import { addSegment } from '../segment-path.ts'
 const LINE = 1.25
 const DOT = 2
 
-/** From each hidden circle a line to the center of one that contains it. */
+/** From each hidden circle a line to the rim of one that contains it, straight away from its center: so lines do not meet. */
 export const hiders: Layer = {
   id: 'hidden',
   isOn: (layers) => layers.hidden,
@@ -22,7 +22,12 @@ export const hiders: Layer = {
     // All of it lies in the disc of the one that hides.
     for (const hider of painting.circles) {
       for (const hidden of picture.hiddenBy(hider)) {
-        addSegment(lines, frame, x(hidden), y(hidden), x(hider), y(hider))
+        const [dx, dy] = [x(hidden) - x(hider), y(hidden) - y(hider)]
+        const distance = Math.hypot(dx, dy)
+        const radius = at(circles, 3 * hider + 2) * frame.scale
+        // Around one center, any direction is as good.
+        const [ux, uy] = distance === 0 ? [1, 0] : [dx / distance, dy / distance]
+        addSegment(lines, frame, x(hidden), y(hidden), x(hider) + radius * ux, y(hider) + radius * uy)
         addDisc(dots, frame, x(hidden), y(hidden), DOT * pixelRatio)
       }
     }

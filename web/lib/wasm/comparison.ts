@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/**
- * Two related diagrams for comparison: the ordinary Voronoi diagram of the centers, and the power diagram.
- *
- * @module circle-voronoi/comparison
- */
-import { checkThing } from './base/check.ts'
-import { COORDINATE_LIMIT } from './base/coordinate-limits.ts'
-import { type Circles, coordinatesOf } from './base/coordinates.ts'
-import { CircleVoronoiError } from './base/errors.ts'
-import type { Metric } from './base/types.ts'
-import { Diagram } from './diagram/diagram.ts'
-import createModule from './generated/circle-voronoi-comparison.js'
-import type { CircleVoronoi } from './wasm/library.ts'
-import { checkLoadOptions, type LoadOptions } from './wasm/load-options.ts'
-import { compileWasm, instantiate, unwrap } from './wasm/wasm.ts'
+import { COORDINATE_LIMIT } from '../base/coordinate-limits.ts'
+import { type Circles, coordinatesOf } from '../base/coordinates.ts'
+import { CircleVoronoiError } from '../base/errors.ts'
+import type { Metric } from '../base/types.ts'
+import { Diagram } from '../diagram/diagram.ts'
+import type { ComputingLibrary } from './library.ts'
+import type { LoadOptions } from './load-options.ts'
+import { loadComparisonScript } from './module-scripts.ts'
+import { compileWasm, instantiate, scriptNotLoaded, unwrap } from './wasm.ts'
 
 /**
- * Computes diagrams of the same circles by other metrics, to show how they differ.
+ * Computes two related diagrams of the same circles, to show how they differ: the ordinary Voronoi diagram of the
+ * centers, and the power diagram.
  *
  * @category Comparison
  */
@@ -38,22 +33,17 @@ export interface Comparison {
 }
 
 /**
- * Loads the WebAssembly module for power diagrams, in addition to a loaded library.
+ * Loads the module of comparison diagrams.
  *
- * @param options `wasm`: `circle-voronoi-comparison.wasm`. Default: the file beside this module.
- * @throws CircleVoronoiError `notLoaded`, `badArgument`, `badOption`
- *
- * @category Comparison
- * @example
- * const { computeComparison } = await loadComparison(library)
- * computeComparison([[0, 0, 3], [10, 0, 1]], 'power').find(5.2, 0) // 0
+ * @throws CircleVoronoiError `notLoaded`
  */
-export async function loadComparison(library: CircleVoronoi, options: LoadOptions = {}): Promise<Comparison> {
-  checkThing(library, 'compute', 'loadComparison', 'a loaded library')
-  checkLoadOptions(options, 'loadComparison')
-  const beside = () => new URL('./generated/circle-voronoi-comparison.wasm', import.meta.url)
-  const module = await instantiate(createModule, await compileWasm(options.wasm, beside))
+export async function loadComparisonModule({ wasm }: LoadOptions): Promise<WasmComparisonModule> {
+  const { default: createModule } = await loadComparisonScript().catch(scriptNotLoaded('The comparison diagrams'))
+  const beside = () => new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
+  return instantiate(createModule, await compileWasm(wasm, beside))
+}
 
+export function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): Comparison {
   return {
     computeComparison(circles, metric) {
       const coordinates = coordinatesOf(circles)
@@ -64,7 +54,7 @@ export async function loadComparison(library: CircleVoronoi, options: LoadOption
       const isRefused = coordinates.some((value, k) => k % 3 === 2 && !(value >= 0 && value <= COORDINATE_LIMIT))
       if (metric === 'circles' || isRefused) return library.compute(coordinates)
       if (metric !== 'centers') {
-        throw new CircleVoronoiError('badOption', -1, 'Unknown metric: the choice is circles, centers or power.')
+        throw new CircleVoronoiError('badOption', 'Unknown metric: the choice is circles, centers or power.')
       }
       const centers = library.compute(coordinates.map((value, k) => (k % 3 === 2 ? 0 : value)))
       return new Diagram({ ...centers, metric, circles: coordinates })

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/fit_areas.h"
+#include "circle_voronoi/io.h"
+#include "commands.h"
+#include "failure.h"
+#include "files.h"
+#include "output.h"
+#include "progress_line.h"
+#include "weights_option.h"
+#include "whole_number.h"
+
+namespace circle_voronoi::cli {
+namespace {
+
+struct FitArguments {
+  std::string input;
+  Output output;
+  bool weights = false;
+  std::string areas;
+  bool shares = AreaFitOptions{}.shares;
+  double areaTolerance = AreaFitOptions{}.tolerance;
+  int maxSteps = AreaFitOptions{}.maxSteps;
+  std::string progress = "auto";
+};
+
+/// How far a fit is on the way of its error from the first one to the tolerance, by orders of magnitude.
+double partDone(double first, double error, double tolerance) {
+  if (!(first > tolerance) || !(error > tolerance)) return 1;
+  return std::clamp(std::log(first / error) / std::log(first / tolerance), 0.0, 1.0);
+}
+
+void runFit(FitArguments& arguments) {
+  settle(arguments.output);
+  refuseSharedFiles({arguments.input, arguments.output.regionFile}, {{"--output", arguments.output.file}});
+  ProgressLine progress(arguments.progress);
+  progress.show("read");
+  const std::string name = inputName(arguments.input);
+  const std::string text = readText(arguments.input);
+  const auto sites = readCircles(text, name, {arguments.weights});
+  if (!sites) throw Failure{kBadInput, sites.error().message};
+  const auto areas = readNumbers(text, name, arguments.areas);
+  if (!areas) throw Failure{kBadInput, areas.error().message};
+  keepAttributes(arguments.output, text, name);
+
+  AreaFitOptions options;
+  options.shares = arguments.shares;
+  options.tolerance = arguments.areaTolerance;
+  options.maxSteps = arguments.maxSteps;
+  double first = 0;
+  options.onStep = [&](const AreaFitStep& step) {
+    if (step.step == 0) first = step.error;
+    progress.show("fit", partDone(first, step.error, options.tolerance));
+  };
+  const auto fit = fitAreas(*sites, *areas, *arguments.output.region, options);
+  if (!fit) fail(fit.error(), name + ": ");
+  writeDiagram(arguments.output, name, fit->diagram, progress);
+}
+
+}  // namespace
+
+void addFitCommand(CLI::App& program) {
+  const auto arguments = std::make_shared<FitArguments>();
+  CLI::App* command = program.add_subcommand("fit", "Find weights for which the cells have given areas in a region");
+  command
+      ->add_option("FILE", arguments->input,
+                   "Sites, as the circles that compute reads; their radii are the weights to start from")
+      ->type_name("")
+      ->required();
+  addWeightsOption(*command, arguments->weights);
+  command->add_option("--areas", arguments->areas, "The column or property that has the area of each cell")
+      ->type_name("COLUMN")
+      ->required();
+  command->add_flag("--shares", arguments->shares, "The areas are shares of the region's area");
+  command->add_option("--area-tolerance", arguments->areaTolerance, "The largest relative error allowed for each area")
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command->add_option("--max-steps", arguments->maxSteps, "The largest number of steps")
+      ->type_name("COUNT")
+      ->capture_default_str();
+  arguments->output.isRegionNeeded = true;
+  addOutputOptions(*command, arguments->output);
+  command->get_option("--region")->required();
+  addProgressOption(*command, arguments->progress);
+  command->footer("The result is the diagram of the sites with the weights as radii, in any format of compute.");
+  command->callback([arguments] { runFit(*arguments); });
+}
+
+}  // namespace circle_voronoi::cli

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/abi.h"
+#include "circle_voronoi/circle.h"
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
+#include "circle_voronoi/region.h"
+
+namespace CIRCLE_VORONOI_API circle_voronoi {
+
+/// What `fitAreas` has reached.
+struct AreaFitStep {
+  int step = 0;                     ///< the number of steps so far
+  double error = 0;                 ///< the largest relative error of an area
+  std::span<const double> weights;  ///< the weight of each site; valid during the call only
+};
+
+struct AreaFitOptions {
+  /// Whether the areas are shares of the region's area: they are multiplied so that they sum to it.
+  bool shares = false;
+  /// The largest relative error allowed for each area, above 0 and below 1.
+  double tolerance = 1e-9;
+  /// The largest number of steps, 1 or more.
+  int maxSteps = 500;
+  /// Called before the first step and after each one. To cancel, throw: the exception passes through `fitAreas`.
+  std::function<void(const AreaFitStep&)> onStep;
+};
+
+struct AreaFit {
+  std::vector<double> weights;  ///< the weight of each site; the least one is 0
+  Diagram diagram;              ///< the certified diagram of the sites with the weights as radii
+  std::vector<double> areas;    ///< the area of each cell inside the region
+  double error = 0;             ///< the largest relative error of an area
+  int steps = 0;                ///< the number of Newton steps
+};
+
+/// Finds weights for which each site's cell has a given area inside a region. A point belongs to the site with the
+/// smallest distance minus weight. The weights exist for all positive areas that sum to that of the region, and are
+/// unique up to a common constant if the region is connected.
+///
+/// This is semi-discrete optimal transport with the distance as cost. The weights maximize a concave function. Its
+/// gradient is what the areas lack, and its second derivative is the graph Laplacian of the edges, each a spring. So
+/// Newton's method with damping finds them (V. Hartmann, D. Schuhmacher, doi:10.1007/s00186-020-00703-z; J. Kitagawa,
+/// Q. Mérigot, B. Thibert, arXiv:1603.05579).
+///
+/// The centers of `sites` are the sites, and their radii the weights to start from, which may be negative. Weights of
+/// an earlier fit make a fit after a small change take few steps. Sites may lie outside the region. The same input
+/// gives the same bits on every platform.
+///
+/// Errors: nonFinite, coordinateTooLarge (both name the site), badInput (there are not as many areas as sites, an area
+/// is not positive and finite, two sites are equal, or the areas do not sum to the region's), badOption,
+/// tooManyCircles, notConverged (the message says what was reached; `onStep` was called with the best weights last).
+Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
+                         const AreaFitOptions& options = {});
+
+}  // namespace circle_voronoi

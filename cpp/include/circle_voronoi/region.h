@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/abi.h"
+#include "circle_voronoi/convex_polygon.h"
+#include "circle_voronoi/error.h"
+#include "circle_voronoi/index.h"
+#include "circle_voronoi/point.h"
+
+namespace CIRCLE_VORONOI_API circle_voronoi {
+
+/// A closed set in the plane: one or more polygons with holes. It is validated once, when it is made, and can be used
+/// for many diagrams. Rings are counted through all polygons. Side k begins at point k of points().
+///
+/// A ring is a list of points. The last point may repeat the first one or not, points may repeat the point before
+/// them, and the ring may run in either direction. The rules are those of the OGC's simple features, as GEOS and PostGIS
+/// check them:
+///
+/// - A ring has at least three different points and does not cross or touch itself.
+/// - Different rings do not cross and have no part of a side in common. They may touch in single points, unless that
+///   cuts the interior of a polygon apart.
+/// - The holes of a polygon lie in its outer ring, and neither holes nor polygons overlap.
+///
+/// All these tests are exact. Validation takes O(m log m) steps for m sides.
+class Region {
+ public:
+  using Ring = std::vector<Point>;
+
+  /// Makes a region from polygons. The first ring of a polygon is its outer ring, the others are its holes, as in
+  /// GeoJSON.
+  /// Errors: badOption if there is no polygon, a polygon has no ring, a coordinate is not finite or exceeds
+  /// kRegionLimit, or a rule above is broken. The message names the rings, the sides and the point. tooManyCircles if
+  /// there are more than kMaxRegionSides sides, or memory runs out. badArithmetic.
+  static Result<Region> fromPolygons(std::span<const std::vector<Ring>> polygons);
+  /// Makes a region from rings in any order: a point belongs to the region if an odd number of rings contain it. So a
+  /// ring inside another one is a hole, and a ring inside that hole is an island. Errors: those of fromPolygons.
+  static Result<Region> fromRings(std::span<const Ring> rings);
+  /// Makes a region from flat arrays. Ring k consists of the points from ringOffsets[k] to before ringOffsets[k + 1].
+  /// Polygon k consists of the rings from polygonOffsets[k] to before polygonOffsets[k + 1]. Without polygonOffsets the
+  /// rings are those of fromRings. Errors: those of fromPolygons; badOption also if offsets decrease, do not begin with
+  /// 0, or do not end with the number of points or rings.
+  static Result<Region> fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
+                                   std::span<const std::int32_t> polygonOffsets = {});
+  /// Makes a region from a convex polygon.
+  static Result<Region> from(const ConvexPolygon& polygon);
+  /// Makes a region from a box. Errors: those of ConvexPolygon.
+  static Result<Region> from(const Box& box);
+
+  /// Returns the points of all rings without repetitions, one ring after the other. Outer rings run counter-clockwise
+  /// and holes clockwise, so the region lies left of each side. The region must outlive the span.
+  [[nodiscard]] std::span<const Point> points() const { return points_; }
+  /// Returns where each ring begins in points(), and the number of points at the end.
+  [[nodiscard]] std::span<const std::int32_t> ringOffsets() const { return ringOffsets_; }
+  /// Returns where each polygon begins in the list of rings, and the number of rings at the end. The first ring of a
+  /// polygon is its outer ring.
+  [[nodiscard]] std::span<const std::int32_t> polygonOffsets() const { return polygonOffsets_; }
+
+  [[nodiscard]] std::size_t sideCount() const { return points_.size(); }
+  [[nodiscard]] std::size_t ringCount() const { return ringOffsets_.size() - 1; }
+  [[nodiscard]] std::size_t polygonCount() const { return polygonOffsets_.size() - 1; }
+
+  /// Returns the ring of a side. Takes O(log r) steps for r rings.
+  [[nodiscard]] RegionRingIndex ringOf(RegionSideIndex side) const;
+  /// Returns the polygon of a ring. Takes O(log p) steps for p polygons.
+  [[nodiscard]] std::int32_t polygonOf(RegionRingIndex ring) const;
+
+  /// Returns whether the region, boundary included, contains a point. Exact. Skips runs of sides that lie on one side
+  /// of the point, so it takes O(log m) steps for most regions.
+  [[nodiscard]] bool contains(Point p) const;
+  /// Returns the sides whose bounding box meets a box, in increasing order. Takes O(log m) steps for each of them.
+  [[nodiscard]] std::vector<RegionSideIndex> sidesIn(const Box& box) const;
+  /// Returns the area, right to a few units of rounding.
+  [[nodiscard]] double area() const;
+  /// Returns the length of all sides.
+  [[nodiscard]] double perimeter() const;
+  /// Returns the bounding box.
+  [[nodiscard]] Box bounds() const;
+
+ private:
+  Region() = default;
+
+  /// What a run of sides one after the other spans, for contains().
+  struct Run {
+    double minX, minY, maxX, maxY;
+  };
+  void index();
+  bool isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoundary) const;
+  void addSidesIn(std::size_t level, std::size_t run, const Box& box, std::vector<RegionSideIndex>& sides) const;
+
+  std::vector<Point> points_;
+  std::vector<std::int32_t> ringOffsets_;
+  std::vector<std::int32_t> polygonOffsets_;
+  std::vector<std::vector<Run>> runs_;  ///< by level: those of a few sides first, one of all sides last
+};
+
+}  // namespace circle_voronoi

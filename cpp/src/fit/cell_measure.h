@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/region.h"
+
+namespace circle_voronoi {
+
+/// An edge of the diagram inside the region, seen as a spring between its two cells.
+struct Spring {
+  CircleIndex left = {};
+  CircleIndex right = {};
+  double stiffness = 0;  ///< how fast area passes from the right cell to the left one as the left weight grows
+};
+
+/// The areas of all cells inside a region, and their derivative by the weights: the derivative of the area of cell i by
+/// the weight of j is minus the stiffness of their springs, and that by its own weight the sum of all its springs.
+struct CellMeasure {
+  std::vector<double> areas;
+  std::vector<Spring> springs;
+};
+
+CellMeasure measureCells(const Diagram& diagram, const Region& region);
+
+}  // namespace circle_voronoi

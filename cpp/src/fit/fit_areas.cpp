@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/fit_areas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "cell_measure.h"
+#include "circle_voronoi/compute.h"
+#include "circle_voronoi/finder.h"
+#include "circle_voronoi/metric.h"
+#include "guarded.h"
+#include "scale.h"
+#include "spring_system.h"
+
+namespace circle_voronoi {
+namespace {
+
+[[noreturn]] void refuse(ErrorCode code, std::string message, std::int64_t site = kNone) {
+  throw Refusal{{code, site, std::move(message)}};
+}
+
+/// The cells that some weights lead to.
+struct State {
+  std::vector<double> weights;
+  Diagram diagram;
+  CellMeasure cells;
+};
+
+/// What the areas are measured by: one everywhere in the region, and `background` besides in a box around region and
+/// sites, where every cell has a part. As the background fades, the weights come to those of the region alone.
+struct Density {
+  double background = 0;
+};
+
+class Fitter {
+ public:
+  Fitter(std::span<const Circle> sites, std::vector<double> targets, const Region& region,
+         const AreaFitOptions& options)
+      : sites_(sites), targets_(std::move(targets)), region_(region), options_(options), around_(boxAround()) {}
+
+  AreaFit run() {
+    State state = startingState();
+    report(state);
+    while (density_.background > 0) {
+      approach(state, kRoughly);
+      fadeBackground(state);
+    }
+    approach(state, options_.tolerance);
+    const double error = errorOf(state);
+    return {std::move(state.weights), std::move(state.diagram), std::move(state.cells.areas), error, steps_};
+  }
+
+ private:
+  /// How near the areas come before the background fades.
+  static constexpr double kRoughly = 0.1;
+  static constexpr double kFading = 0.5;
+  /// A cell keeps at least that share of the least area, so that the next step finds it.
+  static constexpr double kLeastShare = 1e-5;
+  /// Springs that a step would stretch by more than that share of what the cells allow are hardened.
+  static constexpr double kStretch = 0.8;
+  static constexpr double kHardening = 1.2;
+  static constexpr double kMostHardening = 1e5;
+  static constexpr int kMostHardenings = 8;
+  static constexpr int kMostTrials = 60;
+  /// Raising the sites of hidden cells is tried so often, by that share of the root of their areas each time.
+  static constexpr int kMostRaises = 6;
+  static constexpr double kRaise = 0.1;
+  /// Where that is not enough, all weights are multiplied by this, until they are level.
+  static constexpr double kScaling = 0.25;
+  static constexpr double kLeastScale = 0.01;
+  /// So many full steps without a better area end a fit: rounding decides.
+  static constexpr int kPatience = 6;
+  static constexpr double kNearlyThere = 0.01;
+
+  /// A state in which every cell has an area. Sites that the first weights hide are raised; if that is not enough, the
+  /// weights are brought nearer to one another; and where even equal weights are not enough, as for sites outside the
+  /// region, the background helps.
+  State startingState() {
+    std::vector<double> weights;
+    for (const Circle& site : sites_) weights.push_back(site.r);
+    for (double scale = 1; scale > kLeastScale; scale *= kScaling) {
+      if (std::optional<State> state = stateNear(weights)) return std::move(*state);
+      for (double& weight : weights) weight *= kScaling;
+    }
+    State state = requiredStateAt(std::vector<double>(weights.size(), 0));
+    if (leastArea(state) > 0) return state;
+    density_.background = region_.area() / around_.area();
+    return requiredStateAt(std::move(state.weights));
+  }
+
+  /// A state in which every cell has an area, at weights of which a few are larger than given; or nothing.
+  std::optional<State> stateNear(std::vector<double> weights) const {
+    for (int round = 0; round < kMostRaises; ++round) {
+      std::optional<State> state = stateAt(std::move(weights));
+      if (!state || leastArea(*state) > 0) return state;
+      weights = state->weights;
+      const Finder finder(state->diagram);
+      for (std::size_t i = 0; i < sites_.size(); ++i) {
+        const bool isMeasured = state->diagram.hidden.empty();
+        if (isMeasured ? state->cells.areas[i] > 0 : state->diagram.hasCell(static_cast<std::int32_t>(i))) continue;
+        const Point site = {sites_[i].x, sites_[i].y};
+        const auto nearest = static_cast<std::size_t>(finder.find(site));
+        const double reached = distance(Metric::circles, state->diagram.circles[nearest], site);
+        weights[i] = std::max(weights[i], -reached) + kRaise * std::sqrt(targets_[i]);
+      }
+    }
+    return {};
+  }
+
+  /// Goes on with less background, or with none if each cell has an area without.
+  void fadeBackground(State& state) {
+    const double background = std::exchange(density_.background, 0);
+    State bare = requiredStateAt(state.weights);
+    if (leastArea(bare) > 0) {
+      state = std::move(bare);
+      return;
+    }
+    density_.background = background * kFading;
+    state = requiredStateAt(state.weights);
+  }
+
+  /// Newton's method until no area is further off than `tolerance`.
+  void approach(State& state, double tolerance) {
+    double best = errorOf(state);
+    int idle = 0;
+    const double least = kLeastShare * std::min(leastArea(state), *std::ranges::min_element(targets_));
+    while (errorOf(state) > tolerance) {
+      if (steps_ == options_.maxSteps) fail(state, "after " + std::to_string(steps_) + " steps");
+      ++steps_;
+      if (!step(state, least)) fail(state, "where no step leads further");
+      report(state);
+      const double error = errorOf(state);
+      idle = error < best / 2 ? 0 : idle + 1;
+      if (idle > kPatience && best < kNearlyThere) fail(state, "where rounding of the weights decides");
+      best = std::min(best, error);
+    }
+  }
+
+  /// Takes one step that keeps every cell above an area, and returns whether there was one.
+  bool step(State& state, double least) {
+    const std::vector<Spring> springs = springsOf(state);
+    std::vector<double> stiffness;
+    for (const Spring& spring : springs) stiffness.push_back(spring.stiffness);
+    SpringSystem system(sites_.size(), springs);
+    const std::vector<double> forces = forcesOn(state);
+    const double size = slopeAlong(forces, forces);
+    std::vector<double> direction = directionAt(system, state, springs, forces, stiffness);
+    double share = 1;
+    int losses = 0;
+    for (int trial = 0; trial < kMostTrials && !direction.empty(); ++trial) {
+      std::vector<double> weights = state.weights;
+      for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += share * direction[i];
+      std::optional<State> next = stateAt(std::move(weights));
+      const auto isLost = [&](CircleIndex i) { return !(next->cells.areas[static_cast<std::size_t>(i)] > least); };
+      if (next && leastArea(*next) > least) {
+        const std::vector<double> left = forcesOn(*next);
+        if (slopeAlong(direction, left) > -slopeAlong(direction, forces) / 2 || slopeAlong(left, left) < size / 4) {
+          state = std::move(*next);
+          return true;
+        }
+      } else if (next && ++losses % kPatienceWithLosses == 0) {
+        for (std::size_t k = 0; k < springs.size(); ++k) {
+          if (isLost(springs[k].left) || isLost(springs[k].right)) stiffness[k] *= kHolding;
+        }
+        direction = directionAt(system, state, springs, forces, stiffness);
+        share = kRenewed;
+        continue;
+      }
+      share /= 2;
+    }
+    return false;
+  }
+
+  static constexpr int kPatienceWithLosses = 5;
+  static constexpr double kHolding = 4;
+  static constexpr double kRenewed = 0.25;
+
+  std::vector<Spring> springsOf(const State& state) const {
+    std::vector<Spring> springs = state.cells.springs;
+    if (density_.background == 0 && SpringSystem(sites_.size(), springs).components() > 1) {
+      for (const Spring& spring : measureCells(state.diagram, around_).springs) {
+        springs.push_back({spring.left, spring.right, spring.stiffness * kRoughly * kRoughly});
+      }
+    }
+    return springs;
+  }
+
+  std::vector<double> directionAt(SpringSystem& system, const State& state, std::span<const Spring> springs,
+                                  std::span<const double> forces, std::span<double> stiffness) const {
+    std::vector<double> x;
+    for (int round = 0; round <= kMostHardenings; ++round) {
+      x = system.solve(stiffness, forces);
+      if (x.empty() || !harden(springs, state.weights, x, stiffness)) break;
+    }
+    return x;
+  }
+
+  /// Returns whether there was anything to harden.
+  bool harden(std::span<const Spring> springs, std::span<const double> weights, std::span<const double> x,
+              std::span<double> stiffness) const {
+    bool isHarder = false;
+    for (std::size_t k = 0; k < springs.size(); ++k) {
+      const auto i = static_cast<std::size_t>(springs[k].left);
+      const auto j = static_cast<std::size_t>(springs[k].right);
+      const double growth = x[i] - x[j];
+      const double lead = weights[i] - weights[j];
+      const double distance = lengthOf({sites_[i].x - sites_[j].x, sites_[i].y - sites_[j].y});
+      const double slack = growth > 0 ? distance - lead : distance + lead;
+      if (!(std::abs(growth) > kStretch * slack)) continue;
+      stiffness[k] *= std::clamp(std::abs(growth) / (kStretch * slack), kHardening, kMostHardening);
+      isHarder = true;
+    }
+    return isHarder;
+  }
+
+  /// What the areas lack.
+  std::vector<double> forcesOn(const State& state) const {
+    std::vector<double> forces;
+    for (std::size_t i = 0; i < sites_.size(); ++i) forces.push_back(targetOf(i) - state.cells.areas[i]);
+    return forces;
+  }
+
+  static double slopeAlong(std::span<const double> direction, std::span<const double> forces) {
+    return std::inner_product(direction.begin(), direction.end(), forces.begin(), 0.0);
+  }
+
+  /// Of both region and background.
+  double targetOf(std::size_t site) const {
+    return targets_[site] * (1 + density_.background * (around_.area() / region_.area()));
+  }
+
+  double errorOf(const State& state) const {
+    double error = 0;
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      error = std::max(error, std::abs(state.cells.areas[i] - targetOf(i)) / targetOf(i));
+    }
+    return error;
+  }
+
+  static double leastArea(const State& state) { return *std::ranges::min_element(state.cells.areas); }
+
+  Result<State> measured(std::vector<double> weights) const {
+    const double least = *std::ranges::min_element(weights);
+    std::vector<Circle> circles(sites_.begin(), sites_.end());
+    for (std::size_t i = 0; i < circles.size(); ++i) circles[i].r = weights[i] -= least;
+    Result<Diagram> diagram = compute(circles);
+    if (!diagram) return diagram.error();
+    State state = {std::move(weights), std::move(diagram).value(), {}};
+    if (!state.diagram.hidden.empty()) {
+      state.cells.areas.assign(sites_.size(), 0);
+      return state;
+    }
+    state.cells = measureCells(state.diagram, region_);
+    if (density_.background > 0) {
+      const CellMeasure box = measureCells(state.diagram, around_);
+      for (std::size_t i = 0; i < sites_.size(); ++i) state.cells.areas[i] += density_.background * box.areas[i];
+      for (const Spring& spring : box.springs) {
+        state.cells.springs.push_back({spring.left, spring.right, density_.background * spring.stiffness});
+      }
+    }
+    return state;
+  }
+
+  State requiredStateAt(std::vector<double> weights) const {
+    Result<State> state = measured(std::move(weights));
+    if (!state) throw Refusal{state.error()};
+    return std::move(state).value();
+  }
+
+  /// Nothing if these weights have no diagram.
+  std::optional<State> stateAt(std::vector<double> weights) const {
+    Result<State> state = measured(std::move(weights));
+    if (!state) return {};
+    return std::move(state).value();
+  }
+
+  void report(const State& state) const {
+    if (options_.onStep) options_.onStep({steps_, errorOf(state), state.weights});
+  }
+
+  [[noreturn]] void fail(const State& state, const std::string& where) const {
+    char reached[32];
+    std::snprintf(reached, sizeof reached, "%.1e", errorOf(state));
+    refuse(ErrorCode::notConverged,
+           "The fit stopped " + where + ": the largest relative error of an area is " + reached + ".");
+  }
+
+  Region boxAround() const {
+    Box box = region_.bounds();
+    for (const Circle& site : sites_) {
+      box.minX = std::min(box.minX, site.x);
+      box.minY = std::min(box.minY, site.y);
+      box.maxX = std::max(box.maxX, site.x);
+      box.maxY = std::max(box.maxY, site.y);
+    }
+    const double margin = std::max(box.maxX - box.minX, box.maxY - box.minY) / 8;
+    return Region::from(Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin}).value();
+  }
+
+  std::span<const Circle> sites_;
+  std::vector<double> targets_;
+  const Region& region_;
+  const AreaFitOptions& options_;
+  Region around_;
+  Density density_;
+  int steps_ = 0;
+};
+
+/// The shortest text that reads back as the same number.
+std::string text(double value) {
+  char buffer[32];
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+    if (std::strtod(buffer, nullptr) == value) break;
+  }
+  return buffer;
+}
+
+void checkSites(std::span<const Circle> sites) {
+  if (sites.empty()) refuse(ErrorCode::badInput, "There are no sites.");
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto index = static_cast<std::int64_t>(i);
+    const auto& [x, y, r] = sites[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(r)) {
+      refuse(ErrorCode::nonFinite, "Site " + std::to_string(i) + ": x, y and the weight must be finite.", index);
+    }
+  }
+  std::vector<std::size_t> order(sites.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto place = [&](std::size_t i) { return std::tuple(sites[i].x, sites[i].y, i); };
+  std::ranges::sort(order, {}, place);
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const Circle& first = sites[order[k - 1]];
+    const Circle& second = sites[order[k]];
+    if (first.x != second.x || first.y != second.y) continue;
+    refuse(ErrorCode::badInput,
+           "Site " + std::to_string(order[k]) + " has the same position as site " + std::to_string(order[k - 1]) + ".",
+           static_cast<std::int64_t>(order[k]));
+  }
+}
+
+/// The areas, made to sum to that of the region.
+std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites, double regionArea,
+                                const AreaFitOptions& options) {
+  if (areas.size() != sites) {
+    refuse(ErrorCode::badInput,
+           "There are " + std::to_string(areas.size()) + " areas for " + std::to_string(sites) + " sites.");
+  }
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (areas[i] > 0 && std::isfinite(areas[i])) continue;
+    refuse(ErrorCode::badInput,
+           "Area " + std::to_string(i) + " must be positive and finite (got " + text(areas[i]) + ").",
+           static_cast<std::int64_t>(i));
+  }
+  const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double slack = std::max(options.tolerance / 2, 0x1p-50 * static_cast<double>(areas.size()));
+  if (!options.shares && !(std::abs(sum - regionArea) <= slack * regionArea)) {
+    refuse(ErrorCode::badInput, "The areas sum to " + text(sum) + ", but the area of the region is " +
+                                    text(regionArea) + ". Set `shares` to scale them.");
+  }
+  std::vector<double> targets;
+  for (const double area : areas) targets.push_back(area / sum * regionArea);
+  return targets;
+}
+
+void checkOptions(const AreaFitOptions& options) {
+  if (!(options.tolerance > 0 && options.tolerance < 1)) {
+    refuse(ErrorCode::badOption, "tolerance must be above 0 and below 1 (got " + text(options.tolerance) + ").");
+  }
+  if (options.maxSteps < 1)
+    refuse(ErrorCode::badOption, "maxSteps must be 1 or more (got " + std::to_string(options.maxSteps) + ").");
+}
+
+}  // namespace
+
+Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
+                         const AreaFitOptions& options) {
+  return guarded([&]() -> Result<AreaFit> {
+    checkOptions(options);
+    checkSites(sites);
+    AreaFitOptions own = options;
+    own.onStep = lettingThrough(options.onStep);
+    return Fitter(sites, targetsFrom(areas, sites.size(), region.area(), options), region, own).run();
+  });
+}
+
+}  // namespace circle_voronoi

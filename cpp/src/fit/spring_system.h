@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cell_measure.h"
+
+namespace circle_voronoi {
+
+/// The linear system L x = f of springs that pull cells together, where L is the weighted graph Laplacian. The forces
+/// `f` sum to zero in each component of the graph, and x has the mean 0 there.
+class SpringSystem {
+ public:
+  SpringSystem(std::size_t cells, std::span<const Spring> springs);
+  ~SpringSystem();
+  SpringSystem(SpringSystem&&) noexcept;
+  SpringSystem& operator=(SpringSystem&&) noexcept;
+
+  /// Returns x for springs of other stiffness in the same places. Whatever a component's forces sum to is taken from
+  /// its cells in equal shares first. Returns nothing if rounding leaves no solution.
+  std::vector<double> solve(std::span<const double> stiffness, std::span<const double> forces);
+
+  /// For each cell the number of its component, counted from 0.
+  [[nodiscard]] const std::vector<std::size_t>& componentOf() const { return componentOf_; }
+  [[nodiscard]] std::size_t components() const { return components_; }
+
+ private:
+  struct Factors;
+
+  std::span<const Spring> springs_;
+  std::vector<std::size_t> componentOf_;
+  std::vector<int> row_;  ///< of each cell in the system; -1 for the one of each component that is held
+  std::size_t components_ = 0;
+  std::unique_ptr<Factors> factors_;
+};
+
+}  // namespace circle_voronoi

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "circle_voronoi/io.h"
+#include "guarded.h"
+#include "json_reader.h"
+#include "text.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Polygons as they are read: those of all geometries of a text.
+struct Polygons {
+  std::vector<Point> points;
+  std::vector<std::int32_t> ringOffsets = {0};
+  std::vector<std::int32_t> polygonOffsets = {0};
+
+  void endRing() { ringOffsets.push_back(static_cast<std::int32_t>(points.size())); }
+  void endPolygon() { polygonOffsets.push_back(static_cast<std::int32_t>(ringOffsets.size()) - 1); }
+};
+
+constexpr int kPositionHeight = 0;
+constexpr int kPolygonHeight = 2;
+constexpr int kMultiPolygonHeight = 3;
+
+/// Reads coordinates, and returns how many levels of arrays are above the positions. Nothing for an empty array.
+std::optional<int> readCoordinates(JsonReader& reader, Polygons& polygons, int depth = 0) {
+  reader.enterArray();
+  std::optional<int> height;
+  Point position;
+  int count = 0;
+  for (; reader.nextItem(); ++count) {
+    if (reader.kind() == JsonKind::number && (count == 0 || height == kPositionHeight)) {
+      height = kPositionHeight;
+      const double number = reader.number();
+      if (count == 0) position.x = number;
+      if (count == 1) position.y = number;
+      continue;
+    }
+    if (height == kPositionHeight && count >= 2) {
+      reader.skip();
+      continue;
+    }
+    if (reader.kind() != JsonKind::array || depth > kMultiPolygonHeight) {
+      reader.fail("the coordinates are not those of a Polygon or a MultiPolygon.");
+    }
+    const std::optional<int> below = readCoordinates(reader, polygons, depth + 1);
+    if (below && height && *height != *below + 1) {
+      reader.fail("the coordinates are not those of a Polygon or a MultiPolygon.");
+    }
+    if (below) height = *below + 1;
+  }
+  if (height == kPositionHeight) {
+    if (count < 2) reader.fail("a position has fewer than two numbers.");
+    polygons.points.push_back(position);
+  }
+  if (height == 1) polygons.endRing();
+  if (height == kPolygonHeight) polygons.endPolygon();
+  return height;
+}
+
+void readGeoJsonObject(JsonReader& reader, Polygons& polygons);
+
+void readObjects(JsonReader& reader, Polygons& polygons) {
+  reader.enterArray();
+  while (reader.nextItem()) {
+    if (reader.kind() != JsonKind::object) reader.fail("an item of the collection is no object.");
+    readGeoJsonObject(reader, polygons);
+  }
+}
+
+/// Reads a geometry, a Feature or a collection of these.
+void readGeoJsonObject(JsonReader& reader, Polygons& polygons) {
+  std::string type;
+  std::optional<int> height;
+  bool hasCoordinates = false;
+  reader.enterObject();
+  while (const auto key = reader.nextKey()) {
+    const JsonKind kind = reader.kind();
+    if (*key == "type" && kind == JsonKind::string) {
+      type = reader.string();
+    } else if (*key == "coordinates" && kind == JsonKind::array) {
+      height = readCoordinates(reader, polygons);
+      hasCoordinates = true;
+    } else if (*key == "geometry" && kind == JsonKind::object) {
+      readGeoJsonObject(reader, polygons);
+    } else if ((*key == "features" || *key == "geometries") && kind == JsonKind::array) {
+      readObjects(reader, polygons);
+    } else {
+      reader.skip();
+    }
+  }
+  const bool isCollection = type == "Feature" || type == "FeatureCollection" || type == "GeometryCollection";
+  if (isCollection && !hasCoordinates) return;
+  const bool isPolygon = type == "Polygon" && height.value_or(kPolygonHeight) == kPolygonHeight;
+  const bool isMultiPolygon = type == "MultiPolygon" && height.value_or(kMultiPolygonHeight) == kMultiPolygonHeight;
+  if (hasCoordinates && (isPolygon || isMultiPolygon)) return;
+  if (type.empty()) reader.fail("an object has no type, so it is not GeoJSON.");
+  if (type == "Polygon" || type == "MultiPolygon") reader.fail("the coordinates are not those of a " + type + ".");
+  reader.fail("a " + type + " has no area; a region is a Polygon or a MultiPolygon.");
+}
+
+/// Reads well-known text: POLYGON or MULTIPOLYGON.
+class WktReader {
+ public:
+  explicit WktReader(std::string_view text) : text_(text) {}
+
+  Polygons read() {
+    std::string word = nextWord();
+    if (word == "SRID") {
+      const std::size_t end = text_.find(';', at_);
+      if (end == std::string_view::npos) fail("expected ; after SRID.");
+      at_ = end + 1;
+      word = nextWord();
+    }
+    if (word != "POLYGON" && word != "MULTIPOLYGON") fail("expected GeoJSON, POLYGON or MULTIPOLYGON.");
+    std::string next = nextWord();
+    if (next == "Z" || next == "M" || next == "ZM") next = nextWord();
+    if (next == "EMPTY") fail("the region is empty.");
+    if (!next.empty()) fail("expected an opening parenthesis.");
+    if (word == "POLYGON") {
+      readPolygon();
+    } else {
+      readList([&] { readPolygon(); });
+    }
+    skipSpace();
+    if (at_ < text_.size() && text_[at_] == ';') ++at_;
+    skipSpace();
+    if (at_ != text_.size()) fail("expected nothing after the geometry.");
+    return std::move(polygons_);
+  }
+
+ private:
+  void readPolygon() {
+    readList([&] {
+      readList([&] { readPosition(); });
+      polygons_.endRing();
+    });
+    polygons_.endPolygon();
+  }
+
+  void readPosition() {
+    Point p;
+    p.x = number();
+    p.y = number();
+    skipSpace();
+    while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != ')') {
+      (void)number();
+      skipSpace();
+    }
+    polygons_.points.push_back(p);
+  }
+
+  template <class ReadItem>
+  void readList(ReadItem readItem) {
+    if (!accepts('(')) fail("expected an opening parenthesis.");
+    do {
+      readItem();
+    } while (accepts(','));
+    if (!accepts(')')) fail("expected a comma or a closing parenthesis.");
+  }
+
+  double number() {
+    skipSpace();
+    if (at_ < text_.size() && text_[at_] == '+') ++at_;
+    double value = 0;
+    const char* begin = text_.data() + at_;
+    const auto [end, code] = std::from_chars(begin, text_.data() + text_.size(), value);
+    if (code != std::errc()) fail("expected a number.");
+    at_ += static_cast<std::size_t>(end - begin);
+    return value;
+  }
+
+  bool accepts(char c) {
+    skipSpace();
+    if (at_ == text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+
+  std::string nextWord() {
+    skipSpace();
+    std::string word;
+    while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) {
+      word += static_cast<char>(std::toupper(static_cast<unsigned char>(text_[at_++])));
+    }
+    return word;
+  }
+
+  void skipSpace() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+  }
+
+  [[noreturn]] void fail(const char* reason) const { throw ReadFailure{at_, reason}; }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  Polygons polygons_;
+};
+
+Polygons readPolygons(std::string_view text) {
+  if (text[text.find_first_not_of(" \t\r\n")] != '{') return WktReader(text).read();
+  Polygons polygons;
+  JsonReader reader(text);
+  readGeoJsonObject(reader, polygons);
+  reader.finish();
+  return polygons;
+}
+
+}  // namespace
+
+Result<Region> readRegion(std::string_view text, std::string_view name) {
+  return guarded([&]() -> Result<Region> {
+    const auto content = contentOf(text, name);
+    if (!content) return content.error();
+    const std::string_view rest = content.value();
+    try {
+      const auto [points, ringOffsets, polygonOffsets] = readPolygons(rest);
+      auto region = Region::fromArrays(points, ringOffsets, polygonOffsets);
+      if (region) return region;
+      Error error = region.error();
+      error.message = std::string(name) + ": " + error.message;
+      return error;
+    } catch (const ReadFailure& failure) {
+      return errorAt(name, rest, failure.offset, failure.reason);
+    }
+  });
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace circle_voronoi {
+
+/// An index that is not kNone, for containers.
+inline std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+}  // namespace circle_voronoi

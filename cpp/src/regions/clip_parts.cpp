@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clip_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "at.h"
+#include "in_outline.h"
+
+namespace circle_voronoi {
+
+namespace {
+
+Crossings crossingsFor(const Diagram& diagram, const Region& region,
+                       const std::optional<std::span<const CircleIndex>>& circles) {
+  if (diagram.hull.empty()) return {};
+  return circles ? crossingsOf(diagram, region, *circles) : crossingsOf(diagram, region);
+}
+
+}  // namespace
+
+ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::optional<double> itsMaxDistance,
+                             std::optional<std::span<const CircleIndex>> circles)
+    : diagram(its),
+      region(itsRegion),
+      maxDistance(itsMaxDistance),
+      bounds(itsRegion.bounds()),
+      crossings(crossingsFor(its, itsRegion, circles)),
+      arcs(circles ? Arcs(its, crossings, itsRegion, *circles) : Arcs(its, crossings)) {
+  const auto ringOffsets = region.ringOffsets();
+  after_.resize(region.sideCount());
+  for (std::size_t r = 0; r < region.ringCount(); ++r) {
+    for (std::int32_t k = ringOffsets[r]; k < ringOffsets[r + 1]; ++k) {
+      after_[at(k)] = k + 1 == ringOffsets[r + 1] ? ringOffsets[r] : k + 1;
+    }
+  }
+  places_.assign(diagram.circles.size(), circles ? Place::outside : Place::inside);
+  if (circles) {
+    for (const CircleIndex circle : *circles) places_[at(circle)] = Place::inside;
+  }
+  const std::vector<Place> chosen = circles ? places_ : std::vector<Place>();
+  const auto isChosen = [&](CircleIndex circle) { return chosen.empty() || chosen[at(circle)] == Place::inside; };
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const SideIndex side = diagram.links.firstSide[i];
+    if (side == kNone || arcs.levelOf(diagram.originOf(side)) <= 0) places_[i] = Place::outside;
+  }
+  into_.reserve(crossings.all.size());
+  for (std::size_t c = 0; c < crossings.all.size(); ++c) {
+    const CircleIndex cell = cellAfter(crossings.all[c]);
+    if (isChosen(cell)) into_.push_back({cell, static_cast<std::int32_t>(c)});
+  }
+  for (const auto& [cell, ring] : crossings.rings) rings_.push_back({cell, ring});
+  for (auto* list : {&into_, &rings_}) {
+    std::ranges::sort(*list, [](const InCell& a, const InCell& b) {
+      return std::pair(std::int32_t{a.cell}, a.index) < std::pair(std::int32_t{b.cell}, b.index);
+    });
+    for (const InCell& one : *list) places_[at(one.cell)] = Place::cut;
+  }
+}
+
+std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(const std::vector<InCell>& all,
+                                                                             CircleIndex cell) {
+  const auto found = std::ranges::equal_range(all, std::int32_t{cell}, {},
+                                              [](const InCell& one) { return std::int32_t{one.cell}; });
+  return std::span(all).subspan(static_cast<std::size_t>(found.begin() - all.begin()),
+                                static_cast<std::size_t>(found.end() - found.begin()));
+}
+
+EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {
+  EdgeCurve curve = curveOf(arc.edge);
+  if (arc.start != kNone) {
+    curve.from = crossings.all[at(arc.start)].parameter;
+    curve.start = crossings.all[at(arc.start)].point;
+  }
+  if (arc.end != kNone) {
+    curve.to = crossings.all[at(arc.end)].parameter;
+    curve.end = crossings.all[at(arc.end)].point;
+  }
+  // Of length zero up to rounding.
+  if (curve.from > curve.to) curve.from = curve.to = std::sqrt(curve.from) * std::sqrt(curve.to);
+  return curve;
+}
+
+EdgeCurve ClippedDiagram::Parts::curveOf(const LoopPiece& piece) const {
+  const EdgeCurve curve =
+      piece.arc == kNone ? curveOf(Diagram::edgeOf(piece.side)) : curveOf(arcs.all()[at(piece.arc)]);
+  return (piece.side % 2 == 0) == piece.isForward ? curve : reversed(curve);
+}
+
+/// The side of the cell that ends where a side begins.
+SideIndex ClippedDiagram::Parts::sideBefore(SideIndex side) const {
+  for (const SideIndex out : diagram.links.vertexSides[at(diagram.originOf(side))]) {
+    const SideIndex in = Diagram::twin(out);
+    if (diagram.links.nextSide[at(in)] == side) return in;
+  }
+  return kNone;
+}
+
+/// Adds the arcs that follow a crossing where the boundary leaves the cell, up to a crossing where it comes back, which
+/// is returned.
+std::int32_t ClippedDiagram::Parts::addArcs(std::int32_t crossing, Loops& loops) const {
+  const Crossing& from = crossings.all[at(crossing)];
+  std::int32_t arc = arcs.arcAt(crossing);
+  const std::int32_t layer = arcs.all()[at(arc)].layer;
+  const bool isForward = layer > 0;
+  SideIndex side = from.isEntry ? 2 * from.edge : 2 * from.edge + 1;
+  Point start = from.point;
+  for (;;) {
+    loops.pieces.push_back({start, side, kNone, arc, isForward});
+    const bool isAlongEdge = (side % 2 == 0) == isForward;
+    if (arc != kNone) {
+      const Arc& its = arcs.all()[at(arc)];
+      const std::int32_t other = isAlongEdge ? its.end : its.start;
+      if (other != kNone) return other;
+    }
+    const VertexIndex vertex = isForward ? diagram.targetOf(side) : diagram.originOf(side);
+    side = isForward ? diagram.links.nextSide[at(side)] : sideBefore(side);
+    start = {diagram.vertices[at(vertex)].x, diagram.vertices[at(vertex)].y};
+    const EdgeIndex edge = Diagram::edgeOf(side);
+    arc = arcs.isCrossed(edge) ? arcs.atVertex(edge, (side % 2 == 0) == isForward, layer) : kNone;
+  }
+}
+
+/// Adds the loop that begins with the boundary after a crossing.
+void ClippedDiagram::Parts::addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const {
+  const auto into = crossingsInto(cellAfter(crossings.all[at(first)]));
+  std::int32_t crossing = first;
+  do {
+    const auto place = std::ranges::lower_bound(into, crossing, {}, &InCell::index);
+    isDone[static_cast<std::size_t>(place - into.begin())] = 1;
+    const Stretch stretch = stretchFrom(crossing);
+    Point p = crossings.all[at(crossing)].point;
+    visitCorners(stretch, [&](RegionSideIndex side) {
+      const Point corner = pointOf(sideAfter(side));
+      if (p != corner) loops.pieces.push_back({p, kNone, side});
+      p = corner;
+    });
+    const Crossing& to = crossings.all[at(stretch.to)];
+    if (p != to.point) loops.pieces.push_back({p, kNone, to.side});
+    crossing = addArcs(stretch.to, loops);
+  } while (crossing != first);
+}
+
+/// Whether all of the border of a cell is in a layer.
+bool ClippedDiagram::Parts::hasBorder(CircleIndex circle, std::int32_t layer) const {
+  const auto isCovered = [&](SideIndex side) {
+    const EdgeIndex edge = Diagram::edgeOf(side);
+    const std::int32_t level = arcs.levelOf(diagram.originOf(side));
+    if (diagram.originOf(side) == kNone || (layer > 0 ? level < layer : level >= layer)) return false;
+    if (!arcs.isCrossed(edge)) return true;
+    return std::ranges::any_of(arcs.of(edge), [&](const Arc& arc) {
+      return arc.layer == layer && arc.start == kNone && arc.end == kNone;
+    });
+  };
+  const auto sides = diagram.sides(circle);
+  return !sides.empty() && std::ranges::all_of(sides, isCovered);
+}
+
+void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
+  loops.clear();
+  if (placeOf(circle) == Place::outside) return;
+  const auto into = crossingsInto(circle);
+  const auto end = [&](bool isHole) {
+    loops.offsets.push_back(static_cast<std::int32_t>(loops.pieces.size()));
+    loops.isHole.push_back(isHole ? 1 : 0);
+  };
+  // The polygon of each loop; -1 for a whole border, which lies in one polygon.
+  std::vector<std::int32_t> polygons;
+  const auto polygonOfSide = [&](RegionSideIndex side) { return region.polygonOf(region.ringOf(side)); };
+  std::vector<std::uint8_t> isDone(into.size(), 0);
+  for (std::size_t k = 0; k < into.size(); ++k) {
+    if (isDone[k] != 0) continue;
+    addChain(into[k].index, isDone, loops);
+    end(false);
+    polygons.push_back(polygonOfSide(crossings.all[at(into[k].index)].side));
+  }
+  // Borders without a crossing, as that of a whole cell.
+  const auto addBorder = [&](bool isForward) {
+    SideIndex side = diagram.links.firstSide[at(circle)];
+    do {
+      const Vertex& vertex = diagram.vertices[at(isForward ? diagram.originOf(side) : diagram.targetOf(side))];
+      loops.pieces.push_back({{vertex.x, vertex.y}, side, kNone, kNone, isForward});
+      side = isForward ? diagram.links.nextSide[at(side)] : sideBefore(side);
+    } while (side != diagram.links.firstSide[at(circle)]);
+    end(false);
+    polygons.push_back(-1);
+  };
+  for (std::int32_t layer = 1; hasBorder(circle, layer); ++layer) addBorder(true);
+  for (std::int32_t layer = 0; hasBorder(circle, layer); --layer) addBorder(false);
+  const auto rings = ringsIn(circle);
+  if (rings.empty()) return;
+  const auto addRing = [&](std::int32_t ring) {
+    for (std::int32_t k = region.ringOffsets()[at(ring)]; k < region.ringOffsets()[at(ring) + 1]; ++k) {
+      loops.pieces.push_back({pointOf(k), kNone, k});
+    }
+  };
+  std::vector<std::int32_t> holes;
+  for (const InCell& one : rings) {
+    const std::int32_t polygon = region.polygonOf(one.index);
+    if (region.polygonOffsets()[at(polygon)] != one.index) {
+      holes.push_back(one.index);
+      continue;
+    }
+    addRing(one.index);
+    end(false);
+    polygons.push_back(polygon);
+  }
+  if (holes.empty()) return;
+  // For each hole the loop around it.
+  std::vector<std::vector<std::int32_t>> holesOf(polygons.size());
+  for (const std::int32_t hole : holes) {
+    const std::int32_t polygon = region.polygonOf(hole);
+    std::vector<std::size_t> candidates;
+    for (std::size_t k = 0; k < polygons.size(); ++k) {
+      if (polygons[k] == polygon || polygons[k] == -1) candidates.push_back(k);
+    }
+    const Point p = pointOf(region.ringOffsets()[at(hole)]);
+    const auto found = std::ranges::find_if(candidates, [&](std::size_t k) { return hasInLoop(piecesOf(loops.loop(k)), p); });
+    const std::size_t around = candidates.size() == 1 || found == candidates.end()
+                                   ? (candidates.empty() ? polygons.size() : candidates.front())
+                                   : *found;
+    // Where the region is thinner than rounding, nothing may be left around a hole.
+    if (around < polygons.size()) holesOf[around].push_back(hole);
+  }
+  const Loops outer = std::move(loops);
+  loops.clear();
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    const auto pieces = outer.loop(k);
+    loops.pieces.insert(loops.pieces.end(), pieces.begin(), pieces.end());
+    end(false);
+    for (const std::int32_t hole : holesOf[k]) {
+      addRing(hole);
+      end(true);
+    }
+  }
+}
+
+std::vector<OutlinePiece> ClippedDiagram::Parts::piecesOf(std::span<const LoopPiece> loop) const {
+  std::vector<OutlinePiece> pieces;
+  pieces.reserve(loop.size());
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const LoopPiece& piece = loop[k];
+    if (piece.side == kNone) {
+      const Point end = loop[k + 1 == loop.size() ? 0 : k + 1].start;
+      pieces.push_back({segment(piece.start, end), kNone, kNone, 0, piece.regionSide});
+    } else {
+      pieces.push_back({curveOf(piece), piece.side, diagram.neighborOf(piece.side)});
+    }
+  }
+  return pieces;
+}
+
+}  // namespace circle_voronoi

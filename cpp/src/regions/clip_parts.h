@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "arcs.h"
+#include "circle_voronoi/clipped_diagram.h"
+#include "crossings.h"
+
+namespace circle_voronoi {
+
+/// A piece of a loop, up to the start of the next piece.
+struct LoopPiece {
+  Point start;
+  SideIndex side = {};              ///< the side of the cell, or kNone
+  RegionSideIndex regionSide = {};  ///< the side of the region, or kNone
+  std::int32_t arc = kNone;         ///< the arc of the side in Arcs::all(); kNone for a whole edge
+  bool isForward = true;            ///< whether the loop runs along the side, not against it (Arcs)
+};
+
+/// Loops of pieces. A hole comes after the loop around it.
+struct Loops {
+  std::vector<LoopPiece> pieces;
+  std::vector<std::int32_t> offsets = {0};  ///< for each loop where its pieces begin, and their number
+  std::vector<std::uint8_t> isHole;
+
+  std::span<const LoopPiece> loop(std::size_t k) const {
+    return std::span(pieces).subspan(static_cast<std::size_t>(offsets[k]),
+                                     static_cast<std::size_t>(offsets[k + 1] - offsets[k]));
+  }
+  void clear() {
+    pieces.clear();
+    offsets.assign(1, 0);
+    isHole.clear();
+  }
+};
+
+/// What a ClippedDiagram knows.
+class ClippedDiagram::Parts {
+ public:
+  /// For all cells, or for some.
+  Parts(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
+        std::optional<std::span<const CircleIndex>> circles = {});
+
+  using Place = ClippedDiagram::Place;
+  /// How a cell lies to the region, whatever the maximum distance.
+  Place placeOf(CircleIndex circle) const { return places_[static_cast<std::size_t>(circle)]; }
+
+  /// The loops of a cell in the region, whatever the maximum distance.
+  void loopsOf(CircleIndex circle, Loops& loops) const;
+
+  /// The curve of a whole edge, and that of an arc, in the direction of the edge.
+  EdgeCurve curveOf(EdgeIndex edge) const { return curveIn(diagram, bounds, edge); }
+  EdgeCurve curveOf(const Arc& arc) const;
+  /// The curve of a piece that is a side, in the direction of its loop.
+  EdgeCurve curveOf(const LoopPiece& piece) const;
+
+  std::vector<OutlinePiece> piecesOf(std::span<const LoopPiece> loop) const;
+
+  /// A stretch of the boundary in one cell: from a crossing to the next one of its ring.
+  struct Stretch {
+    std::int32_t from;
+    std::int32_t to;
+  };
+  Stretch stretchFrom(std::int32_t crossing) const {
+    return {crossing, crossings.next[static_cast<std::size_t>(crossing)]};
+  }
+  /// The cell in which the boundary goes on from a crossing.
+  CircleIndex cellAfter(const Crossing& crossing) const {
+    const Edge& edge = diagram.edges[static_cast<std::size_t>(crossing.edge)];
+    return crossing.isEntry ? edge.right : edge.left;
+  }
+  /// Calls `visit(side)` with the sides of the region whose ends lie on a stretch, in order.
+  template <class Visit>
+  void visitCorners(const Stretch& stretch, Visit visit) const;
+
+  struct InCell {
+    CircleIndex cell;
+    std::int32_t index;
+  };
+  /// The crossings after which the boundary goes on in a cell, and the rings that lie in it.
+  std::span<const InCell> crossingsInto(CircleIndex cell) const { return within(into_, cell); }
+  std::span<const InCell> ringsIn(CircleIndex cell) const { return within(rings_, cell); }
+  std::span<const InCell> allCrossings() const { return into_; }
+  std::span<const InCell> allRings() const { return rings_; }
+
+  Point pointOf(RegionSideIndex side) const { return region.points()[static_cast<std::size_t>(side)]; }
+  RegionSideIndex sideAfter(RegionSideIndex side) const { return after_[static_cast<std::size_t>(side)]; }
+
+  const Diagram& diagram;
+  const Region& region;
+  const std::optional<double> maxDistance;
+  const Box bounds;
+  const Crossings crossings;
+  const Arcs arcs;
+
+ private:
+  static std::span<const InCell> within(const std::vector<InCell>& all, CircleIndex cell);
+
+  void addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const;
+  std::int32_t addArcs(std::int32_t crossing, Loops& loops) const;
+  SideIndex sideBefore(SideIndex side) const;
+  bool hasBorder(CircleIndex circle, std::int32_t layer) const;
+
+  std::vector<RegionSideIndex> after_;
+  std::vector<InCell> into_;
+  std::vector<InCell> rings_;
+  std::vector<Place> places_;
+};
+
+template <class Visit>
+void ClippedDiagram::Parts::visitCorners(const Stretch& stretch, Visit visit) const {
+  RegionSideIndex side = crossings.all[static_cast<std::size_t>(stretch.from)].side;
+  const RegionSideIndex last = crossings.all[static_cast<std::size_t>(stretch.to)].side;
+  // From the last crossing of a ring the boundary goes on through the start of the ring.
+  bool isAhead = stretch.to > stretch.from;
+  while (side != last || !isAhead) {
+    visit(side);
+    const RegionSideIndex next = sideAfter(side);
+    if (next <= side) isAhead = true;
+    side = next;
+  }
+}
+
+}  // namespace circle_voronoi

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "circle_voronoi/curve.h"
+#include "circle_voronoi/diagram.h"
+#include "circle_voronoi/point.h"
+#include "circle_voronoi/region.h"
+
+namespace circle_voronoi {
+
+/// A crossing of the boundary of a region and an edge of a diagram. It is decided once, for the cells on both sides.
+struct Crossing {
+  EdgeIndex edge = {};
+  RegionSideIndex side = {};  ///< the side of the region
+  Point point;
+  double parameter = 0;  ///< of the point, on the edge
+  /// How far along the side the point is, from 0 at the smaller of its two ends, by x and then y, to 1 at the other.
+  double share = 0;
+  /// Whether the edge enters the region here, seen in its own direction: the boundary goes from its left cell to its
+  /// right cell.
+  bool isEntry = false;
+};
+
+/// How the boundary of a region runs through a diagram.
+///
+/// It goes from cell to cell: each ring is a closed path in the dual. Whatever rounding does, this alone makes all that
+/// follows fit together (arcs.h).
+struct Crossings {
+  std::vector<Crossing> all;  ///< along each ring in its order
+  /// For each crossing the next one of its ring; kNone if the boundary has not been followed up to there.
+  std::vector<std::int32_t> next;
+  struct RingInCell {
+    CircleIndex cell;
+    std::int32_t ring;
+  };
+  std::vector<RingInCell> rings;  ///< the rings without crossings
+};
+
+/// Walks along the boundary of a region. Takes linear time in sides, crossings and the edges of the cells that are
+/// crossed, and in the circles to find the first cell. The diagram has a circle.
+Crossings crossingsOf(const Diagram& diagram, const Region& region);
+
+/// The same for some cells only: follows the boundary where it is near them, and returns crossings of their edges. Takes
+/// linear time in what is near.
+Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles);
+
+/// Returns the curve of an edge as it is seen from the region (far_view.h), with the parameters of its crossings.
+EdgeCurve curveIn(const Diagram& diagram, const Box& bounds, EdgeIndex edge);
+
+}  // namespace circle_voronoi

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/region.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "arithmetic.h"
+#include "at.h"
+#include "circle_voronoi/limits.h"
+#include "compensated_sum.h"
+#include "guarded.h"
+#include "in_circle.h"
+#include "ring_sweep.h"
+#include "scale.h"
+
+namespace circle_voronoi {
+namespace {
+
+/// Sides of a run of the first level, and runs in one of the next.
+constexpr std::size_t kSidesOfRun = 8;
+constexpr std::size_t kRunsOfRun = 4;
+
+[[noreturn]] void refuse(std::string message) { throw Refusal{{ErrorCode::badOption, kNone, std::move(message)}}; }
+
+/// What a region is made of, as it is given.
+struct Given {
+  std::span<const Point> points;
+  std::span<const std::int32_t> ringOffsets;
+  std::span<const std::int32_t> polygonOffsets;
+};
+
+bool areOffsets(std::span<const std::int32_t> offsets, std::size_t count) {
+  return !offsets.empty() && offsets.front() == 0 && at(offsets.back()) == count && std::ranges::is_sorted(offsets);
+}
+
+void checkArrays(const Given& given) {
+  if (!isArithmeticStandard()) {
+    throw Refusal{{ErrorCode::badArithmetic, kNone,
+                   "Floating-point numbers are not rounded to nearest, or tiny numbers are taken for zero, as in a "
+                   "program that is linked with -ffast-math."}};
+  }
+  if (given.points.size() > kMaxRegionSides) {
+    throw Refusal{{ErrorCode::tooManyCircles, kNone,
+                   "The region has " + std::to_string(given.points.size()) + " points; at most " +
+                       std::to_string(kMaxRegionSides) + " are possible."}};
+  }
+  if (!areOffsets(given.ringOffsets, given.points.size())) {
+    refuse("The offsets of the region's rings must increase from 0 to the number of points.");
+  }
+  if (given.ringOffsets.size() == 1) refuse("The region has no ring.");
+  if (given.polygonOffsets.empty()) return;
+  if (!areOffsets(given.polygonOffsets, given.ringOffsets.size() - 1)) {
+    refuse("The offsets of the region's polygons must increase from 0 to the number of rings.");
+  }
+  for (std::size_t k = 1; k < given.polygonOffsets.size(); ++k) {
+    if (given.polygonOffsets[k - 1] == given.polygonOffsets[k]) {
+      refuse("Polygon " + std::to_string(k - 1) + " of the region has no ring.");
+    }
+  }
+}
+
+/// Names rings and sides as they are given: from 0, rings within their polygon if there are several.
+class Names {
+ public:
+  explicit Names(const Given& given) : given_(given) {}
+
+  std::string ofRing(std::size_t ring) const {
+    const auto& offsets = given_.polygonOffsets;
+    if (offsets.empty()) return "ring " + std::to_string(ring);
+    const auto polygon = polygonOf(ring);
+    const std::string name = "ring " + std::to_string(ring - at(offsets[polygon]));
+    return offsets.size() == 2 ? name : name + " of polygon " + std::to_string(polygon);
+  }
+  std::size_t polygonOf(std::size_t ring) const {
+    const auto& offsets = given_.polygonOffsets;
+    return static_cast<std::size_t>(std::ranges::upper_bound(offsets, static_cast<std::int32_t>(ring)) -
+                                    offsets.begin()) - 1;
+  }
+
+ private:
+  const Given& given_;
+};
+
+/// The rings without repeated points, and which point of its ring each one was.
+struct Cleaned {
+  Rings rings;
+  std::vector<std::int32_t> inputIndex;
+};
+
+Cleaned cleaned(const Given& given, const Names& names) {
+  Cleaned result;
+  auto& [points, offsets] = result.rings;
+  points.reserve(given.points.size());
+  result.inputIndex.reserve(given.points.size());
+  offsets.push_back(0);
+  for (std::size_t r = 0; r + 1 < given.ringOffsets.size(); ++r) {
+    const std::size_t first = points.size();
+    const std::size_t begin = at(given.ringOffsets[r]);
+    for (std::size_t k = begin; k < at(given.ringOffsets[r + 1]); ++k) {
+      const Point p = {given.points[k].x + 0.0, given.points[k].y + 0.0};
+      if (!(std::abs(p.x) <= kRegionLimit && std::abs(p.y) <= kRegionLimit)) {
+        refuse("Point " + std::to_string(k - begin) + " of " + names.ofRing(r) +
+               " of the region is not finite, or beyond 1e152.");
+      }
+      const auto index = static_cast<std::int32_t>(k - begin);
+      if (points.size() > first && points.back() == p) {
+        result.inputIndex.back() = index;
+        continue;
+      }
+      points.push_back(p);
+      result.inputIndex.push_back(index);
+    }
+    while (points.size() > first + 1 && points.back() == points[first]) {
+      points.pop_back();
+      result.inputIndex.pop_back();
+    }
+    if (points.size() < first + 3) {
+      std::string name = names.ofRing(r);
+      name[0] = 'R';
+      refuse(name + " of the region has fewer than three different points.");
+    }
+    offsets.push_back(static_cast<std::int32_t>(points.size()));
+  }
+  return result;
+}
+
+/// Refuses holes outside their polygon, and rings that lie in another polygon or hole.
+void checkNesting(const Given& given, const RingOrder& order, const Names& names) {
+  const auto isOuter = [&](std::size_t ring) { return at(given.polygonOffsets[names.polygonOf(ring)]) == ring; };
+  for (std::size_t ring = 0; ring < order.parent.size(); ++ring) {
+    const std::int32_t parent = order.parent[ring];
+    if (isOuter(ring)) {
+      if (parent == -1 || !isOuter(at(parent))) continue;
+      refuse("Polygons " + std::to_string(names.polygonOf(at(parent))) + " and " +
+             std::to_string(names.polygonOf(ring)) + " of the region overlap: one contains the other.");
+    }
+    if (parent == given.polygonOffsets[names.polygonOf(ring)]) continue;
+    std::string name = names.ofRing(ring);
+    name[0] = 'R';
+    const bool isInHole = parent != -1 && !isOuter(at(parent)) && names.polygonOf(at(parent)) == names.polygonOf(ring);
+    refuse(isInHole ? name + " of the region is a hole inside another hole."
+                    : name + " of the region is a hole, but lies outside its polygon.");
+  }
+}
+
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  std::size_t add() {
+    parent_.push_back(parent_.size());
+    return parent_.size() - 1;
+  }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  /// Returns whether they were apart.
+  bool join(std::size_t i, std::size_t j) {
+    i = find(i);
+    j = find(j);
+    parent_[i] = j;
+    return i != j;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Refuses polygons whose rings touch so that they cut the interior apart: then rings and the points where they touch
+/// form a cycle.
+void checkInteriors(const RingOrder& order, const std::vector<std::int32_t>& polygonOfRing) {
+  DisjointSets sets(order.parent.size());
+  for (std::size_t k = 0; k < order.touches.size();) {
+    std::size_t end = k;
+    while (end < order.touches.size() && order.touches[end].point == order.touches[k].point) ++end;
+    std::vector<std::int32_t> rings;
+    for (; k < end; ++k) rings.push_back(order.touches[k].ring);
+    std::ranges::sort(rings, {}, [&](std::int32_t ring) { return polygonOfRing[at(ring)]; });
+    std::int32_t polygon = -1;
+    std::size_t point = 0;
+    for (const std::int32_t ring : rings) {
+      if (polygonOfRing[at(ring)] != polygon) point = sets.add();
+      polygon = polygonOfRing[at(ring)];
+      if (!sets.join(at(ring), point)) {
+        refuse("The rings of polygon " + std::to_string(polygon) +
+               " of the region touch so that they cut its interior apart.");
+      }
+    }
+  }
+}
+
+/// For each ring its polygon, and for each polygon its rings, the outer one first.
+struct Grouping {
+  std::vector<std::int32_t> polygonOfRing;
+  std::vector<std::vector<std::int32_t>> rings;
+};
+
+Grouping grouped(const Given& given, const RingOrder& order) {
+  Grouping result;
+  const std::size_t count = order.parent.size();
+  result.polygonOfRing.assign(count, -1);
+  const auto add = [&](std::size_t ring, std::int32_t polygon) {
+    result.polygonOfRing[ring] = polygon;
+    result.rings[at(polygon)].push_back(static_cast<std::int32_t>(ring));
+  };
+  if (!given.polygonOffsets.empty()) {
+    result.rings.resize(given.polygonOffsets.size() - 1);
+    for (std::size_t polygon = 0; polygon < result.rings.size(); ++polygon) {
+      for (std::int32_t ring = given.polygonOffsets[polygon]; ring < given.polygonOffsets[polygon + 1]; ++ring) {
+        add(at(ring), static_cast<std::int32_t>(polygon));
+      }
+    }
+    return result;
+  }
+  std::vector<std::int32_t> depth(count, -1);
+  std::vector<std::size_t> path;
+  for (std::size_t ring = 0; ring < count; ++ring) {
+    path.clear();
+    for (std::size_t r = ring; depth[r] == -1; r = at(order.parent[r])) {
+      path.push_back(r);
+      if (order.parent[r] == -1) break;
+    }
+    for (; !path.empty(); path.pop_back()) {
+      const std::int32_t parent = order.parent[path.back()];
+      depth[path.back()] = parent == -1 ? 0 : depth[at(parent)] + 1;
+    }
+  }
+  for (std::size_t ring = 0; ring < count; ++ring) {
+    if (depth[ring] % 2 != 0) continue;
+    result.rings.emplace_back();
+    add(ring, static_cast<std::int32_t>(result.rings.size()) - 1);
+  }
+  for (std::size_t ring = 0; ring < count; ++ring) {
+    if (depth[ring] % 2 == 1) add(ring, result.polygonOfRing[at(order.parent[ring])]);
+  }
+  return result;
+}
+
+Region::Ring closedOnce(std::span<const Point> corners) { return {corners.begin(), corners.end()}; }
+
+/// Flat arrays of lists of rings.
+struct Flat {
+  std::vector<Point> points;
+  std::vector<std::int32_t> ringOffsets = {0};
+  std::vector<std::int32_t> polygonOffsets = {0};
+
+  void add(const Region::Ring& ring) {
+    points.insert(points.end(), ring.begin(), ring.end());
+    if (points.size() > kMaxRegionSides) return;
+    ringOffsets.push_back(static_cast<std::int32_t>(points.size()));
+  }
+  void endPolygon() { polygonOffsets.push_back(static_cast<std::int32_t>(ringOffsets.size() - 1)); }
+};
+
+}  // namespace
+
+Result<Region> Region::fromArrays(std::span<const Point> points, std::span<const std::int32_t> ringOffsets,
+                                  std::span<const std::int32_t> polygonOffsets) {
+  return guarded([&]() -> Result<Region> {
+    const Given given = {points, ringOffsets, polygonOffsets};
+    checkArrays(given);
+    const Names names(given);
+    const auto clean = cleaned(given, names);
+    // Clang 14 captures no structured bindings.
+    const auto& rings = clean.rings;
+    const auto& inputIndex = clean.inputIndex;
+    const auto ringOfSide = [&](std::int32_t side) {
+      return static_cast<std::size_t>(std::ranges::upper_bound(rings.offsets, side) - rings.offsets.begin()) - 1;
+    };
+    const RingOrder order = orderOf(rings, [&](std::int32_t side) {
+      return "side " + std::to_string(inputIndex[at(side)]) + " of " + names.ofRing(ringOfSide(side)) +
+             " of the region";
+    });
+    if (!polygonOffsets.empty()) checkNesting(given, order, names);
+    const Grouping grouping = grouped(given, order);
+    checkInteriors(order, grouping.polygonOfRing);
+
+    Region region;
+    region.points_.reserve(rings.points.size());
+    region.ringOffsets_.push_back(0);
+    region.polygonOffsets_.push_back(0);
+    for (const auto& polygon : grouping.rings) {
+      for (const std::int32_t ring : polygon) {
+        const auto begin = rings.points.begin() + rings.offsets[at(ring)];
+        const auto end = rings.points.begin() + rings.offsets[at(ring) + 1];
+        const bool isOuter = ring == polygon.front();
+        auto& its = region.points_;
+        its.push_back(*begin);
+        if (isOuter == (order.isCounterClockwise[at(ring)] != 0)) {
+          its.insert(its.end(), begin + 1, end);
+        } else {
+          its.insert(its.end(), std::make_reverse_iterator(end), std::make_reverse_iterator(begin + 1));
+        }
+        region.ringOffsets_.push_back(static_cast<std::int32_t>(its.size()));
+      }
+      region.polygonOffsets_.push_back(static_cast<std::int32_t>(region.ringOffsets_.size() - 1));
+    }
+    region.index();
+    return region;
+  });
+}
+
+Result<Region> Region::fromPolygons(std::span<const std::vector<Ring>> polygons) {
+  return guarded([&]() -> Result<Region> {
+    Flat flat;
+    for (const auto& polygon : polygons) {
+      for (const Ring& ring : polygon) flat.add(ring);
+      flat.endPolygon();
+    }
+    return fromArrays(flat.points, flat.ringOffsets, flat.polygonOffsets);
+  });
+}
+
+Result<Region> Region::fromRings(std::span<const Ring> rings) {
+  return guarded([&]() -> Result<Region> {
+    Flat flat;
+    for (const Ring& ring : rings) flat.add(ring);
+    return fromArrays(flat.points, flat.ringOffsets);
+  });
+}
+
+Result<Region> Region::from(const ConvexPolygon& polygon) {
+  return guarded([&]() -> Result<Region> { return fromRings(std::vector<Ring>{closedOnce(polygon.corners())}); });
+}
+
+Result<Region> Region::from(const Box& box) {
+  const auto polygon = ConvexPolygon::from(box);
+  if (!polygon) return polygon.error();
+  return from(*polygon);
+}
+
+RegionRingIndex Region::ringOf(RegionSideIndex side) const {
+  const std::int32_t index = side;
+  return static_cast<std::int32_t>(std::ranges::upper_bound(ringOffsets_, index) - ringOffsets_.begin()) - 1;
+}
+
+std::int32_t Region::polygonOf(RegionRingIndex ring) const {
+  const std::int32_t index = ring;
+  return static_cast<std::int32_t>(std::ranges::upper_bound(polygonOffsets_, index) - polygonOffsets_.begin()) - 1;
+}
+
+void Region::index() {
+  std::vector<Run> runs;
+  const auto grow = [](Run& run, const Run& other) {
+    run = {std::min(run.minX, other.minX), std::min(run.minY, other.minY), std::max(run.maxX, other.maxX),
+           std::max(run.maxY, other.maxY)};
+  };
+  const Run nothing = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+  for (std::size_t r = 0; r < ringCount(); ++r) {
+    const std::int32_t begin = ringOffsets_[r];
+    const std::int32_t end = ringOffsets_[r + 1];
+    for (std::int32_t k = begin; k < end; ++k) {
+      const std::size_t run = at(k) / kSidesOfRun;
+      if (run == runs.size()) runs.push_back(nothing);
+      for (const Point& p : {points_[at(k)], points_[at(k + 1 == end ? begin : k + 1)]}) {
+        grow(runs[run], {p.x, p.y, p.x, p.y});
+      }
+    }
+  }
+  runs_.push_back(std::move(runs));
+  while (runs_.back().size() > 1) {
+    const auto& below = runs_.back();
+    std::vector<Run> above((below.size() + kRunsOfRun - 1) / kRunsOfRun, nothing);
+    for (std::size_t k = 0; k < below.size(); ++k) grow(above[k / kRunsOfRun], below[k]);
+    runs_.push_back(std::move(above));
+  }
+}
+
+/// Whether a ray from the point to the right crosses an odd number of sides of a run.
+bool Region::isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoundary) const {
+  const Run& box = runs_[level][run];
+  if (p.y < box.minY || p.y > box.maxY || p.x > box.maxX) return false;
+  std::size_t size = kSidesOfRun;
+  for (std::size_t k = 0; k < level; ++k) size *= kRunsOfRun;
+  const std::size_t first = run * size;
+  const std::size_t last = std::min(first + size, points_.size()) - 1;
+  const auto ring = at(ringOf(static_cast<std::int32_t>(first)));
+  const auto begin = ringOffsets_[ring];
+  const auto end = ringOffsets_[ring + 1];
+  const auto endOf = [&](std::size_t side, std::int32_t ringBegin, std::int32_t ringEnd) {
+    return points_[side + 1 == at(ringEnd) ? at(ringBegin) : side + 1];
+  };
+  if (p.x < box.minX && static_cast<std::int32_t>(last) < end) {
+    return (points_[first].y > p.y) != (endOf(last, begin, end).y > p.y);
+  }
+  bool isOdd = false;
+  if (level > 0) {
+    const std::size_t runEnd = std::min((run + 1) * kRunsOfRun, runs_[level - 1].size());
+    for (std::size_t k = run * kRunsOfRun; k < runEnd && !isOnBoundary; ++k) {
+      isOdd ^= isInRun(level - 1, k, p, isOnBoundary);
+    }
+    return isOdd;
+  }
+  std::size_t r = ring;
+  for (std::size_t side = first; side <= last; ++side) {
+    while (static_cast<std::int32_t>(side) >= ringOffsets_[r + 1]) ++r;
+    const Point a = points_[side];
+    const Point b = endOf(side, ringOffsets_[r], ringOffsets_[r + 1]);
+    const bool isUp = b.y > p.y;
+    if (std::min(a.y, b.y) > p.y || std::max(a.y, b.y) < p.y) continue;
+    const int turn = orientation(a, b, p);
+    if (turn == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x)) {
+      isOnBoundary = true;
+      return true;
+    }
+    if ((a.y > p.y) != isUp) isOdd ^= isUp ? turn > 0 : turn < 0;
+  }
+  return isOdd;
+}
+
+bool Region::contains(Point p) const {
+  bool isOnBoundary = false;
+  const bool isInside = isInRun(runs_.size() - 1, 0, p, isOnBoundary);
+  return isInside || isOnBoundary;
+}
+
+std::vector<RegionSideIndex> Region::sidesIn(const Box& box) const {
+  std::vector<RegionSideIndex> sides;
+  addSidesIn(runs_.size() - 1, 0, box, sides);
+  return sides;
+}
+
+void Region::addSidesIn(std::size_t level, std::size_t run, const Box& box,
+                        std::vector<RegionSideIndex>& sides) const {
+  const auto meets = [&](const Run& its) {
+    return its.minX <= box.maxX && its.maxX >= box.minX && its.minY <= box.maxY && its.maxY >= box.minY;
+  };
+  if (!meets(runs_[level][run])) return;
+  if (level > 0) {
+    const std::size_t end = std::min((run + 1) * kRunsOfRun, runs_[level - 1].size());
+    for (std::size_t k = run * kRunsOfRun; k < end; ++k) addSidesIn(level - 1, k, box, sides);
+    return;
+  }
+  std::size_t ring = at(ringOf(static_cast<std::int32_t>(run * kSidesOfRun)));
+  for (std::size_t side = run * kSidesOfRun; side < std::min((run + 1) * kSidesOfRun, points_.size()); ++side) {
+    while (static_cast<std::int32_t>(side) >= ringOffsets_[ring + 1]) ++ring;
+    const Point a = points_[side];
+    const Point b = points_[side + 1 == at(ringOffsets_[ring + 1]) ? at(ringOffsets_[ring]) : side + 1];
+    if (meets({std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)})) {
+      sides.push_back(static_cast<std::int32_t>(side));
+    }
+  }
+}
+
+double Region::area() const {
+  const Box box = bounds();
+  const double unit = unitFor(std::max(box.maxX - box.minX, box.maxY - box.minY));
+  CompensatedSum twice;
+  for (std::size_t r = 0; r < ringCount(); ++r) {
+    const std::size_t begin = at(ringOffsets_[r]);
+    const std::size_t end = at(ringOffsets_[r + 1]);
+    for (std::size_t k = begin + 1; k + 1 < end; ++k) {
+      twice += cross(measuredIn(unit, vectorTo(points_[begin], points_[k])),
+                     measuredIn(unit, vectorTo(points_[begin], points_[k + 1])));
+    }
+  }
+  return twice.value() / 2 * unit * unit;
+}
+
+double Region::perimeter() const {
+  CompensatedSum sum;
+  for (std::size_t r = 0; r < ringCount(); ++r) {
+    const std::size_t begin = at(ringOffsets_[r]);
+    const std::size_t end = at(ringOffsets_[r + 1]);
+    for (std::size_t k = begin; k < end; ++k) {
+      sum += lengthOf(vectorTo(points_[k], points_[k + 1 == end ? begin : k + 1]));
+    }
+  }
+  return sum.value();
+}
+
+Box Region::bounds() const {
+  const Run& all = runs_.back().front();
+  return {all.minX, all.minY, all.maxX, all.maxY};
+}
+
+}  // namespace circle_voronoi

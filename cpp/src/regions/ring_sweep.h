@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "circle_voronoi/point.h"
+
+namespace circle_voronoi {
+
+/// Rings of points, one after the other: those from offsets[k] to before offsets[k + 1] are ring k, which has three
+/// points or more. Points in a row differ. Side k begins at point k.
+struct Rings {
+  std::vector<Point> points;
+  std::vector<std::int32_t> offsets;
+};
+
+/// How rings lie to each other that neither cross nor overlap.
+struct RingOrder {
+  /// For each ring the smallest ring around it, or -1.
+  std::vector<std::int32_t> parent;
+  /// For each ring whether it runs counter-clockwise.
+  std::vector<std::uint8_t> isCounterClockwise;
+  /// The rings that meet in a point where several do. The point is given by its place among such points.
+  struct Touch {
+    std::int32_t point;
+    std::int32_t ring;
+  };
+  std::vector<Touch> touches;
+};
+
+/// Determines how rings lie to each other. A line sweeps over them from left to right and keeps the sides that it
+/// crosses in order (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976). All signs are exact.
+///
+/// Takes O(m log m) steps for m sides. Throws a Refusal with a sentence if a ring crosses or touches itself, or two
+/// rings cross or overlap; `sideName` says what a side is called.
+RingOrder orderOf(const Rings& rings, const std::function<std::string(std::int32_t side)>& sideName);
+
+}  // namespace circle_voronoi

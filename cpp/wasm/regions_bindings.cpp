@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regions, diagrams in regions and the fit of areas, as a JavaScript module of its own: not every page clips. Its only
+// caller is web/lib/wasm/regions.ts. Regions and clipped diagrams are their addresses, and live until they are deleted.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/fit_areas.h"
+#include "circle_voronoi/region.h"
+#include "values.h"
+
+namespace {
+
+using namespace circle_voronoi;
+using emscripten::val;
+
+/// Thrown by a callback: the computation is to end.
+struct Stopped {};
+
+const Region& regionOf(std::uintptr_t address) { return *reinterpret_cast<const Region*>(address); }
+
+template <class Item>
+std::vector<Item> copyOf(std::span<const Item> items) {
+  return {items.begin(), items.end()};
+}
+
+/// `points`: x and y of each. `polygonOffsets`: undefined if the rings are those of any polygons.
+val createRegion(const val& points, const val& ringOffsets, const val& polygonOffsets) {
+  return valueOf([&] {
+    const auto corners = itemsFrom<double, Point>(points);
+    const auto rings = itemsFrom<std::int32_t, std::int32_t>(ringOffsets);
+    std::vector<std::int32_t> polygons;
+    if (!polygonOffsets.isUndefined()) polygons = itemsFrom<std::int32_t, std::int32_t>(polygonOffsets);
+    auto region = Region::fromArrays(corners, rings, polygons);
+    if (!region.ok()) return errorValue(region.error());
+    val result = val::object();
+    result.set("points", float64Array(copyOf(region->points())));
+    result.set("ringOffsets", int32Array(copyOf(region->ringOffsets())));
+    result.set("polygonOffsets", int32Array(copyOf(region->polygonOffsets())));
+    result.set("area", region->area());
+    result.set("perimeter", region->perimeter());
+    result.set("address", reinterpret_cast<std::uintptr_t>(new Region(std::move(region).value())));
+    return result;
+  });
+}
+
+void deleteRegion(std::uintptr_t address) { delete &regionOf(address); }
+
+bool regionContains(std::uintptr_t address, double x, double y) { return regionOf(address).contains({x, y}); }
+
+/// A diagram with its own memory, in a region that outlives it.
+struct Clip {
+  Diagram diagram;
+  std::optional<ClippedDiagram> clipped;
+};
+
+const ClippedDiagram& clippedOf(std::uintptr_t address) { return *reinterpret_cast<const Clip*>(address)->clipped; }
+
+Metric metricFrom(const std::string& name) {
+  for (const Metric metric : {Metric::centers, Metric::power}) {
+    if (metricName(metric) == name) return metric;
+  }
+  return Metric::circles;
+}
+
+/// `value`: a diagram as `compute` in web/lib returns it, with its metric.
+val createClip(std::uintptr_t region, const val& value, const val& maxDistance) {
+  return valueOf([&] {
+    auto clip = std::make_unique<Clip>();
+    clip->diagram = diagramFrom(value);
+    clip->diagram.metric = metricFrom(value["metric"].as<std::string>());
+    std::optional<double> distance;
+    if (!maxDistance.isUndefined()) distance = maxDistance.as<double>();
+    auto clipped = ClippedDiagram::from(clip->diagram, regionOf(region), distance);
+    if (!clipped.ok()) return errorValue(clipped.error());
+    clip->clipped.emplace(std::move(clipped).value());
+    val result = val::object();
+    result.set("address", reinterpret_cast<std::uintptr_t>(clip.release()));
+    return result;
+  });
+}
+
+void deleteClip(std::uintptr_t address) { delete reinterpret_cast<const Clip*>(address); }
+
+val clippedCells(std::uintptr_t address) {
+  return valueOf([&] {
+    const ClippedCells cells = clippedOf(address).cells();
+    val result = val::object();
+    result.set("loopOffsets", int32Array(cells.loopOffsets));
+    result.set("isHole", typedArray<std::uint8_t>("Uint8Array", cells.isHole));
+    result.set("pieceOffsets", int32Array(cells.pieceOffsets));
+    result.set("x", float64Array(cells.x));
+    result.set("y", float64Array(cells.y));
+    result.set("side", int32Array(cells.side));
+    result.set("regionSide", int32Array(cells.regionSide));
+    result.set("r", float64Array(cells.r));
+    return result;
+  });
+}
+
+val clippedEdges(std::uintptr_t address) {
+  return valueOf([&] {
+    const ClippedEdges edges = clippedOf(address).edges();
+    val result = val::object();
+    result.set("edge", int32Array(edges.edge));
+    result.set("from", float64Array(edges.from));
+    result.set("to", float64Array(edges.to));
+    result.set("start", float64Array(edges.start));
+    result.set("end", float64Array(edges.end));
+    result.set("startSide", int32Array(edges.startSide));
+    result.set("endSide", int32Array(edges.endSide));
+    return result;
+  });
+}
+
+/// Per cell: the area; the centroid's x and y; the perimeter.
+val clippedAreas(std::uintptr_t address) {
+  return valueOf([&] { return float64Array(clippedOf(address).areas()); });
+}
+val clippedCentroids(std::uintptr_t address) {
+  return valueOf([&] { return float64Array(clippedOf(address).centroids()); });
+}
+val clippedPerimeters(std::uintptr_t address) {
+  return valueOf([&] { return float64Array(clippedOf(address).perimeters()); });
+}
+val clippedNeighbors(std::uintptr_t address, std::int32_t circle) {
+  return valueOf([&] { return int32Array(clippedOf(address).neighbors(circle)); });
+}
+
+val clippedPolygons(std::uintptr_t address, double tolerance) {
+  return valueOf([&] {
+    const ClippedPolygons polygons = clippedOf(address).polygons(tolerance);
+    val result = val::object();
+    result.set("polygonOffsets", int32Array(polygons.polygonOffsets));
+    result.set("ringOffsets", int32Array(polygons.ringOffsets));
+    result.set("pointOffsets", int32Array(polygons.pointOffsets));
+    result.set("points", float64Array(polygons.points));
+    return result;
+  });
+}
+
+/// `sites`: x, y and the weight to start from of each. `onStep`, called with the number of steps, the largest relative
+/// error and the weights, says whether to go on; it must not throw.
+val fitAreasValue(std::uintptr_t region, const val& sites, const val& areas, const val& given) {
+  return valueOf([&] {
+    AreaFitOptions options;
+    options.shares = given["shares"].as<bool>();
+    options.tolerance = given["tolerance"].as<double>();
+    options.maxSteps = given["maxSteps"].as<int>();
+    const val onStep = given["onStep"];
+    options.onStep = [&](const AreaFitStep& step) {
+      const std::vector<double> weights = copyOf(step.weights);
+      if (onStep(step.step, step.error, float64Array(weights)).isFalse()) throw Stopped{};
+    };
+    const auto fit =
+        fitAreas(itemsFrom<double, Circle>(sites), itemsFrom<double, double>(areas), regionOf(region), options);
+    if (!fit.ok()) return errorValue(fit.error());
+    val result = val::object();
+    result.set("weights", float64Array(fit->weights));
+    result.set("circles", float64Array(fit->diagram.circles));
+    result.set("diagram", diagramValue(fit->diagram));
+    result.set("areas", float64Array(fit->areas));
+    result.set("relativeError", fit->error);
+    result.set("steps", fit->steps);
+    return result;
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(circle_voronoi_regions) {
+  emscripten::function("createRegion", &createRegion);
+  emscripten::function("deleteRegion", &deleteRegion);
+  emscripten::function("regionContains", &regionContains);
+  emscripten::function("createClip", &createClip);
+  emscripten::function("deleteClip", &deleteClip);
+  emscripten::function("clippedCells", &clippedCells);
+  emscripten::function("clippedEdges", &clippedEdges);
+  emscripten::function("clippedAreas", &clippedAreas);
+  emscripten::function("clippedCentroids", &clippedCentroids);
+  emscripten::function("clippedPerimeters", &clippedPerimeters);
+  emscripten::function("clippedNeighbors", &clippedNeighbors);
+  emscripten::function("clippedPolygons", &clippedPolygons);
+  emscripten::function("fitAreas", &fitAreasValue);
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pictures of the cookbook's pages, docs/cookbook, and of the three circles of the first page.
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { createServer } from 'node:http'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import sirv from 'sirv'
+import { addModules, pageOf, recipes } from '../tests/readme/recipes.mjs'
+import { isMain, main, ROOT } from './run.mjs'
+import { chromiumPath } from './setup.mjs'
+import { loadDrawn } from './texts/drawn.mjs'
+import { posterMaker } from './texts/poster.mjs'
+
+/** As recipes draw. */
+const SIZE = { width: 480, height: 300 }
+
+/** @param {import('@playwright/test').Browser} browser */
+export async function pictureRecipes(browser) {
+  await pictureThreeCircles()
+  const folder = mkdtempSync(join(tmpdir(), 'cookbook-'))
+  addModules(folder)
+  const server = createServer(sirv(folder, { dev: true }))
+  await new Promise((resolve) => server.listen(0, 'localhost', resolve))
+  for (const { code, picture } of recipes().filter(({ language }) => language === 'html')) {
+    writeFileSync(join(folder, 'index.html'), pageOf(code))
+    const page = await browser.newPage({ viewport: SIZE, deviceScaleFactor: 2 })
+    await page.goto(`http://localhost:${server.address().port}/`, { waitUntil: 'networkidle' })
+    await page.screenshot({ path: ROOT + picture })
+    await page.close()
+  }
+  server.close()
+  rmSync(folder, { recursive: true })
+}
+
+async function pictureThreeCircles() {
+  const { loadCircleVoronoi } = await import(`${ROOT}dist/lib/index.js`)
+  const { loadFiles } = await import(`${ROOT}dist/lib/files.js`)
+  const [library, files] = [await loadCircleVoronoi(), await loadFiles()]
+  const diagram = library.compute([
+    [0, 0, 1],
+    [6, 0, 1],
+    [0, 8, 1],
+  ])
+  const svg = files.writeDiagram(diagram, { format: 'svg', bounds: [-8, -3, 14, 11], digits: 3, tolerance: 0.001 })
+  const posterOf = posterMaker(library, await loadDrawn(library))
+  writeFileSync(`${ROOT}docs/three-circles.svg`, posterOf(svg, diagram, {}))
+}
+
+if (isMain(import.meta.url)) {
+  const { chromium } = await import('@playwright/test')
+  await main(async () => {
+    const browser = await chromium.launch({ executablePath: chromiumPath(), args: ['--headless', '--no-sandbox'] })
+    await pictureRecipes(browser).finally(() => browser.close())
+  })
+}

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/fit_areas.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cell_measure.h"
+#include "circle_voronoi/cells.h"
+#include "circle_voronoi/certify.h"
+#include "circle_voronoi/compute.h"
+#include "random.h"
+#include "spring.h"
+#include "spring_system.h"
+
+namespace circle_voronoi {
+namespace {
+
+Region boxRegion(const Box& box) { return Region::from(box).value(); }
+Region unitSquare() { return boxRegion({0, 0, 1, 1}); }
+
+std::vector<Circle> randomSites(std::size_t count, Random& random) {
+  std::vector<Circle> sites;
+  for (std::size_t i = 0; i < count; ++i) sites.push_back({random.unit(), random.unit(), 0});
+  return sites;
+}
+
+std::vector<double> randomShares(std::size_t count, double decades, Random& random) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < count; ++i) shares.push_back(random.logUniform(0, decades));
+  return shares;
+}
+
+Result<AreaFit> fitShares(const std::vector<Circle>& sites, const std::vector<double>& shares, const Region& region) {
+  AreaFitOptions options;
+  options.shares = true;
+  return fitAreas(sites, shares, region, options);
+}
+
+/// Whether a fit is what it says: its areas are those of its diagram, which is certified, and as asked for.
+void expectFits(const Result<AreaFit>& fit, const std::vector<Circle>& sites, const std::vector<double>& shares,
+                const Region& region) {
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_EQ(*std::ranges::min_element(fit->weights), 0);
+  EXPECT_TRUE(certify(fit->diagram).value().certified());
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_EQ(fit->diagram.circles[i].x, sites[i].x);
+    EXPECT_EQ(fit->diagram.circles[i].r, fit->weights[i]);
+    const double target = shares[i] / sum * region.area();
+    EXPECT_NEAR(fit->areas[i], target, 1e-9 * target) << "site " << i;
+  }
+  EXPECT_LE(fit->error, 1e-9);
+}
+
+/// The integral of 1 / |u_left - u_right| along an arc by the midpoint rule over its parameter.
+double stiffnessByQuadrature(const EdgeCurve& arc) {
+  constexpr int kPieces = 20000;
+  const double step = std::log(arc.to / arc.from) / kPieces;
+  const auto unitFrom = [](Point focus, Point p) {
+    const double length = std::hypot(p.x - focus.x, p.y - focus.y);
+    return Vector{(p.x - focus.x) / length, (p.y - focus.y) / length};
+  };
+  double sum = 0;
+  for (int k = 0; k < kPieces; ++k) {
+    const double s = arc.from * std::exp((k + 0.5) * step);
+    const Point before = pointAt(arc.bisector, arc.from * std::exp(k * step));
+    const Point after = pointAt(arc.bisector, arc.from * std::exp((k + 1) * step));
+    const Point p = pointAt(arc.bisector, s);
+    const Vector u = unitFrom(arc.bisector.left, p);
+    const Vector v = unitFrom(arc.bisector.right, p);
+    sum += std::hypot(after.x - before.x, after.y - before.y) / std::hypot(u.x - v.x, u.y - v.y);
+  }
+  return sum;
+}
+
+TEST(AreaFitSpring, HasTheStiffnessOfTheIntegralByQuadrature) {
+  for (const double radius : {0.0, 0.3, 0.9, 0.999, -0.5}) {
+    EdgeCurve arc;
+    arc.bisector = bisector({0, 0, 0.5 + radius}, {1, 0, 0.5});
+    for (const auto& [from, to] : {std::pair{0.5, 3.0}, {1.0, 1.001}, {2.0, 9.0}, {0.1, 0.2}}) {
+      arc.from = from;
+      arc.to = to;
+      const double expected = stiffnessByQuadrature(arc);
+      EXPECT_NEAR(stiffness(arc), expected, 1e-6 * expected) << radius << ' ' << from;
+    }
+  }
+}
+
+// Curved, straight, clipped and nearly hidden: what the areas gain as one weight grows is what the springs say.
+TEST(AreaFitSpring, IsTheDerivativeOfTheAreas) {
+  Random random(7);
+  const Region region = unitSquare();
+  for (int trial = 0; trial < 30; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    std::vector<Circle> circles = randomSites(2 + random.below(12), random);
+    if (trial % 3 > 0) {
+      for (Circle& c : circles) c.r = random.uniform(0, trial % 3 == 1 ? 0.05 : 0.2);
+    }
+    const Diagram diagram = compute(circles).value();
+    if (!diagram.hidden.empty()) continue;
+    const CellMeasure cells = measureCells(diagram, region);
+    constexpr double kStep = 1e-6;
+    std::vector<Circle> grown = circles;
+    std::vector<Circle> shrunken = circles;
+    const std::size_t chosen = random.below(circles.size());
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      // Radii are not negative, and only their differences count.
+      grown[i].r += 1 + (i == chosen ? kStep : 0);
+      shrunken[i].r += 1 - (i == chosen ? kStep : 0);
+    }
+    const Diagram more = compute(grown).value();
+    const Diagram less = compute(shrunken).value();
+    if (!more.hidden.empty() || !less.hidden.empty()) continue;
+    const std::vector<double> up = measureCells(more, region).areas;
+    const std::vector<double> down = measureCells(less, region).areas;
+    std::vector<double> expected(circles.size(), 0);
+    for (const Spring& spring : cells.springs) {
+      const auto i = static_cast<std::size_t>(spring.left);
+      const auto j = static_cast<std::size_t>(spring.right);
+      if (i != chosen && j != chosen) continue;
+      expected[chosen] += spring.stiffness;
+      expected[i == chosen ? j : i] -= spring.stiffness;
+    }
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      EXPECT_NEAR((up[i] - down[i]) / (2 * kStep), expected[i], 1e-4 * (1 + std::abs(expected[i]))) << "cell " << i;
+    }
+  }
+}
+
+TEST(AreaFitSprings, AreSolvedInEachComponentByItself) {
+  const std::vector<Spring> springs = {{0, 2, 1}, {2, 4, 3}, {1, 3, 2}};
+  SpringSystem system(6, springs);
+  EXPECT_EQ(system.components(), 3U);
+  EXPECT_EQ(system.componentOf(), (std::vector<std::size_t>{0, 1, 0, 1, 0, 2}));
+  const std::vector<double> x = system.solve(std::vector<double>{1, 3, 2}, std::vector<double>{1, 4, 2, -4, -3, 0});
+  // The forces are those of x = (4/3, 1, 1/3, -1, -2/3... ), up to a constant in each component.
+  ASSERT_EQ(x.size(), 6U);
+  EXPECT_NEAR(x[0] - x[2], 1, 1e-14);
+  EXPECT_NEAR(x[2] - x[4], 1, 1e-14);
+  EXPECT_NEAR(x[1] - x[3], 2, 1e-14);
+  EXPECT_NEAR(x[0] + x[2] + x[4], 0, 1e-14);
+  EXPECT_EQ(x[5], 0);
+}
+
+// Of two sites the border is a branch of a hyperbola, whose area up to the middle has a closed form.
+TEST(AreaFit, OfTwoSitesIsTheClosedForm) {
+  const std::vector<Circle> sites = {{0.25, 0.5, 0}, {0.75, 0.5, 0}};
+  const double a = 0.125;
+  const double b = std::sqrt(0.25 * 0.25 - a * a);
+  // The integral of a sqrt(1 + y^2 / b^2) over |y| < 1/2, right of the middle.
+  const double v = 0.5 / b;
+  const double beyond = a * b * (v * std::sqrt(1 + v * v) + std::asinh(v));
+  const auto fit = fitAreas(sites, std::vector{0.5 + beyond, 0.5 - beyond}, unitSquare());
+  ASSERT_TRUE(fit) << fit.error().message;
+  EXPECT_NEAR(fit->weights[0], 2 * a, 1e-9);
+  EXPECT_EQ(fit->weights[1], 0);
+}
+
+TEST(AreaFit, ReachesAreasOverDecadesAmongRandomSites) {
+  for (const double decades : {0.0, 1.0, 2.0}) {
+    for (const std::size_t count : {1U, 2U, 3U, 10U, 300U}) {
+      SCOPED_TRACE(std::to_string(count) + " sites over " + std::to_string(decades) + " decades");
+      Random random(count);
+      const std::vector<Circle> sites = randomSites(count, random);
+      const std::vector<double> shares = randomShares(count, decades, random);
+      expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
+    }
+  }
+}
+
+// Weights are doubles. A cell that is a millionth of its neighbor is a sliver behind it, whose area the last bits of
+// the weights decide: the message says what was reached.
+TEST(AreaFit, SaysWhatWasReachedWhereTheLastBitsDecide) {
+  Random random(300);
+  const std::vector<Circle> sites = randomSites(300, random);
+  const std::vector<double> shares = randomShares(sites.size(), 6, random);
+  double least = 1e9;
+  AreaFitOptions options;
+  options.shares = true;
+  options.onStep = [&](const AreaFitStep& step) { least = std::min(least, step.error); };
+  const auto fit = fitAreas(sites, shares, unitSquare(), options);
+  EXPECT_LT(least, 0.01);
+  if (fit) {
+    EXPECT_LE(fit->error, options.tolerance);
+  } else {
+    EXPECT_EQ(fit.error().code, ErrorCode::notConverged);
+    EXPECT_EQ(fit.error().message.substr(0, 92),
+              "The fit stopped where rounding of the weights decides: the largest relative error of an area");
+  }
+}
+
+TEST(AreaFit, ReachesAreasWhereverTheSitesLie) {
+  struct Family {
+    std::string name;
+    std::function<Circle(int, Random&)> site;
+  };
+  const std::vector<Family> families = {
+      {"clusters",
+       [](int i, Random& r) {
+         return Circle{0.2 * (i % 5) + 1e-3 * r.unit(), 0.1 + 0.2 * (i % 4) + 1e-3 * r.unit(), 0};
+       }},
+      {"grid",
+       [](int i, Random&) {
+         return Circle{0.05 + 0.1 * (i % 10), 0.05 + 0.1 * (i / 10), 0};
+       }},
+      {"collinear",
+       [](int, Random& r) {
+         return Circle{r.unit(), 0.5, 0};
+       }},
+      {"one corner",
+       [](int, Random& r) {
+         return Circle{0.01 * r.unit(), 0.01 * r.unit(), 0};
+       }},
+      {"outside",
+       [](int, Random& r) {
+         return Circle{3 + r.unit(), 2 + r.unit(), 0};
+       }},
+
+  };
+  for (const auto& [name, site] : families) {
+    SCOPED_TRACE(name);
+    Random random(11);
+    std::vector<Circle> sites;
+    for (int i = 0; i < 100; ++i) sites.push_back(site(i, random));
+    const std::vector<double> shares = randomShares(sites.size(), 1, random);
+    expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
+  }
+}
+
+/// The dual function at a list of weights, by quadrature on a grid in the unit square.
+double dualValue(const std::vector<Circle>& sites, const std::vector<double>& weights,
+                 const std::vector<double>& targets) {
+  constexpr int kCells = 60;
+  double value = std::inner_product(weights.begin(), weights.end(), targets.begin(), 0.0);
+  for (int row = 0; row < kCells; ++row) {
+    for (int column = 0; column < kCells; ++column) {
+      double least = 1e9;
+      for (std::size_t i = 0; i < sites.size(); ++i) {
+        const double d = std::hypot((column + 0.5) / kCells - sites[i].x, (row + 0.5) / kCells - sites[i].y);
+        least = std::min(least, d - weights[i]);
+      }
+      value += least / kCells / kCells;
+    }
+  }
+  return value;
+}
+
+TEST(AreaFit, MaximizesTheDualFunction) {
+  Random random(3);
+  const std::vector<Circle> sites = randomSites(8, random);
+  const std::vector<double> shares = randomShares(sites.size(), 1, random);
+  const auto fit = fitShares(sites, shares, unitSquare());
+  ASSERT_TRUE(fit);
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  std::vector<double> targets;
+  for (const double share : shares) targets.push_back(share / sum);
+  const double best = dualValue(sites, fit->weights, targets);
+  for (int trial = 0; trial < 1000; ++trial) {
+    std::vector<double> weights = fit->weights;
+    for (double& weight : weights) weight += random.uniform(-0.1, 0.1);
+    EXPECT_LT(dualValue(sites, weights, targets), best) << "trial " << trial;
+  }
+}
+
+TEST(AreaFit, DoesNotDependOnScaleDirectionOrOrder) {
+  Random random(5);
+  const std::vector<Circle> sites = randomSites(50, random);
+  const std::vector<double> shares = randomShares(sites.size(), 2, random);
+  const auto fit = fitShares(sites, shares, unitSquare());
+  ASSERT_TRUE(fit);
+
+  std::vector<Circle> scaled;
+  for (const Circle& site : sites) scaled.push_back({0x1p300 * site.x, 0x1p300 * site.y, 0});
+  const auto large = fitShares(scaled, shares, boxRegion({0, 0, 0x1p300, 0x1p300}));
+  ASSERT_TRUE(large) << large.error().message;
+
+  std::vector<Circle> turned;
+  for (const Circle& site : sites) turned.push_back({-site.y, site.x, 0});
+  const auto sideways = fitShares(turned, shares, boxRegion({-1, 0, 0, 1}));
+  ASSERT_TRUE(sideways) << sideways.error().message;
+
+  std::vector<Circle> backwards(sites.rbegin(), sites.rend());
+  const auto reverse = fitShares(backwards, {shares.rbegin(), shares.rend()}, unitSquare());
+  ASSERT_TRUE(reverse) << reverse.error().message;
+
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_NEAR(large->weights[i] / 0x1p300, fit->weights[i], 1e-8);
+    EXPECT_NEAR(sideways->weights[i], fit->weights[i], 1e-8);
+    EXPECT_NEAR(reverse->weights[sites.size() - 1 - i], fit->weights[i], 1e-8);
+  }
+}
+
+TEST(AreaFit, StartsFromTheRadii) {
+  Random random(9);
+  std::vector<Circle> sites = randomSites(200, random);
+  const std::vector<double> shares = randomShares(sites.size(), 2, random);
+  const auto fit = fitShares(sites, shares, unitSquare());
+  ASSERT_TRUE(fit);
+  for (std::size_t i = 0; i < sites.size(); ++i) sites[i].r = fit->weights[i];
+  const auto again = fitShares(sites, shares, unitSquare());
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->steps, 0);
+  EXPECT_EQ(again->weights, fit->weights);
+
+  sites[17].x += 0.1 / std::sqrt(200.0);
+  const auto moved = fitShares(sites, shares, unitSquare());
+  expectFits(moved, sites, shares, unitSquare());
+  EXPECT_LT(moved->steps, fit->steps);
+
+  // Radii that hide cells, or are negative, are a start as well.
+  for (Circle& site : sites) site.r = -random.unit();
+  expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
+}
+
+TEST(AreaFit, RefusesWhatHasNoAnswer) {
+  const std::vector<Circle> sites = {{0.2, 0.2, 0}, {0.7, 0.4, 0}, {0.2, 0.2, 0}};
+  const auto messageOf = [&](std::vector<double> areas, std::size_t count, AreaFitOptions options = {}) {
+    const auto fit = fitAreas(std::span(sites).first(count), areas, unitSquare(), options);
+    return fit ? "no error" : fit.error().message;
+  };
+  EXPECT_EQ(messageOf({0.2, 0.3, 0.5}, 3), "Site 2 has the same position as site 0.");
+  EXPECT_EQ(messageOf({0.5, 0}, 2), "Area 1 must be positive and finite (got 0).");
+  EXPECT_EQ(messageOf({-1, 2}, 2), "Area 0 must be positive and finite (got -1).");
+  EXPECT_EQ(messageOf({0.5, INFINITY}, 2), "Area 1 must be positive and finite (got inf).");
+  EXPECT_EQ(messageOf({0.5}, 2), "There are 1 areas for 2 sites.");
+  EXPECT_EQ(messageOf({0.5, 1}, 2),
+            "The areas sum to 1.5, but the area of the region is 1. Set `shares` to scale them.");
+  EXPECT_EQ(messageOf({}, 0), "There are no sites.");
+  EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.tolerance = 0}), "tolerance must be above 0 and below 1 (got 0).");
+  EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.maxSteps = 0}), "maxSteps must be 1 or more (got 0).");
+  EXPECT_EQ(messageOf({0.9, 0.1}, 2, {.maxSteps = 1}).substr(0, 69),
+            "The fit stopped after 1 steps: the largest relative error of an area ");
+}
+
+TEST(AreaFit, TellsEachStepAndStopsWhereTheCallerThrows) {
+  const std::vector<Circle> sites = {{0.2, 0.2, 0}, {0.7, 0.4, 0}};
+  std::vector<double> errors;
+  AreaFitOptions options;
+  options.onStep = [&](const AreaFitStep& step) {
+    EXPECT_EQ(step.step, static_cast<int>(errors.size()));
+    EXPECT_EQ(step.weights.size(), 2U);
+    errors.push_back(step.error);
+  };
+  const auto fit = fitAreas(sites, std::vector{0.8, 0.2}, unitSquare(), options);
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(errors.size(), static_cast<std::size_t>(fit->steps) + 1);
+  EXPECT_EQ(errors.back(), fit->error);
+
+  options.onStep = [](const AreaFitStep&) { throw std::runtime_error("enough"); };
+  EXPECT_THROW((void)fitAreas(sites, std::vector{0.8, 0.2}, unitSquare(), options), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "circle_voronoi/region.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "circle_voronoi/limits.h"
+#include "region_shapes.h"
+#include "report.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Ring = Region::Ring;
+
+Ring square(double x, double y, double size) { return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}; }
+
+std::string messageOf(const std::vector<Ring>& rings) {
+  const auto region = Region::fromRings(rings);
+  if (region) return "";
+  EXPECT_EQ(region.error().code, ErrorCode::badOption);
+  return region.error().message;
+}
+
+std::string messageOfPolygons(const std::vector<std::vector<Ring>>& polygons) {
+  const auto region = Region::fromPolygons(polygons);
+  if (region) return "";
+  EXPECT_EQ(region.error().code, ErrorCode::badOption);
+  return region.error().message;
+}
+
+TEST(Region, TakesBothDirectionsClosedRingsAndRepeatedPoints) {
+  const Region plain = Region::fromRings(std::vector<Ring>{square(0, 0, 4)}).value();
+  EXPECT_EQ(plain.area(), 16);
+  EXPECT_EQ(plain.perimeter(), 16);
+  const Region other =
+      Region::fromRings(std::vector<Ring>{{{0, 0}, {0, 0}, {0, 4}, {4, 4}, {4, 4}, {4, 0}, {0, 0}, {0, 0}}}).value();
+  EXPECT_EQ(other.area(), 16);
+  EXPECT_EQ(other.sideCount(), 4U);
+  // Outer rings run counter-clockwise.
+  EXPECT_EQ(std::vector<Point>(other.points().begin(), other.points().end()),
+            (std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+}
+
+TEST(Region, NestsRingsByContainment) {
+  const Region region = Region::fromRings(std::vector<Ring>{square(3, 3, 1), square(0, 0, 10), square(1, 1, 5),
+                                                            square(2, 2, 3), square(20, 0, 1)})
+                            .value();
+  EXPECT_EQ(region.polygonCount(), 3U);
+  EXPECT_EQ(region.ringCount(), 5U);
+  EXPECT_EQ(region.area(), 100 - 25 + 9 - 1 + 1);
+  EXPECT_TRUE(region.contains({0.5, 0.5}));
+  EXPECT_FALSE(region.contains({1.5, 1.5}));
+  EXPECT_TRUE(region.contains({2.5, 2.5}));
+  EXPECT_FALSE(region.contains({3.5, 3.5}));
+  EXPECT_TRUE(region.contains({20.5, 0.5}));
+  EXPECT_FALSE(region.contains({15, 0.5}));
+  // The boundary belongs to it.
+  EXPECT_TRUE(region.contains({1, 1}));
+  EXPECT_TRUE(region.contains({3.5, 3}));
+  EXPECT_TRUE(region.contains({0, 10}));
+}
+
+TEST(Region, TakesPolygonsWithHoles) {
+  const std::vector<std::vector<Ring>> polygons = {{square(0, 0, 10), square(1, 1, 2), square(4, 4, 2)},
+                                                   {square(4.5, 4.5, 1)}};
+  const Region region = Region::fromPolygons(polygons).value();
+  EXPECT_EQ(region.area(), 100 - 4 - 4 + 1);
+  EXPECT_EQ(region.polygonCount(), 2U);
+  EXPECT_EQ(region.polygonOf(region.ringOf(5)), 0);
+  EXPECT_EQ(region.ringOf(5), 1);
+  EXPECT_EQ(region.ringOf(12), 3);
+}
+
+TEST(Region, RefusesRingsThatCrossThemselves) {
+  EXPECT_EQ(messageOf({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}),
+            "Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (1, 1).");
+  // Through a corner, and back along a side.
+  EXPECT_EQ(messageOf({{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}}),
+            "Side 2 of ring 0 of the region and side 5 of ring 0 of the region touch at (2, 2).");
+  EXPECT_NE(messageOf({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}).find("touch at (2, 0)"), std::string::npos);
+  EXPECT_NE(messageOf({{{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}}}).find("overlap beside"), std::string::npos);
+  EXPECT_NE(messageOf({{{0, 0}, {4, 0}, {4, 4}, {4, 8}, {4, 2}, {0, 4}}}).find("overlap beside"), std::string::npos);
+}
+
+TEST(Region, RefusesRingsThatCrossOrOverlapOthers) {
+  EXPECT_EQ(messageOf({square(0, 0, 2), square(1, 1, 2)}),
+            "Side 2 of ring 0 of the region and side 3 of ring 1 of the region cross at (1, 2).");
+  EXPECT_NE(messageOf({square(0, 0, 2), square(2, 0, 2)}).find("overlap beside"), std::string::npos);
+  EXPECT_NE(messageOf({square(0, 0, 2), square(0, 0, 2)}).find("overlap beside"), std::string::npos);
+  // Crossing in corners alone.
+  EXPECT_NE(messageOf({{{0, 0}, {4, 0}, {4, 4}}, {{3, -1}, {4, 0}, {3, 1}, {0, 0.5}}}).find("cross at"),
+            std::string::npos);
+  EXPECT_NE(messageOf({{{0, 0}, {4, 0}, {2, 3}}, {{2, -1}, {2, 0}, {3, 1}, {4, 0.5}}}).find("cross at"), std::string::npos);
+}
+
+TEST(Region, RingsMayTouchInPoints) {
+  // A hole in a corner of its polygon, two polygons in a corner, a corner on a side.
+  EXPECT_EQ(messageOf({square(0, 0, 4), {{0, 0}, {2, 1}, {1, 2}}}), "");
+  EXPECT_EQ(messageOf({square(0, 0, 2), square(2, 2, 2)}), "");
+  EXPECT_EQ(messageOf({square(0, 0, 2), {{1, 2}, {2, 4}, {0, 4}}}), "");
+  EXPECT_EQ(messageOf({square(0, 0, 4), {{0, 2}, {2, 1}, {2, 3}}}), "");
+  const Region region = Region::fromRings(std::vector<Ring>{square(0, 0, 4), {{0, 2}, {2, 1}, {2, 3}}}).value();
+  EXPECT_EQ(region.area(), 14);
+  EXPECT_EQ(region.polygonCount(), 1U);
+  // Holes that touch each other and the polygon cut its interior apart.
+  EXPECT_EQ(messageOf({square(0, 0, 4), {{0, 2}, {2, 1}, {4, 2}, {2, 3}}}),
+            "The rings of polygon 0 of the region touch so that they cut its interior apart.");
+}
+
+TEST(Region, RefusesWrongNesting) {
+  EXPECT_EQ(messageOfPolygons({{square(0, 0, 4), square(5, 5, 1)}}),
+            "Ring 1 of the region is a hole, but lies outside its polygon.");
+  EXPECT_EQ(messageOfPolygons({{square(0, 0, 9), square(1, 1, 5), square(2, 2, 1)}}),
+            "Ring 2 of the region is a hole inside another hole.");
+  EXPECT_EQ(messageOfPolygons({{square(0, 0, 9)}, {square(1, 1, 1)}}),
+            "Polygons 0 and 1 of the region overlap: one contains the other.");
+}
+
+TEST(Region, RefusesWhatIsNoRegion) {
+  const double kNaN = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(messageOf({}), "The region has no ring.");
+  EXPECT_EQ(messageOfPolygons({{square(0, 0, 1)}, {}}), "Polygon 1 of the region has no ring.");
+  EXPECT_EQ(messageOf({{{0, 0}, {1, 0}, {1, 0}, {0, 0}}}),
+            "Ring 0 of the region has fewer than three different points.");
+  EXPECT_EQ(messageOf({{{0, 0}, {1, kNaN}, {1, 0}}}), "Point 1 of ring 0 of the region is not finite, or beyond 1e152.");
+  EXPECT_EQ(messageOf({{{0, 0}, {1, 1e153}, {1, 0}}}), "Point 1 of ring 0 of the region is not finite, or beyond 1e152.");
+  EXPECT_NE(messageOf({{{0, 0}, {1, 1}, {2, 2}}}), "");
+}
+
+TEST(Region, DecidesByExactSigns) {
+  // A corner one rounding step from a side: on this side of it, on it, beyond it.
+  const double above = std::nextafter(0.5, 1.0);
+  const double below = std::nextafter(0.5, 0.0);
+  const Ring triangle = {{0, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(messageOf({triangle, {{0.5, below}, {0.9, 0}, {0.95, 0.5}}}), "");
+  EXPECT_EQ(messageOf({triangle, {{0.5, 0.5}, {0.9, 0}, {0.95, 0.5}}}), "");
+  EXPECT_NE(messageOf({triangle, {{0.5, above}, {0.9, 0}, {0.95, 0.5}}}), "");
+  const Region region = Region::fromRings(std::vector<Ring>{triangle}).value();
+  EXPECT_TRUE(region.contains({0.5, above}));
+  EXPECT_TRUE(region.contains({0.5, 0.5}));
+  EXPECT_FALSE(region.contains({0.5, below}));
+}
+
+TEST(Region, IsTheSameAtAnyScale) {
+  const Ring triangle = {{0, 0}, {3, 1}, {1, 2}};
+  for (const double scale : {1e-300, 1e-150, 1e-9, 1e9, 1e151}) {
+    Ring scaled;
+    for (const Point& p : triangle) scaled.push_back({p.x * scale, p.y * scale});
+    const Region region = Region::fromRings(std::vector<Ring>{scaled}).value();
+    EXPECT_TRUE(region.contains({1.2 * scale, 1 * scale}));
+    EXPECT_FALSE(region.contains({0.2 * scale, 1 * scale}));
+    if (scale > 1e-149) {
+      EXPECT_NEAR(region.area() / scale / scale, 2.5, 1e-14);
+    }
+  }
+}
+
+/// Whether a point is in rings by going through all sides.
+bool isInPlainly(const Region& region, Point p) {
+  bool isOdd = false;
+  for (std::size_t r = 0; r < region.ringCount(); ++r) {
+    const auto begin = static_cast<std::size_t>(region.ringOffsets()[r]);
+    const auto end = static_cast<std::size_t>(region.ringOffsets()[r + 1]);
+    for (std::size_t k = begin; k < end; ++k) {
+      const Point a = region.points()[k];
+      const Point b = region.points()[k + 1 == end ? begin : k + 1];
+      if ((a.y > p.y) == (b.y > p.y)) continue;
+      isOdd ^= p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+    }
+  }
+  return isOdd;
+}
+
+TEST(Region, ContainsIsThatOfAllSides) {
+  std::mt19937_64 random(test::seedOr(7));
+  std::vector<Ring> rings = {test::coastRing(random, {0, 0}, 1, 3000)};
+  for (int k = 0; k < 20; ++k) rings.push_back(test::starRing(random, {2.0 + k % 5, k / 5 - 2.0}, 0.1, 0.4, 9));
+  rings.push_back(test::combRing({-3, 3, 5, 6}, 40));
+  rings.push_back(test::spiralRing({-9, -2, -4, 3}, 6));
+  const Region region = Region::fromRings(rings).value();
+  std::uniform_real_distribution<double> x(-9.5, 7);
+  std::uniform_real_distribution<double> y(-3, 6.5);
+  for (int k = 0; k < 20000; ++k) {
+    const Point p = {x(random), y(random)};
+    ASSERT_EQ(region.contains(p), isInPlainly(region, p)) << p.x << " " << p.y;
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi

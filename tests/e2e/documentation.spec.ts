@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages of the documentation and the contents of the tutorial: where they lead, how they look, and what their search finds.
+import { readdirSync, readFileSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import { AxeBuilder } from '@axe-core/playwright'
+import { expect, type Page, test } from '@playwright/test'
+
+const SITE = fileURLToPath(new URL('../../dist/site/', import.meta.url))
+const pagesOf = (folder: string) =>
+  readdirSync(`${SITE}${folder}`)
+    .filter((name) => name.endsWith('.html'))
+    .map((name) => `${folder}/${name}`)
+/** Beyond that a page scrolls sideways by rounding alone. */
+const ROUNDING = 1
+
+test('the first page sends each reader on within a screen', async ({ page }) => {
+  await page.goto('/docs/')
+  const main = page.getByRole('main')
+  for (const [wish, address] of [
+    ['try it', '../'],
+    ['understand it', '../tutorial/01-nearest-circle.html'],
+    ['use it in JavaScript', 'javascript.html'],
+    ['use it in C++', 'cpp.html'],
+    ['put a figure into a page', 'element.html'],
+    ['run it in the shell', 'shell.html'],
+    ['build it from source', 'building.html'],
+  ] as const) {
+    const row = main.getByRole('row').filter({ hasText: wish })
+    await expect(row).toBeInViewport({ ratio: 1 })
+    await expect(row.locator(`a[href="${address}"]`)).toHaveCount(1)
+  }
+  // Five lines and a picture.
+  const code = await main.locator('#in-javascript ~ pre').first().textContent()
+  expect(
+    code
+      ?.trim()
+      .split('\n')
+      .filter((line) => line !== ''),
+  ).toHaveLength(5)
+  await expect(main.locator('img[src="three-circles.svg"]')).toBeVisible()
+})
+
+test('long pages have a table of contents, and short ones none', async ({ page }) => {
+  for (const name of [
+    'docs/architecture.html',
+    'docs/cookbook.html',
+    'docs/javascript.html',
+    'tutorial/03-touching-discs.html',
+  ]) {
+    await page.goto(`/${name}`)
+    const toc = page.getByRole('navigation', { name: 'On this page' })
+    const links = toc.getByRole('link')
+    const first = await links.first().textContent()
+    expect(await links.count(), name).toBeGreaterThan(2)
+    await links.first().click()
+    await expect(page.getByRole('heading', { level: 2, name: first as string })).toBeInViewport()
+  }
+  await page.goto('/docs/tiles.html')
+  await expect(page.getByRole('navigation', { name: 'On this page' })).toHaveCount(0)
+})
+
+/** What is wider than its place: code whose lines could be broken, and the page itself. */
+function clipped(rounding: number): string[] {
+  const wide = [
+    ...document.querySelectorAll<HTMLElement>('pre:not(.drawn), p, li, :is(h1, h2, h3):not(.hidden)'),
+  ].filter(
+    (element) => element.scrollWidth > element.clientWidth + rounding && getComputedStyle(element).display !== 'inline',
+  )
+  const fixed = [...document.querySelectorAll<HTMLElement>('pre.drawn, .wide')].filter(
+    (element) => element.scrollWidth > element.clientWidth + rounding && element.tabIndex !== 0,
+  )
+  const page = document.scrollingElement as Element
+  return [
+    ...[...wide, ...fixed].map((element) => `${element.tagName}: ${element.textContent?.slice(0, 60)}`),
+    ...(page.scrollWidth > innerWidth + rounding ? ['the page'] : []),
+  ]
+}
+
+async function expectNothingClipped(page: Page, names: readonly string[], widths: readonly number[]): Promise<void> {
+  for (const name of names) {
+    await page.goto(`/${name}`)
+    for (const width of widths) {
+      await page.setViewportSize({ width, height: 800 })
+      expect(await page.evaluate(clipped, ROUNDING), `${name} at ${width}`).toEqual([])
+    }
+  }
+}
+
+test('code is never clipped, and no page scrolls sideways, on phones and on screens', async ({ page }) => {
+  const names = [
+    'docs/index.html',
+    'docs/cookbook.html',
+    'docs/building.html',
+    'docs/headers.html',
+    'tutorial/index.html',
+  ]
+  await expectNothingClipped(page, names, [320, 390, 768, 1280, 1920])
+})
+
+test('code is never clipped in any page', { tag: '@long' }, async ({ page }) => {
+  test.setTimeout(600_000)
+  await expectNothingClipped(page, [...pagesOf('docs'), ...pagesOf('tutorial'), ...pagesOf('api')], [320, 1280])
+})
+
+test('the pages of the documentation are accessible', { tag: '@long' }, async ({ page }) => {
+  test.setTimeout(300_000)
+  for (const name of pagesOf('docs')) {
+    await page.goto(`/${name}`)
+    for (const colorScheme of ['light', 'dark'] as const) {
+      await page.emulateMedia({ colorScheme })
+      const { violations } = await new AxeBuilder({ page }).analyze()
+      expect(
+        violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]),
+        `${name} ${colorScheme}`,
+      ).toEqual([])
+    }
+  }
+})
+
+test('the description of each page is a whole sentence', () => {
+  const broken = ['docs', 'api', 'tutorial'].flatMap(pagesOf).filter((name) => {
+    const [, description = ''] =
+      /<meta name="description" content="([^"]*)"/.exec(readFileSync(SITE + name, 'utf8')) ?? []
+    return !/^(?:&quot;|&lt;circle-voronoi&gt;|[\p{Lu}\p{N}“]).*[.?!)]$/u.test(description)
+  })
+  expect(broken).toEqual([])
+})
+
+test.describe('search', () => {
+  const found = (page: Page) => page.locator('.found a')
+  async function search(page: Page, words: string) {
+    await page.getByLabel('Search').fill(words)
+    await expect(page.locator('.found')).toBeVisible()
+    await expect(found(page).first()).toHaveAttribute('href', /./)
+    return found(page).evaluateAll((links) => links.map((link) => link.getAttribute('href') as string))
+  }
+
+  for (const [words, address] of [
+    ['leaflet', '../docs/cookbook.html#show-cells-on-a-leaflet-map'],
+    ['react', '../docs/cookbook.html#use-it-in-react'],
+    ['animate', '../docs/cookbook.html#animate-by-edits'],
+    ['migrate', '../docs/cookbook.html#migrate-from-d3-delaunay'],
+    ['moodle', '../docs/cookbook.html#use-it-in-moodle-and-other-frames'],
+  ] as const) {
+    test(`finds ${words}, in its section, with a snippet`, async ({ page }) => {
+      await page.goto('/docs/')
+      const addresses = await search(page, words)
+      expect(addresses.slice(0, 2)).toContain(address)
+      const link = page.locator(`.found a[href="${address}"]`)
+      await expect(link.locator('span')).toHaveText(/\w+ \w+/)
+      await link.click()
+      await expect(page.locator(`[id="${address.split('#')[1]}"]`)).toBeInViewport()
+    })
+  }
+
+  test('has pages that explain before names of the reference', async ({ page }) => {
+    await page.goto('/docs/')
+    for (const words of ['hull', 'vertex', 'worker', 'hidden circles', 'antipodal disc']) {
+      const [first] = await search(page, words)
+      expect(first, words).not.toContain('/api/')
+    }
+    // A name that only the reference has is found all the same.
+    expect((await search(page, 'outlinePerimeter'))[0]).toContain('outlinePerimeter')
+  })
+
+  test('is used with keys', async ({ page }) => {
+    await page.goto('/docs/')
+    await search(page, 'leaflet')
+    await page.getByLabel('Search').press('ArrowDown')
+    await expect(found(page).first()).toBeFocused()
+    await page.keyboard.press('ArrowUp')
+    await expect(page.getByLabel('Search')).toBeFocused()
+    await page.keyboard.press('Escape')
+    await expect(page.locator('.found')).toBeHidden()
+  })
+})
+
+test('the contents of the tutorial are a gallery: a figure to drag, and a picture and a line for each chapter', async ({
+  page,
+}) => {
+  await page.goto('/tutorial/')
+  const figure = page.locator('.hero circle-voronoi')
+  await figure.evaluate(async (element: HTMLElementTagNameMap['circle-voronoi']) => element.ready)
+  await expect(page.getByRole('link', { name: 'Start with chapter 1' })).toHaveAttribute(
+    'href',
+    '01-nearest-circle.html',
+  )
+  const tiles = page.locator('.gallery a')
+  await expect(tiles).toHaveCount(11)
+  for (const tile of await tiles.all()) {
+    await tile.scrollIntoViewIfNeeded()
+    await expect
+      .poll(() => tile.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth))
+      .toBeGreaterThan(0)
+    await expect(tile.locator('span').last()).toHaveText(/\w+ \w+/)
+  }
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+})
+
+test('without scripts the pictures of chapter 4 have their lines and samples', () => {
+  const picture = (name: string) => readFileSync(`${SITE}tutorial/pictures/${name}.svg`, 'utf8')
+  expect(picture('samples')).toMatch(
+    /class="lines rims".*class="lines|class="lines sampleGraph"[\s\S]*class="lines rims"/,
+  )
+  expect(picture('samples')).toContain('class="lines samples"')
+  expect(picture('centers-mislead')).toContain('class="lines delaunay"')
+  expect(picture('layers-between')).toContain('class="lines steps"')
+})
+
+test.describe('on a phone', () => {
+  test.use({ hasTouch: true, viewport: { width: 390, height: 844 } })
+
+  test('a tap on a border shows its disc, as a pointer does', async ({ page }) => {
+    await page.goto('/tutorial/02-hyperbolas.html')
+    const figure = page.locator('#hyperbola circle-voronoi')
+    await figure.scrollIntoViewIfNeeded()
+    await figure.evaluate(async (element: HTMLElementTagNameMap['circle-voronoi']) => {
+      await element.ready
+      await element.updateComplete
+    })
+    const before = await figure.screenshot()
+    // The border crosses the line between the centers 5 from the first one: the circles reach from -3 to 9.
+    const { x, y, width, height } = (await figure.boundingBox()) as {
+      x: number
+      y: number
+      width: number
+      height: number
+    }
+    const scale = (width - 32) / 12
+    await page.touchscreen.tap(x + 16 + (5 + 3) * scale, y + height / 2)
+    await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
+    await page.touchscreen.tap(x + 16 + (5 + 3) * scale, y + 12)
+    await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
+  })
+})

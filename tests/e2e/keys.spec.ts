@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keys and fingers do that a mouse does, and what tells of it.
+import { readFileSync } from 'node:fs'
+import { decodeLink } from '../../web/lib/link.ts'
+import { App, dataSet, expect, test } from './page.ts'
+
+const BRONZE = dataSet('bronzefilter')
+const INTRODUCTION = dataSet('introduction')
+
+/** How many pixels above the picture something is drawn on. */
+const drawnAbove = (app: App) =>
+  app.canvas
+    .locator('canvas')
+    .nth(1)
+    .evaluate((canvas: HTMLCanvasElement) => {
+      const copy = new OffscreenCanvas(canvas.width, canvas.height)
+      const context = copy.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+      context.drawImage(canvas, 0, 0)
+      return context.getImageData(0, 0, canvas.width, canvas.height).data.filter((value) => value > 0).length
+    })
+
+test('the focus on the drawing is seen', async ({ app }) => {
+  const { page } = app
+  const corner = { x: 0, y: 0, width: 12, height: 12 }
+  const before = await page.screenshot({ clip: corner })
+  await page.keyboard.press('Tab')
+  await expect(app.canvas).toBeFocused()
+  const frame = await page.screenshot({ clip: corner })
+  expect(frame.equals(before)).toBe(false)
+  await page.keyboard.press('Tab')
+  await expect(app.canvas).not.toBeFocused()
+  expect((await page.screenshot({ clip: corner })).equals(before)).toBe(true)
+})
+
+test('N adds a circle in the middle of the picture, and what is duplicated is said, each time', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  await app.canvas.focus()
+  const camera = app.camera(INTRODUCTION)
+  await page.keyboard.press('n')
+  await expect(app.status).toContainText('15 circles')
+  await expect.poll(async () => Number(await app.field('x').inputValue())).toBeCloseTo(camera.x, 3)
+  const said = page.locator('#said')
+  await expect(said).toHaveText(/^Circle 14 added\. /)
+  await page.evaluate(() => {
+    const texts: string[] = []
+    const element = document.querySelector('#said') as HTMLElement
+    Object.assign(window, { texts })
+    new MutationObserver(() => texts.push(element.textContent ?? '')).observe(element, { childList: true })
+  })
+  const texts = () => page.evaluate(() => (window as unknown as { texts: string[] }).texts)
+  for (const count of [1, 2]) {
+    await page.keyboard.press('Control+d')
+    await expect.poll(texts).toEqual(Array(count).fill(expect.stringMatching(/^Circle duplicated\. /)))
+  }
+})
+
+test('the tool for adding stays until Escape', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  const add = page.getByRole('button', { name: 'Add a circle' })
+  await add.click()
+  for (const [k, place] of [
+    { x: 4.4, y: -3.3 },
+    { x: -3.6, y: 4.2 },
+  ].entries()) {
+    const { x, y } = app.locate(INTRODUCTION, place)
+    await app.drag({ x, y }, { x: x + 20, y })
+    await page.mouse.up()
+    await expect(app.status).toContainText(`${15 + k} circles`)
+    await expect(add).toHaveAttribute('aria-pressed', 'true')
+  }
+  await page.keyboard.press('Escape')
+  await expect(add).toHaveAttribute('aria-pressed', 'false')
+})
+
+test('a tiny circle is zoomed to by a key and by a button', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 4)
+  await page.mouse.click(at.x, at.y)
+  await app.field('r').fill('1e-6')
+  await app.field('r').press('Enter')
+  await expect(app.field('r')).toHaveValue('1e-6')
+  await app.field('r').press('Escape')
+  await page.keyboard.press('f')
+  const span = async () => (await decodeLink(new URL(page.url()).hash)).view?.span ?? Number.POSITIVE_INFINITY
+  await expect.poll(span).toBeLessThan(1e-5)
+  await page.keyboard.press('0')
+  await expect.poll(span).toBe(Number.POSITIVE_INFINITY)
+  await app.inspector.getByRole('button', { name: 'Zoom to' }).click()
+  await expect.poll(span).toBeLessThan(1e-5)
+})
+
+test('the card says what a cell measures, and what the number of a circle is', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  const at = app.center(INTRODUCTION, 0)
+  await page.mouse.click(at.x, at.y)
+  const facts = app.inspector.locator('dl')
+  await expect(facts).toContainText('Area of the cell')
+  const [area, perimeter] = (await facts.locator('dd').allTextContents()).map(Number) as [number, number]
+  expect(area).toBeGreaterThan(Math.PI * 1.6 ** 2)
+  // No cell of this area has a shorter one.
+  expect(perimeter ** 2).toBeGreaterThan(4 * Math.PI * area)
+  // Numbers of circles that are gone are not used again.
+  await page.keyboard.press('Delete')
+  await expect(app.status).toContainText('13 circles')
+  await page.keyboard.press('n')
+  await expect(app.inspector).toContainText('Circle 14')
+  await expect(app.inspector).toContainText('14 of 14; numbers are not used again')
+})
+
+test('the disc at the pointer is shown wherever it is, and what belongs to places of other circles goes with them', async ({
+  app,
+}) => {
+  const { page } = app
+  await app.choose('Introduction')
+  await app.openPanel('Layers')
+  await page.getByLabel('Disc at the pointer').check()
+  // In the middle of a cell, outside its circle.
+  const at = app.locate(INTRODUCTION, { x: 0.2, y: 2.2 })
+  await page.mouse.move(at.x, at.y)
+  await expect.poll(() => drawnAbove(app)).toBeGreaterThan(1000)
+  await page.getByLabel('Disc at the pointer').uncheck()
+  await page.getByLabel('Clearest path').check()
+  await app.choose('Cities of Europe')
+  // Its ends are in the picture of these circles, too.
+  const path = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers?.path
+  await expect.poll(async () => Object.keys((await path()) ?? {})).toEqual(['from', 'to'])
+  const { x, y, scale } = app.camera(dataSet('cities'))
+  const { from, to } = (await path()) as unknown as Record<'from' | 'to', { x: number; y: number }>
+  for (const end of [from, to]) {
+    expect(Math.abs(end.x - x) * scale).toBeLessThan(640)
+    expect(Math.abs(end.y - y) * scale).toBeLessThan(400)
+  }
+})
+
+test('fields take no value that is not used', async ({ app }) => {
+  const { page } = app
+  await app.openPanel('Generate')
+  const count = page.getByRole('region', { name: 'Generate' }).getByLabel('n', { exact: true })
+  await count.fill('0')
+  await count.press('Tab')
+  await expect(count).toHaveValue('300')
+  await app.openPanel('Files')
+  await page.getByLabel('times').fill('-2')
+  await page.getByLabel('times').press('Tab')
+  await expect(page.getByLabel('times')).toHaveValue('2')
+  const at = app.center(BRONZE, 600)
+  await page.mouse.click(at.x, at.y)
+  const before = await app.field('r').inputValue()
+  await app.field('r').fill('-1')
+  await app.field('r').press('Enter')
+  await expect(page.getByRole('alert')).toBeVisible()
+  await app.field('r').press('Escape')
+  await expect(app.field('r')).toHaveValue(before)
+  await expect(page.getByRole('alert')).toBeHidden()
+})
+
+test('without circles a hint says what to do, and the menu that there are none', async ({ app }) => {
+  const { page } = app
+  await app.canvas.focus()
+  await page.keyboard.press('Control+a')
+  await page.keyboard.press('Delete')
+  await expect(app.status).toHaveText(/^0 circles/)
+  await expect(page.getByText('Double-click to add one, or choose a data set above.')).toBeVisible()
+  await expect(page.getByLabel('Data set').locator('option:checked')).toHaveText('No circles')
+  await page.mouse.dblclick(640, 400)
+  await expect(app.status).toHaveText(/^1 circle /)
+  await expect(page.getByText('Double-click to add one')).toBeHidden()
+})
+
+test('circles move while it plays, and undo brings all of them back at once', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  await app.openPanel('Motion')
+  const panel = page.getByRole('region', { name: 'Motion' })
+  for (const name of ['Bounce', 'Grow from points', 'Breathe']) {
+    await panel.getByLabel(name).check()
+    const picture = await app.canvas.screenshot()
+    await panel.getByRole('button', { name: 'Play' }).click()
+    await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
+    await panel.getByRole('button', { name: 'Stop' }).click()
+    await expect(panel.getByRole('button', { name: 'Play' })).toBeVisible()
+    await page.getByRole('button', { name: 'Undo' }).click()
+    await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
+  }
+})
+
+test('motion is recorded as a video', async ({ app }) => {
+  const { page } = app
+  await app.choose('Introduction')
+  await app.openPanel('Motion')
+  const download = page.waitForEvent('download')
+  await page.getByRole('button', { name: 'Record 6 s' }).click()
+  await expect(page.getByRole('button', { name: 'Recording …' })).toBeDisabled()
+  const file = await download
+  expect(file.suggestedFilename()).toMatch(/^circles-bounce\.(mp4|webm)$/)
+  const bytes = readFileSync(await file.path())
+  expect(bytes.length).toBeGreaterThan(20_000)
+  // As MP4 or Matroska begins.
+  expect([bytes.toString('latin1', 4, 8), bytes.toString('hex', 0, 4)]).toEqual(
+    file.suggestedFilename().endsWith('mp4') ? ['ftyp', expect.anything()] : [expect.anything(), '1a45dfa3'],
+  )
+})
+
+test.describe('with fingers', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true })
+
+  test('hints say tap, a large circle is dragged at once, and a finger that rests shows the disc', async ({ page }) => {
+    const app = new App(page)
+    await app.open('')
+    await expect(page.locator('#say')).toContainText('Double-tap to add a circle.')
+    const session = await page.context().newCDPSession(page)
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...points: { x: number; y: number }[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: points })
+    const start = dataSet('start')
+    const at = app.center(start, 0)
+    await touch('touchStart', at)
+    for (const dx of [8, 16, 24]) await touch('touchMove', { x: at.x + dx, y: at.y })
+    await touch('touchEnd')
+    await expect(app.inspector).toContainText('Circle 0')
+    await expect.poll(async () => Number(await app.field('x').inputValue())).toBeGreaterThan(0.3)
+    await app.inspector.getByRole('button', { name: 'Deselect' }).tap()
+
+    await app.openPanel('Layers')
+    await page.getByLabel('Disc at the pointer').check()
+    await page.getByRole('region', { name: 'Layers' }).getByRole('button', { name: 'Close' }).tap()
+    await expect(app.inspector).toBeHidden()
+    await expect.poll(() => drawnAbove(app)).toBe(0)
+    const free = { x: 30, y: 300 }
+    await touch('touchStart', free)
+    await expect.poll(() => drawnAbove(app)).toBeGreaterThan(100)
+    // It follows the finger, and no circle is added.
+    const overlay = () =>
+      app.canvas
+        .locator('canvas')
+        .nth(1)
+        .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
+    await page.waitForTimeout(700)
+    const first = await overlay()
+    await touch('touchMove', { x: 60, y: 340 })
+    await expect.poll(overlay).not.toBe(first)
+    await touch('touchEnd')
+    await expect(app.status).toHaveText(/^8 circles/)
+  })
+})

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What takes long says so, and can be canceled.
+import { got, heldBack } from './held-back.ts'
+import { expect, test } from './page.ts'
+
+test('what is loaded has a bar and can be canceled; what was wrong before goes at once', async ({ app }) => {
+  const { page } = app
+  const progress = page.locator('#progress')
+  await app.openPanel('Files')
+  await page
+    .getByLabel('Open …')
+    .setInputFiles({ name: 'a.csv', mimeType: 'text/csv', buffer: Buffer.from('0,0,-1\n') })
+  await expect(page.getByRole('alert')).toContainText('negative radius')
+  const answer = await heldBack('**/data/spruces.csv', page)
+  await page.getByLabel('Data set').selectOption({ label: 'Spruces' })
+  await expect(page.getByRole('alert')).toBeHidden()
+  await expect(progress).toContainText('Loading …')
+  await expect(progress.getByRole('progressbar')).toBeVisible()
+  await progress.getByRole('button', { name: 'Cancel' }).click()
+  await expect(progress).toBeHidden()
+  // What comes late is not opened.
+  const answered = page.waitForResponse('**/data/spruces.csv')
+  answer()
+  await (await answered).finished()
+  await got(page, 'data/spruces.csv')
+  await app.canvas.focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Delete')
+  await expect(app.status).toContainText('677 circles')
+})
+
+test('a long computation says how many circles it is of, and canceled leaves what was there', async ({ app }) => {
+  const { page } = app
+  const progress = page.locator('#progress')
+  const at = app.center((await app.circles()) as Float64Array, 600)
+  await page.mouse.click(at.x, at.y)
+  await expect(app.inspector).toBeVisible()
+  const before = await app.status.textContent()
+  await app.openPanel('Generate')
+  const panel = page.getByRole('region', { name: 'Generate' })
+  await panel.getByLabel('n', { exact: true }).fill('600000')
+  await panel.getByLabel('n', { exact: true }).press('Enter')
+  await panel.getByRole('button', { name: /^points/ }).click()
+  await expect(progress).toContainText('Computing the diagram of 600,000 circles …', { timeout: 60_000 })
+  // What was selected is of other circles.
+  await expect(app.inspector).toBeHidden()
+  await progress.getByRole('button', { name: 'Cancel' }).click()
+  await expect(progress).toBeHidden()
+  await expect(page.getByRole('alert')).toContainText('you canceled it')
+  expect(await app.status.textContent()).toBe(before)
+  // All goes on.
+  await expect(app.inspector).toContainText('Circle 600')
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false', { timeout: 60_000 })
+  await app.canvas.focus()
+  await page.keyboard.press('Delete')
+  await expect(app.status).toContainText('677 circles')
+})

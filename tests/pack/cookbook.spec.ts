@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The recipes of the cookbook, run as a reader would: scripts in Node, pages in a browser. Each page has its picture.
+import { existsSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { expect, type Page, test } from '@playwright/test'
+import { blocksRunBy } from '../readme/blocks.mjs'
+import { addModules, POLICY, pageOf, recipes } from '../readme/recipes.mjs'
+import { Project, ROOT } from './project.ts'
+import { serve } from './static-server.ts'
+
+const RECIPES = recipes()
+const inLanguage = (name: string) => RECIPES.filter(({ language }) => language === name)
+/** In Jupyter a cell shows what its last line gives. */
+const NOTEBOOK = `
+class HTML:
+    def __init__(self, data):
+        self.data = data
+`
+
+let project: Project
+test.beforeAll(() => {
+  project = new Project()
+  addModules(project.folder)
+})
+test.afterAll(() => project.remove())
+
+test('all of them are run, and each section has one or a picture of an example', () => {
+  expect(blocksRunBy('tests/pack/cookbook.spec.ts').map(({ code }) => code)).toEqual(RECIPES.map(({ code }) => code))
+  expect(new Set(RECIPES.map(({ language }) => language))).toEqual(new Set(['html', 'js', 'py']))
+  const text = readFileSync(join(ROOT, 'docs/cookbook.md'), 'utf8')
+  const sections = text.split(/^## /m).slice(1)
+  expect(sections.length).toBeGreaterThan(18)
+  for (const section of sections) expect(section).toMatch(/```|!\[.*\]\(examples\/|\]\(tiles\.md\)/)
+})
+
+for (const { title, code } of inLanguage('js')) {
+  test(`${title}, in Node`, () => {
+    const expected = [...code.matchAll(/^console\.log\(.*\) \/\/ (.*)$/gm)].map(([, text]) => `${text}\n`)
+    expect(expected).not.toHaveLength(0)
+    project.write('recipe.js', code)
+    expect(project.run(process.execPath, 'recipe.js')).toBe(expected.join(''))
+  })
+}
+
+for (const { title, code, picture } of inLanguage('html')) {
+  test(`${title}, in a page`, async ({ page }) => {
+    const complaints = await shown(page, pageOf(code))
+    await expect.poll(() => colorsIn(page), { message: complaints.join() }).toBeGreaterThan(2)
+    expect(complaints).toEqual([])
+    expect(existsSync(join(ROOT, picture)), 'npm run picture makes it').toBe(true)
+    expect(readFileSync(join(ROOT, 'docs/cookbook.md'), 'utf8')).toContain(`](${picture.slice('docs/'.length)})`)
+  })
+}
+
+test('the cell under the pointer is another one once the pointer has moved', async ({ page }) => {
+  const recipe = inLanguage('html').find(({ title }) => title === 'Find the circle under the pointer')
+  await shown(page, pageOf(recipe?.code ?? ''))
+  await expect.poll(() => colorsIn(page)).toBeGreaterThan(2)
+  const before = await page.screenshot()
+  await page.mouse.move(400, 120)
+  await expect.poll(async () => before.equals(await page.screenshot())).toBe(false)
+})
+
+test('what a notebook shows is a live figure', async ({ page }) => {
+  const [{ code } = { code: '' }] = inLanguage('py')
+  const last = code.slice(code.indexOf('HTML('))
+  project.write('IPython.py', '')
+  project.write('cell.py', `${NOTEBOOK}\nprint(${last.trim()}.data)`)
+  const html = project.run('python3', 'cell.py')
+  const own = html.replace('https://example.com/circle-voronoi/', './node_modules/circle-voronoi/')
+  expect(own).not.toBe(html)
+  const complaints = await shown(page, pageOf(own))
+  const figure = page.locator('circle-voronoi')
+  await expect
+    .poll(() => figure.evaluate((element) => (element as HTMLElementTagNameMap['circle-voronoi']).circles?.length))
+    .toBe(9)
+  expect(complaints).toEqual([])
+})
+
+/** Opens a page of the project; what it complains of comes later. */
+async function shown(page: Page, html: string): Promise<string[]> {
+  const complaints: string[] = []
+  page.on('pageerror', ({ message }) => complaints.push(message))
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()))
+  project.write('index.html', html)
+  const server = await serve(project.folder, POLICY)
+  page.once('close', () => void server.close())
+  await page.setViewportSize({ width: 480, height: 300 })
+  await page.goto(server.address)
+  return complaints
+}
+
+/** How many colors a screenshot has: a canvas, an SVG or a map that is drawn has some. */
+async function colorsIn(page: Page): Promise<number> {
+  const png = (await page.screenshot()).toString('base64')
+  return page.evaluate(async (data) => {
+    const image = new Image()
+    image.src = `data:image/png;base64,${data}`
+    await image.decode()
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d') as OffscreenCanvasRenderingContext2D
+    context.drawImage(image, 0, 0)
+    const pixels = new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)
+    return new Set(pixels).size
+  }, png)
+}

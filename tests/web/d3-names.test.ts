@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The README says where each name of d3-delaunay is found here.
+import { readFileSync } from 'node:fs'
+import { expect, it } from 'vitest'
+import { library } from './library.ts'
+
+const { Delaunay, Voronoi } = await import('d3-delaunay' as string)
+const README = readFileSync(new URL('../../README.md', import.meta.url), 'utf8')
+const [, same = '', table = ''] =
+  /many names are the same: ([^.]+)\.[^|]+\n\n(\| d3-delaunay [\s\S]+?)\n\n/.exec(README) ?? []
+const diagram = library.compute([
+  [0, 0, 1],
+  [6, 0, 1],
+  [0, 8, 1],
+])
+
+it('knows each of its methods', () => {
+  const methods = [Delaunay.prototype, Voronoi.prototype]
+    .flatMap((methods) => Object.getOwnPropertyNames(methods))
+    .filter((name) => !/^(_.*|constructor)$/.test(name))
+  expect(methods).toContain('renderCell')
+  expect(methods.filter((name) => !`${same}${table}`.match(new RegExp(`\\b${name}\\b`)))).toEqual([])
+})
+
+it('names what is there', () => {
+  const names = [...same.matchAll(/`(\w+)`/g), ...table.matchAll(/\bdiagram\.(\w+)/g)].map(([, name]) => name as string)
+  expect(names).toEqual(expect.arrayContaining(['update', 'cellPath', 'firstSide']))
+  expect(names.filter((name) => !(name in diagram))).toEqual([])
+  const ofLibrary = Array.from(table.matchAll(/\blibrary\.(\w+)/g), ([, name]) => name as string)
+  expect(ofLibrary).not.toEqual([])
+  expect(ofLibrary.filter((name) => !(name in library))).toEqual([])
+})

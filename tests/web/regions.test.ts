@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { readFileSync } from 'node:fs'
+import { describe, expect, it } from 'vitest'
+import { type CircleVoronoiError, outlineArea, type Region, type RegionShape } from '../../web/lib/index.ts'
+import { library, seededRandom } from './library.ts'
+
+const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
+const { region, fitAreas } = await library.loadRegions({ wasm })
+
+const HALL = [
+  [
+    [0, 0],
+    [9, 0],
+    [9, 9],
+    [0, 9],
+  ],
+  [
+    [3, 3],
+    [6, 3],
+    [6, 6],
+    [3, 6],
+  ],
+] as const
+const hall = region(HALL)
+
+function circles(count: number, seed: number, size = 9): [number, number, number][] {
+  const random = seededRandom(seed)
+  return Array.from({ length: count }, () => [size * random(), size * random(), (size / 20) * random()])
+}
+
+function problemOf(run: () => unknown): string {
+  try {
+    run()
+  } catch (error) {
+    const { code, message } = error as CircleVoronoiError
+    return `${code}: ${message}`
+  }
+  return 'no problem'
+}
+
+const sum = (values: Iterable<number>) => Array.from(values).reduce((total, value) => total + value, 0)
+
+/** Twice the signed area of a closed ring. */
+const twice = (ring: readonly (readonly number[])[]) =>
+  sum(ring.slice(1).map(([x = 0, y = 0], k) => (ring[k]?.[0] ?? 0) * y - x * (ring[k]?.[1] ?? 0)))
+
+describe('a region', () => {
+  it('is made of rings or GeoJSON in any orientation, closed or not', () => {
+    const [outer, hole] = HALL.map((ring) => [...ring, ring[0]].reverse())
+    const polygon = { type: 'Polygon', coordinates: [outer, hole] } as RegionShape
+    const shapes: RegionShape[] = [
+      HALL,
+      [...HALL].reverse(),
+      HALL.map((ring) => ring.map(([x, y]) => ({ x, y }))),
+      polygon,
+      { type: 'MultiPolygon', coordinates: [[outer, hole]] } as RegionShape,
+      { type: 'Feature', geometry: polygon } as RegionShape,
+      {
+        type: 'FeatureCollection',
+        features: [
+          { type: 'Feature', geometry: null },
+          { type: 'Feature', geometry: polygon },
+        ],
+      } as RegionShape,
+      { type: 'GeometryCollection', geometries: [polygon] } as RegionShape,
+    ]
+    for (const shape of shapes) {
+      const { area, perimeter, box, points, ringOffsets, polygonOffsets } = region(shape)
+      expect({ area, perimeter, box }).toEqual({ area: 72, perimeter: 48, box: { minX: 0, minY: 0, maxX: 9, maxY: 9 } })
+      expect([points.length, [...ringOffsets], [...polygonOffsets]]).toEqual([16, [0, 4, 8], [0, 2]])
+    }
+    expect([hall.contains(1, 1), hall.contains(4, 4), hall.contains(3, 4), hall.contains(10, 1)]).toEqual([
+      true,
+      false,
+      true,
+      false,
+    ])
+  })
+
+  it('refuses what is none, and says where', () => {
+    const bow = [
+      [
+        [0, 0],
+        [2, 2],
+        [2, 0],
+        [0, 2],
+      ],
+    ] as const
+    expect(problemOf(() => region(bow))).toMatch(/^badOption: Side 0 .* and side 2 .* cross at \(1, 1\)\.$/)
+    const misuses: [unknown, RegExp][] = [
+      [[], /^badOption: /],
+      [undefined, /GeoJSON polygons or a list of rings, not undefined/],
+      [{ type: 'Point', coordinates: [0, 0] }, /not a GeoJSON Point/],
+      [{ type: 'MultiPolygon' }, /no coordinates/],
+      [{ type: 'FeatureCollection' }, /no list of its parts/],
+      [
+        [
+          [
+            [0, 0],
+            [1, 0],
+            ['a', 1],
+          ],
+        ],
+        /Ring 0 of the region: point 2 does not have two numbers/,
+      ],
+      [
+        [
+          [
+            [0, 0],
+            [1, 0],
+            [Number.NaN, 1],
+          ],
+        ],
+        /^badOption: /,
+      ],
+      [
+        [
+          [
+            [0, 0],
+            [1, 0],
+          ],
+        ],
+        /^badOption: /,
+      ],
+      [[5], /Ring 0 of the region is a list of points, not 5/],
+    ]
+    for (const [shape, problem] of misuses) expect(problemOf(() => region(shape as RegionShape))).toMatch(problem)
+  })
+})
+
+describe('a diagram in a region', () => {
+  it('has areas that sum to that of the region, and centroids, perimeters and outlines to match', () => {
+    const diagram = library.compute(circles(60, 1))
+    const areas = diagram.cellAreas({ region: hall })
+    expect(Math.abs(sum(areas) - 72)).toBeLessThan(72e-12)
+    const centroids = diagram.cellCentroids({ region: hall })
+    const perimeters = diagram.cellPerimeters({ region: hall })
+    for (let i = 0; i < 60; i++) {
+      const outline = diagram.cellOutline(i, { region: hall })
+      expect(outlineArea(outline)).toBeCloseTo(areas[i] as number, 12)
+      expect(diagram.cellArea(i, { region: hall })).toBeCloseTo(areas[i] as number, 12)
+      if (outline.length === 0) continue
+      const { x, y } = diagram.cellCentroid(i, { region: hall }) ?? { x: Number.NaN, y: Number.NaN }
+      expect(x).toBeCloseTo(centroids[2 * i] as number, 10)
+      expect(y).toBeCloseTo(centroids[2 * i + 1] as number, 10)
+      expect(diagram.cellPerimeter(i, { region: hall })).toBeCloseTo(perimeters[i] as number, 10)
+      for (const loop of outline) {
+        for (const { side, regionSide, r } of loop) {
+          expect([side !== -1, regionSide !== -1, r > 0].filter(Boolean)).toHaveLength(1)
+        }
+      }
+    }
+  })
+
+  it('has the areas of bounds where the region is their box', () => {
+    const diagram = library.compute(circles(80, 2))
+    const square = region([
+      [
+        [1, 1],
+        [7, 1],
+        [7, 8],
+        [1, 8],
+      ],
+    ])
+    const inBounds = diagram.cellAreas({ bounds: [1, 1, 7, 8] })
+    diagram.cellAreas({ region: square }).forEach((area, i) => {
+      expect(area).toBeCloseTo(inBounds[i] as number, 11)
+    })
+    const near = diagram.cellAreas({ bounds: [1, 1, 7, 8], maxDistance: 0.3 })
+    diagram.cellAreas({ region: square, maxDistance: 0.3 }).forEach((area, i) => {
+      expect(area).toBeCloseTo(near[i] as number, 11)
+    })
+  })
+
+  it('has multipolygons whose rings share their points, and neighbors inside', () => {
+    const diagram = library.compute(circles(40, 3))
+    const polygons = [...diagram.cellPolygons({ region: hall, tolerance: 1e-4 })]
+    const rings = polygons.flatMap((polygon) => polygon.flat())
+    // Neighbors have the same points, so what one leaves out the other has: the sum is that of the region but for rounding.
+    expect(sum(rings.map(twice)) / 2).toBeCloseTo(72, 10)
+    for (const polygon of polygons) {
+      for (const [outer, ...holes] of polygon) {
+        expect(twice(outer ?? [])).toBeGreaterThan(0)
+        for (const hole of holes) expect(twice(hole)).toBeLessThan(0)
+      }
+      const { index } = polygon
+      expect(diagram.cellPolygon(index, { region: hall, tolerance: 1e-4 })).toEqual([...polygon])
+      const inside = new Set(diagram.neighbors(index, { region: hall }))
+      const shared = diagram
+        .cellOutline(index, { region: hall })
+        .flatMap((loop) => loop.map(({ neighbor }) => neighbor))
+      expect(inside).toEqual(new Set(shared.filter((neighbor) => neighbor !== -1)))
+    }
+  })
+
+  it('has neighbors inside bounds, too', () => {
+    const diagram = library.compute([
+      [0, 0, 1],
+      [10, 0, 1],
+      [5, 9, 1],
+    ])
+    expect([...diagram.neighbors(0)].sort()).toEqual([1, 2])
+    expect([...diagram.neighbors(0, { bounds: [-1, -9, 11, 0] })]).toEqual([1])
+    expect([...diagram.neighbors(0, { maxDistance: 1 })]).toEqual([])
+  })
+
+  it('is drawn', () => {
+    const diagram = library.compute([
+      [2, 2, 1],
+      [7, 7, 1],
+    ])
+    const square = region([
+      [
+        [0, 0],
+        [9, 0],
+        [9, 8],
+        [0, 8],
+      ],
+    ])
+    expect(diagram.render({ region: square, digits: 3 })).toMatch(/^(M1,8L9,0|M9,0L1,8)$/)
+    expect(diagram.edgePath(0, { region: square, digits: 3 })).toBe(diagram.render({ region: square, digits: 3 }))
+    expect(diagram.renderBounds({ region: square, digits: 0 })).toBe('M0,0L9,0L9,8L0,8Z')
+    expect(diagram.cellPath(0, { region: square, digits: 0 })).toMatch(/^M[\dL,]+Z$/)
+    expect(
+      diagram.cellPath(1, {
+        region: region([
+          [
+            [0, 0],
+            [1, 0],
+            [0, 1],
+          ],
+        ]),
+      }),
+    ).toBe('')
+  })
+
+  it('is that of the circles as they are now', () => {
+    const editor = library.edit([
+      [2, 2, 1],
+      [7, 7, 1],
+    ])
+    const diagram = editor.snapshot()
+    const before = diagram.cellArea(0, { region: hall })
+    diagram.apply(editor.replace(0, { x: 2, y: 2, r: 2 }))
+    expect(diagram.cellArea(0, { region: hall })).toBeGreaterThan(before + 1)
+    editor.dispose()
+  })
+
+  it('takes a region or bounds, and no other thing', () => {
+    const diagram = library.compute(circles(4, 4))
+    const bounds = [0, 0, 1, 1] as const
+    expect(problemOf(() => diagram.cellArea(0, { region: hall, bounds }))).toMatch(
+      /^badOption: cellArea takes bounds or a region, not both/,
+    )
+    expect(problemOf(() => diagram.cellArea(0, { region: HALL as unknown as Region }))).toMatch(
+      /^badOption: The region of cellArea is made by/,
+    )
+    expect(problemOf(() => diagram.neighbors(0, { region: 1 as unknown as Region }))).toMatch(/^badOption: /)
+    expect(problemOf(() => diagram.neighbors(0, { boundz: bounds } as object))).toMatch(
+      /^badOption: There is no option boundz/,
+    )
+  })
+})
+
+describe('fitted areas', () => {
+  const square = region([
+    [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+      [0, 1],
+    ],
+  ])
+
+  it('are what was asked for', () => {
+    const random = seededRandom(5)
+    const sites = Array.from({ length: 100 }, () => [random(), random()] as const)
+    const shares = sites.map(() => 1 + 9 * random())
+    const errors: number[] = []
+    const fit = fitAreas(sites, shares, { region: square, shares: true, onStep: ({ error }) => errors.push(error) })
+    expect(fit.error).toBeLessThan(1e-9)
+    expect(errors).toHaveLength(fit.steps + 1)
+    expect(Math.min(...fit.weights)).toBe(0)
+    expect(library.certify(fit.diagram).certified).toBe(true)
+    const areas = fit.diagram.cellAreas({ region: square })
+    expect([...areas]).toEqual([...fit.areas])
+    shares.forEach((share, i) => {
+      expect(areas[i]).toBeCloseTo(share / sum(shares), 10)
+    })
+    const again = fitAreas(sites, shares, { region: square, shares: true, weights: fit.weights })
+    expect([again.steps, [...again.weights]]).toEqual([0, [...fit.weights]])
+  })
+
+  it('start from the radii of circles, and fit a region with a hole', () => {
+    const sites = circles(30, 6)
+    const fit = fitAreas(
+      sites,
+      sites.map(() => 72 / 30),
+      { region: hall },
+    )
+    expect(fit.error).toBeLessThan(1e-9)
+    expect(Math.abs(sum(fit.areas) - 72)).toBeLessThan(1e-10)
+  })
+
+  it('are refused where they have no answer', () => {
+    const sites = [
+      [0.2, 0.2],
+      [0.8, 0.3],
+    ] as const
+    const problem = (areas: unknown, options: object) =>
+      problemOf(() => fitAreas(sites, areas as number[], options as { region: Region }))
+    expect(problem([0.5, 0.5], {})).toMatch(/^badOption: fitAreas needs a region/)
+    expect(problem([0.5, 0.4], { region: square })).toMatch(
+      /^badInput: The areas sum to 0.9, but the area of the region is 1/,
+    )
+    expect(problem([1], { region: square })).toMatch(/^badInput: There are 1 areas for 2 sites/)
+    expect(problem('12', { region: square })).toMatch(/^badArgument: /)
+    expect(problem([0.5, 0.5], { region: square, weights: [1] })).toMatch(/^badOption: There are 1 weights for 2 sites/)
+    expect(problem([0.9, 0.1], { region: square, maxSteps: 1 })).toMatch(/^notConverged: The fit stopped after 1 steps/)
+    expect(problem([0.5, 0.5], { region: square, share: true })).toMatch(/^badOption: There is no option share/)
+    const stop = {
+      region: square,
+      onStep: () => {
+        throw new RangeError('enough')
+      },
+    }
+    expect(() => fitAreas(sites, [0.9, 0.1], stop)).toThrow(RangeError)
+  })
+})

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search of the site: what it finds, in which order, and which words it shows.
+import MiniSearch from 'minisearch'
+import { describe, expect, it, test } from 'vitest'
+import { firstSentence, headingsOf, sectionsOf } from '../../scripts/texts/sections.mjs'
+import { find, type Section, snippetOf } from '../../web/reading/search.ts'
+
+function searchIn(sections: readonly Section[]): MiniSearch<Section> {
+  const search = new MiniSearch<Section>({
+    fields: ['title', 'heading', 'text'],
+    storeFields: ['title', 'heading', 'address', 'shown'],
+  })
+  search.addAll(sections.map((section) => ({ ...section, id: section.address, text: section.shown })))
+  return search
+}
+
+const section = (address: string, title: string, heading: string, shown: string): Section => ({
+  address,
+  title,
+  heading,
+  shown,
+})
+
+const addressesOf = (sections: readonly Section[], words: string) =>
+  find(searchIn(sections), words).map(({ address }) => address)
+
+describe('order', () => {
+  it('has exact words of pages before names of the reference', () => {
+    const sections = [
+      section('api/functions-clearestPath.html', 'Function: clearestPath()', '', 'Finds the clearest path. A path.'),
+      section('docs/cookbook.html#path', 'Cookbook', 'Walk', 'How to find a path between two points of the plane.'),
+    ]
+    expect(addressesOf(sections, 'path')).toEqual(['docs/cookbook.html#path', 'api/functions-clearestPath.html'])
+  })
+
+  it('has words as they are written before those that begin so or are spelled so', () => {
+    const sections = [
+      section('docs/a.html', 'Reactions', '', 'Reaction, reactor, reactive: react.ions'),
+      section('docs/b.html', 'Cookbook', 'Use it in React', 'The element works in React.'),
+    ]
+    expect(addressesOf(sections, 'react')[0]).toBe('docs/b.html')
+  })
+
+  it('has sections with all words before others', () => {
+    const sections = [
+      section('docs/a.html', 'Canvas', '', 'canvas canvas canvas'),
+      section('docs/b.html', 'Other', '', 'A canvas in a worker.'),
+    ]
+    expect(addressesOf(sections, 'canvas worker')).toEqual(['docs/b.html'])
+    expect(addressesOf(sections, 'canvas nowhere')).toHaveLength(2)
+  })
+
+  it('has three sections of a page at most', () => {
+    const sections = Array.from({ length: 5 }, (_, k) => section(`docs/a.html#${k}`, 'A', `${k}`, 'disc'))
+    expect(addressesOf(sections, 'disc')).toHaveLength(3)
+  })
+})
+
+describe('a snippet', () => {
+  const text = `${'before '.repeat(20)}the antipodal disc of two circles ${'after '.repeat(40)}`
+
+  it('shows the words around the first one that was found, which is marked', () => {
+    const snippet = snippetOf(text, ['antipodal'])
+    expect(snippet.find(({ isMarked }) => isMarked)?.text).toBe('antipodal')
+    const shown = snippet.map((part) => part.text).join('')
+    expect(shown).toContain('before the antipodal disc of two circles after')
+    expect(shown.length).toBeLessThan(170)
+    expect(shown).toMatch(/^… .* …$/)
+  })
+
+  it('begins with the text where nothing of it was found', () => {
+    expect(snippetOf('Some text.', ['other'])).toEqual([{ text: 'Some text.', isMarked: false }])
+    expect(snippetOf('', [])).toEqual([])
+  })
+
+  it('takes words as words', () => {
+    expect(snippetOf('a.b (c', ['(c', 'a.'])).toEqual([
+      { text: 'a.', isMarked: true },
+      { text: 'b ', isMarked: false },
+      { text: '(c', isMarked: true },
+    ])
+  })
+})
+
+describe('sections of a page', () => {
+  const html =
+    '<h1>Title</h1><p>First &amp; <code>second()</code>.</p><h2 id="one">One</h2><p>Text</p><h3 id="deep">Deep</h3><p>More</p><h2>None</h2><p>goes on</p>'
+
+  it('have the text below each heading that can be linked to', () => {
+    expect(sectionsOf(html)).toEqual([
+      { id: '', heading: '', text: 'First & second().' },
+      { id: 'one', heading: 'One', text: 'Text' },
+      { id: 'deep', heading: 'Deep', text: 'More None goes on' },
+    ])
+    expect(headingsOf(html)).toEqual([
+      { level: 2, id: 'one', title: 'One' },
+      { level: 3, id: 'deep', title: 'Deep' },
+    ])
+  })
+})
+
+test('a first sentence is whole', () => {
+  expect(firstSentence('Computes it. And more.')).toBe('Computes it.')
+  expect(firstSentence('Use e.g. this one. Not that.')).toBe('Use e.g. this one.')
+  expect(firstSentence('The file circle.h has it: see there')).toBe('The file circle.h has it: see there')
+  expect(firstSentence('Is it so? Yes.')).toBe('Is it so?')
+  expect(firstSentence('The examples begin with:')).toBe('The examples begin with.')
+})

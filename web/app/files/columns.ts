@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of other programs: which of their columns are centers and radii.
+import type { NamedCircles } from '../csv.ts'
+
+/** A table of texts. */
+export interface Rows {
+  /** The names of the columns; numbers, if the table has none. */
+  readonly heading: readonly string[]
+  readonly hasHeading: boolean
+  readonly rows: readonly (readonly string[])[]
+  readonly hasDecimalCommas: boolean
+}
+
+/** Which columns circles are made of; a radius may be the same for all. */
+export interface Columns {
+  readonly x: number
+  readonly y: number
+  readonly r: number | { readonly all: number }
+  readonly name: number | undefined
+}
+
+const NAMES: Readonly<Record<'x' | 'y' | 'r' | 'd' | 'name', RegExp>> = {
+  x: /^(x|cx|x ?(coord|koord|pos|wert|value|center|centre).*|(center|centre|pos|position) ?x|lon|long|lng|longitude|länge|längengrad|east|easting|rechtswert)$/,
+  y: /^(y|cy|y ?(coord|koord|pos|wert|value|center|centre).*|(center|centre|pos|position) ?y|lat|latitude|breite|breitengrad|north|northing|hochwert)$/,
+  r: /^(r|rad|radi(us|en|i)?|radius .*|weight|gewicht)$/,
+  d: /^(d|diam|diameter|durchmesser|dbh|bhd)$/,
+  name: /^(name|label|title|id|ort|stadt|city|place|bezeichnung|beschriftung)$/,
+}
+/** Separators by how surely they are one. */
+const SEPARATORS = ['\t', ';', '|', ','] as const
+/** More lines are not looked at to find the separator. */
+const LOOKED_AT = 50
+
+/** A text as a table, if it is one: at least two columns of numbers in most of its rows. */
+export function rowsOf(text: string): Rows | undefined {
+  const lines = text
+    .replace(/^\uFEFF/, '')
+    .split(/\r?\n/)
+    .filter((line) => line.trim() !== '')
+  const separator = separatorOf(lines.slice(0, LOOKED_AT))
+  if (separator === undefined) return undefined
+  const table = lines.map((line) => fieldsOf(line, separator))
+  const hasDecimalCommas = separator !== ',' && table.some((row) => row.some((field) => /^-?\d+,\d+$/.test(field)))
+  const [first = []] = table
+  const isNumber = (field: string) => !Number.isNaN(numberOf(field, hasDecimalCommas))
+  const hasHeading = !first.some(isNumber)
+  const rows = hasHeading ? table.slice(1) : table
+  const heading = hasHeading ? first : first.map((_, k) => `Column ${k + 1}`)
+  const numeric = heading.filter((_, k) => {
+    const numbers = rows.filter((row) => isNumber(row[k] ?? '')).length
+    return rows.length > 0 && numbers > rows.length / 2
+  })
+  return numeric.length < 2 ? undefined : { heading, hasHeading, rows, hasDecimalCommas }
+}
+
+/** The columns that the names tell, where they do. */
+export function guessedColumns({ heading }: Rows): Partial<Columns> & { readonly isDiameter?: boolean } {
+  const normal = heading.map((name) =>
+    name
+      .toLowerCase()
+      .replace(/[_\-.()[\]]+/g, ' ')
+      .trim(),
+  )
+  const find = (kind: keyof typeof NAMES) => {
+    const place = normal.findIndex((name) => NAMES[kind].test(name))
+    return place < 0 ? undefined : place
+  }
+  const [x, y, r, d, name] = [find('x'), find('y'), find('r'), find('d'), find('name')]
+  const radius = r ?? d
+  return {
+    ...(x !== undefined && { x }),
+    ...(y !== undefined && { y }),
+    ...(radius !== undefined && { r: radius }),
+    name,
+    isDiameter: r === undefined && d !== undefined,
+  }
+}
+
+/** @throws Error that names the first row which is no circle */
+export function circlesFrom(rows: Rows, columns: Columns, isDiameter: boolean, file: string): NamedCircles {
+  const circles = new Float64Array(3 * rows.rows.length)
+  const { x, y, r, name } = columns
+  for (const [k, row] of rows.rows.entries()) {
+    const value = (column: number) => numberOf(row[column] ?? '', rows.hasDecimalCommas)
+    const radius = typeof r === 'number' ? value(r) / (isDiameter ? 2 : 1) : r.all
+    const circle = [value(x), value(y), radius]
+    const wrong = circle.findIndex((number) => !Number.isFinite(number))
+    if (wrong >= 0) {
+      const column = [x, y, typeof r === 'number' ? r : 0][wrong] as number
+      throw new Error(
+        `${file}, row ${k + 1}: “${row[column] ?? ''}” in column ${rows.heading[column]} is not a number.`,
+      )
+    }
+    if (radius < 0) throw new Error(`${file}, row ${k + 1}: the radius must not be negative (got ${radius}).`)
+    circles.set(circle, 3 * k)
+  }
+  return { circles, names: name === undefined ? undefined : rows.rows.map((row) => row[name] ?? '') }
+}
+
+function separatorOf(lines: readonly string[]): string | undefined {
+  const isEven = (separator: string) => {
+    const counts = lines.map((line) => fieldsOf(line, separator).length)
+    return (counts[0] as number) > 1 && counts.every((count) => count === counts[0])
+  }
+  return lines.length === 0 ? undefined : SEPARATORS.find(isEven)
+}
+
+/** Of one line; a separator in quotes is none. */
+function fieldsOf(line: string, separator: string): string[] {
+  const fields: string[] = []
+  let field = ''
+  let isQuoted = false
+  for (const letter of line) {
+    if (letter === '"') isQuoted = !isQuoted
+    else if (letter === separator && !isQuoted) {
+      fields.push(field.trim())
+      field = ''
+    } else field += letter
+  }
+  return [...fields, field.trim()]
+}
+
+function numberOf(field: string, hasDecimalCommas: boolean): number {
+  if (field === '') return Number.NaN
+  return Number(hasDecimalCommas ? field.replace(',', '.') : field)
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture as circles: many and large ones where it is dark, none that overlap.
+import type { Float64s } from '../../lib/index.ts'
+
+/** How many circles a picture becomes, and the most pixels that are looked at. */
+const CIRCLES = 1800
+const PIXELS = 60_000
+/** How often all circles move to the middle of what is theirs. */
+const ROUNDS = 14
+/** Light parts have so much of the weight of black ones. */
+const LEAST = 0.03
+/** Circles fill so much of the room to the nearest other one. */
+const FILLED = 0.94
+
+/** Grey values, rows from the top, 0 white to 1 black. */
+export interface Tones {
+  readonly width: number
+  readonly height: number
+  readonly tones: Float32Array
+}
+
+/** @throws Error, if the browser cannot read it as a picture */
+export async function tonesOf(picture: Blob): Promise<Tones> {
+  const bitmap = await createImageBitmap(picture)
+  const scale = Math.min(Math.sqrt(PIXELS / (bitmap.width * bitmap.height)), 1)
+  const [width, height] = [
+    Math.max(Math.round(bitmap.width * scale), 1),
+    Math.max(Math.round(bitmap.height * scale), 1),
+  ]
+  const context = new OffscreenCanvas(width, height).getContext('2d') as OffscreenCanvasRenderingContext2D
+  // What can be looked through is paper.
+  context.fillStyle = 'white'
+  context.fillRect(0, 0, width, height)
+  context.drawImage(bitmap, 0, 0, width, height)
+  bitmap.close()
+  const { data } = context.getImageData(0, 0, width, height)
+  const tones = Float32Array.from({ length: width * height }, (_, k) => {
+    const [red, green, blue] = data.subarray(4 * k, 4 * k + 3) as unknown as [number, number, number]
+    return 1 - (0.2126 * red + 0.7152 * green + 0.0722 * blue) / 255
+  })
+  return { width, height, tones }
+}
+
+/** Circles that show a picture, in pixels with y upwards: weighted Voronoi stippling (Secord, 2002). `random`: from 0 to 1. */
+export function stippled({ width, height, tones }: Tones, random: () => number, count = CIRCLES): Float64s {
+  const weights = tones.map((tone) => LEAST + (1 - LEAST) * tone * tone)
+  const x = new Float64Array(count)
+  const y = new Float64Array(count)
+  for (let i = 0; i < count; ) {
+    const k = Math.floor(random() * weights.length)
+    if (random() > (weights[k] as number)) continue
+    x[i] = (k % width) + random()
+    y[i] = Math.floor(k / width) + random()
+    i += 1
+  }
+  const dark = new Float64Array(count)
+  for (let round = 0; round < ROUNDS; round++) {
+    const grid = new Buckets(x, y, width, height)
+    const [sumX, sumY, sum, pixels] = Array.from({ length: 4 }, () => new Float64Array(count)) as [
+      Float64Array,
+      Float64Array,
+      Float64Array,
+      Float64Array,
+    ]
+    dark.fill(0)
+    for (let k = 0; k < weights.length; k++) {
+      const [px, py] = [(k % width) + 0.5, Math.floor(k / width) + 0.5]
+      const i = grid.nearest(px, py, -1)
+      const weight = weights[k] as number
+      sumX[i] = (sumX[i] as number) + weight * px
+      sumY[i] = (sumY[i] as number) + weight * py
+      sum[i] = (sum[i] as number) + weight
+      pixels[i] = (pixels[i] as number) + 1
+      dark[i] = (dark[i] as number) + (tones[k] as number)
+    }
+    for (let i = 0; i < count; i++) {
+      if (sum[i] === 0) continue
+      x[i] = (sumX[i] as number) / (sum[i] as number)
+      y[i] = (sumY[i] as number) / (sum[i] as number)
+      dark[i] = (dark[i] as number) / (pixels[i] as number)
+    }
+  }
+  const grid = new Buckets(x, y, width, height)
+  const circles = new Float64Array(3 * count)
+  for (let i = 0; i < count; i++) {
+    const j = grid.nearest(x[i] as number, y[i] as number, i)
+    const distance = Math.hypot((x[i] as number) - (x[j] as number), (y[i] as number) - (y[j] as number))
+    const r = (FILLED / 2) * distance * Math.sqrt(Math.min(0.08 + (dark[i] as number), 1))
+    circles.set([x[i] as number, height - (y[i] as number), r], 3 * i)
+  }
+  return circles
+}
+
+/** Points in squares, for the nearest one of a place. */
+class Buckets {
+  readonly #x: Float64Array
+  readonly #y: Float64Array
+  readonly #side: number
+  readonly #columns: number
+  readonly #rows: number
+  readonly #buckets: number[][]
+
+  constructor(x: Float64Array, y: Float64Array, width: number, height: number) {
+    this.#x = x
+    this.#y = y
+    this.#side = Math.max(Math.sqrt((2 * width * height) / x.length), 1)
+    this.#columns = Math.ceil(width / this.#side) + 1
+    this.#rows = Math.ceil(height / this.#side) + 1
+    this.#buckets = Array.from({ length: this.#columns * this.#rows }, () => [])
+    for (let i = 0; i < x.length; i++) {
+      const place =
+        Math.floor((y[i] as number) / this.#side) * this.#columns + Math.floor((x[i] as number) / this.#side)
+      this.#buckets[place]?.push(i)
+    }
+  }
+
+  /** The nearest point that is not `but`. */
+  nearest(px: number, py: number, but: number): number {
+    const [column, row] = [Math.floor(px / this.#side), Math.floor(py / this.#side)]
+    let best = -1
+    let least = Number.POSITIVE_INFINITY
+    for (let ring = 0; ring <= Math.max(this.#columns, this.#rows); ring++) {
+      // What lies in rings farther out is farther away.
+      if (least < ((ring - 1) * this.#side) ** 2) break
+      for (let r = Math.max(row - ring, 0); r <= Math.min(row + ring, this.#rows - 1); r++) {
+        const isEdge = Math.abs(r - row) === ring
+        for (let c = column - ring; c <= column + ring; c += isEdge || ring === 0 ? 1 : 2 * ring) {
+          if (c < 0 || c >= this.#columns) continue
+          for (const i of this.#buckets[r * this.#columns + c] as number[]) {
+            const distance = ((this.#x[i] as number) - px) ** 2 + ((this.#y[i] as number) - py) ** 2
+            if (i !== but && distance < least) [best, least] = [i, distance]
+          }
+        }
+      }
+    }
+    return best
+  }
+}

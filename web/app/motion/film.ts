@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** By how sure other programs are to play them; a browser writes one of these. */
+const TYPES = ['video/mp4', 'video/webm;codecs=vp9', 'video/webm'] as const
+/** Bits in a second: edges stay sharp. */
+const QUALITY = 8_000_000
+
+/** @throws Error, if the browser writes no films */
+export async function filmed(stream: MediaStream, seconds: number): Promise<{ film: Blob; ending: string }> {
+  const type = TYPES.find((type) => globalThis.MediaRecorder?.isTypeSupported(type))
+  if (type === undefined) throw new Error('This browser cannot record a video.')
+  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: QUALITY })
+  const parts: Blob[] = []
+  recorder.ondataavailable = ({ data }) => parts.push(data)
+  const stopped = new Promise((resolve) => {
+    recorder.onstop = resolve
+  })
+  recorder.start()
+  setTimeout(() => recorder.stop(), 1000 * seconds)
+  await stopped
+  for (const track of stream.getTracks()) track.stop()
+  return { film: new Blob(parts, { type }), ending: type.startsWith('video/mp4') ? '.mp4' : '.webm' }
+}

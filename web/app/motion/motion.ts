@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Editing } from '../../editing/editing.ts'
+import type { Box } from '../../lib/index.ts'
+import { toPlane } from '../../view/camera.ts'
+import type { View } from '../../view/view.ts'
+import type { PageActions } from '../page-actions.ts'
+import { type Movement, type MovementName, movementOf } from './movements.ts'
+
+/** So many circles are moved at most: each is edited in each frame. */
+export const MOST_MOVING = 2000
+/** A frame that comes late moves no farther than this, in seconds. */
+const LONGEST_STEP = 1 / 20
+
+/** Circles in motion, their diagram kept by edits. All of it is one step of undo. */
+export class Motion {
+  readonly #view: View
+  readonly #editing: Editing
+  readonly #actions: PageActions
+  #frame = 0
+  /** Called when it begins and ends. */
+  onchange: () => void = () => {}
+
+  constructor(view: View, editing: Editing, actions: PageActions) {
+    this.#view = view
+    this.#editing = editing
+    this.#actions = actions
+  }
+
+  get isMoving(): boolean {
+    return this.#frame !== 0
+  }
+
+  start(name: MovementName): void {
+    this.stop()
+    const table = this.#editing.circles
+    const circles = Array.from(table.ids(), (id) => ({ id, circle: table.get(id) })).flatMap(({ id, circle }) =>
+      circle === undefined ? [] : [{ id, circle }],
+    )
+    if (circles.length === 0) return
+    if (circles.length > MOST_MOVING) {
+      this.#actions.complain(`At most ${MOST_MOVING.toLocaleString('en')} circles can move at once; there are more.`)
+      return
+    }
+    this.#actions.select([])
+    this.#run(movementOf(name, circles, this.#room(table.box())))
+    this.onchange()
+  }
+
+  stop(): void {
+    if (this.#frame === 0) return
+    cancelAnimationFrame(this.#frame)
+    this.#frame = 0
+    this.onchange()
+  }
+
+  #run(movement: Movement): void {
+    const table = this.#editing.circles
+    const gesture = this.#actions.beginGesture()
+    let last: number | undefined
+    let isAsked = false
+    const frame = (now: number) => {
+      // Other circles were opened.
+      if (this.#editing.circles !== table) return this.stop()
+      this.#frame = requestAnimationFrame(frame)
+      if (isAsked) return
+      const seconds = Math.min((now - (last ?? now)) / 1000, LONGEST_STEP)
+      last = now
+      // What was deleted meanwhile does not come back.
+      const edits = movement(seconds).filter(({ id }) => table.get(id) !== undefined)
+      isAsked = true
+      this.#editing
+        .edit(
+          edits.map(({ id, circle }) => ({ kind: 'replace', id, circle })),
+          gesture,
+        )
+        .then((edited) => {
+          isAsked = false
+          if (edited === undefined) this.stop()
+        })
+    }
+    this.#frame = requestAnimationFrame(frame)
+  }
+
+  /** The walls: what is seen, if all circles are in it. */
+  #room(box: Box): Box {
+    const { camera, size } = this.#view
+    const { top, right, bottom, left } = this.#actions.paddingNow
+    const low = toPlane(camera, size, { x: left, y: size.height - bottom })
+    const high = toPlane(camera, size, { x: size.width - right, y: top })
+    return {
+      minX: Math.min(low.x, box.minX),
+      minY: Math.min(low.y, box.minY),
+      maxX: Math.max(high.x, box.maxX),
+      maxY: Math.max(high.y, box.maxY),
+    }
+  }
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { Padding } from '../view/camera.ts'
+import { byId } from './panels/by-id.ts'
+
+/** Between circles that are all seen and what stands around them, in pixels. */
+const ROOM = 16
+const ROOM_AT_EDGE = 32
+
+/** What is covered of the picture on each side, and some room. Cards of what is selected come and go, and do not count. */
+export function paddingOfPage(): Padding {
+  const boxOf = (id: string) => byId(id, HTMLElement).getBoundingClientRect()
+  const rail = boxOf('rail')
+  const isBelow = rail.width > rail.height
+  const panel = document.querySelector('#left > .panel:not([hidden])')?.getBoundingClientRect()
+  const player = boxOf('player')
+  // On phones they are sheets, as wide as the window.
+  const isSheet = ({ width }: DOMRect) => width > 0.7 * innerWidth
+  const sheets = [panel, player]
+    .filter((box) => box !== undefined && isSheet(box))
+    .map((box) => box?.top ?? innerHeight)
+  const below = [boxOf('status'), boxOf('view'), ...(isBelow ? [rail] : [])].filter(({ height }) => height > 0)
+  const left = [isBelow ? 0 : rail.right, panel === undefined || isSheet(panel) ? 0 : panel.right]
+  const isPlayerBeside = player.width > 0 && !isSheet(player)
+  return {
+    top: boxOf('top').bottom + ROOM,
+    right: isPlayerBeside ? innerWidth - player.left + ROOM : isBelow ? ROOM : ROOM_AT_EDGE,
+    bottom: innerHeight - Math.min(...below.map(({ top }) => top), ...sheets, innerHeight) + ROOM,
+    left: Math.max(...left) + ROOM,
+  }
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, nothing, render } from 'lit'
+import type { Editing } from '../../editing/editing.ts'
+import { shortest } from '../../editing/shortest.ts'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import type { CellFacts } from '../../view/protocol.ts'
+import type { View } from '../../view/view.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
+import type { PageActions } from '../page-actions.ts'
+import { byId } from './by-id.ts'
+import { selectionActions } from './group.ts'
+
+const DIGITS = 4
+
+/** The name of the selected circle, what its cell measures, and what can be done with it. */
+export function mountInspectorFacts(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
+  const name = byId('inspector-name', HTMLParagraphElement)
+  const facts = byId('inspector-facts', HTMLElement)
+  render(selectionActions(actions), byId('inspector-actions', HTMLElement))
+
+  /** The circle, as it was then, that the facts are of. */
+  let asked: State['described']
+  const ask = async (described: NonNullable<State['described']>) => {
+    asked = described
+    const told = await view.tell([described.id])
+    // Meanwhile it may be another one.
+    if (asked === described) render(factsOf(told?.cells.get(described.id)), facts)
+  }
+  store.subscribe(({ selected, described }) => {
+    if (selected === undefined) return
+    const about = [editing.nameOf(selected), placeOf(editing, selected)].filter((text) => text !== '').join(' · ')
+    name.hidden = about === ''
+    if (name.textContent !== about) name.textContent = about
+    if (described !== undefined && described !== asked) ask(described)
+  })
+}
+
+/** What the number of a circle is, where it is not its place: numbers of circles that are gone are not used again. */
+function placeOf({ circles }: Editing, id: number): string {
+  const place = circles.countBelow(id)
+  return place === id ? '' : `${wholeNumber(place + 1)} of ${wholeNumber(circles.count)}; numbers are not used again`
+}
+
+function factsOf(cell: CellFacts | undefined) {
+  if (cell === undefined || cell.hidden) return nothing
+  const text = (value: number) => (Number.isFinite(value) ? shortest(Number(value.toPrecision(DIGITS))) : 'infinite')
+  return html`<dt>Area of the cell</dt><dd>${text(cell.area)}</dd>
+    <dt>Perimeter</dt><dd>${text(cell.perimeter)}</dd>`
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, render } from 'lit'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import type { Measure } from '../../view/layers.ts'
+import type { Legend } from '../../view/protocol.ts'
+import { readStyle } from '../../view/style.ts'
+import type { View } from '../../view/view.ts'
+import { byId } from './by-id.ts'
+
+const NAMES: Readonly<Record<Measure, string>> = {
+  radius: 'Radius of the circle',
+  area: 'Area of the cell',
+  degree: 'Number of neighbors',
+  gap: 'Distance to the nearest circle',
+  index: 'Number of the circle',
+}
+
+/** What the colors mean, on the canvas, whenever they show a measure. */
+export function mountLegend(store: Store<State>, view: View): void {
+  const place = byId('legend', HTMLElement)
+  let legend: Legend | undefined
+  let shown: readonly unknown[] = []
+
+  const draw = () => {
+    place.hidden = legend === undefined || !view.hasDiagram
+    if (legend === undefined) return
+    render(bodyOf(legend), place)
+    drawRamp(place.querySelector('canvas') as HTMLCanvasElement, readStyle(byId('figure', HTMLElement)).ramp)
+  }
+  const ask = async () => {
+    const asked = shown
+    const answer = await view.legend()
+    // Meanwhile there may be others.
+    if (asked !== shown) return
+    legend = answer
+    draw()
+  }
+  store.subscribe(({ layers, dataSet, edited, history }) => {
+    // Other circles, or other colors. Edits leave the meaning of the colors as it is.
+    const opened = history.done.length + history.undone.length === 0 ? edited : history.done.findLast(isOpening)
+    const now = [layers.cells, dataSet, opened, edited === undefined]
+    if (now.every((value, k) => value === shown[k])) return
+    shown = now
+    ask()
+  })
+  view.on('diagram', draw)
+  for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
+    matchMedia(query).addEventListener('change', draw)
+  }
+}
+
+const isOpening = ({ kind }: State['history']['done'][number]) => kind === 'opening'
+
+function bodyOf({ measure, knots, isClipped }: Legend) {
+  const texts = knots.map(text)
+  // Circles that are all the same have one color.
+  const isOne = knots[0] === knots.at(-1)
+  const ends = (value: string, k: number) =>
+    !isClipped ? value : k === 0 ? `≤ ${value}` : k === texts.length - 1 ? `≥ ${value}` : value
+  return html`<span>${NAMES[measure]}</span>
+    <canvas height="1" aria-hidden="true"></canvas>
+    <span class="knots">${isOne ? html`<span>${texts[0]}</span>` : texts.map((value, k) => html`<span>${ends(value, k)}</span>`)}</span>`
+}
+
+function drawRamp(canvas: HTMLCanvasElement, ramp: readonly string[]): void {
+  canvas.width = ramp.length
+  const context = canvas.getContext('2d') as CanvasRenderingContext2D
+  for (const [k, color] of ramp.entries()) {
+    context.fillStyle = color
+    context.fillRect(k, 0, 1, 1)
+  }
+}
+
+function text(value: number): string {
+  if (Number.isInteger(value) && Math.abs(value) < 1e5) return String(value)
+  const short = Number(value.toPrecision(2))
+  return Math.abs(short) >= 1e6 || (short !== 0 && Math.abs(short) < 1e-3) ? short.toExponential(0) : String(short)
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, render } from 'lit'
+import { wholeNumber } from '../../view/whole-number.ts'
+import type { PageActions } from '../page-actions.ts'
+import { byId } from './by-id.ts'
+
+/** What is done sooner needs no bar, in milliseconds. */
+const SOON = 300
+
+/** A bar for what takes long, with its stage and a button that cancels it. */
+export function mountProgress(actions: PageActions): void {
+  const place = byId('progress', HTMLElement)
+  const figure = byId('figure', HTMLElement)
+  let stage = ''
+  let isCancelable = false
+  let timer: ReturnType<typeof setTimeout> | undefined
+
+  const draw = () => {
+    place.hidden = stage === ''
+    const cancel = html`<button type="button" @click=${() => actions.cancelOpening()}>Cancel</button>`
+    render(
+      html`<span>${stage}</span><progress aria-label=${stage}></progress>${isCancelable ? cancel : undefined}`,
+      place,
+    )
+  }
+  const show = (text: string, canBeCanceled: boolean) => {
+    const isNew = stage === ''
+    stage = text
+    isCancelable = canBeCanceled
+    if (text === '') {
+      clearTimeout(timer)
+      draw()
+    } else if (!isNew && !place.hidden) draw()
+    else if (isNew) timer = setTimeout(draw, SOON)
+  }
+  const isPainting = () => figure.getAttribute('aria-busy') === 'true'
+  // What is opened is painted piece by piece.
+  new MutationObserver(() => stage.startsWith('Painting') && !isPainting() && show('', false)).observe(figure, {
+    attributeFilter: ['aria-busy'],
+  })
+  actions.onstage = (now, circles) => {
+    const count = `${wholeNumber(circles)} ${circles === 1 ? 'circle' : 'circles'}`
+    if (now === 'loading') show('Loading …', true)
+    else if (now === 'computing') show(`Computing the diagram of ${count} …`, true)
+    else if (!place.hidden && isPainting() && now === 'opened') show(`Painting ${count} …`, false)
+    else show('', false)
+  }
+}

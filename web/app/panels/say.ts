@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, nothing, render } from 'lit'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import { dataSetOf } from '../data-sets.ts'
+import { byId } from './by-id.ts'
+
+const BY_MOUSE = 'Drag a rim to resize. Double-click to add a circle.'
+const BY_FINGER = 'Drag a rim to resize. Double-tap to add a circle.'
+/** What is chosen and not touched is told of for so long, in milliseconds. */
+const LASTING = 12_000
+
+/** One line about the circles that are shown, until they are touched; and what to do where there are none. */
+export function mountSay(store: Store<State>): void {
+  const place = byId('say', HTMLElement)
+  let shown = ''
+  let timer: ReturnType<typeof setTimeout> | undefined
+  const fingers = matchMedia('(pointer: coarse)')
+
+  const hide = () => {
+    clearTimeout(timer)
+    place.hidden = true
+  }
+  const isEmpty = ({ edited }: State) => edited?.counts.circles === 0
+
+  const show = (state: State) => {
+    clearTimeout(timer)
+    const hint = fingers.matches ? BY_FINGER : BY_MOUSE
+    const about = dataSetOf(state.dataSet)
+    place.hidden = !isEmpty(state) && about === undefined
+    if (isEmpty(state)) {
+      const how = fingers.matches ? 'Double-tap' : 'Double-click'
+      render(html`<p>No circles.</p><small>${how} to add one, or choose a data set above.</small>`, place)
+      return
+    }
+    if (about === undefined) return
+    const { credit, id } = about
+    // The first one says what all of this is.
+    const small = id === 'start' ? hint : credit
+    place.classList.toggle('first', id === 'start')
+    render(html`<p>${about.about}</p>${small === undefined ? nothing : html`<small>${small}</small>`}`, place)
+    if (id !== 'start') timer = setTimeout(hide, LASTING)
+  }
+
+  store.subscribe((state) => {
+    if (state.edited === undefined) return
+    const { history, selection, problem, dataSet, step } = state
+    const isTouched =
+      step !== undefined || history.done.at(-1)?.kind === 'edits' || selection.length > 0 || problem !== ''
+    const now = isEmpty(state) ? 'empty' : isTouched ? 'touched' : `${dataSet} ${history.done.length}`
+    if (now === shown) return
+    shown = now
+    if (now === 'touched') hide()
+    else show(state)
+  })
+  fingers.addEventListener('change', () => !place.hidden && show(store.get()))
+}

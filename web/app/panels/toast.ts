@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, nothing, render } from 'lit'
+import { byId } from './by-id.ts'
+
+/** What was done is said for so long, in milliseconds. */
+const SAID = 6000
+
+export interface Offer {
+  readonly label: string
+  act(): void
+}
+
+let timer: ReturnType<typeof setTimeout> | undefined
+
+/** Says what was done, where it is seen whatever is open, and offers something else in its place. */
+export function toast(text: string, offer?: Offer): void {
+  const place = byId('toast', HTMLElement)
+  const hide = () => {
+    place.hidden = true
+  }
+  const act = () => {
+    hide()
+    offer?.act()
+  }
+  clearTimeout(timer)
+  render(
+    html`<span>${text}</span>${offer === undefined ? nothing : html`<button type="button" @click=${act}>${offer.label}</button>`}`,
+    place,
+  )
+  place.hidden = false
+  timer = setTimeout(hide, offer === undefined ? SAID : 2 * SAID)
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What lies in a region, from the flat arrays of its module.
+import { at, NONE } from '../base/diagram-data.ts'
+import type { DiagramData, PathSink, Point } from '../base/types.ts'
+import { addArc } from '../curves/bezier.ts'
+import { parameterAt } from '../curves/bisector.ts'
+import { type BoundedCurve, edgeCurve, reversed, segment } from '../curves/curve.ts'
+import { isCircleArc, traceCircleArc } from '../regions/circle-arc.ts'
+import type { Outline, OutlinePiece } from '../regions/outline-piece.ts'
+import type { ClippedCells, ClippedEdges, ClippedPolygons, Region } from '../regions/region.ts'
+
+/**
+ * The coordinates of a GeoJSON MultiPolygon: a list of polygons, each a list of closed rings that repeat their first point.
+ * The first ring of a polygon is its outer ring, counter-clockwise; the others are holes, clockwise.
+ *
+ * @category Regions
+ */
+export type MultiPolygon = [x: number, y: number][][][]
+
+/** The outline of the kept part of a cell. */
+export function clippedOutline(diagram: DiagramData, cells: ClippedCells, circle: number): Outline {
+  const loops: OutlinePiece[][] = []
+  for (let loop = at(cells.loopOffsets, circle); loop < at(cells.loopOffsets, circle + 1); loop++) {
+    loops.push(loopOf(diagram, cells, at(cells.pieceOffsets, loop), at(cells.pieceOffsets, loop + 1)))
+  }
+  return loops
+}
+
+function loopOf(diagram: DiagramData, cells: ClippedCells, from: number, to: number): OutlinePiece[] {
+  const pieces: OutlinePiece[] = []
+  for (let k = from; k < to; k++) {
+    const next = k + 1 < to ? k + 1 : from
+    const start = { x: at(cells.x, k), y: at(cells.y, k) }
+    const end = { x: at(cells.x, next), y: at(cells.y, next) }
+    const side = at(cells.side, k)
+    const isOfCell = side !== NONE
+    pieces.push({
+      curve: isOfCell ? sideBetween(diagram, side, start, end) : segment(start, end),
+      side,
+      neighbor: isOfCell ? at(diagram.edges, 4 * (side >> 1) + (1 - (side & 1))) : NONE,
+      regionSide: at(cells.regionSide, k),
+      r: at(cells.r, k),
+    })
+  }
+  return pieces
+}
+
+/** The part of a side between two of its points. */
+function sideBetween(diagram: DiagramData, side: number, start: Point, end: Point): BoundedCurve {
+  const isForward = side % 2 === 0
+  const { bisector } = edgeCurve(diagram, side >> 1)
+  const [first, last] = isForward ? [start, end] : [end, start]
+  let [from, to] = [parameterAt(bisector, first.x, first.y), parameterAt(bisector, last.x, last.y)]
+  // Where rounding contradicts their order, the part has the length zero.
+  if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
+  const curve = { bisector, from, to, start: first, end: last }
+  return isForward ? curve : reversed(curve)
+}
+
+/** Draws an outline: a closed path for each loop. */
+export function drawOutline(sink: PathSink, outline: Outline, tolerance: number): void {
+  for (const loop of outline) {
+    loop.forEach((piece, k) => {
+      const { curve } = piece
+      if (k === 0) sink.moveTo(curve.start.x, curve.start.y)
+      if (isCircleArc(piece)) traceCircleArc(sink, piece)
+      else addArc(sink, curve, tolerance)
+    })
+    sink.closePath()
+  }
+}
+
+/** Draws the parts of an edge inside, or of all edges. */
+export function drawClippedEdges(
+  sink: PathSink,
+  diagram: DiagramData,
+  parts: ClippedEdges,
+  tolerance: number,
+  only?: number,
+): void {
+  parts.edge.forEach((edge, k) => {
+    if (only !== undefined && edge !== only) return
+    const start = { x: at(parts.start, 2 * k), y: at(parts.start, 2 * k + 1) }
+    const end = { x: at(parts.end, 2 * k), y: at(parts.end, 2 * k + 1) }
+    const { bisector } = edgeCurve(diagram, edge)
+    sink.moveTo(start.x, start.y)
+    addArc(sink, { bisector, from: at(parts.from, k), to: at(parts.to, k), start, end }, tolerance)
+  })
+}
+
+/** Draws the rings of a region. */
+export function drawRings(sink: PathSink, { points, ringOffsets }: Region): void {
+  for (let ring = 0; ring + 1 < ringOffsets.length; ring++) {
+    for (let k = at(ringOffsets, ring); k < at(ringOffsets, ring + 1); k++) {
+      const [x, y] = [at(points, 2 * k), at(points, 2 * k + 1)]
+      if (k === at(ringOffsets, ring)) sink.moveTo(x, y)
+      else sink.lineTo(x, y)
+    }
+    sink.closePath()
+  }
+}
+
+/** The polygons of a row. */
+export function multiPolygonOf(polygons: ClippedPolygons, row: number): MultiPolygon {
+  const { polygonOffsets, ringOffsets, pointOffsets, points } = polygons
+  const each = <Part>(offsets: Int32Array, k: number, part: (k: number) => Part) => {
+    return Array.from({ length: at(offsets, k + 1) - at(offsets, k) }, (_, i) => part(at(offsets, k) + i))
+  }
+  const pointAt = (k: number): [x: number, y: number] => [at(points, 2 * k), at(points, 2 * k + 1)]
+  return each(polygonOffsets, row, (polygon) =>
+    each(ringOffsets, polygon, (ring) => [...each(pointOffsets, ring, pointAt), pointAt(at(pointOffsets, ring))]),
+  )
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { refuseOption, shown } from '../base/check.ts'
+import type { Float64s, Int32s, Point } from '../base/types.ts'
+
+/** A position of GeoJSON, or a point. */
+type Position = readonly number[] | Point
+
+/** A ring: its points in order. The last one may repeat the first one. */
+type RingShape = readonly Position[]
+
+/**
+ * What a region can be made from: GeoJSON (a `Polygon`, `MultiPolygon`, `GeometryCollection`, `Feature` or
+ * `FeatureCollection`), or a list of rings of points `[x, y]` or `{ x, y }`. Rings run in either direction, and the last
+ * point may repeat the first one. In a list of rings, a ring inside another one is a hole.
+ *
+ * @category Regions
+ */
+export type RegionShape =
+  | { readonly type: 'Polygon'; readonly coordinates: readonly RingShape[] }
+  | { readonly type: 'MultiPolygon'; readonly coordinates: readonly (readonly RingShape[])[] }
+  | { readonly type: 'GeometryCollection'; readonly geometries: readonly RegionShape[] }
+  | { readonly type: 'Feature'; readonly geometry: RegionShape | null }
+  | { readonly type: 'FeatureCollection'; readonly features: readonly RegionShape[] }
+  | readonly RingShape[]
+
+/** Rings in flat arrays. Without `polygonOffsets` they belong to no polygon yet. */
+export interface RingArrays {
+  readonly points: Float64s
+  readonly ringOffsets: Int32s
+  readonly polygonOffsets: Int32s | undefined
+}
+
+/** @throws CircleVoronoiError `badOption`, if it is none; what the rings are like is not checked */
+export function ringArraysOf(shape: RegionShape): RingArrays {
+  const isList = isRingList(shape)
+  const polygons = isList ? [shape] : polygonsOf(shape)
+  const points: number[] = []
+  const ringOffsets = [0]
+  const polygonOffsets = [0]
+  for (const rings of polygons) {
+    if (!Array.isArray(rings)) refuseOption(`A polygon of the region is a list of rings, not ${shown(rings)}.`)
+    for (const ring of rings) {
+      const which = `Ring ${ringOffsets.length - 1} of the region`
+      if (!Array.isArray(ring)) refuseOption(`${which} is a list of points, not ${shown(ring)}.`)
+      ring.forEach((position: unknown, k: number) => {
+        const [x, y] = Array.isArray(position) ? position : [Object(position).x, Object(position).y]
+        if (typeof x !== 'number' || typeof y !== 'number') {
+          refuseOption(`${which}: point ${k} does not have two numbers x and y.`)
+        }
+        points.push(x, y)
+      })
+      ringOffsets.push(points.length / 2)
+    }
+    polygonOffsets.push(ringOffsets.length - 1)
+  }
+  return {
+    points: Float64Array.from(points),
+    ringOffsets: Int32Array.from(ringOffsets),
+    polygonOffsets: isList ? undefined : Int32Array.from(polygonOffsets),
+  }
+}
+
+function isRingList(shape: RegionShape): shape is readonly RingShape[] {
+  return Array.isArray(shape)
+}
+
+function polygonsOf(shape: Exclude<RegionShape, readonly RingShape[]>): (readonly RingShape[])[] {
+  const { type }: { type?: unknown } = Object(shape)
+  const parts = (list: unknown): (readonly RingShape[])[] => {
+    if (!Array.isArray(list)) refuseOption(`The ${type} of the region has no list of its parts.`)
+    return list.flatMap(polygonsOf)
+  }
+  switch (shape?.type) {
+    case 'Polygon':
+      return [shape.coordinates]
+    case 'MultiPolygon':
+      if (!Array.isArray(shape.coordinates)) refuseOption('The MultiPolygon of the region has no coordinates.')
+      return [...shape.coordinates]
+    case 'GeometryCollection':
+      return parts(shape.geometries)
+    case 'FeatureCollection':
+      return parts(shape.features)
+    case 'Feature':
+      // A feature may have no geometry.
+      return shape.geometry === null ? [] : polygonsOf(shape.geometry as typeof shape)
+  }
+  const what = typeof type === 'string' ? `a GeoJSON ${type}` : shown(shape)
+  refuseOption(`A region is made of GeoJSON polygons or a list of rings, not ${what}.`)
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { checkNumber } from '../base/check.ts'
+import type { Box, DiagramData, Float64s, Int32s } from '../base/types.ts'
+
+/** A diagram in a region, as the WebAssembly module for regions clips it. Row i is that of circle i. */
+export interface ClippedDiagram {
+  readonly cells: ClippedCells
+  readonly edges: ClippedEdges
+  readonly areas: Float64Array
+  readonly centroids: Float64Array
+  readonly perimeters: Float64Array
+  neighbors(circle: number): Int32Array
+  polygons(tolerance: number): ClippedPolygons
+}
+
+/** The loops of cells: `loopOffsets` by row, `pieceOffsets` by loop; a piece ends where the next one of its loop starts. */
+export interface ClippedCells {
+  readonly loopOffsets: Int32s
+  readonly isHole: Uint8Array
+  readonly pieceOffsets: Int32s
+  readonly x: Float64s
+  readonly y: Float64s
+  readonly side: Int32s
+  readonly regionSide: Int32s
+  readonly r: Float64s
+}
+
+/** Parts of edges in increasing order of edges; `start` and `end` have x and y of each part. */
+export interface ClippedEdges {
+  readonly edge: Int32s
+  readonly from: Float64s
+  readonly to: Float64s
+  readonly start: Float64s
+  readonly end: Float64s
+  readonly startSide: Int32s
+  readonly endSide: Int32s
+}
+
+/** Polygons by row, rings by polygon, points by ring. */
+export interface ClippedPolygons {
+  readonly polygonOffsets: Int32s
+  readonly ringOffsets: Int32s
+  readonly pointOffsets: Int32s
+  readonly points: Float64s
+}
+
+/** What a region asks of its module. */
+export interface RegionModule {
+  contains(x: number, y: number): boolean
+  clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram
+}
+
+/**
+ * A region to clip to: one or more polygons with holes. `Regions.region` makes it and checks it once; it can be used for
+ * many diagrams. Pass it as the option `region` in place of `bounds`.
+ *
+ * @category Regions
+ * @example
+ * const { region } = await library.loadRegions()
+ * const hall = region([[[0, 0], [9, 0], [9, 9], [0, 9]], [[3, 3], [6, 3], [6, 6], [3, 6]]])
+ * hall.area // 72
+ * hall.contains(4, 4) // false
+ */
+export class Region {
+  /** The points of all rings, x and y of each, without repetitions. */
+  readonly points: Float64s
+  /** Where each ring begins in the list of points, and the number of points. */
+  readonly ringOffsets: Int32s
+  /** Where each polygon begins in the list of rings, and the number of rings. Its first ring is its outer ring. */
+  readonly polygonOffsets: Int32s
+  readonly area: number
+  /** The length of all rings. */
+  readonly perimeter: number
+  /** The bounding box. */
+  readonly box: Box
+  readonly #module: RegionModule
+
+  /** Made by `Regions.region`. */
+  constructor(
+    arrays: Pick<Region, 'points' | 'ringOffsets' | 'polygonOffsets' | 'area' | 'perimeter'>,
+    module: RegionModule,
+  ) {
+    this.points = arrays.points
+    this.ringOffsets = arrays.ringOffsets
+    this.polygonOffsets = arrays.polygonOffsets
+    this.area = arrays.area
+    this.perimeter = arrays.perimeter
+    const [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity]
+    const box = { minX, minY, maxX, maxY }
+    for (let k = 0; k < this.points.length; k += 2) {
+      const [x, y] = this.points.subarray(k, k + 2) as unknown as [number, number]
+      box.minX = Math.min(box.minX, x)
+      box.minY = Math.min(box.minY, y)
+      box.maxX = Math.max(box.maxX, x)
+      box.maxY = Math.max(box.maxY, y)
+    }
+    this.box = box
+    this.#module = module
+  }
+
+  /** Returns whether a point lies inside or on the boundary; exact. */
+  contains(x: number, y: number): boolean {
+    checkNumber(x, 'contains', 'x')
+    checkNumber(y, 'contains', 'y')
+    return this.#module.contains(x, y)
+  }
+
+  /** The parts of all cells and edges of a diagram inside; for the methods of `Diagram`. */
+  clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram {
+    return this.#module.clip(diagram, maxDistance)
+  }
+}

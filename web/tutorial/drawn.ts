@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brings the figures to life that the tutorial draws itself: circles and points are dragged or moved by keys, a slider or a
+// player says what is shown.
+import { type Circle, type CircleVoronoi, loadCircleVoronoi, type Point } from '../lib/index.ts'
+import { encodeLink } from '../lib/link.ts'
+import { HEIGHT, heightOf, KINDS, type KindName, type Scene, WIDTH } from './drawn/kinds.ts'
+
+/** What a chapter says of a figure, as scripts/texts/blocks.mjs writes it. */
+export interface DrawnSpec {
+  readonly kind: KindName
+  readonly circles: readonly (readonly [number, number, number])[]
+  readonly point?: readonly [number, number]
+  readonly view: readonly [number, number, number]
+  readonly at: number
+}
+
+/** Of keys, as a part of the width that is seen. */
+const STEP = 1 / 80
+/** Milliseconds for the way from one event to the next. */
+const PACE = 1400
+/** How large what is grabbed is at least, in pixels of the screen. */
+const GRAB = 22
+const SVG = 'http://www.w3.org/2000/svg'
+const KEYS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowRight: [1, 0],
+  ArrowLeft: [-1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+}
+
+export async function bringToLife(page: Document): Promise<void> {
+  const figures = [...page.querySelectorAll<HTMLElement>('[data-drawn]')]
+  const library = await loadCircleVoronoi()
+  for (const figure of figures) new Drawn(figure, library)
+}
+
+export function sceneOf({ circles, point, view }: DrawnSpec): Scene {
+  return {
+    circles: circles.map(([x, y, r]) => ({ x, y, r })),
+    point: point && { x: point[0], y: point[1] },
+    view,
+  }
+}
+
+class Drawn {
+  readonly #kind: KindName
+  readonly #library: CircleVoronoi
+  readonly #svg: SVGSVGElement
+  readonly #content: SVGGElement
+  readonly #handles: SVGGElement
+  readonly #told: HTMLOutputElement
+  readonly #slider: HTMLInputElement
+  readonly #play: HTMLButtonElement | null
+  readonly #link: HTMLAnchorElement | null
+  #scene: Scene
+  #value: number
+  #isAsked = false
+  #playing: number | undefined
+
+  constructor(figure: HTMLElement, library: CircleVoronoi) {
+    const spec: DrawnSpec = JSON.parse(figure.dataset.drawn as string)
+    this.#kind = spec.kind
+    this.#library = library
+    this.#scene = sceneOf(spec)
+    this.#value = spec.at
+    this.#told = figure.querySelector('output.told') as HTMLOutputElement
+    this.#slider = figure.querySelector('input[type=range]') as HTMLInputElement
+    this.#play = figure.querySelector('button.play')
+    this.#link = figure.querySelector('a.open')
+    const picture = figure.querySelector('.picture') as HTMLElement
+    const { ownerDocument: page } = figure
+    this.#svg = page.createElementNS(SVG, 'svg')
+    this.#svg.classList.add('drawn')
+    this.#svg.setAttribute('viewBox', `0 0 ${WIDTH} ${heightOf(spec.kind)}`)
+    this.#svg.setAttribute('role', 'group')
+    this.#svg.setAttribute('aria-label', (picture.querySelector('img') as HTMLImageElement).alt)
+    this.#content = page.createElementNS(SVG, 'g')
+    this.#handles = page.createElementNS(SVG, 'g')
+    this.#svg.append(this.#content, this.#handles)
+    this.#makeHandles(page)
+    this.#listen(figure)
+    this.#draw()
+    picture.replaceChildren(this.#svg)
+    // Words stay as large as those around the picture.
+    new ResizeObserver(() => this.#fit()).observe(this.#svg)
+  }
+
+  #makeHandles(page: Document): void {
+    const { circles, point } = this.#scene
+    const make = (name: string, move: (to: Point) => void, placeOf: () => Point) => {
+      const handle = page.createElementNS(SVG, 'circle')
+      handle.classList.add('handle')
+      handle.setAttribute('tabindex', '0')
+      handle.setAttribute('role', 'button')
+      handle.setAttribute('aria-label', `${name}: drag it, or press arrow keys`)
+      handle.addEventListener('pointerdown', (event) => {
+        handle.setPointerCapture(event.pointerId)
+        const [from, at] = [this.#planeAt(event), placeOf()]
+        const drag = (moved: PointerEvent) => {
+          const to = this.#planeAt(moved)
+          move(this.#within({ x: at.x + to.x - from.x, y: at.y + to.y - from.y }))
+        }
+        handle.addEventListener('pointermove', drag)
+        handle.addEventListener('lostpointercapture', () => handle.removeEventListener('pointermove', drag), {
+          once: true,
+        })
+      })
+      handle.addEventListener('keydown', (event) => {
+        const way = KEYS[event.key]
+        if (way === undefined) return
+        event.preventDefault()
+        const step = this.#scene.view[2] * STEP
+        const { x, y } = placeOf()
+        move(this.#within({ x: x + way[0] * step, y: y + way[1] * step }))
+      })
+      this.#handles.append(handle)
+    }
+    for (const i of circles.keys()) {
+      make(
+        `Circle ${i}`,
+        ({ x, y }) => this.#change({ circles: this.#scene.circles.map((c, k) => (k === i ? { ...c, x, y } : c)) }),
+        () => this.#scene.circles[i] as Circle,
+      )
+    }
+    if (point === undefined) return
+    make(
+      'Point',
+      (to) => this.#change({ point: to }),
+      () => this.#scene.point as Point,
+    )
+  }
+
+  #listen(figure: HTMLElement): void {
+    this.#slider.addEventListener('input', () => this.#show(this.#slider.valueAsNumber))
+    figure.querySelector('button.back')?.addEventListener('click', () => this.#show(Math.ceil(this.#value) - 1))
+    figure.querySelector('button.forth')?.addEventListener('click', () => this.#show(Math.floor(this.#value) + 1))
+    this.#play?.addEventListener('click', () => (this.#playing === undefined ? this.#start() : this.#pause()))
+  }
+
+  #change(change: Partial<Scene>): void {
+    this.#scene = { ...this.#scene, ...change }
+    this.#pause()
+    this.#ask()
+    const circles = this.#scene.circles.map(({ x, y, r }) => [x, y, r])
+    const link = this.#link
+    if (link === null) return
+    const [address] = link.href.split('#') as [string]
+    void encodeLink({ circles }).then((text) => {
+      link.href = `${address}#${text}`
+    })
+  }
+
+  /** A place that a reader chose. */
+  #show(value: number): void {
+    this.#pause()
+    this.#value = Math.min(Math.max(value, 0), Number(this.#slider.max))
+    this.#draw()
+  }
+
+  #start(): void {
+    const last = Number(this.#slider.max)
+    if (this.#value >= last) this.#value = 0
+    if (this.#play !== null) this.#play.textContent = 'Pause'
+    const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches
+    const from = this.#value
+    let begun: number | undefined
+    const go = (now: number) => {
+      begun ??= now
+      const value = Math.min(from + (now - begun) / PACE, last)
+      this.#value = isStill ? Math.floor(value) : resting(value)
+      this.#draw()
+      if (value >= last) return this.#pause()
+      this.#playing = requestAnimationFrame(go)
+    }
+    this.#playing = requestAnimationFrame(go)
+  }
+
+  #pause(): void {
+    if (this.#playing === undefined) return
+    cancelAnimationFrame(this.#playing)
+    this.#playing = undefined
+    if (this.#play !== null) this.#play.textContent = 'Play'
+  }
+
+  #ask(): void {
+    if (this.#isAsked) return
+    this.#isAsked = true
+    requestAnimationFrame(() => {
+      this.#isAsked = false
+      this.#draw()
+    })
+  }
+
+  #draw(): void {
+    const kind = KINDS[this.#kind]
+    const { last, step } = kind.range(this.#scene, this.#library)
+    this.#slider.max = `${last}`
+    this.#slider.step = `${step}`
+    this.#value = Math.min(this.#value, last)
+    this.#slider.value = `${Math.floor(this.#value * 1e6) / 1e6}`
+    const { content, told } = kind.draw(this.#scene, this.#value, this.#library)
+    this.#content.innerHTML = content
+    if (this.#told.value !== told) this.#told.value = told
+    this.#slider.setAttribute('aria-valuetext', told)
+    this.#placeHandles()
+  }
+
+  #placeHandles(): void {
+    const { circles, point, view } = this.#scene
+    const scale = WIDTH / view[2]
+    const least = GRAB * this.#unit
+    const places = [...circles, ...(point === undefined ? [] : [{ ...point, r: 0 }])]
+    for (const [k, { x, y, r }] of places.entries()) {
+      const handle = this.#handles.children[k] as SVGCircleElement
+      handle.setAttribute('cx', `${WIDTH / 2 + (x - view[0]) * scale}`)
+      handle.setAttribute('cy', `${HEIGHT / 2 - (y - view[1]) * scale}`)
+      handle.setAttribute('r', `${Math.max(r * scale, least)}`)
+    }
+  }
+
+  /** Of the picture, for one pixel of the screen. */
+  get #unit(): number {
+    const { width } = this.#svg.getBoundingClientRect()
+    return width === 0 ? 1 : WIDTH / width
+  }
+
+  #fit(): void {
+    this.#svg.style.setProperty('--unit', `${this.#unit}`)
+    this.#placeHandles()
+  }
+
+  #planeAt(event: PointerEvent): Point {
+    const { left, top } = this.#svg.getBoundingClientRect()
+    const { view } = this.#scene
+    const scale = WIDTH / view[2]
+    const unit = this.#unit
+    return {
+      x: view[0] + ((event.clientX - left) * unit - WIDTH / 2) / scale,
+      y: view[1] - ((event.clientY - top) * unit - HEIGHT / 2) / scale,
+    }
+  }
+
+  /** What is dragged stays in sight. */
+  #within({ x, y }: Point): Point {
+    const { view } = this.#scene
+    const [halfX, halfY] = [view[2] / 2, (view[2] / 2) * (HEIGHT / WIDTH)]
+    return {
+      x: Math.min(Math.max(x, view[0] - halfX), view[0] + halfX),
+      y: Math.min(Math.max(y, view[1] - halfY), view[1] + halfY),
+    }
+  }
+}
+
+/** Stays at each event for half of its time. */
+function resting(value: number): number {
+  const part = value - Math.floor(value)
+  return Math.floor(value) + Math.max(0, 2 * part - 1)
+}

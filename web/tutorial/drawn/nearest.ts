@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A point and its distance to each circle; the slider colors more and more points, and at its end all of them.
+import {
+  colorsOf,
+  coordinatesOf,
+  distance,
+  drawCells,
+  drawDiscs,
+  footOf,
+  type Kind,
+  nearest,
+  Pen,
+  said,
+} from './scene.ts'
+
+const MOST_POINTS = 600
+
+export const nearestCircle: Kind = {
+  range: () => ({ last: MOST_POINTS, step: 'any' }),
+
+  draw(scene, value, library) {
+    const { circles, point = { x: 0, y: 0 } } = scene
+    const pen = new Pen(scene)
+    const diagram = library.compute(coordinatesOf(circles))
+    const colors = colorsOf(diagram)
+    const isFull = value >= MOST_POINTS
+    const [minX, minY, maxX, maxY] = pen.bounds
+    if (isFull) drawCells(pen, diagram, colors)
+    else {
+      for (let k = 1; k <= value; k++) {
+        const at = { x: minX + (maxX - minX) * radicalInverse(k, 2), y: minY + (maxY - minY) * radicalInverse(k, 3) }
+        pen.dot(`c${colors[nearest(circles, at)]}`, at, 3)
+      }
+    }
+    drawDiscs(pen, circles, colors)
+    const first = nearest(circles, point)
+    const distances = circles.map((circle) => said(distance(circle, point)))
+    for (const [i, circle] of circles.entries()) {
+      const foot = footOf(circle, point)
+      pen.line(i === first ? `way best c${colors[i]}` : 'way', point, foot)
+      const middle = { x: (point.x + foot.x) / 2, y: (point.y + foot.y) / 2 }
+      pen.write(i === first ? 'label best' : 'label', middle, distances[i] as string)
+    }
+    pen.dot(`point c${colors[first]}`, point, 7)
+    const others = circles.map((_, i) => `${distances[i]} to circle ${i}`).join(', ')
+    return { content: pen.content, told: `The distances are ${others}. Circle ${first} is nearest.` }
+  },
+}
+
+/** The points k = 1, 2, … of the van der Corput sequence: wherever it ends, they are spread evenly. */
+function radicalInverse(k: number, base: number): number {
+  let [rest, part, sum] = [k, 1, 0]
+  while (rest > 0) {
+    part /= base
+    sum += part * (rest % base)
+    rest = Math.floor(rest / base)
+  }
+  return sum
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture of cones, pixel by pixel: a cone for each circle, with its tip above the center, as high as the radius, and
+// falling by 1 with each step away. Its height over a point is minus the distance from there to the rim.
+
+/** How one looks: from the side at 0 degrees, from above at 90; and how far the plane is turned. */
+export interface Pose {
+  readonly tilt: number
+  readonly turn: number
+}
+
+/** The six data colors of the tokens: red, green, blue. */
+const COLORS = [
+  [63, 127, 191],
+  [224, 160, 48],
+  [60, 154, 124],
+  [201, 104, 143],
+  [107, 102, 184],
+  [217, 104, 60],
+] as const
+/** From where light comes: to the left, from the front, from above. */
+const LIGHT = [-0.45, -0.35, 0.82] as const
+/** How dark lines are: between cones, and around circles. */
+const LINE = 0.35
+/** Samples on the way from front to back, for each row of pixels. */
+const FINENESS = 1.6
+const DEGREE = Math.PI / 180
+
+/**
+ * @param view x and y of the middle, and the width
+ * @returns red, green, blue and alpha of each pixel; nothing behind the cones
+ */
+export function paintCones(
+  circles: readonly (readonly number[])[],
+  view: readonly number[],
+  { tilt, turn }: Pose,
+  width: number,
+  height: number,
+): Uint8ClampedArray<ArrayBuffer> {
+  const pixels = new Uint8ClampedArray(4 * width * height)
+  const [middleX = 0, middleY = 0, span = 1] = view
+  const scale = width / span
+  const [sin, cos] = [Math.sin(tilt * DEGREE), Math.cos(tilt * DEGREE)]
+  const [turnX, turnY] = [Math.cos(turn * DEGREE), Math.sin(turn * DEGREE)]
+  const cones = circles.map(([x = 0, y = 0, r = 0]) => ({
+    u: (x - middleX) * turnX - (y - middleY) * turnY,
+    v: (x - middleX) * turnY + (y - middleY) * turnX,
+    r,
+  }))
+  const [reach, depth] = [span / 2, (span / 2) * (height / width)]
+  const steps = Math.ceil(height * FINENESS)
+  /** Which cone, and whether inside its circle, was seen in the column before. */
+  const beside = new Int32Array(steps)
+  // The mean height comes to the middle of the picture.
+  const lift = cos * (depth * 0.35)
+
+  for (let column = 0; column < width; column++) {
+    const u = (column + 0.5) / scale - reach
+    let top = height
+    let before = -1
+    for (let step = 0; step < steps && top > 0; step++) {
+      const v = -depth + (2 * depth * (step + 0.5)) / steps
+      let z = Number.NEGATIVE_INFINITY
+      let nearest = 0
+      for (let i = 0; i < cones.length; i++) {
+        const cone = cones[i] as (typeof cones)[number]
+        const own = cone.r - Math.hypot(u - cone.u, v - cone.v)
+        if (own > z) [z, nearest] = [own, i]
+      }
+      const row = Math.floor(height / 2 - (v * sin + z * cos + lift) * scale)
+      const isInside = z >= 0
+      const part = 2 * nearest + (isInside ? 1 : 0)
+      const isLine = (before >= 0 && part !== before) || (column > 0 && part !== beside[step])
+      before = part
+      beside[step] = part
+      if (row >= top) continue
+      const cone = cones[nearest] as (typeof cones)[number]
+      const d = Math.hypot(u - cone.u, v - cone.v) || 1
+      // The surface falls by 1 outwards: its normal leans outwards by 45 degrees.
+      const bright =
+        ((u - cone.u) / d) * LIGHT[0] * Math.SQRT1_2 +
+        ((v - cone.v) / d) * LIGHT[1] * Math.SQRT1_2 +
+        LIGHT[2] * Math.SQRT1_2
+      const shade = 1 + (bright - 0.58) * 0.9 * cos
+      const color = COLORS[nearest % COLORS.length] as (typeof COLORS)[number]
+      const white = isInside ? 0 : 0.62
+      for (let y = Math.max(row, 0); y < top; y++) {
+        const k = 4 * (y * width + column)
+        for (let c = 0; c < 3; c++) {
+          const own = (color[c] as number) * (1 - white) + 250 * white
+          pixels[k + c] = own * shade * (isLine ? LINE : 1)
+        }
+        pixels[k + 3] = 255
+      }
+      top = Math.max(row, 0)
+    }
+  }
+  return pixels
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What some figures show besides the layers of the element: shrunken rims, and the steps between two centers.
+import type { CircleVoronoiElement } from '../element/index.ts'
+import { type CircleVoronoi, type Float64s, loadCircleVoronoi } from '../lib/index.ts'
+import type { DataLayer } from '../view/layers.ts'
+
+/** Of the rims on which samples lie, and of steps; they are seen on light paper and on dark. */
+const RIM = '#8a6f5c'
+const STEPS = '#d2491b'
+
+/** The circles less the smallest radius, x, y and r each. */
+export function shrunkenRims(circles: Float64s): Float64Array {
+  const least = circles.reduce((smallest, value, k) => (k % 3 === 2 ? Math.min(smallest, value) : smallest), Infinity)
+  return Float64Array.from(circles, (value, k) => (k % 3 === 2 ? value - least : value))
+}
+
+/** The circles on a shortest way from one to another, each step between circles whose centers are neighbors. */
+export function stepsBetween(library: CircleVoronoi, circles: Float64s, from: number, to: number): readonly number[] {
+  const centers = library.compute(Float64Array.from(circles, (value, k) => (k % 3 === 2 ? 0 : value)))
+  const before = new Map<number, number>([[from, from]])
+  for (const circle of before.keys()) {
+    for (const next of centers.neighbors(circle)) if (!before.has(next)) before.set(next, circle)
+  }
+  if (!before.has(to)) return []
+  const way = [to]
+  while (way[0] !== from) way.unshift(before.get(way[0] as number) as number)
+  return way
+}
+
+/** What a figure of these circles shows besides. `steps`: from which circle to which. */
+export function extrasOf(
+  circles: Float64s,
+  { hasRims, steps }: { readonly hasRims: boolean; readonly steps: readonly number[] | undefined },
+  library: CircleVoronoi | undefined,
+): readonly DataLayer[] {
+  const layers: DataLayer[] = []
+  if (hasRims) layers.push({ id: 'rims', color: RIM, discs: shrunkenRims(circles) })
+  if (steps !== undefined && library !== undefined) {
+    const [from = 0, to = 0] = steps
+    const way = stepsBetween(library, circles, from, to).map((i) => [...circles.slice(3 * i, 3 * i + 2)])
+    const segments = way.slice(1).flatMap((end, k) => [...(way[k] as number[]), ...end])
+    layers.push({
+      id: 'steps',
+      color: STEPS,
+      points: Float64Array.from(way.flat()),
+      segments: Float64Array.from(segments),
+    })
+  }
+  return layers
+}
+
+export async function showExtras(page: Document): Promise<void> {
+  for (const around of page.querySelectorAll<HTMLElement>('[data-rims], [data-steps]')) {
+    const figure = around.querySelector('circle-voronoi') as CircleVoronoiElement
+    const steps = around.dataset.steps?.split(' ').map(Number)
+    const library = steps === undefined ? undefined : await loadCircleVoronoi()
+    const show = () => {
+      const data = extrasOf(figure.circles, { hasRims: around.dataset.rims !== undefined, steps }, library)
+      figure.layers = { ...figure.layers, data }
+    }
+    figure.addEventListener('circleschange', show)
+    void figure.ready.then(show)
+  }
+}
