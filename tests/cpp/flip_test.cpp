@@ -63,9 +63,9 @@ TEST(Flip, LeavesTheProofThatTheJudgeFindsItself) {
     Dual& dual = sites.dual ? *sites.dual : sites.centers;
     Predicates predicates(sites.circles);
     FaceDiscs discs(sites.circles, dual, predicates);
-    const Flips flips = flip(dual, discs);
+    flip(dual, discs);
     const Verdict own = judge(sites.circles, dual, predicates);
-    const Verdict given = judge(sites.circles, dual, predicates, {discs.take(), flips.orders, {}});
+    const Verdict given = judge(sites.circles, dual, predicates, {discs.take(), discs.takeOrders(), {}});
     EXPECT_EQ(given.flaw, own.flaw);
     EXPECT_EQ(given.face, own.face);
     EXPECT_EQ(given.halfEdge, own.halfEdge);
@@ -95,9 +95,11 @@ TEST(Flip, KnowsTheOrdersThatTheJudgeFindsItself) {
     Dual& dual = sites.centers;
     Predicates predicates(sites.circles);
     FaceDiscs discs(sites.circles, dual, predicates);
-    const Flips flips = flip(dual, discs);
+    flip(dual, discs);
+    const std::vector<std::int8_t> orders = discs.takeOrders();
+    ASSERT_EQ(orders.size(), dual.origin.size());
     for (int h = 0; h < dual.halfEdgeCount(); ++h) {
-      const auto order = flips.orders[static_cast<std::size_t>(h)];
+      const auto order = orders[static_cast<std::size_t>(h)];
       if (order == kUnknownOrder) {
         EXPECT_NE(discs.flawOf(h), Flaw::none);
         continue;

@@ -15,7 +15,7 @@ namespace {
 
 /// A triangle of circles 0, 1, 2 with 3 inside.
 const Topology kTopology = {
-    {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+    {{0, 1, 3}, {1, 2, 3}, {0, 3, 2}},
     {{0, 1, kNone, 0}, {1, 2, kNone, 1}, {2, 0, kNone, 2}, {1, 3, 1, 0}, {2, 3, 2, 1}, {0, 3, 0, 2}},
     {0, 1, 2}};
 

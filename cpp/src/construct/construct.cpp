@@ -94,14 +94,14 @@ struct Flipped {
   FaceDiscs discs;
   Flips flips;
 
-  Proof takeProof() { return {discs.take(), std::move(flips.orders), {}}; }
+  Proof takeProof() { return {discs.take(), discs.takeOrders(), {}}; }
 };
 
 Flipped flipped(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal,
                 Threads threads) {
   const Stopwatch watch = journal.enter(Stage::flip);
   FaceDiscs discs(sites.circles, dual, predicates, threads);
-  Flips flips = flip(dual, discs, teller.watcher(), threads);
+  Flips flips = flip(dual, discs, teller.watcher());
   journal.stats.counts.flips += flips.count;
   return {std::move(discs), std::move(flips)};
 }
@@ -155,21 +155,29 @@ constexpr std::int64_t kMostAngularSamples = 4'000'000;
 constexpr std::size_t kLargestPatch = 256;
 constexpr std::size_t kFewWrongFaces = 100;
 
+/// A dual, and what is known of its proof.
+struct Unjudged {
+  Dual dual;
+  Proof proof;
+};
+
 /// The dual by insertion, and by flips where a near tie misled it.
-std::optional<Dual> inserted(std::span<const Circle> circles, Counts& counts) {
+std::optional<Unjudged> inserted(std::span<const Circle> circles, Counts& counts) {
   Predicates predicates(circles);
   auto result = insertAll(circles, predicates);
+  Proof proof;
   if (result) {
     FaceDiscs discs(circles, result->dual, predicates);
     counts.flips += result->flips + flip(result->dual, discs).count;
+    proof = {discs.take(), discs.takeOrders(), {}};
   }
   addCounts(predicates, counts);
   if (!result) return std::nullopt;
-  return std::move(result->dual);
+  return Unjudged{std::move(result->dual), std::move(proof)};
 }
 
 /// The whole dual by insertion.
-std::optional<Dual> insertedAll(const Sites& sites, Journal& journal) {
+std::optional<Unjudged> insertedAll(const Sites& sites, Journal& journal) {
   const Stopwatch watch = journal.enter(Stage::flip);
   return inserted(sites.circles, journal.stats.counts);
 }
@@ -182,7 +190,6 @@ bool repairAll(Dual& dual, Flipped& after, Journal& journal) {
   if (wrong.size() > kFewWrongFaces + static_cast<std::size_t>(dual.faceCount()) / 200) return false;
   const Stopwatch watch = journal.enter(Stage::repair);
   journal.stats.way = Way::repair;
-  after.flips.orders.clear();
   const auto solve = [&](std::span<const Circle> circles) { return solveLocally(circles, journal.stats.counts); };
   for (const int reach : {2, 4, 8, 16}) {
     if (wrong.empty()) break;
@@ -196,21 +203,21 @@ bool repairAll(Dual& dual, Flipped& after, Journal& journal) {
 std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts) {
   if (circles.size() > kLargestPatch) return std::nullopt;
   const OrderedCircles ordered = order(circles);
-  const auto isRight = [&](const Dual& candidate) {
+  const auto isRight = [&](Unjudged& candidate) {
     Predicates predicates(ordered.circles);
-    const bool right = judge(ordered.circles, candidate, predicates).isRight();
+    const bool right = judge(ordered.circles, candidate.dual, predicates, std::move(candidate.proof)).isRight();
     addCounts(predicates, counts);
     return right;
   };
-  auto dual = inserted(ordered.circles, counts);
-  if (!dual || !isRight(*dual)) {
-    dual = apolloniusGraph(ordered.circles);
-    if (!isRight(*dual)) return std::nullopt;
+  auto solved = inserted(ordered.circles, counts);
+  if (!solved || !isRight(*solved)) {
+    solved = Unjudged{apolloniusGraph(ordered.circles), {}};
+    if (!isRight(*solved)) return std::nullopt;
   }
-  for (int& corner : dual->origin) {
+  for (int& corner : solved->dual.origin) {
     if (corner != kPointAtInfinity) corner = ordered.indices[corner];
   }
-  return dual;
+  return std::move(solved->dual);
 }
 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
@@ -280,11 +287,11 @@ Construction constructAutomatically(Sites& sites, const Observer& observer, Jour
     teller.tellChanges();
     return result.isRight();
   };
-  const auto isRightAnew = [&](Dual dual) {
-    result.dual = std::move(dual);
+  const auto isRightAnew = [&](Unjudged anew) {
+    result.dual = std::move(anew.dual);
     FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round++);
-    return isCertified({}, teller);
+    return isCertified(std::move(anew.proof), teller);
   };
   if (sites.dual) {
     journal.stats.way = Way::insert;
@@ -311,9 +318,9 @@ Construction constructAutomatically(Sites& sites, const Observer& observer, Jour
     if (isLittle && isCertified(after.takeProof(), teller)) return result;
   }
   journal.stats.way = Way::insert;
-  if (auto dual = insertedAll(sites, journal); dual && isRightAnew(*std::move(dual))) return result;
+  if (auto anew = insertedAll(sites, journal); anew && isRightAnew(*std::move(anew))) return result;
   journal.stats.way = Way::apolloniusGraph;
-  isRightAnew(apolloniusGraph(sites.circles));
+  isRightAnew({apolloniusGraph(sites.circles), {}});
   return result;
 }
 

@@ -50,11 +50,24 @@ Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construc
     const Misfit& misfit = construction.unfit->misfit;
     topology = std::move(construction.unfit->topology);
     diagram.certificate = {misfit.flaw, misfit.circle, misfit.vertex, misfit.edge, {}};
-    for (const auto& [i, j, k] : topology.vertexCircles) {
+    const auto ofInput = [&](CircleIndex& circle) { circle = sites.indices[circle]; };
+    for (auto& triple : topology.vertexCircles) {
+      const auto& [i, j, k] = triple;
       diagram.vertices.push_back(vertexOf({i, j, k}, {}).value_or(Vertex{}));
+      std::for_each(triple.begin(), triple.end(), ofInput);
+      std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
     }
+    for (Edge& edge : topology.edges) {
+      ofInput(edge.left);
+      ofInput(edge.right);
+    }
+    std::for_each(topology.hull.begin(), topology.hull.end(), ofInput);
+    // No side has a next one.
+    links.nextSide.resize(2 * topology.edges.size());
+    links.vertexSides.resize(topology.vertexCircles.size());
+    links.firstSide.resize(circles.size());
   } else {
-    const Dual& dual = construction.dual;
+    Dual& dual = construction.dual;
     Verdict& verdict = construction.verdict;
     const std::vector<FaceDisc>& discs = verdict.proof.discs;
     const std::vector<VertexIndex> vertices = verticesOf(dual, threads);
@@ -74,35 +87,19 @@ Result<Diagram> diagramOf(std::span<const Circle> circles, Construction construc
       return vertexBeyondDoubles({sites.indices[i], sites.indices[j], sites.indices[k]});
     }
     verdict.proof = {};  // which frees memory before more is needed
-    topology = topologyOf(dual, static_cast<int>(sites.circles.size()), &links, threads);
+    threads.forEach(dual.origin.size(), [&](std::size_t h) {
+      if (int& corner = dual.origin[h]; corner != kPointAtInfinity) corner = sites.indices[corner];
+    });
+    topology = topologyOf(dual, vertices, static_cast<int>(circles.size()), &links, threads);
+    if (sites.indices.size() == 1) topology.hull = {sites.indices[0]};
     diagram.certificate = certificateOf(verdict, dual, topology);
   }
   construction = {};
   diagram.vertexCircles = std::move(topology.vertexCircles);
   diagram.edges = std::move(topology.edges);
   diagram.hull = std::move(topology.hull);
+  diagram.links = std::move(links);
   diagram.hidden = std::move(sites.hidden);
-  // Where the topology does not fit, no side has a next one.
-  diagram.links.nextSide = std::move(links.nextSide);
-  diagram.links.nextSide.resize(2 * diagram.edges.size());
-  diagram.links.vertexSides = std::move(links.vertexSides);
-  diagram.links.vertexSides.resize(diagram.vertexCircles.size());
-  diagram.links.firstSide.resize(circles.size());
-  threads.forEach(links.firstSide.size(),
-                  [&](std::size_t site) { diagram.links.firstSide[sites.indices[site]] = links.firstSide[site]; });
-  threads.forEach(diagram.vertexCircles.size(), [&](std::size_t vertex) {
-    auto& triple = diagram.vertexCircles[vertex];
-    const auto first = firstOf({triple[0], triple[1], triple[2]}, sites.indices);
-    beginAt(triple, first);
-    beginAt(diagram.links.vertexSides[vertex], first);
-    for (CircleIndex& circle : triple) circle = sites.indices[circle];
-  });
-  threads.forEach(diagram.edges.size(), [&](std::size_t i) {
-    Edge& edge = diagram.edges[i];
-    edge.left = sites.indices[edge.left];
-    edge.right = sites.indices[edge.right];
-  });
-  for (CircleIndex& circle : diagram.hull) circle = sites.indices[circle];
   rotateHull(diagram.hull);
   if (diagram.certificate.circle != kNone) diagram.certificate.circle = sites.indices[diagram.certificate.circle];
   diagram.certificate.message = messageOf(diagram.certificate, diagram);

@@ -4,61 +4,67 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
 namespace circle_voronoi {
 namespace {
 
-/// The links of a topology, given of each half-edge of its dual the side that it stands for: that of its origin,
-/// along the border with its target.
-///
-/// The side of half-edge h ends at the vertex that is the face of h, and the next one around the same circle begins
-/// there: it lies one half-edge on, counter-clockwise around the origin, or two where that one goes to infinity.
-Links linksOf(const Topology& topology, const Dual& dual, const std::vector<SideIndex>& sideOf,
-              const std::vector<VertexIndex>& vertexOf, int circleCount, Threads threads) {
-  Links links;
-  links.nextSide.resize(2 * topology.edges.size());
-  links.vertexSides.resize(topology.vertexCircles.size());
-  links.firstSide.resize(static_cast<std::size_t>(circleCount));
-  const auto nextAround = [&](int h) { return dual.around(h); };
-  threads.forEach(vertexOf.size(), [&](std::size_t face) {
-    const int h = 3 * static_cast<int>(face);
-    if (const VertexIndex vertex = vertexOf[face]; vertex != kNone) {
-      const std::array sides = {sideOf[nextAround(h)], sideOf[nextAround(h + 1)], sideOf[nextAround(h + 2)]};
-      links.vertexSides[vertex] = sides;
-      for (int k = 0; k < 3; ++k) links.nextSide[sideOf[h + k]] = sides[k];
-    } else {
-      const int between = h + (dual.origin[h] == kPointAtInfinity ? 1 : dual.origin[h + 1] == kPointAtInfinity ? 2 : 0);
-      links.nextSide[sideOf[between]] = sideOf[nextAround(nextAround(between))];
-    }
-  });
-  SideIndex side = 0;
-  for (const Edge& edge : topology.edges) {
-    for (const CircleIndex circle : {edge.left, edge.right}) {
-      if (SideIndex& first = links.firstSide[circle]; first == kNone) first = side;
-      ++side;
-    }
-  }
-  return links;
-}
-
 /// Numbers those of some items for which a condition holds, in their order, and calls number(item, its number) for
 /// each. Returns how many there are.
 template <class Condition, class Number>
 std::int32_t numbered(std::size_t items, Threads threads, Condition condition, Number number) {
   std::vector<std::int32_t> first(threads.rangesOf(items) + 1, 0);
-  threads.forRanges(items, [&](std::size_t begin, std::size_t end, std::size_t range) {
-    for (std::size_t i = begin; i < end; ++i) first[range + 1] += condition(i) ? 1 : 0;
-  });
-  std::partial_sum(first.begin(), first.end(), first.begin());
+  if (first.size() > 2) {
+    threads.forRanges(items, [&](std::size_t begin, std::size_t end, std::size_t range) {
+      for (std::size_t i = begin; i < end; ++i) first[range + 1] += condition(i) ? 1 : 0;
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+  }
   threads.forRanges(items, [&](std::size_t begin, std::size_t end, std::size_t range) {
     std::int32_t next = first[range];
     for (std::size_t i = begin; i < end; ++i) {
       if (condition(i)) number(i, next++);
     }
+    if (first.size() == 2) first[1] = next;
   });
   return first.back();
+}
+
+/// The links of a topology but for the first sides, given of each half-edge of its dual the side that it stands for:
+/// that of its origin, along the border with its target.
+///
+/// The side of half-edge h ends at the vertex that is the face of h, and the next one around the same circle begins
+/// there: it lies one half-edge on, counter-clockwise around the origin, or two where that one goes to infinity.
+void linkFace(int face, VertexIndex vertex, const Dual& dual, const std::vector<SideIndex>& sideOf, Links& links) {
+  const int h = 3 * face;
+  if (vertex != kNone) {
+    const std::array sides = {sideOf[dual.around(h)], sideOf[dual.around(h + 1)], sideOf[dual.around(h + 2)]};
+    links.vertexSides[vertex] = sides;
+    for (int k = 0; k < 3; ++k) links.nextSide[sideOf[h + k]] = sides[k];
+  } else {
+    const int between = h + (dual.origin[h] == kPointAtInfinity ? 1 : dual.origin[h + 1] == kPointAtInfinity ? 2 : 0);
+    links.nextSide[sideOf[between]] = sideOf[dual.around(dual.around(between))];
+  }
+}
+
+void linkFirstSides(std::span<const Edge> edges, Links& links) {
+  SideIndex side = 0;
+  for (const Edge& edge : edges) {
+    for (const CircleIndex circle : {edge.left, edge.right}) {
+      if (SideIndex& first = links.firstSide[circle]; first == kNone) first = side;
+      ++side;
+    }
+  }
+}
+
+Links emptyLinks(std::size_t edges, std::size_t vertices, int circleCount) {
+  Links links;
+  links.nextSide.resize(2 * edges);
+  links.vertexSides.resize(vertices);
+  links.firstSide.resize(static_cast<std::size_t>(circleCount));
+  return links;
 }
 
 class DualBuilder {
@@ -80,8 +86,13 @@ class DualBuilder {
       const int face = static_cast<int>(open - dual_.twin.begin()) / 3;
       return Misfit{Flaw::adjacency, kNone, face < vertexCount_ ? face : kNone};
     }
-    if (links != nullptr)
-      *links = linksOf(topology_, dual_, sideOf_, verticesOf(dual_, Threads()), circleCount_, Threads());
+    if (links != nullptr) {
+      *links = emptyLinks(topology_.edges.size(), topology_.vertexCircles.size(), circleCount_);
+      for (int face = 0; face < dual_.faceCount(); ++face) {
+        linkFace(face, face < vertexCount_ ? VertexIndex(face) : VertexIndex(), dual_, sideOf_, *links);
+      }
+      linkFirstSides(topology_.edges, *links);
+    }
     return std::move(dual_);
   }
 
@@ -182,33 +193,48 @@ std::vector<VertexIndex> verticesOf(const Dual& dual, Threads threads) {
 }
 
 Topology topologyOf(const Dual& dual, int circleCount, Links* links, Threads threads) {
+  return topologyOf(dual, verticesOf(dual, threads), circleCount, links, threads);
+}
+
+Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, int circleCount, Links* links,
+                    Threads threads) {
+  const auto isVertex = [](VertexIndex vertex) { return vertex != kNone; };
+  const auto vertexCount = static_cast<std::size_t>(std::count_if(vertexOf.begin(), vertexOf.end(), isVertex));
+  // Each face at infinity follows an edge to there.
+  const std::size_t edgeCount = dual.origin.size() / 2 - (vertexOf.size() - vertexCount);
   Topology topology;
-  const std::vector<VertexIndex> vertexOf = verticesOf(dual, threads);
+  topology.edges.resize(edgeCount);
+  topology.vertexCircles.resize(vertexCount);
   std::vector<SideIndex> sideOf(dual.origin.size());
-  const std::int32_t edgeCount = numbered(
+  numbered(
       sideOf.size(), threads,
       [&](std::size_t i) {
         const int t = dual.twin[i];
         return static_cast<int>(i) < t && dual.origin[i] != kPointAtInfinity && dual.origin[t] != kPointAtInfinity;
       },
       [&](std::size_t i, std::int32_t edge) {
+        const int t = dual.twin[i];
         sideOf[i] = 2 * edge;
-        sideOf[dual.twin[i]] = 2 * edge + 1;
+        sideOf[t] = 2 * edge + 1;
+        topology.edges[edge] = {dual.origin[i], dual.origin[t], vertexOf[t / 3], vertexOf[i / 3]};
       });
-  topology.edges.resize(static_cast<std::size_t>(edgeCount));
-  threads.forEach(sideOf.size(), [&](std::size_t i) {
-    if (sideOf[i] == kNone || sideOf[i] % 2 != 0) return;
-    const int t = dual.twin[i];
-    topology.edges[sideOf[i] / 2] = {dual.origin[i], dual.origin[t], vertexOf[t / 3], vertexOf[i / 3]};
+  if (links != nullptr) *links = emptyLinks(edgeCount, vertexCount, circleCount);
+  threads.forEach(vertexOf.size(), [&](std::size_t i) {
+    const auto face = static_cast<int>(i);
+    if (links != nullptr) linkFace(face, vertexOf[i], dual, sideOf, *links);
+    if (!isVertex(vertexOf[i])) return;
+    // The smallest circle first, so that the triple does not depend on how the face was found.
+    int first = 3 * face;
+    for (int h = 3 * face + 1; h < 3 * face + 3; ++h) {
+      if (dual.origin[h] < dual.origin[first]) first = h;
+    }
+    const auto [a, b, c] = cornersOf(dual, first);
+    topology.vertexCircles[vertexOf[i]] = {a, b, c};
+    if (links == nullptr) return;
+    auto& sides = links->vertexSides[vertexOf[i]];
+    std::rotate(sides.begin(), sides.begin() + first % 3, sides.end());
   });
-  const auto isVertex = [](VertexIndex vertex) { return vertex != kNone; };
-  topology.vertexCircles.resize(static_cast<std::size_t>(std::count_if(vertexOf.begin(), vertexOf.end(), isVertex)));
-  threads.forEach(vertexOf.size(), [&](std::size_t face) {
-    if (!isVertex(vertexOf[face])) return;
-    const auto [i, j, k] = cornersOf(dual, 3 * static_cast<int>(face));
-    topology.vertexCircles[vertexOf[face]] = {i, j, k};
-  });
-  if (links != nullptr) *links = linksOf(topology, dual, sideOf, vertexOf, circleCount, threads);
+  if (links != nullptr) linkFirstSides(topology.edges, *links);
   const auto atInfinity =
       static_cast<int>(std::find_if_not(vertexOf.rbegin(), vertexOf.rend(), isVertex).base() - vertexOf.begin()) - 1;
   if (circleCount == 1) topology.hull.push_back(0);

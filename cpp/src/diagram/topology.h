@@ -20,13 +20,17 @@ struct Topology {
   std::vector<CircleIndex> hull;
 };
 
-/// The finite faces of a dual become the vertices, in their order; its pairs of half-edges between circles become the
-/// edges, and the neighbors of infinity the hull. `circleCount` says what a dual without faces stands for. Fills
-/// `links`, if given.
-Topology topologyOf(const Dual& dual, int circleCount, Links* links = nullptr, Threads threads = Threads());
-
 /// The vertex that each face of a dual is, by its number among the finite ones; kNone if it is none.
 std::vector<VertexIndex> verticesOf(const Dual& dual, Threads threads);
+
+/// The finite faces of a dual become the vertices, in their order and each from its smallest corner on; its pairs of
+/// half-edges between circles become the edges, and the neighbors of infinity the hull. `circleCount` says what a dual
+/// without faces stands for. Fills `links`, if given.
+Topology topologyOf(const Dual& dual, int circleCount, Links* links = nullptr, Threads threads = Threads());
+
+/// The same, given verticesOf(dual).
+Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, int circleCount, Links* links,
+                    Threads threads);
 
 /// Rotates a hull so that it starts with its smallest step: then it does not depend on how it was found.
 void rotateHull(std::vector<CircleIndex>& hull);

@@ -4,11 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "edge_order.h"
-#include "proof.h"
 #include "settle_ties.h"
 #include "wrong_faces.h"
 
@@ -20,23 +18,16 @@ class Flipper {
   Flipper(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher)
       : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()), watcher_(watcher) {}
 
-  Flips run(Threads threads) {
+  Flips run() {
     // Four a circle: no family needs more than three and a bit, and who does gets there by insertion.
     const std::int64_t limit = 1000 + 2 * static_cast<std::int64_t>(dual_.faceCount());
-    orders_.assign(dual_.origin.size(), kUnknownOrder);
-    predicates_.forRanges(threads, orders_.size(),
-                          [&](std::size_t begin, std::size_t end, std::size_t, Predicates& own) {
-                            for (auto h = static_cast<int>(begin); h < static_cast<int>(end); ++h) {
-                              if (h < dual_.twin[h]) look(h, own);
-                            }
-                          });
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
-      if (orders_[first] >= 0 || first > dual_.twin[first]) continue;
+      if (first > dual_.twin[first] || discs_.look(first) == Flaw::none) continue;
       stack_.push_back(first);
       settle(limit);
-      if (flips_ == limit) return {flips_, wrongFaces(discs_), std::move(orders_)};
+      if (flips_ == limit) return {flips_, wrongFaces(discs_)};
     }
-    return {flips_, wrongFaces(discs_, left_), std::move(orders_)};
+    return {flips_, wrongFaces(discs_, left_)};
   }
 
   Flips runFrom(std::span<const int> edges) {
@@ -44,7 +35,7 @@ class Flipper {
     stack_.assign(edges.begin(), edges.end());
     settle(limit);
     left_.insert(left_.end(), stack_.begin(), stack_.end());
-    return {flips_, wrongFaces(discs_, left_), {}};
+    return {flips_, wrongFaces(discs_, left_)};
   }
 
   void runTies(std::span<const int> ties) {
@@ -63,18 +54,6 @@ class Flipper {
     return orderOfEnds(dual_, h, discs_, predicates_) == 0;
   }
 
-  /// What is wrong with an edge. In `run` the order of its ends is recorded, and not found again before a flip.
-  Flaw look(int h, Predicates& predicates) {
-    if (orders_.empty()) return discs_.flawOf(h, predicates);
-    if (orders_[h] == kUnknownOrder) {
-      std::int8_t order = 1;
-      const Flaw flaw = discs_.flawOf(h, predicates, &order);
-      if (flaw != Flaw::none && flaw != Flaw::edgeOutOfOrder) return flaw;
-      orders_[h] = orders_[dual_.twin[h]] = order;
-    }
-    return orders_[h] >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
-  }
-
   /// The ends of an edge and the corners opposite.
   using Quad = std::array<int, 4>;
 
@@ -89,7 +68,7 @@ class Flipper {
     while (!stack_.empty()) {
       const int h = stack_.back();
       stack_.pop_back();
-      const Flaw flaw = look(h, predicates_);
+      const Flaw flaw = discs_.look(h);
       if (flaw == Flaw::none) continue;
       const auto [a, b, c] = cornersOf(dual_, h);
       const Quad quad = {a, b, c, dual_.origin[Dual::previous(dual_.twin[h])]};
@@ -150,7 +129,6 @@ class Flipper {
     discs_.update(h / 3);
     discs_.update(t / 3);
     for (const int changed : {Dual::next(h), h, Dual::previous(h), t, Dual::previous(t)}) {
-      if (!orders_.empty()) orders_[changed] = orders_[dual_.twin[changed]] = kUnknownOrder;
       stack_.push_back(changed);
     }
   }
@@ -162,15 +140,12 @@ class Flipper {
   FaceWatcher* watcher_;
   std::int64_t flips_ = 0;
   std::vector<int> stack_;
-  std::vector<int> left_;            ///< edges that were wrong, but not to be flipped
-  std::vector<std::int8_t> orders_;  ///< as in Proof, while they are known; only in `run`
+  std::vector<int> left_;  ///< edges that were wrong, but not to be flipped
 };
 
 }  // namespace
 
-Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher, Threads threads) {
-  return Flipper(dual, discs, watcher).run(threads);
-}
+Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher) { return Flipper(dual, discs, watcher).run(); }
 
 Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, FaceWatcher& watcher) {
   return Flipper(dual, discs, &watcher).runFrom(edges);

@@ -14,8 +14,7 @@ namespace circle_voronoi {
 /// What flips have done.
 struct Flips {
   std::int64_t count = 0;
-  std::vector<int> wrong;           ///< the faces of the dual that they leave visibly wrong (wrong_faces.h); increasing
-  std::vector<std::int8_t> orders;  ///< of all edges, by `flip` (Proof::orders)
+  std::vector<int> wrong;  ///< the faces of the dual that they leave visibly wrong (wrong_faces.h); increasing
 };
 
 /// Turns a triangulation into the dual of the Voronoi diagram of its circles by flips: every edge whose end vertices
@@ -25,8 +24,7 @@ struct Flips {
 /// wrong as the one that would take its place, they stop. So the result is to be judged.
 ///
 /// `discs` are all the discs of `dual`, before and after. `watcher` is told of each face that changes, if there is one.
-/// `threads` look for the edges that are wrong at first.
-Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher = nullptr, Threads threads = Threads());
+Flips flip(Dual& dual, FaceDiscs& discs, FaceWatcher* watcher = nullptr);
 
 /// The same where only the edges given, by a half-edge each, may be wrong.
 Flips flipFrom(Dual& dual, FaceDiscs& discs, std::span<const int> edges, FaceWatcher& watcher);

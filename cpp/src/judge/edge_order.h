@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "dual.h"
 #include "predicates.h"
 
@@ -12,6 +14,9 @@ inline int fromLarger(const Dual& dual, int h, const Predicates& predicates) {
   return predicates.looksFromFirst(dual.origin[h], dual.origin[t]) ? h : t;
 }
 
+/// Stands for an order of ends that has not been found yet.
+inline constexpr std::int8_t kUnknownOrder = -2;
+
 /// How the discs at the ends of a bounded edge lie along its bisector: 1 in order, 0 the same, -1 out of order. That
 /// they are not out of order is what makes an edge right, for the judge and for those who build. `Discs` gives the disc
 /// of a face by its number.
@@ -19,7 +24,7 @@ inline int fromLarger(const Dual& dual, int h, const Predicates& predicates) {
 /// Seen from the larger circle, counter-clockwise, the face on the right of its half-edge comes before the face on the
 /// left. In order, the turn between the directions to their discs is less than half a turn.
 template <class Discs>
-int orderOfEnds(const Dual& dual, int h, const Discs& discs, Predicates& predicates) {
+[[gnu::always_inline]] inline int orderOfEnds(const Dual& dual, int h, const Discs& discs, Predicates& predicates) {
   const int larger = fromLarger(dual, h, predicates);
   const int t = dual.twin[larger];
   const int from = dual.origin[larger];

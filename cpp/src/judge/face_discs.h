@@ -18,14 +18,33 @@ namespace circle_voronoi {
 /// it in step.
 class FaceDiscs {
  public:
-  /// What is given must outlive this.
+  /// Finds all discs, and the orders of all edges, which `update` alone keeps in step. What is given must outlive this.
   FaceDiscs(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Threads threads = Threads())
-      : circles_(circles), dual_(dual), predicates_(predicates), discs_(dual.faceCount()) {
-    predicates.forRanges(threads, discs_.size(), [&](std::size_t begin, std::size_t end, std::size_t, Predicates& own) {
-      for (std::size_t face = begin; face < end; ++face) {
-        discs_[face] = own.disc(cornersOf(dual, 3 * static_cast<int>(face)));
-      }
-    });
+      : circles_(circles),
+        dual_(dual),
+        predicates_(predicates),
+        discs_(dual.faceCount()),
+        orders_(dual.origin.size(), kUnknownOrder) {
+    // Each edge once both its faces have a disc; between two ranges, once both ranges are done.
+    std::vector<std::vector<int>> across(threads.rangesOf(discs_.size()));
+    predicates.forRanges(threads, discs_.size(),
+                         [&](std::size_t begin, std::size_t end, std::size_t range, Predicates& own) {
+                           for (auto face = static_cast<int>(begin); face < static_cast<int>(end); ++face) {
+                             discs_[face] = own.disc(cornersOf(dual, 3 * face));
+                             for (int t = 3 * face; t < 3 * face + 3; ++t) {
+                               const int h = dual.twin[t];
+                               if (h > t || h < 0) continue;  // an edge may be open
+                               if (h < 3 * static_cast<int>(begin)) {
+                                 across[range].push_back(h);
+                               } else {
+                                 noteOrder(h, own);
+                               }
+                             }
+                           }
+                         });
+    for (const auto& edges : across) {
+      for (const int h : edges) noteOrder(h, predicates);
+    }
   }
 
   std::span<const Circle> circles() const { return circles_; }
@@ -36,6 +55,8 @@ class FaceDiscs {
   void update(int face) {
     if (face == static_cast<int>(discs_.size())) discs_.emplace_back();
     discs_[face] = predicates_.disc(cornersOf(dual_, 3 * face));
+    if (orders_.empty()) return;
+    for (int h = 3 * face; h < 3 * face + 3; ++h) orders_[h] = orders_[dual_.twin[h]] = kUnknownOrder;
   }
 
   /// Notes that a face has no disc, as one with a circle and another that hides it; or one added after the last.
@@ -56,10 +77,22 @@ class FaceDiscs {
 
   std::vector<FaceDisc> take() { return std::move(discs_); }
 
+  /// The orders of all edges (Proof::orders), unknown where a flaw of another kind is.
+  std::vector<std::int8_t> takeOrders() { return std::move(orders_); }
+
   /// The direction from the origin of a half-edge to the disc of its face.
   Vector direction(int h) const {
     const auto [x, y, error] = predicates_.direction(dual_.origin[h], discs_[h / 3]);
     return {x, y};
+  }
+
+  /// The same, which finds the order of the ends of an edge once, until a face beside it changes.
+  Flaw look(int h) {
+    if (orders_.empty()) return flawOf(h);
+    if (orders_[h] == kUnknownOrder) {
+      if (const Flaw flaw = noteOrder(h, predicates_); flaw != Flaw::edgeOutOfOrder) return flaw;
+    }
+    return orders_[h] >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
   }
 
   /// Whether a ray from the center of the origin of a half-edge goes through its sector, between the rays to the discs
@@ -104,6 +137,13 @@ class FaceDiscs {
   }
 
  private:
+  Flaw noteOrder(int h, Predicates& predicates) {
+    std::int8_t order = 1;
+    const Flaw flaw = flawOf(h, predicates, &order);
+    if (flaw == Flaw::none || flaw == Flaw::edgeOutOfOrder) orders_[h] = orders_[dual_.twin[h]] = order;
+    return flaw;
+  }
+
   /// Of the edge h from a circle to infinity, between its neighbors on the hull. Where one of these comes to the right
   /// hull again between the circle and the other, the circle may lie within their tangent line, but then its own
   /// tangent lines are in order.
@@ -122,6 +162,7 @@ class FaceDiscs {
   const Dual& dual_;
   Predicates& predicates_;
   std::vector<FaceDisc> discs_;
+  std::vector<std::int8_t> orders_;
 };
 
 }  // namespace circle_voronoi

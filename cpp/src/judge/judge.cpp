@@ -2,7 +2,6 @@
 #include "judge.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -45,7 +44,6 @@ class Judge {
   struct Findings {
     Verdict verdict;
     std::size_t check = std::numeric_limits<std::size_t>::max();  ///< at which the verdict was found: four a face
-    int hullTurns = 0;
     std::vector<int> ties;
     std::vector<int> across;  ///< half-edges of these faces whose twins are in a range before
   };
@@ -68,7 +66,6 @@ class Judge {
   Verdict checkFaces() {
     proof_.halfEdges.resize(dual_.origin.size());
     proof_.discs.resize(dual_.origin.size() / 3);
-    windings_ = std::vector<std::atomic<int>>(static_cast<std::size_t>(circleCount_));
     const std::size_t faceCount = proof_.discs.size();
     std::vector<Findings> findings(threads_.rangesOf(faceCount));
     predicates_.forRanges(
@@ -88,10 +85,8 @@ class Judge {
     FaceProver prover = proverBy(predicates_);
     for (const Findings& part : findings) {
       for (const int t : part.across) checkEdge(t, prover, all);
-      all.hullTurns += part.hullTurns;
       all.ties.insert(all.ties.end(), part.ties.begin(), part.ties.end());
     }
-    hullWinding_ = all.hullTurns;
     ties_ = std::move(all.ties);
     // In the order of the faces beyond them.
     if (findings.size() > 1) {
@@ -148,8 +143,7 @@ class Judge {
     return kNone;
   }
 
-  /// Whether the ends of an edge, given by its second half, are in order, and how often the two regions beside it pass
-  /// the axis along it. What comes after the first that is wrong is not looked at.
+  /// Proves an edge, given by its second half. What comes after the first that is wrong is not looked at.
   void checkEdge(int t, FaceProver& prover, Findings& found) {
     const std::size_t check = 4 * static_cast<std::size_t>(t / 3) + 1 + static_cast<std::size_t>(t % 3);
     if (check > found.check) return;
@@ -161,23 +155,21 @@ class Judge {
       return;
     }
     if (order == 0) found.ties.push_back(h);
-    noteTurn(h, found);
-    noteTurn(t, found);
-  }
-
-  void noteTurn(int h, Findings& found) {
-    if (!proof_.halfEdges[h].passes) return;
-    windings_[dual_.origin[h]].fetch_add(1, std::memory_order_relaxed);
-    if (!isFinite(dual_.target(h))) ++found.hullTurns;
   }
 
   /// One full turn of every region, and of the hull.
   Verdict checkWindings() const {
-    for (int circle = 0; circle < circleCount_; ++circle) {
-      if (windings_[circle] != 1) return {Flaw::cellNotClosed, circle};
+    std::vector<int> windings(static_cast<std::size_t>(circleCount_));
+    int hullTurns = 0;
+    for (int h = 0; h < dual_.halfEdgeCount(); ++h) {
+      if (!proof_.halfEdges[h].passes) continue;
+      ++windings[dual_.origin[h]];
+      if (!isFinite(dual_.target(h))) ++hullTurns;
     }
-    if (hullWinding_ != 1) return {Flaw::hullNotClosed};
-    return {};
+    for (int circle = 0; circle < circleCount_; ++circle) {
+      if (windings[circle] != 1) return {Flaw::cellNotClosed, circle};
+    }
+    return {hullTurns == 1 ? Flaw::none : Flaw::hullNotClosed};
   }
 
   std::span<const Circle> circles_;
@@ -187,8 +179,6 @@ class Judge {
   int circleCount_;
   bool hasDiscs_;  ///< whether the discs were given
   Proof proof_;
-  std::vector<std::atomic<int>> windings_;  ///< of each circle: how often its region passes the axis
-  int hullWinding_ = 0;
   std::vector<int> ties_;
 };
 

@@ -18,9 +18,6 @@ struct HalfEdgeProof {
   friend bool operator==(const HalfEdgeProof&, const HalfEdgeProof&) = default;
 };
 
-/// Stands for an order of ends that has not been found yet.
-inline constexpr std::int8_t kUnknownOrder = -2;
-
 /// What proves a dual (judge.h). A builder fills in what it finds on its way, and the judge finds the rest.
 struct Proof {
   std::vector<FaceDisc> discs;      ///< of each face

@@ -96,6 +96,7 @@ std::optional<Vertex> Predicates::vertex(const Triple& face, const FaceDisc& dis
     const int corner = disc.origin == i ? 0 : disc.origin == j ? 1 : 2;
     const CornerDisc placed = {{disc.v.x, disc.v.y, disc.w, disc.rho, disc.error}, corner};
     if (const auto vertex = vertexAt(placed, {&circles_[i], &circles_[j], &circles_[k]}, unit)) return vertex;
+    return vertexOfRareDisc(circles_[i], circles_[j], circles_[k], unit);
   }
   return vertexOf(circles_[i], circles_[j], circles_[k], unit);
 }

@@ -40,9 +40,9 @@ std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circ
   const auto& [disc, corner] = placed;
   const Circle& o = *circles[corner];
   // The error of w times the longer side is part of the bound, so w is right to as many bits.
-  const double side =
-      std::max(length(between(o, *circles[(corner + 1) % 3])), length(between(o, *circles[(corner + 2) % 3])));
-  if (!(disc.error <= 0x1p-36 * disc.w * side)) return std::nullopt;
+  const Vector u = between(o, *circles[(corner + 1) % 3]);
+  const Vector v = between(o, *circles[(corner + 2) % 3]);
+  if (!(disc.error * disc.error <= 0x1p-72 * disc.w * disc.w * std::max(dot(u, u), dot(v, v)))) return std::nullopt;
   return Vertex{(o.x + disc.x / disc.w) * unit, (o.y + disc.y / disc.w) * unit, (disc.rho / disc.w - o.r) * unit};
 }
 
@@ -95,6 +95,10 @@ std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c
   if (!mayBeOfShortSides(placed.disc)) {
     if (const auto vertex = vertexAt(placed, {&a, &b, &c}, unit)) return vertex;
   }
+  return vertexOfRareDisc(a, b, c, unit);
+}
+
+std::optional<Vertex> vertexOfRareDisc(const Circle& a, const Circle& b, const Circle& c, double unit) {
   double largest = 0;
   for (const Circle* circle : {&a, &b, &c}) {
     largest = std::max({largest, std::abs(circle->x), std::abs(circle->y), std::abs(circle->r)});

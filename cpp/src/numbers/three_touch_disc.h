@@ -34,6 +34,9 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 /// the same vertex.
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit = 1);
 
+/// The same where the disc in double arithmetic, of circles that are not near one another, is not good enough.
+std::optional<Vertex> vertexOfRareDisc(const Circle& a, const Circle& b, const Circle& c, double unit);
+
 /// The center and the radius of a disc, times `unit`, if its error bound is small enough for that.
 std::optional<Vertex> vertexAt(const CornerDisc& placed, const exact::Face& circles, double unit);
 
