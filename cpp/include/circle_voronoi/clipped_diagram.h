@@ -74,6 +74,7 @@ class ClippedDiagram {
   /// Clips a certified diagram, or one of comparison.h, to a region. Cells are also cut at `maxDistance` from their
   /// circle, if that is given (bufferOutline). The diagram and the region must outlive the result.
   /// Errors: badOption if `maxDistance` is not finite, exceeds kRegionLimit, or is given for Metric::power;
+  /// coordinateTooLarge if coordinates are so far apart that rounding hides how the boundary runs through the diagram;
   /// tooManyCircles if memory runs out; internal.
   static Result<ClippedDiagram> from(const Diagram& diagram, const Region& region,
                                      std::optional<double> maxDistance = {});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "at.h"
+#include "guarded.h"
 #include "in_outline.h"
 
 namespace circle_voronoi {
@@ -42,8 +43,11 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
   const auto isChosen = [&](CircleIndex circle) { return chosen.empty() || chosen[at(circle)] == Place::inside; };
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const SideIndex side = diagram.links.firstSide[i];
-    if (side == kNone || arcs.levelOf(diagram.originOf(side)) <= 0) places_[i] = Place::outside;
+    const std::int32_t level = side == kNone ? 0 : arcs.levelOf(diagram.originOf(side));
+    if (level == 0) places_[i] = Place::outside;
+    if (level < 0 || level > 1) places_[i] = Place::cut;
   }
+  checkLevels();
   into_.reserve(crossings.all.size());
   for (std::size_t c = 0; c < crossings.all.size(); ++c) {
     const CircleIndex cell = cellAfter(crossings.all[c]);
@@ -55,6 +59,21 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
       return std::pair(std::int32_t{a.cell}, a.index) < std::pair(std::int32_t{b.cell}, b.index);
     });
     for (const InCell& one : *list) places_[at(one.cell)] = Place::cut;
+  }
+}
+
+/// A level other than 0 and 1 is right only where the vertex lies on the boundary but for rounding.
+void ClippedDiagram::Parts::checkLevels() const {
+  constexpr double kNearBoundary = 0x1p-36;
+  for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
+    const std::int32_t level = arcs.levelOf(static_cast<std::int32_t>(v));
+    if (level == 0 || level == 1) continue;
+    const Vertex& vertex = diagram.vertices[v];
+    const double near = kNearBoundary * std::max(std::abs(vertex.x), std::abs(vertex.y));
+    if (!region.sidesIn({vertex.x - near, vertex.y - near, vertex.x + near, vertex.y + near}).empty()) continue;
+    throw Refusal{errorWith(ErrorCode::coordinateTooLarge,
+                            "Rounding does not allow to follow the boundary of the region through the diagram, because "
+                            "their coordinates are too far apart.")};
   }
 }
 

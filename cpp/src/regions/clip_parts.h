@@ -102,6 +102,7 @@ class ClippedDiagram::Parts {
   void addChain(std::int32_t first, std::vector<std::uint8_t>& isDone, Loops& loops) const;
   std::int32_t addArcs(std::int32_t crossing, Loops& loops) const;
   SideIndex sideBefore(SideIndex side) const;
+  void checkLevels() const;
   bool hasBorder(CircleIndex circle, std::int32_t layer) const;
 
   std::vector<RegionSideIndex> after_;
