@@ -111,9 +111,9 @@ describe('names of circles', () => {
     ]
     for (const recipe of recipes) {
       expect(sourceOf(nameOf(recipe))).toEqual(recipe)
-      expect((await loadDataSet(nameOf(recipe), async (asked) => Float64Array.of(JSON.stringify(asked).length))).circles).toEqual(
-        Float64Array.of(JSON.stringify(recipe).length),
-      )
+      expect(
+        (await loadDataSet(nameOf(recipe), async (asked) => Float64Array.of(JSON.stringify(asked).length))).circles,
+      ).toEqual(Float64Array.of(JSON.stringify(recipe).length))
     }
     const wrong = [
       'grid:1:1000001',

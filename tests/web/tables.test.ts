@@ -47,8 +47,13 @@ describe('a table', () => {
     })
     expect(circlesFrom(table, columns, true, 'f').circles).toEqual(Float64Array.of(1.5, 2, 1.5, 4, 5, 3))
     const same = { ...columns, r: { all: 0.5 }, name: undefined }
-    expect(circlesFrom(table, same, false, 'f')).toEqual({ circles: Float64Array.of(1.5, 2, 0.5, 4, 5, 0.5), names: undefined })
-    expect(() => circlesFrom(table, { ...columns, r: 0 }, false, 'f')).toThrow('f, row 1: “u” in column n is not a number.')
+    expect(circlesFrom(table, same, false, 'f')).toEqual({
+      circles: Float64Array.of(1.5, 2, 0.5, 4, 5, 0.5),
+      names: undefined,
+    })
+    expect(() => circlesFrom(table, { ...columns, r: 0 }, false, 'f')).toThrow(
+      'f, row 1: “u” in column n is not a number.',
+    )
     expect(() => circlesFrom(rows('a,b,c\n1,2,-3'), { x: 0, y: 1, r: 2, name: undefined }, false, 'f')).toThrow(
       'f, row 1: the radius must not be negative (got -3).',
     )
