@@ -26,6 +26,8 @@ export default [
   wasm('WebAssembly and its glue', '183 kB', 'circle-voronoi'),
   // Of it 13 kB for the exact vertices of power diagrams, also those that are beyond the doubles on the way.
   wasm('The same for comparisons, fetched when asked for', '77 kB', 'circle-voronoi-comparison'),
+  // With the core, the geometry and a sparse Cholesky decomposition.
+  wasm('Regions and fitted areas, fetched when asked for', '300 kB', 'circle-voronoi-regions'),
   // With the judge, the geometry and the streams of the standard library; 3 kB are for layers compiled as one file,
   // 6 for writers that check what they are given.
   wasm('Files, fetched when asked for', '226 kB', 'circle-voronoi-files'),
@@ -47,7 +49,7 @@ export default [
     limit: '261 kB',
     path: ['dist/element/index.js', 'dist/element/painter.js', `${LIB}/generated/circle-voronoi.wasm`],
     // Power diagrams, the player and German are fetched when asked for.
-    ignore: ['./circle-voronoi-comparison-*', './player-*', './german-*'],
+    ignore: ['./circle-voronoi-comparison-*', './circle-voronoi-regions-*', './player-*', './german-*'],
     gzip: true,
     modifyEsbuildConfig: (config) => ({ ...config, format: 'esm', splitting: true, loader: { '.wasm': 'copy' } }),
   },

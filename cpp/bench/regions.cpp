@@ -64,20 +64,20 @@ void benchRegion(const std::string& family, const std::vector<Circle>& circles, 
     return std::abs(sum / region.area() - 1);
   }();
   if (!(error < 1e-12)) std::abort();
-  struct Task {
+  struct Step {
     const char* name;
     std::function<void()> run;
     std::vector<double> seconds = {};
   };
-  std::vector<Task> tasks = {{"compute", [&] { (void)compute(circles); }},
+  std::vector<Step> tasks = {{"compute", [&] { (void)compute(circles); }},
                              {"region", [&] { (void)Region::fromRings(rings); }},
                              {"clip and areas", [&] { (void)ClippedDiagram::from(diagram, region)->areas(); }},
                              {"outlines", [&] { (void)clipped.cells(); }},
                              {"polygons", [&] { (void)clipped.polygons(1e-3 * (maxX - minX)); }}};
   for (int i = 0; i < repetitions; ++i) {
-    for (Task& task : tasks) task.seconds.push_back(processorSeconds(task.run));
+    for (Step& task : tasks) task.seconds.push_back(processorSeconds(task.run));
   }
-  for (const Task& task : tasks) {
+  for (const Step& task : tasks) {
     std::vector<double> ratios;
     for (int k = 0; k < repetitions; ++k) ratios.push_back(task.seconds[k] / tasks[0].seconds[k]);
     std::printf("%-14s %8zu %8zu  %-14s %10.4f %10.2f\n", family.c_str(), circles.size(), sides, task.name,

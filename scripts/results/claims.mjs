@@ -147,7 +147,7 @@ function printedRules({ printed, correctness, trials }) {
     measured: `as printed, and with every pair for a candidate, in ${right.length} of ${disjoint.length} families; in ${worst.length} (${worst.map(({ family }) => family).join(', ')}) no result is right. With the corrected rules ${corrected === 0 ? 'none is wrong' : `${corrected} are wrong`} in any family`,
     outcome: right.length === disjoint.length ? 'yes' : 'no',
     expected: 'no',
-    why: 'Algorithm 3 takes any directed edge between the third pair of circles for the third edge of a three-touch disc. Two circles with a smaller one between them have two Voronoi edges, and the directed edge may be that of the other one: the picture shows what comes of it.',
+    why: 'Algorithm 3 accepts any directed edge between the third pair of circles as the third edge of a three-touch disc. Two circles with a smaller one between them have two Voronoi edges, and the directed edge may belong to the other one. The picture shows the result.',
   }
 }
 

@@ -23,7 +23,7 @@ function picture(name, alt, width) {
 
 /** Pictures beside each other, each with a line below it. */
 function gallery(pictures, width) {
-  const cells = pictures.map(([name, caption]) => `<td>${picture(name, caption, width)}<br>${caption}</td>`)
+  const cells = pictures.map(([name, caption]) => `<td>${picture(name, '', width)}<br>${caption}</td>`)
   return `<table><tr>${cells.join('')}</tr></table>`
 }
 
@@ -47,29 +47,29 @@ function head({ machine }) {
 <!-- Written by \`npm run reproduce\`: change scripts/results, not this page. -->
 # The paper's results, run again
 
-"A dynamic sampling approach towards computing Voronoi diagram of a set of circles" claims a number of things about the
-method that this library started from. \`npm run reproduce\` runs its experiments again and writes this page: beside each
-claim stands what came out, and where it does not hold, why.
+This library started from the method of "A dynamic sampling approach towards computing Voronoi diagram of a set of circles".
+\`npm run reproduce\` runs the experiments of that paper again and writes this page. Beside each claim it gives the measurement, and
+if the claim does not hold, the reason.
 
 | processor | cores | load before | memory | system | compiler | CGAL | Node | commit | run |
 |---|---|---|---|---|---|---|---|---|---|
 | ${machine.processor} | ${machine.cores} | ${machine.load} | ${machine.memory} GB | ${machine.system} | ${machine.compiler} | ${machine.cgal} | ${machine.node} | ${machine.commit} | ${machine.date}, ${machine.mode} |
 
-Random inputs have the seeds from 1 on: counts and pictures are the same on every machine, times are not. A load
-other than 0 says how many other programs wanted the processor: then ratios are what can be believed of the times.`
+Random inputs have the seeds 1, 2 and so on, so counts and pictures are the same on every machine. Times are not. A load above 0
+means that other programs used the processor too: then trust the ratios of times, not the times.`
 }
 
 function method() {
   return `## The method in a few words
 
-The **Voronoi diagram of circles** gives each circle the region of the plane that is nearer to it than to any other. The
-paper finds it by discs that touch circles from outside and meet none: the center of one that touches two is on an edge of the
-diagram, of one that touches three it is a vertex.
+The **Voronoi diagram of circles** gives each circle the region of the plane that is nearer to it than to any other circle. The
+paper finds it with discs that touch circles from outside and meet no other circle. The center of a disc that touches two circles
+is on an edge of the diagram. The center of a disc that touches three circles is a vertex.
 
-- The **antipodal disc** of two circles is the smallest that touches both. If it is *empty*, an edge passes through its center,
-  and the method starts there, with two **directed edges**: one for each way along that edge.
-- Discs are taken in the order of their radii. Two directed edges that meet at a circle may form a **three-touch disc**. When
-  the turn of that comes and they are still there, its center is a vertex: the edges end in it, and a new one may begin.
+- The **antipodal disc** of two circles is the smallest disc that touches both. If it is *empty*, an edge passes through its center.
+  The method starts there with two **directed edges**, one for each way along that edge.
+- Discs are taken in the order of their radii. Two directed edges that meet at a circle may form a **three-touch disc**. If
+  both are still there when its turn comes, its center is a vertex: the edges end there, and a new edge may begin.
 - Trying all pairs of circles takes too long. So sample points are put on the circles, and a pair gets an antipodal disc
   only if samples of the two are neighbors in the Delaunay graph of all samples. **Uniform sampling** puts m points on each
   circle. **Dynamic sampling**, the paper's idea, puts one towards each neighbor in the Delaunay graph of the *centers*, and N_s
@@ -145,7 +145,7 @@ ${gallery(
   380,
 )}
 
-Of the circle on the right, of radius 600, only the rim is seen. It is a neighbor of the one on the left, and many steps away
+The circle on the right has radius 600, so you see only its rim. It is a neighbor of the circle on the left, but many steps away
 from it in the graph. The paper gives no coordinates; these circles are like those of its figure.
 
 ${block(claims.threeSamples)}
@@ -207,9 +207,9 @@ ${gallery(
 
 The smallest counterexample of this run, of the family ${family}: ${circles.length} circles, ${circles.map(([x, y, r]) => `(${[x, y, r].map((value) => fixed(value, 3)).join(', ')})`).join(', ')}. The small
 circle has a cell of its own between the two others, whose edge therefore has two parts that go to infinity. The printed rules
-take the directed edge of the one for that of the other, and join the two vertices by a segment that is none.
+mistake the directed edge of one part for that of the other, and join the two vertices by a segment that is no edge.
 
-Where the text of the algorithms leaves a choice, it was made in their favour: \`cpp/printed/printed_algorithm.h\` says how.
+Where the text of the algorithms leaves a choice, we chose in their favor: \`cpp/printed/printed_algorithm.h\` says how.
 
 ${block(claims.exactness)}
 

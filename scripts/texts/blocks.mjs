@@ -26,7 +26,8 @@ export function blockRenderer(made) {
   function figure(spec, inline, more = '') {
     const { name, caption, layers = {}, sliders = [], hasCounts, stepsBetween } = spec
     const steps = stepsBetween === undefined ? '' : ` data-steps="${stepsBetween.join(' ')}"`
-    return `<figure id="${name}"${more}${layers.samples ? ' data-rims' : ''}${steps}>
+    const isPale = layers.samples || layers.sampleGraph || layers.delaunay
+    return `<figure id="${name}"${isPale ? ' class="pale"' : ''}${more}${layers.samples ? ' data-rims' : ''}${steps}>
 ${more === '' ? element(spec) : `<div class="numbered">${element(spec)}</div>`}
 ${sliders.map((slider) => range(name, slider, inline)).join('')}${hasCounts ? '<p><output class="counts"></output></p>\n' : ''}<figcaption>${inline(caption)} ${links(spec, inline)}</figcaption>
 </figure>

@@ -64,8 +64,8 @@ export async function buildGallery(site) {
   mkdirSync(`${site}/docs/examples`, { recursive: true })
   const parts = examples.map((example, k) => `${placeOfParent(examples, k)}${partOf(example, site)}`)
   return `<h1>Examples</h1>
-<p>Small pages and programs that use the library: they are in the folder <code>examples</code> of the repository. Pages can be
-tried here; below each stands its source.</p>
+<p>Small pages and programs that use the library. You can run the pages here, and the source is below each one. The folder
+<code>examples</code> of the repository contains all of them. The <a href="cookbook.html">cookbook</a> has shorter recipes.</p>
 ${parts.join('\n')}`
 }
 
@@ -130,7 +130,7 @@ function partOf({ folder, files, about, isLive }, site) {
     .filter((path) => path !== `${folder}/CMakeLists.txt` && existsSync(`${EXAMPLES}/${path}`))
     .map(
       (path) =>
-        `<p>What <code>${basename(path, '.txt')}</code> prints begins with:</p>\n${code(`${EXAMPLES}/${path}`)}`,
+        `<p>The first lines that <code>${basename(path, '.txt')}</code> prints:</p>\n${code(`${EXAMPLES}/${path}`)}`,
     )
   return `<h2 id="${slugOf(folder)}">${folder}</h2>
 <p>${escaped(about)}</p>

@@ -22,6 +22,7 @@ export function renderMarkdown(markdown, { block, link = (address) => address } 
   const md = new MarkdownIt({ html: true }).use(definitions)
   if (block !== undefined) md.use(mathematics)
   const inline = (text) => md.renderInline(text)
+  const { escapeHtml } = md.utils
   const { fence, link_open: linkOpen = plain, image } = md.renderer.rules
   md.renderer.rules.fence = (tokens, i, ...rest) => {
     const { info, content } = tokens[i]
@@ -33,7 +34,14 @@ export function renderMarkdown(markdown, { block, link = (address) => address } 
   }
   md.renderer.rules.code_block = (tokens, i) => {
     const { content } = tokens[i]
-    return `${opened(content)}<code>${md.utils.escapeHtml(content)}</code></pre>\n`
+    const listed = listOf(content)
+    if (listed !== undefined) {
+      const items = listed.map(
+        ([name, about]) => `<dt><code>${escapeHtml(name)}</code></dt><dd>${escapeHtml(about)}</dd>`,
+      )
+      return `<dl class="listed">\n${items.join('\n')}\n</dl>\n`
+    }
+    return `${opened(content)}<code>${escapeHtml(content)}</code></pre>\n`
   }
   md.renderer.rules.link_open = (tokens, i, ...rest) => {
     tokens[i].attrSet('href', link(tokens[i].attrGet('href')))
@@ -66,9 +74,23 @@ function plain(tokens, i, options, _, self) {
   return self.renderToken(tokens, i, options)
 }
 
+/** Commands or folders, each with what it is: in two columns, where the second one may go on in the next line. */
+function listOf(content) {
+  const items = []
+  for (const line of content.trimEnd().split('\n')) {
+    const [, name, about] = /^(\S(?:.*?\S)?) {2,}(\S.*)$/.exec(line) ?? []
+    const more = /^ {6,}(\S.*)$/.exec(line)?.[1]
+    if (/[─│┐└"]/.test(line)) return undefined
+    if (name !== undefined) items.push([name, about])
+    else if (more !== undefined && items.length > 0) items.at(-1)[1] += ` ${more}`
+    else items.push([line.trim(), ''])
+  }
+  return items.some(([, about]) => about !== '') ? items : undefined
+}
+
 /** Lines of code may be broken. What is drawn with characters stays as it is, and can be scrolled by keys where it is too wide. */
 function opened(content) {
-  return /[─│┐└]|\S {3,}\S/.test(content) ? '<pre class="drawn" tabindex="0">' : '<pre>'
+  return /[─│┐└]/.test(content) ? '<pre class="drawn" tabindex="0">' : '<pre>'
 }
 
 function relinked(html, link) {

@@ -70,6 +70,7 @@ ${items(others)}
 </ul>
 </nav>
 `
+  const contents = isOpen ? '' : tableOfContents(html)
   return `<a class="skip" href="#text">Skip to the text</a>
 <header>
 <a class="brand" href="../">circle-voronoi</a>
@@ -77,8 +78,8 @@ ${items(others)}
 <search><form class="search"><input type="search" name="q" autocomplete="off" aria-label="Search" placeholder="Search"></form><ol class="found" aria-live="polite" hidden></ol></search>
 </header>
 <div class="columns${isOpen ? ' open' : ''}">
-${isOpen ? '' : `${pages}${tableOfContents(html)}`}<main id="text">
-${html}
+${isOpen ? '' : `${pages}${contents === '' ? '' : `<nav class="toc" aria-labelledby="toc"><p id="toc">On this page</p>\n${contents}</nav>\n`}`}<main id="text">
+${contents === '' ? html : withContents(html, contents)}
 ${
   isChapter
     ? `<nav class="turn" aria-label="Next and previous chapter">
@@ -99,12 +100,13 @@ function tableOfContents(html) {
   const items = headings.map(
     ({ level, id, title }) => `<li${level === 3 ? ' class="deep"' : ''}><a href="#${id}">${escaped(title)}</a></li>`,
   )
-  return `<nav class="toc" aria-labelledby="toc"><p id="toc">On this page</p>
-<ul>
-${items.join('\n')}
-</ul>
-</nav>
-`
+  return `<ul>\n${items.join('\n')}\n</ul>\n`
+}
+
+/** Where the window has no room beside the text, they are below the title, folded. */
+function withContents(html, contents) {
+  const folded = `<details class="toc-folded"><summary>On this page</summary>\n${contents}</details>`
+  return html.replace('</h1>', () => `</h1>\n${folded}`)
 }
 
 /** From another page of its folder. A folder has one address, which is what is kept for when there is no network. */

@@ -25,14 +25,17 @@ svg { background: var(--paper); }
 .c4 { fill: var(--c4); }
 .c5 { fill: var(--c5); }
 .lines { fill: none; stroke-width: 1.25; }
-.delaunay, .steps { stroke: var(--c5); }
-.steps { stroke-width: 3; }
+.delaunay { stroke: var(--c1); }
+.steps { stroke: #c2185b; stroke-width: 2; }
 .sampleGraph, .rims { stroke: var(--ink-3); }
 .samples { fill: var(--c3); }
 .antipodalDiscs { stroke: var(--good); }
 .directedEdges { stroke: var(--bad); }
 .missedEdges { stroke: var(--bad); stroke-width: 3; }
 `
+
+/** Below what is drawn above them discs are pale. */
+const PALE = '.circles > * { fill: color-mix(in srgb, var(--c0) 32%, var(--paper)); }\n'
 
 /**
  * @param {import('../../dist/lib/index.js').CircleVoronoi} library
@@ -47,6 +50,7 @@ export function posterMaker(library, { colorsOf, extrasOf }) {
     const left = [...ASKED_FOR, ...USUAL]
       .filter((name) => layers[name] !== true && (ASKED_FOR.includes(name) || layers[name] === false))
       .reduce((rest, name) => rest.replace(new RegExp(`<g id="${name}"[\\s\\S]*?</g>\n`), ''), svg)
+    const isPale = layers.samples || layers.sampleGraph || layers.delaunay
     const isPlain = layers.cells === 'none'
     const colored = left
       .replace(/<path data-circle="(\d+)"/g, (all, i) => (isPlain ? all : `<path class="c${colors[i]}"`))
@@ -56,7 +60,7 @@ export function posterMaker(library, { colorsOf, extrasOf }) {
       )
     const more = extraLayers(library, diagram, layers, stepsBetween, extrasOf)
     return colored
-      .replace('</style>', `${tokens}${STYLE.trimStart()}</style>`)
+      .replace('</style>', `${tokens}${STYLE.trimStart()}${isPale ? PALE : ''}</style>`)
       .replace(/<\/g>\s*<\/svg>\s*$/, `${more}</g>\n</svg>\n`)
   }
 }

@@ -23,7 +23,9 @@ export async function loadPrinted(library) {
   })
   const { loadPrintedRules, compare, sentenceOf, lookAt, pictureOf } = await import(pathToFileURL(BUNDLE).href)
   const printed = await loadPrintedRules(readFileSync(`${ROOT}web/tutorial/generated/printed.wasm`))
-  const style = readFileSync(`${ROOT}web/tutorial/printed.css`, 'utf8')
+  const style = ['style/tokens.css', 'tutorial/printed.css']
+    .map((name) => readFileSync(`${ROOT}web/${name}`, 'utf8'))
+    .join('\n')
 
   return (circles, { rules, view }) => {
     const coordinates = Float64Array.from(circles.flat())
@@ -32,7 +34,6 @@ export async function loadPrinted(library) {
     const camera = lookAt(coordinates, view && { x, y, span }, SIZE)
     const { viewBox, content } = pictureOf(coordinates, comparison, camera, SIZE)
     const svg = `<svg xmlns="http://www.w3.org/2000/svg" class="printed" viewBox="${viewBox}"><style>
-svg { color-scheme: light dark; }
 ${style}</style>${content}</svg>
 `
     return { svg, sentence: sentenceOf(comparison) }

@@ -15,11 +15,13 @@ export function headingsOf(html) {
 }
 
 /**
- * @param {string} html
+ * @param {string} page
  * @returns {{ id: string, heading: string, text: string }[]} the text before the first heading that can be linked to, with an
  *   empty id and heading, then the text below each of these headings
  */
-export function sectionsOf(html) {
+export function sectionsOf(page) {
+  // Whole sources, and the buttons of examples, are no text.
+  const html = page.replace(/<details id="[^"]*">[\s\S]*?<\/details>|<figure class="example"[\s\S]*?<\/figure>/g, ' ')
   const marks = [...html.matchAll(HEADING)].filter(([, level, id]) => level === '1' || id)
   const starts = [{ id: '', heading: '', from: 0 }]
   for (const { 0: whole, 1: level, 2: id, 3: inner, index } of marks) {

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <array>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <random>
-#include <set>
 #include <tuple>
 
 #include "circle_voronoi/comparison.h"
@@ -138,6 +139,255 @@ TEST(ClippedDiagram, ContainsWhatIsInTheRegionAndNearest) {
       EXPECT_EQ(isInside, region.contains(p)) << p.x << " " << p.y << " in " << nearest;
     }
   });
+}
+
+TEST(ClippedDiagram, AConvexRegionGivesWhatClippingToAConvexPolygonDoes) {
+  std::mt19937_64 random(seedOr(32));
+  const std::vector<ConvexPolygon> polygons = {
+      ConvexPolygon::from(Box{0.1, 0.2, 0.7, 0.9}).value(),
+      ConvexPolygon::from(std::vector<Point>{{-0.2, 0.4}, {0.5, -0.3}, {1.1, 0.2}, {0.8, 1.2}}).value()};
+  for (const auto& [name, circles] : inputs(random)) {
+    if (name == "grid" || name == "far from the origin") continue;
+    for (const Metric metric : {Metric::circles, Metric::centers, Metric::power}) {
+      const Diagram diagram = computeComparison(circles, metric).value();
+      for (const ConvexPolygon& polygon : polygons) {
+        SCOPED_TRACE(name + ", " + std::string(metricName(metric)));
+        const Region region = Region::from(polygon).value();
+        const ClippedDiagram clipped = ClippedDiagram::from(diagram, region).value();
+        const auto areas = clipped.areas();
+        const auto perimeters = clipped.perimeters();
+        const auto centroids = clipped.centroids();
+        for (std::size_t i = 0; i < circles.size(); ++i) {
+          const Outline expected = outline(diagram, static_cast<std::int32_t>(i), polygon);
+          EXPECT_NEAR(areas[i], area(expected), 1e-13);
+          EXPECT_NEAR(perimeters[i], perimeter(expected), 1e-11);
+          EXPECT_EQ(clipped.outline(static_cast<std::int32_t>(i)).size(), expected.size());
+          if (areas[i] < 1e-6) continue;
+          EXPECT_NEAR(centroids[i].x, centroid(expected).x, 1e-9);
+          EXPECT_NEAR(centroids[i].y, centroid(expected).y, 1e-9);
+        }
+        for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+          const auto expected = clip(edgeCurve(diagram, e), polygon);
+          const auto parts = clipped.edgeParts(e);
+          ASSERT_EQ(parts.size(), expected.size());
+          for (std::size_t k = 0; k < parts.size(); ++k) {
+            EXPECT_NEAR(parts[k].start.x, expected[k].start.x, 1e-12);
+            EXPECT_NEAR(parts[k].end.y, expected[k].end.y, 1e-12);
+          }
+        }
+        if (metric != Metric::circles) continue;
+        EXPECT_NEAR(clipped.largestEmptyDisc()->disc.r, largestEmptyDiscCenteredIn(diagram, polygon)->disc.r, 1e-13);
+      }
+    }
+  }
+}
+
+TEST(ClippedDiagram, ARegionAndItsComplementAddUp) {
+  std::mt19937_64 random(seedOr(33));
+  const Region::Ring box = {{-0.5, -0.5}, {1.5, -0.5}, {1.5, 1.5}, {-0.5, 1.5}};
+  for (const auto& [name, circles] : inputs(random)) {
+    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const Region::Ring star = test::starRing(random, {0.5, 0.5}, 0.1, 0.9, 50);
+    const Region whole = Region::fromRings(std::vector<Region::Ring>{box}).value();
+    const Region inside = Region::fromRings(std::vector<Region::Ring>{star}).value();
+    const Region outside = Region::fromRings(std::vector<Region::Ring>{box, star}).value();
+    const auto areasIn = [&](const Region& region) { return ClippedDiagram::from(diagram, region)->areas(); };
+    const auto all = areasIn(whole);
+    const auto parts = areasIn(inside);
+    const auto rest = areasIn(outside);
+    for (std::size_t i = 0; i < circles.size(); ++i) EXPECT_NEAR(parts[i] + rest[i], all[i], 1e-13) << name;
+  }
+}
+
+TEST(ClippedDiagram, NeighborsShareAnEdgeInTheRegion) {
+  const Diagram diagram = computeComparison(std::vector<Circle>{{0, 0, 1}, {4, 0, 1}, {2, 3, 1}}, Metric::circles).value();
+  const Region all = Region::from(Box{-9, -9, 9, 9}).value();
+  EXPECT_EQ(ClippedDiagram::from(diagram, all)->neighbors(0).size(), 2U);
+  // Below the vertex only the edge of the first two circles is left, and in a hole of the region none.
+  const Region below = Region::from(Box{-1, -5, 5, 0}).value();
+  EXPECT_EQ(ClippedDiagram::from(diagram, below)->neighbors(0), std::vector<CircleIndex>{1});
+  EXPECT_TRUE(ClippedDiagram::from(diagram, below)->neighbors(2).empty());
+  const Region ring = Region::fromRings(std::vector<Region::Ring>{{{-1, -5}, {1.9, -5}, {1.9, 0}, {-1, 0}},
+                                                                  {{2.1, -5}, {5, -5}, {5, 0}, {2.1, 0}}})
+                          .value();
+  EXPECT_TRUE(ClippedDiagram::from(diagram, ring)->neighbors(0).empty());
+}
+
+TEST(ClippedDiagram, MaxDistanceAndRegionAreWhatSamplesSay) {
+  std::mt19937_64 random(seedOr(34));
+  std::uniform_real_distribution<double> unit(-0.2, 1.2);
+  for (const auto& [name, circles] : inputs(random)) {
+    if (name == "grid" || name == "grid of two sizes" || name == "far from the origin") continue;
+    for (const Metric metric : {Metric::circles, Metric::centers}) {
+      const Diagram diagram = computeComparison(circles, metric).value();
+      const Finder finder(diagram);
+      const Region region =
+          Region::fromRings(std::vector<Region::Ring>{test::starRing(random, {0.5, 0.5}, 0.3, 0.8, 40),
+                                                      test::starRing(random, {0.5, 0.5}, 0.02, 0.2, 11)})
+              .value();
+      for (const double distance : {0.02, 0.1, 0.3, 5.0}) {
+        SCOPED_TRACE(name + ", " + std::string(metricName(metric)) + ", " + std::to_string(distance));
+        const ClippedDiagram clipped = ClippedDiagram::from(diagram, region, distance).value();
+        std::vector<Outline> outlines;
+        for (std::size_t i = 0; i < circles.size(); ++i) {
+          outlines.push_back(clipped.outline(static_cast<std::int32_t>(i)));
+          for (const auto& loop : outlines.back()) {
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+              EXPECT_EQ(loop[k].curve.end, loop[(k + 1) % loop.size()].curve.start);
+            }
+          }
+        }
+        for (int k = 0; k < 200; ++k) {
+          const Point p = {unit(random), unit(random)};
+          const CircleIndex nearest = finder.find(p);
+          const double gap = distanceFrom(diagram, nearest, p) - distance;
+          double least = std::abs(gap);
+          for (const SideIndex side : diagram.sides(nearest)) {
+            least = std::min(least, lead(diagram, nearest, diagram.neighborOf(side), p));
+          }
+          if (least < 1e-9) continue;
+          bool isInside = false;
+          for (const auto& loop : outlines[static_cast<std::size_t>(nearest)]) isInside ^= hasInLoop(loop, p);
+          EXPECT_EQ(isInside, gap < 0 && region.contains(p)) << p.x << " " << p.y << " in " << nearest;
+        }
+        if (distance < 5) continue;
+        const auto near = clipped.areas();
+        const auto all = ClippedDiagram::from(diagram, region)->areas();
+        for (std::size_t i = 0; i < circles.size(); ++i) EXPECT_NEAR(near[i], all[i], 1e-13);
+      }
+    }
+  }
+}
+
+TEST(ClippedDiagram, FlatArraysAreTheOutlines) {
+  std::mt19937_64 random(seedOr(35));
+  const auto circles = inputs(random)[1].second;
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Region region = Region::fromRings(std::vector<Region::Ring>{test::starRing(random, {0.5, 0.5}, 0.1, 0.6, 40),
+                                                                    test::starRing(random, {0.5, 0.5}, 0.001, 0.01, 5)})
+                            .value();
+  for (const std::optional<double> distance : {std::optional<double>(), std::optional<double>(0.05)}) {
+    const ClippedDiagram clipped = ClippedDiagram::from(diagram, region, distance).value();
+    const ClippedCells cells = clipped.cells();
+    ASSERT_EQ(cells.loopOffsets.size(), circles.size() + 1);
+    std::size_t piece = 0;
+    std::size_t loop = 0;
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      const Outline expected = clipped.outline(static_cast<std::int32_t>(i));
+      ASSERT_EQ(static_cast<std::size_t>(cells.loopOffsets[i + 1] - cells.loopOffsets[i]), expected.size());
+      for (const auto& pieces : expected) {
+        EXPECT_EQ(cells.isHole[loop++] != 0, area({pieces}) < 0);
+        for (const OutlinePiece& one : pieces) {
+          EXPECT_EQ(cells.x[piece], one.curve.start.x);
+          EXPECT_EQ(cells.y[piece], one.curve.start.y);
+          EXPECT_EQ(cells.side[piece], one.side);
+          EXPECT_EQ(cells.regionSide[piece], one.regionSide);
+          EXPECT_EQ(cells.r[piece], one.r);
+          ++piece;
+        }
+        EXPECT_EQ(cells.pieceOffsets[loop], static_cast<std::int32_t>(piece));
+      }
+    }
+    const ClippedCells some = clipped.cells(std::vector<CircleIndex>{7, 3});
+    EXPECT_EQ(some.loopOffsets.size(), 3U);
+    EXPECT_EQ(some.loopOffsets[1], cells.loopOffsets[8] - cells.loopOffsets[7]);
+    const ClippedEdges edges = clipped.edges();
+    std::size_t row = 0;
+    for (EdgeIndex e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+      for (const EdgeCurve& part : clipped.edgeParts(e)) {
+        EXPECT_EQ(edges.edge[row], e);
+        EXPECT_EQ(edges.start[row], part.start);
+        EXPECT_EQ(edges.end[row], part.end);
+        EXPECT_EQ(edges.from[row], part.from);
+        EXPECT_EQ(edges.to[row], part.to);
+        ++row;
+      }
+    }
+    EXPECT_EQ(edges.edge.size(), row);
+  }
+}
+
+/// Whether outlines have the same pieces to the bit, from whichever piece their loops begin.
+bool areSame(const Outline& a, const Outline& b) {
+  const auto keysOf = [](const Outline& outline) {
+    std::vector<std::tuple<double, double, double, double, std::int32_t, std::int32_t>> keys;
+    for (const auto& loop : outline) {
+      for (const OutlinePiece& piece : loop) {
+        keys.emplace_back(piece.curve.start.x, piece.curve.start.y, piece.curve.end.x, piece.curve.end.y, piece.side,
+                          piece.regionSide);
+      }
+    }
+    std::ranges::sort(keys);
+    return keys;
+  };
+  return a.size() == b.size() && keysOf(a) == keysOf(b);
+}
+
+TEST(ClippedDiagram, SomeCellsAreClippedAsAllAre) {
+  std::mt19937_64 random(seedOr(36));
+  for (const auto& [name, circles] : inputs(random)) {
+    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const std::vector<std::vector<Region::Ring>> shapes = {
+        {test::starRing(random, {0.5, 0.5}, 0.1, 0.7, 60), test::starRing(random, {0.5, 0.5}, 0.02, 0.09, 11)},
+        {test::coastRing(random, {0.4, 0.5}, 0.4, 2000)},
+        {test::combRing({0.1, 0.1, 0.9, 0.9}, 20)},
+        {test::starRing(random, {0.3, 0.4}, 1e-4, 1e-3, 20)}};
+    for (const auto& rings : shapes) {
+      const Region region = Region::fromRings(rings).value();
+      const ClippedDiagram all = ClippedDiagram::from(diagram, region).value();
+      const std::vector<double> areas = all.areas();
+      std::uniform_int_distribution<std::int32_t> pick(0, static_cast<std::int32_t>(circles.size()) - 1);
+      for (int trial = 0; trial < 12; ++trial) {
+        std::vector<CircleIndex> some;
+        for (int k = 0; k <= trial; ++k) some.push_back(pick(random));
+        for (int k = 0; k < 3 && trial % 2 == 0; ++k) {
+          for (const CircleIndex neighbor : neighbors(diagram, some[static_cast<std::size_t>(k) % some.size()])) {
+            some.push_back(neighbor);
+          }
+        }
+        const auto clipped = ClippedDiagram::ofCells(diagram, region, some);
+        ASSERT_TRUE(clipped) << name << ": " << clipped.error().message;
+        const std::vector<double> theirs = clipped->areas();
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles.size()); ++i) {
+          const bool isChosen = std::ranges::find(some, i) != some.end();
+          if (!isChosen) {
+            EXPECT_EQ(clipped->placeOf(i), ClippedDiagram::Place::outside);
+            continue;
+          }
+          EXPECT_TRUE(areSame(clipped->outline(i), all.outline(i))) << name << ", cell " << i;
+          EXPECT_NEAR(theirs[static_cast<std::size_t>(i)], areas[static_cast<std::size_t>(i)], 1e-13) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(ClippedDiagram, SomeCellsOfHardRegions) {
+  forHardRegions([](const Diagram& diagram, const Region& region, const ClippedDiagram& clipped) {
+    std::vector<CircleIndex> some;
+    for (std::size_t i = 0; i < diagram.circles.size(); i += 3) some.push_back(static_cast<std::int32_t>(i));
+    const auto theirs = ClippedDiagram::ofCells(diagram, region, some);
+    ASSERT_TRUE(theirs) << theirs.error().message;
+    const std::vector<double> areas = clipped.areas();
+    const std::vector<double> partial = theirs->areas();
+    const Box box = region.bounds();
+    const double farthest = std::max({std::abs(box.minX), std::abs(box.minY), std::abs(box.maxX), std::abs(box.maxY)});
+    for (std::size_t i = 0; i < areas.size(); i += 3) {
+      EXPECT_NEAR(partial[i], areas[i], 1e-13 * farthest * region.perimeter()) << "cell " << i;
+    }
+  });
+}
+
+TEST(ClippedDiagram, RefusesWhatItCannotDo) {
+  const std::vector<Circle> circles = {{0, 0, 1}, {4, 0, 1}};
+  const Diagram diagram = computeComparison(circles, Metric::circles).value();
+  const Diagram power = computeComparison(circles, Metric::power).value();
+  const Region region = Region::from(Box{0, 0, 1, 1}).value();
+  EXPECT_EQ(ClippedDiagram::from(diagram, region, 1e153).error().code, ErrorCode::badOption);
+  EXPECT_EQ(ClippedDiagram::from(power, region, 1).error().message, "A power diagram has no maximum distance.");
+  const Diagram none = computeComparison(std::vector<Circle>{}, Metric::circles).value();
+  EXPECT_TRUE(ClippedDiagram::from(none, region)->areas().empty());
+  EXPECT_FALSE(ClippedDiagram::from(none, region)->largestEmptyDisc());
 }
 
 }  // namespace

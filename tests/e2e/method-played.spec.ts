@@ -81,7 +81,7 @@ test.describe('on a phone', () => {
     const player = page.getByRole('region', { name: 'The method, step by step' })
     await app.openPanel('Play the method')
     await expect(player.locator('.sentence')).toHaveText('There are 678 circles.')
-    await player.getByRole('button', { name: 'One step', exact: true }).tap()
+    await player.getByRole('button', { name: 'Next step', exact: true }).tap()
     await expect(player.locator('.sentence')).toContainText('The Delaunay graph of the centers')
     const { x, y, width, height } = (await player.boundingBox()) as {
       x: number

@@ -29,15 +29,15 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   expect(await stepOf(page)).toBe(0)
 
   // To the next vertex and back; the list begins with the disc that is taken.
-  await page.getByRole('combobox', { name: 'What to go to' }).selectOption('vertex')
-  await page.getByRole('button', { name: 'On to the next one' }).click()
+  await page.getByRole('combobox', { name: 'Jump to' }).selectOption('vertex')
+  await page.getByRole('button', { name: 'Next match' }).click()
   await expect(sentence).toContainText('is a vertex')
   const vertex = await stepOf(page)
-  await page.getByRole('button', { name: 'One step back' }).click()
+  await page.getByRole('button', { name: 'Previous step' }).click()
   await expect(sentence).toContainText('Are its directed edges still there?')
 
   // A breakpoint ends playing.
-  await page.getByRole('button', { name: 'Stop here when playing' }).click()
+  await page.getByRole('button', { name: 'Breakpoint: stop here when playing' }).click()
   await page.evaluate((step) => playing.player.stepTo(step - 4), vertex)
   await page.getByRole('combobox', { name: 'Speed' }).selectOption('30 / s')
   await page.getByRole('button', { name: 'Play', exact: true }).click()
@@ -45,10 +45,10 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   expect(await stepOf(page)).toBe(vertex - 1)
 
   // The reader predicts: an answer is followed by what happens.
-  await page.getByRole('button', { name: 'Ask me what happens next' }).click()
+  await page.getByRole('button', { name: 'Quiz: ask me before each step what happens next' }).click()
   await expect(page.getByRole('group', { name: 'What happens next?' })).toContainText('Which directed edges')
   await page
-    .getByRole('button', { name: /edge.* go, one comes|Three edges go/ })
+    .getByRole('button', { name: /edges end, one begins|Three edges end/ })
     .first()
     .click()
   await expect(page.locator('.question')).toContainText(/^\s*(Right\.|No: .*\.) [01] of 1 right so far\./)
@@ -57,8 +57,8 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   // The ring of the selected circle, and its steps.
   await page.evaluate(() => playing.view.select(4))
   await expect(page.getByRole('img', { name: /^Around circle 4: / })).toBeVisible()
-  await page.getByRole('combobox', { name: 'What to go to' }).selectOption('selected')
-  await page.getByRole('button', { name: 'Back to the last one' }).click()
+  await page.getByRole('combobox', { name: 'Jump to' }).selectOption('selected')
+  await page.getByRole('button', { name: 'Previous match' }).click()
   await expect(sentence).toContainText('4')
   const { violations } = await new AxeBuilder({ page }).include('#player').analyze()
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([])
@@ -75,7 +75,7 @@ test('plays from the start once the end is reached', async ({ opened: page }) =>
 })
 
 test('stops nowhere in the trace of edited circles, whose steps are others', async ({ opened: page }) => {
-  const stop = page.getByRole('button', { name: 'Stop here when playing' })
+  const stop = page.getByRole('button', { name: 'Breakpoint: stop here when playing' })
   await page.evaluate(() => playing.player.stepTo(3))
   await stop.click()
   await expect(stop).toHaveAttribute('aria-pressed', 'true')
@@ -89,15 +89,15 @@ test('stops nowhere in the trace of edited circles, whose steps are others', asy
 test('a button that has nothing left to do gives the focus to the slider', async ({ opened: page }) => {
   const slider = page.getByRole('slider', { name: 'Step' })
   await page.evaluate(() => playing.player.stepTo(1))
-  await page.getByRole('button', { name: 'One step back' }).click()
+  await page.getByRole('button', { name: 'Previous step' }).click()
   expect(await stepOf(page)).toBe(0)
   await expect(slider).toBeFocused()
   await page.evaluate(() => playing.player.stepTo(playing.player.steps - 2))
-  await page.getByRole('button', { name: 'One step', exact: true }).press('Enter')
+  await page.getByRole('button', { name: 'Next step', exact: true }).press('Enter')
   await expect(page.locator('.sentence')).toContainText('The judge proves the diagram.')
   await expect(slider).toBeFocused()
   // One that has something left to do keeps it.
-  const back = page.getByRole('button', { name: 'One step back' })
+  const back = page.getByRole('button', { name: 'Previous step' })
   await back.press('Enter')
   await expect(back).toBeFocused()
 })
@@ -107,11 +107,11 @@ test.describe('on a phone', () => {
 
   test('plays flips and edits by touch, and nothing is wider than the screen', async ({ opened: page }) => {
     const sentence = page.locator('.sentence')
-    await page.getByRole('button', { name: 'One step', exact: true }).tap()
+    await page.getByRole('button', { name: 'Next step', exact: true }).tap()
     await expect(sentence).toContainText('Delaunay graph')
     for (const [options, step, said] of [
       [{ method: 'auto' }, 3, /the edge is wrong|No edge is left to flip/],
-      [{ edits: [{ kind: 'insert', circle: [5, 4, 0.5] }] }, 2, /^Circle 7 comes at \(5, 4\) with radius 0\.5\.$/],
+      [{ edits: [{ kind: 'insert', circle: [5, 4, 0.5] }] }, 2, /^Circle 7 is inserted at \(5, 4\) with radius 0\.5\.$/],
     ] as const) {
       await page.evaluate(
         async ([options, step]) => {

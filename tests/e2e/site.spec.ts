@@ -90,6 +90,9 @@ test.describe('kept by the browser', () => {
     // The tutorial, and its search.
     await page.goto(`${url}tutorial/`)
     await page.getByRole('main').getByRole('link', { name: 'Which circle is nearest?' }).click()
+    // Its figures live: those that the tutorial draws itself, and those of the element.
+    await expect(page.locator('svg.drawn .handle').first()).toBeVisible()
+    await page.locator('circle-voronoi').first().scrollIntoViewIfNeeded()
     await expect(page.locator('circle-voronoi').first().getByRole('application')).toHaveAccessibleDescription(
       /^5 circles/,
     )

@@ -402,6 +402,19 @@ test('on paper a figure is as it was on the screen, and what asks has no answer'
   await expect(page.getByText('Answer', { exact: true }).first()).toBeHidden()
 })
 
+test('formulas have a font with a table for mathematics, whatever fonts the system has', async ({ page }) => {
+  await page.goto('/tutorial/02-hyperbolas.html')
+  const fonts = await page.evaluate(async () => {
+    await document.fonts.ready
+    return [...document.fonts].map(({ family, status }) => [family, status])
+  })
+  expect(fonts).toEqual([['Formulas', 'loaded']])
+  // A bar of a fraction and its parts are apart, as such a table has it.
+  const fraction = page.locator('mfrac').first()
+  const [above, below] = await Promise.all([0, 1].map((k) => fraction.locator('> *').nth(k).boundingBox()))
+  expect((below?.y ?? 0) - ((above?.y ?? 0) + (above?.height ?? 0))).toBeGreaterThan(0)
+})
+
 test('the two lines for teachers are a live figure', async ({ page }) => {
   const problems = watch(page)
   await page.goto('/tutorial/teachers.html')

@@ -202,7 +202,8 @@ class Checker {
     const ExportFrame frame(diagram_, {box_, {}, {}}, region_);
     const CellPolygons polygons = timed("CellPolygons", [&] { return CellPolygons(frame); });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
-      for (const auto& ring : timed("rings", [&] { return polygons.rings(i); })) {
+      for (const auto& polygon : timed("polygons", [&] { return polygons.polygons(i); })) {
+        const auto& ring = polygon.front();
         require(ring.size() > 2, "a polygon has no corners");
         if (ring.size() > 300) continue;
         for (std::size_t j = 0; j < ring.size(); ++j) {

@@ -49,7 +49,7 @@ test('holds the built library and nothing else', () => {
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
   // The names of what two modules of the element have in common are those of its contents.
-  const shared = /^dist\/element\/(chunk|circle-voronoi-comparison|german|player)-[A-Z0-9]+\.js$/
+  const shared = /^dist\/element\/(chunk|circle-voronoi-(comparison|regions)|german|player)-[A-Z0-9]+\.js$/
   expect(files.filter((name) => shared.test(name))).not.toHaveLength(0)
   const element = [
     ...['index', 'define', 'painter', 'bundle'].map((name) => `${name}.js`),
@@ -89,7 +89,7 @@ test.describe('is well made', () => {
   })
 
   test('to are-the-types-wrong', () => {
-    const wasm = ['', '-comparison', '-files'].map((name) => `circle-voronoi${name}.wasm`)
+    const wasm = ['', '-comparison', '-files', '-regions'].map((name) => `circle-voronoi${name}.wasm`)
     const others = [...wasm, 'element/element.css', 'custom-elements.json']
     const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
     const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
@@ -99,7 +99,7 @@ test.describe('is well made', () => {
 
   test('to size-limit', () => {
     const sizes = JSON.parse(run(ROOT, join(BIN, 'size-limit'), '--json'))
-    expect(sizes).toHaveLength(7)
+    expect(sizes).toHaveLength(8)
     for (const { name, passed, size } of sizes) expect(passed, `${name}: ${size} bytes`).toBe(true)
   })
 })

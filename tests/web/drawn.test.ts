@@ -54,7 +54,7 @@ describe('the growing phase', () => {
       0,
     )
     expect(
-      told.filter((text) => /2 borders end there: .* A new one begins there: \d→\d\./.test(text)).length,
+      told.filter((text) => /2 borders end there: .* A new border begins there: \d→\d\./.test(text)).length,
     ).toBeGreaterThan(0)
     expect(told.filter((text) => /touches circle \d where another border/.test(text)).length).toBeGreaterThan(0)
     expect(told.filter((text) => /3 borders end there/.test(text)).length).toBeGreaterThan(0)
@@ -121,7 +121,7 @@ test('on a walk the distance to the nearest circle never rises faster than the w
   }
 })
 
-test('final cells stay as they are, whatever lies outside the tile, and are fewer where larger circles may', () => {
+test('fewer cells of a tile are final where larger circles may lie outside', () => {
   const scene = drawnScene('final')
   const counts = [0, 0.5, 1.5, 3].map((value) => {
     const { told } = KINDS.final.draw(scene, value, library)

@@ -382,11 +382,11 @@ describe('questions', () => {
       asked.add(`${next}: ${right}`)
     }
     expect([...asked].sort()).toEqual([
-      'branch: Both its edges go, one comes',
-      'branch: Three edges go',
+      'branch: Three edges end',
+      'branch: Two edges end, one begins',
       'notEmpty: It meets another circle',
       'place: It is empty',
-      'stale: Nothing: an edge of it is gone',
+      'stale: Nothing: one of its edges has ended',
       'used: A foot point lies on a used arc',
     ])
   })
@@ -407,4 +407,10 @@ describe('questions', () => {
     expect(flipOf([], [])).toBeUndefined()
     expect(ENGLISH_PLAYER.lines.flip).toContain('replace')
   })
+})
+
+it('the sections of the method are numbered in their order', () => {
+  const titles = PROGRAMS.touching.map(({ title }) => ENGLISH_PLAYER.titles[title])
+  const numbers = titles.flatMap((title) => /^\d+/.exec(title)?.map(Number) ?? [])
+  expect(numbers).toEqual([1, 2, 3, 4])
 })

@@ -651,6 +651,21 @@ describe('a pointer that is not pressed', () => {
     expect(stage.of('hover')).toEqual([])
   })
 
+  it('of a finger that taps shows a disc, which stays once the finger is lifted', async () => {
+    const stage = new Stage()
+    const touch = { pointerType: 'touch' }
+    await stage.drag([pixel(1, 2)], touch)
+    await stage.send('pointerleave', pixel(1, 2), touch)
+    expect(stage.of('touch')).toEqual([['touch', { x: 1, y: 2 }, 2.4]])
+    // Until the next tap, or a mouse that leaves.
+    await stage.drag([pixel(5, 5)], touch)
+    await stage.send('pointerleave', pixel(5, 5))
+    expect(stage.of('touch').slice(1)).toEqual([
+      ['touch', { x: 5, y: 5 }, 2.4],
+      ['touch', undefined, 0],
+    ])
+  })
+
   it('has left: nothing is hovered', async () => {
     const stage = new Stage()
     await stage.send('pointerleave', pixel(0, 0))

@@ -139,7 +139,7 @@ describe('chapter 7', () => {
     const { vertices, edges, hull } = library.compute(figure('corrupt').circles as number[][])
     expectSaid(7, 'these are $2n - 2 - h$ and $3n - 3 - h$')
     expect([5, hull.length, vertices.length / 3, edges.length / 4]).toEqual([5, 4, 2 * 5 - 2 - 4, 3 * 5 - 3 - 4])
-    expectSaid(7, 'five circles with four edges that go on for ever, as those above, have 3 · 5 − 3 − 4 = 8 edges')
+    expectSaid(7, 'Five circles with cells and four edges that go on forever, as above, have 3 · 5 − 3 − 4 = 8 edges')
   })
 })
 
@@ -152,10 +152,7 @@ describe('chapter 8', () => {
   const exponent = (cells: readonly string[]) => Number(/^n\^([\d.]+)/.exec(cells.at(-1) as string)?.[1])
 
   test('how the times grow', () => {
-    expectSaid(
-      8,
-      'The time grows with the number of circles, and hardly faster; only trying all pairs is another matter.',
-    )
+    expectSaid(8, 'The time grows with the number of circles, and hardly faster. Only trying all pairs is different.')
     expect(exponent(ways.auto)).toBeLessThan(1.12)
     expectSaid(8, 'Twice as many circles, more than four times the time')
     expect(2 ** exponent(ways.pairs)).toBeGreaterThan(4)
@@ -202,7 +199,33 @@ test('chapter 9: how many circles the data have', () => {
   }
 })
 
-test('chapter 10: ten thousand million circles take more than a million megabytes', () => {
+test('chapter 9: the widest gap between wires, with wires on all sides', () => {
+  expect(figure('wires').answer).toContain('the disc there has a radius of 0.44')
+  const { vertices } = library.compute(circlesOf(figure('wires')))
+  const gaps = Array.from({ length: vertices.length / 3 }, (_, v) => [...vertices.slice(3 * v, 3 * v + 3)])
+  const inside = gaps.filter(([x = 0, y = 0]) => Math.hypot(x, y) < 3.6).map(([, , r]) => r as number)
+  expect(Math.max(...inside)).toBeCloseTo(0.44, 2)
+  // It is the one at the lower left.
+  const [x = 0, y = 0] = gaps.find(([, , r]) => r === Math.max(...inside)) ?? []
+  expect([Math.sign(x), Math.sign(y)]).toEqual([-1, -1])
+  // Those outside the bundle are larger.
+  expect(Math.max(...gaps.map(([, , r]) => r as number))).toBeGreaterThan(2)
+})
+
+test('chapter 5: borders begin at vertices in its player, too, and a disc is thrown away for a circle', () => {
+  const trace = library.trace(circlesOf(figure('whole-method')))
+  const kinds = Array.from({ length: trace.length }, (_, k) => trace.event(k).kind)
+  expect(kinds).toContain('antipodalDiscNotEmpty')
+  const after = kinds.lastIndexOf('antipodalDiscAccepted')
+  const begun = kinds.map((kind, k) => [kind, k] as const).filter(([kind]) => kind === 'branchDisc')
+  const follows = begun.map(([, k]) => kinds.slice(k + 1, begun.find(([, next]) => next > k)?.[1]))
+  expect(
+    follows.some((events) => events.includes('directedEdgePlaced') && !events.includes('antipodalDiscAccepted')),
+  ).toBe(true)
+  expect(after).toBeGreaterThan(0)
+})
+
+test('chapter 10: ten billion circles take more than a million megabytes', () => {
   expectSaid(10, 'they would take more than a million megabytes')
   const [, , , bytes] = row('10,000,000 |')
   expect(Number(bytes) * 1e10).toBeGreaterThan(1e12)

@@ -5,6 +5,8 @@ import { type Pose, paintCones } from './drawn/paint-cones.ts'
 /** How far a pointer turns the cones, in degrees a pixel. */
 const TURN = 0.4
 const TILT = 0.3
+/** Pixels of the picture for one of CSS, at most; one and a half at least, so that lines are smooth. */
+const FINEST = 2
 
 export function turnCones(page: Document): void {
   for (const figure of page.querySelectorAll<HTMLElement>('[data-cones]')) turn(figure)
@@ -24,7 +26,7 @@ function turn(figure: HTMLElement): void {
     isAsked = false
     const { width } = canvas.getBoundingClientRect()
     if (width === 0) return
-    const pixels = Math.round(width * Math.min(devicePixelRatio, 2))
+    const pixels = Math.round(width * Math.min(Math.max(devicePixelRatio, FINEST / 2 + 0.5), FINEST))
     const [w, h] = [pixels, Math.round(pixels / 1.6)]
     if (canvas.width !== w || canvas.height !== h) Object.assign(canvas, { width: w, height: h })
     const pose: Pose = { tilt: tilt.valueAsNumber, turn: spin.valueAsNumber }

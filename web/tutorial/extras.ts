@@ -6,7 +6,7 @@ import type { DataLayer } from '../view/layers.ts'
 
 /** Of the rims on which samples lie, and of steps; they are seen on light paper and on dark. */
 const RIM = '#8a6f5c'
-const STEPS = '#d2491b'
+const STEPS = '#c2185b'
 
 /** The circles less the smallest radius, x, y and r each. */
 export function shrunkenRims(circles: Float64s): Float64Array {
@@ -17,9 +17,16 @@ export function shrunkenRims(circles: Float64s): Float64Array {
 /** The circles on a shortest way from one to another, each step between circles whose centers are neighbors. */
 export function stepsBetween(library: CircleVoronoi, circles: Float64s, from: number, to: number): readonly number[] {
   const centers = library.compute(Float64Array.from(circles, (value, k) => (k % 3 === 2 ? 0 : value)))
+  const away = (i: number) =>
+    Math.hypot(
+      (circles[3 * i] as number) - (circles[3 * to] as number),
+      (circles[3 * i + 1] as number) - (circles[3 * to + 1] as number),
+    )
   const before = new Map<number, number>([[from, from]])
   for (const circle of before.keys()) {
-    for (const next of centers.neighbors(circle)) if (!before.has(next)) before.set(next, circle)
+    // Of all shortest ways one that hardly bends.
+    const nexts = [...centers.neighbors(circle)].sort((one, other) => away(one) - away(other))
+    for (const next of nexts) if (!before.has(next)) before.set(next, circle)
   }
   if (!before.has(to)) return []
   const way = [to]
@@ -38,7 +45,8 @@ export function extrasOf(
   if (steps !== undefined && library !== undefined) {
     const [from = 0, to = 0] = steps
     const way = stepsBetween(library, circles, from, to).map((i) => [...circles.slice(3 * i, 3 * i + 2)])
-    const segments = way.slice(1).flatMap((end, k) => [...(way[k] as number[]), ...end])
+    const least = circles.reduce((smallest, r, k) => (k % 3 === 2 ? Math.min(smallest, r) : smallest), Infinity)
+    const segments = way.slice(1).flatMap((end, k) => strong(way[k] as number[], end, least / 4))
     layers.push({
       id: 'steps',
       color: STEPS,
@@ -47,6 +55,15 @@ export function extrasOf(
     })
   }
   return layers
+}
+
+/** Lines side by side: layers of data have thin ones. */
+function strong([x0 = 0, y0 = 0]: readonly number[], [x1 = 0, y1 = 0]: readonly number[], aside: number): number[] {
+  const length = Math.hypot(x1 - x0, y1 - y0)
+  return [-1, -0.5, 0, 0.5, 1].flatMap((k) => {
+    const [dx, dy] = [(-k * aside * (y1 - y0)) / length, (k * aside * (x1 - x0)) / length]
+    return [x0 + dx, y0 + dy, x1 + dx, y1 + dy]
+  })
 }
 
 export async function showExtras(page: Document): Promise<void> {

@@ -15,6 +15,7 @@
 #include "circle_voronoi/diagram.h"
 #include "circle_voronoi/error.h"
 #include "circle_voronoi/point.h"
+#include "circle_voronoi/queries.h"
 #include "circle_voronoi/region.h"
 
 namespace CIRCLE_VORONOI_API circle_voronoi {
@@ -81,6 +82,14 @@ class ClippedDiagram {
   static Result<ClippedDiagram> from(const Diagram& diagram, const Region&& region,
                                      std::optional<double> maxDistance = {}) = delete;
 
+  /// Clips some cells only, in time for these cells and the sides of the region near them, but for a few bytes for each
+  /// circle and edge. All other cells count as outside the region, and so do edges between them. After an edit, clip the
+  /// cells whose sides have changed anew: their outlines have the bits that `from` gives them, but for
+  /// crossings that rounding cannot decide. Polygons are those of `polygons()` only if the neighbors are clipped, too.
+  /// Errors: those of `from`.
+  static Result<ClippedDiagram> ofCells(const Diagram& diagram, const Region& region,
+                                        std::span<const CircleIndex> circles, std::optional<double> maxDistance = {});
+
   [[nodiscard]] const Diagram& diagram() const;
   [[nodiscard]] const Region& region() const;
   [[nodiscard]] std::optional<double> maxDistance() const;
@@ -120,11 +129,21 @@ class ClippedDiagram {
   /// bit. A row has several polygons if the region cuts the cell apart. The tolerance is finite and positive.
   [[nodiscard]] ClippedPolygons polygons(double tolerance) const;
 
+  /// Returns the largest disc that has its center in the region and overlaps no circle: the point of the region farthest
+  /// from all circles. It may extend beyond the region. Its radius is negative if circles cover the region. Returns
+  /// nothing if there are no circles. The maximum distance plays no role.
+  ///
+  /// The distance from the nearest circle is largest at a vertex, at a crossing of an edge and the boundary, or at a
+  /// corner, because inside a cell it is convex along every line.
+  [[nodiscard]] std::optional<EmptyDisc> largestEmptyDisc() const;
+
   class Parts;
   /// For the library's own use.
   [[nodiscard]] const Parts& parts() const { return *parts_; }
 
  private:
+  static Result<ClippedDiagram> make(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
+                                     std::optional<std::span<const CircleIndex>> circles);
   explicit ClippedDiagram(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 
   std::shared_ptr<const Parts> parts_;

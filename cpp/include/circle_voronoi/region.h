@@ -72,6 +72,8 @@ class Region {
   /// Returns whether the region, boundary included, contains a point. Exact. Skips runs of sides that lie on one side
   /// of the point, so it takes O(log m) steps for most regions.
   [[nodiscard]] bool contains(Point p) const;
+  /// Returns the sides whose bounding box meets a box, in increasing order. Takes O(log m) steps for each of them.
+  [[nodiscard]] std::vector<RegionSideIndex> sidesIn(const Box& box) const;
   /// Returns the area, right to a few units of rounding.
   [[nodiscard]] double area() const;
   /// Returns the length of all sides.
@@ -88,6 +90,7 @@ class Region {
   };
   void index();
   bool isInRun(std::size_t level, std::size_t run, Point p, bool& isOnBoundary) const;
+  void addSidesIn(std::size_t level, std::size_t run, const Box& box, std::vector<RegionSideIndex>& sides) const;
 
   std::vector<Point> points_;
   std::vector<std::int32_t> ringOffsets_;

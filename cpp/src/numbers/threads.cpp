@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "threads.h"
 
-#ifdef __STDCPP_THREADS__
+#ifndef CIRCLE_VORONOI_ONE_THREAD
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -11,7 +11,7 @@
 
 namespace circle_voronoi {
 
-#ifdef __STDCPP_THREADS__
+#ifndef CIRCLE_VORONOI_ONE_THREAD
 
 Threads::Threads(int count)
     : count_(count > 0 ? count : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}

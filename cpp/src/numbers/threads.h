@@ -9,10 +9,10 @@
 namespace circle_voronoi {
 
 /// Whether programs may have more than one thread. WebAssembly has one, and spares the code for others.
-#ifdef __STDCPP_THREADS__
-inline constexpr bool kHasThreads = true;
-#else
+#ifdef CIRCLE_VORONOI_ONE_THREAD
 inline constexpr bool kHasThreads = false;
+#else
+inline constexpr bool kHasThreads = true;
 #endif
 
 /// How many threads a computation may use. Threads only share out work whose result does not depend on how it is
@@ -22,7 +22,7 @@ class Threads {
   /// 0: as many as the machine has. One where programs have no threads.
   explicit Threads(int count = 1);
 
-  int count() const { return count_; }
+  int count() const { return kHasThreads ? count_ : 1; }
 
   /// Calls task(i) for each i below `count`, each in one of the threads, and returns when all have ended. What a task
   /// throws is thrown here; then not all need have been called.

@@ -2,8 +2,11 @@
 #include "arcs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "at.h"
@@ -11,6 +14,10 @@
 
 namespace circle_voronoi {
 namespace {
+
+/// What is nearer than this share of coordinates may be on the boundary but for rounding.
+constexpr double kNearBoundary = 0x1p-36;
+constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 
 [[noreturn]] void refuseOpenBoundary() {
   throw Refusal{errorWith(ErrorCode::internal, "The boundary of the region is not closed in the diagram.")};
@@ -21,6 +28,14 @@ namespace {
 Arcs::Arcs(const Diagram& diagram, const Crossings& crossings) : diagram_(diagram), crossings_(crossings) {
   sortCrossings();
   findLevels();
+  makeArcs();
+}
+
+Arcs::Arcs(const Diagram& diagram, const Crossings& crossings, const Region& region,
+           std::span<const CircleIndex> circles)
+    : diagram_(diagram), crossings_(crossings) {
+  sortCrossings();
+  findLevels(region, circles);
   makeArcs();
 }
 
@@ -41,19 +56,19 @@ void Arcs::sortCrossings() {
   orderStart_.push_back(static_cast<std::int32_t>(order_.size()));
 }
 
+/// How much higher the level is at the end of an edge than at its start.
+std::int32_t Arcs::riseAlong(EdgeIndex edge) const {
+  const std::int32_t row = rows_[at(edge)];
+  if (row == kNone) return 0;
+  std::int32_t sum = 0;
+  for (std::int32_t k = orderStart_[at(row)]; k < orderStart_[at(row) + 1]; ++k) {
+    sum += crossings_.all[at(order_[at(k)])].isEntry ? 1 : -1;
+  }
+  return sum;
+}
+
 void Arcs::findLevels() {
-  constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
   levels_.assign(diagram_.vertices.size(), kUnknown);
-  // How much higher the level is at the end of an edge than at its start.
-  const auto rise = [&](EdgeIndex edge) {
-    const std::int32_t row = rows_[at(edge)];
-    if (row == kNone) return 0;
-    std::int32_t sum = 0;
-    for (std::int32_t k = orderStart_[at(row)]; k < orderStart_[at(row) + 1]; ++k) {
-      sum += crossings_.all[at(order_[at(k)])].isEntry ? 1 : -1;
-    }
-    return sum;
-  };
   std::vector<VertexIndex> pending;
   const auto reach = [&](VertexIndex vertex, std::int32_t level) {
     if (levels_[at(vertex)] == kUnknown) {
@@ -66,9 +81,9 @@ void Arcs::findLevels() {
   for (std::size_t e = 0; e < diagram_.edges.size(); ++e) {
     const Edge& edge = diagram_.edges[e];
     const auto index = static_cast<std::int32_t>(e);
-    if (edge.start == kNone && edge.end != kNone) reach(edge.end, rise(index));
-    if (edge.end == kNone && edge.start != kNone) reach(edge.start, -rise(index));
-    if (edge.start == kNone && edge.end == kNone && rise(index) != 0) refuseOpenBoundary();
+    if (edge.start == kNone && edge.end != kNone) reach(edge.end, riseAlong(index));
+    if (edge.end == kNone && edge.start != kNone) reach(edge.start, -riseAlong(index));
+    if (edge.start == kNone && edge.end == kNone && riseAlong(index) != 0) refuseOpenBoundary();
   }
   while (!pending.empty()) {
     const VertexIndex vertex = pending.back();
@@ -77,7 +92,7 @@ void Arcs::findLevels() {
     for (const SideIndex side : diagram_.links.vertexSides[at(vertex)]) {
       const VertexIndex target = diagram_.targetOf(side);
       if (target == kNone) continue;
-      const std::int32_t change = rise(Diagram::edgeOf(side));
+      const std::int32_t change = riseAlong(Diagram::edgeOf(side));
       reach(target, side % 2 == 0 ? level + change : level - change);
     }
   }
@@ -85,6 +100,83 @@ void Arcs::findLevels() {
     if (level == kUnknown) {
       throw Refusal{errorWith(ErrorCode::internal, "The edges of the diagram do not hang together.")};
     }
+  }
+}
+
+void Arcs::findLevels(const Region& region, std::span<const CircleIndex> circles) {
+  levels_.assign(diagram_.vertices.size(), kUnknown);
+  std::vector<std::uint8_t> isChosen(diagram_.circles.size(), 0);
+  for (const CircleIndex circle : circles) isChosen[at(circle)] = 1;
+  std::vector<VertexIndex> group;
+  const auto reach = [&](VertexIndex vertex, std::int32_t level) {
+    if (levels_[at(vertex)] == kUnknown) {
+      levels_[at(vertex)] = level;
+      group.push_back(vertex);
+    } else if (levels_[at(vertex)] != level) {
+      refuseOpenBoundary();
+    }
+  };
+  for (const CircleIndex circle : circles) {
+    for (const SideIndex first : diagram_.sides(circle)) {
+      const VertexIndex origin = diagram_.originOf(first);
+      if (origin == kNone || levels_[at(origin)] != kUnknown) continue;
+      // All vertices that edges of the cells lead to, by their level above that of the first.
+      std::optional<std::int32_t> base;
+      group.clear();
+      reach(origin, 0);
+      for (std::size_t k = 0; k < group.size(); ++k) {
+        const std::int32_t level = levels_[at(group[k])];
+        for (const SideIndex side : diagram_.links.vertexSides[at(group[k])]) {
+          if (isChosen[at(diagram_.circleOf(side))] == 0 && isChosen[at(diagram_.neighborOf(side))] == 0) continue;
+          const std::int32_t change = riseAlong(Diagram::edgeOf(side));
+          const std::int32_t there = side % 2 == 0 ? level + change : level - change;
+          if (diagram_.targetOf(side) == kNone) {
+            base = -there;
+          } else {
+            reach(diagram_.targetOf(side), there);
+          }
+        }
+      }
+      if (!base) {
+        // A point on the boundary may count for either side, so it counts less than any other.
+        std::map<std::int32_t, std::size_t> votes;
+        const auto vote = [&](Point p, std::int32_t level) {
+          const double near = kNearBoundary * std::max(std::abs(p.x), std::abs(p.y));
+          const bool isClear = region.sidesIn({p.x - near, p.y - near, p.x + near, p.y + near}).empty();
+          votes[(region.contains(p) ? 1 : 0) - level] += isClear ? 4 * group.size() : 1;
+        };
+        for (const VertexIndex vertex : group) {
+          const std::int32_t level = levels_[at(vertex)];
+          vote({diagram_.vertices[at(vertex)].x, diagram_.vertices[at(vertex)].y}, level);
+          for (const SideIndex side : diagram_.links.vertexSides[at(vertex)]) {
+            const EdgeIndex edge = Diagram::edgeOf(side);
+            if (side % 2 == 1 || diagram_.targetOf(side) == kNone) continue;
+            if (isChosen[at(diagram_.circleOf(side))] == 0 && isChosen[at(diagram_.neighborOf(side))] == 0) continue;
+            // Points between the crossings.
+            const EdgeCurve curve = edgeCurve(diagram_, edge);
+            double from = curve.from;
+            std::int32_t here = level;
+            const auto voteUpTo = [&](double to) {
+              if (to > from) vote(pointAt(curve.bisector, std::sqrt(from) * std::sqrt(to)), here);
+              from = to;
+            };
+            const std::int32_t row = rows_[at(edge)];
+            for (std::int32_t k = row == kNone ? 0 : orderStart_[at(row)];
+                 k < (row == kNone ? 0 : orderStart_[at(row) + 1]); ++k) {
+              const Crossing& crossing = crossings_.all[at(order_[at(k)])];
+              voteUpTo(crossing.parameter);
+              here += crossing.isEntry ? 1 : -1;
+            }
+            voteUpTo(curve.to);
+          }
+        }
+        base = std::ranges::max_element(votes, {}, [](const auto& one) { return one.second; })->first;
+      }
+      for (const VertexIndex vertex : group) levels_[at(vertex)] += *base;
+    }
+  }
+  for (std::int32_t& level : levels_) {
+    if (level == kUnknown) level = 0;
   }
 }
 

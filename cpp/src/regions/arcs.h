@@ -34,6 +34,9 @@ struct Arc {
 class Arcs {
  public:
   Arcs(const Diagram& diagram, const Crossings& crossings);
+  /// The same for the edges of some cells, whose crossings these are. Where the cells have no way to infinity, most of
+  /// their vertices decide by whether the region contains them.
+  Arcs(const Diagram& diagram, const Crossings& crossings, const Region& region, std::span<const CircleIndex> circles);
 
   bool isCrossed(EdgeIndex edge) const { return rows_[static_cast<std::size_t>(edge)] != kNone; }
   std::int32_t levelOf(VertexIndex vertex) const {
@@ -53,7 +56,9 @@ class Arcs {
 
  private:
   void sortCrossings();
+  std::int32_t riseAlong(EdgeIndex edge) const;
   void findLevels();
+  void findLevels(const Region& region, std::span<const CircleIndex> circles);
   void makeArcs();
 
   const Diagram& diagram_;

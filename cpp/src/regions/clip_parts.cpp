@@ -9,13 +9,24 @@
 
 namespace circle_voronoi {
 
-ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::optional<double> itsMaxDistance)
+namespace {
+
+Crossings crossingsFor(const Diagram& diagram, const Region& region,
+                       const std::optional<std::span<const CircleIndex>>& circles) {
+  if (diagram.hull.empty()) return {};
+  return circles ? crossingsOf(diagram, region, *circles) : crossingsOf(diagram, region);
+}
+
+}  // namespace
+
+ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::optional<double> itsMaxDistance,
+                             std::optional<std::span<const CircleIndex>> circles)
     : diagram(its),
       region(itsRegion),
       maxDistance(itsMaxDistance),
       bounds(itsRegion.bounds()),
-      crossings(its.hull.empty() ? Crossings() : crossingsOf(its, itsRegion)),
-      arcs(its, crossings) {
+      crossings(crossingsFor(its, itsRegion, circles)),
+      arcs(circles ? Arcs(its, crossings, itsRegion, *circles) : Arcs(its, crossings)) {
   const auto ringOffsets = region.ringOffsets();
   after_.resize(region.sideCount());
   for (std::size_t r = 0; r < region.ringCount(); ++r) {
@@ -23,23 +34,22 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
       after_[at(k)] = k + 1 == ringOffsets[r + 1] ? ringOffsets[r] : k + 1;
     }
   }
-  places_.assign(diagram.circles.size(), Place::outside);
+  places_.assign(diagram.circles.size(), circles ? Place::outside : Place::inside);
+  if (circles) {
+    for (const CircleIndex circle : *circles) places_[at(circle)] = Place::inside;
+  }
+  const std::vector<Place> chosen = circles ? places_ : std::vector<Place>();
+  const auto isChosen = [&](CircleIndex circle) { return chosen.empty() || chosen[at(circle)] == Place::inside; };
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const SideIndex side = diagram.links.firstSide[i];
-    if (side != kNone && arcs.levelOf(diagram.originOf(side)) > 0) places_[i] = Place::inside;
+    if (side == kNone || arcs.levelOf(diagram.originOf(side)) <= 0) places_[i] = Place::outside;
   }
-  if (crossings.offsets.empty()) return;
-  next_.resize(crossings.all.size());
   into_.reserve(crossings.all.size());
-  for (std::size_t r = 0; r < region.ringCount(); ++r) {
-    const std::int32_t begin = crossings.offsets[r];
-    const std::int32_t end = crossings.offsets[r + 1];
-    if (begin == end) rings_.push_back({crossings.cell[r], static_cast<std::int32_t>(r)});
-    for (std::int32_t c = begin; c < end; ++c) {
-      next_[at(c)] = c + 1 == end ? begin : c + 1;
-      into_.push_back({cellAfter(crossings.all[at(c)]), c});
-    }
+  for (std::size_t c = 0; c < crossings.all.size(); ++c) {
+    const CircleIndex cell = cellAfter(crossings.all[c]);
+    if (isChosen(cell)) into_.push_back({cell, static_cast<std::int32_t>(c)});
   }
+  for (const auto& [cell, ring] : crossings.rings) rings_.push_back({cell, ring});
   for (auto* list : {&into_, &rings_}) {
     std::ranges::sort(*list, [](const InCell& a, const InCell& b) {
       return std::pair(std::int32_t{a.cell}, a.index) < std::pair(std::int32_t{b.cell}, b.index);

@@ -40,7 +40,9 @@ struct Loops {
 /// What a ClippedDiagram knows.
 class ClippedDiagram::Parts {
  public:
-  Parts(const Diagram& diagram, const Region& region, std::optional<double> maxDistance);
+  /// For all cells, or for some.
+  Parts(const Diagram& diagram, const Region& region, std::optional<double> maxDistance,
+        std::optional<std::span<const CircleIndex>> circles = {});
 
   using Place = ClippedDiagram::Place;
   /// How a cell lies to the region, whatever the maximum distance.
@@ -62,7 +64,9 @@ class ClippedDiagram::Parts {
     std::int32_t from;
     std::int32_t to;
   };
-  Stretch stretchFrom(std::int32_t crossing) const { return {crossing, next_[static_cast<std::size_t>(crossing)]}; }
+  Stretch stretchFrom(std::int32_t crossing) const {
+    return {crossing, crossings.next[static_cast<std::size_t>(crossing)]};
+  }
   /// The cell in which the boundary goes on from a crossing.
   CircleIndex cellAfter(const Crossing& crossing) const {
     const Edge& edge = diagram.edges[static_cast<std::size_t>(crossing.edge)];
@@ -79,6 +83,7 @@ class ClippedDiagram::Parts {
   /// The crossings after which the boundary goes on in a cell, and the rings that lie in it.
   std::span<const InCell> crossingsInto(CircleIndex cell) const { return within(into_, cell); }
   std::span<const InCell> ringsIn(CircleIndex cell) const { return within(rings_, cell); }
+  std::span<const InCell> allCrossings() const { return into_; }
   std::span<const InCell> allRings() const { return rings_; }
 
   Point pointOf(RegionSideIndex side) const { return region.points()[static_cast<std::size_t>(side)]; }
@@ -100,7 +105,6 @@ class ClippedDiagram::Parts {
   bool hasBorder(CircleIndex circle, std::int32_t layer) const;
 
   std::vector<RegionSideIndex> after_;
-  std::vector<std::int32_t> next_;
   std::vector<InCell> into_;
   std::vector<InCell> rings_;
   std::vector<Place> places_;

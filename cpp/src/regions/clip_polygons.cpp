@@ -63,13 +63,12 @@ void ClipFlattener::collectCorners() {
       corners_.push_back({Diagram::edgeOf(side), p, cell});
     }
   };
-  const auto& all = parts.crossings.all;
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    const CircleIndex cell = parts.cellAfter(all[c]);
+  for (const auto& [cell, crossing] : parts.allCrossings()) {
     clearance = 0;
-    last = all[c].point;
-    parts.visitCorners(parts.stretchFrom(static_cast<std::int32_t>(c)),
-                       [&](RegionSideIndex side) { add(cell, parts.pointOf(parts.sideAfter(side))); });
+    last = parts.crossings.all[at(crossing)].point;
+    parts.visitCorners(parts.stretchFrom(crossing), [&, cell = cell](RegionSideIndex side) {
+      add(cell, parts.pointOf(parts.sideAfter(side)));
+    });
   }
   for (const auto& [cell, ring] : parts.allRings()) {
     clearance = 0;

@@ -2,6 +2,7 @@
 #include "circle_voronoi/clipped_diagram.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -40,16 +41,19 @@ class CellMoments {
     addBoundary();
   }
 
-  double area(std::size_t cell) const { return moments_[cell].area * unit_ * unit_; }
+  double area(std::size_t cell) const { return isOutside(cell) ? 0 : moments_[cell].area * unit_ * unit_; }
 
   Point centroid(std::size_t cell) const {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     const auto& [area, x, y] = moments_[cell];
-    if (!(area > 0)) return {kNaN, kNaN};
+    if (isOutside(cell) || !(area > 0)) return {kNaN, kNaN};
     return {references_[cell].x + unit_ * (x / area), references_[cell].y + unit_ * (y / area)};
   }
 
  private:
+  /// Of some cells only, the others have sums that are not complete.
+  bool isOutside(std::size_t cell) const { return parts_.placeOf(static_cast<std::int32_t>(cell)) == Place::outside; }
+
   /// Points near the parts: the centers of circles, but for cells that they may lie outside of.
   void chooseReferences() {
     for (std::size_t i = 0; i < references_.size(); ++i) {
@@ -145,11 +149,10 @@ class CellMoments {
 
   void addBoundary() {
     const auto& all = parts_.crossings.all;
-    for (std::size_t c = 0; c < all.size(); ++c) {
-      const CircleIndex cell = parts_.cellAfter(all[c]);
-      const auto stretch = parts_.stretchFrom(static_cast<std::int32_t>(c));
-      Vector last = seen(cell, all[c]);
-      addChain(cell, [&](auto visit) {
+    for (const auto& [cell, crossing] : parts_.allCrossings()) {
+      const auto stretch = parts_.stretchFrom(crossing);
+      Vector last = seen(cell, all[at(crossing)]);
+      addChain(cell, [&, cell = cell](auto visit) {
         parts_.visitCorners(stretch, [&](RegionSideIndex side) {
           const Vector next = seen(cell, parts_.pointOf(parts_.sideAfter(side)));
           visit(last, next);
@@ -289,6 +292,18 @@ void visitParts(const Parts& parts, EdgeIndex edge, Add add) {
 
 Result<ClippedDiagram> ClippedDiagram::from(const Diagram& diagram, const Region& region,
                                             std::optional<double> maxDistance) {
+  return make(diagram, region, maxDistance, std::nullopt);
+}
+
+Result<ClippedDiagram> ClippedDiagram::ofCells(const Diagram& diagram, const Region& region,
+                                               std::span<const CircleIndex> circles,
+                                               std::optional<double> maxDistance) {
+  return make(diagram, region, maxDistance, circles);
+}
+
+Result<ClippedDiagram> ClippedDiagram::make(const Diagram& diagram, const Region& region,
+                                            std::optional<double> maxDistance,
+                                            std::optional<std::span<const CircleIndex>> circles) {
   return guarded([&]() -> Result<ClippedDiagram> {
     if (maxDistance && !(std::abs(*maxDistance) <= kRegionLimit)) {
       return errorWith(ErrorCode::badOption, "The maximum distance must be finite and at most 1e152.");
@@ -296,7 +311,7 @@ Result<ClippedDiagram> ClippedDiagram::from(const Diagram& diagram, const Region
     if (maxDistance && diagram.metric == Metric::power) {
       return errorWith(ErrorCode::badOption, "A power diagram has no maximum distance.");
     }
-    return ClippedDiagram(std::make_shared<const Parts>(diagram, region, maxDistance));
+    return ClippedDiagram(std::make_shared<const Parts>(diagram, region, maxDistance, circles));
   });
 }
 
@@ -385,6 +400,35 @@ std::vector<double> ClippedDiagram::perimeters() const {
   std::vector<double> perimeters(diagram().circles.size());
   for (std::size_t i = 0; i < perimeters.size(); ++i) perimeters[i] = perimeter(outline(static_cast<std::int32_t>(i)));
   return perimeters;
+}
+
+std::optional<EmptyDisc> ClippedDiagram::largestEmptyDisc() const {
+  std::optional<EmptyDisc> best;
+  const auto offer = [&](const Vertex& disc, const std::array<CircleIndex, 3>& circles) {
+    if (!best || disc.r > best->disc.r) best = {disc, circles};
+  };
+  const auto offerPoint = [&](Point p, CircleIndex circle, CircleIndex other) {
+    offer({p.x, p.y, distanceFrom(diagram(), circle, p)}, {circle, other, kNone});
+  };
+  const Parts& parts = *parts_;
+  for (std::size_t v = 0; v < diagram().vertices.size(); ++v) {
+    const auto vertex = static_cast<std::int32_t>(v);
+    if (parts.arcs.levelOf(vertex) > 0) offer(diagram().vertices[v], diagram().vertexCircles[v]);
+  }
+  const auto& all = parts.crossings.all;
+  for (const auto& [cell, crossing] : parts.allCrossings()) {
+    const Edge& edge = diagram().edges[at(all[at(crossing)].edge)];
+    offerPoint(all[at(crossing)].point, edge.left, edge.right);
+    parts.visitCorners(parts.stretchFrom(crossing), [&, cell = cell](RegionSideIndex side) {
+      offerPoint(parts.pointOf(parts.sideAfter(side)), cell, kNone);
+    });
+  }
+  for (const auto& [cell, ring] : parts.allRings()) {
+    for (std::int32_t k = region().ringOffsets()[at(ring)]; k < region().ringOffsets()[at(ring) + 1]; ++k) {
+      offerPoint(parts.pointOf(k), cell, kNone);
+    }
+  }
+  return best;
 }
 
 ClippedPolygons ClippedDiagram::polygons(double tolerance) const { return clipPolygons(*this, tolerance); }

@@ -71,7 +71,7 @@ struct Exit {
 class Walk {
  public:
   Walk(const Diagram& diagram, const Region& region)
-      : diagram_(diagram), region_(region), bounds_(region.bounds()), finder_(diagram) {
+      : diagram_(diagram), region_(region), bounds_(region.bounds()) {
     farthest_ = std::max({std::abs(bounds_.minX), std::abs(bounds_.minY), std::abs(bounds_.maxX),
                           std::abs(bounds_.maxY)});
     for (const Circle& c : diagram.circles) farthest_ = std::max({farthest_, std::abs(c.x), std::abs(c.y)});
@@ -79,28 +79,121 @@ class Walk {
   }
 
   Crossings run() {
-    crossings_.offsets.push_back(0);
-    const auto points = region_.points();
-    const auto offsets = region_.ringOffsets();
-    CircleIndex hint;
-    for (std::size_t r = 0; r + 1 < offsets.size(); ++r) {
-      const std::int32_t begin = offsets[r];
-      const std::int32_t end = offsets[r + 1];
-      const CircleIndex first = finder_.find(points[at(begin)], hint);
-      hint = cell_ = first;
-      clearance_ = 0;
-      for (std::int32_t k = begin; k < end; ++k) {
-        walkAlong(k, points[at(k)], points[at(k + 1 == end ? begin : k + 1)]);
-      }
-      if (cell_ != first) closeRing(end - 1, points[at(end) - 1], points[at(begin)], first);
-      const auto count = static_cast<std::int32_t>(crossings_.all.size());
-      crossings_.cell.push_back(count == crossings_.offsets.back() ? first : CircleIndex());
-      crossings_.offsets.push_back(count);
+    const Finder finder(diagram_);
+    for (std::size_t r = 0; r < region_.ringCount(); ++r) {
+      cell_ = finder.find(region_.points()[at(region_.ringOffsets()[r])], cell_);
+      walkRing(static_cast<std::int32_t>(r));
     }
     return std::move(crossings_);
   }
 
+  /// Follows the boundary where it meets a box, and keeps crossings of edges of some cells that lie in the box.
+  Crossings run(const Box& box, const std::vector<std::uint8_t>& isChosen, CircleIndex near) {
+    const auto sides = region_.sidesIn(box);
+    const auto offsets = region_.ringOffsets();
+    for (std::size_t k = 0; k < sides.size();) {
+      const auto ring = at(region_.ringOf(sides[k]));
+      const std::int32_t begin = offsets[ring];
+      const std::int32_t end = offsets[ring + 1];
+      std::size_t last = k;
+      while (last < sides.size() && sides[last] < end) ++last;
+      if (last - k == at(end - begin)) {
+        cell_ = nearestTo(region_.points()[at(begin)], near);
+        walkRing(static_cast<std::int32_t>(ring));
+      } else {
+        walkParts(std::span(sides).subspan(k, last - k), begin, end, near);
+      }
+      k = last;
+    }
+    return chosen(isChosen);
+  }
+
  private:
+  Point startOf(std::int32_t side, std::int32_t begin, std::int32_t end) const {
+    return region_.points()[at(side == end ? begin : side)];
+  }
+
+  /// `cell_` has the start of the ring.
+  void walkRing(std::int32_t ring) {
+    const std::int32_t begin = region_.ringOffsets()[at(ring)];
+    const std::int32_t end = region_.ringOffsets()[at(ring) + 1];
+    const auto firstCrossing = static_cast<std::int32_t>(crossings_.all.size());
+    const CircleIndex first = cell_;
+    clearance_ = 0;
+    for (std::int32_t k = begin; k < end; ++k) walkAlong(k, startOf(k, begin, end), startOf(k + 1, begin, end));
+    if (cell_ != first) closeRing(end - 1, startOf(end - 1, begin, end), startOf(end, begin, end), first);
+    linkFrom(firstCrossing, firstCrossing);
+    if (at(firstCrossing) == crossings_.all.size()) crossings_.rings.push_back({first, ring});
+  }
+
+  /// Walks along some sides of a ring, but not all.
+  void walkParts(std::span<const RegionSideIndex> sides, std::int32_t begin, std::int32_t end, CircleIndex near) {
+    // A part may go on through the end of the ring.
+    std::size_t first = 0;
+    if (sides.front() == begin && sides.back() == end - 1) {
+      while (sides[first] == begin + static_cast<std::int32_t>(first)) ++first;
+    }
+    std::int32_t before = kNone;
+    auto firstCrossing = static_cast<std::int32_t>(crossings_.all.size());
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const std::int32_t side = sides[(first + k) % sides.size()];
+      const Point start = startOf(side, begin, end);
+      const bool goesOn = before != kNone && (before + 1 == end ? begin : before + 1) == side;
+      if (!goesOn) {
+        linkFrom(firstCrossing, kNone);
+        firstCrossing = static_cast<std::int32_t>(crossings_.all.size());
+        cell_ = nearestTo(start, near);
+        clearance_ = 0;
+      }
+      walkAlong(side, start, startOf(side + 1, begin, end));
+      before = side;
+    }
+    linkFrom(firstCrossing, kNone);
+  }
+
+  /// Links the crossings of a walk; `afterLast` follows the last of them.
+  void linkFrom(std::int32_t first, std::int32_t afterLast) {
+    const auto end = static_cast<std::int32_t>(crossings_.all.size());
+    for (std::int32_t c = first; c < end; ++c) crossings_.next.push_back(c + 1 == end ? afterLast : c + 1);
+  }
+
+  /// The nearest circle, by steps to nearer neighbors.
+  CircleIndex nearestTo(Point p, CircleIndex from) const {
+    for (std::size_t steps = 0; steps < diagram_.circles.size(); ++steps) {
+      CircleIndex best = from;
+      for (const SideIndex side : diagram_.sides(from)) {
+        const CircleIndex neighbor = diagram_.neighborOf(side);
+        if (lead(diagram_, neighbor, best, p) > 0) best = neighbor;
+      }
+      if (best == from) break;
+      from = best;
+    }
+    return from;
+  }
+
+  /// The crossings of edges of chosen cells. Between one where the boundary comes into such a cell and the next one there
+  /// is no other.
+  Crossings chosen(const std::vector<std::uint8_t>& isChosen) {
+    Crossings result;
+    std::vector<std::int32_t> places(crossings_.all.size(), kNone);
+    const auto has = [&](CircleIndex circle) { return isChosen[at(circle)] != 0; };
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      const Edge& edge = diagram_.edges[at(crossings_.all[c].edge)];
+      if (!has(edge.left) && !has(edge.right)) continue;
+      places[c] = static_cast<std::int32_t>(result.all.size());
+      result.all.push_back(crossings_.all[c]);
+    }
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      if (places[c] == kNone) continue;
+      const std::int32_t next = crossings_.next[c];
+      result.next.push_back(next == kNone ? kNone : places[at(next)]);
+    }
+    for (const auto& one : crossings_.rings) {
+      if (has(one.cell)) result.rings.push_back(one);
+    }
+    return result;
+  }
+
   void walkAlong(RegionSideIndex side, Point start, Point end) {
     const Line line(start, end);
     if (line.length < clearance_) {
@@ -334,7 +427,6 @@ class Walk {
   const Diagram& diagram_;
   const Region& region_;
   Box bounds_;
-  Finder finder_;
   double farthest_ = 0;  ///< the largest coordinate
   CircleIndex cell_;     ///< where the walk is
   double clearance_ = 0;
@@ -355,5 +447,38 @@ EdgeCurve curveIn(const Diagram& diagram, const Box& bounds, EdgeIndex edge) {
 }
 
 Crossings crossingsOf(const Diagram& diagram, const Region& region) { return Walk(diagram, region).run(); }
+
+Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles) {
+  std::vector<std::uint8_t> isChosen(diagram.circles.size(), 0);
+  Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+  const auto include = [&](Point p) {
+    box = {std::min(box.minX, p.x), std::min(box.minY, p.y), std::max(box.maxX, p.x), std::max(box.maxY, p.y)};
+  };
+  CircleIndex near;
+  const Box bounds = region.bounds();
+  for (const CircleIndex circle : circles) {
+    if (!diagram.hasCell(circle)) continue;
+    isChosen[at(circle)] = 1;
+    near = circle;
+    bool isBounded = !diagram.sides(circle).empty();
+    for (const SideIndex side : diagram.sides(circle)) {
+      const EdgeCurve curve = edgeCurve(diagram, Diagram::edgeOf(side));
+      isBounded = isBounded && curve.isBounded();
+      if (!curve.isBounded()) break;
+      include(curve.start);
+      include(curve.end);
+      if (!curve.isStraight()) include(rationalBezier(curve).control);
+    }
+    if (isBounded) continue;
+    include({bounds.minX, bounds.minY});
+    include({bounds.maxX, bounds.maxY});
+  }
+  if (near == kNone) return {};
+  // More than rounding can move what lies in the cells.
+  const double margin = kNearlyAtOnce * std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY),
+                                                  std::abs(box.maxY)});
+  box = {box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin};
+  return Walk(diagram, region).run(box, isChosen, near);
+}
 
 }  // namespace circle_voronoi

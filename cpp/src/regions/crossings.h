@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "circle_voronoi/curve.h"
@@ -29,14 +30,23 @@ struct Crossing {
 /// It goes from cell to cell: each ring is a closed path in the dual. Whatever rounding does, this alone makes all that
 /// follows fit together (arcs.h).
 struct Crossings {
-  std::vector<Crossing> all;          ///< in the order of rings, and along each ring
-  std::vector<std::int32_t> offsets;  ///< for each ring where its crossings begin, and their number at the end
-  std::vector<CircleIndex> cell;      ///< for each ring without crossings the cell that it lies in, otherwise kNone
+  std::vector<Crossing> all;  ///< along each ring in its order
+  /// For each crossing the next one of its ring; kNone if the boundary has not been followed up to there.
+  std::vector<std::int32_t> next;
+  struct RingInCell {
+    CircleIndex cell;
+    std::int32_t ring;
+  };
+  std::vector<RingInCell> rings;  ///< the rings without crossings
 };
 
 /// Walks along the boundary of a region. Takes linear time in sides, crossings and the edges of the cells that are
 /// crossed, and in the circles to find the first cell. The diagram has a circle.
 Crossings crossingsOf(const Diagram& diagram, const Region& region);
+
+/// The same for some cells only: follows the boundary where it is near them, and returns crossings of their edges. Takes
+/// linear time in what is near.
+Crossings crossingsOf(const Diagram& diagram, const Region& region, std::span<const CircleIndex> circles);
 
 /// Returns the curve of an edge as it is seen from the region (far_view.h), with the parameters of its crossings.
 EdgeCurve curveIn(const Diagram& diagram, const Box& bounds, EdgeIndex edge);

@@ -417,6 +417,34 @@ bool Region::contains(Point p) const {
   return isInside || isOnBoundary;
 }
 
+std::vector<RegionSideIndex> Region::sidesIn(const Box& box) const {
+  std::vector<RegionSideIndex> sides;
+  addSidesIn(runs_.size() - 1, 0, box, sides);
+  return sides;
+}
+
+void Region::addSidesIn(std::size_t level, std::size_t run, const Box& box,
+                        std::vector<RegionSideIndex>& sides) const {
+  const auto meets = [&](const Run& its) {
+    return its.minX <= box.maxX && its.maxX >= box.minX && its.minY <= box.maxY && its.maxY >= box.minY;
+  };
+  if (!meets(runs_[level][run])) return;
+  if (level > 0) {
+    const std::size_t end = std::min((run + 1) * kRunsOfRun, runs_[level - 1].size());
+    for (std::size_t k = run * kRunsOfRun; k < end; ++k) addSidesIn(level - 1, k, box, sides);
+    return;
+  }
+  std::size_t ring = at(ringOf(static_cast<std::int32_t>(run * kSidesOfRun)));
+  for (std::size_t side = run * kSidesOfRun; side < std::min((run + 1) * kSidesOfRun, points_.size()); ++side) {
+    while (static_cast<std::int32_t>(side) >= ringOffsets_[ring + 1]) ++ring;
+    const Point a = points_[side];
+    const Point b = points_[side + 1 == at(ringOffsets_[ring + 1]) ? at(ringOffsets_[ring]) : side + 1];
+    if (meets({std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)})) {
+      sides.push_back(static_cast<std::int32_t>(side));
+    }
+  }
+}
+
 double Region::area() const {
   const Box box = bounds();
   const double unit = unitFor(std::max(box.maxX - box.minX, box.maxY - box.minY));

@@ -24,6 +24,7 @@
 #include <range/v3/algorithm/none_of.hpp>
 #include <range/v3/algorithm/partial_sort.hpp>
 #include <range/v3/algorithm/partition_point.hpp>
+#include <range/v3/algorithm/replace_if.hpp>
 #include <range/v3/algorithm/reverse.hpp>
 #include <range/v3/algorithm/sort.hpp>
 #include <range/v3/algorithm/stable_sort.hpp>
@@ -51,6 +52,7 @@ using ::ranges::move;
 using ::ranges::none_of;
 using ::ranges::partial_sort;
 using ::ranges::partition_point;
+using ::ranges::replace_if;
 using ::ranges::reverse;
 using ::ranges::sort;
 using ::ranges::stable_sort;

@@ -154,6 +154,10 @@ function passedAt(trace: Trace, event: number, circles: readonly Circle[]): read
   })
 }
 
+function circlesIn(ids: readonly number[]): string {
+  return `${ids.length === 1 ? 'circle' : 'circles'} ${list(ids)}`
+}
+
 /** What happens, in words. */
 export function tellMoment(trace: Trace, { what, event, end, r }: Moment, circles: readonly Circle[]): string {
   if (what === 'start') return 'The discs wait in a list, the smallest first. Nothing has grown yet.'
@@ -184,13 +188,13 @@ export function tellMoment(trace: Trace, { what, event, end, r }: Moment, circle
     case 'notEmpty':
       return `${at}circle ${c} reaches into the disc between circles ${a} and ${b}. The disc is thrown away.`
     case 'used':
-      return `${at}the disc between circles ${a} and ${b} touches circle ${list(passedAt(trace, event, circles))} where another border has already passed. The disc is thrown away.`
+      return `${at}the disc between circles ${a} and ${b} touches ${circlesIn(passedAt(trace, event, circles))} where another border has already passed. The disc is thrown away.`
     case 'stale':
       return `${at}a directed edge of the disc of circles ${list([...ids].sort((s, t) => s - t))} has already ended. The disc is thrown away.`
     case 'vertex': {
       const names = list([...ids].sort((s, t) => s - t))
       const ends = `${gone.length} borders end there: ${list(gone)}.`
-      const next = begun.length === 0 ? '' : ` A new one begins there: ${list(begun)}.`
+      const next = begun.length === 0 ? '' : ` A new border begins there: ${list(begun)}.`
       return `${at}the disc of circles ${names} is empty. Its center is a vertex. ${ends}${next}${joins}`
     }
   }

@@ -57,19 +57,22 @@ export function paintCones(
     const u = (column + 0.5) / scale - reach
     let top = height
     let before = -1
+    /** Whether a line has been crossed since the last pixel. */
+    let isLine = false
     for (let step = 0; step < steps && top > 0; step++) {
       const v = -depth + (2 * depth * (step + 0.5)) / steps
       let z = Number.NEGATIVE_INFINITY
       let nearest = 0
       for (let i = 0; i < cones.length; i++) {
         const cone = cones[i] as (typeof cones)[number]
-        const own = cone.r - Math.hypot(u - cone.u, v - cone.v)
+        const [du, dv] = [u - cone.u, v - cone.v]
+        const own = cone.r - Math.sqrt(du * du + dv * dv)
         if (own > z) [z, nearest] = [own, i]
       }
       const row = Math.floor(height / 2 - (v * sin + z * cos + lift) * scale)
       const isInside = z >= 0
       const part = 2 * nearest + (isInside ? 1 : 0)
-      const isLine = (before >= 0 && part !== before) || (column > 0 && part !== beside[step])
+      isLine ||= (before >= 0 && part !== before) || (column > 0 && part !== beside[step])
       before = part
       beside[step] = part
       if (row >= top) continue
@@ -92,6 +95,7 @@ export function paintCones(
         pixels[k + 3] = 255
       }
       top = Math.max(row, 0)
+      isLine = false
     }
   }
   return pixels

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// --region of compute, convert and edit, and attributes that go through to GeoJSON.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "circle_voronoi/io.h"
+#include "cli.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kCircles = "x,y,r,name,population\n0,0,1,\"A, \"\"the first\"\"\",12\n4,0,0.5,B,\n9,9,0,far,1e3\n";
+constexpr const char* kRegion =
+    R"({"type":"Feature","properties":null,"geometry":{"type":"MultiPolygon","coordinates":[
+[[[-1,-1],[5,-1],[5,1],[-1,1],[-1,-1]],[[0.5,0.5],[1,0.5],[1,0.75]]],[[[5,2,7],[6,2,7],[6,3,7]]]]}})";
+
+class CliRegion : public test::Cli {
+ protected:
+  const std::string circles_ = write("circles.csv", kCircles);
+  const std::string region_ = write("region.geojson", kRegion);
+
+  std::string textOf(const std::string& arguments) const {
+    const auto [status, out, err] = run(arguments);
+    EXPECT_EQ(status, 0) << err;
+    EXPECT_EQ(err, "");
+    return out;
+  }
+
+  void fails(const std::string& arguments, const std::string& message) const {
+    const auto [status, out, err] = run(arguments);
+    EXPECT_EQ(status, 2) << arguments;
+    EXPECT_NE(err.find(message), std::string::npos) << err;
+    EXPECT_EQ(out, "");
+  }
+};
+
+TEST_F(CliRegion, ComputeConvertAndEditClip) {
+  const std::string options = " --region " + region_ + " --format geojson";
+  const std::string computed = textOf("compute " + circles_ + options);
+  const Json features = Json::parse(computed)["features"];
+  ASSERT_EQ(features.size(), 3U);
+  double sum = 0;
+  for (const Json& feature : features) sum += feature["properties"]["area"].get<double>();
+  EXPECT_NEAR(sum, 12 - 0.0625 + 0.5, 1e-12);
+  EXPECT_EQ(features[0]["geometry"]["type"], "Polygon");
+  EXPECT_EQ(features[0]["geometry"]["coordinates"].size(), 2U);
+  EXPECT_EQ(features[1]["geometry"]["type"], "MultiPolygon");
+  EXPECT_TRUE(features[2]["geometry"].is_null());
+  EXPECT_EQ(features[2]["properties"]["circle"], 2);
+
+  textOf("compute " + circles_ + " -o " + path("diagram.json"));
+  const std::string script = write("script.csv", "remove,2\ninsert,9,9,0\n");
+  for (const std::string format : {"geojsonl", "wkt", "obj", "svg"}) {
+    const std::string wanted = " --region " + region_ + " --format " + format;
+    const std::string text = textOf("convert " + path("diagram.json") + wanted);
+    EXPECT_FALSE(text.empty());
+    const std::string edited = textOf("edit " + circles_ + " --script " + script + wanted);
+    // Edges and neighbors may come in another order.
+    EXPECT_EQ(edited.size(), text.size());
+    if (format == "wkt") {
+      EXPECT_EQ(edited, text);
+    }
+  }
+  EXPECT_NE(textOf("compute " + circles_ + " --region " + region_ + " --format wkt").find("\nPOLYGON EMPTY\n"),
+            std::string::npos);
+  // The same region as well-known text.
+  const std::string wkt = write("region.wkt",
+                                "SRID=4326;multipolygon z (((-1 -1 0, 5 -1 0, 5 1 0, -1 1 0, -1 -1 0), (0.5 0.5 0, 1 0.5 0, 1 0.75 "
+                                "0)),\n ((5 2 0, 6 2 0, 6 3 0)))\n");
+  EXPECT_EQ(textOf("compute " + circles_ + " --region " + wkt + " --format geojson"), computed);
+}
+
+TEST_F(CliRegion, MaxDistanceAndRegionTogether) {
+  const Json features =
+      Json::parse(textOf("compute " + circles_ + " --region " + region_ + " --max-distance 0.25 --format geojson"))["features"];
+  // Half of the second disc, and a part of it is cut off by nothing.
+  EXPECT_NEAR(features[1]["properties"]["area"].get<double>(), 0.75 * 0.75 * 3.14159265358979, 1e-9);
+  EXPECT_LT(features[0]["properties"]["area"].get<double>(), 1.25 * 1.25 * 3.14159265358979);
+}
+
+TEST_F(CliRegion, AttributesGoThrough) {
+  const Json features = Json::parse(textOf("compute " + circles_ + " --format geojson"))["features"];
+  EXPECT_EQ(features[0]["properties"]["name"], "A, \"the first\"");
+  EXPECT_EQ(features[0]["properties"]["population"], 12);
+  EXPECT_TRUE(features[1]["properties"]["population"].is_null());
+  EXPECT_EQ(features[2]["properties"]["population"], 1000);
+  const std::string points = write("points.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","geometry":{"type":"Point","coordinates":[0,0]},"properties":{"r":1,"area":"wide","tags":{"a":
+[1,2]}}},
+{"type":"Feature","geometry":{"type":"Point","coordinates":[3,0]},"properties":{"radius":1}}]})");
+  std::istringstream lines(textOf("compute " + points + " --format geojsonl"));
+  std::string line;
+  std::getline(lines, line);
+  const Json first = Json::parse(line)["properties"];
+  EXPECT_EQ(first["input_area"], "wide");
+  EXPECT_TRUE(first["area"].is_number());
+  EXPECT_EQ(first["tags"]["a"][1], 2);
+  std::getline(lines, line);
+  EXPECT_EQ(Json::parse(line)["properties"].size(), 4U);
+}
+
+TEST_F(CliRegion, SaysWhatIsWrong) {
+  const std::string compute = "compute " + circles_ + " --format wkt --region ";
+  fails(compute + circles_, "expected GeoJSON, POLYGON or MULTIPOLYGON.");
+  fails(compute + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"),
+        "bow.wkt: Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (1, 1).");
+  fails(compute + write("empty.wkt", "POLYGON EMPTY"), "empty.wkt:1: the region is empty.");
+  fails(compute + write("open.wkt", "POLYGON ((0 0, 1 0, 1 1)"), "open.wkt:1: expected a comma or a closing parenthesis.");
+  fails(compute + write("point.json", R"({"type":"Point","coordinates":[0,0]})"),
+        "point.json:1: a Point has no area; a region is a Polygon or a MultiPolygon.");
+  fails(compute + write("flat.json", R"({"type":"Polygon","coordinates":[[0,0],[1,0],[1,1]]})"),
+        "flat.json:1: the coordinates are not those of a Polygon.");
+  fails(compute + write("none.json", R"({"type":"FeatureCollection","features":[]})"), "The region has no ring.");
+  fails(compute + region_ + " --bounds 0,0,1,1", "--region takes no --bounds.");
+  fails("compute " + circles_ + " --format csv --region " + region_, "--region needs --format svg, geojson");
+}
+
+}  // namespace
+}  // namespace circle_voronoi

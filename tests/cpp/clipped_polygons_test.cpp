@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Polygons of cells in regions: against Boost.Geometry as an independent oracle, and as a coverage.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/multi_polygon.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <cmath>
+#include <map>
+#include <random>
+#include <tuple>
+
+#include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/comparison.h"
+#include "in_circle.h"
+#include "region_shapes.h"
+#include "report.h"
+
+namespace circle_voronoi {
+namespace {
+
+namespace bg = boost::geometry;
+using BoostPoint = bg::model::d2::point_xy<double>;
+using BoostPolygon = bg::model::polygon<BoostPoint, false>;  // counter-clockwise
+using BoostPolygons = bg::model::multi_polygon<BoostPolygon>;
+
+std::vector<Circle> randomCircles(std::mt19937_64& random, int count, double largest) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<Circle> circles;
+  for (int i = 0; i < count; ++i) circles.push_back({unit(random), unit(random), largest * unit(random)});
+  return circles;
+}
+
+BoostPolygons boostOf(const Region& region) {
+  BoostPolygons polygons;
+  for (std::size_t p = 0; p < region.polygonCount(); ++p) {
+    BoostPolygon polygon;
+    for (std::int32_t r = region.polygonOffsets()[p]; r < region.polygonOffsets()[p + 1]; ++r) {
+      std::vector<BoostPoint> ring;
+      const auto ringAt = static_cast<std::size_t>(r);
+      for (std::int32_t k = region.ringOffsets()[ringAt]; k < region.ringOffsets()[ringAt + 1]; ++k) {
+        const Point q = region.points()[static_cast<std::size_t>(k)];
+        ring.emplace_back(q.x, q.y);
+      }
+      if (r == region.polygonOffsets()[p]) {
+        polygon.outer().assign(ring.begin(), ring.end());
+      } else {
+        polygon.inners().emplace_back(ring.begin(), ring.end());
+      }
+    }
+    bg::correct(polygon);
+    polygons.push_back(polygon);
+  }
+  return polygons;
+}
+
+/// A cell in a large box as a fine polygon.
+BoostPolygon fineCell(const Diagram& diagram, CircleIndex circle, const ConvexPolygon& box, double tolerance) {
+  BoostPolygon polygon;
+  for (const auto& loop : outline(diagram, circle, box)) {
+    for (const OutlinePiece& piece : loop) {
+      const auto points = polyline(piece.curve, tolerance);
+      for (std::size_t k = 0; k + 1 < points.size(); ++k) polygon.outer().emplace_back(points[k].x, points[k].y);
+    }
+  }
+  bg::correct(polygon);
+  return polygon;
+}
+
+TEST(ClippedPolygons, AreasAreThoseOfBoostGeometry) {
+  std::mt19937_64 random(test::seedOr(3));
+  const ConvexPolygon box = ConvexPolygon::from(Box{-3, -3, 4, 4}).value();
+  for (int trial = 0; trial < 3; ++trial) {
+    const auto circles = randomCircles(random, 30, 0.1);
+    const Diagram diagram = computeComparison(circles, trial == 1 ? Metric::power : Metric::circles).value();
+    const std::vector<std::vector<Region::Ring>> shapes = {
+        {test::starRing(random, {0.5, 0.5}, 0.2, 0.8, 25), test::starRing(random, {0.5, 0.5}, 0.02, 0.15, 9)},
+        {test::combRing({0.1, 0.05, 0.95, 0.9}, 7)},
+        {test::coastRing(random, {0.5, 0.5}, 0.4, 80)},
+        {test::spiralRing({0, 0, 1, 1}, 3)}};
+    for (const auto& rings : shapes) {
+      const Region region = Region::fromRings(rings).value();
+      const ClippedDiagram clipped = ClippedDiagram::from(diagram, region).value();
+      const std::vector<double> areas = clipped.areas();
+      const BoostPolygons clip = boostOf(region);
+      for (std::size_t i = 0; i < circles.size(); ++i) {
+        BoostPolygons parts;
+        bg::intersection(fineCell(diagram, static_cast<std::int32_t>(i), box, 1e-8), clip, parts);
+        EXPECT_NEAR(areas[i], bg::area(parts), 1e-7) << "cell " << i;
+      }
+    }
+  }
+}
+
+/// Rings of a row, in the order of polygons.
+template <class Visit>
+void visitRings(const ClippedPolygons& polygons, std::size_t row, Visit visit) {
+  const auto at = [](std::int32_t i) { return static_cast<std::size_t>(i); };
+  for (std::int32_t p = polygons.polygonOffsets[row]; p < polygons.polygonOffsets[row + 1]; ++p) {
+    for (std::int32_t r = polygons.ringOffsets[at(p)]; r < polygons.ringOffsets[at(p) + 1]; ++r) {
+      visit(r == polygons.ringOffsets[at(p)],
+            std::span(polygons.points)
+                .subspan(at(polygons.pointOffsets[at(r)]),
+                         at(polygons.pointOffsets[at(r) + 1] - polygons.pointOffsets[at(r)])));
+    }
+  }
+}
+
+/// Checks that polygons cover a region without gaps and overlaps: each of their sides is one of another polygon, the
+/// other way round, or lies on the boundary of the region; and each polygon is valid.
+void expectCoverage(const ClippedPolygons& polygons, const Region& region, double areaError) {
+  std::map<std::tuple<double, double, double, double>, int> sides;
+  double area = 0;
+  for (std::size_t row = 0; row + 1 < polygons.polygonOffsets.size(); ++row) {
+    BoostPolygons cell;
+    visitRings(polygons, row, [&](bool isOuter, std::span<const Point> ring) {
+      if (isOuter) cell.emplace_back();
+      auto& target = isOuter ? cell.back().outer() : cell.back().inners().emplace_back();
+      for (std::size_t k = 0; k <= ring.size(); ++k) {
+        const Point p = ring[k % ring.size()];
+        target.emplace_back(p.x, p.y);
+        const Point q = ring[(k + 1) % ring.size()];
+        if (k < ring.size()) ++sides[{p.x, p.y, q.x, q.y}];
+      }
+    });
+    area += bg::area(cell);
+    for (const BoostPolygon& polygon : cell) {
+      std::string reason;
+      EXPECT_TRUE(bg::is_valid(polygon, reason)) << reason << " in cell " << row;
+    }
+  }
+  const Box box = region.bounds();
+  const double near = 1e-14 * std::max({std::abs(box.minX), std::abs(box.maxX), std::abs(box.minY), std::abs(box.maxY)});
+  const auto isOnBoundary = [&](Point p) {
+    for (std::size_t k = 0; k < region.sideCount(); ++k) {
+      const auto ring = static_cast<std::size_t>(std::int32_t{region.ringOf(static_cast<std::int32_t>(k))});
+      const auto next = static_cast<std::int32_t>(k) + 1 == region.ringOffsets()[ring + 1]
+                            ? static_cast<std::size_t>(region.ringOffsets()[ring])
+                            : k + 1;
+      const Point a = region.points()[k];
+      const Point b = region.points()[next];
+      bg::model::segment<BoostPoint> side({a.x, a.y}, {b.x, b.y});
+      if (bg::distance(BoostPoint(p.x, p.y), side) <= near) return true;
+    }
+    return false;
+  };
+  for (const auto& [side, count] : sides) {
+    const auto& [x, y, u, v] = side;
+    EXPECT_EQ(count, 1);
+    const auto twin = sides.find({u, v, x, y});
+    if (twin != sides.end()) continue;
+    EXPECT_TRUE(isOnBoundary({(x + u) / 2, (y + v) / 2})) << x << " " << y << " to " << u << " " << v;
+  }
+  EXPECT_NEAR(area, region.area(), areaError);
+}
+
+TEST(ClippedPolygons, AreAValidCoverageAtAnyTolerance) {
+  std::mt19937_64 random(test::seedOr(4));
+  for (int trial = 0; trial < 12; ++trial) {
+    const auto circles = randomCircles(random, 25, trial % 2 == 0 ? 0.1 : 0.4);
+    const Diagram diagram = computeComparison(circles, Metric::circles).value();
+    const std::vector<std::vector<Region::Ring>> shapes = {
+        {test::starRing(random, {0.5, 0.5}, 0.2, 0.8, 60)},
+        {test::starRing(random, {0.5, 0.5}, 0.5, 0.8, 30), test::starRing(random, {0.5, 0.5}, 0.02, 0.4, 40)},
+        {test::coastRing(random, {0.5, 0.5}, 0.4, 300)},
+        {test::combRing({0.05, 0.05, 0.95, 0.9}, 30)}};
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      const Region region = Region::fromRings(shapes[k]).value();
+      const ClippedDiagram clipped = ClippedDiagram::from(diagram, region).value();
+      for (const double tolerance : {1e-5, 1e-2, 10.0}) {
+        SCOPED_TRACE("trial " + std::to_string(trial) + ", shape " + std::to_string(k) + ", tolerance " +
+                     std::to_string(tolerance));
+        expectCoverage(clipped.polygons(tolerance), region, 1e-12);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace circle_voronoi
