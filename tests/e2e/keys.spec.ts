@@ -131,6 +131,7 @@ test('the disc at the pointer is shown wherever it is, and what belongs to place
   await expect.poll(async () => Object.keys((await path()) ?? {})).toEqual(['from', 'to'])
   const { x, y, scale } = app.camera(dataSet('cities'))
   const { from, to } = (await path()) as unknown as Record<'from' | 'to', { x: number; y: number }>
+  expect((to.x - from.x) * scale).toBeGreaterThan(400)
   for (const end of [from, to]) {
     expect(Math.abs(end.x - x) * scale).toBeLessThan(640)
     expect(Math.abs(end.y - y) * scale).toBeLessThan(400)

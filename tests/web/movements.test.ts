@@ -46,7 +46,7 @@ it('circles grow from points to what they are, and breathe around that', () => {
   const grow = movementOf('grow', CIRCLES, BOX)
   expect(grow(0).every(({ circle }) => circle.r === 0)).toBe(true)
   const radii = CIRCLES.map(({ circle }) => circle.r)
-  grow(5).forEach(({ circle }, k) => expect(circle.r).toBeCloseTo(radii[k] as number, 12))
+  for (const [k, { circle }] of grow(5).entries()) expect(circle.r).toBeCloseTo(radii[k] as number, 12)
   const breathe = movementOf('breathe', CIRCLES, BOX, random)
   for (let k = 0; k < 50; k++) {
     breathe(0.1).forEach(({ circle }, k) => {
