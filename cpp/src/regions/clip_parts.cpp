@@ -64,12 +64,12 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
 
 /// A level other than 0 and 1 is right only where the vertex lies on the boundary but for rounding.
 void ClippedDiagram::Parts::checkLevels() const {
-  constexpr double kNearBoundary = 0x1p-36;
+  constexpr double kLevelRounding = 0x1p-36;
   for (std::size_t v = 0; v < diagram.vertices.size(); ++v) {
     const std::int32_t level = arcs.levelOf(static_cast<std::int32_t>(v));
     if (level == 0 || level == 1) continue;
     const Vertex& vertex = diagram.vertices[v];
-    const double near = kNearBoundary * std::max(std::abs(vertex.x), std::abs(vertex.y));
+    const double near = kLevelRounding * std::max(std::abs(vertex.x), std::abs(vertex.y));
     if (!region.sidesIn({vertex.x - near, vertex.y - near, vertex.x + near, vertex.y + near}).empty()) continue;
     throw Refusal{errorWith(ErrorCode::coordinateTooLarge,
                             "Rounding does not allow to follow the boundary of the region through the diagram, because "
