@@ -199,7 +199,7 @@ class Checker {
 
   void checkPolygons() const {
     if (!isLarge_) return;
-    const ExportFrame frame(diagram_, {box_, {}, {}}, region_);
+    const ExportFrame frame(diagram_, {.bounds = box_}, region_, std::nullopt);
     const CellPolygons polygons = timed("CellPolygons", [&] { return CellPolygons(frame); });
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(circles_.size()); ++i) {
       for (const auto& polygon : timed("polygons", [&] { return polygons.polygons(i); })) {

@@ -10,7 +10,7 @@ import { inspect } from 'node:util'
 import { blocksRunBy } from '../readme/blocks.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
-const MODULES = ['index', 'worker', 'comparison', 'files']
+const MODULES = ['index', 'worker', 'files']
 /** What all of them begin with, as the module's own comment says. */
 const BEGIN = `
 const library = await loadCircleVoronoi()
@@ -69,9 +69,11 @@ describe('the code in a comment', () => {
   for (const { file, line, code } of blocksRunBy('tests/wasm/examples.test.mjs')) {
     it(`${file}:${line} runs, and what it asks to be told it is told`, async () => {
       const module = `${folder}/${file.replaceAll('/', '-')}-${line}.mjs`
-      const given = ['library', 'editor', 'worker', 'circles', 'redraw', 'canvas']
+      const given = ['library', 'diagram', 'editor', 'worker', 'circles', 'redraw', 'canvas']
       // Names that it makes itself are other ones, of an inner block.
-      const made = [...code.matchAll(/^const (?:\[id\]|(\w+)) = /gm)].map(([, name]) => name).filter(Boolean)
+      const made = [...code.matchAll(/^const (?:\[id\]|\{ (\w+) \}|(\w+)) = /gm)].flatMap(([, ...names]) =>
+        names.filter(Boolean),
+      )
       assert.notEqual(made.length, 0)
       const source = `export async function run({ ${given.join(', ')} }) {\n{\n${code}\nreturn { ${made.join(', ')} }\n}\n}\n`
       writeFileSync(module, imports + source)
@@ -89,8 +91,10 @@ describe('the code in a comment', () => {
       const worker = createWorker()
       const editor = library.edit(circles)
       try {
-        const { diagram, editor: used = editor } = await run({
+        const computed = library.compute(circles)
+        const { diagram = computed, editor: used = editor } = await run({
           library,
+          diagram: computed,
           editor,
           worker,
           circles,

@@ -244,7 +244,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ['badArgument', 'from takes three functions, for x, y and r of a datum.', () => l.from?.([], 'x', 'y', 'r')],
   [
     'badOption',
-    'There is no option minX of render; its options are context, bounds, maxDistance, tolerance and digits.',
+    'There is no option minX of render; its options are context, bounds, region, maxDistance, tolerance and digits.',
     () => d.render?.(box),
   ],
   ['badOption', 'What render draws on is an option: { context }.', () => d.render?.({ moveTo() {} })],

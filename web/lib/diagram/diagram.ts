@@ -38,8 +38,6 @@ import {
   DRAW_OPTIONS,
   type DrawOptions,
   drawn,
-  type InBounds,
-  type InRegion,
   PATH_OPTIONS,
   POLYGON_OPTIONS,
   type PolygonOptions,
@@ -397,8 +395,8 @@ export class Diagram implements DiagramData {
    * each further piece and back along the same segment, so that its area and inside are correct; `cellOutline` returns
    * the pieces. With a `region`, returns a `MultiPolygon`. Neighboring cells share their points bit for bit.
    */
-  cellPolygon(i: number, options: PolygonOptions & InRegion): MultiPolygon | undefined
-  cellPolygon(i: number, options?: PolygonOptions & InBounds): Polygon | undefined
+  cellPolygon(i: number, options: PolygonOptions & { readonly region: Region }): MultiPolygon | undefined
+  cellPolygon(i: number, options?: PolygonOptions & { readonly region?: undefined }): Polygon | undefined
   cellPolygon(i: number, options: PolygonOptions = {}): Polygon | MultiPolygon | undefined {
     this.#checkCircle(i, 'cellPolygon')
     checkDrawOptions(options, 'cellPolygon', POLYGON_OPTIONS)
@@ -412,11 +410,11 @@ export class Diagram implements DiagramData {
   }
 
   /** Generates the polygons of all cells that are not empty, each with the `index` of its circle. */
-  cellPolygons(options: PolygonOptions & InRegion): Generator<MultiPolygon & { index: number }, void>
-  cellPolygons(options?: PolygonOptions & InBounds): Generator<Polygon & { index: number }, void>
+  cellPolygons(options: PolygonOptions & { readonly region: Region }): Generator<MultiPolygon & { index: number }, void>
+  cellPolygons(options?: PolygonOptions & { readonly region?: undefined }): Generator<Polygon & { index: number }, void>
   *cellPolygons(options: PolygonOptions = {}): Generator<(Polygon | MultiPolygon) & { index: number }, void> {
     for (let index = 0; index < this.circles.length / 3; index++) {
-      const polygon = this.cellPolygon(index, options as PolygonOptions & InBounds)
+      const polygon = this.cellPolygon(index, options as PolygonOptions & { readonly region?: undefined })
       if (polygon !== undefined) yield Object.assign(polygon, { index })
     }
   }

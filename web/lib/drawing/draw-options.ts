@@ -28,16 +28,6 @@ export interface BoundsOptions {
   readonly maxDistance?: number | undefined
 }
 
-/** Options with a region. */
-export interface InRegion {
-  readonly region: Region
-}
-
-/** Options without a region. */
-export interface InBounds {
-  readonly region?: undefined
-}
-
 /**
  * Options for the accuracy of curves, and for clipping.
  *

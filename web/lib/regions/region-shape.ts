@@ -2,11 +2,12 @@
 import { refuseOption, shown } from '../base/check.ts'
 import type { Float64s, Int32s, Point } from '../base/types.ts'
 
-/** A position of GeoJSON, or a point. */
-type Position = readonly number[] | Point
-
-/** A ring: its points in order. The last one may repeat the first one. */
-type RingShape = readonly Position[]
+/**
+ * A ring: its points in order. The last one may repeat the first one.
+ *
+ * @category Regions
+ */
+export type RingShape = readonly (readonly number[] | Point)[]
 
 /**
  * What a region can be made from: GeoJSON (a `Polygon`, `MultiPolygon`, `GeometryCollection`, `Feature` or

@@ -75,7 +75,7 @@ export class Region {
   readonly box: Box
   readonly #module: RegionModule
 
-  /** Made by `Regions.region`. */
+  /** @internal `Regions.region` makes regions. */
   constructor(
     arrays: Pick<Region, 'points' | 'ringOffsets' | 'polygonOffsets' | 'area' | 'perimeter'>,
     module: RegionModule,
@@ -105,7 +105,7 @@ export class Region {
     return this.#module.contains(x, y)
   }
 
-  /** The parts of all cells and edges of a diagram inside; for the methods of `Diagram`. */
+  /** @internal The parts of all cells and edges of a diagram inside, for the methods of `Diagram`. */
   clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram {
     return this.#module.clip(diagram, maxDistance)
   }
