@@ -177,7 +177,7 @@ class Questions {
   static void askOutline(const std::string& name, const Outline& parts) {
     for (const auto& loop : parts) {
       Answer answer(name + " loop");
-      for (const auto& [curve, side, neighbor, radius] : loop) {
+      for (const auto& [curve, side, neighbor, radius, regionSide] : loop) {
         answer << curve.from << curve.to << curve.start << curve.end << side << neighbor << radius;
       }
     }
