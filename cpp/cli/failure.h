@@ -23,10 +23,10 @@ struct ExitMeaning {
 
 /// The meaning of each exit status, for --help and the manual page.
 inline constexpr std::array<ExitMeaning, 4> kExitMeanings = {
-    {{kSuccess, "All is well."},
+    {{kSuccess, "Success."},
      {kFailure, "A file cannot be read or written, a diagram is not certified, or a fit did not converge."},
-     {kBadInput, "The circles, the diagram or the command line are wrong."},
-     {kNotFinal, "Circles of a tile's core are not final; what is written is."}}};
+     {kBadInput, "The circles, the diagram or the command line are invalid."},
+     {kNotFinal, "Some circles of a tile's core are not final; everything that was written is final."}}};
 
 /// Thrown by a command: the exit status of the program, and one sentence that says why.
 struct Failure {

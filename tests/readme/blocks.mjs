@@ -45,6 +45,7 @@ const RUN_BY = [
     'The ways to a diagram',
     'Editing',
     'After the diagram',
+    'Regions',
     'The page',
     'What is read',
     'Tiles',

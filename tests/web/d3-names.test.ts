@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The README says where each name of d3-delaunay is found here.
+// The cookbook says where each name of d3-delaunay is found here.
 import { readFileSync } from 'node:fs'
 import { expect, it } from 'vitest'
 import { library } from './library.ts'
 
 const { Delaunay, Voronoi } = await import('d3-delaunay' as string)
-const README = readFileSync(new URL('../../README.md', import.meta.url), 'utf8')
+const COOKBOOK = readFileSync(new URL('../../docs/cookbook.md', import.meta.url), 'utf8')
 const [, same = '', table = ''] =
-  /many names are the same: ([^.]+)\.[^|]+\n\n(\| d3-delaunay [\s\S]+?)\n\n/.exec(README) ?? []
+  /many names are the same: ([^.]+)\.[^|]+\n\n(\| d3-delaunay [\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
 const diagram = library.compute([
   [0, 0, 1],
   [6, 0, 1],

@@ -45,7 +45,7 @@ ClippedDiagram::Parts::Parts(const Diagram& its, const Region& itsRegion, std::o
     const SideIndex side = diagram.links.firstSide[i];
     const std::int32_t level = side == kNone ? 0 : arcs.levelOf(diagram.originOf(side));
     if (level == 0) places_[i] = Place::outside;
-    if (level < 0 || level > 1) places_[i] = Place::cut;
+    if ((level < 0 || level > 1) && places_[i] == Place::inside) places_[i] = Place::cut;
   }
   checkLevels();
   into_.reserve(crossings.all.size());

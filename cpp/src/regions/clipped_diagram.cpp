@@ -65,8 +65,14 @@ class CellMoments {
       }
       if (place != Place::cut) continue;
       const auto into = parts_.crossingsInto(circle);
-      references_[i] = into.empty() ? parts_.pointOf(parts_.region.ringOffsets()[at(parts_.ringsIn(circle)[0].index)])
-                                    : parts_.crossings.all[at(into[0].index)].point;
+      const auto rings = parts_.ringsIn(circle);
+      if (!into.empty()) {
+        references_[i] = parts_.crossings.all[at(into[0].index)].point;
+      } else if (!rings.empty()) {
+        references_[i] = parts_.pointOf(parts_.region.ringOffsets()[at(rings[0].index)]);
+      } else {
+        references_[i] = placeOf(diagram_.vertices[at(diagram_.originOf(diagram_.links.firstSide[i]))]);
+      }
     }
   }
 
