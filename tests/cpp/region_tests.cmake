@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The tests of regions are a program of their own: most of its time to build goes into Boost.Geometry, their oracle.
+# The tests of regions and fitted areas are a program of their own: most of its time to build goes into Boost.Geometry, their oracle.
 add_executable(circle_voronoi_region_tests
   clipped_diagram_test.cpp
   clipped_polygons_test.cpp
+  fit_areas_test.cpp
   region_shapes.cpp
   region_test.cpp)
-target_link_libraries(circle_voronoi_region_tests PRIVATE circle_voronoi_trials GTest::gtest_main)
+target_link_libraries(circle_voronoi_region_tests PRIVATE
+  circle_voronoi_trials circle_voronoi::fit GTest::gtest_main)
 if(CIRCLE_VORONOI_BUILD_CLI)
   target_sources(circle_voronoi_region_tests PRIVATE cli.cpp cli_region_test.cpp)
   target_link_libraries(circle_voronoi_region_tests PRIVATE nlohmann_json::nlohmann_json)

@@ -28,7 +28,7 @@ struct AreaFitOptions {
   /// The largest number of steps, 1 or more.
   int maxSteps = 500;
   /// Called before the first step and after each one. To cancel, throw: the exception passes through `fitAreas`.
-  std::function<void(const AreaFitStep&)> onStep;
+  std::function<void(const AreaFitStep&)> onStep = {};
 };
 
 struct AreaFit {
