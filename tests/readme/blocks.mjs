@@ -40,21 +40,14 @@ const RUN_BY = [
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
   { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },
-  ...[
-    'The way of the data',
-    'The ways to a diagram',
-    'Editing',
-    'After the diagram',
-    'Regions',
-    'The page',
-    'What is read',
-    'Tiles',
-  ].map((heading) => ({
-    by: LISTED,
-    file: 'ARCHITECTURE.md',
-    heading,
-    what: 'drawing',
-  })),
+  ...['The way of the data', 'The ways to a diagram', 'Editing', 'Regions', 'The page', 'What is read', 'Tiles'].map(
+    (heading) => ({
+      by: LISTED,
+      file: 'ARCHITECTURE.md',
+      heading,
+      what: 'drawing',
+    }),
+  ),
   { by: 'tests/e2e/tutorial.spec.ts', file: `${CHAPTERS}/teachers.md` },
   { by: NATIVE, file: MANUAL_PAGE },
   ...['index', 'diagram/diagram', 'wasm/editor', 'wasm/library', 'worker'].map((name) => ({

@@ -33,17 +33,17 @@ export interface Comparison {
 }
 
 /**
- * Loads the module of comparison diagrams.
+ * Loads the comparison diagrams of a library.
  *
  * @throws CircleVoronoiError `notLoaded`
  */
-export async function loadComparisonModule({ wasm }: LoadOptions): Promise<WasmComparisonModule> {
+export async function loadComparison(library: ComputingLibrary, { wasm }: LoadOptions): Promise<Comparison> {
   const { default: createModule } = await loadComparisonScript().catch(scriptNotLoaded('The comparison diagrams'))
   const beside = () => new URL('../generated/circle-voronoi-comparison.wasm', import.meta.url)
-  return instantiate(createModule, await compileWasm(wasm, beside))
+  return comparisonOf(library, await instantiate(createModule, await compileWasm(wasm, beside)))
 }
 
-export function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): Comparison {
+function comparisonOf(library: ComputingLibrary, module: WasmComparisonModule): Comparison {
   return {
     computeComparison(circles, metric) {
       const coordinates = coordinatesOf(circles)

@@ -93,18 +93,18 @@ export type SiteLike =
   | { readonly x: number; readonly y: number; readonly r?: number }
 
 /**
- * Loads the module of regions.
+ * Loads regions and fits.
  *
  * @throws CircleVoronoiError `notLoaded`
  */
-export async function loadRegionsModule({ wasm }: LoadOptions): Promise<WasmRegionsModule> {
+export async function loadRegions({ wasm }: LoadOptions): Promise<Regions> {
   const { default: createModule } = await loadRegionsScript().catch(scriptNotLoaded('The regions'))
   const beside = () => new URL('../generated/circle-voronoi-regions.wasm', import.meta.url)
-  return instantiate(createModule, await compileWasm(wasm, beside))
+  return regionsOf(await instantiate(createModule, await compileWasm(wasm, beside)))
 }
 
 /** The regions and fits of a module. */
-export function regionsOf(module: WasmRegionsModule): Regions {
+function regionsOf(module: WasmRegionsModule): Regions {
   // Free what is no longer used.
   const regions = new FinalizationRegistry((address: number) => module.deleteRegion(address))
   const clips = new FinalizationRegistry((address: number) => module.deleteClip(address))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { comparisonOf, loadComparisonModule } from './comparison.ts'
+import { loadComparison } from './comparison.ts'
 import type { CircleVoronoi, ComputingLibrary } from './library.ts'
 import { checkLoadOptions } from './load-options.ts'
-import { loadRegionsModule, regionsOf } from './regions.ts'
+import { loadRegions } from './regions.ts'
 
 /**
  * A library that can also load its other modules. The workers of bundlers do without: some bundlers cannot split the code of
@@ -13,11 +13,11 @@ export function withModules(library: ComputingLibrary): CircleVoronoi {
     ...library,
     async loadComparison(options = {}) {
       checkLoadOptions(options, 'loadComparison')
-      return comparisonOf(library, await loadComparisonModule(options))
+      return loadComparison(library, options)
     },
     async loadRegions(options = {}) {
       checkLoadOptions(options, 'loadRegions')
-      return regionsOf(await loadRegionsModule(options))
+      return loadRegions(options)
     },
   }
 }
