@@ -40,7 +40,7 @@ const RUN_BY = [
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
   { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },
-  ...['The way of the data', 'The ways to a diagram', 'Editing', 'Regions', 'The page', 'What is read', 'Tiles'].map(
+  ...['Data flow', 'Construction methods', 'Editing', 'Regions', 'The page', 'The tutorial and the documentation', 'Tiles'].map(
     (heading) => ({
       by: LISTED,
       file: 'ARCHITECTURE.md',
