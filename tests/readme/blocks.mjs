@@ -40,14 +40,20 @@ const RUN_BY = [
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
   { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },
-  ...['Data flow', 'Construction methods', 'Editing', 'Regions', 'The page', 'The tutorial and the documentation', 'Tiles'].map(
-    (heading) => ({
-      by: LISTED,
-      file: 'ARCHITECTURE.md',
-      heading,
-      what: 'drawing',
-    }),
-  ),
+  ...[
+    'Data flow',
+    'Construction methods',
+    'Editing',
+    'Regions',
+    'The page',
+    'The tutorial and the documentation',
+    'Tiles',
+  ].map((heading) => ({
+    by: LISTED,
+    file: 'ARCHITECTURE.md',
+    heading,
+    what: 'drawing',
+  })),
   { by: 'tests/e2e/tutorial.spec.ts', file: `${CHAPTERS}/teachers.md` },
   { by: NATIVE, file: MANUAL_PAGE },
   ...['index', 'diagram/diagram', 'wasm/editor', 'wasm/library', 'worker'].map((name) => ({
