@@ -418,7 +418,7 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   const output = page.locator('output')
   const atFirst = await circlesOf(page)
   await expect(element.getByRole('application')).toHaveAccessibleDescription(/not yet as they are to be/)
-  await page.getByRole('button', { name: 'Hand in' }).click()
+  await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toBeEmpty()
   expect(await element.evaluate((element: Element) => [element.checkValidity(), element.validationMessage])).toEqual([
     false,
@@ -427,9 +427,9 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   // Far away, it no longer borders on the small one.
   await drag(page, 3, 150, 0)
   await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(true)
-  await page.getByRole('button', { name: 'Hand in' }).click()
+  await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toHaveText('Handed in: 5 circles, right.')
-  await page.getByRole('button', { name: 'Begin again' }).click()
+  await page.getByRole('button', { name: 'Reset' }).click()
   await expect.poll(() => circlesOf(page)).toEqual(atFirst)
   await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(false)
   // With the form, it can no longer be changed.
@@ -485,7 +485,7 @@ for (const name of ['react', 'vue']) {
       element.circles = [...Array(5).keys()].map((k) => ({ x: k * k, y: 3 * k, r: 1 }))
     })
     await expect(page.locator('output')).toHaveText(/^5 circles/)
-    await page.getByRole('button', { name: 'As at first' }).click()
+    await page.getByRole('button', { name: 'Reset' }).click()
     await expect(page.locator('output')).toHaveText('3 circles, 3 edges')
     expect(problems).toEqual([])
   })
