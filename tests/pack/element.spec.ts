@@ -845,20 +845,29 @@ test.describe('with fingers', () => {
       await touch('touchEnd', [])
     }
     const scrolled = () => page.evaluate(() => scrollY)
-    await page.locator('circle-voronoi').evaluate((element) => element.scrollIntoView({ block: 'start' }))
+    /** Scrolls, and waits until the page rests: it rolls on after a finger has left it. */
+    const scroll = async (act: () => Promise<void>) => {
+      await page.evaluate(() => {
+        const ended = new Promise((resolve) => addEventListener('scrollend', resolve, { once: true }))
+        Object.assign(globalThis, { ended })
+      })
+      await act()
+      await page.evaluate(() => (globalThis as unknown as { ended: Promise<unknown> }).ended)
+    }
+    const figure = page.locator('circle-voronoi')
+    await scroll(() => figure.evaluate((element) => element.scrollIntoView({ block: 'start' })))
     const before = await scrolled()
     const atFirst = await circlesOf(page)
     const small = await placeOf(page, 3)
     await swipe(small, 30, 24)
     await expect.poll(async () => (await circlesOf(page))[9]).toBeGreaterThan((atFirst[9] as number) + 4)
     expect(await scrolled()).toBe(before)
-    await page.evaluate(() => scrollTo(0, 0))
+    await scroll(() => page.evaluate(() => scrollTo(0, 0)))
     const moved = await circlesOf(page)
     const free = await placeOf(page, 2)
-    await swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90)
-    await expect.poll(scrolled).toBeGreaterThan(40)
+    await scroll(() => swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90))
+    expect(await scrolled()).toBeGreaterThan(40)
     expect(await circlesOf(page)).toEqual(moved)
-    await page.evaluate(() => scrollTo(0, 0))
     const { x, y } = await placeOf(page, 3)
     await touch('touchStart', [
       { x: x - 20, y },
