@@ -418,7 +418,7 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   const output = page.locator('output')
   const atFirst = await circlesOf(page)
   await expect(element.getByRole('application')).toHaveAccessibleDescription(/not yet as they are to be/)
-  await page.getByRole('button', { name: 'Hand in' }).click()
+  await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toBeEmpty()
   expect(await element.evaluate((element: Element) => [element.checkValidity(), element.validationMessage])).toEqual([
     false,
@@ -427,9 +427,9 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   // Far away, it no longer borders on the small one.
   await drag(page, 3, 150, 0)
   await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(true)
-  await page.getByRole('button', { name: 'Hand in' }).click()
+  await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toHaveText('Handed in: 5 circles, right.')
-  await page.getByRole('button', { name: 'Begin again' }).click()
+  await page.getByRole('button', { name: 'Reset' }).click()
   await expect.poll(() => circlesOf(page)).toEqual(atFirst)
   await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(false)
   // With the form, it can no longer be changed.
@@ -485,7 +485,7 @@ for (const name of ['react', 'vue']) {
       element.circles = [...Array(5).keys()].map((k) => ({ x: k * k, y: 3 * k, r: 1 }))
     })
     await expect(page.locator('output')).toHaveText(/^5 circles/)
-    await page.getByRole('button', { name: 'As at first' }).click()
+    await page.getByRole('button', { name: 'Reset' }).click()
     await expect(page.locator('output')).toHaveText('3 circles, 3 edges')
     expect(problems).toEqual([])
   })
@@ -952,20 +952,29 @@ test.describe('with fingers', () => {
       await touch('touchEnd', [])
     }
     const scrolled = () => page.evaluate(() => scrollY)
-    await page.locator('circle-voronoi').evaluate((element) => element.scrollIntoView({ block: 'start' }))
+    /** Scrolls, and waits until the page rests: it rolls on after a finger has left it. */
+    const scroll = async (act: () => Promise<void>) => {
+      await page.evaluate(() => {
+        const ended = new Promise((resolve) => addEventListener('scrollend', resolve, { once: true }))
+        Object.assign(globalThis, { ended })
+      })
+      await act()
+      await page.evaluate(() => (globalThis as unknown as { ended: Promise<unknown> }).ended)
+    }
+    const figure = page.locator('circle-voronoi')
+    await scroll(() => figure.evaluate((element) => element.scrollIntoView({ block: 'start' })))
     const before = await scrolled()
     const atFirst = await circlesOf(page)
     const small = await placeOf(page, 3)
     await swipe(small, 30, 24)
     await expect.poll(async () => (await circlesOf(page))[9]).toBeGreaterThan((atFirst[9] as number) + 4)
     expect(await scrolled()).toBe(before)
-    await page.evaluate(() => scrollTo(0, 0))
+    await scroll(() => page.evaluate(() => scrollTo(0, 0)))
     const moved = await circlesOf(page)
     const free = await placeOf(page, 2)
-    await swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90)
-    await expect.poll(scrolled).toBeGreaterThan(40)
+    await scroll(() => swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90))
+    expect(await scrolled()).toBeGreaterThan(40)
     expect(await circlesOf(page)).toEqual(moved)
-    await page.evaluate(() => scrollTo(0, 0))
     const { x, y } = await placeOf(page, 3)
     await touch('touchStart', [
       { x: x - 20, y },
