@@ -87,7 +87,7 @@ export async function tutorialTexts(folder) {
       return poster
     }
     const { picture, ...others } = drawing.draw(spec, circles)
-    // What says most of it is not always what it begins with.
+    // The most telling place of its slider is not always the first one.
     const tile = spec.tile && put(`${spec.name}-tile`, drawing.draw({ ...spec, at: spec.tile }, circles).picture)
     return { ...others, poster: put(spec.name, picture), tile }
   }
@@ -157,7 +157,7 @@ function contents(book, made, hero) {
   const html = `<div class="hero">
 <div>
 <h1>Which circle is nearest?</h1>
-<p>Circles divide the plane among themselves, along curved borders. Eleven short chapters show how to find these borders, why the method is right, and what it is good for. You can drag everything. School geometry is enough.</p>
+<p>Circles divide the plane among themselves, along curved borders. Twelve short chapters show how to find these borders, why the method is right, and what it is good for. You can drag everything. School geometry is enough.</p>
 <a class="go" href="${first.file}">Start with chapter 1</a>
 </div>
 ${hero}</div>
