@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { type CircleVoronoiError, outlineArea, type Region, type RegionShape } from '../../web/lib/index.ts'
+import { type CircleVoronoiError, outlineArea, Region, type RegionShape } from '../../web/lib/index.ts'
 import { library, seededRandom } from './library.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
@@ -325,5 +325,27 @@ describe('fitted areas', () => {
       },
     }
     expect(() => fitAreas(sites, [0.9, 0.1], stop)).toThrow(RangeError)
+    expect(problem([0.5, 0.5], { region: square, onStep: true })).toMatch(/^badOption: The option onStep/)
+    expect(problem([0.5, 0.5], { region: square, signal: true })).toMatch(/^badOption: The option signal/)
+    const other = new Region(square, { contains: () => true, clip: () => expect.unreachable() })
+    expect(problem([0.5, 0.5], { region: other })).toMatch(/^badOption: The region of fitAreas was made by another/)
+    expect(problemOf(() => fitAreas(undefined as never, [1], { region: square }))).toMatch(/^badInput: /)
+    expect(problemOf(() => fitAreas([['a', 1] as never], [1], { region: square }))).toMatch(/^badInput: Circle 0 /)
+  })
+
+  it('stop before the next step when their signal says so', () => {
+    const sites = circles(20, 8)
+    const areas = sites.map(() => 72 / 20)
+    const controller = new AbortController()
+    const told: number[] = []
+    const onStep = ({ steps }: { steps: number }) => {
+      told.push(steps)
+      if (steps === 2) controller.abort(new RangeError('enough'))
+    }
+    const { signal } = controller
+    expect(() => fitAreas(sites, areas, { region: hall, signal, onStep })).toThrow(new RangeError('enough'))
+    expect(told).toEqual([0, 1, 2])
+    expect(() => fitAreas(sites, areas, { region: hall, signal, onStep })).toThrow(RangeError)
+    expect(told).toHaveLength(3)
   })
 })
