@@ -88,6 +88,8 @@ function commandLine() {
       /<table class="(head|foot)">[\s\S]*?<\/table>|<section class="Sh">\s*<h1[^>]*id="NAME"[\s\S]*?<\/section>/g,
       '',
     )
+    // Options that share a description have a space in its place.
+    .replace(/<dd>&#x00A0;<\/dd>/g, '<dd></dd>')
     .replace(/<a class="permalink"[^>]*>([\s\S]*?)<\/a>/g, '$1')
     // Below the title of this page, whose policy allows no styles in attributes.
     .replace(/<(\/?)h([12])\b/g, (_, end, level) => `<${end}h${Number(level) + 1}`)
