@@ -3,7 +3,7 @@ import { refuseOption } from '../base/check.ts'
 import type { Circles } from '../base/coordinates.ts'
 import type { DiagramData } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
-import { type ClippedDiagram, Region } from '../regions/region.ts'
+import { type ClippedDiagram, type ClippedPolygons, Region } from '../regions/region.ts'
 import { type RegionShape, type RingArrays, ringArraysOf } from '../regions/region-shape.ts'
 import { type AreaFit, type FitOptions, fitInput, type SiteLike } from './fit.ts'
 import { judgedArrays } from './judged-arrays.ts'
@@ -126,6 +126,8 @@ class Clipped implements ClippedDiagram {
   #cells: ClippedDiagram['cells'] | undefined
   #edges: ClippedDiagram['edges'] | undefined
   #areas: Float64Array | undefined
+  /** Those of the last tolerance: who asks for one mostly asks for all. */
+  #polygons: { readonly tolerance: number; readonly polygons: ClippedPolygons } | undefined
 
   constructor(module: WasmRegionsModule, address: number, region: Region) {
     this.#module = module
@@ -161,6 +163,10 @@ class Clipped implements ClippedDiagram {
   }
 
   polygons(tolerance: number) {
-    return unwrap(this.#module.clippedPolygons(this.#address, tolerance))
+    const last = this.#polygons
+    if (last?.tolerance === tolerance) return last.polygons
+    const polygons = unwrap(this.#module.clippedPolygons(this.#address, tolerance))
+    this.#polygons = { tolerance, polygons }
+    return polygons
   }
 }
