@@ -95,11 +95,13 @@ ${help(spec, inline, `<button type="button" class="show" data-circles="${escaped
   }
 
   function element(spec) {
-    const { layers, controls, method, view, check, alt } = spec
+    const { layers, controls, method, view, check, region, areas, alt } = spec
     const { circles, poster } = made.get(spec.name)
     const attributes = {
       circles: JSON.stringify(circles),
       layers: layers && JSON.stringify(layers),
+      region: region && JSON.stringify(region),
+      areas,
       controls,
       method,
       view: view?.join(' '),

@@ -43,7 +43,7 @@ export interface FitOptions {
 }
 
 /**
- * What a fit has reached.
+ * The state of a fit after a step.
  *
  * @category Regions
  */
@@ -57,7 +57,7 @@ export interface FitStep {
 }
 
 /**
- * Weights for which the cells have the areas asked for.
+ * The result of a fit: weights for which each cell has its area.
  *
  * @category Regions
  */

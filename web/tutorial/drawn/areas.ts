@@ -114,7 +114,7 @@ export function isNear(share: number, goal: number): boolean {
   return Math.abs(share - goal) < 0.015
 }
 
-/** What each cell has of the area, below its site. */
+/** The number of each site, and below it what its cell has of the area. */
 export function writeShares(
   pen: Pen,
   sites: readonly Circle[],
@@ -124,6 +124,7 @@ export function writeShares(
   for (const [i, { x, y }] of sites.entries()) {
     const [share, goal] = [shares[i] as number, goals[i] as number]
     const isRight = isNear(share, goal)
+    pen.write('number', { x, y: y + pen.units(14) }, `${i}`)
     pen.write(isRight ? 'label right' : 'label', { x, y: y - pen.units(26) }, `${percent(share)}${isRight ? ' ✓' : ''}`)
   }
 }
