@@ -97,8 +97,11 @@ export class EditorActions implements Hands {
     const { camera, size } = this.#view
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
+    const said = circlesOfLink(scene, circles)
+    const names = said.circles && scene.names && Array.from(circles.ids(), (id) => this.#editing.nameOf(id))
     return {
-      ...circlesOfLink(scene, circles),
+      ...said,
+      ...(names && { names }),
       ...(!this.isWhole && { view: viewOfLink(camera, size) }),
       ...(Object.keys(layers).length > 0 && { layers }),
       ...(step !== undefined && { step, method }),
