@@ -99,9 +99,12 @@ export class EditorActions implements Hands {
     const { camera, size } = this.#view
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
+    // Areas go by the order of the circles.
+    const said = Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)
+    const names = said.circles && scene.names && Array.from(circles.ids(), (id) => this.#editing.nameOf(id))
     return {
-      // By the order of the circles.
-      ...(Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)),
+      ...said,
+      ...(names && { names }),
       ...regionOfLink(scene, domain),
       ...(areas !== undefined && { areas }),
       ...(!this.isWhole && { view: viewOfLink(camera, size) }),
