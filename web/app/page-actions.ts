@@ -84,11 +84,11 @@ export class PageActions extends EditorActions {
   }
 
   async #linked(text: string): Promise<Opened> {
-    const { circles, dataSet, edits, view, layers = {}, step, method } = await decodeLink(text)
+    const { circles, names, dataSet, edits, view, layers = {}, step, method } = await decodeLink(text)
     const scene =
       circles === undefined
         ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)
-        : { circles, dataSet: '', isEdited: false }
+        : { circles, names, dataSet: '', isEdited: false }
     return { ...scene, edits, view, layers, step, method }
   }
 

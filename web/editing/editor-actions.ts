@@ -20,8 +20,8 @@ import { ENGLISH_EDITING } from './words.ts'
 /** How far one may zoom in from the picture without outliers, and out from the whole one. */
 const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
-/** How much a button zooms in. */
-export const BUTTON_ZOOM = 1.5
+/** How much a button or a key zooms in. */
+const ZOOM_STEP = 1.5
 /** What is zoomed to fills a part of the view: so many times as much is seen. */
 const SHOWN_AROUND = 3
 /** The share of the width that a path goes across at first. */
@@ -99,9 +99,12 @@ export class EditorActions implements Hands {
     const { camera, size } = this.#view
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
+    // Areas go by the order of the circles.
+    const said = Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)
+    const names = said.circles && scene.names && Array.from(circles.ids(), (id) => this.#editing.nameOf(id))
     return {
-      // By the order of the circles.
-      ...(Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)),
+      ...said,
+      ...(names && { names }),
       ...regionOfLink(scene, domain),
       ...(areas !== undefined && { areas }),
       ...(!this.isWhole && { view: viewOfLink(camera, size) }),
@@ -488,9 +491,10 @@ export class EditorActions implements Hands {
     this.#view.setCamera(zoomed(camera, size, anchor, scale / camera.scale))
   }
 
-  zoomAtMiddle(factor: number): void {
+  /** Zooms by a step: in by 1, out by -1. */
+  zoomAtMiddle(steps: 1 | -1): void {
     const { width, height } = this.#view.size
-    this.zoom(factor, { x: width / 2, y: height / 2 })
+    this.zoom(ZOOM_STEP ** steps, { x: width / 2, y: height / 2 })
   }
 
   /** Shows what a view says, if it is one of these circles; else, and without one, everything. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { EditorActions, Opened } from '../editing/editor-actions.ts'
+import { EditorActions, type Opened } from '../editing/editor-actions.ts'
 import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
@@ -24,7 +24,7 @@ import {
 } from './attributes.ts'
 import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
-import { mountControls } from './controls.ts'
+import { mountControls, paddingBelow } from './controls.ts'
 import { circlesWithin, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
 import { Figure } from './figure.ts'
 import { loadWords, wordsOf } from './language.ts'
@@ -713,8 +713,11 @@ export class CircleVoronoiElement extends Base {
   #start(): void {
     if (this.#figure !== undefined) return
     const { figure, frame, controls, player, said } = this.#shell
-    const places = { figure, around: frame, controls, player, said }
-    this.#figure = new Figure(places, (this.constructor as typeof CircleVoronoiElement).load, {
+    const places = { figure, around: frame, player, said }
+    this.#figure = new Figure(places, {
+      load: (this.constructor as typeof CircleVoronoiElement).load,
+      scrolls: true,
+      actions: (...of) => new EditorActions(...of, () => paddingBelow(controls)),
       onoutcome: ({ edited, isOpened }) => {
         this.#shell.isRunning = true
         if (isOpened) this.#try('check', () => this.#checkCircles())

@@ -18,7 +18,7 @@ import { circlesFrom, rowsOf } from './columns.ts'
 import type { FilesClient } from './files-client.ts'
 import type { Read, SavedFormat } from './files-protocol.ts'
 import { elementCode, embedCode, save } from './saving.ts'
-import { withLink } from './svg-scene.ts'
+import { withLink, withTable } from './svg-scene.ts'
 
 /** Larger files are none that a browser could show. */
 const LARGEST_FILE = 2 ** 28
@@ -142,10 +142,11 @@ export class FileActions {
     })
   }
 
-  /** The drawing as it is seen, which opens the same again if it is not too large. */
+  /** The drawing as it is seen, which opens again: the same, or where there are too many circles for a link, its circles. */
   async saveDrawing(part: Part): Promise<void> {
     await this.#try(async () => {
-      const svg = withLink(await this.#view.toSVG(this.#shotOf(part)), await this.#link())
+      const [drawing, link] = [await this.#view.toSVG(this.#shotOf(part)), await this.#link()]
+      const svg = link !== '' ? withLink(drawing, link) : withTable(drawing, await this.#csv())
       save(new Blob([svg], { type: 'image/svg+xml' }), `${this.#name}.svg`)
     })
   }
@@ -214,6 +215,10 @@ export class FileActions {
       if (error instanceof CircleVoronoiError && error.code === 'tooManyCircles') return ''
       throw error
     }
+  }
+
+  #csv(): Promise<string> {
+    return this.#client.write(this.#editing.circles.circles(), 'csv')
   }
 
   get #name(): string {

@@ -6,7 +6,7 @@ import { randomNumbers } from '../random-circles.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
 import { namesIn } from './names.ts'
 import { stippled, tonesOf } from './stipple.ts'
-import { circlesOfSvg } from './svg-scene.ts'
+import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
 
 const port = globalThis as unknown as {
   onmessage: (event: MessageEvent<FilesRequest>) => void
@@ -50,8 +50,11 @@ async function resultOf(data: FilesRequest): Promise<unknown> {
 
 async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): Promise<Read> {
   const text = new TextDecoder().decode(bytes)
-  if (/^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)) return circlesOfSvg(text, name)
+  const isSvg = /^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)
+  const table = isSvg ? tableOfSvg(text) : undefined
+  if (isSvg && table === undefined) return circlesOfSvg(text, name)
   const { holdsDiagram, readCircles, readDiagram } = await files()
+  if (table !== undefined) return { circles: readCircles(new TextEncoder().encode(table), { name }) }
   if (holdsDiagram(bytes)) return { circles: readDiagram(bytes, { name }).circles }
   const circles = readCircles(bytes, { name })
   return { circles, names: namesIn(text, circles.length / 3) }

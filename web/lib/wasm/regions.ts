@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { refuseOption } from '../base/check.ts'
 import type { Circles } from '../base/coordinates.ts'
+import { NONE } from '../base/diagram-data.ts'
 import type { DiagramData } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
-import { type ClippedDiagram, Region } from '../regions/region.ts'
+import { fewCircles, sidesOfFew } from '../regions/few-circles.ts'
+import { type ClippedDiagram, type ClippedPolygons, Region } from '../regions/region.ts'
 import { type RegionShape, type RingArrays, ringArraysOf } from '../regions/region-shape.ts'
 import { type AreaFit, type FitOptions, fitInput, type SiteLike } from './fit.ts'
 import { judgedArrays } from './judged-arrays.ts'
@@ -81,6 +83,15 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
     const region: Region = new Region(arrays, {
       contains: (x, y) => module.regionContains(address, x, y),
       clip: (diagram, maxDistance) => clippedOf(address, region, diagram, maxDistance),
+      clipCell(diagram, circle, maxDistance) {
+        const few = fewCircles(diagram, circle)
+        const result = module.clipCell(address, few.circles, diagram.weights, few.chosen, maxDistance)
+        // What is wrong with a few circles, all circles tell better.
+        if ('error' in result) return undefined
+        const { cells, ...small } = result
+        const sides = sidesOfFew(diagram, few, small)
+        return sides && { ...cells, side: cells.side.map((side) => sides.get(side) ?? NONE) }
+      },
     })
     regions.register(region, address)
     addresses.set(region, address)
@@ -126,6 +137,7 @@ class Clipped implements ClippedDiagram {
   #cells: ClippedDiagram['cells'] | undefined
   #edges: ClippedDiagram['edges'] | undefined
   #areas: Float64Array | undefined
+  #polygons: { readonly tolerance: number; readonly polygons: ClippedPolygons } | undefined
 
   constructor(module: WasmRegionsModule, address: number, region: Region) {
     this.#module = module
@@ -156,11 +168,17 @@ class Clipped implements ClippedDiagram {
     return unwrap(this.#module.clippedPerimeters(this.#address))
   }
 
-  neighbors(circle: number) {
-    return unwrap(this.#module.clippedNeighbors(this.#address, circle))
+  largestEmptyDisc() {
+    const { disc, circles } = unwrap(this.#module.clippedLargestEmptyDisc(this.#address))
+    if (disc.length === 0) return undefined
+    const [x, y, r] = disc as unknown as [number, number, number]
+    return { disc: { x, y, r }, circles: Array.from(circles).filter((circle) => circle !== NONE) }
   }
 
   polygons(tolerance: number) {
-    return unwrap(this.#module.clippedPolygons(this.#address, tolerance))
+    if (this.#polygons?.tolerance !== tolerance) {
+      this.#polygons = { tolerance, polygons: unwrap(this.#module.clippedPolygons(this.#address, tolerance)) }
+    }
+    return this.#polygons.polygons
   }
 }
