@@ -116,7 +116,7 @@ function cppReference() {
   })
   const about = `Every public name of the C++ library, in the namespace <code>circle_voronoi</code>, with its contract. Include the headers as
 <code>#include &lt;circle_voronoi/compute.h&gt;</code>.`
-  return page('headers.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`)
+  return { ...page('headers.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`), isBroad: true }
 }
 
 /** Nobody can use what is private. */
