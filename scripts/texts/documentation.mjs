@@ -105,7 +105,10 @@ async function examples(site) {
 
 function cppReference() {
   const title = 'The C++ headers'
-  const headers = readdirSync(ROOT + HEADERS).sort()
+  // abi.h has nothing to call.
+  const headers = readdirSync(ROOT + HEADERS)
+    .filter((name) => name !== 'abi.h')
+    .sort()
   const parts = headers.map((header) => {
     const [, declared] =
       /\nnamespace [^{]*\{\n([\s\S]*?)\n\}\s*\/\/ namespace/.exec(
