@@ -39,14 +39,14 @@ export default [
   },
   {
     name: 'The element in one file',
-    limit: '296 kB',
+    limit: '300 kB',
     path: 'dist/element/bundle.js',
     gzip: true,
   },
   {
     name: 'The element with its thread and WebAssembly',
-    // Of it 174 kB for the WebAssembly, 30 for what draws and edits, in two languages, the rest for geometry and the painting thread.
-    limit: '271 kB',
+    // Of it 174 kB for the WebAssembly, 30 for what draws and edits, in two languages, 3 for regions and areas, the rest for geometry and the painting thread.
+    limit: '275 kB',
     path: ['dist/element/index.js', 'dist/element/painter.js', `${LIB}/generated/circle-voronoi.wasm`],
     // Power diagrams, the player and German are fetched when asked for.
     ignore: ['./circle-voronoi-comparison-*', './circle-voronoi-regions-*', './player-*', './german-*'],
@@ -58,8 +58,8 @@ export default [
     // Of it 2 kB for geometry at every scale, elliptic integrals, and the largest disc inside a region, 3 kB for
     // sentences that say what is wrong with an argument, half a one for quick decimal texts, another for edges that are
     // drawn as chords without their curves, 1 kB each for JSON, files and links, 1.5 for traces, and 4.7 kB for editors, here and in a worker,
-    // and diagrams that follow them, 2.3 kB for regions and fitted areas.
-    limit: '37.5 kB',
+    // and diagrams that follow them, 3.5 kB for regions and fitted areas, here and in a worker.
+    limit: '39 kB',
     path: `${LIB}/index.js`,
     ignore: ['./generated/*', '../generated/*'],
     gzip: true,

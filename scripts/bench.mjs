@@ -2,10 +2,12 @@
 // `npm run bench [-- --sizes N,... --families NAME|FILE,... ...]`: builds the benchmark and runs it, natively (the table and
 // build/bench/native.json; circle-voronoi-bench explains its options), then the WebAssembly build against the native one
 // on circles of the same kind (build/bench/wasm.json). With `-- --edits` the table of edits, natively and in WebAssembly;
-// with `-- --areas` that of fits of areas, also against d3-voronoi-map.
+// with `-- --regions` that of clipping, also of polygons and edits in WebAssembly; with `-- --areas` that of fits of areas,
+// also against d3-voronoi-map.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { benchAreas } from './bench-areas.mjs'
 import { benchEdits, benchWorstEdits } from './bench-edits.mjs'
+import { benchRegions } from './bench-regions.mjs'
 import { benchWasm } from './bench-wasm.mjs'
 import { realData } from './data.mjs'
 import { build, main, outcomeOf, ROOT, run } from './run.mjs'
@@ -27,9 +29,11 @@ await main(async () => {
 
   const isOfEdits = chosen[0] === '--edits'
   const isOfAreas = chosen[0] === '--areas'
-  if (chosen.length > 0 && !isOfEdits && !isOfAreas) return
+  const isOfRegions = chosen[0] === '--regions'
+  if (chosen.length > 0 && !isOfEdits && !isOfAreas && !isOfRegions) return
   await build('build:lib')
   if (isOfAreas) return console.table(await benchAreas(output))
+  if (isOfRegions) return console.table(await benchRegions())
   if (isOfEdits) {
     console.table(await benchEdits(output))
     console.table(await benchWorstEdits(output))

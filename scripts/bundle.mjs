@@ -28,6 +28,7 @@ async function lib() {
   const exported = await Promise.all(['index', 'worker'].map((name) => import(`${ROOT}dist/lib/${name}.js`)))
   await oneFile('lib', exported.flatMap(Object.keys), [
     replacing('web/lib/threads/thread-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
+    replacing('web/lib/threads/regions-script.ts', 'web/lib/bundled/threads/regions-script.ts'),
   ])
   // That of the module that the compiler made.
   rmSync(`${ROOT}dist/lib/bundle.js.map`)
@@ -126,7 +127,7 @@ const wasmInside = {
 const wasmBeside = {
   name: 'wasm-beside',
   setup({ onLoad }) {
-    onLoad({ filter: /web\/lib\/wasm\/(default-wasm|comparison|regions)\.ts$/ }, ({ path }) => ({
+    onLoad({ filter: /web\/lib\/wasm\/(default-wasm|comparison|load-regions)\.ts$/ }, ({ path }) => ({
       contents: readFileSync(path, 'utf8').replace(/'[./]+(generated\/[\w-]+\.wasm)'/, "'../lib/$1'"),
       loader: 'ts',
     }))

@@ -4,6 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "circle_voronoi/clipped_diagram.h"
+#include "circle_voronoi/compute.h"
 #include "circle_voronoi/fit_areas.h"
 #include "circle_voronoi/region.h"
 #include "values.h"
@@ -69,15 +71,18 @@ Metric metricFrom(const std::string& name) {
   return Metric::circles;
 }
 
+std::optional<double> distanceFrom(const val& maxDistance) {
+  if (maxDistance.isUndefined()) return {};
+  return maxDistance.as<double>();
+}
+
 /// `value`: a diagram as `compute` in web/lib returns it, with its metric.
 val createClip(std::uintptr_t region, const val& value, const val& maxDistance) {
   return valueOf([&] {
     auto clip = std::make_unique<Clip>();
     clip->diagram = diagramFrom(value);
     clip->diagram.metric = metricFrom(value["metric"].as<std::string>());
-    std::optional<double> distance;
-    if (!maxDistance.isUndefined()) distance = maxDistance.as<double>();
-    auto clipped = ClippedDiagram::from(clip->diagram, regionOf(region), distance);
+    auto clipped = ClippedDiagram::from(clip->diagram, regionOf(region), distanceFrom(maxDistance));
     if (!clipped.ok()) return errorValue(clipped.error());
     clip->clipped.emplace(std::move(clipped).value());
     val result = val::object();
@@ -88,20 +93,41 @@ val createClip(std::uintptr_t region, const val& value, const val& maxDistance) 
 
 void deleteClip(std::uintptr_t address) { delete reinterpret_cast<const Clip*>(address); }
 
-val clippedCells(std::uintptr_t address) {
+val cellsValue(const ClippedCells& cells) {
+  val result = val::object();
+  result.set("loopOffsets", int32Array(cells.loopOffsets));
+  result.set("isHole", typedArray<std::uint8_t>("Uint8Array", cells.isHole));
+  result.set("pieceOffsets", int32Array(cells.pieceOffsets));
+  result.set("x", float64Array(cells.x));
+  result.set("y", float64Array(cells.y));
+  result.set("side", int32Array(cells.side));
+  result.set("regionSide", int32Array(cells.regionSide));
+  result.set("r", float64Array(cells.r));
+  return result;
+}
+
+/// Clips a cell of the diagram of a few circles (web/lib/regions/few-circles.ts). The result has the cell as a row, and
+/// what tells the sides of that small diagram.
+val clipCell(std::uintptr_t region, const val& circles, bool weights, std::int32_t chosen, const val& maxDistance) {
   return valueOf([&] {
-    const ClippedCells cells = clippedOf(address).cells();
+    Options options;
+    options.weights = weights;
+    const auto diagram = compute(itemsFrom<double, Circle>(circles), options);
+    if (!diagram.ok()) return errorValue(diagram.error());
+    const std::array<CircleIndex, 1> cells = {chosen};
+    const auto clipped = ClippedDiagram::ofCells(*diagram, regionOf(region), cells, distanceFrom(maxDistance));
+    if (!clipped.ok()) return errorValue(clipped.error());
     val result = val::object();
-    result.set("loopOffsets", int32Array(cells.loopOffsets));
-    result.set("isHole", typedArray<std::uint8_t>("Uint8Array", cells.isHole));
-    result.set("pieceOffsets", int32Array(cells.pieceOffsets));
-    result.set("x", float64Array(cells.x));
-    result.set("y", float64Array(cells.y));
-    result.set("side", int32Array(cells.side));
-    result.set("regionSide", int32Array(cells.regionSide));
-    result.set("r", float64Array(cells.r));
+    result.set("edges", int32Array(diagram->edges));
+    result.set("nextSide", int32Array(diagram->links.nextSide));
+    result.set("firstSide", int32Array(diagram->links.firstSide));
+    result.set("cells", cellsValue(clipped->cells(cells)));
     return result;
   });
+}
+
+val clippedCells(std::uintptr_t address) {
+  return valueOf([&] { return cellsValue(clippedOf(address).cells()); });
 }
 
 val clippedEdges(std::uintptr_t address) {
@@ -129,8 +155,16 @@ val clippedCentroids(std::uintptr_t address) {
 val clippedPerimeters(std::uintptr_t address) {
   return valueOf([&] { return float64Array(clippedOf(address).perimeters()); });
 }
-val clippedNeighbors(std::uintptr_t address, std::int32_t circle) {
-  return valueOf([&] { return int32Array(clippedOf(address).neighbors(circle)); });
+
+/// x, y and r of the disc, and three circles or kNone; both are empty if there is none.
+val clippedLargestEmptyDisc(std::uintptr_t address) {
+  return valueOf([&] {
+    const auto found = clippedOf(address).largestEmptyDisc();
+    val result = val::object();
+    result.set("disc", float64Array(found ? std::vector{found->disc} : std::vector<Vertex>()));
+    result.set("circles", int32Array(found ? std::vector{found->circles} : std::vector<std::array<CircleIndex, 3>>()));
+    return result;
+  });
 }
 
 val clippedPolygons(std::uintptr_t address, double tolerance) {
@@ -180,12 +214,13 @@ EMSCRIPTEN_BINDINGS(circle_voronoi_regions) {
   emscripten::function("regionContains", &regionContains);
   emscripten::function("createClip", &createClip);
   emscripten::function("deleteClip", &deleteClip);
+  emscripten::function("clipCell", &clipCell);
   emscripten::function("clippedCells", &clippedCells);
   emscripten::function("clippedEdges", &clippedEdges);
   emscripten::function("clippedAreas", &clippedAreas);
   emscripten::function("clippedCentroids", &clippedCentroids);
   emscripten::function("clippedPerimeters", &clippedPerimeters);
-  emscripten::function("clippedNeighbors", &clippedNeighbors);
+  emscripten::function("clippedLargestEmptyDisc", &clippedLargestEmptyDisc);
   emscripten::function("clippedPolygons", &clippedPolygons);
   emscripten::function("fitAreas", &fitAreasValue);
 }

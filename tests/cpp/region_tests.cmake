@@ -9,7 +9,7 @@ add_executable(circle_voronoi_region_tests
 target_link_libraries(circle_voronoi_region_tests PRIVATE
   circle_voronoi_trials circle_voronoi::fit GTest::gtest_main)
 if(CIRCLE_VORONOI_BUILD_CLI)
-  target_sources(circle_voronoi_region_tests PRIVATE cli.cpp cli_region_test.cpp)
+  target_sources(circle_voronoi_region_tests PRIVATE cli.cpp cli_fit_test.cpp cli_region_test.cpp)
   target_link_libraries(circle_voronoi_region_tests PRIVATE nlohmann_json::nlohmann_json)
   add_dependencies(circle_voronoi_region_tests circle_voronoi_cli)
 endif()

@@ -18,6 +18,7 @@ const EXPECTED = JSON.stringify({
   power: [3, 4],
   stages: true,
   canceled: 'changed my mind',
+  areas: ['4.000000', '12.000000'],
   code: 'negativeRadius',
 })
 
@@ -191,6 +192,18 @@ test.describe('in Node', () => {
       console.log(await useBundle(library))`,
     )
     expect(project.run(process.execPath, 'bundle-main.mjs')).toBe('3,4,4 3,4,4\n')
+  })
+
+  test('from the bundle, fits in its worker', () => {
+    project.write(
+      'bundle-fit.mjs',
+      `import { createWorker, loadCircleVoronoi } from './node_modules/circle-voronoi/dist/lib/bundle.js'
+      const { region } = await (await loadCircleVoronoi()).loadRegions()
+      const square = region([[[0, 0], [4, 0], [4, 4], [0, 4]]])
+      const { areas } = await createWorker().fitAreas([[1, 1], [3, 2]], [4, 12], { region: square })
+      console.log(Array.from(areas, Math.round).join())`,
+    )
+    expect(project.run(process.execPath, 'bundle-fit.mjs')).toBe('4,12\n')
   })
 
   test('by require, where Node requires modules', () => {

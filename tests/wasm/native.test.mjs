@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The WebAssembly build against the native program, on every fixture: each index and each number to the last bit.
+// The WebAssembly build against the native program, on every fixture and in regions: each index and each number to the last bit.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { readdirSync } from 'node:fs'
+import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
 import { basename } from 'node:path'
-import { describe, it } from 'node:test'
+import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { edgeAt, loadCircleVoronoi, vertexAt } from '../../dist/lib/index.js'
+import { edgeAt, exportBox, loadCircleVoronoi, vertexAt } from '../../dist/lib/index.js'
 import { realData } from '../../scripts/data.mjs'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
@@ -23,6 +24,9 @@ const OPTIONS = [
 ]
 
 const library = await loadCircleVoronoi()
+const { region, fitAreas } = await library.loadRegions()
+const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
+after(() => rmSync(folder, { recursive: true }))
 const fixtures = readdirSync(`${ROOT}tests/fixtures`, { recursive: true }).filter((name) => name.endsWith('.csv'))
 
 describe('the module', () => {
@@ -47,6 +51,105 @@ describe('the same bits as the native program, certified, on real circles', () =
   }
 })
 
+describe('the same bits as the native program, in a region', () => {
+  const names = ['bronzefilter.csv', 'spruces.csv', 'waka.csv']
+  for (const name of names) {
+    it(`clipped: ${name}`, () => {
+      const file = `${ROOT}tests/fixtures/${name}`
+      const diagram = library.compute(nativeDiagram(file, {}).circles)
+      const { json, shape } = regionAround(exportBox(diagram.circles))
+      const regionFile = written('region.json', json)
+      const tolerance = diagram.circles.length * 1e-6
+      const options = [
+        '--region',
+        regionFile,
+        '--tolerance',
+        String(tolerance),
+        '--digits',
+        '20',
+        '--format',
+        'geojson',
+      ]
+      const native = JSON.parse(printed('compute', file, ...options)).features
+      const polygons = Array.from(native, (_, i) => diagram.cellPolygon(i, { region: shape, tolerance }))
+      assert.deepStrictEqual(
+        polygons.map(geometryOf),
+        native.map(({ geometry }) => geometry),
+      )
+      const areas = native.map(({ properties }) => properties.area)
+      assert.deepStrictEqual([...diagram.cellAreas({ region: shape })], areas)
+      assert.ok(areas.filter((area) => area > 0).length > 10)
+    })
+  }
+
+  for (const [count, decades] of [
+    [40, 0],
+    [150, 2],
+  ]) {
+    it(`fitted: ${count} areas over ${decades} decades`, () => {
+      let state = count
+      const random = () => {
+        state = (state * 48_271) % 2_147_483_647
+        return state / 2_147_483_647
+      }
+      const sites = Array.from({ length: count }, () => [random(), random()])
+      const shares = sites.map(() => 1 + Math.floor((10 ** decades - 1) * random()))
+      const { json, shape } = regionAround({ minX: 0, minY: 0, maxX: 1, maxY: 1 })
+      const rows = sites.map(([x, y], i) => `${x},${y},0,${shares[i]}\n`)
+      const file = written('sites.csv', `x,y,r,share\n${rows.join('')}`)
+      const options = ['--areas', 'share', '--shares', '--region', written('region.json', json), '--format', 'json']
+      const native = JSON.parse(printed('fit', file, ...options))
+      const { diagram, weights } = fitAreas(sites, shares, { region: shape, shares: true })
+      assert.deepStrictEqual(
+        [...weights],
+        native.circles.map(({ r }) => r),
+      )
+      const { circles: _, ...rest } = native
+      const { seconds: _seconds, ...stats } = rest.stats
+      assert.deepStrictEqual(asJson(diagram), { ...rest, stats })
+    })
+  }
+})
+
+/** A star with a hole and an island in it, in a box: its text as GeoJSON, and as a region. */
+function regionAround({ minX, minY, maxX, maxY }) {
+  const corners = 60
+  const at = (radius, k) => {
+    const angle = (2 * Math.PI * k) / corners
+    return [
+      (minX + maxX) / 2 + radius * (maxX - minX) * Math.cos(angle),
+      (minY + maxY) / 2 + radius * (maxY - minY) * Math.sin(angle),
+    ]
+  }
+  const ring = (radiusOf) => {
+    const open = Array.from({ length: corners }, (_, k) => at(radiusOf(k), k))
+    return [...open, open[0]]
+  }
+  const coordinates = [
+    [ring((k) => 0.3 + (0.15 * ((k * k) % 7)) / 6), ring((k) => 0.1 + 0.1 * (k % 2))],
+    [ring(() => 0.05)],
+  ]
+  const json = JSON.stringify({ type: 'MultiPolygon', coordinates })
+  return { json, shape: region(JSON.parse(json)) }
+}
+
+function written(name, text) {
+  const file = `${folder}/${name}`
+  writeFileSync(file, text)
+  return file
+}
+
+function printed(...args) {
+  return execFileSync(NATIVE, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
+}
+
+/** As GeoJSON has it. */
+function geometryOf(polygons) {
+  if (polygons === undefined) return null
+  if (polygons.length === 1) return { type: 'Polygon', coordinates: polygons[0] }
+  return { type: 'MultiPolygon', coordinates: polygons }
+}
+
 /** Computes the circles of a file both ways, compares, and returns the diagram. */
 function compare(file, options) {
   const { circles, ...native } = nativeDiagram(file, options)
@@ -59,7 +162,7 @@ function compare(file, options) {
 
 function nativeDiagram(file, options) {
   const flags = Object.entries(options).flatMap(([name, value]) => [`--${name}`, String(value)])
-  const output = execFileSync(NATIVE, ['compute', file, ...flags], { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
+  const output = printed('compute', file, ...flags)
   // JSON has no sign of zero to lose: `-0` is read as -0, and deepStrictEqual tells the two apart.
   return JSON.parse(output)
 }

@@ -87,6 +87,77 @@ describe('compute', () => {
   })
 })
 
+describe('fitAreas', () => {
+  const random = (seed) => () => {
+    seed = (seed * 48_271) % 2_147_483_647
+    return seed / 2_147_483_647
+  }
+
+  it('gives what the library gives, to the bit, with the same steps', async () => {
+    const { region, fitAreas } = await (await loadCircleVoronoi()).loadRegions()
+    const hall = region([
+      [
+        [0, 0],
+        [9, 0],
+        [9, 9],
+        [0, 9],
+      ],
+      [
+        [3, 3],
+        [6, 3],
+        [6, 6],
+        [3, 6],
+      ],
+    ])
+    const next = random(1)
+    const sites = Array.from({ length: 200 }, () => [9 * next(), 9 * next()])
+    const shares = sites.map(() => 1 + 9 * next())
+    const steps = { here: [], there: [] }
+    const options = (told) => ({ region: hall, shares: true, onStep: (step) => told.push(step) })
+    const here = fitAreas(sites, shares, options(steps.here))
+    const there = await worker.fitAreas(sites, shares, options(steps.there))
+    assert.deepEqual(there.weights, here.weights)
+    assert.deepEqual(there.areas, here.areas)
+    assert.deepEqual(there.diagram.vertices, here.diagram.vertices)
+    assert.deepEqual([there.error, there.steps], [here.error, here.steps])
+    assert.deepEqual(steps.there, steps.here)
+    assert.ok(steps.here.length > 2)
+    assert.deepEqual(there.diagram.cellAreas({ region: hall }), here.areas)
+  })
+
+  it('is canceled by a signal, and the worker goes on', async () => {
+    const { region } = await (await loadCircleVoronoi()).loadRegions()
+    const square = region([
+      [
+        [0, 0],
+        [1, 0],
+        [1, 1],
+        [0, 1],
+      ],
+    ])
+    const next = random(2)
+    const sites = Array.from({ length: 3000 }, () => [next(), next()])
+    const controller = new AbortController()
+    const { signal } = controller
+    const onStep = ({ steps }) => steps === 1 && controller.abort('enough')
+    const shares = sites.map(() => 1)
+    await assert.rejects(
+      worker.fitAreas(sites, shares, { region: square, shares: true, signal, onStep }),
+      (reason) => reason === 'enough',
+    )
+    const two = await worker.fitAreas(
+      [
+        [0.2, 0.5],
+        [0.8, 0.5],
+      ],
+      [0.5, 0.5],
+      { region: square },
+    )
+    assert.deepEqual([...two.areas], [0.5, 0.5])
+    await assert.rejects(worker.fitAreas([[0.2, 0.5]], [0.5], { region: square }), { code: 'badInput' })
+  })
+})
+
 describe('progress', () => {
   it('tells the stages and the part of the event loop that is done', async () => {
     const told = []

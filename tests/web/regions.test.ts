@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
-import { describe, expect, it } from 'vitest'
-import { type CircleVoronoiError, outlineArea, type Region, type RegionShape } from '../../web/lib/index.ts'
+import { describe, expect, it, vi } from 'vitest'
+import {
+  type Bounds,
+  type Circles,
+  type CircleVoronoiError,
+  clipCurve,
+  Diagram,
+  distanceFrom,
+  edgeCurve,
+  largestEmptyDiscCenteredIn,
+  largestEmptyDiscInside,
+  type Outline,
+  outlineArea,
+  Region,
+  type RegionShape,
+} from '../../web/lib/index.ts'
+import type { RegionModule } from '../../web/lib/regions/region.ts'
 import { library, seededRandom } from './library.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
+const comparison = readFileSync(new URL('../../web/lib/generated/circle-voronoi-comparison.wasm', import.meta.url))
 const { region, fitAreas } = await library.loadRegions({ wasm })
 
 const HALL = [
@@ -246,6 +262,164 @@ describe('a diagram in a region', () => {
     editor.dispose()
   })
 
+  /** What an outline is made of, whichever of its pieces comes first. */
+  const partsOf = (outline: Outline) =>
+    outline
+      .flatMap((loop) => loop.map(({ curve: { start }, ...piece }) => JSON.stringify({ start, ...piece, curve: 0 })))
+      .sort()
+
+  it('has the cells that an edit has changed clipped alone, with the bits that they have among all', () => {
+    const editor = library.edit(circles(3000, 9))
+    const diagram = editor.snapshot()
+    const clip = vi.spyOn(hall.module, 'clip')
+    const random = seededRandom(10)
+    let alone = 0
+    for (let step = 0; step < 40; step++) {
+      // Often at the boundary.
+      const x = step % 2 === 0 ? 9 * random() : 3 + 0.05 * random()
+      const change = editor.replace(Math.floor(3000 * random()), { x, y: 9 * random(), r: 0.1 * random() })
+      diagram.apply(change)
+      clip.mockClear()
+      const changed = Array.from(change.cells, (id) => diagram.indexOf(id)).slice(0, 40)
+      const ofAlone = changed.map((i) => ({
+        parts: partsOf(diagram.cellOutline(i, { region: hall })),
+        neighbors: diagram.neighbors(i, { region: hall }),
+      }))
+      if (2 * changed.length * 64 <= 3000) {
+        expect(clip).not.toHaveBeenCalled()
+        alone += changed.length
+      }
+      const whole = new Diagram(diagram)
+      whole.cellAreas({ region: hall })
+      changed.forEach((i, k) => {
+        expect(ofAlone[k]).toEqual({
+          parts: partsOf(whole.cellOutline(i, { region: hall })),
+          neighbors: whole.neighbors(i, { region: hall }),
+        })
+      })
+    }
+    expect(alone).toBeGreaterThan(60)
+    clip.mockRestore()
+    editor.dispose()
+  })
+
+  it('has all cells clipped once many are asked for, with ties too', () => {
+    const grid = Array.from({ length: 900 }, (_, k) => [(k % 30) / 3, Math.floor(k / 30) / 3, 0.1] as const)
+    for (const data of [circles(900, 11), grid] as Circles[]) {
+      const diagram = library.compute(data)
+      const clip = vi.spyOn(hall.module, 'clip')
+      const areas = Array.from({ length: 900 }, (_, i) => diagram.cellArea(i, { region: hall }))
+      expect(clip).toHaveBeenCalledOnce()
+      clip.mockRestore()
+      diagram.cellAreas({ region: hall }).forEach((area, i) => {
+        expect(areas[i]).toBeCloseTo(area, 12)
+      })
+      expect(sum(areas)).toBeCloseTo(72, 9)
+    }
+  })
+
+  it('may have weights, or be the ordinary or the power diagram', async () => {
+    const box = [1, 1, 8, 7] as const
+    const square = region([
+      [
+        [1, 1],
+        [8, 1],
+        [8, 7],
+        [1, 7],
+      ],
+    ])
+    const { computeComparison } = await library.loadComparison({ wasm: comparison })
+    const data = circles(120, 12)
+    const shifted = data.map(([x, y, r]) => [x, y, r - 0.2] as const)
+    const diagrams = [
+      library.compute(data),
+      library.compute(shifted, { weights: true }),
+      computeComparison(data, 'centers'),
+      computeComparison(data, 'power'),
+    ]
+    const inBox = { bounds: box, tolerance: 1e-5 }
+    const inSquare = { region: square, tolerance: 1e-5 }
+    for (const diagram of diagrams) {
+      const close = (one: ArrayLike<number>, other: ArrayLike<number>) => {
+        expect(one).toHaveLength(other.length)
+        Array.from(one).forEach((value, k) => {
+          // NaN where there is no cell.
+          const expected = other[k] as number
+          expect(Number.isNaN(value) ? 'NaN' : Math.abs(value - expected) < 1e-9).toBe(
+            Number.isNaN(expected) ? 'NaN' : true,
+          )
+        })
+      }
+      close(diagram.cellAreas({ region: square }), diagram.cellAreas({ bounds: box }))
+      close(diagram.cellCentroids({ region: square }), diagram.cellCentroids({ bounds: box }))
+      close(diagram.cellPerimeters({ region: square }), diagram.cellPerimeters({ bounds: box }))
+      expect(diagram.render(inSquare).match(/M/g)).toHaveLength(diagram.render(inBox).match(/M/g)?.length as number)
+      for (let i = 0; i < data.length; i += 7) {
+        expect(diagram.cellArea(i, { region: square })).toBeCloseTo(diagram.cellArea(i, { bounds: box }), 9)
+        expect(new Set(diagram.neighbors(i, { region: square }))).toEqual(
+          new Set(diagram.neighbors(i, { bounds: box })),
+        )
+        expect(diagram.cellPath(i, inSquare) === '').toBe(diagram.cellPath(i, inBox) === '')
+        const polygon = diagram.cellPolygon(i, inSquare)?.flat() ?? []
+        expect(sum(polygon.map(twice)) / 2).toBeCloseTo(diagram.cellArea(i, { bounds: box }), 3)
+      }
+      for (let e = 0; e < diagram.edges.length / 4; e += 5) {
+        expect(diagram.edgePath(e, inSquare) === '').toBe(diagram.edgePath(e, inBox) === '')
+      }
+    }
+    expect(problemOf(() => diagrams[3]?.cellArea(0, { region: square, maxDistance: 1 }))).toMatch(
+      /^badOption: .+ power diagram/,
+    )
+  })
+
+  it('has the largest empty disc with its center inside', () => {
+    const square = region([
+      [
+        [1, 1],
+        [7, 1],
+        [7, 8],
+        [1, 8],
+      ],
+    ])
+    const random = seededRandom(13)
+    for (const data of [circles(2, 14), circles(30, 15), circles(300, 16)]) {
+      const diagram = library.compute(data)
+      const inBounds = largestEmptyDiscCenteredIn(diagram, { bounds: [1, 1, 7, 8] })
+      expect(largestEmptyDiscCenteredIn(diagram, { region: square })?.disc.r).toBeCloseTo(
+        inBounds?.disc.r as number,
+        11,
+      )
+      const inHall = largestEmptyDiscCenteredIn(diagram, { region: hall })
+      const { x, y, r } = inHall?.disc ?? { x: Number.NaN, y: Number.NaN, r: Number.NaN }
+      expect(hall.contains(x, y)).toBe(true)
+      expect(distanceFrom(diagram, diagram.find(x, y), x, y)).toBeCloseTo(r, 11)
+      for (const i of inHall?.circles ?? []) expect(distanceFrom(diagram, i, x, y)).toBeCloseTo(r, 11)
+      for (let k = 0; k < 2000; k++) {
+        const [px, py] = [9 * random(), 9 * random()]
+        if (hall.contains(px, py)) expect(distanceFrom(diagram, diagram.find(px, py), px, py)).toBeLessThan(r + 1e-11)
+      }
+    }
+    expect(largestEmptyDiscCenteredIn(library.compute([]), { region: hall })).toBeUndefined()
+  })
+
+  it('is no option where it would be ignored', () => {
+    const diagram = library.compute(circles(4, 17))
+    const options = { region: hall } as object
+    const calls: ((given: object) => unknown)[] = [
+      (given) => diagram.renderHull(given),
+      (given) => diagram.renderDual(given),
+      (given) => diagram.renderCircles(given),
+      (given) => diagram.hullPolygon(given),
+      (given) => largestEmptyDiscInside(diagram, given as { bounds: Bounds }),
+      (given) => clipCurve(edgeCurve(diagram, 0), given as { bounds: Bounds }),
+    ]
+    for (const call of calls)
+      expect(problemOf(() => call(options))).toMatch(/^badOption: There is no option region of /)
+    const both = { region: hall, bounds: [0, 0, 1, 1] as const }
+    expect(problemOf(() => largestEmptyDiscCenteredIn(diagram, both))).toMatch(/^badOption: .+ not both/)
+    expect(problemOf(() => largestEmptyDiscCenteredIn(diagram, {} as typeof both))).toMatch(/^badOption: Bounds are/)
+  })
+
   it('takes a region or bounds, and no other thing', () => {
     const diagram = library.compute(circles(4, 4))
     const bounds = [0, 0, 1, 1] as const
@@ -325,5 +499,27 @@ describe('fitted areas', () => {
       },
     }
     expect(() => fitAreas(sites, [0.9, 0.1], stop)).toThrow(RangeError)
+    expect(problem([0.5, 0.5], { region: square, onStep: true })).toMatch(/^badOption: The option onStep/)
+    expect(problem([0.5, 0.5], { region: square, signal: true })).toMatch(/^badOption: The option signal/)
+    const other = new Region(square, {} as RegionModule)
+    expect(problem([0.5, 0.5], { region: other })).toMatch(/^badOption: The region of fitAreas was made by another/)
+    expect(problemOf(() => fitAreas(undefined as never, [1], { region: square }))).toMatch(/^badInput: /)
+    expect(problemOf(() => fitAreas([['a', 1] as never], [1], { region: square }))).toMatch(/^badInput: Circle 0 /)
+  })
+
+  it('stop before the next step when their signal says so', () => {
+    const sites = circles(20, 8)
+    const areas = sites.map(() => 72 / 20)
+    const controller = new AbortController()
+    const told: number[] = []
+    const onStep = ({ steps }: { steps: number }) => {
+      told.push(steps)
+      if (steps === 2) controller.abort(new RangeError('enough'))
+    }
+    const { signal } = controller
+    expect(() => fitAreas(sites, areas, { region: hall, signal, onStep })).toThrow(new RangeError('enough'))
+    expect(told).toEqual([0, 1, 2])
+    expect(() => fitAreas(sites, areas, { region: hall, signal, onStep })).toThrow(RangeError)
+    expect(told).toHaveLength(3)
   })
 })

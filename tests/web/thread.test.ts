@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Both ends of a thread: how it is started, in Node and in a browser, and what it answers.
+import { readFileSync } from 'node:fs'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { answerRequests } from '../../web/lib/threads/answer-requests.ts'
 import { startThread } from '../../web/lib/threads/thread.ts'
-import type { Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
+import type { ComputeRequest, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
 import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -30,8 +31,8 @@ function moduleOf(script: string): string {
     ${script}`)}`
 }
 
-const request = (circles = THREE): Request => ({
-  circles: circles.slice() as Request['circles'],
+const request = (circles = THREE): ComputeRequest => ({
+  circles: circles.slice() as ComputeRequest['circles'],
   options: {},
   tellsProgress: false,
 })
@@ -215,6 +216,43 @@ describe('what a thread answers', () => {
     const stages = said.slice(1, -1).map(([reply]) => ('progress' in reply ? reply.progress[0] : undefined))
     expect([...new Set(stages)]).toEqual(['order', 'triangulate', 'sample', 'pair', 'touch', 'certify', 'assemble'])
     expect(said.at(-1)?.[0]).toMatchObject({ diagram: { stats: { method: 'touching-disc' } } })
+  })
+
+  it('is a fit, with the memory of all its arrays, and its steps if they are asked for', async () => {
+    const { said, ask } = answering()
+    const path = new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url)
+    const wasm = await WebAssembly.compile(readFileSync(path))
+    const region = {
+      points: Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10),
+      ringOffsets: Int32Array.of(0, 4),
+      polygonOffsets: undefined,
+    }
+    const options = { shares: true, tolerance: 1e-9, maxSteps: 99 }
+    const fitRequest = (tellsProgress: boolean, sites = Float64Array.of(2, 2, 0, 7, 3, 0)): Request => ({
+      fit: { sites, areas: Float64Array.of(1, 3), ...options },
+      region,
+      wasm,
+      tellsProgress,
+    })
+    await ask(fitRequest(true))
+    const [reply, transfer] = said.at(-1) as [Reply, ArrayBuffer[]]
+    if (!('fit' in reply)) throw new Error('It is no fit.')
+    const { fit } = reply
+    expect(fit.areas[1]).toBeCloseTo(75, 6)
+    expect(transfer).toContain(fit.areas.buffer)
+    expect(transfer).toContain(fit.weights.buffer)
+    expect(transfer).toContain(fit.diagram.edges.buffer)
+    expect(new Set(transfer).size).toBe(transfer.length)
+    expect(said.slice(0, -1).map(([told]) => 'step' in told && told.step.steps)).toEqual(
+      Array.from({ length: fit.steps + 1 }, (_, step) => step),
+    )
+    said.length = 0
+    await ask(fitRequest(false))
+    await ask(fitRequest(false, Float64Array.of(2, 2, 0, 2, 2, 0)))
+    expect(said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))).toEqual([
+      'fit',
+      'badInput',
+    ])
   })
 
   it('is an error, with its code and circle', async () => {

@@ -3,9 +3,10 @@
 // real ones.
 import { readFileSync } from 'node:fs'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { CircleVoronoiError, Diagram } from '../../web/lib/index.ts'
+import { CircleVoronoiError, Diagram, Region } from '../../web/lib/index.ts'
+import type { RegionModule } from '../../web/lib/regions/region.ts'
 import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
-import type { Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
+import type { ComputeRequest, FitRequest, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
 import { type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
 import { library } from './library.ts'
 
@@ -37,7 +38,7 @@ class FakeThread {
   }
 
   get requests(): Request[] {
-    return this.posted.filter((message): message is Request => 'circles' in message)
+    return this.posted.filter((message): message is Request => !('module' in message))
   }
 
   say(reply: Reply): void {
@@ -46,7 +47,7 @@ class FakeThread {
 
   /** Answers the last request as a real thread does. */
   answer(): void {
-    const { circles, options } = this.requests.at(-1) as Request
+    const { circles, options } = this.requests.at(-1) as ComputeRequest
     this.say({ diagram: library.compute(circles, options) })
   }
 
@@ -109,7 +110,7 @@ describe('a worker', () => {
     const thread = await asked(1)
     expect(thread.posted[0]).toEqual({ module: expect.any(WebAssembly.Module) })
     expect(thread.requests[0]).toEqual({ circles: THREE, options: { method: 'flip' }, tellsProgress: true })
-    expect(thread.transferred).toEqual([thread.requests[0]?.circles.buffer])
+    expect(thread.transferred).toEqual([(thread.requests[0] as ComputeRequest).circles.buffer])
     expect(thread.isKeptAlive).toBe(true)
     thread.answer()
     const diagram = await first
@@ -224,6 +225,88 @@ describe('a worker', () => {
     ;(await asked(1)).answer()
     expect((await again).vertices).toHaveLength(3)
     other.dispose()
+  })
+})
+
+describe('a fit in a worker', async () => {
+  const bytes = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
+  const { region, fitAreas } = await library.loadRegions({ wasm: bytes })
+  const square = region([
+    [
+      [0, 0],
+      [4, 0],
+      [4, 4],
+      [0, 4],
+    ],
+  ])
+  const SITES = [
+    [1, 1],
+    [3, 2],
+  ] as const
+
+  it('gets all that a fit needs, tells its steps, and gives what the library gives', async () => {
+    const here = fitAreas(SITES, [4, 12], { region: square })
+    const told: unknown[] = []
+    const promise = worker.fitAreas(SITES, [4, 12], { region: square, onStep: (step) => told.push(step) })
+    const thread = await asked(1)
+    const { fit, ...request } = thread.requests[0] as FitRequest
+    expect(fit).toEqual({
+      sites: Float64Array.of(1, 1, 0, 3, 2, 0),
+      areas: Float64Array.of(4, 12),
+      shares: false,
+      tolerance: 1e-9,
+      maxSteps: 500,
+    })
+    const { points, ringOffsets, polygonOffsets } = square
+    expect(request).toEqual({
+      region: { points, ringOffsets, polygonOffsets },
+      wasm: expect.any(WebAssembly.Module),
+      tellsProgress: true,
+    })
+    expect(thread.transferred).toEqual([fit.sites.buffer, fit.areas.buffer])
+    const step = { steps: 1, error: 0.5, weights: Float64Array.of(0, 1) }
+    thread.say({ step })
+    thread.say({ fit: structuredClone(here) })
+    const there = await promise
+    expect(told).toEqual([step])
+    expect(there.diagram).toBeInstanceOf(Diagram)
+    expect(there).toEqual(here)
+    const next = worker.compute(THREE)
+    ;(await asked(2)).answer()
+    expect((await next).circles).toHaveLength(9)
+    expect(threads).toHaveLength(1)
+  })
+
+  it('is canceled by its signal, and by what onStep throws', async () => {
+    const controller = new AbortController()
+    const { signal } = controller
+    const first = worker.fitAreas(SITES, [4, 12], { region: square, signal, onStep: () => controller.abort('enough') })
+    const second = worker.fitAreas(SITES, [4, 12], {
+      region: square,
+      onStep() {
+        throw new RangeError('mine')
+      },
+    })
+    const step = { steps: 0, error: 1, weights: new Float64Array(2) }
+    ;(await asked(1)).say({ step })
+    expect(await reasonOf(first)).toBe('enough')
+    ;(await asked(1, 1)).say({ step })
+    expect(await reasonOf(second)).toEqual(new RangeError('mine'))
+    expect(threads.map(({ isTerminated }) => isTerminated)).toEqual([true, true])
+    expect(await reasonOf(worker.fitAreas(SITES, [4, 12], { region: square, signal }))).toBe('enough')
+  })
+
+  it('is refused before it goes there', async () => {
+    const problem = (options: object) => reasonOf(worker.fitAreas(SITES, [4, 12], options as { region: Region }))
+    expect(await problem({})).toMatchObject({ code: 'badOption', message: expect.stringContaining('needs a region') })
+    expect(await problem({ region: square, signal: 1 })).toMatchObject({ code: 'badOption' })
+    expect(await problem({ region: square, onStep: 1 })).toMatchObject({ code: 'badOption' })
+    expect(await problem({ region: square, progress: () => {} })).toMatchObject({
+      message: expect.stringContaining('There is no option progress of fitAreas'),
+    })
+    const foreign = new Region(square, {} as RegionModule)
+    expect(await problem({ region: foreign })).toMatchObject({ message: expect.stringContaining('another copy') })
+    expect(threads).toHaveLength(0)
   })
 })
 

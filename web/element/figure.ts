@@ -12,6 +12,7 @@ import type { LinkState } from '../lib/link.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import { Stepping } from '../player/stepping.ts'
+import type { Domain } from '../view/domain.ts'
 import { layersFrom } from '../view/layers.ts'
 import { mount } from '../view/mount.ts'
 import { type Listening, listenToPointer } from '../view/pointer.ts'
@@ -113,15 +114,32 @@ export class Figure<Actions extends EditorActions = EditorActions> {
    *
    * @throws Error that says why edits were refused; then all stays as it was
    */
-  async change({ edits = [], view, layers, step, method }: Omit<LinkState, 'circles'>): Promise<void> {
+  async change({ edits = [], view, layers, step, method, region, areas }: Omit<LinkState, 'circles'>): Promise<void> {
     this.#refused = undefined
     if (edits.length > 0 && (await this.editing.edit(edits)) === undefined && this.#refused !== undefined) {
       throw this.#refused
+    }
+    if (region !== undefined || areas !== undefined) {
+      const before = this.editing.domain
+      await this.setDomain({
+        region: region === undefined ? before.region : (region ?? undefined),
+        areas: areas ?? this.editing.areas,
+      })
     }
     const { data } = this.view.layers
     if (layers !== undefined) this.view.setLayers({ ...layersFrom(layers), data })
     if (view !== undefined) this.actions.look(view)
     if (step !== undefined) this.actions.showStep(step, method)
+  }
+
+  /**
+   * Cuts cells to another region, or gives them other areas.
+   *
+   * @throws Error that says why that was refused; then all stays as it was
+   */
+  async setDomain(domain: Domain): Promise<void> {
+    this.#refused = undefined
+    if ((await this.actions.setDomain(domain)) === undefined && this.#refused !== undefined) throw this.#refused
   }
 
   /** Whether an error was told of as a problem. */

@@ -88,12 +88,13 @@ export { Region } from './regions/region.ts'
 export type { RegionShape, RingShape } from './regions/region-shape.ts'
 export type { Comparison } from './wasm/comparison.ts'
 export type { DiagramEditor, Edit, EditorMethods, EditorOptions } from './wasm/editor.ts'
+export type { AreaFit, FitOptions, FitStep, SiteLike } from './wasm/fit.ts'
 export type { Verifiable } from './wasm/judged-arrays.ts'
 export type { CircleVoronoi, FinalCells, Known } from './wasm/library.ts'
 export type { LoadOptions } from './wasm/load-options.ts'
 export { loadCircleVoronoi } from './wasm/loader.ts'
 export type { Options, Progress, Stage } from './wasm/options.ts'
-export type { AreaFit, FitOptions, FitStep, Regions, SiteLike } from './wasm/regions.ts'
+export type { Regions } from './wasm/regions.ts'
 export {
   TRACE_KINDS,
   Trace,

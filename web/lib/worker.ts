@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Computes and edits diagrams in a worker, with progress and cancellation.
+ * Computes and edits diagrams and fits areas in a worker, with progress and cancellation.
  *
  * @module circle-voronoi/worker
  */
@@ -14,12 +14,14 @@ import { startThread, type Thread } from './threads/thread.ts'
 import type { AsyncDiagramEditor } from './threads/worker-editor.ts'
 import type { Reply, Request } from './threads/worker-messages.ts'
 import { type EditorOptions, editorStart } from './wasm/editor.ts'
+import { type AreaFit, checkSignal, type FitOptions, fitInput, type SiteLike } from './wasm/fit.ts'
 import { checkLoadOptions, compileCircleVoronoi, type LoadOptions } from './wasm/load-options.ts'
 import { checkOptions, type Options } from './wasm/options.ts'
+import { wasmOf } from './wasm/regions.ts'
 import type { CompiledWasm } from './wasm/wasm.ts'
 
 export type { AsyncDiagramEditor, AsyncEditorMethods } from './threads/worker-editor.ts'
-export type { Disposal, LoadOptions, Options }
+export type { AreaFit, Disposal, FitOptions, LoadOptions, Options, SiteLike }
 
 /**
  * Options of `compute` in a worker.
@@ -60,12 +62,33 @@ export interface WorkerMethods {
    * ```
    */
   edit(circles: Circles | DiagramData, options?: EditorOptions): Promise<AsyncDiagramEditor>
+  /**
+   * Fits areas in the worker, with the arguments and the result of `fitAreas` of `Regions`, without blocking this thread.
+   * The region is one that `loadRegions` made in this thread. An error thrown by `onStep` cancels the fit and rejects the
+   * promise.
+   *
+   * @throws CircleVoronoiError as `fitAreas`; the reason of `signal`; a `DOMException` named AbortError if the worker is
+   * disposed of. Each as a rejection.
+   *
+   * @example
+   * const { region } = await library.loadRegions()
+   * const square = region([[[0, 0], [1, 0], [1, 1], [0, 1]]])
+   * const worker = createWorker()
+   * const fit = await worker.fitAreas([[0.3, 0.3], [0.7, 0.6]], [3, 1], { region: square, shares: true })
+   * fit.areas // Float64Array(2) [ 0.75, 0.25 ]
+   * worker.dispose()
+   */
+  fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: FitOptions,
+  ): Promise<AreaFit>
   /** Ends the worker and its editors and cancels their work. */
   dispose(): void
 }
 
 /**
- * A worker that computes one diagram after the other. `using` disposes of it.
+ * A worker that computes one diagram or fit after the other. `using` disposes of it.
  *
  * @category Workers
  */
@@ -90,10 +113,19 @@ export function createWorker(options: LoadOptions = {}): CircleVoronoiWorker {
 /** A computation that waits or runs. */
 interface Job {
   readonly request: Request
-  readonly options: AsyncOptions
-  readonly resolve: (diagram: Diagram) => void
+  /** The memory of the request, to be handed over instead of copied. */
+  readonly transfer: ArrayBuffer[]
+  readonly observer: Observer
+  /** Takes the last reply. */
+  readonly resolve: (reply: Reply) => void
   readonly reject: (reason: unknown) => void
   readonly onAbort: () => void
+}
+
+/** What a caller wants to be told, and its signal. */
+interface Observer {
+  readonly tell: (reply: Reply) => void
+  readonly signal: AbortSignal | undefined
 }
 
 class Client implements CircleVoronoiWorker {
@@ -114,17 +146,28 @@ class Client implements CircleVoronoiWorker {
   async compute(circles: Circles, options: AsyncOptions = {}): Promise<Diagram> {
     checkOptions(options, 'compute', ['signal'])
     const { signal, progress, ...rest } = options
-    if (signal !== undefined && !(signal instanceof AbortSignal)) refuseOption('The option signal is an AbortSignal.')
-    if (this.#isDisposed) throw disposed()
-    signal?.throwIfAborted()
+    checkSignal(signal)
     const request = { circles: coordinatesOf(circles), options: rest, tellsProgress: progress !== undefined }
-    return new Promise((resolve, reject) => {
-      const onAbort = () => this.#cancel(job, signal?.reason)
-      const job: Job = { request, options, resolve, reject, onAbort }
-      signal?.addEventListener('abort', onAbort)
-      this.#jobs.push(job)
-      if (this.#jobs.length === 1) this.#begin(job)
-    })
+    const tell = (reply: Reply) => 'progress' in reply && progress?.(...reply.progress)
+    const reply = await this.#ask(request, [request.circles.buffer], { tell, signal })
+    return new Diagram((reply as Extract<Reply, { diagram: unknown }>).diagram)
+  }
+
+  async fitAreas(
+    sites: Circles | Iterable<SiteLike>,
+    areas: Float64Array | readonly number[],
+    options: FitOptions,
+  ): Promise<AreaFit> {
+    const fit = fitInput(sites, areas, options)
+    const { region, onStep, signal } = options
+    const wasm = wasmOf(region)
+    if (wasm === undefined) refuseOption('The region of fitAreas was made by another copy of the library.')
+    const { points, ringOffsets, polygonOffsets } = region
+    const request = { fit, region: { points, ringOffsets, polygonOffsets }, wasm, tellsProgress: onStep !== undefined }
+    const tell = (reply: Reply) => 'step' in reply && onStep?.(reply.step)
+    const reply = await this.#ask(request, [fit.sites.buffer, fit.areas.buffer], { tell, signal })
+    const { diagram, ...rest } = (reply as Extract<Reply, { fit: unknown }>).fit
+    return { ...rest, diagram: new Diagram(diagram) }
   }
 
   async edit(circles: Circles | DiagramData, options: EditorOptions = {}): Promise<AsyncDiagramEditor> {
@@ -154,6 +197,20 @@ class Client implements CircleVoronoiWorker {
     this.dispose()
   }
 
+  /** Puts a request into the queue, and returns the reply that ends it. */
+  async #ask(request: Request, transfer: ArrayBuffer[], observer: Observer): Promise<Reply> {
+    const { signal } = observer
+    if (this.#isDisposed) throw disposed()
+    signal?.throwIfAborted()
+    return new Promise((resolve, reject) => {
+      const onAbort = () => this.#cancel(job, signal?.reason)
+      const job: Job = { request, transfer, observer, resolve, reject, onAbort }
+      signal?.addEventListener('abort', onAbort)
+      this.#jobs.push(job)
+      if (this.#jobs.length === 1) this.#begin(job)
+    })
+  }
+
   #begin(job: Job): void {
     this.#module ??= compileCircleVoronoi(this.#loadOptions)
     this.#module
@@ -175,7 +232,7 @@ class Client implements CircleVoronoiWorker {
       throw workerFailure(cause)
     }
     this.#thread.keepAlive(true)
-    this.#thread.post(job.request, [job.request.circles.buffer])
+    this.#thread.post(job.request, job.transfer)
     this.#running = job
   }
 
@@ -193,9 +250,9 @@ class Client implements CircleVoronoiWorker {
   #receive(reply: Reply): void {
     const job = this.#running
     if (job === undefined || 'results' in reply) return
-    if ('progress' in reply) {
+    if ('progress' in reply || 'step' in reply) {
       try {
-        job.options.progress?.(...reply.progress)
+        job.observer.tell(reply)
       } catch (error) {
         this.#cancel(job, error)
       }
@@ -203,8 +260,8 @@ class Client implements CircleVoronoiWorker {
     }
     this.#running = undefined
     this.#settle(job, () => {
-      if ('diagram' in reply) return job.resolve(new Diagram(reply.diagram))
-      job.reject(receivedError(reply.error))
+      if ('error' in reply) return job.reject(receivedError(reply.error))
+      job.resolve(reply)
     })
   }
 
@@ -225,7 +282,7 @@ class Client implements CircleVoronoiWorker {
   #settle(job: Job, settlePromise: () => void): void {
     const wasFirst = this.#jobs[0] === job
     this.#jobs = this.#jobs.filter((other) => other !== job)
-    job.options.signal?.removeEventListener('abort', job.onAbort)
+    job.observer.signal?.removeEventListener('abort', job.onAbort)
     settlePromise()
     const [next] = this.#jobs
     if (next === undefined) this.#thread?.keepAlive(false)

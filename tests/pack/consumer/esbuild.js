@@ -2,7 +2,8 @@
 // As page.js, with what esbuild has to be told.
 import wasm from 'circle-voronoi/circle-voronoi.wasm'
 import comparison from 'circle-voronoi/circle-voronoi-comparison.wasm'
+import regions from 'circle-voronoi/circle-voronoi-regions.wasm'
 import { use } from './main.js'
 import { show } from './show.js'
 
-show(use({ wasm }, { wasm: comparison }))
+show(use({ wasm }, { wasm: comparison }, { wasm: regions }))

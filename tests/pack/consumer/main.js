@@ -15,7 +15,7 @@ const MANY = Float64Array.from({ length: 300_000 }, (_, i) => Math.sin(i * i)).m
 )
 
 /** What came out, as text. */
-export async function use(options, comparisonOptions) {
+export async function use(options, comparisonOptions, regionsOptions) {
   const library = await loadCircleVoronoi(options)
   const here = library.compute(CIRCLES)
   const { computeComparison } = await library.loadComparison(comparisonOptions)
@@ -24,6 +24,23 @@ export async function use(options, comparisonOptions) {
   const stages = []
   const canceled = await canceledIn(worker)
   const there = await worker.compute(CIRCLES, { progress: (stage) => stages.push(stage) })
+  const { region } = await library.loadRegions(regionsOptions)
+  const square = region([
+    [
+      [0, 0],
+      [4, 0],
+      [4, 4],
+      [0, 4],
+    ],
+  ])
+  const { areas } = await worker.fitAreas(
+    [
+      [1, 1],
+      [3, 2],
+    ],
+    [1, 3],
+    { region: square, shares: true },
+  )
   worker.dispose()
   return JSON.stringify({
     vertex: [...here.vertices],
@@ -33,6 +50,7 @@ export async function use(options, comparisonOptions) {
     power: [...power.vertices.slice(0, 2)],
     stages: stages.includes('certify'),
     canceled,
+    areas: Array.from(areas, (area) => area.toFixed(6)),
     code: codeOf(() => library.compute([{ x: 0, y: 0, r: -1 }])),
   })
 }

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import {
-  checkData,
-  checkIndex,
-  checkMaxDistance,
-  checkNumber,
-  refuseArgument,
-  refuseOption,
-  shown,
-} from '../base/check.ts'
+import { checkData, checkIndex, checkMaxDistance, checkNumber, refuseArgument, shown } from '../base/check.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import type {
   Certificate,
@@ -24,8 +16,10 @@ import type {
 import { drawCell, drawCircle, drawDual, drawEdge, drawHull, drawRegion } from '../drawing/draw.ts'
 import {
   clippedOutline,
+  clippedSides,
   drawClippedEdges,
   drawOutline,
+  drawPiecesOf,
   drawRings,
   type MultiPolygon,
   multiPolygonOf,
@@ -52,7 +46,7 @@ import { exportBox } from '../regions/export-box.ts'
 import { outlineArea, outlineCentroid, outlinePerimeter } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
-import { type ClippedDiagram, Region } from '../regions/region.ts'
+import { type ClippedCells, type ClippedDiagram, type Region, regionOption } from '../regions/region.ts'
 import type { Change } from './change.ts'
 import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
 import { DiagramPatch } from './diagram-patch.ts'
@@ -121,6 +115,8 @@ export class Diagram implements DiagramData {
   #patch: DiagramPatch | undefined
   #lastRegion: ConvexPolygon | undefined
   #clip: { region: Region; maxDistance: number | undefined; clipped: ClippedDiagram } | undefined
+  /** How many cells have been clipped one by one since the last change. */
+  #alone = 0
 
   /** Wraps the arrays of `data` without copying them. */
   constructor(data: DiagramData) {
@@ -172,6 +168,7 @@ export class Diagram implements DiagramData {
     this.#finder = undefined
     this.#bounds = undefined
     this.#clip = undefined
+    this.#alone = 0
     this.#halfedges = undefined
     return this
   }
@@ -203,6 +200,7 @@ export class Diagram implements DiagramData {
     if (this.#finder?.follow(changed) === false) this.#finder = undefined
     this.#bounds = undefined
     this.#clip = undefined
+    this.#alone = 0
     this.#halfedges = undefined
     return this
   }
@@ -271,8 +269,12 @@ export class Diagram implements DiagramData {
   neighbors(i: number, options: BoundsOptions = {}): Int32Array {
     this.#checkCircle(i, 'neighbors')
     checkDrawOptions(options, 'neighbors', BOUNDS_OPTIONS)
-    const clipped = this.#clippedTo('neighbors', options)
-    if (clipped !== undefined) return clipped.neighbors(i)
+    const region = this.#regionIn('neighbors', options)
+    if (region !== undefined) {
+      const kept = clippedSides(this.#cellIn(region, i, options))
+      const sides = this.cells.sides(i).filter((side) => kept.has(side))
+      return Int32Array.from(new Set(sides.map((side) => this.cells.neighborOf(side))))
+    }
     if (options.bounds === undefined && options.maxDistance === undefined) return this.cells.neighbors(i)
     const limits = this.#limitsOf('neighbors', options, BOUNDS_OPTIONS)
     const sides = this.cells.sides(i).filter((side) => keptParts(this, side >> 1, limits).length > 0)
@@ -323,7 +325,10 @@ export class Diagram implements DiagramData {
     checkIndex(e, this.edges.length / 4, 'edgePath', 'edge')
     return this.#drawn('edgePath', options, {
       bounds: (sink, limits, tolerance) => drawEdge(sink, this, e, limits, tolerance),
-      region: (sink, { edges }, tolerance) => drawClippedEdges(sink, this, edges, tolerance, e),
+      region: (sink, region, tolerance) => {
+        const outline = clippedOutline(this, this.#cellIn(region, at(this.edges, 4 * e), options))
+        drawPiecesOf(sink, outline, 2 * e, tolerance)
+      },
     })
   }
 
@@ -337,7 +342,9 @@ export class Diagram implements DiagramData {
     this.#checkCircle(i, 'cellPath')
     return this.#drawn('cellPath', options, {
       bounds: (sink, limits, tolerance) => drawCell(sink, this.cells, i, limits, tolerance),
-      region: (sink, { cells }, tolerance) => drawOutline(sink, clippedOutline(this, cells, i), tolerance),
+      region: (sink, region, tolerance) => {
+        drawOutline(sink, clippedOutline(this, this.#cellIn(region, i, options)), tolerance)
+      },
     })
   }
 
@@ -349,7 +356,9 @@ export class Diagram implements DiagramData {
       bounds: (sink, limits, tolerance) => {
         for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, limits, tolerance)
       },
-      region: (sink, { edges }, tolerance) => drawClippedEdges(sink, this, edges, tolerance),
+      region: (sink, region, tolerance) => {
+        drawClippedEdges(sink, this, this.#clippedTo(region, options).edges, tolerance)
+      },
     })
   }
 
@@ -359,7 +368,7 @@ export class Diagram implements DiagramData {
   renderBounds(options: DrawOptions = {}): string | undefined {
     return this.#drawn('renderBounds', options, {
       bounds: (sink, { region }) => drawRegion(sink, region),
-      region: (sink) => drawRings(sink, options.region as Region),
+      region: drawRings,
     })
   }
 
@@ -400,10 +409,9 @@ export class Diagram implements DiagramData {
   cellPolygon(i: number, options: PolygonOptions = {}): Polygon | MultiPolygon | undefined {
     this.#checkCircle(i, 'cellPolygon')
     checkDrawOptions(options, 'cellPolygon', POLYGON_OPTIONS)
-    const clipped = this.#clippedTo('cellPolygon', options)
-    if (clipped !== undefined) {
-      const polygons = multiPolygonOf(clipped.polygons(toleranceOf(options, options.region as Region)), i)
-      return polygons.length > 0 ? polygons : undefined
+    const region = this.#regionIn('cellPolygon', options)
+    if (region !== undefined) {
+      return multiPolygonOf(this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i)
     }
     const limits = this.#limitsOf('cellPolygon', options, POLYGON_OPTIONS)
     return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))
@@ -477,8 +485,8 @@ export class Diagram implements DiagramData {
   #outline(i: number, caller: string, options: BoundsOptions): Outline {
     this.#checkCircle(i, caller)
     checkDrawOptions(options, caller, BOUNDS_OPTIONS)
-    const clipped = this.#clippedTo(caller, options)
-    if (clipped !== undefined) return clippedOutline(this, clipped.cells, i)
+    const region = this.#regionIn(caller, options)
+    if (region !== undefined) return clippedOutline(this, this.#cellIn(region, i, options))
     return outlineOf(this.cells, i, this.#limitsOf(caller, options, BOUNDS_OPTIONS))
   }
 
@@ -489,8 +497,8 @@ export class Diagram implements DiagramData {
     measure: (outline: Outline) => readonly number[],
   ): Float64Array {
     checkDrawOptions(options, caller, BOUNDS_OPTIONS)
-    const clipped = this.#clippedTo(caller, options)
-    if (clipped !== undefined) return clipped[measures]
+    const region = this.#regionIn(caller, options)
+    if (region !== undefined) return this.#clippedTo(region, options)[measures]
     const limits = this.#limitsOf(caller, options, BOUNDS_OPTIONS)
     const count = this.circles.length / 3
     const size = measures === 'centroids' ? 2 : 1
@@ -505,33 +513,54 @@ export class Diagram implements DiagramData {
     options: DrawOptions,
     draw: {
       readonly bounds: (sink: PathSink, limits: Limits, tolerance: number) => void
-      readonly region: (sink: PathSink, clipped: ClippedDiagram, tolerance: number) => void
+      readonly region: (sink: PathSink, region: Region, tolerance: number) => void
     },
   ): string | undefined {
     checkDrawOptions(options, caller, DRAW_OPTIONS)
-    const clipped = this.#clippedTo(caller, options)
-    if (clipped !== undefined) {
-      const tolerance = toleranceOf(options, options.region as Region)
-      return drawn(options, tolerance, (sink) => draw.region(sink, clipped, tolerance))
+    const region = this.#regionIn(caller, options)
+    if (region !== undefined) {
+      const tolerance = toleranceOf(options, region)
+      return drawn(options, tolerance, (sink) => draw.region(sink, region, tolerance))
     }
     const limits = this.#limitsOf(caller, options, DRAW_OPTIONS)
     const tolerance = toleranceOf(options, limits.region)
     return drawn(options, tolerance, (sink) => draw.bounds(sink, limits, tolerance))
   }
 
-  /** The diagram in the region of the options, if they have one. The last one is kept, for the next question. */
-  #clippedTo(caller: string, { region, bounds, maxDistance }: BoundsOptions): ClippedDiagram | undefined {
-    if (region === undefined) return undefined
-    if (!(region instanceof Region)) {
-      refuseOption(`The region of ${caller} is made by loadRegions().region, not ${shown(region)}.`)
-    }
-    if (bounds !== undefined) refuseOption(`${caller} takes bounds or a region, not both.`)
-    checkMaxDistance(this, caller, maxDistance)
-    const last = this.#clip
-    if (last?.region === region && last.maxDistance === maxDistance) return last.clipped
-    const clipped = region.clip(this, maxDistance)
+  /** The region of the options, if they have one. */
+  #regionIn(caller: string, options: BoundsOptions): Region | undefined {
+    const region = regionOption(options, caller)
+    if (region !== undefined) checkMaxDistance(this, caller, options.maxDistance)
+    return region
+  }
+
+  /** All cells in a region. The last ones are kept, for the next question. */
+  #clippedTo(region: Region, { maxDistance }: BoundsOptions): ClippedDiagram {
+    const clipped = this.#keptClip(region, maxDistance) ?? region.module.clip(this, maxDistance)
     this.#clip = { region, maxDistance, clipped }
     return clipped
+  }
+
+  #keptClip(region: Region, maxDistance: number | undefined): ClippedDiagram | undefined {
+    const last = this.#clip
+    return last?.region === region && last.maxDistance === maxDistance ? last.clipped : undefined
+  }
+
+  /** One cell in a region: the cells and its row. */
+  #cellIn(region: Region, i: number, options: BoundsOptions): [cells: ClippedCells, row: number] {
+    const { maxDistance } = options
+    const cells = this.#isClippedAlone(region, i, maxDistance) && region.module.clipCell(this, i, maxDistance)
+    return cells ? [cells, 0] : [this.#clippedTo(region, options).cells, i]
+  }
+
+  /**
+   * Whether a cell is clipped without the others: the first few after a change, as an editor asks for them. After so many
+   * questions that clipping all cells would have been as quick, all cells are clipped.
+   */
+  #isClippedAlone(region: Region, i: number, maxDistance: number | undefined): boolean {
+    if (this.#keptClip(region, maxDistance) !== undefined || this.metric !== 'circles') return false
+    this.#alone += 1
+    return CELLS_FOR_ONE * this.#alone <= this.circles.length / 3 && this.cells.sides(i).length > 0
   }
 
   #limitsOf(caller: string, options: BoundsOptions, known: readonly string[]): Limits {
@@ -567,6 +596,9 @@ export class Diagram implements DiagramData {
     checkIndex(i, this.circles.length / 3, caller, 'circle')
   }
 }
+
+/** So many cells are clipped together in the time of one alone. */
+const CELLS_FOR_ONE = 64
 
 /** How to compute the diagrams again that `compute` made here. */
 const recomputations = new WeakMap<Diagram, (circles: Float64s) => DiagramData>()

@@ -17,13 +17,22 @@ import type { ClippedCells, ClippedEdges, ClippedPolygons, Region } from '../reg
  */
 export type MultiPolygon = [x: number, y: number][][][]
 
-/** The outline of the kept part of a cell. */
-export function clippedOutline(diagram: DiagramData, cells: ClippedCells, circle: number): Outline {
+/** The outline of the kept part of the cell in a row. */
+export function clippedOutline(
+  diagram: DiagramData,
+  [cells, row]: readonly [cells: ClippedCells, row: number],
+): Outline {
   const loops: OutlinePiece[][] = []
-  for (let loop = at(cells.loopOffsets, circle); loop < at(cells.loopOffsets, circle + 1); loop++) {
+  for (let loop = at(cells.loopOffsets, row); loop < at(cells.loopOffsets, row + 1); loop++) {
     loops.push(loopOf(diagram, cells, at(cells.pieceOffsets, loop), at(cells.pieceOffsets, loop + 1)))
   }
   return loops
+}
+
+/** The sides of which the cell in a row keeps a part. */
+export function clippedSides([cells, row]: readonly [cells: ClippedCells, row: number]): ReadonlySet<number> {
+  const [first, last] = [at(cells.loopOffsets, row), at(cells.loopOffsets, row + 1)]
+  return new Set(cells.side.subarray(at(cells.pieceOffsets, first), at(cells.pieceOffsets, last)))
 }
 
 function loopOf(diagram: DiagramData, cells: ClippedCells, from: number, to: number): OutlinePiece[] {
@@ -70,16 +79,18 @@ export function drawOutline(sink: PathSink, outline: Outline, tolerance: number)
   }
 }
 
-/** Draws the parts of an edge inside, or of all edges. */
-export function drawClippedEdges(
-  sink: PathSink,
-  diagram: DiagramData,
-  parts: ClippedEdges,
-  tolerance: number,
-  only?: number,
-): void {
+/** Draws the pieces of an outline that are of one side. */
+export function drawPiecesOf(sink: PathSink, outline: Outline, side: number, tolerance: number): void {
+  for (const piece of outline.flat()) {
+    if (piece.side !== side) continue
+    sink.moveTo(piece.curve.start.x, piece.curve.start.y)
+    addArc(sink, piece.curve, tolerance)
+  }
+}
+
+/** Draws the parts of all edges inside. */
+export function drawClippedEdges(sink: PathSink, diagram: DiagramData, parts: ClippedEdges, tolerance: number): void {
   parts.edge.forEach((edge, k) => {
-    if (only !== undefined && edge !== only) return
     const start = { x: at(parts.start, 2 * k), y: at(parts.start, 2 * k + 1) }
     const end = { x: at(parts.end, 2 * k), y: at(parts.end, 2 * k + 1) }
     const { bisector } = edgeCurve(diagram, edge)
@@ -100,14 +111,26 @@ export function drawRings(sink: PathSink, { points, ringOffsets }: Region): void
   }
 }
 
-/** The polygons of a row. */
-export function multiPolygonOf(polygons: ClippedPolygons, row: number): MultiPolygon {
-  const { polygonOffsets, ringOffsets, pointOffsets, points } = polygons
-  const each = <Part>(offsets: Int32Array, k: number, part: (k: number) => Part) => {
-    return Array.from({ length: at(offsets, k + 1) - at(offsets, k) }, (_, i) => part(at(offsets, k) + i))
+/** The polygons of a row, if it has any. */
+export function multiPolygonOf(polygons: ClippedPolygons, row: number): MultiPolygon | undefined {
+  const { polygonOffsets, ringOffsets } = polygons
+  const [first, last] = [at(polygonOffsets, row), at(polygonOffsets, row + 1)]
+  if (first === last) return undefined
+  const parts: MultiPolygon = []
+  for (let polygon = first; polygon < last; polygon++) {
+    const rings: MultiPolygon[number] = []
+    for (let ring = at(ringOffsets, polygon); ring < at(ringOffsets, polygon + 1); ring++) {
+      rings.push(closedRing(polygons, ring))
+    }
+    parts.push(rings)
   }
-  const pointAt = (k: number): [x: number, y: number] => [at(points, 2 * k), at(points, 2 * k + 1)]
-  return each(polygonOffsets, row, (polygon) =>
-    each(ringOffsets, polygon, (ring) => [...each(pointOffsets, ring, pointAt), pointAt(at(pointOffsets, ring))]),
-  )
+  return parts
+}
+
+function closedRing({ pointOffsets, points }: ClippedPolygons, ring: number): MultiPolygon[number][number] {
+  const [first, last] = [at(pointOffsets, ring), at(pointOffsets, ring + 1)]
+  const result: MultiPolygon[number][number] = []
+  for (let k = first; k < last; k++) result.push([at(points, 2 * k), at(points, 2 * k + 1)])
+  result.push([at(points, 2 * first), at(points, 2 * first + 1)])
+  return result
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { checkDiagram, checkMetric } from '../base/check.ts'
+import { checkDiagram, checkMetric, checkOptionNames } from '../base/check.ts'
 import { at, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
@@ -11,8 +11,9 @@ import { edgeCurve, seenFrom } from '../curves/curve.ts'
 import { pointOn, tangentNormal } from '../curves/tangent.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { LineCrossing, partsInside } from '../regions/clip.ts'
-import { type RegionOptions, regionOf } from '../regions/convex-polygon.ts'
+import { ConvexPolygon, type RegionOptions } from '../regions/convex-polygon.ts'
 import { hullCircleAt, hullGrowth } from '../regions/hull.ts'
+import { type Region, regionOption } from '../regions/region.ts'
 
 /**
  * A disc that touches circles but does not overlap any.
@@ -26,8 +27,8 @@ export interface EmptyDisc {
 }
 
 /**
- * Finds the largest empty disc whose center lies in a region: the point of the region that is farthest from all circles. The
- * disc may stick out of the region. Its radius is negative if circles cover the region. Returns `undefined` if there are no
+ * Finds the largest empty disc whose center lies in some bounds or in a region: the point there that is farthest from all
+ * circles. The disc may stick out. Its radius is negative if circles cover all points. Returns `undefined` if there are no
  * circles. The diagram must have the metric `circles`.
  *
  * The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
@@ -39,10 +40,17 @@ export interface EmptyDisc {
  * @example
  * largestEmptyDiscCenteredIn(diagram, { bounds: [0, 0, 6, 8] }).disc // { x: 6, y: 6.25, r: 5.25 }
  */
-export function largestEmptyDiscCenteredIn(diagram: Diagram, options: RegionOptions): EmptyDisc | undefined {
-  checkDiagram(diagram, 'largestEmptyDiscCenteredIn')
-  checkMetric(diagram, 'largestEmptyDiscCenteredIn', 'circles')
-  const region = regionOf(options, 'largestEmptyDiscCenteredIn')
+export function largestEmptyDiscCenteredIn(
+  diagram: Diagram,
+  options: RegionOptions | { readonly region: Region },
+): EmptyDisc | undefined {
+  const caller = 'largestEmptyDiscCenteredIn'
+  checkDiagram(diagram, caller)
+  checkMetric(diagram, caller, 'circles')
+  checkOptionNames(options, caller, ['bounds', 'region'])
+  const given = regionOption(options, caller)
+  if (given !== undefined) return given.module.clip(diagram, undefined).largestEmptyDisc()
+  const region = ConvexPolygon.of((options as RegionOptions).bounds)
   const largest = new Largest(diagram)
   for (const corner of region.corners) {
     const nearest = diagram.find(corner.x, corner.y)

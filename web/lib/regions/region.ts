@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkNumber } from '../base/check.ts'
-import type { Box, DiagramData, Float64s, Int32s } from '../base/types.ts'
+import { checkNumber, refuseOption, shown } from '../base/check.ts'
+import type { Box, DiagramData, Float64s, Int32s, Vertex } from '../base/types.ts'
 
 /** A diagram in a region, as the WebAssembly module for regions clips it. Row i is that of circle i. */
 export interface ClippedDiagram {
@@ -9,11 +9,12 @@ export interface ClippedDiagram {
   readonly areas: Float64Array
   readonly centroids: Float64Array
   readonly perimeters: Float64Array
-  neighbors(circle: number): Int32Array
   polygons(tolerance: number): ClippedPolygons
+  /** The largest disc with its center in the region that overlaps no circle, and the circles that it touches. */
+  largestEmptyDisc(): { readonly disc: Vertex; readonly circles: readonly number[] } | undefined
 }
 
-/** The loops of cells: `loopOffsets` by row, `pieceOffsets` by loop; a piece ends where the next one of its loop starts. */
+/** The loops of cells, row by row: `loopOffsets` by row, `pieceOffsets` by loop; a piece ends where the next one of its loop starts. */
 export interface ClippedCells {
   readonly loopOffsets: Int32s
   readonly isHole: Uint8Array
@@ -48,6 +49,8 @@ export interface ClippedPolygons {
 export interface RegionModule {
   contains(x: number, y: number): boolean
   clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram
+  /** One cell that has sides, as the only row; `undefined` if it cannot be clipped without all others. */
+  clipCell(diagram: DiagramData, circle: number, maxDistance: number | undefined): ClippedCells | undefined
 }
 
 /**
@@ -105,8 +108,23 @@ export class Region {
     return this.#module.contains(x, y)
   }
 
-  /** @internal The parts of all cells and edges of a diagram inside, for the methods of `Diagram`. */
-  clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram {
-    return this.#module.clip(diagram, maxDistance)
+  /** @internal What clips diagrams, for the methods of `Diagram`. */
+  get module(): RegionModule {
+    return this.#module
   }
+}
+
+/**
+ * The region of the options, if they have one.
+ *
+ * @throws CircleVoronoiError `badOption`, if it is none, or there are bounds, too
+ */
+export function regionOption(options: { readonly region?: unknown; readonly bounds?: unknown }, caller: string) {
+  const { region, bounds } = options
+  if (region === undefined) return undefined
+  if (!(region instanceof Region)) {
+    refuseOption(`The region of ${caller} is made by loadRegions().region, not ${shown(region)}.`)
+  }
+  if (bounds !== undefined) refuseOption(`${caller} takes bounds or a region, not both.`)
+  return region
 }

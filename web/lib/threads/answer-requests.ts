@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { CircleVoronoiError, type PostedError, postedError, reasonOf } from '../base/errors.ts'
-import type { DiagramData } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
 import type { DiagramEditor } from '../wasm/editor.ts'
+import type { FitStep } from '../wasm/fit.ts'
 import { type CircleVoronoi, type ComputingLibrary, circleVoronoiOf } from '../wasm/library.ts'
 import type { Progress } from '../wasm/options.ts'
-import type { CallResult, EditorCall, EditorCalls, Reply, Request, Start } from './worker-messages.ts'
+import { type RegionsOfModule, regionsOf } from '../wasm/regions.ts'
+import { type CompiledWasm, scriptNotLoaded } from '../wasm/wasm.ts'
+import { loadRegionsScript } from './regions-script.ts'
+import type {
+  CallResult,
+  ComputeRequest,
+  EditorCall,
+  EditorCalls,
+  FitRequest,
+  Reply,
+  Request,
+  Start,
+} from './worker-messages.ts'
 
 /** What Node's parent port and the global scope of a browser's worker have in common. */
 interface Port {
@@ -20,6 +32,7 @@ export function answerRequests(): void {
   const port = (nodePort ?? globalThis) as unknown as Port
   let library: Promise<ComputingLibrary> | undefined
   const answerCalls = editing()
+  const fitted = fitting()
 
   port.onmessage = async ({ data }) => {
     if ('module' in data) {
@@ -36,22 +49,40 @@ export function answerRequests(): void {
       port.postMessage({ results }, snapshots.flatMap(buffersOf))
       return
     }
-    const progress: Progress = (...told) => port.postMessage({ progress: told })
-    const reply = await replyTo(data, library as Promise<ComputingLibrary>, progress)
-    port.postMessage(reply, 'diagram' in reply ? buffersOf(reply.diagram) : [])
+    const tell = (told: Reply) => port.postMessage(told)
+    const reply = await ('fit' in data
+      ? fitted(data, tell)
+      : computed(data, library as Promise<ComputingLibrary>, tell)
+    ).catch((error: unknown): Reply => ({ error: posted(error) }))
+    port.postMessage(reply, buffersIn(reply))
   }
 }
 
-async function replyTo(
-  { circles, options, tellsProgress }: Request,
+type Tell = (told: Reply) => void
+
+async function computed(
+  { circles, options, tellsProgress }: ComputeRequest,
   library: Promise<ComputingLibrary>,
-  progress: Progress,
+  tell: Tell,
 ): Promise<Reply> {
-  try {
-    const { compute } = await library
-    return { diagram: compute(circles, tellsProgress ? { ...options, progress } : options) }
-  } catch (error) {
-    return { error: posted(error) }
+  const { compute } = await library
+  const progress: Progress = (...told) => tell({ progress: told })
+  return { diagram: compute(circles, tellsProgress ? { ...options, progress } : options) }
+}
+
+/** Answers the fits of a thread, the first of which loads the module. */
+function fitting(): (request: FitRequest, tell: Tell) => Promise<Reply> {
+  let regions: Promise<RegionsOfModule> | undefined
+  const load = async (wasm: CompiledWasm) => {
+    const { default: createModule } = await loadRegionsScript().catch(scriptNotLoaded('The regions'))
+    return regionsOf(createModule, wasm)
+  }
+  return async ({ fit, region: rings, wasm, tellsProgress }, tell) => {
+    regions ??= load(wasm)
+    const { regionOf, fitAreas } = await regions
+    const { sites, areas, ...options } = fit
+    const onStep = tellsProgress ? (step: FitStep) => tell({ step }) : undefined
+    return { fit: fitAreas(sites, areas, { ...options, region: regionOf(rings), onStep }) }
   }
 }
 
@@ -81,7 +112,13 @@ function posted(error: unknown): PostedError {
   return { code: 'internal', circle: undefined, message: `The computation failed: ${reasonOf(error)}.` }
 }
 
-/** The memory of all arrays of a diagram, to be handed over instead of copied. */
-function buffersOf(diagram: DiagramData): ArrayBuffer[] {
-  return Object.values(diagram).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []))
+function buffersIn(reply: Reply): ArrayBuffer[] {
+  if ('diagram' in reply) return buffersOf(reply.diagram)
+  // The diagram of a fit has arrays of its own.
+  return 'fit' in reply ? [...buffersOf(reply.fit), ...buffersOf(reply.fit.diagram)] : []
+}
+
+/** The memory of all arrays of a result, to be handed over instead of copied. */
+function buffersOf(result: object): ArrayBuffer[] {
+  return Object.values(result).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []))
 }

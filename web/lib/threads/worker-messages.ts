@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between a worker's client and its thread: `Start` once, then one `Request` at a time, each followed by any
-// number of `progress` and one other reply; or, to a thread that edits, one `EditorCalls` at a time, followed by `results`.
+// number of `progress` or `step` and one other reply; or, to a thread that edits, one `EditorCalls` at a time, followed by `results`.
 
 import type { PostedError } from '../base/errors.ts'
 import type { DiagramData, Float64s } from '../base/types.ts'
+import type { RingArrays } from '../regions/region-shape.ts'
+import type { AreaFit, FitInput, FitStep } from '../wasm/fit.ts'
 import type { Options, Stage } from '../wasm/options.ts'
 import type { CompiledWasm } from '../wasm/wasm.ts'
 
@@ -11,9 +13,20 @@ export interface Start {
   readonly module: CompiledWasm
 }
 
-export interface Request {
+/** What is to be computed, and whether its progress or its steps are told. */
+export type Request = ComputeRequest | FitRequest
+
+export interface ComputeRequest {
   readonly circles: Float64s
   readonly options: Omit<Options, 'progress'>
+  readonly tellsProgress: boolean
+}
+
+export interface FitRequest {
+  readonly fit: FitInput
+  readonly region: RingArrays
+  /** The module that made the region. */
+  readonly wasm: CompiledWasm
   readonly tellsProgress: boolean
 }
 
@@ -32,6 +45,8 @@ export type CallResult = { readonly value: unknown } | { readonly error: PostedE
 
 export type Reply =
   | { readonly progress: readonly [stage: Stage, done: number] }
+  | { readonly step: FitStep }
   | { readonly diagram: DiagramData }
+  | { readonly fit: Omit<AreaFit, 'diagram'> & { readonly diagram: DiagramData } }
   | { readonly results: readonly CallResult[] }
   | { readonly error: PostedError }

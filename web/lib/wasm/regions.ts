@@ -1,60 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { checkOptionNames, refuseArgument, refuseOption, shown } from '../base/check.ts'
-import { type Circles, coordinatesOf } from '../base/coordinates.ts'
-import type { DiagramData, Float64s } from '../base/types.ts'
+import { refuseOption } from '../base/check.ts'
+import type { Circles } from '../base/coordinates.ts'
+import { NONE } from '../base/diagram-data.ts'
+import type { DiagramData } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
-import { type ClippedDiagram, Region } from '../regions/region.ts'
-import { type RegionShape, ringArraysOf } from '../regions/region-shape.ts'
+import { fewCircles, sidesOfFew } from '../regions/few-circles.ts'
+import { type ClippedDiagram, type ClippedPolygons, Region } from '../regions/region.ts'
+import { type RegionShape, type RingArrays, ringArraysOf } from '../regions/region-shape.ts'
+import { type AreaFit, type FitOptions, fitInput, type SiteLike } from './fit.ts'
 import { judgedArrays } from './judged-arrays.ts'
-import type { LoadOptions } from './load-options.ts'
-import { loadRegionsScript } from './module-scripts.ts'
-import { compileWasm, instantiate, scriptNotLoaded, unwrap } from './wasm.ts'
-
-/**
- * Options of `Regions.fitAreas`.
- *
- * @category Regions
- */
-export interface FitOptions {
-  /** The region that the cells divide. */
-  readonly region: Region
-  /** Whether `areas` are shares of the region's area: they are scaled so that they sum to it. Default: false. */
-  readonly shares?: boolean | undefined
-  /** The largest relative error allowed for each area, above 0 and below 1. Default: 1e-9. */
-  readonly tolerance?: number | undefined
-  /** The largest number of steps. Default: 500. */
-  readonly maxSteps?: number | undefined
-  /** The weights to start from, for example those of an earlier fit. Default: the radii of the sites. */
-  readonly weights?: Float64Array | readonly number[] | undefined
-  /** Called before the first step and after each one. If it throws, the fit stops and the error is passed on. */
-  readonly onStep?: ((step: FitStep) => void) | undefined
-}
-
-/**
- * What a fit has reached.
- *
- * @category Regions
- */
-export interface FitStep {
-  /** The number of steps so far. */
-  readonly steps: number
-  /** The largest relative error of an area. */
-  readonly error: number
-  /** The weight of each site. */
-  readonly weights: Float64Array
-}
-
-/**
- * Weights for which the cells have the areas asked for.
- *
- * @category Regions
- */
-export interface AreaFit extends FitStep {
-  /** The certified diagram of the sites, with the weights as radii. The least weight is 0. */
-  readonly diagram: Diagram
-  /** The area of each cell inside the region. */
-  readonly areas: Float64Array
-}
+import { type CompiledWasm, type EmscriptenOptions, instantiate, unwrap } from './wasm.ts'
 
 /**
  * Clips diagrams to regions, and fits cells to given areas.
@@ -87,24 +42,29 @@ export interface Regions {
   fitAreas(sites: Circles | Iterable<SiteLike>, areas: Float64Array | readonly number[], options: FitOptions): AreaFit
 }
 
-/** A site: a point, as an array or an object. */
-export type SiteLike =
-  | readonly [x: number, y: number, r?: number]
-  | { readonly x: number; readonly y: number; readonly r?: number }
+/** What a module of regions can do. */
+export interface RegionsOfModule extends Regions {
+  /** Makes a region from its arrays. */
+  regionOf(rings: RingArrays): Region
+}
+
+/** The script of the module, as Emscripten writes it. */
+export type RegionsScript = (options: EmscriptenOptions) => Promise<WasmRegionsModule>
+
+/** The WebAssembly that a region was made by, with which a worker makes it again. */
+export function wasmOf(region: Region): CompiledWasm | undefined {
+  return compiled.get(region)
+}
+
+const compiled = new WeakMap<Region, CompiledWasm>()
 
 /**
- * Loads regions and fits.
+ * The regions and fits of a module.
  *
  * @throws CircleVoronoiError `notLoaded`
  */
-export async function loadRegions({ wasm }: LoadOptions): Promise<Regions> {
-  const { default: createModule } = await loadRegionsScript().catch(scriptNotLoaded('The regions'))
-  const beside = () => new URL('../generated/circle-voronoi-regions.wasm', import.meta.url)
-  return regionsOf(await instantiate(createModule, await compileWasm(wasm, beside)))
-}
-
-/** The regions and fits of a module. */
-function regionsOf(module: WasmRegionsModule): Regions {
+export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm): Promise<RegionsOfModule> {
+  const module = await instantiate(createModule, wasm)
   // Free what is no longer used.
   const regions = new FinalizationRegistry((address: number) => module.deleteRegion(address))
   const clips = new FinalizationRegistry((address: number) => module.deleteClip(address))
@@ -118,46 +78,49 @@ function regionsOf(module: WasmRegionsModule): Regions {
     return clipped
   }
 
+  const regionOf = ({ points, ringOffsets, polygonOffsets }: RingArrays) => {
+    const { address, ...arrays } = unwrap(module.createRegion(points, ringOffsets, polygonOffsets))
+    const region: Region = new Region(arrays, {
+      contains: (x, y) => module.regionContains(address, x, y),
+      clip: (diagram, maxDistance) => clippedOf(address, region, diagram, maxDistance),
+      clipCell(diagram, circle, maxDistance) {
+        const few = fewCircles(diagram, circle)
+        const result = module.clipCell(address, few.circles, diagram.weights, few.chosen, maxDistance)
+        // What is wrong with a few circles, all circles tell better.
+        if ('error' in result) return undefined
+        const { cells, ...small } = result
+        const sides = sidesOfFew(diagram, few, small)
+        return sides && { ...cells, side: cells.side.map((side) => sides.get(side) ?? NONE) }
+      },
+    })
+    regions.register(region, address)
+    addresses.set(region, address)
+    compiled.set(region, wasm)
+    return region
+  }
+
   return {
-    region(shape) {
-      const { points, ringOffsets, polygonOffsets } = ringArraysOf(shape)
-      const { address, ...arrays } = unwrap(module.createRegion(points, ringOffsets, polygonOffsets))
-      const region: Region = new Region(arrays, {
-        contains: (x, y) => module.regionContains(address, x, y),
-        clip: (diagram, maxDistance) => clippedOf(address, region, diagram, maxDistance),
-      })
-      regions.register(region, address)
-      addresses.set(region, address)
-      return region
-    },
+    region: (shape) => regionOf(ringArraysOf(shape)),
+    regionOf,
     fitAreas(sites, areas, options) {
-      checkOptionNames(options, 'fitAreas', ['region', 'shares', 'tolerance', 'maxSteps', 'weights', 'onStep'])
-      const { region, shares = false, tolerance = 1e-9, maxSteps = 500, weights, onStep } = options
+      const { sites: circles, areas: targets, ...chosen } = fitInput(sites, areas, options)
+      const { region, onStep, signal } = options
       const address = addresses.get(region)
-      if (address === undefined) refuseOption('fitAreas needs a region made by the same module.')
-      if (typeof shares !== 'boolean') refuseOption(`shares is true or false, not ${shown(shares)}.`)
-      if (typeof tolerance !== 'number') refuseOption(`tolerance is a number, not ${shown(tolerance)}.`)
-      if (!Number.isInteger(maxSteps) || maxSteps > 2 ** 31 - 1) {
-        refuseOption(`maxSteps is a whole number, not ${shown(maxSteps)}.`)
-      }
-      const circles = sitesWith(sites, weights)
+      if (address === undefined) refuseOption('The region of fitAreas was made by another module of regions.')
+      signal?.throwIfAborted()
       let thrown: unknown
       let hasThrown = false
-      const tell = (steps: number, error: number, now: Float64Array) => {
+      const tell = (steps: number, error: number, weights: Float64Array) => {
         try {
-          onStep?.({ steps, error, weights: now })
+          onStep?.({ steps, error, weights })
+          signal?.throwIfAborted()
         } catch (reason) {
           thrown = reason
           hasThrown = true
         }
         return !hasThrown
       }
-      const result = module.fitAreas(address, circles, numbersOf(areas, 'areas'), {
-        shares,
-        tolerance,
-        maxSteps,
-        onStep: tell,
-      })
+      const result = module.fitAreas(address, circles, targets, { ...chosen, onStep: tell })
       if (hasThrown) throw thrown
       const { relativeError: error, diagram, circles: weighted, ...rest } = unwrap(result)
       return { ...rest, error, diagram: new Diagram({ metric: 'circles', circles: weighted, ...diagram }) }
@@ -174,6 +137,7 @@ class Clipped implements ClippedDiagram {
   #cells: ClippedDiagram['cells'] | undefined
   #edges: ClippedDiagram['edges'] | undefined
   #areas: Float64Array | undefined
+  #polygons: { readonly tolerance: number; readonly polygons: ClippedPolygons } | undefined
 
   constructor(module: WasmRegionsModule, address: number, region: Region) {
     this.#module = module
@@ -204,41 +168,17 @@ class Clipped implements ClippedDiagram {
     return unwrap(this.#module.clippedPerimeters(this.#address))
   }
 
-  neighbors(circle: number) {
-    return unwrap(this.#module.clippedNeighbors(this.#address, circle))
+  largestEmptyDisc() {
+    const { disc, circles } = unwrap(this.#module.clippedLargestEmptyDisc(this.#address))
+    if (disc.length === 0) return undefined
+    const [x, y, r] = disc as unknown as [number, number, number]
+    return { disc: { x, y, r }, circles: Array.from(circles).filter((circle) => circle !== NONE) }
   }
 
   polygons(tolerance: number) {
-    return unwrap(this.#module.clippedPolygons(this.#address, tolerance))
+    if (this.#polygons?.tolerance !== tolerance) {
+      this.#polygons = { tolerance, polygons: unwrap(this.#module.clippedPolygons(this.#address, tolerance)) }
+    }
+    return this.#polygons.polygons
   }
-}
-
-/** Points get the radius 0; weights take the place of radii. */
-function sitesWith(
-  sites: Circles | Iterable<SiteLike>,
-  weights: Float64Array | readonly number[] | undefined,
-): Float64s {
-  const isFlat = sites instanceof Float64Array || sites instanceof Float32Array
-  const circles = isFlat
-    ? coordinatesOf(sites)
-    : coordinatesOf(
-        Array.from(sites as Iterable<SiteLike>, (site) => {
-          const [x, y, r = 0] = Array.isArray(site) ? site : [Object(site).x, Object(site).y, Object(site).r]
-          return [x, y, r] as const
-        }),
-      )
-  if (weights === undefined) return circles
-  const start = numbersOf(weights, 'weights')
-  if (start.length !== circles.length / 3) {
-    refuseOption(`There are ${start.length} weights for ${circles.length / 3} sites.`)
-  }
-  return circles.map((value, k) => (k % 3 === 2 ? (start[(k - 2) / 3] as number) : value))
-}
-
-function numbersOf(list: unknown, name: string): Float64s {
-  const isList = list instanceof Float64Array || list instanceof Float32Array || Array.isArray(list)
-  if (!isList || !Array.prototype.every.call(list, (item) => typeof item === 'number')) {
-    refuseArgument(`fitAreas takes a list of numbers as ${name}, not ${shown(list)}.`)
-  }
-  return Float64Array.from(list as readonly number[])
 }

@@ -82,12 +82,23 @@ interface WasmRegionsModule {
     maxDistance: number | undefined,
   ): WasmError | { readonly address: number }
   deleteClip(clip: number): void
+  /** One cell of the diagram of a few circles, and the sides of that diagram. */
+  clipCell(
+    region: number,
+    circles: Float64Array,
+    weights: boolean,
+    chosen: number,
+    maxDistance: number | undefined,
+  ):
+    | WasmError
+    | (import('../regions/few-circles.ts').Sides & { readonly cells: import('../regions/region.ts').ClippedCells })
   clippedCells(clip: number): WasmError | import('../regions/region.ts').ClippedCells
   clippedEdges(clip: number): WasmError | import('../regions/region.ts').ClippedEdges
   clippedAreas(clip: number): WasmError | Float64Array<ArrayBuffer>
   clippedCentroids(clip: number): WasmError | Float64Array<ArrayBuffer>
   clippedPerimeters(clip: number): WasmError | Float64Array<ArrayBuffer>
-  clippedNeighbors(clip: number, circle: number): WasmError | Int32Array<ArrayBuffer>
+  /** x, y and r of the disc, and three circles or -1; both are empty if there is none. */
+  clippedLargestEmptyDisc(clip: number): WasmError | { readonly disc: Float64Array; readonly circles: Int32Array }
   clippedPolygons(clip: number, tolerance: number): WasmError | import('../regions/region.ts').ClippedPolygons
   /** `sites`: x, y and the weight of each. */
   fitAreas(

@@ -2,7 +2,7 @@
 import { loadComparison } from './comparison.ts'
 import type { CircleVoronoi, ComputingLibrary } from './library.ts'
 import { checkLoadOptions } from './load-options.ts'
-import { loadRegions } from './regions.ts'
+import { loadRegions } from './load-regions.ts'
 
 /**
  * A library that can also load its other modules. The workers of bundlers do without: some bundlers cannot split the code of

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command fit: areas from a column, in a region.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "cli.h"
+
+namespace circle_voronoi {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kSites = "x,y,r,name,people,square meters\n1,1,0,north,3,6\n3,2,0,south,1,2\n2,3,0,west,4,8\n";
+constexpr const char* kRegion = "POLYGON ((0 0, 4 0, 4 4, 0 4))";
+
+class CliFit : public test::Cli {
+ protected:
+  const std::string sites_ = write("sites.csv", kSites);
+  const std::string region_ = " --region " + write("region.wkt", kRegion);
+
+  std::string textOf(const std::string& arguments, const std::string& input = "") const {
+    const auto [status, out, err] = run("fit " + arguments, input);
+    EXPECT_EQ(status, 0) << err;
+    EXPECT_EQ(err, "");
+    return out;
+  }
+
+  void fails(const std::string& arguments, const std::string& message, int status = 2) const {
+    expectFailure(run("fit " + arguments + " --format json"), status, message);
+  }
+
+  /// Whether the cells of a diagram as GeoJSON have the areas 6, 2 and 8.
+  static void expectAreas(const std::string& geojson) {
+    const std::vector<double> expected = {6, 2, 8};
+    const Json features = Json::parse(geojson)["features"];
+    ASSERT_EQ(features.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NEAR(features[i]["properties"]["area"].get<double>(), expected[i], 1e-8) << "cell " << i;
+    }
+  }
+};
+
+TEST_F(CliFit, TakesSharesOrAreasFromAColumn) {
+  const std::string shares = textOf(sites_ + " --areas people --shares --format geojson" + region_);
+  expectAreas(shares);
+  EXPECT_EQ(Json::parse(shares)["features"][1]["properties"]["name"], "south");
+  expectAreas(textOf(sites_ + " --areas 'square meters' --format geojson" + region_));
+  // The same from standard input, and as a file whose ending names the format.
+  EXPECT_EQ(textOf("- --areas people --shares --format geojson" + region_, kSites), shares);
+  const std::string file = path("fitted.geojson");
+  EXPECT_EQ(textOf(sites_ + " --areas people --shares -o " + file + region_), "");
+  EXPECT_EQ(readFile(file), shares);
+}
+
+TEST_F(CliFit, TakesAreasFromPropertiesOfPoints) {
+  const std::string points = write("points.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","geometry":{"type":"Point","coordinates":[1,1]},"properties":{"r":0,"people":3}},
+{"type":"Feature","geometry":{"type":"Point","coordinates":[3,2]},"properties":{"r":0,"people":1}},
+{"type":"Feature","geometry":{"type":"Point","coordinates":[2,3]},"properties":{"r":0,"people":4}}]})");
+  expectAreas(textOf(points + " --areas people --shares --format geojson" + region_));
+}
+
+TEST_F(CliFit, WritesADiagramWithTheWeightsAsRadiiWhichIsWhereTheNextFitBegins) {
+  const std::string options = " --areas people --shares" + region_;
+  const Json first = Json::parse(textOf(sites_ + options + " --format json"));
+  std::vector<double> weights;
+  for (const Json& circle : first["circles"]) weights.push_back(circle["r"].get<double>());
+  EXPECT_EQ(*std::ranges::min_element(weights), 0);
+  EXPECT_TRUE(first["stats"]["certificate"]["certified"].get<bool>());
+  // With no step to take, the weights are those given: at most one step would not do from the radii of the sites.
+  std::string sites = "x,y,r,people\n";
+  const std::vector<std::string> rest = {"3", "1", "4"};
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const Json& circle = first["circles"][i];
+    sites += circle["x"].dump() + "," + circle["y"].dump() + "," + circle["r"].dump() + "," + rest[i] + "\n";
+  }
+  const std::string again = write("again.csv", sites);
+  EXPECT_EQ(Json::parse(textOf(again + options + " --max-steps 1 --format json"))["circles"], first["circles"]);
+  fails(sites_ + options + " --max-steps 1", "sites.csv: The fit stopped after 1 steps: the largest relative error", 1);
+  // A coarse fit takes fewer steps.
+  textOf(sites_ + options + " --max-steps 4 --area-tolerance 0.1 --format json");
+  fails(sites_ + options + " --max-steps 4", "The fit stopped after 4 steps", 1);
+}
+
+TEST_F(CliFit, TakesWeightsBelowZeroToStartFrom) {
+  const std::string sites = write("weights.csv", "x,y,r,people\n1,1,-1,3\n3,2,-1.5,1\n2,3,-1,4\n");
+  expectAreas(textOf(sites + " --weights --areas people --shares --format geojson" + region_));
+  fails(sites + " --areas people --shares" + region_, "weights.csv:2: Circle 0 has a negative radius.");
+}
+
+TEST_F(CliFit, SaysWhatIsWrong) {
+  fails(sites_ + " --areas people --shares", "--region is required");
+  fails(sites_ + " --shares" + region_, "--areas is required");
+  fails(sites_ + " --areas people" + region_,
+        "sites.csv: The areas sum to 8, but the area of the region is 16. Set `shares` to scale them.");
+  fails(sites_ + " --areas persons --shares" + region_, "sites.csv: circle 0 has no number \"persons\".");
+  fails(sites_ + " --areas name --shares" + region_, "sites.csv: circle 0 has no number \"name\".");
+  const std::string zero = write("zero.csv", "x,y,r,a\n1,1,0,1\n2,2,0,0\n");
+  fails(zero + " --areas a --shares" + region_, "zero.csv: Area 1 must be positive and finite (got 0).");
+  const std::string equal = write("equal.csv", "x,y,r,a\n1,1,0,1\n1,1,0,2\n");
+  fails(equal + " --areas a --shares" + region_, "equal.csv: Site 1 has the same position as site 0.");
+  const std::string options = " --areas people --shares";
+  fails(sites_ + options + region_ + " --area-tolerance 2", "tolerance must be above 0 and below 1 (got 2).");
+  fails(sites_ + options + region_ + " --max-steps 0", "maxSteps must be 1 or more (got 0).");
+  fails(sites_ + options + " --region " + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"), "cross at (1, 1).");
+  fails(sites_ + options + region_ + " -o " + path("region.wkt"), "region.wkt would be overwritten");
+  EXPECT_EQ(readFile(path("region.wkt")), kRegion);
+}
+
+TEST_F(CliFit, TellsHowFarItIs) {
+  const auto [status, out, err] =
+      run("fit " + sites_ + " --areas people --shares --progress always -o " + path("out.json") + region_);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(std::regex_search(err, std::regex("fit, \\d+ s"))) << err;
+  // Parts that grow, up to all of it.
+  std::vector<int> parts;
+  const std::regex part("fit (\\d+) %");
+  for (auto found = std::sregex_iterator(err.begin(), err.end(), part); found != std::sregex_iterator(); ++found) {
+    parts.push_back(std::stoi((*found)[1]));
+  }
+  ASSERT_GE(parts.size(), 2U) << err;
+  EXPECT_GT(parts.front(), 0);
+  EXPECT_LT(parts.front(), 100);
+  EXPECT_EQ(parts.back(), 100);
+  EXPECT_TRUE(std::ranges::is_sorted(parts)) << err;
+}
+
+}  // namespace
+}  // namespace circle_voronoi

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What fits take and return, here and in a worker.
+import { checkOptionNames, refuseArgument, refuseOption, shown } from '../base/check.ts'
+import {
+  type CircleLike,
+  type Circles,
+  circleRadius,
+  circleX,
+  circleY,
+  coordinatesFrom,
+  coordinatesOf,
+} from '../base/coordinates.ts'
+import type { Float64s } from '../base/types.ts'
+import type { Diagram } from '../diagram/diagram.ts'
+import { Region } from '../regions/region.ts'
+
+/**
+ * Options of `fitAreas`.
+ *
+ * @category Regions
+ */
+export interface FitOptions {
+  /** The region that the cells divide. */
+  readonly region: Region
+  /** Whether `areas` are shares of the region's area: they are scaled so that they sum to it. Default: false. */
+  readonly shares?: boolean | undefined
+  /**
+   * The largest relative error of each area, above 0 and below 1. Default: 1e-9. Larger errors remain only where the last
+   * bits of the weights make them, as for a cell that is a sliver behind a close neighbor.
+   */
+  readonly tolerance?: number | undefined
+  /** The largest number of steps. Default: 500. */
+  readonly maxSteps?: number | undefined
+  /** The weights to start from, for example those of an earlier fit. Default: the radii of the sites. */
+  readonly weights?: Float64Array | readonly number[] | undefined
+  /** Called before the first step and after each one. If it throws, the fit stops and the error is passed on. */
+  readonly onStep?: ((step: FitStep) => void) | undefined
+  /**
+   * A signal that cancels the fit with the reason of the signal: at once in a worker, otherwise before the next step, if
+   * `onStep` aborts it.
+   */
+  readonly signal?: AbortSignal | undefined
+}
+
+/**
+ * The state of a fit after a step.
+ *
+ * @category Regions
+ */
+export interface FitStep {
+  /** The number of steps so far. */
+  readonly steps: number
+  /** The largest relative error of an area. */
+  readonly error: number
+  /** The weight of each site. */
+  readonly weights: Float64Array
+}
+
+/**
+ * The result of a fit: weights for which each cell has its area.
+ *
+ * @category Regions
+ */
+export interface AreaFit extends FitStep {
+  /** The certified diagram of the sites, with the weights as radii. The least weight is 0. */
+  readonly diagram: Diagram
+  /** The area of each cell inside the region. */
+  readonly areas: Float64Array
+}
+
+/** A site: a point, as an array or an object. */
+export type SiteLike =
+  | readonly [x: number, y: number, r?: number]
+  | { readonly x: number; readonly y: number; readonly r?: number }
+
+/** What a fit is made from, checked as far as JavaScript has to. */
+export interface FitInput {
+  /** x, y and the weight to start from of each site. */
+  readonly sites: Float64s
+  readonly areas: Float64s
+  readonly shares: boolean
+  readonly tolerance: number
+  readonly maxSteps: number
+}
+
+/** @throws CircleVoronoiError `badOption`, `badArgument`, `badInput` */
+export function fitInput(
+  sites: Circles | Iterable<SiteLike>,
+  areas: Float64Array | readonly number[],
+  options: FitOptions,
+): FitInput {
+  checkOptionNames(options, 'fitAreas', NAMES)
+  const { region, shares = false, tolerance = 1e-9, maxSteps = 500, weights, onStep, signal } = options
+  if (!(region instanceof Region)) {
+    refuseOption('fitAreas needs a region, which `region` of `loadRegions` makes, as its option region.')
+  }
+  if (typeof shares !== 'boolean') refuseOption(`shares is true or false, not ${shown(shares)}.`)
+  if (typeof tolerance !== 'number') refuseOption(`tolerance is a number, not ${shown(tolerance)}.`)
+  if (!Number.isInteger(maxSteps) || maxSteps > 2 ** 31 - 1) {
+    refuseOption(`maxSteps is a whole number, not ${shown(maxSteps)}.`)
+  }
+  if (onStep !== undefined && typeof onStep !== 'function') refuseOption('The option onStep is a function.')
+  checkSignal(signal)
+  return { sites: sitesWith(sites, weights), areas: numbersOf(areas, 'areas'), shares, tolerance, maxSteps }
+}
+
+/** @throws CircleVoronoiError `badOption` */
+export function checkSignal(signal: unknown): void {
+  if (signal !== undefined && !(signal instanceof AbortSignal)) refuseOption('The option signal is an AbortSignal.')
+}
+
+const NAMES = ['region', 'shares', 'tolerance', 'maxSteps', 'weights', 'onStep', 'signal']
+
+/** Points get the radius 0; weights take the place of radii. */
+function sitesWith(
+  sites: Circles | Iterable<SiteLike>,
+  weights: Float64Array | readonly number[] | undefined,
+): Float64s {
+  const isFlat = sites instanceof Float64Array || sites instanceof Float32Array
+  const weightOf = (site: CircleLike) => circleRadius(site) ?? 0
+  const circles = isFlat
+    ? coordinatesOf(sites)
+    : coordinatesFrom(sites as Iterable<CircleLike>, circleX, circleY, weightOf)
+  if (weights === undefined) return circles
+  const start = numbersOf(weights, 'weights')
+  if (start.length !== circles.length / 3) {
+    refuseOption(`There are ${start.length} weights for ${circles.length / 3} sites.`)
+  }
+  return circles.map((value, k) => (k % 3 === 2 ? (start[(k - 2) / 3] as number) : value))
+}
+
+function numbersOf(list: unknown, name: string): Float64s {
+  const isList = list instanceof Float64Array || list instanceof Float32Array || Array.isArray(list)
+  if (!isList || !Array.prototype.every.call(list, (item) => typeof item === 'number')) {
+    refuseArgument(`fitAreas takes a list of numbers as ${name}, not ${shown(list)}.`)
+  }
+  return Float64Array.from(list as readonly number[])
+}
