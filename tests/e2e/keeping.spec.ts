@@ -58,6 +58,7 @@ test('a link that is opened once more shows what it says, whatever was changed t
   const link = page.url()
   // The page is left before it has kept the change.
   await page.evaluate(() => {
+    for (let timer = window.setTimeout(() => {}); timer > 0; timer--) clearTimeout(timer)
     window.setTimeout = (() => 0) as unknown as typeof setTimeout
   })
   await app.canvas.focus()

@@ -65,16 +65,16 @@ export function mountFiles(actions: FileActions): void {
             <button type="button" title="Save a drawing as you see it, which opens here again" @click=${() => actions.saveDrawing(part)}>
               ${DOWN}SVG
             </button>
+            <button type="button" title="Save a PNG for a sheet of A3 paper at 300 dots per inch" @click=${() => actions.savePoster(part)}>
+              ${DOWN}Poster, A3
+            </button>
             <button type="button" title="Save a picture as you see it" @click=${() => actions.savePicture(part, scale)}>
               ${DOWN}PNG
             </button>
             <label>
-              times
               <input type="number" min="0.1" step="any" required .value=${String(scale)} @change=${rescale} autocomplete="off" />
+              times
             </label>
-            <button type="button" title="Save a PNG for a sheet of A3 paper at 300 dots per inch" @click=${() => actions.savePoster(part)}>
-              ${DOWN}Poster, A3
-            </button>
           </div>
           <h3>Save the data</h3>
           <div class="choices">

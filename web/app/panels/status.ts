@@ -22,8 +22,8 @@ export function mountStatus(store: Store<State>): void {
   })
 }
 
-/** Phones have no room for minor parts, and small ones none for second ones. */
-type Part = readonly [content: readonly (string | Node)[], rank?: 'minor' | 'second']
+/** Phones have no room for minor parts, and small ones, or those where there are rare ones, none for second ones. */
+type Part = readonly [content: readonly (string | Node)[], rank?: 'minor' | 'second' | 'rare']
 
 function statusOf({ counts, seconds }: NonNullable<State['edited']>): Node {
   const proven = document.createElement('span')
@@ -34,7 +34,7 @@ function statusOf({ counts, seconds }: NonNullable<State['edited']>): Node {
     [count(counts.circles, 'circle')],
     [count(counts.vertices, 'vertex', 'vertices'), 'second'],
     [count(counts.edges, 'edge'), 'minor'],
-    ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden']] as Part] : []),
+    ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden'], 'rare'] as Part] : []),
     [[proven]],
     [duration(seconds), 'minor'],
   ]
