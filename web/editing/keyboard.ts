@@ -28,6 +28,10 @@ interface Places {
   /** Moves the focus to the numbers of the selected circle. */
   editNumbers?(): void
   showHelp?(): void
+  /** Reports whether a key was one of drawing a region. `step`: of arrow keys, in units. */
+  drawKey?(key: string, step: number): boolean
+  /** Begins to draw one. */
+  drawRegion?(): void
 }
 
 export interface KeyboardOptions {
@@ -44,7 +48,7 @@ export function listenToKeyboard(
   pointer: Listening,
   store: Store<State>,
   actions: EditorActions,
-  { editNumbers, showHelp }: Places,
+  { editNumbers, showHelp, drawKey, drawRegion }: Places,
   { around = document, signal }: KeyboardOptions = {},
 ): void {
   // A key that is held down is one gesture.
@@ -58,6 +62,7 @@ export function listenToKeyboard(
     const arrow = ARROWS[event.key]
     if (!event.repeat) gesture = actions.beginGesture()
 
+    if (tool === 'draw' && drawKey?.(event.key, step) === true) return true
     if (arrow !== undefined) {
       if (hasSelection && !actions.isReadonly) actions.moveSelected(arrow[0] * step, arrow[1] * step, gesture)
       else actions.pan(-arrow[0] * PAN_STEP, arrow[1] * PAN_STEP)
@@ -135,6 +140,8 @@ export function listenToKeyboard(
         return () => actions.useTool('add')
       case 's':
         return () => actions.toggleSnapping()
+      case 'p':
+        return drawRegion
       case 'escape':
         return event.target === figure ? undefined : () => actions.release()
       case 'delete':
