@@ -215,13 +215,14 @@ export class EditorActions implements Hands {
   }
 
   /**
-   * Another region, or other areas in the order of the circles, as one step of undo. `undefined`: refused.
+   * Another region, or other areas in the order of the circles, and edits, as one step of undo. `undefined`: refused.
    *
    * @throws CircleVoronoiError `badOption` of what is no region
    */
-  setDomain(change: Partial<Domain>, gesture?: number): Promise<Edited | undefined> {
+  setDomain(change: Partial<Domain>, gesture?: number, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     const { region } = change
-    return this.#editing.edit([], gesture, region === undefined ? change : { ...change, region: plainRegion(region) })
+    const plain = region === undefined ? change : { ...change, region: plainRegion(region) }
+    return this.#editing.edit(edits, gesture, plain)
   }
 
   /** All or none of the edits, as one step of undo. `undefined`: refused. */
