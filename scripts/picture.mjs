@@ -40,3 +40,13 @@ await main(() =>
     await pictureRecipes(browser)
   }),
 )
+
+/** Runs in a page. Waits until its first figure is painted, or its frames are counted. */
+async function settled() {
+  const figures = [...document.querySelectorAll('circle-voronoi')].slice(0, 1)
+  for (const figure of figures) {
+    await figure.ready
+    await figure.updateComplete
+  }
+  while (document.querySelector('output')?.textContent === 'loading') await new Promise(requestAnimationFrame)
+}

@@ -20,7 +20,7 @@ Json countDiscs(const Parameters& parameters) {
                       {"threeTouchDiscs", counts.threeTouchDiscs},
                       {"certified", diagram.certificate.certified()},
                       {"seconds",
-                       {{"centres", seconds.order + seconds.triangulate},
+                       {{"centers", seconds.order + seconds.triangulate},
                         {"sample", seconds.sample},
                         {"pair", seconds.pair},
                         {"touch", seconds.touch},

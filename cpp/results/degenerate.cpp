@@ -36,7 +36,7 @@ double spreadOf(const Diagram& diagram, double reference) {
   return 2 * most;
 }
 
-/// Of a grid, how many squares of four centres have two triangles, and how many triangles lie in no square.
+/// Of a grid, how many squares of four centers have two triangles, and how many triangles lie in no square.
 Json quasiTriangulation(const Diagram& diagram) {
   std::map<std::array<std::size_t, 2>, int> trianglesIn;
   int outside = 0;

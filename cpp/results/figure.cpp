@@ -26,7 +26,7 @@ constexpr std::string_view kStyle = R"(svg { background: #ffffff; }
 .samples { fill: none; stroke: #c0392b; stroke-width: 3; stroke-linecap: round; }
 .dots { fill: none; stroke: #b0701c; stroke-linecap: round; }
 .dots path { vector-effect: none; stroke-width: 1.5; }
-.centres { fill: none; stroke: #c0392b; stroke-width: 0.7; stroke-opacity: 0.7; }
+.centers { fill: none; stroke: #c0392b; stroke-width: 0.7; stroke-opacity: 0.7; }
 .sample-graph { fill: none; stroke: #6b7785; stroke-width: 0.7; }
 .antipodal { fill: #5a8fd6; fill-opacity: 0.25; stroke: #3f74bb; stroke-width: 0.8; }
 .leftover { fill: none; stroke: #a8327a; stroke-width: 1.6; }
@@ -38,7 +38,7 @@ svg { background: #12161d; }
 .edges { stroke: #8fb3ef; }
 .dual { stroke: #93a0b1; }
 .hull { stroke: #d9bd6a; }
-.samples, .segments, .centres { stroke: #ff8a75; }
+.samples, .segments, .centers { stroke: #ff8a75; }
 .box { stroke: #ffffff; }
 .dots { stroke: #e6b06a; }
 .sample-graph { stroke: #8d99a8; }
@@ -49,7 +49,7 @@ svg { background: #12161d; }
 
 const Circle& at(std::span<const Circle> circles, int i) { return circles[i]; }
 
-/// The point of a circle towards the centre of a disc.
+/// The point of a circle towards the center of a disc.
 Point footOf(const Circle& circle, Vector direction) {
   const double size = length(direction);
   const double part = size == 0 ? 0 : circle.r / size;
@@ -75,7 +75,7 @@ SvgLayer graphLayer(std::string name, std::span<const Point> points) {
 
 SvgLayer samplesLayer(const Samples& samples) { return {.name = "samples", .points = samples.points}; }
 
-SvgLayer centersLayer(std::span<const Circle> circles) { return graphLayer("centres", centersOf(circles)); }
+SvgLayer centersLayer(std::span<const Circle> circles) { return graphLayer("centers", centersOf(circles)); }
 
 SvgLayer sampleGraphLayer(const Samples& samples) { return graphLayer("sample-graph", samples.points); }
 

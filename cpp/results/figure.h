@@ -16,7 +16,7 @@ namespace circle_voronoi::results {
 // The layers of the paper's figures.
 
 SvgLayer samplesLayer(const Samples& samples);
-/// The Delaunay graph of the centres.
+/// The Delaunay graph of the centers.
 SvgLayer centersLayer(std::span<const Circle> circles);
 /// The Delaunay graph of the samples.
 SvgLayer sampleGraphLayer(const Samples& samples);

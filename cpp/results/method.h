@@ -14,7 +14,7 @@ namespace circle_voronoi::results {
 /// The diagram; throws the error's message.
 Diagram diagramOf(std::span<const Circle> circles, const Options& options = {});
 
-/// Samples of the circles, hidden ones included, by the Delaunay triangulation of their centres.
+/// Samples of the circles, hidden ones included, by the Delaunay triangulation of their centers.
 Samples dynamicSamples(std::span<const Circle> circles, int angular);
 
 // The same to be drawn as the paper has them: on the circles themselves, not on the circles less the smallest radius.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A thousand discs that bounce in a box, and their Voronoi diagram, kept by edits: an editor makes them, and a diagram
-// follows. Two discs that touch are neighbors, so who may collide is found among the diagram's edges.
+// A thousand bouncing discs in a box, and their Voronoi diagram
+// An editor keeps the diagram up to date. Two discs that touch are neighbors, so only discs that share an edge can collide.
 import { loadCircleVoronoi } from '../../dist/lib/index.js'
 
 const DISCS = 1000

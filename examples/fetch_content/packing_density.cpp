@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How densely particles are packed, each in its own cell: packing_density PARTICLES.csv
-// Prints the circle, the area of its cell inside the bounding box, and the part of it that the circle takes.
+// Prints each circle, the area of its cell inside the bounding box, and the share of the cell that the circle fills.
 #include <circle_voronoi/cells.h>
 #include <circle_voronoi/compute.h>
 #include <circle_voronoi/io.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A thousand discs that bounce in a box: bouncing_discs [FRAMES]
+// A thousand bouncing discs in a box: bouncing_discs [FRAMES]
 //
 // Two discs that touch are neighbors in their Voronoi diagram, so only discs that share an edge can collide. Edits keep
 // the diagram up to date: each disc moves, and the program applies the change to its list of edges.

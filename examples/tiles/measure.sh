@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Time, memory and disk of MILLIONS of circles in tiles: measure.sh FOLDER MILLIONS PROCESSES
-# The circles stream into the tiles; what each tile writes is counted and hashed, not kept.
+# The circles stream into the tiles. The output of each tile is counted and hashed, not kept.
 set -euo pipefail
 millions=$2
 export FOLDER=$1 PROGRAM=${CIRCLE_VORONOI:-circle-voronoi}

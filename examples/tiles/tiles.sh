@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The diagram of circles in tiles, with xargs alone: tiles.sh CIRCLES.csv SIZE HALO FOLDER [PROCESSES]
+# Computes a diagram in tiles with xargs alone: tiles.sh CIRCLES.csv SIZE HALO FOLDER [PROCESSES]
 set -eu
 export FOLDER="$4" PROGRAM="${CIRCLE_VORONOI:-circle-voronoi}"
 mkdir -p "$FOLDER/open" "$FOLDER/parts"

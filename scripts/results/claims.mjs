@@ -92,7 +92,7 @@ function fewerSamples(needed) {
     measured: `in ${fewer.length} of ${compared.length} families (${fewer.map(({ family }) => family).join(', ')}); most clearly in ${best.family}, ${fixed(best.dynamic.nothingMissed.most, 1)} a circle against ${best.uniform.nothingMissed.most}`,
     outcome: outcomeOf(fewer.length, compared.length),
     expected: 'partly',
-    why: 'Dynamic sampling takes about 6 (N_s + 1) samples a circle whatever the circles are like. Where these are of about one size, a handful of equally spaced samples finds the same discs. Where one circle has many neighbors, uniform sampling must give all circles what that one needs: there dynamic sampling saves a factor of ten and more.',
+    why: 'Dynamic sampling takes about 6 (N_s + 1) samples a circle for all families. If the circles have similar sizes, a handful of equally spaced samples finds the same discs. If one circle has many neighbors, uniform sampling must give every circle as many samples as that circle needs. There dynamic sampling saves a factor of ten and more.',
   }
 }
 
@@ -133,7 +133,7 @@ function exactness({ correctness, trials }) {
     measured: `right in all ${trials.correctness} inputs of each of ${right.length} families out of ${rows.length}; worst in ${worst.family}, where ${percent(worst.wrong['N_s = 1'] / trials.correctness)} are wrong`,
     outcome: outcomeOf(right.length, rows.length),
     expected: 'partly',
-    why: 'Samples see a circle at a few points only, so an empty antipodal disc between two of them may be missed, and not every missed one is found again by a three-touch disc; no fixed N_s is safe. This library therefore proves each result and, asked to, samples again where the proof fails.',
+    why: 'Samples cover a circle at a few points only, so the method may miss an empty antipodal disc between two samples. Three-touch discs do not make up for every missed disc, so no fixed N_s is safe. This library therefore proves each result. With the option `resample` it takes more samples where the proof fails.',
   }
 }
 
@@ -144,10 +144,10 @@ function printedRules({ printed, correctness, trials }) {
   const corrected = correctness.reduce((sum, { wrong }) => sum + (wrong['all pairs'] ?? 0), 0)
   return {
     claim: 'Algorithms 1 to 4 compute the Voronoi diagram of circles that do not intersect (lemma 3).',
-    measured: `as printed, and with every pair for a candidate, in ${right.length} of ${disjoint.length} families; in ${worst.length} (${worst.map(({ family }) => family).join(', ')}) no result is right. With the corrected rules ${corrected === 0 ? 'none is wrong' : `${corrected} are wrong`} in any family`,
+    measured: `as printed, and with every pair as a candidate, in ${right.length} of ${disjoint.length} families; in ${worst.length} (${worst.map(({ family }) => family).join(', ')}) no result is right. With the corrected rules ${corrected === 0 ? 'none is wrong' : `${corrected} are wrong`} in any family`,
     outcome: right.length === disjoint.length ? 'yes' : 'no',
     expected: 'no',
-    why: 'Algorithm 3 accepts any directed edge between the third pair of circles as the third edge of a three-touch disc. Two circles with a smaller one between them have two Voronoi edges, and the directed edge may belong to the other one. The picture shows the result.',
+    why: 'Algorithm 3 accepts any directed edge between the third pair of circles as the third edge of a three-touch disc. Two circles with a smaller circle between them have two Voronoi edges, and the directed edge may belong to the other edge. The picture shows the result.',
   }
 }
 
@@ -162,7 +162,7 @@ function check(correctness) {
     measured: `of ${count(wrong)} wrong diagrams ${count(passed)} pass that check; the certificate of this library accepts ${misjudged === 0 ? 'none' : 'some'} of them, and refuses no right one in general position`,
     outcome: passed === 0 ? 'yes' : 'no',
     expected: 'no',
-    why: 'The check is necessary, not sufficient: a missed neighbor inside the hull leaves the cycle as it is.',
+    why: 'The check is necessary but not sufficient: if a neighbor inside the hull is missed, the cycle does not change.',
   }
 }
 
@@ -193,10 +193,10 @@ function overlapping({ printed, correctness, trials }) {
     .reduce((sum, row) => sum + (row.wrong['all pairs'] ?? 0), 0)
   return {
     claim: 'Intersecting circles, and circles that another one hides, are handled outside all circles (section 9).',
-    measured: `as printed, and with every pair for a candidate, ${percent(wrong / rows.length / trials.printed)} of such inputs come out wrong there, in ${rows.length - right.length} of ${rows.length} families; with the corrected rules ${corrected === 0 ? 'none does' : `${corrected} do`}, and inside the circles neither`,
+    measured: `as printed, and with every pair as a candidate, ${percent(wrong / rows.length / trials.printed)} of such inputs come out wrong there, in ${rows.length - right.length} of ${rows.length} families; with the corrected rules ${corrected === 0 ? 'none does' : `${corrected} do`}, and inside the circles neither`,
     outcome: wrong === 0 ? 'yes' : 'no',
     expected: 'no',
-    why: 'The antipodal disc of two intersecting circles may meet a third circle like any other disc, so it cannot be taken for empty; and hidden circles, left in, displace the neighbors of the circle that contains them. With signed radii, and hidden circles taken out first, there is nothing special about either.',
+    why: 'The antipodal disc of two intersecting circles may meet a third circle like any other disc, so the method must check whether it is empty. Hidden circles that are not removed displace the neighbors of the circle that contains them. With signed radii, and with hidden circles removed first, neither case needs special rules.',
   }
 }
 
@@ -302,6 +302,6 @@ function delaunayDecides(counts) {
     measured: `at ${count(largest)} circles the graph of the samples takes ${percent(part('pair'))} of the time, the discs and directed edges ${percent(part('touch'))}`,
     outcome: part('touch') < 0.1 ? 'yes' : part('pair') > 0.25 ? 'partly' : 'no',
     expected: 'partly',
-    why: 'Discs in the order of their radii lie all over the plane, so that each step waits for memory, while our triangulation works on neighbors.',
+    why: 'Discs in the order of their radii lie all over the plane, so each step waits for memory. The triangulation of this library works on neighbors.',
   }
 }

@@ -154,10 +154,10 @@ ${block(claims.threeSamples)}
 
 ${picture('needed-samples', 'Samples a circle that uniform and dynamic sampling need, by family')}
 
-${count(trials.needed)} inputs a family, of 10 to 100 circles. On the left the samples are enough when every pair of circles whose antipodal
-disc is empty is a candidate; this is what the paper asks for. On the right they are enough when the diagram is right: that
-takes far fewer, as three-touch discs make up for most antipodal discs that were missed. Dots are medians, ticks the input
-that needs most. (The samples are those of the circles less the smallest radius, which have the same diagram.)
+${count(trials.needed)} inputs a family, of 10 to 100 circles. On the left the samples are enough if every pair of circles with
+an empty antipodal disc is a candidate, as the paper requires. On the right they are enough if the diagram is right. That takes far
+fewer samples, because three-touch discs make up for most missed antipodal discs. Dots are medians, and ticks mark the input that needs
+the most. (The samples lie on circles shrunk by the smallest radius, which have the same diagram.)
 
 <details><summary>What all inputs of a family need</summary>
 
@@ -216,8 +216,8 @@ ${block(claims.exactness)}
 <details><summary>Percent of wrong diagrams, all families and ways</summary>
 
 ${count(trials.correctness)} inputs a family of 10 to 100 circles (extreme: 5 to 14), ${count(trials.printed)} for the printed rules. "Resampled" takes more samples where the
-certificate fails. Empty: families in which rounding alone decides in what order discs come, so that the method is not asked;
-the printed rules are not either where circles in special position overlap.
+certificate fails. A field is empty if rounding alone decides the order of discs in that family, or, for the printed rules, if
+circles in special position overlap.
 
 ${table(['family', 'as printed, all pairs', ...ways], rows)}
 
@@ -231,7 +231,7 @@ ${gallery(
   [
     ['figure-13b', 'figure 13b'],
     ['figure-14-whole', 'figure 14: 100,000 circles, each a dot'],
-    ['figure-14-part', 'what is in the small square'],
+    ['figure-14-part', 'the small square, enlarged'],
   ],
   280,
 )}
@@ -252,9 +252,9 @@ ${gallery(
   380,
 )}
 
-Circles like those of figure 12: three of them intersect mutually, and one (gray) is inside another. As printed, directed edges
-are left over inside the three. Radii of discs with a sign, negative inside an overlap, need no exception: the three have a
-vertex there, and what is left over is the hull.
+These circles are like those of figure 12: three of them intersect mutually, and one (gray) is inside another. With the printed rules,
+directed edges are left over inside the three. Signed radii, negative inside an overlap, need no exception: the three circles have a
+vertex there, and only the edges of the hull are left over.
 
 ${block(claims.overlapping)}`
 }
@@ -321,8 +321,8 @@ function timeSection({ times }, claims) {
 
 ${picture('times', 'Seconds of each method against the number of circles')}
 
-Random circles, all methods in one run on the same circles, in turns; medians of ${times[0].repetitions.length} repetitions. Ratios are medians of those
-within a repetition. The exponent is fitted from 1,000 circles on, of the slow methods from the first size.
+Random circles, all methods in one run on the same circles, in turns; medians of ${times[0].repetitions.length} repetitions. Ratios are computed
+within each repetition; the table has their medians. The exponents are fitted from 1,000 circles on, or for slow methods from the first size.
 
 ${table(['', ...sizes.map(count), 'exponent'], rows)}
 
@@ -357,7 +357,7 @@ function beyond({ large, wasm }) {
   ])
   return `## Beyond the paper
 
-What the paper does not have: \`auto\`, certified, on up to ten million circles; and in the browser.
+Two parts have no counterpart in the paper: \`auto\`, certified, with up to ten million circles, and the browser.
 
 ${picture('large', 'Time and memory a circle of auto against the number of circles')}
 
@@ -371,10 +371,10 @@ ${table(['family', 'circles', 'native', 'WebAssembly', 'times'], wasmRows)}`
 }
 
 function again({ trials }) {
-  return `## Again
+  return `## Run it again
 
     npm run reproduce              writes this page and its pictures
-    npm run reproduce -- --quick   a smaller run in build/results; \`npm test\` does it, and asserts Table 1 and each outcome
+    npm run reproduce -- --quick   a smaller run in build/results; \`npm run test:long\` runs it and asserts Table 1 and each outcome
 
 ${count(trials.correctness)} inputs of each family are compared with CGAL; \`build/results/data.json\` has all numbers of the last run.`
 }

@@ -54,9 +54,9 @@ ${asked(spec, inline)}`
 
   /** What the tutorial draws itself (web/tutorial/drawn). */
   function drawn(spec, inline) {
-    const { name, kind, point, view, at = 0, label, plays, caption, alt } = spec
+    const { name, kind, point, region, view, at = 0, label, plays, caption, alt } = spec
     const { circles, drawing } = made.get(name)
-    const data = escaped(JSON.stringify({ kind, circles, point, view, at }))
+    const data = escaped(JSON.stringify({ kind, circles, point, region, view, at }))
     const button = (names, text) => `<button type="button" class="${names}">${text}</button>`
     return `<figure id="${name}" class="drawn-figure" data-drawn="${data}">
 <div class="picture ${kind}"><img src="${drawing.poster}" alt="${escaped(alt)}" width="640" height="${drawing.height}" loading="lazy"></div>
@@ -95,11 +95,13 @@ ${help(spec, inline, `<button type="button" class="show" data-circles="${escaped
   }
 
   function element(spec) {
-    const { layers, controls, method, view, check, alt } = spec
+    const { layers, controls, method, view, check, region, areas, alt } = spec
     const { circles, poster } = made.get(spec.name)
     const attributes = {
       circles: JSON.stringify(circles),
       layers: layers && JSON.stringify(layers),
+      region: region && JSON.stringify(region),
+      areas,
       controls,
       method,
       view: view?.join(' '),

@@ -13,6 +13,8 @@ export const TEXTS = {
   'README.md': 'index.html',
   'docs/javascript.md': 'javascript.html',
   'docs/cookbook.md': 'cookbook.html',
+  'docs/regions.md': 'regions.html',
+  'docs/areas.md': 'areas.html',
   'docs/element.md': 'element.html',
   'docs/cpp.md': 'cpp.html',
   'docs/shell.md': 'shell.html',

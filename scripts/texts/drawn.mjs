@@ -35,7 +35,9 @@ export async function loadDrawn(library) {
   const { KINDS, heightOf, paintCones, WIDTH, colorsOf, extrasOf } = await import(pathToFileURL(BUNDLE).href)
   const style = ['style/tokens.css', 'tutorial/drawn.css'].map((name) => readFileSync(`${ROOT}web/${name}`, 'utf8'))
 
-  const draw = ({ kind, view, point, at = 0, tilt, turn }, circles) => {
+  const regions = await library.loadRegions()
+
+  const draw = ({ kind, view, point, region, at = 0, tilt, turn }, circles) => {
     if (kind === undefined) {
       const { width, height } = CONES
       return { picture: png(paintCones(circles, view, { tilt, turn }, width, height), width, height) }
@@ -44,13 +46,14 @@ export async function loadDrawn(library) {
       circles: circles.map(([x, y, r]) => ({ x, y, r })),
       point: point && { x: point[0], y: point[1] },
       view,
+      region,
     }
     const height = heightOf(kind)
-    const { content, told } = KINDS[kind].draw(scene, at, library)
+    const { content, told } = KINDS[kind].draw(scene, at, library, regions)
     const picture = `<svg xmlns="http://www.w3.org/2000/svg" class="drawn" viewBox="0 0 ${WIDTH} ${height}"><style>
 ${style.join('\n')}</style>${content}</svg>
 `
-    return { picture, told, height, ...KINDS[kind].range(scene, library) }
+    return { picture, told, height, ...KINDS[kind].range(scene, library, regions) }
   }
   return { draw, colorsOf, extrasOf }
 }

@@ -65,6 +65,28 @@ export function posterMaker(library, { colorsOf, extrasOf }) {
   }
 }
 
+/** The picture of a figure whose cells have given areas in a region. */
+export function fittedPoster({ region: regionOf, fitAreas }, { colorsOf }) {
+  const tokens = readFileSync(`${ROOT}web/style/tokens.css`, 'utf8')
+  return (circles, { region: shape, areas, view: [x, y, span] }) => {
+    const region = regionOf(shape)
+    const shares = areas === 'equal' ? circles.map(() => 1) : areas.split(' ').map(Number)
+    const { diagram } = fitAreas(circles, shares, { region, shares: true })
+    const colors = colorsOf(diagram)
+    const [width, height] = [1.6 * span, span]
+    const options = { region, digits: 4, tolerance: span / 4000 }
+    const cells = circles.map(
+      (_, i) => `<path class="c${colors[i]}" fill-opacity="0.35" d="${diagram.cellPath(i, options)}"/>`,
+    )
+    const sites = circles.map(([cx, cy], i) => `<circle class="c${colors[i]}" cx="${cx}" cy="${cy}" r="${span / 80}"/>`)
+    const lines = [diagram.render(options), diagram.renderBounds(options)].map((d) => `<path class="line" d="${d}"/>`)
+    return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${x - width / 2} ${-y - height / 2} ${width} ${height}"><style>
+${tokens}${STYLE}.line { fill: none; stroke: var(--edge); stroke-width: 1.5; vector-effect: non-scaling-stroke; }
+</style><g transform="scale(1 -1)">${[...cells, ...lines, ...sites].join('\n')}</g></svg>
+`
+  }
+}
+
 /** What the writer does not draw: graphs of centers and samples, and what the method makes on its way. */
 function extraLayers(library, diagram, layers, stepsBetween, extrasOf) {
   const { circles } = diagram

@@ -6,7 +6,7 @@ import { blockRenderer, paperFigures } from './blocks.mjs'
 import { loadDrawn } from './drawn.mjs'
 import { loadFigureCircles } from './figure-circles.mjs'
 import { renderMarkdown } from './markdown.mjs'
-import { posterMaker } from './poster.mjs'
+import { fittedPoster, posterMaker } from './poster.mjs'
 import { loadPrinted } from './printed.mjs'
 
 const CHAPTERS = `${ROOT}web/tutorial/chapters`
@@ -63,6 +63,7 @@ export async function tutorialTexts(folder) {
   const printedOf = await loadPrinted(library)
   const drawing = await loadDrawn(library)
   const posterOf = posterMaker(library, drawing)
+  const fittedOf = fittedPoster(await library.loadRegions(), drawing)
   const book = readBook()
   mkdirSync(`${folder}/tutorial/pictures`, { recursive: true })
 
@@ -87,7 +88,7 @@ export async function tutorialTexts(folder) {
       return poster
     }
     const { picture, ...others } = drawing.draw(spec, circles)
-    // What says most of it is not always what it begins with.
+    // The most telling place of its slider is not always the first one.
     const tile = spec.tile && put(`${spec.name}-tile`, drawing.draw({ ...spec, at: spec.tile }, circles).picture)
     return { ...others, poster: put(spec.name, picture), tile }
   }
@@ -103,13 +104,16 @@ export async function tutorialTexts(folder) {
     }
     const poster = `pictures/${spec.name}.svg`
     const diagram = library.compute(circles)
-    writeFileSync(`${folder}/tutorial/${poster}`, posterOf(picture(diagram, spec), diagram, spec))
-    const { view, layers, controls, method } = spec
+    const { view, layers, controls, method, region, areas } = spec
+    const shown = areas === undefined ? posterOf(picture(diagram, spec), diagram, spec) : fittedOf(circles, spec)
+    writeFileSync(`${folder}/tutorial/${poster}`, shown)
     const [x, y, span] = view ?? []
     const link = await encodeLink({
       circles,
       layers,
       view: view && { x, y, span },
+      region,
+      areas,
       ...(controls === 'player' && { step: 0, method }),
     })
     made.set(spec.name, { circles, poster, link, ...(spec.rules && { printed: printed(spec, circles) }) })
@@ -157,7 +161,7 @@ function contents(book, made, hero) {
   const html = `<div class="hero">
 <div>
 <h1>Which circle is nearest?</h1>
-<p>Circles divide the plane among themselves, along curved borders. Eleven short chapters show how to find these borders, why the method is right, and what it is good for. You can drag everything. School geometry is enough.</p>
+<p>Circles divide the plane among themselves, along curved borders. Twelve short chapters show how to find these borders, why the method is right, and what it is good for. You can drag everything. School geometry is enough, with a little calculus in chapter 11.</p>
 <a class="go" href="${first.file}">Start with chapter 1</a>
 </div>
 ${hero}</div>

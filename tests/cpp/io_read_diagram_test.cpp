@@ -70,7 +70,7 @@ TEST(ReadDiagram, ReadsNoCircles) {
 
 TEST(ReadDiagram, SkipsOtherKeys) {
   const auto file = readDiagram(R"({"note": {"a": [1, {"circles": []}]}, "format": "circle-voronoi", "version": 1,
-      "circles": [{"x": 1, "colour": "red", "y": 2, "size": [1, 2], "r": 3}],
+      "circles": [{"x": 1, "color": "red", "y": 2, "size": [1, 2], "r": 3}],
       "hidden": [], "vertices": [], "edges": [], "hull": [0], "stats": null})",
                                 "file");
   ASSERT_TRUE(file.ok()) << file.error().message;

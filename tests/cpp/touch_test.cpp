@@ -70,7 +70,7 @@ TEST(TouchRule2, TheThirdDirectedEdgeMustBeAdjacentAndForward) {
 // Where a disc of R_min is not antipodal, a center to the right of its DE may lie behind it on the bisector.
 TEST(TouchRule3, ForwardIsAlongTheBisector) {
   for (const std::string name : {"intersecting-3", "lightly-intersecting-3", "lightly-intersecting-4", "hidden-3"}) {
-    EXPECT_EQ(solveAllPairs("centre-right-of-edge-" + name).problem, "") << name;
+    EXPECT_EQ(solveAllPairs("center-right-of-edge-" + name).problem, "") << name;
   }
 }
 
@@ -87,7 +87,7 @@ TEST(TouchRule4, DiscsOfDeletedEdgesAreStale) {
 // it takes the places of the two that it replaces.
 TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
   for (const std::string name : {"tie-on-one-disc-cocircular-equal-4", "tie-on-one-disc-cocircular-varied-4",
-                                 "centre-right-of-edge-cocircular-varied-5"}) {
+                                 "center-right-of-edge-cocircular-varied-5"}) {
     const Solved solved = solveAllPairs(name);
     EXPECT_EQ(test::problemInDegeneratePosition(solved.diagram, oracle::exactDiagram(solved.circles), solved.circles),
               "")
@@ -107,7 +107,7 @@ TEST(TouchRule5, AnAntipodalDiscThatTouchesANeighborIsNotEmpty) {
 
 // The antipodal disc of two intersecting circles has a negative radius and may meet a third one like any other.
 TEST(TouchRule6, DiscsOfIntersectingCirclesAreTestedForEmptiness) {
-  for (const std::string name : {"centre-right-of-edge-intersecting-4", "missed-antipodal-disc-intersecting-5",
+  for (const std::string name : {"center-right-of-edge-intersecting-4", "missed-antipodal-disc-intersecting-5",
                                  "missed-antipodal-disc-intersecting-6"}) {
     const Solved solved = solveAllPairs(name);
     EXPECT_EQ(solved.problem, "") << name;

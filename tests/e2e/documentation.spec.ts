@@ -186,7 +186,7 @@ test('the contents of the tutorial are a gallery: a figure to drag, and a pictur
     '01-nearest-circle.html',
   )
   const tiles = page.locator('.gallery a')
-  await expect(tiles).toHaveCount(11)
+  await expect(tiles).toHaveCount(12)
   for (const tile of await tiles.all()) {
     await tile.scrollIntoViewIfNeeded()
     await expect
@@ -197,14 +197,34 @@ test('the contents of the tutorial are a gallery: a figure to drag, and a pictur
   expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
 })
 
-test('without scripts the pictures of chapter 4 have their lines and samples', () => {
-  const picture = (name: string) => readFileSync(`${SITE}tutorial/pictures/${name}.svg`, 'utf8')
-  expect(picture('samples')).toMatch(
-    /class="lines rims".*class="lines|class="lines sampleGraph"[\s\S]*class="lines rims"/,
-  )
-  expect(picture('samples')).toContain('class="lines samples"')
-  expect(picture('centers-mislead')).toContain('class="lines delaunay"')
-  expect(picture('layers-between')).toContain('class="lines steps"')
+test.describe('without scripts', () => {
+  test.use({ javaScriptEnabled: false })
+
+  test('the pictures of chapter 4 have their lines, samples and shrunken rims', async ({ page }) => {
+    await page.goto('/tutorial/04-samples.html')
+    /** How many lines or discs of a kind a picture has. */
+    const countIn = (name: string, kind: string) => {
+      const svg = readFileSync(`${SITE}tutorial/pictures/${name}.svg`, 'utf8')
+      const [, drawn = ''] = new RegExp(`<(?:path|g) class="lines ${kind}"([\\s\\S]*?)(?:/>\\n|</g>)`).exec(svg) ?? []
+      return (drawn.match(/M|<circle/g) ?? []).length
+    }
+    for (const [name, kind, least] of [
+      ['centers-mislead', 'delaunay', 15],
+      ['samples', 'sampleGraph', 40],
+      ['samples', 'samples', 20],
+      ['samples', 'rims', 5],
+      ['uniform-samples', 'sampleGraph', 80],
+      ['ring', 'samples', 192 + 48 * 9],
+      ['layers-between', 'delaunay', 200],
+      ['layers-between', 'steps', 6],
+    ] as const) {
+      expect(countIn(name, kind), `${kind} of ${name}`).toBeGreaterThanOrEqual(least)
+      const picture = page.locator(`#${name} img`)
+      await picture.scrollIntoViewIfNeeded()
+      await expect(picture).toHaveAttribute('src', `pictures/${name}.svg`)
+      await expect.poll(async () => (await picture.boundingBox())?.height).toBeGreaterThan(200)
+    }
+  })
 })
 
 test.describe('on a phone', () => {
@@ -231,5 +251,31 @@ test.describe('on a phone', () => {
     await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
     await page.touchscreen.tap(x + 16 + (5 + 3) * scale, y + 12)
     await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
+  })
+
+  test('a finger gives weights to sites', async ({ page }) => {
+    await page.goto('/tutorial/11-areas.html')
+    const figure = page.locator('#by-hand')
+    const point = figure.locator('.handle').last()
+    await point.scrollIntoViewIfNeeded()
+    const told = figure.locator('output.told')
+    await expect(told).toHaveText(/^Cell 0 has 28 %/)
+    const scrolled = () => page.evaluate(() => scrollY)
+    const before = await scrolled()
+    const { x, y, width, height } = (await point.boundingBox()) as NonNullable<
+      Awaited<ReturnType<typeof point.boundingBox>>
+    >
+    const session = await page.context().newCDPSession(page)
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', by: number) =>
+      session.send('Input.dispatchTouchEvent', {
+        type,
+        touchPoints: type === 'touchEnd' ? [] : [{ x: x + width / 2 + by, y: y + height / 2 - by }],
+      })
+    await touch('touchStart', 0)
+    for (const by of [8, 16, 24]) await touch('touchMove', by)
+    await touch('touchEnd', 0)
+    await expect(told).not.toHaveText(/^Cell 0 has 28 %/)
+    // The page has not scrolled instead.
+    expect(await scrolled()).toBe(before)
   })
 })

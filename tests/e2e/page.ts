@@ -116,9 +116,10 @@ export class App {
   }
 
   async drag(from: Point, to: Point): Promise<void> {
-    await this.page.mouse.move(from.x, from.y)
-    await this.page.mouse.down()
-    await this.page.mouse.move(to.x, to.y, { steps: 8 })
+    const { mouse } = this.page
+    await mouse.move(from.x, from.y)
+    // The first step is on its way with the press: a press that rests on nothing would try a circle.
+    await Promise.all([mouse.down(), mouse.move(to.x, to.y, { steps: 8 })])
   }
 
   /** The colors of the canvas at these points of the page, red, green, blue each; one device pixel per pixel. */

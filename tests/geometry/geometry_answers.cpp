@@ -2,7 +2,7 @@
 // What the library's geometry answers about the circles of a file, for tests/wasm/geometry.test.mjs, which asks web/lib
 // the same:
 //
-//     circle_voronoi_geometry_answers FILE circles|weights|centres|power MINX MINY MAXX MAXY MAX_DISTANCE
+//     circle_voronoi_geometry_answers FILE circles|weights|centers|power MINX MINY MAXX MAXY MAX_DISTANCE
 //
 // Each line is a question and the numbers that answer it, which read back to the same bits.
 #include <array>

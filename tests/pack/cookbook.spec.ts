@@ -10,6 +10,7 @@ import { serve } from './static-server.ts'
 
 const RECIPES = recipes()
 const inLanguage = (name: string) => RECIPES.filter(({ language }) => language === name)
+const pageOfRecipe = (name: string) => pageOf(inLanguage('html').find(({ title }) => title === name)?.code ?? '')
 /** In Jupyter a cell shows what its last line gives. */
 const NOTEBOOK = `
 class HTML:
@@ -53,12 +54,42 @@ for (const { title, code, picture } of inLanguage('html')) {
 }
 
 test('the cell under the pointer is another one once the pointer has moved', async ({ page }) => {
-  const recipe = inLanguage('html').find(({ title }) => title === 'Find the circle under the pointer')
-  await shown(page, pageOf(recipe?.code ?? ''))
+  await shown(page, pageOfRecipe('Find the circle under the pointer'))
   await expect.poll(() => colorsIn(page)).toBeGreaterThan(2)
   const before = await page.screenshot()
   await page.mouse.move(400, 120)
   await expect.poll(async () => before.equals(await page.screenshot())).toBe(false)
+})
+
+test('districts differ by less than a twentieth in their numbers of people', async ({ page }) => {
+  await shown(page, pageOfRecipe('Make districts'))
+  const said = page.locator('output')
+  await expect(said).toHaveText(/\d/)
+  const people = ((await said.textContent()) as string).split(' ').map(Number)
+  expect(people).toHaveLength(8)
+  expect(Math.max(...people) / Math.min(...people)).toBeLessThan(1.05)
+})
+
+test('a treemap has all parts, each with its share of the area', async ({ page }) => {
+  await shown(page, pageOfRecipe('Make a treemap'))
+  const cells = page.locator('svg path[fill-opacity]')
+  await expect(cells).toHaveCount(12)
+  const areas = await cells.evaluateAll((paths) =>
+    (paths as SVGPathElement[]).map((path) => {
+      const length = path.getTotalLength()
+      const points = Array.from({ length: 2000 }, (_, k) => path.getPointAtLength((k / 2000) * length))
+      const doubled = points.reduce((sum, { x, y }, k) => {
+        const next = points[(k + 1) % points.length] as DOMPoint
+        return sum + x * next.y - next.x * y
+      }, 0)
+      return Math.abs(doubled / 2)
+    }),
+  )
+  const amounts = [9, 7, 3, 2, 8, 5, 1, 6, 4, 6, 5, 1]
+  const total = amounts.reduce((sum, amount) => sum + amount)
+  for (const [k, amount] of amounts.entries()) {
+    expect((areas[k] as number) / ((472 * 292 * amount) / total)).toBeCloseTo(1, 2)
+  }
 })
 
 test('what a notebook shows is a live figure', async ({ page }) => {

@@ -418,7 +418,7 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   const output = page.locator('output')
   const atFirst = await circlesOf(page)
   await expect(element.getByRole('application')).toHaveAccessibleDescription(/not yet as they are to be/)
-  await page.getByRole('button', { name: 'Hand in' }).click()
+  await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toBeEmpty()
   expect(await element.evaluate((element: Element) => [element.checkValidity(), element.validationMessage])).toEqual([
     false,
@@ -427,9 +427,9 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   // Far away, it no longer borders on the small one.
   await drag(page, 3, 150, 0)
   await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(true)
-  await page.getByRole('button', { name: 'Hand in' }).click()
+  await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toHaveText('Handed in: 5 circles, right.')
-  await page.getByRole('button', { name: 'Begin again' }).click()
+  await page.getByRole('button', { name: 'Reset' }).click()
   await expect.poll(() => circlesOf(page)).toEqual(atFirst)
   await expect.poll(() => element.evaluate((element: Element) => element.checkValidity())).toBe(false)
   // With the form, it can no longer be changed.
@@ -485,7 +485,7 @@ for (const name of ['react', 'vue']) {
       element.circles = [...Array(5).keys()].map((k) => ({ x: k * k, y: 3 * k, r: 1 }))
     })
     await expect(page.locator('output')).toHaveText(/^5 circles/)
-    await page.getByRole('button', { name: 'As at first' }).click()
+    await page.getByRole('button', { name: 'Reset' }).click()
     await expect(page.locator('output')).toHaveText('3 circles, 3 edges')
     expect(problems).toEqual([])
   })
@@ -664,6 +664,113 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
   expect(gone).toBe('The figure is in no page, or no longer.')
   expect(problems).toEqual([])
 })
+
+const SQUARE = 'POLYGON ((-2 -2, 12 -2, 12 10, -2 10), (4 3, 6 3, 6 5, 4 5))'
+
+for (const file of ['index', 'bundle']) {
+  test(`with a region and areas: cut, fitted, edited and kept, as ${file}.js`, async ({ page }) => {
+    const { problems, asked } = watch(page)
+    writeExample('square.wkt', SQUARE)
+    writeExample(
+      'regions.html',
+      `<!doctype html><html lang="en"><title>Regions</title><link rel="icon" href="data:,">
+      <script type="module" src="../../dist/element/${file}.js"></script>
+      <style>circle-voronoi { width: 600px; height: 400px }</style>
+      <circle-voronoi circles="${THREE}" view="5 4 20"></circle-voronoi>`,
+    )
+    await page.goto(`${server.address}build/examples/regions.html`)
+    await shown(page)
+    const element = page.locator('circle-voronoi')
+    const { x, y } = (await element.boundingBox()) as { x: number; y: number }
+    // What nobody asks for is not loaded.
+    expect(asked.filter((url) => url.includes('regions'))).toHaveLength(1)
+    /** The color at a point of the plane. */
+    const colorAt = (px: number, py: number) =>
+      element.evaluate(
+        async (element: Element, place) => {
+          await element.updateComplete
+          const image = await createImageBitmap(await element.toPNG(1))
+          const context = new OffscreenCanvas(image.width, image.height).getContext('2d')
+          context?.drawImage(image, 0, 0)
+          return [...(context?.getImageData(place[0], place[1], 1, 1).data ?? [])].slice(0, 3).join()
+        },
+        [300 + 20 * (px - 5), 200 - 20 * (py - 4)] as const,
+      )
+    const PAPER = '250,248,244'
+    const [far, hole] = [
+      [-5, 2],
+      [5, 4],
+    ] as const
+    expect([await colorAt(...far), await colorAt(...hole)]).not.toContain(PAPER)
+
+    // From a file, whose address the attribute has.
+    await element.evaluate((element: Element) => element.setAttribute('region', 'square.wkt'))
+    expect([await colorAt(...far), await colorAt(...hole)]).toEqual([PAPER, PAPER])
+    expect(await colorAt(1, 8)).not.toBe(PAPER)
+    expect(await element.evaluate((element: Element) => element.toSVG())).toMatch(/<clipPath id="[\w-]+">/)
+
+    // The shares of 164.
+    const met = (cell: number, area: number) =>
+      element.evaluate(
+        async (element: Element, check) => {
+          element.check = check
+          await element.updateComplete
+          await new Promise((resolve) => setTimeout(resolve))
+          await element.updateComplete
+          return element.matches(':state(met)')
+        },
+        { cell, area: { min: area * (1 - 1e-8), max: area * (1 + 1e-8) } },
+      )
+    await element.evaluate((element: Element) => {
+      element.areas = [1, 1, 2]
+    })
+    expect(await met(2, 82)).toBe(true)
+    const radii = () => element.evaluate((element: Element) => [...element.circles].filter((_, k) => k % 3 === 2))
+    const before = await radii()
+    await page.mouse.move(x + 300 + 100, y + 200 + 80)
+    await page.mouse.down()
+    await page.mouse.move(x + 300 + 120, y + 200 + 60)
+    await page.mouse.move(x + 300 + 140, y + 200 + 40)
+    await page.mouse.up()
+    await expect.poll(radii).not.toEqual(before)
+    expect(await met(1, 41)).toBe(true)
+    expect(await met(2, 82)).toBe(true)
+    await element.evaluate((element: Element) => element.focus())
+    await page.keyboard.press('Control+z')
+    await expect.poll(radii).toEqual(before)
+
+    // Kept in a state and a link; what is wrong is told, and the rest stays.
+    const state: FigureState = await element.evaluate((element: Element) => element.getState())
+    expect(state).toMatchObject({ areas: [1, 1, 2], region: { type: 'MultiPolygon' } })
+    const link = await encodeLink(state)
+    const others = await element.evaluate(async (element: Element, link) => {
+      element.check = null
+      const errors: string[] = []
+      element.addEventListener('error', ({ detail }) => errors.push(detail.error.message))
+      await element.setState({ circles: [[0, 0, 1]] })
+      const none = element.getState()
+      await element.setState(link)
+      const kept = element.getState()
+      element.region = [
+        [
+          [0, 0],
+          [4, 4],
+          [4, 0],
+          [0, 4],
+        ],
+      ]
+      await element.updateComplete
+      return { none, kept, errors, last: element.getState() }
+    }, link)
+    expect(others.none).toEqual({ circles: [[0, 0, 1]], layers: {} })
+    expect({ ...others.kept, view: undefined }).toEqual({ ...state, view: undefined })
+    expect(others.errors).toEqual([
+      'Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (2, 2).',
+    ])
+    expect(others.last.region).toEqual(others.kept.region)
+    expect(problems).toEqual([])
+  })
+}
 
 test('given the bytes: by its own name, and the method is played', async ({ page }) => {
   const { problems, asked } = watch(page)
@@ -845,20 +952,29 @@ test.describe('with fingers', () => {
       await touch('touchEnd', [])
     }
     const scrolled = () => page.evaluate(() => scrollY)
-    await page.locator('circle-voronoi').evaluate((element) => element.scrollIntoView({ block: 'start' }))
+    /** Scrolls, and waits until the page rests: it rolls on after a finger has left it. */
+    const scroll = async (act: () => Promise<void>) => {
+      await page.evaluate(() => {
+        const ended = new Promise((resolve) => addEventListener('scrollend', resolve, { once: true }))
+        Object.assign(globalThis, { ended })
+      })
+      await act()
+      await page.evaluate(() => (globalThis as unknown as { ended: Promise<unknown> }).ended)
+    }
+    const figure = page.locator('circle-voronoi')
+    await scroll(() => figure.evaluate((element) => element.scrollIntoView({ block: 'start' })))
     const before = await scrolled()
     const atFirst = await circlesOf(page)
     const small = await placeOf(page, 3)
     await swipe(small, 30, 24)
     await expect.poll(async () => (await circlesOf(page))[9]).toBeGreaterThan((atFirst[9] as number) + 4)
     expect(await scrolled()).toBe(before)
-    await page.evaluate(() => scrollTo(0, 0))
+    await scroll(() => page.evaluate(() => scrollTo(0, 0)))
     const moved = await circlesOf(page)
     const free = await placeOf(page, 2)
-    await swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90)
-    await expect.poll(scrolled).toBeGreaterThan(40)
+    await scroll(() => swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90))
+    expect(await scrolled()).toBeGreaterThan(40)
     expect(await circlesOf(page)).toEqual(moved)
-    await page.evaluate(() => scrollTo(0, 0))
     const { x, y } = await placeOf(page, 3)
     await touch('touchStart', [
       { x: x - 20, y },

@@ -10,7 +10,7 @@ const MANUAL_PAGE = 'cpp/cli/circle-voronoi.1'
 /** Of Markdown in the site: the texts that scripts/texts/documentation.mjs takes, and the chapters. */
 const MARKDOWN = [
   ...['README.md', 'ARCHITECTURE.md', 'public/data/README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'],
-  ...['building', 'cookbook', 'cpp', 'element', 'javascript', 'results', 'shell', 'tiles'].map(
+  ...['areas', 'building', 'cookbook', 'cpp', 'element', 'javascript', 'regions', 'results', 'shell', 'tiles'].map(
     (name) => `docs/${name}.md`,
   ),
   ...readdirSync(new URL(CHAPTERS, ROOT)).map((name) => `${CHAPTERS}/${name}`),
@@ -33,6 +33,10 @@ const RUN_BY = [
   { by: NATIVE, file: 'docs/shell.md', language: 'sh' },
   { by: LISTED, file: 'docs/shell.md', language: '', what: 'file' },
   { by: PACKAGE, file: 'docs/javascript.md' },
+  ...['docs/regions.md', 'docs/areas.md'].flatMap((file) => [
+    { by: PACKAGE, file, language: 'js' },
+    { by: NATIVE, file, language: 'sh' },
+  ]),
   { by: NATIVE, file: 'docs/tiles.md' },
   { by: COOKBOOK, file: 'docs/cookbook.md' },
   { by: PACKAGE, file: 'docs/element.md', language: 'html' },
@@ -40,14 +44,20 @@ const RUN_BY = [
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
   { by: LISTED, file: 'ARCHITECTURE.md', heading: 'Folders', what: 'folders' },
-  ...['The way of the data', 'The ways to a diagram', 'Editing', 'Regions', 'The page', 'What is read', 'Tiles'].map(
-    (heading) => ({
-      by: LISTED,
-      file: 'ARCHITECTURE.md',
-      heading,
-      what: 'drawing',
-    }),
-  ),
+  ...[
+    'Data flow',
+    'Construction methods',
+    'Editing',
+    'Regions',
+    'The page',
+    'The tutorial and the documentation',
+    'Tiles',
+  ].map((heading) => ({
+    by: LISTED,
+    file: 'ARCHITECTURE.md',
+    heading,
+    what: 'drawing',
+  })),
   { by: 'tests/e2e/tutorial.spec.ts', file: `${CHAPTERS}/teachers.md` },
   { by: NATIVE, file: MANUAL_PAGE },
   ...['index', 'diagram/diagram', 'wasm/editor', 'wasm/library', 'worker'].map((name) => ({

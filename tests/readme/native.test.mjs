@@ -14,6 +14,8 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 
 const BLOCKS = blocksRunBy('tests/readme/native.test.mjs')
 const below = (heading) => BLOCKS.filter(({ headings }) => headings.includes(heading))
+/** Texts with commands; the later ones use files that the earlier ones write. */
+const WITH_COMMANDS = ['README.md', 'docs/shell.md', 'docs/regions.md', 'docs/areas.md', 'cpp/cli/circle-voronoi.1']
 
 let folder
 let prefix
@@ -34,14 +36,11 @@ before(() => {
 })
 after(() => rmSync(folder, { recursive: true, force: true }))
 
-for (const heading of ['In the shell', 'Use it from the shell', 'EXAMPLES']) {
-  describe(heading, () => {
-    for (const { code, language } of below(heading)) {
+for (const file of WITH_COMMANDS) {
+  describe(file, () => {
+    for (const { code } of BLOCKS.filter((block) => block.file === file && block.language === 'sh')) {
       for (const command of code.trim().split('\n')) {
-        it(command, () => {
-          assert.equal(language, 'sh')
-          check(command, run('sh', '-c', command))
-        })
+        it(command, () => check(command, run('sh', '-c', command)))
       }
     }
   })
@@ -51,14 +50,26 @@ for (const heading of ['In the shell', 'Use it from the shell', 'EXAMPLES']) {
 function check(command, printed) {
   const output = / -o (\S+)/.exec(command)?.[1]
   if (command.includes(' tile ')) return assert.ok(readdirSync(join(folder, output)).length > 2)
+  // An input of the commands that follow.
+  if (/ > \S+$/.test(command)) return assert.equal(printed, '')
   const text = output === undefined ? printed : readFileSync(join(folder, output), 'utf8')
   if (command.includes('stats')) assert.equal(JSON.parse(text).certificate.certified, true)
   else if (command.includes('certify')) assert.match(text, /^certified: 1000 circles/)
+  else if (command.includes(' fit ')) checkAreas(JSON.parse(text))
   else if (output.endsWith('.geojson')) assert.equal(JSON.parse(text).features.length, 1000)
   else if (output.endsWith('.json')) assert.equal(JSON.parse(text).circles.length, 1000)
   else if (command.includes('--core')) assert.match(text, /^vertex,/m)
   else if (output.endsWith('.csv')) assert.equal(text.trim().split('\n').length, 1001)
   else assert.match(text, command.includes('--bounds') ? /^<svg [^>]*viewBox="0 -50 50 50"/ : /^<svg /)
+}
+
+/** Cells whose areas are in the ratio of their people, with the attributes of their towns. */
+function checkAreas({ features }) {
+  assert.deepEqual(
+    features.map(({ properties }) => properties.name),
+    ['Ash', 'Birch', 'Cedar'],
+  )
+  for (const { properties } of features) assert.ok(Math.abs(properties.area / properties.people - 16) < 1e-7)
 }
 
 describe('More circles than fit into memory', () => {

@@ -4,15 +4,19 @@ import { describe, expect, it, test } from 'vitest'
 import { loadFigureCircles } from '../../scripts/texts/figure-circles.mjs'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
+import { areaOf, areasIn, frameIn, heightOver, stiffnessIn, weighted } from '../../web/tutorial/drawn/areas.ts'
 import { frontOf, grow, tellMoment } from '../../web/tutorial/drawn/growing.ts'
 import { KINDS, type KindName } from '../../web/tutorial/drawn/kinds.ts'
+import { stepsOf } from '../../web/tutorial/drawn/newton.ts'
 import { paintCones } from '../../web/tutorial/drawn/paint-cones.ts'
-import { coordinatesOf, distance, nearest, type Scene } from '../../web/tutorial/drawn/scene.ts'
+import { coordinatesOf, distance, nearest, Pen, type Scene } from '../../web/tutorial/drawn/scene.ts'
+import { panelsOf, THREE_SHARES } from '../../web/tutorial/drawn/weight-plane.ts'
 import { type DrawnSpec, sceneOf } from '../../web/tutorial/drawn.ts'
 import { shrunkenRims, stepsBetween } from '../../web/tutorial/extras.ts'
 import { library, seededRandom } from './library.ts'
 
 const circlesOf = await loadFigureCircles()
+const regions = await library.loadRegions()
 const SPECS = readBook().flatMap(({ blocks }) =>
   blocks.filter(({ spec }) => spec.name !== undefined).map(({ kind, spec }) => ({ block: kind, ...spec })),
 )
@@ -32,10 +36,10 @@ const drawn = SPECS.filter(({ block }) => block === 'drawn').map(({ name, kind }
 
 test.each(drawn)('%s is drawn at each place of its slider, with words', (name, kind) => {
   const scene = drawnScene(name)
-  const { last } = KINDS[kind].range(scene, library)
+  const { last } = KINDS[kind].range(scene, library, regions)
   expect(last).toBeGreaterThan(0)
   for (const value of [0, last / 3, Math.floor(last / 2), last]) {
-    const { content, told } = KINDS[kind].draw(scene, value, library)
+    const { content, told } = KINDS[kind].draw(scene, value, library, regions)
     expect(content).toContain('<circle')
     expect(content).not.toMatch(/NaN|undefined|Infinity/)
     expect(told).toMatch(/^[A-Z0-9].*\.$/)
@@ -130,6 +134,125 @@ test('fewer cells of a tile are final where larger circles may lie outside', () 
   expect(counts[0]).toBeGreaterThan(counts[3] as number)
   expect(counts).toEqual([...counts].sort((one, other) => other - one))
   expect(counts[3]).toBeGreaterThan(0)
+})
+
+describe('given areas', () => {
+  const BOX = { minX: -7, minY: -6, maxX: 7, maxY: 6 }
+  const sites = [
+    { x: -4, y: 2, r: 0 },
+    { x: 3, y: 3, r: 0 },
+    { x: 1, y: -4, r: 0 },
+    { x: -1, y: 0.5, r: 0 },
+  ]
+  const goals = [0.1, 0.2, 0.3, 0.4]
+
+  it('the slope of the hill is the area that a cell lacks', () => {
+    const height = heightOver(BOX, sites, goals)
+    for (const weights of [
+      [0, 0, 0, 0],
+      [1, -0.5, 0.7, 0.2],
+    ]) {
+      const areas = areasIn(BOX, weighted(sites, weights, library))
+      for (const i of sites.keys()) {
+        const at = (by: number) => height(weights.map((weight, k) => (k === i ? weight + by : weight)))
+        const slope = (at(0.05) - at(-0.05)) / 0.1
+        expect(slope).toBeCloseTo((goals[i] as number) - (areas[i] as number) / areaOf(BOX), 2)
+      }
+    }
+  })
+
+  it('what one cell gains its neighbors lose, across springs that pull both ways alike', () => {
+    const stiffness = stiffnessIn(BOX, sites, [0.4, 0, 0.3, 0], library)
+    for (const [i, row] of stiffness.entries()) {
+      expect(row.reduce((sum, h) => sum + h, 0)).toBeCloseTo(0, 5)
+      for (const [j, h] of row.entries()) {
+        expect(h).toBeCloseTo(stiffness[j]?.[i] as number, 5)
+        if (i === j) expect(h).toBeGreaterThan(0)
+        else expect(h).toBeLessThan(1e-6)
+      }
+    }
+  })
+
+  it('the map says when all three areas are right: at the weights that the library finds', () => {
+    const scene = drawnScene('by-hand')
+    const { box, map } = panelsOf(new Pen(scene))
+    const { minX, minY, maxX, maxY } = box
+    const region = regions.region([
+      [
+        [minX, minY],
+        [maxX, minY],
+        [maxX, maxY],
+        [minX, maxY],
+      ],
+    ])
+    const { weights } = regions.fitAreas(scene.circles, [...THREE_SHARES], { region, shares: true })
+    const [w0, w1, w2] = weights as unknown as [number, number, number]
+    const right = { x: (map.minX + map.maxX) / 2 + w1 - w0, y: (map.minY + map.maxY) / 2 + w2 - w0 }
+    expect(right.x).toBeLessThan(map.maxX)
+    expect(right.y).toBeLessThan(map.maxY)
+    const told = (point: typeof right) => KINDS['weight-plane'].draw({ ...scene, point }, 0, library).told
+    expect(told(right)).toBe(
+      'Well done. Every cell has its area: cell 0 has 20 % (goal: 20 %), cell 1 has 30 % (goal: 30 %) and cell 2 has 50 % (goal: 50 %).',
+    )
+    expect(told({ x: right.x + 1, y: right.y })).toMatch(/^Cell 0 has \d+ % \(goal: 20 %\)/)
+    // The lines are around that place.
+    const { content } = KINDS['weight-plane'].draw({ ...scene, point: right }, 1, library)
+    const [, d = ''] = /class="contour" d="([^"]*)"/.exec(content) ?? []
+    const points = [...d.matchAll(/[ML]([\d.-]+),([\d.-]+)/g)].map(([, x, y]) => ({ x: Number(x), y: Number(y) }))
+    expect(Math.min(...points.map(({ x }) => x))).toBeLessThan(right.x)
+    expect(Math.max(...points.map(({ x }) => x))).toBeGreaterThan(right.x)
+    expect(Math.min(...points.map(({ y }) => y))).toBeLessThan(right.y)
+    expect(Math.max(...points.map(({ y }) => y))).toBeGreaterThan(right.y)
+  })
+
+  it('the curve of two weights rises while the second cell lacks area, and its top is where both are right', () => {
+    const scene = drawnScene('two-weights')
+    const { last } = KINDS['two-weights'].range(scene, library)
+    const tellings = Array.from(
+      { length: 200 },
+      (_, k) => KINDS['two-weights'].draw(scene, (last * k) / 199, library).told,
+    )
+    const kinds = tellings.map((told) => /(rises|is 0|falls)/.exec(told)?.[1])
+    expect(new Set(kinds)).toEqual(new Set(['rises', 'is 0', 'falls']))
+    expect(kinds.lastIndexOf('rises')).toBeLessThan(kinds.indexOf('is 0'))
+    expect(kinds.lastIndexOf('is 0')).toBeLessThan(kinds.indexOf('falls'))
+  })
+
+  it('Newton’s steps are those of the library, and the last ones double the digits', () => {
+    const scene = drawnScene('newton')
+    const { last } = KINDS.newton.range(scene, library, regions)
+    const { steps } = stepsOf(scene.circles, frameIn(new Pen(scene)), regions)
+    expect(steps).toHaveLength(last + 1)
+    const errors = steps.map(({ error }) => error)
+    expect(errors[0]).toBeGreaterThan(0.5)
+    expect(errors[last]).toBeLessThan(1e-9)
+    const [before, after] = errors.slice(-3) as [number, number]
+    expect(Math.log(after) / Math.log(before)).toBeGreaterThan(1.6)
+    const { content, told } = KINDS.newton.draw(scene, last, library, regions)
+    expect(content.match(/±0 %/g)).toHaveLength(scene.circles.length)
+    expect(told).toMatch(/^After step (\d+) of \1 the worst cell is off by about 10⁻/)
+  })
+
+  it('sites that cannot be fitted say why', () => {
+    const scene = drawnScene('newton')
+    const [first] = scene.circles
+    if (first === undefined) throw new Error('There are sites.')
+    const twice = { ...scene, circles: [first, first, ...scene.circles.slice(2)] }
+    expect(KINDS.newton.draw(twice, 0, library, regions).told).toBe('Site 1 has the same position as site 0.')
+  })
+
+  it('market areas fill the country, and at the right end towns inside a larger one serve nobody', () => {
+    const scene = drawnScene('market-areas')
+    const told = (value: number) => KINDS.market.draw(scene, value, library, regions).told
+    expect(told(0)).not.toContain('nobody')
+    const inside = scene.circles.flatMap(({ x, y, r }, i) =>
+      scene.circles.some((other) => other.r > r && Math.hypot(other.x - x, other.y - y) <= 2 * (other.r - r))
+        ? [i]
+        : [],
+    )
+    expect(inside.length).toBeGreaterThan(0)
+    expect(told(2)).toContain(`${inside.length === 1 ? 'Town' : 'Towns'} ${inside.join(' and ')} serve`)
+  })
 })
 
 test('cones seen from above are the diagram', () => {

@@ -27,6 +27,14 @@ const edit: fc.Arbitrary<Edit> = fc.oneof(
 )
 const value = fc.oneof(fc.boolean(), finite, fc.string(), fc.constant(null))
 const name = fc.string().filter((name) => name !== '__proto__')
+const ring = fc.array(fc.tuple(finite, finite), { maxLength: 6 })
+const multiPolygon = fc.record(
+  {
+    type: fc.constant('MultiPolygon' as const),
+    coordinates: fc.array(fc.array(ring, { maxLength: 3 }), { maxLength: 3 }),
+  },
+  { noNullPrototype: true },
+)
 const options = { requiredKeys: [] as never[], noNullPrototype: true }
 const rest = {
   edits: fc.array(edit, { maxLength: 20 }),
@@ -38,6 +46,8 @@ const rest = {
     noNullPrototype: true,
   }),
   step: fc.maxSafeNat(),
+  region: fc.oneof(fc.constant(null), fc.array(ring, { maxLength: 4 }), multiPolygon),
+  areas: fc.oneof(fc.constant('equal' as const), fc.array(fc.double({ min: 5e-324, max: 1e300, noNaN: true }))),
   method: fc.string({ maxLength: 200 }),
 }
 const state: fc.Arbitrary<LinkState> = fc.oneof(
@@ -200,6 +210,11 @@ describe('what is no link', () => {
     [{ view: [1, 2, 3, 4] }, 'its view is none'],
     [{ view: '123' }, 'its view is none'],
     [{ view: { length: 3, 2: 1 } }, 'its view is none'],
+    [{ region: 'square' }, 'its region is none'],
+    [{ region: { type: 'Point', coordinates: [1, 2] } }, 'its region is none'],
+    ['{"region":[[[0,0],[1,1e999],[2,2]]]}', 'its region is none'],
+    [{ areas: 'all' }, 'its areas are none'],
+    [{ areas: [1, 0] }, 'its areas are none'],
     [{ layers: [1] }, 'its layers are none'],
     ['{"layers":{"__proto__":{"polluted":true}}}', 'its layers are none'],
     ['{"layers":{"a":{"__proto__":1}}}', 'its layers are none'],

@@ -362,6 +362,29 @@ describe('what is under the pointer and not known yet', () => {
     expect(stage.of('selectWithin')).toEqual([['selectWithin', { minX: 1, minY: 2, maxX: 4, maxY: 6 }]])
   })
 
+  it('and what is pressed before a pan is seen is where the pan brings it', async () => {
+    const stage = new Stage()
+    const touch = { pointerType: 'touch' }
+    for (const press of [
+      () => stage.send('pointerdown', pixel(10, 0)),
+      () => stage.send('dblclick', pixel(10, 0)),
+      () => stage.drag([pixel(10, 0)], touch),
+    ]) {
+      stage.camera = CAMERA
+      stage.isKnown = false
+      await stage.press([pixel(0, 0), pixel(2, 1)])
+      const { know } = stage
+      await stage.send('pointerup', pixel(2, 1))
+      await press()
+      stage.done.length = 0
+      stage.isKnown = true
+      know()
+      await settled()
+      expect(stage.of('hit')).toEqual([['hit', 8, -1]])
+      await stage.send('pointercancel', pixel(10, 0))
+    }
+  })
+
   it('is not moved after Escape', async () => {
     const stage = new Stage()
     stage.isKnown = false

@@ -29,7 +29,7 @@ describe('what is to be reached', () => {
           vertices: vertices.length / 3,
           edges: edges.length / 4,
         }
-        const facts = factsOf(diagram, counts, idsOf(asked))
+        const facts = factsOf({ diagram, clip: undefined }, counts, idsOf(asked))
         return holds(asked, facts)
       }
       expect(isSo(circles as number[][])).toBe(false)

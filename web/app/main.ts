@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { editView } from '../editing/edited-view.ts'
-import { listenToKeyboard } from '../editing/keyboard.ts'
-import { problemOf } from '../editing/problem.ts'
-import { mountSaid } from '../editing/said.ts'
-import { mount } from '../view/mount.ts'
-import { listenToPointer } from '../view/pointer.ts'
+import { Figure } from '../element/figure.ts'
 import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
 import { FileActions } from './files/file-actions.ts'
@@ -20,7 +15,6 @@ import { Motion } from './motion/motion.ts'
 import { workOffline } from './offline.ts'
 import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'
-import { paintedOnce } from './painted-once.ts'
 import { byId } from './panels/by-id.ts'
 import { mountFiles } from './panels/files.ts'
 import { mountGenerate } from './panels/generate.ts'
@@ -57,21 +51,27 @@ if (location.hash === '') askAhead((DATA_SETS[0] as DataSet).id)
 else firstPicture?.remove()
 await styleSheetsLoaded()
 
-const figure = byId('figure', HTMLElement)
-const view = mount(figure)
-let hasShown = false
-const { store, editing } = editView(
-  view,
-  () => {
-    // What is shown at first is there without being kept.
-    if (hasShown) keeping.changed()
-    hasShown = true
-  },
-  (error) => store.update((state) => ({ ...state, problem: problemOf(error, editing.scene !== undefined) })),
-)
-
 const files = new FilesClient()
-const actions = new PageActions(store, editing, view, paddingOfPage, files)
+let hasShown = false
+const figure = new Figure(
+  {
+    figure: byId('figure', HTMLElement),
+    around: document,
+    player: byId('played', HTMLElement),
+    said: byId('said', HTMLParagraphElement),
+  },
+  {
+    actions: (store, editing, view) => new PageActions(store, editing, view, paddingOfPage, files),
+    keys: { editNumbers: () => editNumbers(), showHelp: () => showHelp() },
+    played: (kept) => played(kept),
+    onoutcome: () => {
+      // What is shown at first is there without being kept.
+      if (hasShown) keeping.changed()
+      hasShown = true
+    },
+  },
+)
+const { view, store, editing, actions } = figure
 
 const links = new LinkWriter(files)
 const keeping = new Keeping(links, () => actions.linkState())
@@ -97,16 +97,13 @@ const editNumbers = mountInspector(store, actions)
 mountInspectorFacts(store, editing, actions, view)
 const showHelp = mountHelp()
 mountGroup(store, actions)
-mountSaid(store, byId('said', HTMLParagraphElement))
 mountLayers(store, actions, view)
 mountNumbers(store, view)
 mountTable(store, editing, actions, view)
-mountMethod(store, actions, view)
+const played = mountMethod(store, actions)
 mountMotion(new Motion(view, editing, actions), view, (problem) => actions.complain(problem))
 mountScale(view)
 mountNames(store, editing)
-const pointer = listenToPointer(figure, view, actions)
-listenToKeyboard(figure, view, pointer, store, actions, { editNumbers, showHelp })
 
 const kept = await keeping.begin()
 // Somebody may have chosen something meanwhile.
@@ -116,13 +113,13 @@ if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) 
   // Of the link, for which these circles stand in.
   actions.complain(problem)
   // What is selected may be where it was on its way.
-  driftAtStart(view, figure, () =>
+  driftAtStart(view, byId('figure', HTMLElement), () =>
     store.update((state) => {
       const circle = state.selected === undefined ? undefined : view.circles.get(state.selected)
       return { ...state, circle }
     }),
   )
-  paintedOnce(figure).then(() => firstPicture?.remove())
+  figure.whenPainted().then(() => firstPicture?.remove())
 } else {
   firstPicture?.remove()
 }

@@ -28,7 +28,11 @@ export function editView(
     },
     onProblem,
   )
-  const choose = () => view.choose(store.get().selection.flatMap((id) => editing.circles.get(id) ?? []))
+  const choose = () => {
+    const circles = store.get().selection.flatMap((id) => editing.circles.get(id) ?? [])
+    // Where areas are given, radii are weights.
+    view.choose(editing.domain.areas === undefined ? circles : circles.map(({ x, y }) => ({ x, y, r: 0 })))
+  }
   let before = store.get()
   store.subscribe((state) => {
     if (state.selection !== before.selection) choose()

@@ -2,21 +2,25 @@
 import { NewestQueue } from '../lib/base/newest-queue.ts'
 import type { Circle, Edit } from '../lib/index.ts'
 import type { CircleTable, Step } from '../view/circle-table.ts'
+import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/painter.ts'
+import type { DomainChange, Shares } from '../view/protocol.ts'
+import { ENGLISH_REFUSALS, Refusal } from '../view/refusal.ts'
 import { EMPTY_HISTORY, type History, idsOnceOpened, type Opening, record, renamed, type Scene } from './history.ts'
 
 /** Who computes: a view. */
 export interface Computer {
   /** The circles as they are. */
   readonly circles: CircleTable
-  setCircles(circles: Float64Array): Promise<Edited>
-  apply(edits: readonly Edit[]): Promise<Edited>
+  setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited>
+  apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited>
 }
 
 /** What became of what was asked. */
 export interface Outcome {
   readonly edited: Edited
   readonly history: History
+  readonly domain: Domain
   /** Whether the circles are other ones than before, with ids of their own. */
   readonly isOpened: boolean
 }
@@ -37,6 +41,7 @@ export class Editing {
   readonly #onOutcome: (outcome: Outcome) => void
   readonly #onProblem: (error: Error) => void
   #scene: Scene | undefined
+  #domain = NO_DOMAIN
   /** Where they are not the same: the ids by the numbers of circles, and the numbers by the ids. */
   readonly #ids = new Map<number, number>()
   readonly #numbers = new Map<number, number>()
@@ -59,6 +64,21 @@ export class Editing {
   /** What was opened: the circles as they were then. */
   get scene(): Scene | undefined {
     return this.#scene
+  }
+
+  /** What cells are cut to, and their areas by the numbers of circles. */
+  get domain(): Domain {
+    return this.#domain
+  }
+
+  /** The areas that were asked for, in the order of the circles. */
+  get areas(): Areas | undefined {
+    const { areas } = this.#domain
+    if (areas === undefined || areas === 'equal') return areas
+    const known = Array.from(this.circles.ids(), (id) => areas[this.numberOf(id)])
+    const named = known.filter((share) => share !== undefined)
+    const mean = named.reduce((sum, share) => sum + share, 0) / named.length
+    return known.map((share) => share ?? mean)
   }
 
   /** The id of a circle by its number: the id that it had first. One that comes back by undo has another id. */
@@ -105,14 +125,17 @@ export class Editing {
     return opened
   }
 
-  /** All or none of the edits. `undefined`: refused. */
-  edit(edits: readonly Edit[], gesture = this.beginGesture()): Promise<Edited | undefined> {
-    return this.#ask(gesture, edits, () => this.#apply(edits, gesture))
+  /** All or none of the edits, and another domain, whose areas are in the order of the circles. `undefined`: refused. */
+  edit(edits: readonly Edit[], gesture = this.beginGesture(), domain?: Partial<Domain>): Promise<Edited | undefined> {
+    return this.#ask(gesture, edits, () => this.#apply(edits, gesture, domain), domain !== undefined)
   }
 
-  async #apply(edits: readonly Edit[], gesture: number): Promise<Edited> {
-    const edited = await this.#computer.apply(edits)
-    this.#history = record(this.#history, edited.back, gesture)
+  async #apply(edits: readonly Edit[], gesture: number, change?: Partial<Domain>): Promise<Edited> {
+    const before = this.#domain
+    const domain = change === undefined ? before : { ...before, ...change, ...this.#byNumber(change.areas) }
+    const edited = await this.#computer.apply(edits, this.#changeTo(domain, this.#sharesOf(domain, edits)))
+    this.#history = record(this.#history, edited.back, gesture, change && before)
+    this.#domain = domain
     return edited
   }
 
@@ -143,11 +166,15 @@ export class Editing {
     const entry = this.#history[from].at(-1)
     if (entry === undefined) return undefined
     if (entry.kind === 'opening') return this.#openAgain(entry, from, to)
-    const edited = await this.#computer.apply(entry.steps.map(plain))
+    const before = this.#domain
+    const { domain = before } = entry
+    const change = this.#changeTo(domain, this.#sharesOf(domain, entry.steps))
+    const edited = await this.#computer.apply(entry.steps.map(plain), change)
+    this.#domain = domain
     const former = entry.steps.flatMap((step) => (step.kind === 'insert' ? [step.formerId] : []))
     const ids = new Map(former.flatMap((id, k) => (id === undefined ? [] : [[id, edited.inserted[k] as number]])))
     for (const [formerId, id] of ids) this.#rename(formerId, id)
-    const back = { ...entry, steps: edited.back }
+    const back = { ...entry, steps: edited.back, domain: entry.domain && before }
     const history = {
       ...this.#history,
       [from]: this.#history[from].slice(0, -1),
@@ -170,11 +197,50 @@ export class Editing {
   }
 
   async #become(scene: Scene): Promise<Edited> {
-    const edited = await this.#computer.setCircles(scene.circles)
+    const { circles, domain = NO_DOMAIN } = scene
+    const list = listIn(domain.areas)
+    if (list !== undefined) checkCount(list, circles.length / 3)
+    const shares = { known: list && new Map(list.entries()), inserted: [] }
+    const edited = await this.#computer.setCircles(circles, this.#changeTo(domain, shares))
     this.#scene = scene
+    this.#domain = domain
     this.#ids.clear()
     this.#numbers.clear()
     return edited
+  }
+
+  /** Areas in the order of the circles as they are. */
+  #byNumber(areas: Areas | undefined): Pick<Domain, 'areas'> | undefined {
+    const list = listIn(areas)
+    if (list === undefined) return undefined
+    checkCount(list, this.circles.count)
+    const byNumber: number[] = []
+    this.circles.ids().forEach((id, k) => {
+      byNumber[this.numberOf(id)] = list[k] as number
+    })
+    return { areas: byNumber }
+  }
+
+  /** What the computer is told of a domain: of the region only where it is another one. */
+  #changeTo(domain: Domain, fit: Shares): DomainChange | undefined {
+    const { region, areas } = domain
+    if (domain === NO_DOMAIN && this.#domain === NO_DOMAIN) return undefined
+    return {
+      region: region === this.#domain.region ? undefined : (region ?? null),
+      areSites: areas !== undefined,
+      fit: areas && fit,
+    }
+  }
+
+  /** The areas of the circles that there are and of those that edits insert. */
+  #sharesOf({ areas }: Domain, edits: readonly Step[]): Shares {
+    const list = listIn(areas)
+    if (list === undefined) return { known: undefined, inserted: [] }
+    const shareOf = (id: number | undefined) => (id === undefined ? undefined : list[this.numberOf(id)]) ?? Number.NaN
+    return {
+      known: new Map(Array.from(this.circles.ids(), (id) => [id, shareOf(id)])),
+      inserted: edits.flatMap((edit) => (edit.kind === 'insert' ? [shareOf(edit.formerId)] : [])),
+    }
   }
 
   /** What goes back to the circles as they are; nothing before the first ones. */
@@ -184,7 +250,8 @@ export class Editing {
     const circles = this.circles.circles()
     const ids = this.circles.ids()
     const names = this.#scene.names && Array.from(ids, (id) => this.nameOf(id))
-    const scene = { circles, dataSet, isEdited: isEdited || !isSame(circles, this.#scene.circles), names }
+    const domain = this.#domain === NO_DOMAIN ? undefined : { ...this.#domain, areas: this.areas }
+    const scene = { circles, dataSet, isEdited: isEdited || !isSame(circles, this.#scene.circles), names, domain }
     return [{ kind: 'opening', scene, ids }]
   }
 
@@ -194,8 +261,13 @@ export class Editing {
     return last === undefined ? this.circles.get(id) : last.made.get(id)
   }
 
-  #ask(gesture: number, edits: readonly Edit[], run: () => Promise<Edited | undefined>): Promise<Edited | undefined> {
-    const key = keyOf(gesture, edits)
+  #ask(
+    gesture: number,
+    edits: readonly Edit[],
+    run: () => Promise<Edited | undefined>,
+    isOfDomain = false,
+  ): Promise<Edited | undefined> {
+    const key = isOfDomain ? `domain,${gesture}` : keyOf(gesture, edits)
     // What has not begun gives way to what the same gesture does next, and not to what comes later.
     if (key !== this.#lastKey) this.#queue.settle()
     this.#lastKey = key
@@ -209,7 +281,8 @@ export class Editing {
       const before = this.circles
       const edited = await job.run()
       if (edited !== undefined) {
-        this.#onOutcome({ edited, history: this.#history, isOpened: this.circles !== before })
+        const { domain } = this
+        this.#onOutcome({ edited, history: this.#history, domain, isOpened: this.circles !== before })
       }
       return edited
     } catch (error) {
@@ -232,6 +305,15 @@ function madeBy(edits: readonly Edit[]): Map<number, Circle | undefined> {
     if (edit.kind !== 'insert') made.set(edit.id, edit.kind === 'replace' ? (edit.circle as Circle) : undefined)
   }
   return made
+}
+
+function listIn(areas: Areas | undefined): readonly number[] | undefined {
+  return areas === 'equal' ? undefined : areas
+}
+
+/** @throws Refusal */
+function checkCount({ length }: readonly number[], circles: number): void {
+  if (length !== circles) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasForCircles(length, circles))
 }
 
 function plain(step: Step): Edit {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import type { LinkInput, LinkState, LinkView } from '../lib/link.ts'
+import { plainRegion } from '../lib/regions/region-shape.ts'
 import { boundingBox, type Camera, fitted, type Padding, panned, toScreen, zoomed } from '../view/camera.ts'
+import { boxOf, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Hands, Held } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
@@ -9,7 +11,7 @@ import type { View } from '../view/view.ts'
 import { middleOf, nextInDirection, roundStep, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
 import type { Editing } from './editing.ts'
 import type { Scene } from './history.ts'
-import { cameraOf, circlesOfLink, viewOfLink } from './scene-link.ts'
+import { cameraOf, circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
 import { shortest } from './shortest.ts'
 import type { State, Tool } from './state.ts'
 import type { Store } from './store.ts'
@@ -18,8 +20,8 @@ import { ENGLISH_EDITING } from './words.ts'
 /** How far one may zoom in from the picture without outliers, and out from the whole one. */
 const LARGEST_ZOOM = 1e7
 const SMALLEST_ZOOM = 0.05
-/** How much a button zooms in. */
-export const BUTTON_ZOOM = 1.5
+/** How much a button or a key zooms in. */
+const ZOOM_STEP = 1.5
 /** What is zoomed to fills a part of the view: so many times as much is seen. */
 const SHOWN_AROUND = 3
 /** The share of the width that a path goes across at first. */
@@ -92,13 +94,16 @@ export class EditorActions implements Hands {
 
   /** What is shown, to be kept or sent; `undefined`: nothing yet. */
   linkState(): LinkInput | undefined {
-    const { scene, circles } = this.#editing
+    const { scene, circles, domain, areas } = this.#editing
     if (scene === undefined) return undefined
     const { camera, size } = this.#view
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
     return {
-      ...circlesOfLink(scene, circles),
+      // By the order of the circles.
+      ...(Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)),
+      ...regionOfLink(scene, domain),
+      ...(areas !== undefined && { areas }),
       ...(!this.isWhole && { view: viewOfLink(camera, size) }),
       ...(Object.keys(layers).length > 0 && { layers }),
       ...(step !== undefined && { step, method }),
@@ -112,7 +117,7 @@ export class EditorActions implements Hands {
 
   /** Whether all circles are seen, as large as that can be. */
   get isWhole(): boolean {
-    return isSame(this.#view.camera, this.#fitted(this.#editing.circles.box()))
+    return isSame(this.#view.camera, this.#fitted(this.#box))
   }
 
   /** Whether anything was opened, or is about to be. */
@@ -135,7 +140,7 @@ export class EditorActions implements Hands {
       const { edits, view, layers, step, method, ...scene } = opened
       const before = { camera: this.#view.camera, selection: this.#store.get().selection }
       this.select([])
-      this.#view.setCamera(this.#looking(view, boundingBox(scene.circles)))
+      this.#view.setCamera(this.#looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN)))
       this.onstage('computing', scene.circles.length / 3)
       const edited = await this.#editing.open(scene, edits)
       if (isSuperseded()) return 'superseded'
@@ -204,6 +209,16 @@ export class EditorActions implements Hands {
         there.map(({ id, circle }) => ({ kind: 'replace', id, circle })),
         gesture,
       )
+  }
+
+  /**
+   * Another region, or other areas in the order of the circles, as one step of undo. `undefined`: refused.
+   *
+   * @throws CircleVoronoiError `badOption` of what is no region
+   */
+  setDomain(change: Partial<Domain>, gesture?: number): Promise<Edited | undefined> {
+    const { region } = change
+    return this.#editing.edit([], gesture, region === undefined ? change : { ...change, region: plainRegion(region) })
   }
 
   /** All or none of the edits, as one step of undo. `undefined`: refused. */
@@ -468,19 +483,20 @@ export class EditorActions implements Hands {
   zoom(factor: number, anchor: Point): void {
     const { camera, size } = this.#view
     const { circles } = this.#editing
-    const [least, most] = this.#zoomLimits(circles.box(), circles.core())
+    const [least, most] = this.#zoomLimits(this.#box, circles.core())
     const scale = Math.min(Math.max(camera.scale * factor, least), most)
     this.#view.setCamera(zoomed(camera, size, anchor, scale / camera.scale))
   }
 
-  zoomAtMiddle(factor: number): void {
+  /** Zooms by a step: in by 1, out by -1. */
+  zoomAtMiddle(steps: 1 | -1): void {
     const { width, height } = this.#view.size
-    this.zoom(factor, { x: width / 2, y: height / 2 })
+    this.zoom(ZOOM_STEP ** steps, { x: width / 2, y: height / 2 })
   }
 
   /** Shows what a view says, if it is one of these circles; else, and without one, everything. */
   look(view: LinkView | undefined): void {
-    this.#view.setCamera(this.#looking(view, this.#editing.circles.box()))
+    this.#view.setCamera(this.#looking(view, this.#box))
   }
 
   /** Shows the selected circles, with as much around them. */
@@ -498,9 +514,15 @@ export class EditorActions implements Hands {
 
   /** Shows everything, or where everything is shown already, all but what lies far outside. */
   fit(): void {
-    const { circles } = this.#editing
-    const [whole, core] = [this.#fitted(circles.box()), this.#fitted(circles.core())]
-    this.#view.setCamera(isSame(this.#view.camera, whole) ? core : whole)
+    const { circles, domain } = this.#editing
+    const [whole, core] = [this.#fitted(this.#box), this.#fitted(circles.core())]
+    // A region is not left out.
+    this.#view.setCamera(domain.region === undefined && isSame(this.#view.camera, whole) ? core : whole)
+  }
+
+  /** Around all that is to be seen. */
+  get #box(): Box {
+    return boxOf(this.#editing.circles.box(), this.#editing.domain)
   }
 
   #zoomLimits(box: Box, core: Box): [least: number, most: number] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../lib/index.ts'
 import type { Step } from '../view/circle-table.ts'
+import type { Domain } from '../view/domain.ts'
 
 /** Circles that are opened at once. */
 export interface Scene {
@@ -11,12 +12,16 @@ export interface Scene {
   readonly isEdited: boolean
   /** What each circle is called; empty: nothing. */
   readonly names?: readonly string[] | undefined
+  /** What cells are cut to, and their areas. `undefined`: neither. */
+  readonly domain?: Domain | undefined
 }
 
 /** What goes back to before one gesture. */
 interface Edits {
   readonly kind: 'edits'
   readonly steps: readonly Step[]
+  /** The domain before; `undefined`: it stays. */
+  readonly domain?: Domain | undefined
   readonly gesture: number
 }
 
@@ -37,14 +42,15 @@ export interface History {
 export const EMPTY_HISTORY: History = { done: [], undone: [] }
 
 /** Adds what goes back to before an edit. Edits of one gesture, a drag for instance, become one entry. */
-export function record({ done }: History, steps: readonly Step[], gesture: number): History {
+export function record({ done }: History, steps: readonly Step[], gesture: number, domain?: Domain): History {
   const last = done.at(-1)
   if (last?.kind !== 'edits' || last.gesture !== gesture)
-    return { done: [...done, { kind: 'edits', steps, gesture }], undone: [] }
+    return { done: [...done, { kind: 'edits', steps, gesture, domain }], undone: [] }
   // What the gesture has replaced or brought goes back to where it was at first.
   const known = new Set(last.steps.flatMap((step) => (step.kind === 'insert' ? [] : [step.id])))
   const more = steps.filter((step) => step.kind !== 'replace' || !known.has(step.id))
-  return { done: [...done.slice(0, -1), { kind: 'edits', steps: [...more, ...last.steps], gesture }], undone: [] }
+  const entry = { ...last, steps: [...more, ...last.steps], domain: last.domain ?? domain }
+  return { done: [...done.slice(0, -1), entry], undone: [] }
 }
 
 /** The history where circles have other ids than they had. What lies behind an opening is about other circles. */

@@ -14,7 +14,6 @@ const FINER = 1 / 10
 /** What one step scales several circles by. */
 const SCALE_STEP = 0.04
 const PAN_STEP = 48
-const ZOOM_STEP = 1.25
 
 const ARROWS: { readonly [key: string]: readonly [number, number] } = {
   ArrowLeft: [-1, 0],
@@ -23,8 +22,8 @@ const ARROWS: { readonly [key: string]: readonly [number, number] } = {
   ArrowDown: [0, -1],
 }
 
-/** What there is beside the figure. */
-interface Places {
+/** What keys do that is not about circles. */
+export interface KeyActions {
   /** Moves the focus to the numbers of the selected circle. */
   editNumbers?(): void
   showHelp?(): void
@@ -44,7 +43,7 @@ export function listenToKeyboard(
   pointer: Listening,
   store: Store<State>,
   actions: EditorActions,
-  { editNumbers, showHelp }: Places,
+  { editNumbers, showHelp }: KeyActions,
   { around = document, signal }: KeyboardOptions = {},
 ): void {
   // A key that is held down is one gesture.
@@ -73,12 +72,12 @@ export function listenToKeyboard(
       case '+':
       case '=':
         if (hasSelection && !actions.isReadonly) actions.growSelected(step, 1 + SCALE_STEP * times, gesture)
-        else actions.zoomAtMiddle(ZOOM_STEP)
+        else actions.zoomAtMiddle(1)
         return true
       case '-':
       case '_':
         if (hasSelection && !actions.isReadonly) actions.growSelected(-step, 1 / (1 + SCALE_STEP * times), gesture)
-        else actions.zoomAtMiddle(1 / ZOOM_STEP)
+        else actions.zoomAtMiddle(-1)
         return true
       case '0':
         actions.fit()

@@ -3,13 +3,13 @@
 import { describeCell } from './describe-cell.ts'
 import type { State } from './state.ts'
 import type { Store } from './store.ts'
-import { ENGLISH_EDITING } from './words.ts'
+import type { EditingWords } from './words.ts'
 
 /** So long nothing may change before it is said, in milliseconds: of a drag, the end. */
 const REST = 250
 
 /** Says what was done, and which circle is selected, to who does not see it: each once. */
-export function mountSaid(store: Store<State>, said: HTMLElement, words = () => ENGLISH_EDITING): void {
+export function mountSaid(store: Store<State>, said: HTMLElement, words: () => EditingWords): void {
   let before = store.get()
   let timer: ReturnType<typeof setTimeout> | undefined
   /** What was done and is not said yet. */

@@ -4,6 +4,7 @@ import type { Circle, Edit } from '../lib/index.ts'
 import { LINK_LIMITS, type LinkState, type LinkView } from '../lib/link.ts'
 import type { Camera, Size } from '../view/camera.ts'
 import type { CircleTable } from '../view/circle-table.ts'
+import type { Domain } from '../view/domain.ts'
 import type { Scene } from './history.ts'
 
 /** What a link says of circles that were opened as `scene` and are now those of a table: whichever is shorter. */
@@ -14,6 +15,12 @@ export function circlesOfLink(scene: Scene, table: CircleTable): Pick<LinkState,
   const edits = editsFrom(circles, table)
   if (edits.length === 0) return { dataSet }
   return edits.length < circles.length / 3 ? { dataSet, edits } : { circles: table.circles() }
+}
+
+/** What a link says of the region: nothing of the one that its data set has. */
+export function regionOfLink({ dataSet, isEdited, domain }: Scene, { region }: Domain): Pick<LinkState, 'region'> {
+  const own = dataSet === '' || isEdited ? undefined : domain?.region
+  return region === own ? {} : { region: region ?? null }
 }
 
 /** Edits that make the circles of a table of these, which had the ids from 0 on. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Circle } from '../lib/index.ts'
 import type { CircleTable } from '../view/circle-table.ts'
+import { type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
 import type { Described, Found } from '../view/protocol.ts'
@@ -13,6 +14,7 @@ export interface State {
   /** Of the circles as they are; `undefined`: none yet. */
   readonly edited: Edited | undefined
   readonly history: History
+  readonly domain: Domain
   /** One sentence about what was refused, or empty. */
   readonly problem: string
   /** Those that are selected, the newest last. */
@@ -46,6 +48,7 @@ export const INITIAL_STATE: State = {
   dataSet: '',
   edited: undefined,
   history: EMPTY_HISTORY,
+  domain: NO_DOMAIN,
   problem: '',
   selection: [],
   selected: undefined,
@@ -62,9 +65,9 @@ export const INITIAL_STATE: State = {
 }
 
 /** The state once circles were opened or edited: those that were selected may be gone, and other circles have other ids. */
-export function stateAfter(state: State, { edited, history, isOpened }: Outcome, circles: CircleTable): State {
+export function stateAfter(state: State, { edited, history, domain, isOpened }: Outcome, circles: CircleTable): State {
   const selection = isOpened ? [] : state.selection.filter((id) => circles.get(id) !== undefined)
   const selected = selection.length === 1 ? selection[0] : undefined
   const circle = selected === undefined ? undefined : circles.get(selected)
-  return { ...state, edited, history, selection, selected, circle, problem: '' }
+  return { ...state, edited, history, domain, selection, selected, circle, problem: '' }
 }

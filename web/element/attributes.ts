@@ -3,6 +3,7 @@
 import { reasonOf } from '../lib/base/errors.ts'
 import { METHODS, type Method } from '../lib/base/types.ts'
 import type { LinkView } from '../lib/link.ts'
+import type { Areas } from '../view/domain.ts'
 import { checkedLayers, DEFAULT_LAYERS, type Layers } from '../view/layers.ts'
 import { shownValue } from '../view/refusal.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
@@ -79,6 +80,22 @@ export function parseSamples(text: string): number {
 export function parseMethod(text: string): Method {
   const method = METHODS.find((name) => name === text)
   return method ?? refuse((words) => words.must(words.method, words.oneOf(METHODS), shownValue(text)))
+}
+
+/**
+ * The areas that a text says: `equal`, or numbers.
+ *
+ * @throws Refusal
+ */
+export function parseAreas(text: string): Areas {
+  return checkedAreas(text.trim() === 'equal' ? 'equal' : wordsIn(text).map(Number), text)
+}
+
+/** @throws Refusal */
+export function checkedAreas(areas: unknown, got = areas): Areas {
+  const isList = Array.isArray(areas) && areas.length > 0
+  if (areas === 'equal' || (isList && areas.every((area) => Number.isFinite(area) && area > 0))) return areas
+  refuse((words) => words.must(words.areas, words.sharesOrEqual, shownValue(got)))
 }
 
 const CONTROLS = ['buttons', 'player']

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { EditorActions, Opened } from '../editing/editor-actions.ts'
+import { EditorActions, type Opened } from '../editing/editor-actions.ts'
 import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
 import { decodeLink, type LayerValue, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
+import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
+import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
 import { shownValue } from '../view/refusal.ts'
+import { isRegionText, readRegion } from '../view/region-text.ts'
 import {
+  checkedAreas,
   checkedView,
+  parseAreas,
   parseControls,
   parseLayers,
   parseMethod,
@@ -19,8 +24,8 @@ import {
 } from './attributes.ts'
 import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
-import { mountControls } from './controls.ts'
-import { circlesWithin, opened, openedFrom, openedState } from './data-of.ts'
+import { mountControls, paddingBelow } from './controls.ts'
+import { circlesWithin, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
 import { Figure } from './figure.ts'
 import { loadWords, wordsOf } from './language.ts'
 import { readCircles } from './read-circles.ts'
@@ -55,6 +60,10 @@ export interface FigureState {
   readonly step?: number | undefined
   /** The method that is played; `undefined` for the default method. */
   readonly method?: string | undefined
+  /** The region to which cells are clipped; `undefined` if there is none. */
+  readonly region?: RegionShape | undefined
+  /** The areas of the cells, in the order of the circles; `undefined` if circles keep their radii. */
+  readonly areas?: Areas | undefined
 }
 
 /** The events of an element, by name. All of them bubble and leave shadow roots. */
@@ -78,6 +87,7 @@ const Base: typeof HTMLElement = globalThis.HTMLElement ?? (class {} as unknown 
 
 const ATTRIBUTES = [
   'alt',
+  'areas',
   'check',
   'circles',
   'controls',
@@ -85,6 +95,7 @@ const ATTRIBUTES = [
   'layers',
   'method',
   'readonly',
+  'region',
   'samples',
   'src',
   'step',
@@ -126,6 +137,7 @@ const ATTRIBUTES = [
  * @cssprop {<color>} --circle-voronoi-antipodal-discs - The layer antipodal-discs.
  * @cssprop {<color>} --circle-voronoi-directed-edges - The layer directed-edges.
  * @cssprop {<color>} --circle-voronoi-missed-edges - Edges that the touching disc method misses, where a page has it draw them.
+ * @cssprop {<color>} --circle-voronoi-region - The border of the region.
  * @cssprop {<color>} --circle-voronoi-tint-0 - The ramp of colors for measures, such as cells=area, goes through six: the color of the smallest.
  * @cssprop {<color>} --circle-voronoi-tint-1 - The second color of the ramp.
  * @cssprop {<color>} --circle-voronoi-tint-2 - The third color of the ramp.
@@ -157,6 +169,8 @@ export class CircleVoronoiElement extends Base {
   /** What was set as layers. */
   #layers: Layers | undefined
   #view: LinkView | undefined
+  #region: RegionShape | undefined
+  #areas: Areas | undefined
   #step: number | undefined
   #check: Check | undefined
   #isMet: boolean | undefined
@@ -167,6 +181,8 @@ export class CircleVoronoiElement extends Base {
   #stopWatching: (() => void) | undefined
   #children: MutationObserver | undefined
   #loading: AbortController | undefined
+  /** Another region or other areas are about to be shown. */
+  #isChanging = false
   /** Its words are being loaded. */
   #speaking: Promise<void> | undefined
   #update: Promise<void> = Promise.resolve()
@@ -269,6 +285,14 @@ export class CircleVoronoiElement extends Base {
         return
       case 'view':
         this.#setView(undefined)
+        return
+      case 'region':
+        this.#region = undefined
+        this.#changeDomain()
+        return
+      case 'areas':
+        this.#areas = undefined
+        this.#changeDomain()
     }
   }
 
@@ -363,6 +387,47 @@ export class CircleVoronoiElement extends Base {
   set layers(layers: Partial<Layers> | string | undefined | null) {
     if (typeof layers === 'string') this.#reflect('layers', layers)
     else this.#try('layers', () => this.#setLayers(isSet(layers) ? checkedLayers(layers) : undefined))
+  }
+
+  /**
+   * The region to which cells are clipped: polygons with holes. Set GeoJSON (`Polygon`, `MultiPolygon`, `Feature`,
+   * `FeatureCollection`), a list of rings of points, or text like the attribute: GeoJSON, rings in JSON, well-known text
+   * (`POLYGON ((0 0, 9 0, 9 9, 0 9))`) or the address of such a file. `undefined` if there is none. Areas of cells are
+   * those inside. A region whose rings cross causes an `error` event.
+   */
+  get region(): RegionShape | undefined {
+    return this.#figure?.editing.scene === undefined ? this.#region : this.#figure.editing.domain.region
+  }
+
+  set region(region: RegionShape | string | undefined | null) {
+    if (typeof region === 'string') this.#reflect('region', region)
+    else {
+      this.#try('region', () => {
+        this.#region = isSet(region) ? plainRegion(region) : undefined
+        this.#changeDomain()
+      })
+    }
+  }
+
+  /**
+   * The areas of the cells inside the region: `equal`, or a list of numbers above 0 in the order of the circles, which are
+   * scaled to the area of the region. The attribute has the same, separated by spaces. The radii of the circles
+   * become the weights with which each cell has its area, and circles are shown as points. The cells keep their areas
+   * while points are moved; an added circle gets the mean of the others. `undefined` if circles keep their radii.
+   */
+  get areas(): Areas | undefined {
+    if (this.#figure?.editing.scene !== undefined) return this.#figure.editing.areas
+    return this.#areas ?? this.#read('areas', parseAreas)
+  }
+
+  set areas(areas: Areas | string | undefined | null) {
+    if (typeof areas === 'string') this.#reflect('areas', areas)
+    else {
+      this.#try('areas', () => {
+        this.#areas = isSet(areas) ? checkedAreas(areas) : undefined
+        this.#changeDomain()
+      })
+    }
   }
 
   /**
@@ -529,6 +594,7 @@ export class CircleVoronoiElement extends Base {
   getState(): FigureState {
     const circles = listOf(this.circles)
     const own = this.#own
+    const { region, areas } = this
     const { view, layers, step, method } = this.#figure?.actions.linkState() ?? {
       view: own?.view,
       layers: own?.layers ?? keptLayers(this.layers),
@@ -541,6 +607,8 @@ export class CircleVoronoiElement extends Base {
       layers: layers ?? {},
       ...(step !== undefined && { step }),
       ...(method !== undefined && { method }),
+      ...(region && { region }),
+      ...(areas && { areas }),
     }
   }
 
@@ -560,7 +628,7 @@ export class CircleVoronoiElement extends Base {
       await figure.change(said)
       return
     }
-    const next = openedState(said)
+    const next = { domain: NO_DOMAIN, ...openedState(said) }
     await figure.open({ ...next, layers: next.layers ?? {}, step: next.step ?? this.#firstStep })
     this.#own = next
   }
@@ -645,8 +713,11 @@ export class CircleVoronoiElement extends Base {
   #start(): void {
     if (this.#figure !== undefined) return
     const { figure, frame, controls, player, said } = this.#shell
-    const places = { figure, around: frame, controls, player, said }
-    this.#figure = new Figure(places, (this.constructor as typeof CircleVoronoiElement).load, {
+    const places = { figure, around: frame, player, said }
+    this.#figure = new Figure(places, {
+      load: (this.constructor as typeof CircleVoronoiElement).load,
+      scrolls: true,
+      actions: (...of) => new EditorActions(...of, () => paddingBelow(controls)),
       onoutcome: ({ edited, isOpened }) => {
         this.#shell.isRunning = true
         if (isOpened) this.#try('check', () => this.#checkCircles())
@@ -687,7 +758,9 @@ export class CircleVoronoiElement extends Base {
     if (figure === undefined) return
     if (figure.editing.scene !== undefined) {
       const { view, layers = {}, step, method } = figure.actions.linkState() ?? {}
-      this.#own = opened(figure.editing.circles.circles(), { view, layers, step, method })
+      const { region = null } = figure.editing.domain
+      const { areas } = figure.editing
+      this.#own = opened(figure.editing.circles.circles(), { view, layers, step, method, region, areas })
     }
     this.#loading?.abort()
     figure.dispose()
@@ -726,7 +799,9 @@ export class CircleVoronoiElement extends Base {
       const view = opened.view ?? this.view
       const layers = opened.layers ?? keptLayers(this.layers)
       const step = opened.step ?? this.#ownStep ?? this.#firstStep
-      await figure.open({ ...opened, view, layers, step })
+      const domain = opened.domain ?? (await this.#domain(signal))
+      if (signal.aborted) return
+      await this.#openIn(figure, domain, { ...opened, view, layers, step })
       figure.view.setLayers({ data: this.#layers?.data ?? [] })
     } catch (error) {
       if (signal.aborted) return
@@ -734,6 +809,56 @@ export class CircleVoronoiElement extends Base {
       // What was refused is told already.
       if (!figure.isTold(error as Error)) this.#fail('circles', error as Error)
     }
+  }
+
+  /** Opens circles in a domain, or without what is wrong with that. */
+  async #openIn(figure: Figure, { region, areas }: Domain, opened: Opened): Promise<void> {
+    const attempts = [
+      ...(areas === undefined ? [] : [{ name: 'areas', domain: { region, areas } }]),
+      ...(region === undefined ? [] : [{ name: 'region', domain: { region, areas: undefined } }]),
+      { name: undefined, domain: NO_DOMAIN },
+    ]
+    for (const { name, domain } of attempts) {
+      try {
+        await figure.open({ ...opened, domain })
+        return
+      } catch (error) {
+        if (name === undefined || !figure.isTold(error as Error)) throw error
+        // What the next one is not refused for is what was wrong.
+        this.#wrong.delete('areas')
+        this.#wrong.set(name, error as Error)
+      }
+    }
+  }
+
+  /** What attributes and properties say of the region and the areas. */
+  async #domain(signal: AbortSignal): Promise<Domain> {
+    const text = this.getAttribute('region')
+    let region = this.#region
+    try {
+      if (region === undefined && text) region = await regionFrom(text, this.baseURI, signal)
+    } catch (error) {
+      // A text that is none was told of as it was set.
+      if (!signal.aborted && !this.#wrong.has('region')) this.#fail('region', error as Error)
+    }
+    const areas = this.#areas ?? this.#read('areas', parseAreas)
+    return { region, areas }
+  }
+
+  /** Shows what attributes and properties say of the region and the areas: once, if both are set. */
+  #changeDomain(): void {
+    if (this.#own !== undefined) this.#own = { ...this.#own, domain: undefined }
+    const figure = this.#figure
+    if (figure === undefined || this.#isChanging) return
+    this.#isChanging = true
+    const { signal } = this.#loading as AbortController
+    this.#update = this.#update.then(async () => {
+      this.#isChanging = false
+      if (figure !== this.#figure || figure.editing.scene === undefined) return
+      const domain = await this.#domain(signal)
+      // Who opens something else meanwhile asks for both again.
+      if (!signal.aborted) await figure.setDomain(domain).catch(() => {})
+    })
   }
 
   /** `undefined`: nothing is said of circles. */
@@ -946,10 +1071,12 @@ export class CircleVoronoiElement extends Base {
 
 /** What attributes of more than a word say. */
 const PARSERS = {
+  areas: parseAreas,
   check: parseCheck,
   controls: parseControls,
   layers: parseLayers,
   method: parseMethod,
+  region: (text: string) => isRegionText(text) && readRegion(text),
   samples: parseSamples,
   step: parseStep,
   view: parseView,
@@ -977,6 +1104,8 @@ const PROPERTIES = [
   'src',
   'view',
   'layers',
+  'region',
+  'areas',
   'method',
   'samples',
   'step',

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { BUTTON_ZOOM } from '../editing/editor-actions.ts'
+
+import type { Padding } from '../view/camera.ts'
+import { disable } from '../view/disable.ts'
 import type { Figure } from './figure.ts'
 import { make, type Shell } from './shell.ts'
 import type { Words } from './words.ts'
 
+/** Around circles that are all seen, in pixels; above them stand buttons, if there are any. */
+const ROOM = 16
+const BELOW_BUTTONS = 12
 const SVG = 'http://www.w3.org/2000/svg'
 const RING = 'M3 10a7 7 0 1 0 14 0a7 7 0 1 0-14 0'
+
+/** What is free around circles that are all seen. */
+export function paddingBelow({ clientHeight }: HTMLElement): Padding {
+  const top = clientHeight === 0 ? ROOM : clientHeight + BELOW_BUTTONS
+  return { top, right: ROOM, bottom: ROOM, left: ROOM }
+}
 
 /** The buttons of a running figure. `isReadonly`: those that change nothing. */
 export function mountControls(
@@ -31,22 +42,17 @@ export function mountControls(
   const remove = button(buttons.remove, `${RING}M7 10h6`, () => actions.removeSelected())
   const undo = button(buttons.undo, 'M7 4 3.5 7.5 7 11M4 7.5h7.5a4 4 0 0 1 0 8H8', () => actions.undo())
   const redo = button(buttons.redo, 'm13 4 3.500 3.500L13 11M16 7.500H8.500a4 4 0 0 0 0 8H12', () => actions.redo())
-  const zoomOut = button(buttons.zoomOut, 'M5 10h10', () => actions.zoomAtMiddle(1 / BUTTON_ZOOM))
-  const zoomIn = button(buttons.zoomIn, 'M10 5v10M5 10h10', () => actions.zoomAtMiddle(BUTTON_ZOOM))
+  const zoomOut = button(buttons.zoomOut, 'M5 10h10', () => actions.zoomAtMiddle(-1))
+  const zoomIn = button(buttons.zoomIn, 'M10 5v10M5 10h10', () => actions.zoomAtMiddle(1))
   const fit = button(buttons.fit, 'M4 8V4h4M12 4h4v4M16 12v4h-4M8 16H4v-4', () => actions.fit())
   controls.replaceChildren(...(isReadonly ? [] : [add, remove, undo, redo]), zoomOut, zoomIn, fit)
 
-  /** The focus of a button that is disabled would fall to the body. */
-  const disable = (element: HTMLButtonElement, isDisabled: boolean) => {
-    if (isDisabled && element.matches(':focus')) figure.focus()
-    element.disabled = isDisabled
-  }
   const unsubscribe = store.subscribe(({ tool, selection, history }) => {
     // Others stand there now, or none.
     if (fit.parentElement !== controls) return unsubscribe()
     add.ariaPressed = String(tool === 'add')
-    disable(remove, selection.length === 0)
-    disable(undo, history.done.length === 0)
-    disable(redo, history.undone.length === 0)
+    disable(remove, selection.length === 0, figure)
+    disable(undo, history.done.length === 0, figure)
+    disable(redo, history.undone.length === 0, figure)
   })
 }

@@ -2,18 +2,20 @@
 import type { Opened } from '../editing/editor-actions.ts'
 import type { Float64s } from '../lib/index.ts'
 import { decodeLink, type LinkState } from '../lib/link.ts'
+import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { Refusal } from '../view/refusal.ts'
+import { isRegionText, readRegion } from '../view/region-text.ts'
 import { circlesOfTable, readCircles } from './read-circles.ts'
 import { type ElementRefusals, refuse } from './refusals.ts'
 
 const LINK = /(?:^|#)(v\d+\.[\w-]*)$/
 
 /** Circles as they are opened. */
-export function opened(
-  circles: Float64s,
-  rest: Pick<LinkState, 'edits' | 'view' | 'layers' | 'step' | 'method'> = {},
-): Opened {
-  return { circles, dataSet: '', isEdited: false, ...rest }
+export function opened(circles: Float64s, rest: Omit<LinkState, 'circles' | 'dataSet'> = {}): Opened {
+  const { region, areas, ...others } = rest
+  const hasDomain = region !== undefined || areas !== undefined
+  const domain = hasDomain ? { region: region ?? undefined, areas } : undefined
+  return { circles, dataSet: '', isEdited: false, ...others, domain }
 }
 
 /**
@@ -21,11 +23,11 @@ export function opened(
  *
  * @throws Refusal, if it has a data set of the page in place of circles
  */
-export function openedState({ circles, dataSet, edits, view, layers, step, method }: LinkState): Opened {
+export function openedState({ circles, dataSet, ...rest }: LinkState): Opened {
   if (circles === undefined && dataSet !== undefined) {
     refuse((words) => words.dataSet(dataSet), 'badInput')
   }
-  return opened(circles ?? new Float64Array(), { edits, view, layers, step, method })
+  return opened(circles ?? new Float64Array(), rest)
 }
 
 /**
@@ -50,6 +52,19 @@ export async function openedFrom(src: string, signal: AbortSignal): Promise<Open
       'badInput',
     )
   }
+}
+
+/**
+ * The region that a text says, or the file at an address.
+ *
+ * @throws CircleVoronoiError, or what `fetch` throws
+ */
+export async function regionFrom(text: string, base: string, signal: AbortSignal): Promise<RegionShape> {
+  if (isRegionText(text)) return readRegion(text)
+  const src = new URL(text, base).href
+  const response = await fetch(src, { signal })
+  if (!response.ok) refuse((words) => words.notLoaded(src, response.status), 'badInput')
+  return readRegion(await response.text())
 }
 
 /** The circles that stand between an element's tags, if there are any. */

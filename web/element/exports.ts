@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each of the modules of the element has.
-export type { Certificate, Circles, ErrorCode, Float64s, LoadOptions, Options, Stats } from '../lib/index.ts'
+export type {
+  Certificate,
+  Circles,
+  ErrorCode,
+  Float64s,
+  LoadOptions,
+  Options,
+  RegionShape,
+  RingShape,
+  Stats,
+} from '../lib/index.ts'
 export type { LayerValue, LinkInput, LinkView } from '../lib/link.ts'
+export type { Areas } from '../view/domain.ts'
 export type { CellColors, DataLayer, Layers } from '../view/layers.ts'
 export type { CellCheck, Check, DiagramCheck, NumberCondition } from './check-types.ts'
 export {

@@ -1,58 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { editView } from '../editing/edited-view.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
-import { EditorActions, type Opened } from '../editing/editor-actions.ts'
-import { listenToKeyboard } from '../editing/keyboard.ts'
+import type { EditorActions, Opened } from '../editing/editor-actions.ts'
+import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
 import { problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
+import type { Point } from '../lib/index.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
 import { Stepping } from '../player/stepping.ts'
+import type { Domain } from '../view/domain.ts'
 import { layersFrom } from '../view/layers.ts'
 import { mount } from '../view/mount.ts'
 import { type Listening, listenToPointer } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
 import type { Words } from './words.ts'
 
-/** Around circles that are all seen, in pixels; above them stand buttons, if there are any. */
-const ROOM = 16
-const BELOW_BUTTONS = 12
-
 /** Where a figure is. */
 export interface Places {
   /** What shows circles, takes the focus and hears keys. */
   readonly figure: HTMLElement
-  /** The figure and its buttons: some keys are heard anywhere in it. */
-  readonly around: HTMLElement
-  /** Its buttons, which stand above the picture. */
-  readonly controls: HTMLElement
+  /** Where some keys are heard, wherever the focus is in it: the figure and its buttons, or the page. */
+  readonly around: Document | HTMLElement
   /** Where the method is told of while it is played. */
   readonly player: HTMLElement
   /** What is read out. */
   readonly said: HTMLElement
 }
 
-/** What is told of a figure. */
-export interface FigureEvents {
+/** What is told of a figure, and how it gets on with what is around it. */
+export interface FigureOptions<Actions extends EditorActions> {
+  readonly load?: LoadOptions
+  /** Whether the page around it scrolls, by the wheel and by a finger. */
+  readonly scrolls?: boolean
+  /** What keys do beside. */
+  readonly keys?: KeyActions
+  /** What a user can do with its circles. */
+  actions(store: Store<State>, editing: Editing, view: View): Actions
   onoutcome(outcome: Outcome): void
   /** What was refused, or failed. */
-  onproblem(error: Error): void
+  onproblem?(error: Error): void
   /** What is played. `method`: that of a link. */
   played(method: string | undefined): TraceOptions
-  onstep(step: number, steps: number): void
-  /** What it says. */
-  words(): Words
+  onstep?(step: number, steps: number): void
+  /** What it says. Default: English. */
+  words?(): Words
 }
 
-/** A view with circles that are edited: what there is of an element while it runs. */
-export class Figure {
+/** A view with circles that are edited by pointer and keys, and whose method can be played. */
+export class Figure<Actions extends EditorActions = EditorActions> {
   readonly view: View
   readonly store: Store<State>
   readonly editing: Editing
-  readonly actions: EditorActions
+  readonly actions: Actions
   readonly stepping: Stepping
   readonly #listening: Listening
   readonly #figure: HTMLElement
@@ -60,25 +63,18 @@ export class Figure {
   #isShown = true
   #refused: Error | undefined
 
-  constructor(
-    { figure, around, controls, player, said }: Places,
-    load: LoadOptions,
-    { onoutcome, onproblem, played, onstep, words }: FigureEvents,
-  ) {
+  constructor({ figure, around, player, said }: Places, options: FigureOptions<Actions>) {
+    const { load, scrolls = false, keys = {}, onoutcome, onproblem, played, onstep, words } = options
     const view = mount(figure, load)
     const { store, editing } = editView(view, onoutcome, (error) => {
       // What was asked of a figure that goes is not missed.
       if (this.#keys.signal.aborted) return
-      const problem = problemOf(error, editing.scene !== undefined, words().others?.refusals)
+      const problem = problemOf(error, editing.scene !== undefined, words?.().others?.refusals)
       store.update((state) => ({ ...state, problem }))
       this.#refused = error
-      onproblem(error)
+      onproblem?.(error)
     })
-    const actions = new EditorActions(store, editing, view, () => {
-      const { clientHeight } = controls
-      const top = clientHeight === 0 ? ROOM : clientHeight + BELOW_BUTTONS
-      return { top, right: ROOM, bottom: ROOM, left: ROOM }
-    })
+    const actions = options.actions(store, editing, view)
     this.#figure = figure
     this.view = view
     this.store = store
@@ -91,16 +87,15 @@ export class Figure {
       actions,
       options: played,
       onstep,
-      words: () => words().others?.player,
+      words: () => words?.().others?.player,
       onproblem,
     })
 
-    mountSaid(store, said, () => words().editing)
-    this.#listening = listenToPointer(figure, view, actions, {
-      isGrabbed: (point, within) => !actions.isReadonly && editing.circles.hasAt(point, within),
-    })
+    mountSaid(store, said, () => actions.words)
+    const isGrabbed = (point: Point, within: number) => !actions.isReadonly && editing.circles.hasAt(point, within)
+    this.#listening = listenToPointer(figure, view, actions, scrolls ? { isGrabbed } : {})
     const { signal } = this.#keys
-    listenToKeyboard(figure, view, this.#listening, store, actions, {}, { around, signal })
+    listenToKeyboard(figure, view, this.#listening, store, actions, keys, { around, signal })
   }
 
   /**
@@ -119,15 +114,32 @@ export class Figure {
    *
    * @throws Error that says why edits were refused; then all stays as it was
    */
-  async change({ edits = [], view, layers, step, method }: Omit<LinkState, 'circles'>): Promise<void> {
+  async change({ edits = [], view, layers, step, method, region, areas }: Omit<LinkState, 'circles'>): Promise<void> {
     this.#refused = undefined
     if (edits.length > 0 && (await this.editing.edit(edits)) === undefined && this.#refused !== undefined) {
       throw this.#refused
+    }
+    if (region !== undefined || areas !== undefined) {
+      const before = this.editing.domain
+      await this.setDomain({
+        region: region === undefined ? before.region : (region ?? undefined),
+        areas: areas ?? this.editing.areas,
+      })
     }
     const { data } = this.view.layers
     if (layers !== undefined) this.view.setLayers({ ...layersFrom(layers), data })
     if (view !== undefined) this.actions.look(view)
     if (step !== undefined) this.actions.showStep(step, method)
+  }
+
+  /**
+   * Cuts cells to another region, or gives them other areas.
+   *
+   * @throws Error that says why that was refused; then all stays as it was
+   */
+  async setDomain(domain: Domain): Promise<void> {
+    this.#refused = undefined
+    if ((await this.actions.setDomain(domain)) === undefined && this.#refused !== undefined) throw this.#refused
   }
 
   /** Whether an error was told of as a problem. */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The element in JSX and in templates. A framework that is not installed is no part of a program.
-import type { Circles, Method } from '../lib/index.ts'
+import type { Circles, Method, RegionShape } from '../lib/index.ts'
 import type { LinkView } from '../lib/link.ts'
+import type { Areas } from '../view/domain.ts'
 import type { Layers } from '../view/layers.ts'
 import type { Check } from './check-types.ts'
 import type { CircleVoronoiEventMap } from './circle-voronoi-element.ts'
@@ -14,6 +15,7 @@ import type { CircleVoronoiEventMap } from './circle-voronoi-element.ts'
  */
 export interface CircleVoronoiProps {
   alt?: string | null | undefined
+  areas?: Areas | string | null | undefined
   check?: Check | string | null | undefined
   circles?: Circles | string | null | undefined
   controls?: string | boolean | null | undefined
@@ -22,6 +24,7 @@ export interface CircleVoronoiProps {
   method?: Method | null | undefined
   name?: string | null | undefined
   readonly?: boolean | null | undefined
+  region?: RegionShape | string | null | undefined
   samples?: number | string | null | undefined
   selection?: readonly number[] | null | undefined
   src?: string | null | undefined

@@ -8,6 +8,8 @@ export interface ElementRefusals extends Refusals {
   readonly method: string
   readonly controls: string
   readonly samples: string
+  readonly areas: string
+  readonly sharesOrEqual: string
   readonly selection: string
   readonly listOfIds: string
   /** Of words of which several may stand: these, or all. */
@@ -46,6 +48,8 @@ export const ENGLISH: ElementRefusals = {
   method: 'The method',
   controls: 'The controls',
   samples: 'The samples',
+  areas: 'The areas',
+  sharesOrEqual: 'equal, or a list of numbers above 0',
   selection: 'The selection',
   listOfIds: 'a list of circle ids',
   someOf: (words) => `${listed(words, 'or')}, or both`,

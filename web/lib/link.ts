@@ -7,6 +7,7 @@ import { COORDINATE_LIMIT } from './base/coordinate-limits.ts'
 import { type CircleLike, type Circles, circleRadius, circleX, circleY, coordinatesOf } from './base/coordinates.ts'
 import { CircleVoronoiError } from './base/errors.ts'
 import type { Float64s } from './base/types.ts'
+import { plainRegion, type RegionShape, ringArraysOf } from './regions/region-shape.ts'
 import type { Edit } from './wasm/editor.ts'
 
 /**
@@ -69,6 +70,10 @@ export interface LinkState {
   readonly step?: number | undefined
   /** The method that is shown step by step, as in the option of `trace`. */
   readonly method?: string | undefined
+  /** The region to which cells are clipped. `null` for none, where the data set has one. */
+  readonly region?: RegionShape | null | undefined
+  /** The areas of the cells: shares of the region, numbers above 0 for the circles in order, or `equal`. */
+  readonly areas?: 'equal' | readonly number[] | undefined
 }
 
 /**
@@ -83,7 +88,7 @@ export interface LinkInput extends Omit<LinkState, 'circles'> {
 const VERSION = 'v1'
 const LONGEST_NAME = 200
 const DEEPEST_LAYER = 8
-const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers', 'step', 'method'] as const
+const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers', 'step', 'method', 'region', 'areas'] as const
 
 /**
  * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
@@ -124,7 +129,7 @@ function linkFrom(letters: string): string {
 
 function jsonOf(state: LinkInput): string {
   if (typeof state !== 'object' || state === null) refuseArgument(`A link says a state, not ${shown(state)}.`)
-  const { circles, dataSet, edits, view, layers, step, method } = state
+  const { circles, dataSet, edits, view, layers, step, method, region, areas } = state
   if (edits !== undefined && !Array.isArray(edits)) refuseArgument(`A link says edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> = {
     circles: circles && [...coordinatesOf(circles)],
@@ -134,10 +139,12 @@ function jsonOf(state: LinkInput): string {
     layers,
     step,
     method,
+    region,
+    areas,
   }
   const problem = problemOf(said)
   if (problem !== undefined) refuseArgument(`This is no state for a link: ${problem}.`)
-  const json = JSON.stringify(said)
+  const json = JSON.stringify({ ...said, region: region && plainRegion(region) })
   if (json.length > LINK_LIMITS.bytes) tooMuch()
   return json
 }
@@ -184,9 +191,11 @@ interface Said {
   readonly layers?: Readonly<Record<string, LayerValue>> | undefined
   readonly step?: number | undefined
   readonly method?: string | undefined
+  readonly region?: RegionShape | null | undefined
+  readonly areas?: 'equal' | readonly number[] | undefined
 }
 
-function stateOf({ circles, dataSet, edits, view, layers, step, method }: Said): LinkState {
+function stateOf({ circles, dataSet, edits, view, layers, step, method, region, areas }: Said): LinkState {
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
     ...(dataSet !== undefined && { dataSet }),
@@ -195,6 +204,8 @@ function stateOf({ circles, dataSet, edits, view, layers, step, method }: Said):
     ...(layers && { layers }),
     ...(step !== undefined && { step }),
     ...(method !== undefined && { method }),
+    ...(region !== undefined && { region: region && plainRegion(region) }),
+    ...(areas !== undefined && { areas }),
   }
 }
 
@@ -229,7 +240,7 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
 /** Why this is not `Said`. */
 function problemOf(said: unknown): string | undefined {
   if (!isRecord(said)) return 'it says nothing'
-  const { circles, dataSet, edits, view, layers, step, method } = said
+  const { circles, dataSet, edits, view, layers, step, method, region, areas } = said
   if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0)) return 'its step is none'
   if (method !== undefined && !isName(method)) return 'its method has no name'
   if (circles !== undefined) {
@@ -252,12 +263,24 @@ function problemOf(said: unknown): string | undefined {
       if (problem !== undefined) return `the circle of edit ${i} ${problem}`
     }
   }
+  if (region !== undefined && region !== null && !isRegion(region)) return 'its region is none'
+  const isShares = isListOfNumbers(areas) && areas.every((share) => share > 0)
+  if (areas !== undefined && areas !== 'equal' && !isShares) return 'its areas are none'
   if (view !== undefined) {
     if (!isListOfNumbers(view) || view.length !== 3 || !((view[2] as number) > 0)) return 'its view is none'
   }
   const isRight =
     layers === undefined || (isRecord(layers) && isLayer(layers, DEEPEST_LAYER, { left: LINK_LIMITS.layerValues }))
   return isRight ? undefined : 'its layers are none'
+}
+
+/** Whether it is made of rings of finite numbers; what they are like is not checked. */
+function isRegion(value: unknown): boolean {
+  try {
+    return ringArraysOf(value as RegionShape).points.every(Number.isFinite)
+  } catch {
+    return false
+  }
 }
 
 function isName(value: unknown): boolean {

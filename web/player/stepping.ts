@@ -16,11 +16,11 @@ export interface SteppingOptions {
   /** What is played, asked for whenever it begins. `method`: that of the state. */
   options(method: string | undefined): TraceOptions
   /** Called with each step that is shown, and how many there are. */
-  onstep?(step: number, steps: number): void
+  readonly onstep?: ((step: number, steps: number) => void) | undefined
   /** What the player says, asked for whenever it is drawn. Default: English. */
   readonly words?: (() => PlayerWords | undefined) | undefined
   /** Called where nothing can be played, with the reason. */
-  onproblem?(error: Error): void
+  readonly onproblem?: ((error: Error) => void) | undefined
 }
 
 /** Has the player there as long as the state names a step; until then, nothing of it is loaded. */

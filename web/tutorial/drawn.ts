@@ -3,6 +3,8 @@
 // player says what is shown.
 import { type Circle, type CircleVoronoi, loadCircleVoronoi, type Point } from '../lib/index.ts'
 import { encodeLink } from '../lib/link.ts'
+import type { RegionShape } from '../lib/regions/region-shape.ts'
+import type { Regions } from '../lib/wasm/regions.ts'
 import { HEIGHT, heightOf, KINDS, type KindName, type Scene, WIDTH } from './drawn/kinds.ts'
 
 /** What a chapter says of a figure, as scripts/texts/blocks.mjs writes it. */
@@ -12,6 +14,7 @@ export interface DrawnSpec {
   readonly point?: readonly [number, number]
   readonly view: readonly [number, number, number]
   readonly at: number
+  readonly region?: RegionShape
 }
 
 /** Of keys, as a part of the width that is seen. */
@@ -31,20 +34,28 @@ const KEYS: Readonly<Record<string, readonly [number, number]>> = {
 export async function bringToLife(page: Document): Promise<void> {
   const figures = [...page.querySelectorAll<HTMLElement>('[data-drawn]')]
   const library = await loadCircleVoronoi()
-  for (const figure of figures) new Drawn(figure, library)
+  const specs = figures.map((figure): DrawnSpec => JSON.parse(figure.dataset.drawn as string))
+  for (const [k, figure] of figures.entries()) {
+    const spec = specs[k] as DrawnSpec
+    if (KINDS[spec.kind].hasRegions)
+      void library.loadRegions().then((regions) => new Drawn(figure, spec, library, regions))
+    else new Drawn(figure, spec, library)
+  }
 }
 
-export function sceneOf({ circles, point, view }: DrawnSpec): Scene {
+export function sceneOf({ circles, point, view, region }: DrawnSpec): Scene {
   return {
     circles: circles.map(([x, y, r]) => ({ x, y, r })),
     point: point && { x: point[0], y: point[1] },
     view,
+    region,
   }
 }
 
 class Drawn {
   readonly #kind: KindName
   readonly #library: CircleVoronoi
+  readonly #regions: Regions | undefined
   readonly #svg: SVGSVGElement
   readonly #content: SVGGElement
   readonly #handles: SVGGElement
@@ -57,10 +68,10 @@ class Drawn {
   #isAsked = false
   #playing: number | undefined
 
-  constructor(figure: HTMLElement, library: CircleVoronoi) {
-    const spec: DrawnSpec = JSON.parse(figure.dataset.drawn as string)
+  constructor(figure: HTMLElement, spec: DrawnSpec, library: CircleVoronoi, regions?: Regions) {
     this.#kind = spec.kind
     this.#library = library
+    this.#regions = regions
     this.#scene = sceneOf(spec)
     this.#value = spec.at
     this.#told = figure.querySelector('output.told') as HTMLOutputElement
@@ -193,12 +204,12 @@ class Drawn {
 
   #draw(): void {
     const kind = KINDS[this.#kind]
-    const { last, step } = kind.range(this.#scene, this.#library)
+    const { last, step } = kind.range(this.#scene, this.#library, this.#regions)
     this.#slider.max = `${last}`
     this.#slider.step = `${step}`
     this.#value = Math.min(this.#value, last)
     this.#slider.value = `${Math.floor(this.#value * 1e6) / 1e6}`
-    const { content, told } = kind.draw(this.#scene, this.#value, this.#library)
+    const { content, told } = kind.draw(this.#scene, this.#value, this.#library, this.#regions)
     this.#content.innerHTML = content
     if (this.#told.value !== told) this.#told.value = told
     this.#slider.setAttribute('aria-valuetext', told)

@@ -6,7 +6,7 @@ import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options
 import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { Layers } from './layers.ts'
 import { newPainterWorker, PAINTER_NAME, painterFile } from './painter-file.ts'
-import type { Counts, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
+import type { Counts, DomainChange, Fitted, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
 import { Failure, type Refusals } from './refusal.ts'
 import type { Style } from './style.ts'
 
@@ -17,6 +17,8 @@ export interface Edited {
   readonly inserted: Int32Array
   /** The edits that undo it. */
   readonly back: readonly Step[]
+  /** How near areas are to those that were asked for; `undefined`: none were. */
+  readonly fitted?: Fitted | undefined
   /** How long it took. */
   readonly seconds: number
 }
@@ -52,6 +54,8 @@ interface Scene {
   readonly waiting: Map<number, Waiting>
   /** What another thread has to know to go on where this one fails. */
   circles: CircleTable
+  /** Without `fit`: circles have the radii that were fitted. */
+  domain: DomainChange
   look: ToPainter | undefined
   mark: ToPainter | undefined
   layers: ToPainter | undefined
@@ -86,6 +90,7 @@ export class Painter {
       events,
       waiting: new Map(),
       circles: new CircleTable(new Float64Array()),
+      domain: {},
       look: undefined,
       mark: undefined,
       layers: undefined,
@@ -118,7 +123,9 @@ export class Painter {
           this.#worker?.postMessage(message)
         }),
       cancel: () => {
-        const isOpening = [...scene.waiting.values()].some(({ message }) => message.kind === 'open')
+        const isOpening = [...scene.waiting.values()].some(
+          ({ message }) => message.kind === 'open' || message.fit !== undefined,
+        )
         if (isOpening) {
           this.#stop((words) => words.canceled)
           this.#start()
@@ -167,12 +174,12 @@ export class Painter {
       (module) => worker.postMessage({ kind: 'start', module } satisfies ToPainter),
       (error: Error) => fail(() => reasonOf(error)),
     )
-    for (const [scene, { circles, look, mark, layers }] of this.#scenes) {
+    for (const [scene, { circles, domain, look, mark, layers }] of this.#scenes) {
       const known = { scene, revision: RESTORED }
       const restoring = circles.restoring()
       worker.postMessage({ kind: 'add', scene } satisfies ToPainter)
       if (layers !== undefined) worker.postMessage(layers)
-      worker.postMessage({ kind: 'open', circles: restoring.circles, ...known } satisfies ToPainter)
+      worker.postMessage({ kind: 'open', circles: restoring.circles, ...domain, ...known } satisfies ToPainter)
       worker.postMessage({ kind: 'edit', edits: restoring.edits, ...known } satisfies ToPainter)
       if (look !== undefined) worker.postMessage(look)
       if (mark !== undefined) worker.postMessage(mark)
@@ -203,10 +210,15 @@ export class Painter {
       waiting.reject(receivedError(message.error))
       return
     }
-    if (waiting.message.kind === 'open') scene.circles = new CircleTable(waiting.message.circles.slice())
+    const { region = scene.domain.region, areSites = scene.domain.areSites } = waiting.message
+    scene.domain = { region, areSites }
+    if (message.kind === 'opened' && waiting.message.kind === 'open') {
+      scene.circles = new CircleTable(message.circles ?? waiting.message.circles.slice())
+    }
     const { change = NO_CHANGE } = message
     const back = scene.circles.follow(change)
-    waiting.resolve({ counts: message.counts, seconds: message.seconds, inserted: change.inserted, back })
+    const { counts, fitted, seconds } = message
+    waiting.resolve({ counts, fitted, seconds, inserted: change.inserted, back })
   }
 
   #fail(reason: Reason): void {
@@ -270,15 +282,15 @@ export class PainterScene {
    *
    * @throws CircleVoronoiError as `compute`; then all stays as it was
    */
-  open(circles: Float64Array): Promise<Edited> {
+  open(circles: Float64Array, change: DomainChange = {}): Promise<Edited> {
     this.#revision += 1
-    return this.#line.edited({ kind: 'open', scene: this.#scene, revision: this.#revision, circles })
+    return this.#line.edited({ kind: 'open', scene: this.#scene, revision: this.#revision, circles, ...change })
   }
 
-  /** @throws CircleVoronoiError as `DiagramEditor.apply`; then all stays as it was */
-  edit(edits: readonly Edit[]): Promise<Edited> {
+  /** @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; then all stays as it was */
+  edit(edits: readonly Edit[], change: DomainChange = {}): Promise<Edited> {
     this.#revision += 1
-    return this.#line.edited({ kind: 'edit', scene: this.#scene, revision: this.#revision, edits })
+    return this.#line.edited({ kind: 'edit', scene: this.#scene, revision: this.#revision, edits, ...change })
   }
 
   /** Ends the thread that computes circles which are being opened; another one goes on. False: none are. */

@@ -71,6 +71,12 @@ export function listenToPointer(
     pending = all
   }
 
+  /** Acts on what is seen once all that was done before is seen, as a pan is that waits for what it began on. */
+  const afterPending = async <Result>(act: () => Promise<Result>): Promise<Result> => {
+    await pending
+    return act()
+  }
+
   /** What is under the pointer is known a moment later: until then what it does is kept. */
   const whenKnown = (begun: Promise<Gesture>): Gesture => {
     let known: Gesture | undefined
@@ -128,14 +134,14 @@ export function listenToPointer(
 
   const begin = (point: Point, event: PointerEvent): Gesture => {
     const isTouch = event.pointerType === 'touch'
-    if (isTouch && !isHeld(point)) return { move() {}, click: () => wait(select(point)) }
+    if (isTouch && !isHeld(point)) return { move() {}, click: () => wait(afterPending(() => select(point))) }
     const pathEnd = view.pathEndAt(point, isTouch ? TOUCH_SLACK : 0)
     const scaling = view.handleAt(point, isTouch ? TOUCH_SLACK : 0)
     if (event.button === MIDDLE || hands.tool === 'pan') return gestures.pan(point, () => {})
     if (hands.tool === 'add') return gestures.addCircle(point)
     if (pathEnd !== undefined) return gestures.movePathEnd(pathEnd)
     if (scaling !== undefined) return gestures.scaleCircles(point, scaling)
-    return whenKnown(gestureAt(point, event))
+    return whenKnown(afterPending(() => gestureAt(point, event)))
   }
 
   /** Whether a press that rests is one on nothing: no circle, no handle. */
@@ -268,7 +274,7 @@ export function listenToPointer(
     const hit = await hitAt(point, 'mouse')
     if (hit === undefined || hit.part === 'cell') await hands.addFitting(planeAt(point))
   }
-  on('dblclick', (event) => wait(addAt(pointOf(event))))
+  on('dblclick', (event) => wait(afterPending(() => addAt(pointOf(event)))))
 
   // The page scrolls unless this is prevented as the finger comes down.
   const keepTouch = (event: TouchEvent) => {

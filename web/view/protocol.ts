@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes between a view and the painter's thread. A scene is one view's circles; a thread has many.
 import type { PostedError } from '../lib/base/errors.ts'
-import type { Box, Certificate, Circle, DiagramData, Edit, Options, Point, Stats, Vertex } from '../lib/index.ts'
+import type {
+  Box,
+  Certificate,
+  Circle,
+  DiagramData,
+  Edit,
+  Float64s,
+  Options,
+  Point,
+  Stats,
+  Vertex,
+} from '../lib/index.ts'
+import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange } from './circle-table.ts'
@@ -44,6 +56,24 @@ export interface Wish {
   readonly wanted: PixelBox
 }
 
+/** What becomes other than circles where they are opened or edited. */
+export interface DomainChange {
+  /** What the cells are cut to from now on; `null`: nothing. `undefined`: as before. */
+  readonly region?: RegionShape | null | undefined
+  /** The circles get the radii with which each cell has its share of the region. */
+  readonly fit?: Shares | undefined
+  /** Whether circles are shown as points from now on, because their radii are only weights. */
+  readonly areSites?: boolean | undefined
+}
+
+/** Shares of a region, as numbers above 0; `undefined`: all have the same. */
+export interface Shares {
+  /** Those of circles that are there, by their ids. Who is not named gets the mean of the others. */
+  readonly known: ReadonlyMap<number, number> | undefined
+  /** Those of circles that an edit inserts, in their order. */
+  readonly inserted: readonly number[]
+}
+
 /** What a view asks of its circles in the painter's thread. `undefined`: there is nothing, or it could not be drawn. */
 export interface Questions {
   /** The circle at a point of the plane; `slack`: how near counts as on it, in units. */
@@ -75,9 +105,19 @@ export type ToPainter =
   /** A scene without circles. What is for none that is there is not heard. */
   | { readonly kind: 'add'; readonly scene: number }
   /** Other circles; circle i gets id i. */
-  | { readonly kind: 'open'; readonly scene: number; readonly revision: number; readonly circles: Float64Array }
+  | ({
+      readonly kind: 'open'
+      readonly scene: number
+      readonly revision: number
+      readonly circles: Float64Array
+    } & DomainChange)
   /** All or none. */
-  | { readonly kind: 'edit'; readonly scene: number; readonly revision: number; readonly edits: readonly Edit[] }
+  | ({
+      readonly kind: 'edit'
+      readonly scene: number
+      readonly revision: number
+      readonly edits: readonly Edit[]
+    } & DomainChange)
   | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & Wish)
   /** What is asked by its name, and what is given with it. */
   | {
@@ -111,6 +151,9 @@ export type FromPainter =
       readonly revision: number
       readonly counts: Counts
       readonly seconds: number
+      /** Those with radii that were fitted. */
+      readonly circles?: Float64s | undefined
+      readonly fitted?: Fitted | undefined
       readonly change?: undefined
     }
   | {
@@ -126,6 +169,7 @@ export type FromPainter =
       readonly marks: Marks
       /** `undefined`: not yet. */
       readonly found: Found | undefined
+      readonly fitted?: Fitted | undefined
       readonly seconds: number
     }
   | { readonly kind: 'refused'; readonly scene: number; readonly revision: number; readonly error: PostedError }
@@ -148,6 +192,13 @@ export type FromPainter =
   /** The thread cannot go on. */
   | { readonly kind: 'failed'; readonly message: string }
 
+/** How near areas are to what was asked for. */
+export interface Fitted {
+  /** The largest error, relative to the area. */
+  readonly error: number
+  readonly steps: number
+}
+
 export interface Counts {
   readonly circles: number
   readonly hidden: number
@@ -164,7 +215,7 @@ export interface CellFacts extends Circle {
   readonly edges: number
   /** Whose cells these are shared with: the ids, each once. */
   readonly neighbors: readonly number[]
-  /** Infinite, if the cell is not bounded. */
+  /** That inside the region, if there is one. Infinite, if the cell is not bounded. */
   readonly area: number
   /** Likewise. */
   readonly perimeter: number

@@ -20,6 +20,11 @@ export interface Refusals {
   notComputed(reason: string): string
   readonly notDrawn: string
   readonly nothingChanged: string
+  readonly areasWithoutRegion: string
+  /** `areas` numbers are given for `circles` circles. */
+  areasForCircles(areas: number, circles: number): string
+  tooManyForAreas(most: number): string
+  notRegion(reason: string): string
   readonly disposed: string
   readonly canceled: string
   readonly noThread: string
@@ -46,6 +51,10 @@ export const ENGLISH_REFUSALS: Refusals = {
   notComputed: (reason) => `The diagram could not be computed: ${reason}.`,
   notDrawn: 'The picture could not be drawn.',
   nothingChanged: 'Nothing has changed. Try again.',
+  areasWithoutRegion: 'Areas need a region: the cells divide it.',
+  areasForCircles: (areas, circles) => `There are ${areas} areas for ${circles} circles.`,
+  tooManyForAreas: (most) => `Areas can be given to at most ${most} cells here.`,
+  notRegion: (reason) => `This is neither GeoJSON nor well-known text of polygons: ${reason}`,
   disposed: 'it was disposed of',
   canceled: 'you canceled it',
   noThread: 'its file cannot be loaded',

@@ -31,6 +31,7 @@ const COLORS = [
   'antipodalDiscs',
   'directedEdges',
   'missedEdges',
+  'region',
 ] as const
 
 /** The colors of the drawing: CSS colors. */

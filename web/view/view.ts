@@ -22,6 +22,7 @@ import type {
   Column,
   Computed,
   Distribution,
+  DomainChange,
   Facts,
   Found,
   Hit,
@@ -162,11 +163,11 @@ export class View {
   /**
    * Other circles; circle i gets id i.
    *
-   * @throws CircleVoronoiError as `compute`; then all stays as it was
+   * @throws CircleVoronoiError as `compute`, `region` and `fitAreas`; then all stays as it was
    */
-  setCircles(circles: Float64Array): Promise<Edited> {
+  setCircles(circles: Float64Array, change?: DomainChange): Promise<Edited> {
     this.#picture.clear()
-    const opened = this.#scene.open(circles).then((edited) => {
+    const opened = this.#scene.open(circles, change).then((edited) => {
       this.#touching = undefined
       this.#findingChanges(undefined)
       return edited
@@ -185,10 +186,10 @@ export class View {
   /**
    * All or none of the edits.
    *
-   * @throws CircleVoronoiError as `DiagramEditor.apply`; then all stays as it was
+   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; then all stays as it was
    */
-  apply(edits: readonly Edit[]): Promise<Edited> {
-    return this.#told(this.#scene.edit(edits))
+  apply(edits: readonly Edit[], change?: DomainChange): Promise<Edited> {
+    return this.#told(this.#scene.edit(edits, change))
   }
 
   /** The circles as they are after all edits that are done; another table for other circles. */

@@ -23,7 +23,8 @@ struct AreaFitStep {
 struct AreaFitOptions {
   /// Whether the areas are shares of the region's area: they are multiplied so that they sum to it.
   bool shares = false;
-  /// The largest relative error allowed for each area, above 0 and below 1.
+  /// The largest relative error of each area, above 0 and below 1. Larger errors remain only where the last bits of the
+  /// weights make them, as for a cell that is a sliver behind a close neighbor.
   double tolerance = 1e-9;
   /// The largest number of steps, 1 or more.
   int maxSteps = 500;

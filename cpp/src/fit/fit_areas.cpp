@@ -68,7 +68,7 @@ class Fitter {
   static constexpr double kStretch = 0.8;
   static constexpr double kHardening = 1.2;
   static constexpr double kMostHardening = 1e5;
-  static constexpr int kMostHardenings = 8;
+  static constexpr int kMostHardenings = 2;
   static constexpr int kMostTrials = 60;
   /// Raising the sites of hidden cells is tried so often, by that share of the root of their areas each time.
   static constexpr int kMostRaises = 6;
@@ -76,7 +76,7 @@ class Fitter {
   /// Where that is not enough, all weights are multiplied by this, until they are level.
   static constexpr double kScaling = 0.25;
   static constexpr double kLeastScale = 0.01;
-  /// So many full steps without a better area end a fit: rounding decides.
+  /// So many steps without better areas end a fit that is nearly there.
   static constexpr int kPatience = 6;
   static constexpr double kNearlyThere = 0.01;
 
@@ -127,19 +127,19 @@ class Fitter {
     state = requiredStateAt(state.weights);
   }
 
-  /// Newton's method until no area is further off than `tolerance`.
+  /// Newton's method until no area is further off than `tolerance`, or than rounding of the weights allows.
   void approach(State& state, double tolerance) {
     double best = errorOf(state);
     int idle = 0;
     const double least = kLeastShare * std::min(leastArea(state), *std::ranges::min_element(targets_));
-    while (errorOf(state) > tolerance) {
+    while (!isWithin(state, tolerance)) {
       if (steps_ == options_.maxSteps) fail(state, "after " + std::to_string(steps_) + " steps");
       ++steps_;
       if (!step(state, least)) fail(state, "where no step leads further");
       report(state);
       const double error = errorOf(state);
       idle = error < best / 2 ? 0 : idle + 1;
-      if (idle > kPatience && best < kNearlyThere) fail(state, "where rounding of the weights decides");
+      if (idle > kPatience && best < kNearlyThere) fail(state, "where areas no longer come nearer");
       best = std::min(best, error);
     }
   }
@@ -243,6 +243,24 @@ class Fitter {
       error = std::max(error, std::abs(state.cells.areas[i] - targetOf(i)) / targetOf(i));
     }
     return error;
+  }
+
+  /// Whether each area is within `tolerance`, relatively, or within what it changes by if the last bits of weights do.
+  bool isWithin(const State& state, double tolerance) const {
+    if (errorOf(state) <= tolerance) return true;
+    std::vector<double> noise(sites_.size(), 0);
+    for (const Spring& spring : state.cells.springs) {
+      const auto i = static_cast<std::size_t>(spring.left);
+      const auto j = static_cast<std::size_t>(spring.right);
+      const double change = spring.stiffness * 0x1p-52 * std::max(state.weights[i], state.weights[j]);
+      noise[i] += change;
+      noise[j] += change;
+    }
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      const double target = targetOf(i);
+      if (std::abs(state.cells.areas[i] - target) > std::max(tolerance * target, noise[i])) return false;
+    }
+    return true;
   }
 
   static double leastArea(const State& state) { return *std::ranges::min_element(state.cells.areas); }

@@ -44,7 +44,7 @@ double arcLength(const CircleArc& arc) {
   return 2 * arc.r * half.sine * half.carlson.first;
 }
 
-// The centre of mass is 2 / 3 sin^3 h / (h - sin h cos h) radii from the circle's centre, and the chord cos h.
+// The center of mass is 2 / 3 sin^3 h / (h - sin h cos h) radii from the circle's center, and the chord cos h.
 Moments momentsOverChord(const CircleArc& arc, Point reference, double unit) {
   const Vector chord = measuredIn(unit, {arc.end.x - arc.start.x, arc.end.y - arc.start.y});
   const double size = length(chord);

@@ -10,7 +10,7 @@
 namespace circle_voronoi {
 
 /// An arc of a circle, counter-clockwise from `start` to `end`, of a quarter turn at most. So the ends and the radius
-/// say where the centre is: to the left of the chord.
+/// say where the center is: to the left of the chord.
 struct CircleArc {
   Point start;
   Point end;

@@ -12,7 +12,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Up to so many sides it is quicker to ask every neighbour, and the nearest one makes the longest step.
+/// Up to so many sides it is quicker to ask every neighbor, and the nearest one makes the longest step.
 constexpr std::size_t kFewSides = 24;
 
 std::size_t bucketOf(double offset, double size, std::size_t count) {
@@ -20,7 +20,7 @@ std::size_t bucketOf(double offset, double size, std::size_t count) {
   return bucket > 0 ? static_cast<std::size_t>(std::min(bucket, static_cast<double>(count - 1))) : 0;
 }
 
-/// The direction from the cell's centre in which a side begins.
+/// The direction from the cell's center in which a side begins.
 Vector beginningOf(const Diagram& diagram, SideIndex side) {
   const Circle& c = diagram.circles[static_cast<std::size_t>(diagram.circleOf(side))];
   const VertexIndex origin = diagram.originOf(side);
@@ -88,7 +88,7 @@ Finder::Walker::Walker(const Diagram& diagram) : diagram_(diagram) {
   const double perBucket = 2;
   const auto count = static_cast<std::size_t>(std::sqrt(static_cast<double>(visible) / perBucket)) + 1;
   columns_ = rows_ = count;
-  // Centres on one line leave a grid without width or height, as does the smallest number; any size does there.
+  // Centers on one line leave a grid without width or height, as does the smallest number; any size does there.
   const auto sizeOf = [&](double extent) {
     const double size = extent / static_cast<double>(count);
     return size > 0 ? size : 1;
@@ -166,7 +166,7 @@ CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
   }
 }
 
-/// A neighbour nearer to p than the circle itself, or kNone.
+/// A neighbor nearer to p than the circle itself, or kNone.
 CircleIndex Finder::Walker::nearerNeighbor(CircleIndex circle, Point p) const {
   double most = 0;
   CircleIndex nearest;

@@ -61,10 +61,10 @@ std::optional<EmptyDisc> largestEmptyDiscCenteredIn(const Diagram& diagram, cons
 }
 
 // What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
-// from infinity by an edge of i and j. Seen from there every circle's centre is below the tangent line. So
-//   - an edge is never parallel to the line: at such a point its two circles' centres would lie in one direction;
-//   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centres lie
-//     outermost, never the third, since the unit vectors from the centres to the vertex lie on a convex arc;
+// from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
+//   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
+//   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie
+//     outermost, never the third, since the unit vectors from the centers to the vertex lie on a convex arc;
 //   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
 // So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
 // inside the hull.

@@ -18,16 +18,16 @@ std::string_view metricName(Metric metric) {
 }
 
 double distance(Metric metric, const Circle& circle, Point p) {
-  const double toCentre = lengthOf({p.x - circle.x, p.y - circle.y});
+  const double toCenter = lengthOf({p.x - circle.x, p.y - circle.y});
   switch (metric) {
     case Metric::centers:
-      return toCentre;
+      return toCenter;
     case Metric::power:
-      return (toCentre - circle.r) * (toCentre + circle.r);
+      return (toCenter - circle.r) * (toCenter + circle.r);
     case Metric::circles:
       break;
   }
-  return toCentre - circle.r;
+  return toCenter - circle.r;
 }
 
 }  // namespace circle_voronoi

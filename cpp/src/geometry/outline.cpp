@@ -18,7 +18,7 @@ namespace {
 
 class Clipper {
  public:
-  /// `disc`: the one around the circle's centre that is kept, if the limits have a distance.
+  /// `disc`: the one around the circle's center that is kept, if the limits have a distance.
   Clipper(const Diagram& diagram, CircleIndex circle, const Limits& limits, const std::optional<Circle>& disc)
       : diagram_(diagram), circle_(circle), limits_(limits), ring_(limits.region, disc) {}
 
@@ -83,7 +83,7 @@ class Clipper {
   /// Where a chain begins or ends. Rounding may end it at a vertex next to the boundary.
   double place(std::int32_t cut, Point p) const { return cut == kNone ? ring_.placeNear(p) : ring_.placeNear(p, cut); }
 
-  /// How much nearer the circle is to a point than its nearest neighbour.
+  /// How much nearer the circle is to a point than its nearest neighbor.
   double lead(Point p) const {
     double least = kInfinite;
     for (const SideIndex side : diagram_.sides(circle_)) {

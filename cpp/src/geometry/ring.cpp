@@ -15,7 +15,7 @@ constexpr double kNothing = 0x1p-30;
 
 constexpr std::array<Vector, 4> kAxes = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-Point centreOf(const Circle& c) { return {c.x, c.y}; }
+Point centerOf(const Circle& c) { return {c.x, c.y}; }
 Point onAxis(const Circle& c, std::size_t k) { return {c.x + c.r * kAxes[k].x, c.y + c.r * kAxes[k].y}; }
 
 /// The quarter of the circle in which a direction lies: from an axis to before the next.
@@ -31,9 +31,9 @@ std::optional<Chord> chordOf(Point from, Point to, bool hasFrom, bool hasTo, con
   const double unit = unitFor(disc.r);
   const double size = lengthOf(vectorTo(from, to)) / unit;
   const Vector along = measuredIn(size, measuredIn(unit, vectorTo(from, to)));
-  const Vector toCentre = measuredIn(unit, vectorTo(from, centreOf(disc)));
-  const double foot = dot(along, toCentre);
-  const double height = std::abs(cross(along, toCentre));
+  const Vector toCenter = measuredIn(unit, vectorTo(from, centerOf(disc)));
+  const double foot = dot(along, toCenter);
+  const double height = std::abs(cross(along, toCenter));
   const double r = disc.r / unit;
   const double half = std::sqrt(std::max((r - height) * (r + height), 0.0));
   Chord chord;
@@ -73,10 +73,10 @@ void Ring::takePolygon(const ConvexPolygon& polygon) {
 }
 
 void Ring::takeCommon(const ConvexPolygon& polygon) {
-  const Point centre = centreOf(disc_);
+  const Point center = centerOf(disc_);
   const auto corners = polygon.corners();
   std::vector<bool> isInside;
-  for (const Point& corner : corners) isInside.push_back(lengthOf(vectorTo(centre, corner)) <= disc_.r);
+  for (const Point& corner : corners) isInside.push_back(lengthOf(vectorTo(center, corner)) <= disc_.r);
   struct Part {
     Point start;
     Point end;
@@ -105,7 +105,7 @@ void Ring::takeCommon(const ConvexPolygon& polygon) {
   // Nothing is cut off then, or nothing left, but for rounding.
   if (size > kNothing * disc_.r) return;
   elements_.clear();
-  if (polygon.contains(centre)) takeDisc();
+  if (polygon.contains(center)) takeDisc();
 }
 
 void Ring::addSegment(Point from, Point to, std::int32_t side) {
@@ -114,9 +114,9 @@ void Ring::addSegment(Point from, Point to, std::int32_t side) {
 
 /// The arc counter-clockwise from one point of the circle to another, in quarters.
 void Ring::addArc(Point from, Point to) {
-  const Point centre = centreOf(disc_);
-  const Vector u = vectorTo(centre, from);
-  const Vector v = vectorTo(centre, to);
+  const Point center = centerOf(disc_);
+  const Vector u = vectorTo(center, from);
+  const Vector v = vectorTo(center, to);
   const std::size_t last = quarterOf(v);
   std::size_t quarter = quarterOf(u);
   const bool isOneQuarter = quarter == last && turn(u, v) >= 0;
@@ -147,12 +147,12 @@ std::size_t Ring::elementAt(double place) const {
   return static_cast<std::size_t>(after - reach_.begin()) - 1;
 }
 
-/// Of an arc: where the ray from the centre through the point of the chord meets it.
+/// Of an arc: where the ray from the center through the point of the chord meets it.
 Point Ring::pointOn(const Element& element, double share) const {
   const Vector chord = vectorTo(element.start, element.end);
   const Point p = {element.start.x + share * chord.x, element.start.y + share * chord.y};
   if (element.r == 0) return p;
-  const Vector v = vectorTo(centreOf(disc_), p);
+  const Vector v = vectorTo(centerOf(disc_), p);
   const double factor = element.r / lengthOf(v);
   return {disc_.x + factor * v.x, disc_.y + factor * v.y};
 }
@@ -164,7 +164,7 @@ double Ring::shareOn(const Element& element, Point p) const {
     return std::clamp(dot(measuredIn(size, chord), vectorTo(element.start, p)) / size, 0.0, 1.0);
   }
   const double unit = unitFor(element.r);
-  const auto seen = [&](Point q) { return measuredIn(unit, vectorTo(centreOf(disc_), q)); };
+  const auto seen = [&](Point q) { return measuredIn(unit, vectorTo(centerOf(disc_), q)); };
   const double before = cross(seen(element.start), seen(p));
   const double whole = before + cross(seen(p), seen(element.end));
   return whole > 0 ? std::clamp(before / whole, 0.0, 1.0) : before > 0 ? 1 : 0;

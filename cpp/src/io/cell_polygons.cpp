@@ -168,7 +168,7 @@ std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
         const OutlinePiece& before = loop[(k + size - 1) % size];
         const OutlinePiece& after = loop[(k + 1) % size];
         if (!loop[k].isOnCircle() || before.side == kNone || after.side == kNone) continue;
-        if (isLeftTurn(centreOf(i), pointsOf(before).back(), pointsOf(after).front())) continue;
+        if (isLeftTurn(centerOf(i), pointsOf(before).back(), pointsOf(after).front())) continue;
         for (const EdgeIndex edge : {Diagram::edgeOf(before.side), Diagram::edgeOf(after.side)}) {
           if (!isExact_[index(edge)]) wrong.push_back(edge);
         }
@@ -302,7 +302,7 @@ CellPolygons::Ring CellPolygons::pointsOf(const OutlinePiece& piece) const {
 /// unless that turns a step around.
 CellPolygons::Ring CellPolygons::pointsOfArcs(CircleIndex circle, std::span<const OutlinePiece> arcs, Point from,
                                               Point to, bool rounds) const {
-  const auto isAhead = [&](Point p, Point q) { return isLeftTurn(centreOf(circle), p, q); };
+  const auto isAhead = [&](Point p, Point q) { return isLeftTurn(centerOf(circle), p, q); };
   const auto isWrong = [&](Point p, Point q) { return p != q && !isAhead(p, q); };
   Ring exact = {from};
   std::size_t last = 0;  // where the last arc begins, of a quarter turn at most

@@ -53,7 +53,7 @@ class CellPolygons {
   bool isInside(EdgeIndex edge) const { return isInside_[static_cast<std::size_t>(edge)]; }
   bool isWhole(CircleIndex circle) const;
   std::int32_t circleCount() const { return static_cast<std::int32_t>(frame_.diagram.circles.size()); }
-  Point centreOf(CircleIndex circle) const {
+  Point centerOf(CircleIndex circle) const {
     const Circle& c = frame_.diagram.circles[static_cast<std::size_t>(circle)];
     return {c.x, c.y};
   }

@@ -189,7 +189,7 @@ void writeEdges(Writer& out, const Drawing& drawing) {
 
 void writeDual(Writer& out, const ExportFrame& frame) {
   const auto& circles = frame.diagram.circles;
-  const auto centre = [&](std::int32_t i) {
+  const auto center = [&](std::int32_t i) {
     const Circle& c = circles[static_cast<std::size_t>(i)];
     return frame.round({c.x, c.y});
   };
@@ -199,8 +199,8 @@ void writeDual(Writer& out, const ExportFrame& frame) {
     if (pairs.size() - k > kPrefetchAhead) {
       prefetch(circles, static_cast<std::size_t>(pairs[k + kPrefetchAhead][1]));
     }
-    const Point p = centre(pairs[k][0]);
-    const Point q = centre(pairs[k][1]);
+    const Point p = center(pairs[k][0]);
+    const Point q = center(pairs[k][1]);
     if (std::max(p.x, q.x) < box.minX || std::min(p.x, q.x) > box.maxX || std::max(p.y, q.y) < box.minY ||
         std::min(p.y, q.y) > box.maxY) {
       continue;
@@ -209,7 +209,7 @@ void writeDual(Writer& out, const ExportFrame& frame) {
   }
 }
 
-/// With all digits: where an arc is almost a whole circle, its ends are next to each other and say where its centre is.
+/// With all digits: where an arc is almost a whole circle, its ends are next to each other and say where its center is.
 void writeHull(Writer& out, const ExportFrame& frame) {
   const auto& circles = frame.diagram.circles;
   const Hull shape = convexHull(frame.diagram);
@@ -280,8 +280,8 @@ void writeHead(Writer& out, const ExportFrame& frame, Point from, Point to, doub
 
 void writeLayer(Writer& out, const ExportFrame& frame, const SvgLayer& layer, double unit) {
   for (const Circle& disc : layer.discs) {
-    const Point centre = frame.round({disc.x, disc.y});
-    out << "<circle cx=\"" << centre.x << "\" cy=\"" << centre.y << "\" r=\"" << frame.grid.round(disc.r) << "\"/>\n";
+    const Point center = frame.round({disc.x, disc.y});
+    out << "<circle cx=\"" << center.x << "\" cy=\"" << center.y << "\" r=\"" << frame.grid.round(disc.r) << "\"/>\n";
   }
   for (const EdgeCurve& arc : layer.arcs) {
     const auto points = innerPoints(frame, arc);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A site generator in little: page.md to index.html in a folder.
+// A small site generator: it turns page.md into index.html in a folder.
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import markdownIt from 'markdown-it'
 

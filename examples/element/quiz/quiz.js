@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a server would be sent is shown on the page.
+// The page shows the form data that a server would receive.
 const form = document.querySelector('form')
 form.addEventListener('submit', (event) => {
   event.preventDefault()

@@ -25,7 +25,7 @@ function Page() {
       <p>
         <output>{counts && `${counts.circles} circles, ${counts.edges} edges`}</output>{' '}
         <button type="button" onClick={() => setCircles(START)}>
-          As at first
+          Reset
         </button>
       </p>
     </>

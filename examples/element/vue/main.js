@@ -27,7 +27,7 @@ createApp({
       }),
       h('p', [
         h('output', counts.value && `${counts.value.circles} circles, ${counts.value.edges} edges`),
-        h('button', { type: 'button', onClick: () => (circles.value = START) }, 'As at first'),
+        h('button', { type: 'button', onClick: () => (circles.value = START) }, 'Reset'),
       ]),
     ]
   },

@@ -16,6 +16,8 @@ export function Figure() {
         circles={circles}
         layers={{ cells: 'degree' }}
         view="0 0 5"
+        region={{ type: 'Polygon', coordinates: [] }}
+        areas={[1, 2]}
         check={null}
         controls
         oncircleschange={({ detail }) => setCircles(detail.circles)}

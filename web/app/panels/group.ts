@@ -5,6 +5,7 @@ import type { Store } from '../../editing/store.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
+import { CLOSE } from './icons.ts'
 
 /** How many circles are selected, and what can be done with them. */
 export function mountGroup(store: Store<State>, actions: PageActions): void {
@@ -22,7 +23,7 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
         <header>
           <h2>${wholeNumber(selection.length)} circles</h2>
           <button type="button" class="icon" aria-label="Deselect" title="Deselect (Escape)" @click=${deselect}>
-            <svg viewBox="0 0 20 20" aria-hidden="true"><path d="m6 6 8 8M14 6l-8 8" /></svg>
+            ${CLOSE}
           </button>
         </header>
         <div class="choices">${selectionActions(actions)}</div>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit'
 import { byId } from './by-id.ts'
+import { CLOSE } from './icons.ts'
 
 const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: string, what: string])[]])[] = [
   [
@@ -54,7 +55,7 @@ export function mountHelp(): () => void {
       <form method="dialog" class="row">
         <h2 id="help-title">Mouse, fingers and keys</h2>
         <button class="icon" aria-label="Close" title="Close (Escape)">
-          <svg viewBox="0 0 20 20" aria-hidden="true"><path d="m6 6 8 8M14 6l-8 8" /></svg>
+          ${CLOSE}
         </button>
       </form>
       <div class="help">

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render, type TemplateResult } from 'lit'
+import { CLOSE } from './icons.ts'
 
 const STORAGE = 'circle-voronoi:open-panel'
 /** A handle that is pulled so far, in pixels, makes the sheet larger or smaller. */
@@ -73,7 +74,7 @@ export function panelOf(
             ></button>
             <h2>${title}</h2>
             <button type="button" class="icon" aria-label="Close" title="Close (Escape)" @click=${() => panel.close()}>
-              <svg viewBox="0 0 20 20" aria-hidden="true"><path d="m6 6 8 8M14 6l-8 8" /></svg>
+              ${CLOSE}
             </button>
           </header>
           <div class="body">${isOpen ? body() : nothing}</div>`,

@@ -2,6 +2,7 @@
 
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { disable } from '../../view/disable.ts'
 import { DATA_SETS, dataSetOf, labelOf, sourceOf } from '../data-sets.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
@@ -51,18 +52,12 @@ export function mountToolbar(store: Store<State>, actions: PageActions, showMore
   redo.addEventListener('click', () => actions.redo())
   mountMore()
 
-  /** The focus of a button that is disabled would fall to the body. */
-  const disable = (button: HTMLButtonElement, isDisabled: boolean) => {
-    if (isDisabled && button === document.activeElement) figure.focus()
-    button.disabled = isDisabled
-  }
-
   store.subscribe((state) => {
     showChosen(state)
     again.hidden = !['family', 'former'].includes(sourceOf(state.dataSet)?.kind ?? '')
     for (const [tool, button] of tools) button.setAttribute('aria-pressed', String(state.tool === tool))
-    disable(undo, state.history.done.length === 0)
-    disable(redo, state.history.undone.length === 0)
+    disable(undo, state.history.done.length === 0, figure)
+    disable(redo, state.history.undone.length === 0, figure)
   })
 }
 

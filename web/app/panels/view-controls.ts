@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { BUTTON_ZOOM } from '../../editing/editor-actions.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
 export function mountViewControls(actions: PageActions): void {
-  byId('zoom-in', HTMLButtonElement).addEventListener('click', () => actions.zoomAtMiddle(BUTTON_ZOOM))
-  byId('zoom-out', HTMLButtonElement).addEventListener('click', () => actions.zoomAtMiddle(1 / BUTTON_ZOOM))
+  byId('zoom-in', HTMLButtonElement).addEventListener('click', () => actions.zoomAtMiddle(1))
+  byId('zoom-out', HTMLButtonElement).addEventListener('click', () => actions.zoomAtMiddle(-1))
   byId('fit', HTMLButtonElement).addEventListener('click', () => actions.fit())
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { refuseOption, shown } from '../base/check.ts'
+import { at } from '../base/diagram-data.ts'
 import type { Float64s, Int32s, Point } from '../base/types.ts'
 
 /**
@@ -59,6 +60,24 @@ export function ringArraysOf(shape: RegionShape): RingArrays {
     ringOffsets: Int32Array.from(ringOffsets),
     polygonOffsets: isList ? undefined : Int32Array.from(polygonOffsets),
   }
+}
+
+/**
+ * The same region as plain data of its own: a list of rings, or a MultiPolygon.
+ *
+ * @throws CircleVoronoiError `badOption`, if it is none; what the rings are like is not checked
+ */
+export function plainRegion(shape: RegionShape): RegionShape {
+  const { points, ringOffsets, polygonOffsets } = ringArraysOf(shape)
+  const parts =
+    <Part>(offsets: Int32Array, part: (k: number) => Part) =>
+    (k: number) =>
+      Array.from({ length: at(offsets, k + 1) - at(offsets, k) }, (_, i) => part(at(offsets, k) + i))
+  const ringAt = parts(ringOffsets, (k) => [at(points, 2 * k), at(points, 2 * k + 1)])
+  if (polygonOffsets === undefined) return Array.from({ length: ringOffsets.length - 1 }, (_, k) => ringAt(k))
+  const polygonAt = parts(polygonOffsets, ringAt)
+  const coordinates = Array.from({ length: polygonOffsets.length - 1 }, (_, k) => polygonAt(k))
+  return { type: 'MultiPolygon', coordinates }
 }
 
 function isRingList(shape: RegionShape): shape is readonly RingShape[] {

@@ -24,7 +24,10 @@ export interface FitOptions {
   readonly region: Region
   /** Whether `areas` are shares of the region's area: they are scaled so that they sum to it. Default: false. */
   readonly shares?: boolean | undefined
-  /** The largest relative error allowed for each area, above 0 and below 1. Default: 1e-9. */
+  /**
+   * The largest relative error of each area, above 0 and below 1. Default: 1e-9. Larger errors remain only where the last
+   * bits of the weights make them, as for a cell that is a sliver behind a close neighbor.
+   */
   readonly tolerance?: number | undefined
   /** The largest number of steps. Default: 500. */
   readonly maxSteps?: number | undefined
@@ -40,7 +43,7 @@ export interface FitOptions {
 }
 
 /**
- * What a fit has reached.
+ * The state of a fit after a step.
  *
  * @category Regions
  */
@@ -54,7 +57,7 @@ export interface FitStep {
 }
 
 /**
- * Weights for which the cells have the areas asked for.
+ * The result of a fit: weights for which each cell has its area.
  *
  * @category Regions
  */

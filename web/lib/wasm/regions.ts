@@ -137,6 +137,7 @@ class Clipped implements ClippedDiagram {
   #cells: ClippedDiagram['cells'] | undefined
   #edges: ClippedDiagram['edges'] | undefined
   #areas: Float64Array | undefined
+  /** Those of the last tolerance: who asks for one mostly asks for all. */
   #polygons: { readonly tolerance: number; readonly polygons: ClippedPolygons } | undefined
 
   constructor(module: WasmRegionsModule, address: number, region: Region) {
@@ -176,9 +177,10 @@ class Clipped implements ClippedDiagram {
   }
 
   polygons(tolerance: number) {
-    if (this.#polygons?.tolerance !== tolerance) {
-      this.#polygons = { tolerance, polygons: unwrap(this.#module.clippedPolygons(this.#address, tolerance)) }
-    }
-    return this.#polygons.polygons
+    const last = this.#polygons
+    if (last?.tolerance === tolerance) return last.polygons
+    const polygons = unwrap(this.#module.clippedPolygons(this.#address, tolerance))
+    this.#polygons = { tolerance, polygons }
+    return polygons
   }
 }

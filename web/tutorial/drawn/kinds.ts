@@ -2,22 +2,42 @@
 import { directedEdges } from './directed.ts'
 import { finalCells } from './final.ts'
 import { growing } from './growing.ts'
+import { marketAreas } from './market.ts'
 import { nearestCircle } from './nearest.ts'
+import { newton } from './newton.ts'
 import { HEIGHT, type Kind } from './scene.ts'
-import { WALK_HEIGHT, walk } from './walk.ts'
+import { springs } from './springs.ts'
+import { twoWeights } from './two-weights.ts'
+import { walk } from './walk.ts'
+import { weightPlane } from './weight-plane.ts'
 
 /** The figures that the tutorial draws itself, by their names in chapters. */
-export const KINDS = {
+export const KINDS: Readonly<Record<KindName, Kind>> = {
   nearest: nearestCircle,
   directed: directedEdges,
   growing,
   walk,
+  market: marketAreas,
   final: finalCells,
-} satisfies Record<string, Kind>
-export type KindName = keyof typeof KINDS
+  'weight-plane': weightPlane,
+  'two-weights': twoWeights,
+  springs,
+  newton,
+}
+export type KindName =
+  | 'nearest'
+  | 'directed'
+  | 'growing'
+  | 'walk'
+  | 'market'
+  | 'final'
+  | 'weight-plane'
+  | 'two-weights'
+  | 'springs'
+  | 'newton'
 
 export function heightOf(kind: KindName): number {
-  return kind === 'walk' ? WALK_HEIGHT : HEIGHT
+  return KINDS[kind].height ?? HEIGHT
 }
 
 export type { Scene } from './scene.ts'

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the figures that the tutorial draws itself have in common: circles in a frame, as SVG.
 import type { Circle, CircleVoronoi, Diagram, Float64s, Point } from '../../lib/index.ts'
+import type { RegionShape } from '../../lib/regions/region-shape.ts'
+import type { Regions } from '../../lib/wasm/regions.ts'
 
 /** What a figure shows, in the units of its circles. */
 export interface Scene {
@@ -9,6 +11,8 @@ export interface Scene {
   readonly point: Point | undefined
   /** x and y of the middle, and the width. */
   readonly view: readonly [x: number, y: number, width: number]
+  /** What cells are clipped to. */
+  readonly region?: RegionShape | undefined
 }
 
 export interface Drawing {
@@ -20,9 +24,17 @@ export interface Drawing {
 
 /** A kind of figure: one slider, and what is drawn at a place of it. */
 export interface Kind {
+  /** Of the picture; `HEIGHT` without it. */
+  readonly height?: number
+  /** Whether it needs regions. */
+  readonly hasRegions?: boolean
   /** The places of the slider: from 0, in steps of 1 if the places are events. */
-  range(scene: Scene, library: CircleVoronoi): { readonly last: number; readonly step: number | 'any' }
-  draw(scene: Scene, value: number, library: CircleVoronoi): Drawing
+  range(
+    scene: Scene,
+    library: CircleVoronoi,
+    regions?: Regions,
+  ): { readonly last: number; readonly step: number | 'any' }
+  draw(scene: Scene, value: number, library: CircleVoronoi, regions?: Regions): Drawing
 }
 
 export const WIDTH = 640

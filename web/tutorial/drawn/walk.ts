@@ -17,9 +17,10 @@ import {
 const STEPS = 160
 /** Where the plot is on the picture. */
 const PLOT = { left: 56, right: WIDTH - 24, top: HEIGHT + 30, bottom: HEIGHT + 190 }
-export const WALK_HEIGHT = HEIGHT + 220
+const WALK_HEIGHT = HEIGHT + 220
 
 export const walk: Kind = {
+  height: WALK_HEIGHT,
   range: () => ({ last: 1, step: 'any' }),
 
   draw(scene, value, library) {

@@ -11,12 +11,15 @@ export interface Drawing {
   cover(color: string): void
   fill(path: PathSink, color: string, opacity?: number): void
   stroke(path: PathSink, color: string, width: number, dash?: readonly number[], opacity?: number): void
+  /** From now on, only what lies inside a path is drawn; `undefined`: everything. */
+  clip(path: PathSink | undefined): void
   /** A word in the middle of a place, `size` high, with a rim of another color so that it is read on anything. */
   write(text: string, x: number, y: number, size: number, color: string, rim: string): void
 }
 
 export class CanvasDrawing implements Drawing {
   readonly #context: OffscreenCanvasRenderingContext2D | CanvasRenderingContext2D
+  #isClipped = false
 
   constructor(context: OffscreenCanvasRenderingContext2D | CanvasRenderingContext2D) {
     this.#context = context
@@ -49,6 +52,14 @@ export class CanvasDrawing implements Drawing {
     this.#context.globalAlpha = 1
   }
 
+  clip(path: PathSink | undefined): void {
+    if (this.#isClipped) this.#context.restore()
+    this.#isClipped = path !== undefined
+    if (path === undefined) return
+    this.#context.save()
+    this.#context.clip(path as Path2D)
+  }
+
   write(text: string, x: number, y: number, size: number, color: string, rim: string): void {
     const context = this.#context
     context.font = `600 ${size}px system-ui, sans-serif`
@@ -68,6 +79,8 @@ const DIGITS = 2
 
 export class SvgDrawing implements Drawing {
   readonly #elements: string[] = []
+  readonly #clips = new Set<string>()
+  #isClipped = false
 
   path(): PathSink {
     return new SvgPath(DIGITS)
@@ -94,6 +107,17 @@ export class SvgDrawing implements Drawing {
     this.#add(path, `fill="none" stroke="${color}" stroke-width="${Number(width.toFixed(2))}"${dashes}${alpha}`)
   }
 
+  clip(path: PathSink | undefined): void {
+    if (this.#isClipped) this.#elements.push('</g>')
+    this.#isClipped = path !== undefined
+    if (path === undefined) return
+    const shape = String(path)
+    const id = nameOf(shape)
+    if (!this.#clips.has(id)) this.#elements.push(`<clipPath id="${id}"><path d="${shape}"/></clipPath>`)
+    this.#clips.add(id)
+    this.#elements.push(`<g clip-path="url(#${id})">`)
+  }
+
   #add(path: PathSink, look: string): void {
     const text = String(path)
     if (text !== '') this.#elements.push(`<path ${look} d="${text}"/>`)
@@ -103,6 +127,13 @@ export class SvgDrawing implements Drawing {
   toString(): string {
     return this.#elements.join('\n')
   }
+}
+
+/** A name that two shapes hardly share, even in pictures that stand in one page. */
+function nameOf(shape: string): string {
+  let hash = 0
+  for (let k = 0; k < shape.length; k++) hash = (Math.imul(hash, 31) + shape.charCodeAt(k)) >>> 0
+  return `region-${hash.toString(36)}-${shape.length}`
 }
 
 /** The text of an SVG with these elements. */

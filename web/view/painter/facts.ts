@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { circleAt, type Diagram } from '../../lib/index.ts'
 import type { CellFacts, Counts, Facts } from '../protocol.ts'
+import type { Picture } from './picture.ts'
 
 /** What is so of a diagram and of the cells of circles, by their ids. */
-export function factsOf(diagram: Diagram, counts: Counts, ids: readonly number[]): Facts {
+export function factsOf(picture: Pick<Picture, 'diagram' | 'clip'>, counts: Counts, ids: readonly number[]): Facts {
   const cells = new Map<number, CellFacts>()
   for (const id of ids) {
-    const i = diagram.indexOf(id)
-    if (i >= 0) cells.set(id, cellFacts(diagram, i))
+    const i = picture.diagram.indexOf(id)
+    if (i >= 0) cells.set(id, cellFacts(picture, i))
   }
   return { ...counts, cells }
 }
 
-function cellFacts(diagram: Diagram, i: number): CellFacts {
+function cellFacts({ diagram, clip }: Pick<Picture, 'diagram' | 'clip'>, i: number): CellFacts {
   const { circles, numbers } = diagram
   const around = diagram.neighbors(i)
   return {
@@ -21,7 +22,11 @@ function cellFacts(diagram: Diagram, i: number): CellFacts {
     bounded: diagram.cells.isBounded(i),
     edges: around.length,
     neighbors: [...new Set(around)].map((k) => numbers?.circles[k] ?? k),
-    area: diagram.cellArea(i),
-    perimeter: diagram.cells.isBounded(i) ? diagram.cellPerimeter(i) : Number.POSITIVE_INFINITY,
+    area: clip?.areaOf(diagram, i) ?? diagram.cellArea(i),
+    perimeter: clip?.perimeterOf(diagram, i) ?? perimeterOf(diagram, i),
   }
+}
+
+function perimeterOf(diagram: Diagram, i: number): number {
+  return diagram.cells.isBounded(i) ? diagram.cellPerimeter(i) : Number.POSITIVE_INFINITY
 }

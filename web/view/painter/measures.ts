@@ -8,7 +8,10 @@ import type { Measure } from '../layers.ts'
 import type { Legend } from '../protocol.ts'
 import { SHADES } from '../style.ts'
 import { idOf } from './cell-boxes.ts'
+import type { Clip } from './clip.ts'
 
+/** Where so many areas inside a region are missing, all are found at once. */
+const MOST_ALONE = 32
 /** So many cells say which are the small ones. */
 const MOST_SAMPLES = 2000
 /** What the beginning, the quarters and the end of the ramp stand for: a few outliers do not take most of it. */
@@ -23,14 +26,20 @@ const DEGREES = [4, 5, 6, 7, 8]
 export class Measures {
   readonly measure: Measure
   readonly #diagram: Diagram
+  readonly #clip: Clip | undefined
+  /** How many areas inside a region are not known, at most. */
+  #missing: number
   #knots: readonly number[] | undefined
   #isClipped = true
   /** What takes long to find, by the circles' ids. */
   #known = new Float64Array()
 
-  constructor(measure: Measure, diagram: Diagram) {
+  /** `clip`: what of a cell has an area. */
+  constructor(measure: Measure, diagram: Diagram, clip?: Clip) {
     this.measure = measure
     this.#diagram = diagram
+    this.#clip = clip
+    this.#missing = clip === undefined ? 0 : diagram.circles.length / 3
   }
 
   /** What the shades mean. They stay the same while circles are edited. */
@@ -62,14 +71,32 @@ export class Measures {
       larger.set(this.#known)
       this.#known = larger
     }
-    if (Number.isNaN(this.#known[id]))
-      this.#known[id] = this.measure === 'area' ? cellArea(diagram, i) : gap(diagram, i)
+    if (Number.isNaN(this.#known[id])) this.#find(i)
     return at(this.#known, id)
+  }
+
+  #find(i: number): void {
+    const diagram = this.#diagram
+    const id = idOf(diagram, i)
+    if (this.#clip === undefined || this.measure !== 'area') {
+      this.#known[id] = this.measure === 'area' ? cellArea(diagram, i) : gap(diagram, i)
+    } else if (this.#missing < MOST_ALONE) {
+      this.#known[id] = this.#clip.areaOf(diagram, i)
+    } else {
+      this.#missing = 0
+      const { region } = this.#clip
+      diagram.cellAreas({ region }).forEach((area, k) => {
+        this.#known[idOf(diagram, k)] = area
+      })
+    }
   }
 
   /** Circles by their ids whose cells have changed. */
   forget(ids: Iterable<number>): void {
-    for (const id of ids) if (id < this.#known.length) this.#known[id] = Number.NaN
+    for (const id of ids) {
+      this.#missing += 1
+      if (id < this.#known.length) this.#known[id] = Number.NaN
+    }
   }
 
   /** Of so many circles one says which are the small ones. */

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { PathSink } from '../../lib/index.ts'
+import type { Drawing } from './drawing.ts'
 import { cells } from './layers/cells.ts'
 import { discs, rims } from './layers/circles.ts'
 import { data, method } from './layers/data.ts'
@@ -7,6 +9,12 @@ import { delaunay, dual } from './layers/graphs.ts'
 import { hiders } from './layers/hiders.ts'
 import { vertices } from './layers/vertices.ts'
 import type { Layer, Painting } from './painting.ts'
+import { addBorder, addInside, addOutside } from './region-path.ts'
+
+/** How much of the paper lies on what is outside of a region. */
+const VEIL = 0.6
+/** The width of its border, in pixels. */
+const BORDER = 1.75
 
 /** From below to above. */
 const LAYERS: readonly Layer[] = [
@@ -27,6 +35,28 @@ const LAYERS: readonly Layer[] = [
 
 /** Draws all that a frame shows: every pixel of it, paper and all. */
 export function paint(painting: Painting): void {
-  painting.drawing.cover(painting.style.paper)
-  for (const layer of LAYERS) if (layer.isOn(painting.layers)) layer.draw(painting)
+  const { drawing, frame, style, picture, pixelRatio } = painting
+  drawing.cover(style.paper)
+  const region = picture.clip?.region
+  const inside = region && pathOf(drawing, (path) => addInside(path, frame, region))
+  for (const layer of LAYERS) {
+    if (!layer.isOn(painting.layers)) continue
+    drawing.clip(layer.isClipped === true ? inside : undefined)
+    layer.draw(painting)
+  }
+  drawing.clip(undefined)
+  if (region === undefined) return
+  drawing.fill(
+    pathOf(drawing, (path) => addOutside(path, frame, region)),
+    style.paper,
+    VEIL,
+  )
+  const border = pathOf(drawing, (path) => addBorder(path, frame, region))
+  drawing.stroke(border, style.region, BORDER * pixelRatio)
+}
+
+function pathOf(drawing: Drawing, add: (path: PathSink) => void): PathSink {
+  const path = drawing.path()
+  add(path)
+  return path
 }

@@ -2,7 +2,18 @@
 
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { Box, Circle, CircleVoronoi, Comparison, Diagram, Edit, Options } from '../../lib/index.ts'
+import {
+  type Box,
+  type Circle,
+  type CircleVoronoi,
+  type Comparison,
+  circleAt,
+  type Diagram,
+  type Edit,
+  type Float64s,
+  type Options,
+} from '../../lib/index.ts'
+import type { Regions } from '../../lib/wasm/regions.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import type { CircleChange } from '../circle-table.ts'
 import { DEFAULT_LAYERS, isMethodShown, type Layers } from '../layers.ts'
@@ -12,7 +23,9 @@ import type {
   Counts,
   Described,
   Distribution,
+  DomainChange,
   Facts,
+  Fitted,
   Found,
   Hit,
   Legend,
@@ -25,12 +38,15 @@ import type {
   Trial,
   Wish,
 } from '../protocol.ts'
+import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import type { Style } from '../style.ts'
 import { Centers } from './centers.ts'
+import { Clip } from './clip.ts'
 import { commandsOf } from './commands.ts'
 import { distributionOf } from './distribution.ts'
 import { CanvasDrawing, type Drawing } from './drawing.ts'
 import { factsOf } from './facts.ts'
+import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
 import { found, isAnythingFound } from './found.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
 import { apart, frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
@@ -56,6 +72,12 @@ const QUICK = 0.005
 /** Of a circle with more neighbors, its own cell stands out alone. */
 const MOST_NEIGHBORS = 500
 
+/** The circles with radii that were fitted, and how near their areas are, if that was asked for. */
+interface Opened {
+  readonly circles: Float64s | undefined
+  readonly fitted: Fitted | undefined
+}
+
 /** The circles of one view, and what of their picture the view has been given. */
 export class PaintedScene {
   readonly #library: CircleVoronoi
@@ -72,6 +94,8 @@ export class PaintedScene {
   #hint = -1
   #selected: number | undefined
   #hovered: number | undefined
+  /** Whether circles are shown as points. */
+  #areSites = false
 
   /** Without circles. */
   constructor(library: CircleVoronoi) {
@@ -80,17 +104,35 @@ export class PaintedScene {
   }
 
   /**
-   * Other circles from the start.
+   * Other circles from the start. `regions`: there if a region or a fit is asked for.
    *
-   * @throws CircleVoronoiError as `edit` of the library; then all stays as it was
+   * @throws CircleVoronoiError as `edit` of the library, `region` and `fitAreas`; then all stays as it was
    */
-  open(circles: Float64Array): void {
-    const picture = new Picture(this.#library.edit(circles))
+  open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): Opened {
+    const clip = this.#clipOf(change, regions)
+    const shares = Array.from({ length: circles.length / 3 }, (_, i) => change.fit?.known?.get(i) ?? Number.NaN)
+    const fit = change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
+    const opened = fit?.diagram.circles ?? circles
+    const picture = new Picture(this.#library.edit(opened), clip)
     this.dispose()
     this.#picture = picture
+    this.#areSites = change.areSites ?? this.#areSites
     this.#findingSeconds = 0
     this.#hint = -1
     this.setLayers(this.#layers)
+    return { circles: fit?.diagram.circles, fitted: fit && { error: fit.error, steps: fit.steps } }
+  }
+
+  /** What cells are cut to once a change is done. */
+  #clipOf({ region }: DomainChange, regions: Regions | undefined): Clip | undefined {
+    if (region === undefined) return this.#picture.clip
+    return region === null ? undefined : new Clip(this.#library, (regions as Regions).region(region))
+  }
+
+  /** @throws Refusal, if there is no region */
+  #fitting(clip: Clip | undefined, regions: Regions | undefined): Fitting {
+    if (clip === undefined) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasWithoutRegion)
+    return { region: clip.region, fitAreas: (regions as Regions).fitAreas }
   }
 
   dispose(): void {
@@ -105,6 +147,7 @@ export class PaintedScene {
     this.#layers = layers
     this.#isFound = false
     picture.layers = layers
+    picture.areSites = this.#areSites
     if (!layers.delaunay && !layers.ordinary) {
       picture.centers?.dispose()
       picture.centers = undefined
@@ -194,7 +237,7 @@ export class PaintedScene {
 
   /** What is so of the diagram and of the cells of circles. */
   tell(ids: readonly number[]): Facts {
-    return factsOf(this.#picture.diagram, this.counts(), ids)
+    return factsOf(this.#picture, this.counts(), ids)
   }
 
   /** All computed from nothing. */
@@ -251,26 +294,42 @@ export class PaintedScene {
   }
 
   /**
-   * Edits, and paints anew what of the picture the view has looks different now.
+   * Edits, and paints anew what of the picture the view has looks different now. `regions`: as `open` has them.
    *
-   * @throws CircleVoronoiError as `DiagramEditor.apply`; then all stays as it was
+   * @throws CircleVoronoiError as `DiagramEditor.apply`, `region` and `fitAreas`; then all stays as it was
    */
-  edit(edits: readonly Edit[]): {
+  edit(
+    asked: readonly Edit[],
+    domain: DomainChange = {},
+    regions?: Regions,
+  ): {
     patches: Patch[]
     boxes: readonly Box[]
     change: CircleChange
     found: Found | undefined
+    fitted: Fitted | undefined
   } {
+    const clip = this.#clipOf(domain, regions)
+    const { edits, fit } =
+      domain.fit === undefined
+        ? { edits: asked, fit: undefined }
+        : fittedEdits(this.#fitting(clip, regions), this.#picture.diagram, asked, domain.fit)
     const change = this.#picture.editor.apply(edits)
+    const { areSites = this.#areSites } = domain
+    const isElsewhere = clip !== this.#picture.clip || areSites !== this.#areSites
+    this.#picture.clip = clip
+    this.#picture.areSites = areSites
+    this.#areSites = areSites
     const { boxes, isEverywhere } = this.#picture.apply(change)
-    const patches = this.#repaint(boxes)
-    if (isEverywhere) this.#restart()
+    const patches = isElsewhere ? [] : this.#repaint(boxes)
+    if (isEverywhere || isElsewhere) this.#restart()
     this.#isFound = false
     const { inserted, removed, replaced, circles } = change
     return {
       patches,
       boxes,
       change: { inserted, removed, replaced, circles },
+      fitted: fit && { error: fit.error, steps: fit.steps },
       found: this.isFoundQuickly ? this.find() : undefined,
     }
   }
@@ -318,7 +377,7 @@ export class PaintedScene {
     let discSize = Number.POSITIVE_INFINITY
     for (const id of index.search({ minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack })) {
       const i = diagram.indexOf(id)
-      const r = at(circles, 3 * i + 2)
+      const r = this.#areSites ? 0 : at(circles, 3 * i + 2)
       const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y) - r
       // A small circle is all disc: it can be resized once it is seen larger.
       const hasRim = r > 3 * slack
@@ -364,7 +423,7 @@ export class PaintedScene {
     const neighbors = [...new Set(diagram.neighbors(i))]
     return {
       id,
-      circle: { x: at(circles, 3 * i), y: at(circles, 3 * i + 1), r: at(circles, 3 * i + 2) },
+      circle: { ...circleAt(circles, i), ...(this.#areSites && { r: 0 }) },
       hiddenBy,
       isBounded: cells.isBounded(i),
       neighbors: Int32Array.from(leastFirst(neighbors.map(idOf))),
@@ -376,7 +435,10 @@ export class PaintedScene {
   #outlineOf(circles: readonly number[], diagram: Diagram = this.#picture.diagram): Float64Array {
     if (this.#look === undefined) return new Float64Array()
     const { grid, wanted } = this.#look
-    const options = { bounds: regionOf(frameOf(grid, wanted)), tolerance: toleranceOf(grid) }
+    const tolerance = toleranceOf(grid)
+    const { clip } = this.#picture
+    if (clip !== undefined) return commandsOf((context) => clip.drawCells(context, diagram, circles, tolerance))
+    const options = { bounds: regionOf(frameOf(grid, wanted)), tolerance }
     return commandsOf((context) => {
       for (const i of circles) diagram.cellPath(i, { context, ...options })
     })

@@ -3,8 +3,9 @@
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
 import type { CircleVoronoi, Comparison } from '../../lib/index.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
+import type { Regions } from '../../lib/wasm/regions.ts'
 import { withModules } from '../../lib/wasm/with-modules.ts'
-import type { FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
+import type { DomainChange, FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
 import { CanvasDrawing, SvgDrawing } from './drawing.ts'
 import { PaintedScene } from './painted-scene.ts'
 
@@ -31,6 +32,7 @@ interface Measuring {
 }
 let measuring: Measuring[] = []
 let comparison: Promise<Comparison> | undefined
+let regions: Promise<Regions> | undefined
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Lets messages that have arrived be heard before more is painted. */
@@ -58,13 +60,14 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
   switch (message.kind) {
     case 'open':
       try {
-        scene.open(message.circles)
+        const opened = scene.open(message.circles, message, await regionsFor(message))
         for (const waiting of measuring) if (waiting.scene === scene) waiting.steps = waiting.begin()
         post({
           kind: 'opened',
           scene: message.scene,
           revision: message.revision,
           counts: scene.counts(),
+          ...opened,
           seconds: secondsSince(start),
         })
         schedule()
@@ -75,7 +78,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     case 'edit':
       try {
-        const { patches, boxes, change, found } = scene.edit(message.edits)
+        const { patches, boxes, change, found, fitted } = scene.edit(message.edits, message, await regionsFor(message))
         post(
           {
             kind: 'edited',
@@ -88,6 +91,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
             change,
             marks: scene.marks(),
             found,
+            fitted,
             seconds: secondsSince(start),
           },
           patches.map(({ image }) => image),
@@ -122,6 +126,19 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       scene.dispose()
       scenes.delete(message.scene)
       measuring = measuring.filter((waiting) => waiting.scene !== scene)
+  }
+}
+
+/** What clips and fits, loaded once it is needed. */
+async function regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
+  if ((region ?? undefined) === undefined && fit === undefined) return undefined
+  regions ??= (await library).loadRegions()
+  try {
+    return await regions
+  } catch (error) {
+    // It may be there the next time.
+    regions = undefined
+    throw error
   }
 }
 

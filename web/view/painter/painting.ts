@@ -74,6 +74,8 @@ export interface Layer {
   readonly id: string
   isOn(layers: Layers): boolean
   draw(painting: Painting): void
+  /** Whether a region cuts it. */
+  readonly isClipped?: boolean
 }
 
 /** How much of the way from `least` to `most` a width has gone, from 0 to 1: what is drawn of large cells alone fades in. */

@@ -16,6 +16,7 @@ import { BoxIndex } from './box-index.ts'
 import { addAround, EMPTY_BOX, emptyBoxes, union } from './boxes.ts'
 import { addCell, addStar, cellBoxes, idOf, starBoxes } from './cell-boxes.ts'
 import type { Centers } from './centers.ts'
+import type { Clip } from './clip.ts'
 import { Coloring } from './coloring.ts'
 import { Measures } from './measures.ts'
 import type { MethodResult } from './method-layers.ts'
@@ -67,6 +68,9 @@ export class Picture {
   /** What `auto` is: that of the circles as they were opened, so that no edit changes all colors. */
   readonly #automatic: CellColors
   #layers = DEFAULT_LAYERS
+  #clip: Clip | undefined
+  /** Whether circles are shown as points. */
+  areSites = false
   #measures: Measures | undefined
   #areas: Measures | undefined
   #gaps: Measures | undefined
@@ -76,7 +80,8 @@ export class Picture {
   #hiddenBy: Map<number, number[]> | undefined
 
   /** Takes the editor over. */
-  constructor(editor: DiagramEditor) {
+  constructor(editor: DiagramEditor, clip?: Clip) {
+    this.#clip = clip
     this.editor = editor
     this.diagram = editor.snapshot()
     const { circles } = this.diagram
@@ -108,6 +113,19 @@ export class Picture {
     this.#layers = layers
   }
 
+  /** What cells are cut to; `undefined`: nothing. */
+  get clip(): Clip | undefined {
+    return this.#clip
+  }
+
+  set clip(clip: Clip | undefined) {
+    if (clip === this.#clip) return
+    this.#clip = clip
+    // Areas are others.
+    this.#areas = undefined
+    if (this.#measures?.measure === 'area') this.#measures = this.areas()
+  }
+
   /** Has the power diagram of its circles. */
   setPower(diagram: Diagram): void {
     this.power = { diagram, index: new BoxIndex(cellBoxes(diagram, this.reach)) }
@@ -134,8 +152,13 @@ export class Picture {
 
   /** The areas of cells, each found when it is asked for. */
   areas(): Measures {
-    this.#areas ??= new Measures('area', this.diagram)
+    this.#areas ??= new Measures('area', this.diagram, this.#clip)
     return this.#areas
+  }
+
+  /** The area of the cell of a circle by its index. */
+  areaOf(i: number): number {
+    return this.#clip?.areaOf(this.diagram, i) ?? this.areas().valueOf(i)
   }
 
   /** The distances to the nearest other circle, likewise. */

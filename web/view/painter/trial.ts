@@ -40,7 +40,13 @@ export function trialOf(
     area: takenFrom(picture, local, k),
   }))
   taken.sort((one, other) => other.area - one.area || one.id - other.id)
-  return { circle, hiddenBy: undefined, outline: outlineOf(diagram, tried), area: cellArea(diagram, tried), taken }
+  return {
+    circle,
+    hiddenBy: undefined,
+    outline: outlineOf(diagram, tried),
+    area: areaIn(picture, diagram, tried),
+    taken,
+  }
 }
 
 /**
@@ -78,11 +84,17 @@ function robbed({ diagram, tried }: Local): number[] {
   return [...ks]
 }
 
+/** The area of a cell of another diagram than the picture's, cut as that one. */
+function areaIn({ clip }: Picture, diagram: Diagram, k: number): number {
+  if (clip === undefined) return cellArea(diagram, k)
+  return diagram.cells.exists(k) ? diagram.cellArea(k, { region: clip.region }) : 0
+}
+
 /** Infinity for a part without end; NaN where that is not known. */
 function takenFrom(picture: Picture, { diagram, tried, indices }: Local, k: number): number {
   const i = indices[k] as number
-  const before = picture.areas().valueOf(i)
-  const after = cellArea(diagram, k)
+  const before = picture.areaOf(i)
+  const after = areaIn(picture, diagram, k)
   if (before < Number.POSITIVE_INFINITY) return before - after
   if (after < Number.POSITIVE_INFINITY) return Number.POSITIVE_INFINITY
   if (!diagram.cells.isBounded(tried)) return Number.NaN

@@ -13,6 +13,7 @@ const TINTED_CELL = [6, 12] as const
 /** The colors of cells: those of their circles, but weaker, or else what the cells themselves are measured by. */
 export const cells: Layer = {
   id: 'cells',
+  isClipped: true,
   isOn: (layers) => layers.cells !== 'none',
   draw(painting) {
     const { style, width, picture } = painting

@@ -13,6 +13,9 @@ const SPECK = 0.7
 /** Browsers fill long paths in more than linear time. */
 const SPECKS_PER_PATH = 256
 const HIDDEN_LINE = 1.25
+/** Circles whose radii are weights are dots of this radius, in pixels, or of this share of the width of a cell. */
+const SITE_RADIUS = 3.5
+const SITE_SHARE = 0.12
 const RIM_LINE = 1
 /** Discs let the color of their cells through that was asked for. */
 const SHADE = 0.28
@@ -81,6 +84,7 @@ function madePaths(painting: Painting): Paths {
   const hidden = painting.drawing.path()
   const sink = painting.sink()
   const smallest = DOT_RADIUS * pixelRatio
+  const site = Math.min(SITE_RADIUS, SITE_SHARE * width) * pixelRatio
   const share = shareOf(width, CELL_WITH_DOTS)
   const pathOf = (paths: Map<number, PathSink>, color: number) => {
     const path = paths.get(color) ?? painting.drawing.path()
@@ -96,7 +100,7 @@ function madePaths(painting: Painting): Paths {
     else speckPaths.delete(color)
   }
   for (const i of circles) {
-    const radius = at(diagram.circles, 3 * i + 2) * frame.scale
+    const radius = picture.areSites ? site : at(diagram.circles, 3 * i + 2) * frame.scale
     const isHidden = !diagram.cells.exists(i)
     // A hidden circle too small to be seen is not there.
     if (isHidden && radius < smallest) continue

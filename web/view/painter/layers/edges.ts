@@ -14,6 +14,7 @@ const MISSED_LINE = 3
 /** The true arcs. */
 export const edges: Layer = {
   id: 'edges',
+  isClipped: true,
   isOn: (layers) => layers.edges,
   draw(painting) {
     const { picture, style, lineWidth, circles, width } = painting
@@ -26,6 +27,7 @@ export const edges: Layer = {
 /** The Voronoi diagram of the centers. */
 export const ordinary: Layer = {
   id: 'ordinary',
+  isClipped: true,
   isOn: (layers) => layers.ordinary,
   draw(painting) {
     const { centers } = painting.picture
@@ -39,6 +41,7 @@ export const ordinary: Layer = {
 /** The power diagram. */
 export const power: Layer = {
   id: 'power',
+  isClipped: true,
   isOn: (layers) => layers.power,
   draw(painting) {
     const { power } = painting.picture
@@ -51,6 +54,7 @@ export const power: Layer = {
 /** Those that the touching disc method misses. */
 export const missedEdges: Layer = {
   id: 'missedEdges',
+  isClipped: true,
   isOn: (layers) => layers.missedEdges,
   draw(painting) {
     const { picture, style, circles, lineWidth } = painting

@@ -15,6 +15,7 @@ const MERGED_RADIUS = 3.5
 /** The vertices; if they are merged, each with its number of circles: those of more than three stand out. */
 export const vertices: Layer = {
   id: 'vertices',
+  isClipped: true,
   isOn: (layers) => layers.vertices,
   draw(painting) {
     const { picture, frame, circles, pixelRatio, layers, style, width } = painting

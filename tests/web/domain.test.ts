@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What cells are cut to and what areas they have there: as text, on the screen, under edits, in the history.
+import { readFileSync } from 'node:fs'
+import { describe, expect, it } from 'vitest'
+import { type Computer, Editing } from '../../web/editing/editing.ts'
+import type { Circle, Diagram, Edit, Point, RegionShape } from '../../web/lib/index.ts'
+import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
+import { boxOf } from '../../web/view/domain.ts'
+import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { Clip } from '../../web/view/painter/clip.ts'
+import { SvgDrawing } from '../../web/view/painter/drawing.ts'
+import type { Frame } from '../../web/view/painter/frame.ts'
+import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
+import { Picture } from '../../web/view/painter/picture.ts'
+import { addBorder, addInside, addOutside } from '../../web/view/painter/region-path.ts'
+import { isRegionText, readRegion } from '../../web/view/region-text.ts'
+import type { Style } from '../../web/view/style.ts'
+import { library, seededRandom } from './library.ts'
+import { RecordingSink } from './recording-sink.ts'
+
+const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
+const regions = await library.loadRegions({ wasm })
+
+const SQUARE: RegionShape = [
+  [
+    [0, 0],
+    [8, 0],
+    [8, 8],
+    [0, 8],
+  ],
+]
+const RINGS: RegionShape = [
+  ...SQUARE,
+  [
+    [3, 3],
+    [5, 3],
+    [5, 6],
+    [3, 5],
+  ],
+]
+const BOW: RegionShape = [
+  [
+    [0, 0],
+    [4, 4],
+    [4, 0],
+    [0, 4],
+  ],
+]
+/** A star with deep bays. */
+const STAR: RegionShape = [
+  Array.from({ length: 40 }, (_, k) => {
+    const [angle, radius] = [(Math.PI * k) / 20, k % 2 === 0 ? 9 : 3]
+    return [4 + radius * Math.cos(angle), 4 + radius * Math.sin(angle)]
+  }),
+]
+
+function circlesOf(count: number, seed = 3): Float64Array<ArrayBuffer> {
+  const random = seededRandom(seed)
+  return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0.2 * random() : 8 * random()))
+}
+
+const CIRCLES = circlesOf(20)
+
+describe('a region as text', () => {
+  const polygon = {
+    type: 'MultiPolygon',
+    coordinates: [
+      [
+        [
+          [0, 0],
+          [9, 0],
+          [9, 9],
+          [0, 0],
+        ],
+        [
+          [4, 1],
+          [5, 1],
+          [5, 2],
+        ],
+      ],
+    ],
+  }
+  const feature = (geometry: unknown) => ({ type: 'Feature', properties: { name: 'hall' }, geometry })
+
+  it.each([
+    ['POLYGON ((0 0, 9 0, 9 9, 0 0), (4 1, 5 1, 5 2))'],
+    ['srid=4326;MultiPolygon Z (((0 0 7, 9 0 7, 9 9 7, 0 0 7), (4 1 7,5 1 7,5 2 7)))'],
+    [JSON.stringify({ type: 'Polygon', coordinates: polygon.coordinates[0] })],
+    [
+      JSON.stringify({
+        type: 'FeatureCollection',
+        features: [feature(polygon), feature({ type: 'Point', coordinates: [1, 2] })],
+      }),
+    ],
+  ])('is read: %s', (text) => {
+    expect(isRegionText(text)).toBe(true)
+    expect(readRegion(text)).toEqual(polygon)
+  })
+
+  it('may be rings that belong to no polygon yet', () => {
+    expect(readRegion(JSON.stringify(RINGS))).toEqual(RINGS)
+  })
+
+  it.each([
+    ['POLYGON (0 0, 9 0', /^This is neither GeoJSON nor well-known text of polygons: /],
+    ['[[[0, 0]', /^This is neither GeoJSON nor well-known text of polygons: /],
+    ['{"type": "Point", "coordinates": [1, 2]}', /^A region is made of GeoJSON polygons or a list of rings/],
+    ['POLYGON ((0 zero, 9 0, 9 9))', /of polygons: /],
+  ])('is refused: %s', (text, message) => {
+    expect(() => readRegion(text)).toThrow(message)
+  })
+
+  it('is told from the address of a file', () => {
+    expect(isRegionText('country.geojson')).toBe(false)
+    expect(isRegionText('./polygons/POLYGON.wkt')).toBe(false)
+  })
+})
+
+describe('a region on the screen', () => {
+  const region = regions.region(STAR)
+  /** How often a path turns around a point of the frame. */
+  const turns = (add: (sink: RecordingSink) => void, x: number, y: number) => {
+    const sink = new RecordingSink(1)
+    add(sink)
+    let count = 0
+    for (const ring of sink.strokes) {
+      ring.forEach(({ x: x1, y: y1 }, k) => {
+        const { x: x0, y: y0 } = ring.at(k - 1) as Point
+        if (y0 > y !== y1 > y && x < x0 + ((y - y0) / (y1 - y0)) * (x1 - x0)) count += y1 > y0 ? 1 : -1
+      })
+    }
+    return count
+  }
+
+  it.each([
+    ['whole', { x: 4, y: 4, scale: 20, width: 400, height: 400 }],
+    ['a part', { x: 7, y: 6, scale: 60, width: 300, height: 200 }],
+    ['magnified', { x: 6.9, y: 4.4, scale: 1e9, width: 300, height: 200 }],
+  ] as [string, Frame][])(
+    'is inside and outside as the region itself, and never far from the frame: %s',
+    (_, frame) => {
+      const random = seededRandom(7)
+      for (let k = 0; k < 200; k++) {
+        const [x, y] = [frame.width * random(), frame.height * random()]
+        const isInside = region.contains(
+          frame.x + (x - frame.width / 2) / frame.scale,
+          frame.y - (y - frame.height / 2) / frame.scale,
+        )
+        expect(turns((sink) => addInside(sink, frame, region), x, y) !== 0).toBe(isInside)
+        expect(turns((sink) => addOutside(sink, frame, region), x, y) === 0).toBe(isInside)
+      }
+      for (const add of [addInside, addOutside, addBorder]) {
+        const sink = new RecordingSink(1)
+        add(sink, frame, region)
+        for (const { x, y } of sink.points) {
+          expect(Math.abs(x - frame.width / 2)).toBeLessThanOrEqual(frame.width / 2 + 17)
+          expect(Math.abs(y - frame.height / 2)).toBeLessThanOrEqual(frame.height / 2 + 17)
+        }
+      }
+    },
+  )
+
+  it('cuts cells and edges in an SVG, and not circles', () => {
+    const scene = new PaintedScene(library)
+    scene.open(CIRCLES, { region: RINGS }, regions)
+    scene.setLayers({ ...DEFAULT_LAYERS, dual: true })
+    const drawing = new SvgDrawing()
+    const style = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(6).fill('map') : String(name)) }) as Style
+    scene.draw(drawing, { x: 4, y: 4, scale: 20, width: 200, height: 200 }, 1, style)
+    const text = String(drawing)
+    const groups = [...text.matchAll(/<g clip-path="url\(#([\w-]+)\)">\n(.*?)\n<\/g>/gs)]
+    expect(groups).not.toHaveLength(0)
+    const names = new Set(groups.map(([, name]) => name))
+    expect([...text.matchAll(/<clipPath id="([\w-]+)">/g)].map(([, name]) => name)).toEqual([...names])
+    const outside = text.replace(/<g .*?<\/g>/gs, '')
+    expect(outside).toContain('stroke="dual"')
+    expect(outside).not.toContain('stroke="edge"')
+  })
+
+  it('has a box around it and the circles, and alone where areas are given', () => {
+    const circles = { minX: -3, minY: 1, maxX: 5, maxY: 12 }
+    expect(boxOf(circles, { region: SQUARE, areas: undefined })).toEqual({ minX: -3, minY: 0, maxX: 8, maxY: 12 })
+    expect(boxOf(circles, { region: SQUARE, areas: 'equal' })).toEqual({ minX: 0, minY: 0, maxX: 8, maxY: 8 })
+    expect(boxOf(circles, { region: undefined, areas: undefined })).toBe(circles)
+  })
+})
+
+describe('areas inside a region', () => {
+  const region = regions.region(RINGS)
+  const close = (diagram: Diagram, value: (i: number) => number) => {
+    diagram.cellAreas({ region }).forEach((area, i) => {
+      expect(value(i)).toBeCloseTo(area, 9)
+    })
+  }
+
+  it('are those of the whole diagram, one by one and all at once, after edits, too', () => {
+    const picture = new Picture(library.edit(circlesOf(60)), new Clip(library, region))
+    const random = seededRandom(5)
+    for (let k = 0; k < 15; k++) {
+      close(picture.diagram, (i) => picture.areaOf(i))
+      close(picture.diagram, (i) => picture.areas().valueOf(i))
+      const [id = 0] = picture.editor.ids()
+      const circle = { x: 8 * random(), y: 8 * random(), r: random() }
+      const edit: Edit = k % 3 === 0 ? { kind: 'remove', id } : { kind: k % 3 === 1 ? 'insert' : 'replace', id, circle }
+      picture.apply(picture.editor.apply([edit]))
+    }
+  })
+
+  it('are told of a cell, and others once the region is another one or none', () => {
+    const scene = new PaintedScene(library)
+    scene.open(CIRCLES, { region: RINGS }, regions)
+    const areaOf = (id: number) => scene.tell([id]).cells.get(id)?.area
+    const { diagram } = new Picture(library.edit(CIRCLES))
+    expect(areaOf(4)).toBeCloseTo(diagram.cellArea(4, { region }), 9)
+    expect(scene.tabulate(['area'], Int32Array.of(4)).columns[0]?.[0]).toBeCloseTo(areaOf(4) as number, 9)
+    scene.edit([], { region: SQUARE }, regions)
+    expect(areaOf(4)).toBeCloseTo(diagram.cellArea(4, { region: regions.region(SQUARE) }), 9)
+    scene.edit([], { region: null }, regions)
+    expect(areaOf(4)).toBe(diagram.cellArea(4))
+  })
+
+  it('are those of the trial of a circle: what it takes is what it gets', () => {
+    const scene = new PaintedScene(library)
+    scene.open(CIRCLES, { region: RINGS }, regions)
+    const trial = scene.try({ x: 2, y: 2, r: 0.4 })
+    const taken = trial?.taken.reduce((sum, { area }) => sum + area, 0)
+    expect(taken).toBeCloseTo(trial?.area as number, 9)
+    expect(taken).toBeGreaterThan(0)
+  })
+
+  it('are none of a region that crosses itself, and all stays as it was', () => {
+    const scene = new PaintedScene(library)
+    scene.open(CIRCLES, { region: RINGS }, regions)
+    const before = scene.tell([4]).cells.get(4)?.area
+    expect(() => scene.edit([], { region: BOW }, regions)).toThrow(
+      'Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (2, 2).',
+    )
+    expect(() => scene.open(CIRCLES.slice(3), { region: BOW }, regions)).toThrow('cross at (2, 2)')
+    expect(scene.tell([4]).cells.get(4)?.area).toBe(before)
+    expect(scene.counts().circles).toBe(20)
+  })
+})
+
+/** Editing with the painter's own scene as what computes. */
+async function started(circles = CIRCLES, domain = {}) {
+  const scene = new PaintedScene(library)
+  const problems: string[] = []
+  let table = new CircleTable(new Float64Array())
+  const edited = (change: typeof NO_CHANGE, error: number | undefined) => ({
+    counts: scene.counts(),
+    inserted: change.inserted,
+    back: table.follow(change),
+    fitted: error === undefined ? undefined : { error, steps: 0 },
+    seconds: 0,
+  })
+  const computer: Computer = {
+    get circles() {
+      return table
+    },
+    async setCircles(given, change) {
+      const opened = scene.open(given, change, regions)
+      table = new CircleTable(opened.circles?.slice() ?? Float64Array.from(given))
+      return edited(NO_CHANGE, opened.fitted?.error)
+    },
+    async apply(edits, change) {
+      const { change: done, fitted } = scene.edit(edits, change, regions)
+      return edited(done, fitted?.error)
+    },
+  }
+  const errors: (number | undefined)[] = []
+  const editing = new Editing(
+    computer,
+    (outcome) => errors.push(outcome.edited.fitted?.error),
+    ({ message }) => problems.push(message),
+  )
+  await editing.open({ circles, dataSet: '', isEdited: false, domain: { region: RINGS, areas: undefined, ...domain } })
+  /** The areas by ids. */
+  const areas = () => {
+    const ids = editing.circles.ids()
+    const { cells } = scene.tell([...ids])
+    return Array.from(ids, (id) => cells.get(id)?.area ?? Number.NaN)
+  }
+  return { editing, problems, errors, areas, circles: () => [...editing.circles.circles()] }
+}
+
+const TOTAL = regions.region(RINGS).area
+
+describe('areas that are given', () => {
+  const expectShares = (areas: readonly number[], shares: readonly number[]) => {
+    const sum = shares.reduce((all, share) => all + share, 0)
+    areas.forEach((area, k) => {
+      expect(area / TOTAL).toBeCloseTo((shares[k] as number) / sum, 8)
+    })
+    expect(areas).toHaveLength(shares.length)
+  }
+  const equal = (count: number) => Array<number>(count).fill(1)
+
+  it('are reached when circles are opened, moved, added and removed, and nothing else moves', async () => {
+    const { editing, areas, errors, circles } = await started(CIRCLES, { areas: 'equal' })
+    expectShares(areas(), equal(20))
+    const centers = circles().filter((_, k) => k % 3 !== 2)
+    expect(centers).toEqual([...CIRCLES].filter((_, k) => k % 3 !== 2))
+    await editing.edit([{ kind: 'replace', id: 3, circle: { x: 6.5, y: 6.5, r: 0 } }])
+    expectShares(areas(), equal(20))
+    expect(editing.circles.get(3)).toMatchObject({ x: 6.5, y: 6.5 })
+    await editing.edit([{ kind: 'insert', circle: { x: 1, y: 1, r: 3 } }])
+    expectShares(areas(), equal(21))
+    await editing.edit([{ kind: 'remove', id: 0 }])
+    expectShares(areas(), equal(20))
+    for (const error of errors) expect(error).toBeLessThan(1e-9)
+  })
+
+  it('are undone with what they were given for: one step each', async () => {
+    const { editing, areas, circles } = await started()
+    const before = circles()
+    await editing.edit([], undefined, { areas: 'equal' })
+    const fitted = circles()
+    expectShares(areas(), equal(20))
+    await editing.edit([{ kind: 'replace', id: 3, circle: { x: 6.5, y: 6.5, r: 0 } }])
+    await editing.undo()
+    expect(circles()).toEqual(fitted)
+    await editing.undo()
+    expect(circles()).toEqual(before)
+    expect(editing.domain.areas).toBeUndefined()
+    await editing.redo()
+    expect(circles()).toEqual(fitted)
+    expect(editing.domain.areas).toBe('equal')
+  })
+
+  it('belong to circles, also to one that comes back by undo; one that is added gets the mean', async () => {
+    const shares = Array.from({ length: 20 }, (_, k) => 1 + k)
+    const { editing, areas } = await started(CIRCLES, { areas: shares })
+    expectShares(areas(), shares)
+    await editing.edit([{ kind: 'remove', id: 19 }])
+    expect(editing.areas).toEqual(shares.slice(0, 19))
+    await editing.edit([{ kind: 'insert', circle: { x: 1, y: 1, r: 0 } }])
+    expect(editing.areas).toEqual([...shares.slice(0, 19), 10])
+    expectShares(areas(), editing.areas as number[])
+    await editing.undo()
+    await editing.undo()
+    expect(editing.areas).toEqual(shares)
+    expectShares(areas(), shares)
+  })
+
+  it('are in the order of the circles as they are, and come back with other circles', async () => {
+    const { editing, areas } = await started(circlesOf(5), { areas: [1, 2, 3, 4, 5] })
+    await editing.edit([{ kind: 'remove', id: 1 }])
+    await editing.edit([], undefined, { areas: [9, 3, 4, 5] })
+    expectShares(areas(), [9, 3, 4, 5])
+    await editing.open({ circles: circlesOf(3, 8), dataSet: '', isEdited: false })
+    expect(editing.domain.region).toBeUndefined()
+    await editing.undo()
+    expect(editing.areas).toEqual([9, 3, 4, 5])
+    expectShares(areas(), [9, 3, 4, 5])
+  })
+
+  it('that cannot be are refused, and the last ones stay', async () => {
+    const { editing, areas, problems } = await started(CIRCLES, { areas: 'equal' })
+    const { x, y } = editing.circles.get(7) as Circle
+    await editing.edit([{ kind: 'replace', id: 3, circle: { x, y, r: 0 } }])
+    await editing.edit([], undefined, { areas: [1, 2] })
+    await editing.edit([], undefined, { region: undefined })
+    expect(problems).toEqual([
+      'Site 7 has the same position as site 3.',
+      'There are 2 areas for 20 circles.',
+      'Areas need a region: the cells divide it.',
+    ])
+    expectShares(areas(), equal(20))
+    expect(editing.domain).toMatchObject({ areas: 'equal' })
+  })
+})
+
+describe('another region', () => {
+  it('is one step of undo', async () => {
+    const { editing, areas } = await started()
+    const before = areas()
+    await editing.edit([], undefined, { region: SQUARE })
+    expect(areas()).not.toEqual(before)
+    await editing.undo()
+    expect(editing.domain.region).toEqual(RINGS)
+    expect(areas()).toEqual(before)
+    await editing.redo()
+    expect(editing.domain.region).toEqual(SQUARE)
+  })
+})

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../lib/base/diagram-data.ts'
+import type { Box } from '../lib/index.ts'
+import { type RegionShape, ringArraysOf } from '../lib/regions/region-shape.ts'
+
+/**
+ * The areas that cells have: shares of the region, numbers above 0 for the circles in order, or `equal` for all the same.
+ *
+ * @category Element
+ */
+export type Areas = 'equal' | readonly number[]
+
+/** What cells are cut to, and what areas they have there. */
+export interface Domain {
+  /** `undefined`: the cells are not cut. */
+  readonly region: RegionShape | undefined
+  /** Of circles by their numbers. `undefined`: circles have radii of their own. */
+  readonly areas: Areas | undefined
+}
+
+export const NO_DOMAIN: Domain = { region: undefined, areas: undefined }
+
+/** The box around circles and the region. Where areas are given, that of the region: radii are weights. */
+export function boxOf(circles: Box, { region, areas }: Domain): Box {
+  if (region === undefined) return circles
+  const box = boxes.get(region) ?? regionBox(region)
+  boxes.set(region, box)
+  if (areas !== undefined) return box
+  return {
+    minX: Math.min(circles.minX, box.minX),
+    minY: Math.min(circles.minY, box.minY),
+    maxX: Math.max(circles.maxX, box.maxX),
+    maxY: Math.max(circles.maxY, box.maxY),
+  }
+}
+
+const boxes = new WeakMap<RegionShape, Box>()
+
+function regionBox(region: RegionShape): Box {
+  const { points } = ringArraysOf(region)
+  const box = { minX: Infinity, minY: Infinity, maxX: -Infinity, maxY: -Infinity }
+  for (let k = 0; k < points.length; k += 2) {
+    const [x, y] = [at(points, k), at(points, k + 1)]
+    box.minX = Math.min(box.minX, x)
+    box.minY = Math.min(box.minY, y)
+    box.maxX = Math.max(box.maxX, x)
+    box.maxY = Math.max(box.maxY, y)
+  }
+  return box
+}

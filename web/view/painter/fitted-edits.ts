@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import { circleRadius, circleX, circleY } from '../../lib/base/coordinates.ts'
+import { at } from '../../lib/base/diagram-data.ts'
+import { circleAt, type Diagram, type Edit } from '../../lib/index.ts'
+import type { Region } from '../../lib/regions/region.ts'
+import type { AreaFit } from '../../lib/wasm/fit.ts'
+import type { Regions } from '../../lib/wasm/regions.ts'
+import type { Shares } from '../protocol.ts'
+import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
+import { idOf } from './cell-boxes.ts'
+
+/** With more, nobody would wait for the end. */
+const MOST_FITTED = 10_000
+
+/** A region, and what fits areas to it. */
+export interface Fitting extends Pick<Regions, 'fitAreas'> {
+  readonly region: Region
+}
+
+/**
+ * The radii with which each circle's cell has its share of a region; `shares`: of each, NaN where it is the mean.
+ *
+ * @throws CircleVoronoiError as `fitAreas`
+ */
+export function fitted({ region, fitAreas }: Fitting, circles: Float64Array, shares: readonly number[]): AreaFit {
+  if (shares.length > MOST_FITTED) throw new Refusal(ENGLISH_REFUSALS, (words) => words.tooManyForAreas(MOST_FITTED))
+  const named = shares.filter((share) => share > 0)
+  const mean = named.length === 0 ? 1 : named.reduce((sum, share) => sum + share, 0) / named.length
+  const all = shares.map((share) => (share > 0 ? share : mean))
+  return fitAreas(circles, all, { region, shares: true })
+}
+
+/**
+ * Edits that do what some edits do, and give all circles the radii with which their cells have their shares.
+ *
+ * @throws CircleVoronoiError as `fitAreas`
+ */
+export function fittedEdits(
+  fitting: Fitting,
+  diagram: Diagram,
+  edits: readonly Edit[],
+  { known, inserted }: Shares,
+): { readonly edits: readonly Edit[]; readonly fit: AreaFit | undefined } {
+  const sites = new Map<number, readonly [x: number, y: number, r: number]>()
+  for (let i = 0; i < diagram.circles.length / 3; i++) {
+    const { x, y, r } = circleAt(diagram.circles, i)
+    sites.set(idOf(diagram, i), [x, y, r])
+  }
+  const before = new Map(sites)
+  const added: (readonly [x: number, y: number, r: number])[] = []
+  for (const edit of edits) {
+    if (edit.kind === 'remove') sites.delete(edit.id)
+    else {
+      const { circle } = edit
+      const site = [circleX(circle), circleY(circle), circleRadius(circle)] as const
+      if (edit.kind === 'insert') added.push(site)
+      else if (sites.has(edit.id)) sites.set(edit.id, site)
+    }
+  }
+  // The same sites in the same order, whatever was edited before.
+  const ids = [...sites.keys()].sort((one, other) => one - other)
+  const all = [...ids.map((id) => sites.get(id) as readonly [number, number, number]), ...added]
+  if (all.length === 0) return { edits, fit: undefined }
+  const shares = [...ids.map((id) => known?.get(id) ?? Number.NaN), ...added.map((_, k) => inserted[k] ?? Number.NaN)]
+  const fit = fitted(fitting, Float64Array.from(all.flat()), shares)
+  const circleOf = (k: number) => {
+    const [x, y] = all[k] as readonly [number, number, number]
+    return { x, y, r: at(fit.weights, k) }
+  }
+  const changed = ids.flatMap((id, k): Edit[] => {
+    const circle = circleOf(k)
+    const [x, y, r] = before.get(id) as readonly [number, number, number]
+    return x === circle.x && y === circle.y && r === circle.r ? [] : [{ kind: 'replace', id, circle }]
+  })
+  let k = ids.length
+  return {
+    edits: [
+      ...changed,
+      ...edits.flatMap((edit): Edit[] => {
+        if (edit.kind === 'insert') return [{ kind: 'insert', circle: circleOf(k++) }]
+        // Of a circle that is not there, the editor says so.
+        return edit.kind === 'remove' || !before.has(edit.id) ? [edit] : []
+      }),
+    ],
+    fit,
+  }
+}

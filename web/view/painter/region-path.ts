@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { at } from '../../lib/base/diagram-data.ts'
+import type { PathSink } from '../../lib/index.ts'
+import type { Region } from '../../lib/regions/region.ts'
+import type { Frame } from './frame.ts'
+import { FrameSink } from './frame-sink.ts'
+import { addSegment } from './segment-path.ts'
+
+/** So far outside the frame, in pixels, rings are cut off: what is seen stays, and numbers stay small. */
+const MARGIN = 16
+
+/** Adds what a frame shows of the inside of a region. */
+export function addInside(path: PathSink, frame: Frame, region: Region): void {
+  const sides = sidesOf(frame)
+  for (const ring of ringsOf(frame, region)) addRing(path, sides.reduce(cut, ring))
+}
+
+/** Adds what a frame shows of the outside: a rectangle that runs against the outer rings. */
+export function addOutside(path: PathSink, frame: Frame, region: Region): void {
+  const [right, bottom] = [frame.width + MARGIN, frame.height + MARGIN]
+  addRing(path, Float64Array.of(-MARGIN, -MARGIN, right, -MARGIN, right, bottom, -MARGIN, bottom))
+  addInside(path, frame, region)
+}
+
+/** Adds what a frame shows of the border. */
+export function addBorder(path: PathSink, frame: Frame, region: Region): void {
+  for (const ring of ringsOf(frame, region)) {
+    let [x, y] = [at(ring, ring.length - 2), at(ring, ring.length - 1)]
+    for (let k = 0; k < ring.length; k += 2) {
+      const [nextX, nextY] = [at(ring, k), at(ring, k + 1)]
+      addSegment(path, frame, x, y, nextX, nextY)
+      ;[x, y] = [nextX, nextY]
+    }
+  }
+}
+
+/** The rings in pixels. */
+function* ringsOf(frame: Frame, { points, ringOffsets }: Region): Generator<Float64Array> {
+  const to = new FrameSink(frame, NO_PATH)
+  for (let ring = 0; ring + 1 < ringOffsets.length; ring++) {
+    const numbers = points.slice(2 * at(ringOffsets, ring), 2 * at(ringOffsets, ring + 1))
+    yield numbers.map((value, k) => (k % 2 === 0 ? to.x(value) : to.y(value)))
+  }
+}
+
+/** Inside is where sign * coordinate is at most most. */
+interface Side {
+  /** 0: x, 1: y. */
+  readonly axis: 0 | 1
+  readonly sign: 1 | -1
+  readonly most: number
+}
+
+function sidesOf({ width, height }: Frame): Side[] {
+  return [
+    { axis: 0, sign: -1, most: MARGIN },
+    { axis: 0, sign: 1, most: width + MARGIN },
+    { axis: 1, sign: -1, most: MARGIN },
+    { axis: 1, sign: 1, most: height + MARGIN },
+  ]
+}
+
+/** Cuts a ring at a side, by Sutherland and Hodgman: what lies outside runs along the side. */
+function cut(ring: Float64Array, { axis, sign, most }: Side): Float64Array {
+  const outside = (k: number) => sign * at(ring, k + axis) - most
+  let isCut = false
+  for (let k = 0; k < ring.length && !isCut; k += 2) isCut = outside(k) > 0
+  if (!isCut) return ring
+  const kept: number[] = []
+  let last = ring.length - 2
+  for (let k = 0; k < ring.length; k += 2) {
+    const [before, now] = [outside(last), outside(k)]
+    if (before > 0 !== now > 0) {
+      const share = before / (before - now)
+      const point = [0, 1].map((a) => at(ring, last + a) + share * (at(ring, k + a) - at(ring, last + a)))
+      // Exactly there: numbers may be large.
+      point[axis] = sign * most
+      kept.push(...point)
+    }
+    if (now <= 0) kept.push(at(ring, k), at(ring, k + 1))
+    last = k
+  }
+  return Float64Array.from(kept)
+}
+
+function addRing(path: PathSink, ring: Float64Array): void {
+  for (let k = 0; k < ring.length; k += 2) {
+    if (k === 0) path.moveTo(at(ring, 0), at(ring, 1))
+    else path.lineTo(at(ring, k), at(ring, k + 1))
+  }
+  if (ring.length > 0) path.closePath()
+}
+
+const NO_PATH: PathSink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, arc() {}, closePath() {} }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regions as people have them: GeoJSON, a list of rings in JSON, or well-known text.
+import { isRecord } from '../lib/base/check.ts'
+import { reasonOf } from '../lib/base/errors.ts'
+import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
+import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
+
+const WKT = /^\s*(?:SRID=\d+;\s*)?(MULTI)?POLYGON\s*(?:ZM?\s*|M\s*)?(\(.*\))\s*;?\s*$/is
+const NUMBERS = /[^(),]+/g
+
+/** Whether a text has a region in it, and is not the address of one. */
+export function isRegionText(text: string): boolean {
+  return /^\s*[[{]/.test(text) || /^\s*(SRID=\d+;\s*)?(MULTI)?POLYGON\b/i.test(text)
+}
+
+/**
+ * The region of a text. Whether its rings cross is not checked.
+ *
+ * @throws CircleVoronoiError `badInput` or `badOption`
+ */
+export function readRegion(text: string): RegionShape {
+  return plainRegion(/^\s*[[{]/.test(text) ? polygonsIn(fromJson(text)) : fromWkt(text))
+}
+
+function fromJson(text: string): RegionShape {
+  try {
+    return JSON.parse(text)
+  } catch (error) {
+    refuse((words) => words.notRegion(reasonOf(error)))
+  }
+}
+
+/** Of a collection its polygons: files have points and lines beside them. */
+function polygonsIn(shape: RegionShape): RegionShape {
+  if (!isRecord(shape) || shape.type !== 'FeatureCollection' || !Array.isArray(shape.features)) return shape
+  const features = shape.features.filter((feature) => {
+    const type: unknown = Object(Object(feature).geometry).type
+    return type === 'Polygon' || type === 'MultiPolygon' || type === 'GeometryCollection'
+  })
+  return features.length === 0 ? shape : { type: 'FeatureCollection', features }
+}
+
+function fromWkt(text: string): RegionShape {
+  const [, isMulti, body] = WKT.exec(text) ?? []
+  if (body === undefined) refuse((words) => words.notRegion(shownValue(text.trim())))
+  const json = body
+    .replace(/EMPTY/gi, '()')
+    .replace(NUMBERS, (point) => (point.trim() === '' ? '' : `[${point.trim().split(/\s+/).slice(0, 2).join()}]`))
+    .replaceAll('(', '[')
+    .replaceAll(')', ']')
+  const coordinates = fromJson(json) as never
+  return isMulti === undefined ? { type: 'Polygon', coordinates } : { type: 'MultiPolygon', coordinates }
+}
+
+function refuse(say: (words: Refusals) => string): never {
+  throw new Refusal(ENGLISH_REFUSALS, say, 'badInput')
+}
