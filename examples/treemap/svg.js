@@ -3,7 +3,7 @@
 
 const COLORS = ['#e9b44c', '#6aa5c9', '#d9869f', '#86b98b', '#b9c4cf', '#a99bd0', '#e39a6f']
 /** Of the root of a cell's area, so that a name of average length fits. */
-const SIZE_OF_NAMES = 0.9
+const SIZE_OF_NAMES = 1.3
 
 /** `size`: width and height of the picture. */
 export function svgOf(cells, size) {
@@ -22,7 +22,7 @@ export function svgOf(cells, size) {
   const borders = cells.filter(({ isGroup }) => isGroup).map(({ path }) => path)
   const texts = leaves.map(({ name, area, center: { x, y } }) => {
     const longest = Math.max(...name.split(' ').map(({ length }) => length), 3)
-    const height = Math.min((SIZE_OF_NAMES * 1.6 * Math.sqrt(area)) / longest, size / 30)
+    const height = Math.min((SIZE_OF_NAMES * Math.sqrt(area)) / longest, size / 30)
     const lines = name.split(' ')
     const spans = lines.map((word, k) => {
       const dy = (k - (lines.length - 1) / 2) * height * 1.1

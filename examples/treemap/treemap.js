@@ -5,7 +5,7 @@
 /** How often points move to the centroids of their cells, which makes cells rounder. */
 const RELAX = 20
 /** How far polygons of groups may be from their true curves. */
-const TOLERANCE = 0.02
+const TOLERANCE = 0.002
 
 /**
  * Returns the cells of a tree: `{ name, children }` with numbers as the `value` of leaves. Each cell has its `name`, the
