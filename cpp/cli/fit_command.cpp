@@ -26,6 +26,7 @@ struct FitArguments {
   bool shares = AreaFitOptions{}.shares;
   double areaTolerance = AreaFitOptions{}.tolerance;
   int maxSteps = AreaFitOptions{}.maxSteps;
+  int relax = AreaFitOptions{}.relax;
   std::string progress = "auto";
 };
 
@@ -52,6 +53,7 @@ void runFit(FitArguments& arguments) {
   options.shares = arguments.shares;
   options.tolerance = arguments.areaTolerance;
   options.maxSteps = arguments.maxSteps;
+  options.relax = arguments.relax;
   double first = 0;
   options.onStep = [&](const AreaFitStep& step) {
     if (step.step == 0) first = step.error;
@@ -81,6 +83,11 @@ void addFitCommand(CLI::App& program) {
       ->type_name("NUMBER")
       ->capture_default_str();
   command->add_option("--max-steps", arguments->maxSteps, "The largest number of steps")
+      ->type_name("COUNT")
+      ->capture_default_str();
+  command
+      ->add_option("--relax", arguments->relax,
+                   "How often sites move to the centers of mass of their cells before the last fit")
       ->type_name("COUNT")
       ->capture_default_str();
   arguments->output.isRegionNeeded = true;

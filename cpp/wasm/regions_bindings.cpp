@@ -187,6 +187,7 @@ val fitAreasValue(std::uintptr_t region, const val& sites, const val& areas, con
     options.shares = given["shares"].as<bool>();
     options.tolerance = given["tolerance"].as<double>();
     options.maxSteps = given["maxSteps"].as<int>();
+    options.relax = given["relax"].as<int>();
     const val onStep = given["onStep"];
     options.onStep = [&](const AreaFitStep& step) {
       const std::vector<double> weights = copyOf(step.weights);

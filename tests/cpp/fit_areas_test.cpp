@@ -14,8 +14,10 @@
 #include "cell_measure.h"
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/certify.h"
+#include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
 #include "random.h"
+#include "region_shapes.h"
 #include "spring.h"
 #include "spring_system.h"
 
@@ -236,6 +238,36 @@ TEST(AreaFit, ReachesAreasWhereverTheSitesLie) {
   }
 }
 
+TEST(AreaFit, ReachesAreasInRegionsOfSeveralPiecesAndWithHoles) {
+  std::mt19937_64 shapes(41);
+  const Region::Ring left = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const Region::Ring hole = {{0.2, 0.2}, {0.8, 0.2}, {0.8, 0.8}, {0.2, 0.8}};
+  const Region::Ring island = {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
+  const Region::Ring right = {{3, 0}, {4, 0}, {4, 1}, {3, 1}};
+  const std::vector<std::pair<std::string, Region>> regions = {
+      {"two squares far apart, one with a hole", Region::fromRings(std::vector{left, right, hole}).value()},
+      {"a frame around an island", Region::fromRings(std::vector{left, hole, island}).value()},
+      {"a comb", Region::fromRings(std::vector<Region::Ring>{test::combRing({0, 0, 1, 1}, 12)}).value()},
+      {"a spiral", Region::fromRings(std::vector<Region::Ring>{test::spiralRing({0, 0, 1, 1}, 4)}).value()},
+      {"a coast and a star", Region::fromRings(std::vector{test::coastRing(shapes, {0.5, 0.5}, 0.4, 500),
+                                                           test::starRing(shapes, {3, 0.5}, 0.2, 0.4, 30)})
+                                 .value()}};
+  for (const auto& [name, region] : regions) {
+    const Box box = region.bounds();
+    for (const bool areInOneHalf : {false, true}) {
+      SCOPED_TRACE(name + (areInOneHalf ? ", sites in the left half" : ""));
+      Random random(51);
+      std::vector<Circle> sites;
+      const double width = (box.maxX - box.minX) * (areInOneHalf ? 0.5 : 1);
+      for (int i = 0; i < 60; ++i) {
+        sites.push_back({box.minX + width * random.unit(), box.minY + (box.maxY - box.minY) * random.unit(), 0});
+      }
+      const std::vector<double> shares = randomShares(sites.size(), 1, random);
+      expectFits(fitShares(sites, shares, region), sites, shares, region);
+    }
+  }
+}
+
 /// The dual function at a list of weights, by quadrature on a grid in the unit square.
 double dualValue(const std::vector<Circle>& sites, const std::vector<double>& weights,
                  const std::vector<double>& targets) {
@@ -321,6 +353,60 @@ TEST(AreaFit, StartsFromTheRadii) {
   expectFits(fitShares(sites, shares, unitSquare()), sites, shares, unitSquare());
 }
 
+/// How far sites are from the centers of mass of their cells, as a root of the mean square.
+double distanceFromCentroids(const AreaFit& fit, const Region& region) {
+  const std::vector<Point> centroids = ClippedDiagram::from(fit.diagram, region).value().centroids();
+  double sum = 0;
+  for (std::size_t i = 0; i < centroids.size(); ++i) {
+    const Circle& site = fit.diagram.circles[i];
+    sum +=
+        (site.x - centroids[i].x) * (site.x - centroids[i].x) + (site.y - centroids[i].y) * (site.y - centroids[i].y);
+  }
+  return std::sqrt(sum / static_cast<double>(centroids.size()));
+}
+
+TEST(AreaFit, MovesSitesToTheCentroidsOfTheirCellsAndKeepsTheAreas) {
+  Random random(31);
+  const Region hall = Region::fromRings(std::vector<Region::Ring>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                                                                  {{0.3, 0.4}, {0.6, 0.4}, {0.6, 0.7}}})
+                          .value();
+  const std::vector<Circle> sites = randomSites(60, random);
+  const std::vector<double> shares = randomShares(60, 1.5, random);
+  AreaFitOptions options;
+  options.shares = true;
+  const AreaFit still = fitAreas(sites, shares, hall, options).value();
+  options.relax = 40;
+  int told = 0;
+  options.onStep = [&](const AreaFitStep& step) {
+    EXPECT_GE(step.step, told);
+    told = step.step;
+  };
+  const Result<AreaFit> relaxed = fitAreas(sites, shares, hall, options);
+  ASSERT_TRUE(relaxed) << relaxed.error().message;
+  expectFits(relaxed, relaxed->diagram.circles, shares, hall);
+  EXPECT_EQ(told, relaxed->steps);
+  EXPECT_LT(distanceFromCentroids(*relaxed, hall), 0.1 * distanceFromCentroids(still, hall));
+
+  // Once is what two fits do.
+  options = {};
+  options.shares = true;
+  options.relax = 1;
+  const AreaFit once = fitAreas(sites, shares, hall, options).value();
+  options.relax = 0;
+  options.tolerance = 1e-3;
+  const AreaFit first = fitAreas(sites, shares, hall, options).value();
+  const std::vector<Point> centroids = ClippedDiagram::from(first.diagram, hall).value().centroids();
+  std::vector<Circle> moved;
+  for (std::size_t i = 0; i < centroids.size(); ++i) {
+    moved.push_back({centroids[i].x, centroids[i].y, first.weights[i]});
+  }
+  options.tolerance = 1e-9;
+  const AreaFit second = fitAreas(moved, shares, hall, options).value();
+  EXPECT_EQ(once.weights, second.weights);
+  EXPECT_EQ(once.areas, second.areas);
+  EXPECT_EQ(once.steps, first.steps + second.steps);
+}
+
 TEST(AreaFit, RefusesWhatHasNoAnswer) {
   const std::vector<Circle> sites = {{0.2, 0.2, 0}, {0.7, 0.4, 0}, {0.2, 0.2, 0}};
   const auto messageOf = [&](std::vector<double> areas, std::size_t count, AreaFitOptions options = {}) {
@@ -337,6 +423,7 @@ TEST(AreaFit, RefusesWhatHasNoAnswer) {
   EXPECT_EQ(messageOf({}, 0), "There are no sites.");
   EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.tolerance = 0}), "tolerance must be above 0 and below 1 (got 0).");
   EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.maxSteps = 0}), "maxSteps must be 1 or more (got 0).");
+  EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.relax = -1}), "relax must not be negative (got -1).");
   EXPECT_EQ(messageOf({0.9, 0.1}, 2, {.maxSteps = 1}).substr(0, 69),
             "The fit stopped after 1 steps: the largest relative error of an area ");
 }

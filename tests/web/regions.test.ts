@@ -5,6 +5,7 @@ import {
   type Bounds,
   type Circles,
   type CircleVoronoiError,
+  circleAt,
   clipCurve,
   Diagram,
   distanceFrom,
@@ -505,6 +506,31 @@ describe('fitted areas', () => {
     expect(problem([0.5, 0.5], { region: other })).toMatch(/^badOption: The region of fitAreas was made by another/)
     expect(problemOf(() => fitAreas(undefined as never, [1], { region: square }))).toMatch(/^badInput: /)
     expect(problemOf(() => fitAreas([['a', 1] as never], [1], { region: square }))).toMatch(/^badInput: Circle 0 /)
+  })
+
+  it('may have their sites moved to the centroids of the cells', () => {
+    const random = seededRandom(21)
+    const sites = Array.from({ length: 50 }, () => [9 * random(), 9 * random()] as const)
+    const shares = sites.map(() => 1 + 9 * random())
+    const distance = (relax: number) => {
+      const { diagram, areas } = fitAreas(sites, shares, { region: hall, shares: true, relax })
+      shares.forEach((share, i) => {
+        expect(areas[i]).toBeCloseTo((72 * share) / sum(shares), 7)
+      })
+      const centroids = diagram.cellCentroids({ region: hall })
+      return sum(
+        sites.map((_, i) => {
+          const { x, y } = circleAt(diagram.circles, i)
+          return Math.hypot(x - (centroids[2 * i] as number), y - (centroids[2 * i + 1] as number))
+        }),
+      )
+    }
+    expect(distance(30)).toBeLessThan(0.2 * distance(0))
+    for (const relax of [-1, 1.5, '2', 2 ** 40]) {
+      expect(problemOf(() => fitAreas(sites, shares, { region: hall, shares: true, relax: relax as number }))).toMatch(
+        /^badOption: relax /,
+      )
+    }
   })
 
   it('stop before the next step when their signal says so', () => {

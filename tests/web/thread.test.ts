@@ -227,7 +227,7 @@ describe('what a thread answers', () => {
       ringOffsets: Int32Array.of(0, 4),
       polygonOffsets: undefined,
     }
-    const options = { shares: true, tolerance: 1e-9, maxSteps: 99 }
+    const options = { shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0 }
     const fitRequest = (tellsProgress: boolean, sites = Float64Array.of(2, 2, 0, 7, 3, 0)): Request => ({
       fit: { sites, areas: Float64Array.of(1, 3), ...options },
       region,

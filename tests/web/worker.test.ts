@@ -256,6 +256,7 @@ describe('a fit in a worker', async () => {
       shares: false,
       tolerance: 1e-9,
       maxSteps: 500,
+      relax: 0,
     })
     const { points, ringOffsets, polygonOffsets } = square
     expect(request).toEqual({

@@ -15,7 +15,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 /// What `fitAreas` has reached.
 struct AreaFitStep {
-  int step = 0;                     ///< the number of steps so far
+  int step = 0;                     ///< the number of steps so far, those before sites last moved included
   double error = 0;                 ///< the largest relative error of an area
   std::span<const double> weights;  ///< the weight of each site; valid during the call only
 };
@@ -28,7 +28,10 @@ struct AreaFitOptions {
   double tolerance = 1e-9;
   /// The largest number of steps, 1 or more.
   int maxSteps = 500;
-  /// Called before the first step and after each one. To cancel, throw: the exception passes through `fitAreas`.
+  /// How often all sites move to the centers of mass of their cells, after which the areas are fitted again. Cells become
+  /// rounder each time. The diagram of the result has the sites where they have come to.
+  int relax = 0;
+  /// Called before the first step, after each one, and after sites have moved. To cancel, throw: the exception passes through `fitAreas`.
   std::function<void(const AreaFitStep&)> onStep = {};
 };
 
@@ -37,7 +40,7 @@ struct AreaFit {
   Diagram diagram;              ///< the certified diagram of the sites with the weights as radii
   std::vector<double> areas;    ///< the area of each cell inside the region
   double error = 0;             ///< the largest relative error of an area
-  int steps = 0;                ///< the number of Newton steps
+  int steps = 0;                ///< the number of Newton steps, of all fits
 };
 
 /// Finds weights for which each site's cell has a given area inside a region. A point belongs to the site with the

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "cell_measure.h"
+#include "circle_voronoi/clipped_diagram.h"
 #include "circle_voronoi/compute.h"
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/metric.h"
@@ -25,6 +26,29 @@ namespace {
 
 [[noreturn]] void refuse(ErrorCode code, std::string message, std::int64_t site = kNone) {
   throw Refusal{{code, site, std::move(message)}};
+}
+
+void checkSites(std::span<const Circle> sites) {
+  if (sites.empty()) refuse(ErrorCode::badInput, "There are no sites.");
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto index = static_cast<std::int64_t>(i);
+    const auto& [x, y, r] = sites[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(r)) {
+      refuse(ErrorCode::nonFinite, "Site " + std::to_string(i) + ": x, y and the weight must be finite.", index);
+    }
+  }
+  std::vector<std::size_t> order(sites.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto place = [&](std::size_t i) { return std::tuple(sites[i].x, sites[i].y, i); };
+  std::ranges::sort(order, {}, place);
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const Circle& first = sites[order[k - 1]];
+    const Circle& second = sites[order[k]];
+    if (first.x != second.x || first.y != second.y) continue;
+    refuse(ErrorCode::badInput,
+           "Site " + std::to_string(order[k]) + " has the same position as site " + std::to_string(order[k - 1]) + ".",
+           static_cast<std::int64_t>(order[k]));
+  }
 }
 
 /// The cells that some weights lead to.
@@ -44,21 +68,22 @@ class Fitter {
  public:
   Fitter(std::span<const Circle> sites, std::vector<double> targets, const Region& region,
          const AreaFitOptions& options)
-      : sites_(sites), targets_(std::move(targets)), region_(region), options_(options), around_(boxAround()) {}
+      : sites_(sites.begin(), sites.end()),
+        targets_(std::move(targets)),
+        region_(region),
+        options_(options),
+        around_(boxAround()) {}
 
   AreaFit run() {
-    State state = startingState();
-    report(state);
-    while (density_.background > 0) {
-      approach(state, kRoughly);
-      fadeBackground(state);
-    }
-    approach(state, options_.tolerance);
+    for (int k = 0; k < options_.relax; ++k) moveToCentroids(fitted(std::max(options_.tolerance, kWhileMoving)));
+    State state = fitted(options_.tolerance);
     const double error = errorOf(state);
     return {std::move(state.weights), std::move(state.diagram), std::move(state.cells.areas), error, steps_};
   }
 
  private:
+  /// How near the areas come before sites move.
+  static constexpr double kWhileMoving = 1e-3;
   /// How near the areas come before the background fades.
   static constexpr double kRoughly = 0.1;
   static constexpr double kFading = 0.5;
@@ -79,6 +104,27 @@ class Fitter {
   /// So many steps without better areas end a fit that is nearly there.
   static constexpr int kPatience = 6;
   static constexpr double kNearlyThere = 0.01;
+
+  State fitted(double tolerance) {
+    State state = startingState();
+    report(state);
+    while (density_.background > 0) {
+      approach(state, kRoughly);
+      fadeBackground(state);
+    }
+    approach(state, tolerance);
+    return state;
+  }
+
+  /// Moves the sites to the centers of mass of their cells. Their weights are what the next fit starts from.
+  void moveToCentroids(const State& state) {
+    const std::vector<Point> centroids = ClippedDiagram::from(state.diagram, region_).value().centroids();
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      sites_[i] = {centroids[i].x, centroids[i].y, state.weights[i]};
+    }
+    checkSites(sites_);
+    around_ = boxAround();
+  }
 
   /// A state in which every cell has an area. Sites that the first weights hide are raised; if that is not enough, the
   /// weights are brought nearer to one another; and where even equal weights are not enough, as for sites outside the
@@ -267,7 +313,7 @@ class Fitter {
 
   Result<State> measured(std::vector<double> weights) const {
     const double least = *std::ranges::min_element(weights);
-    std::vector<Circle> circles(sites_.begin(), sites_.end());
+    std::vector<Circle> circles = sites_;
     for (std::size_t i = 0; i < circles.size(); ++i) circles[i].r = weights[i] -= least;
     Result<Diagram> diagram = compute(circles);
     if (!diagram) return diagram.error();
@@ -323,7 +369,7 @@ class Fitter {
     return Region::from(Box{box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin}).value();
   }
 
-  std::span<const Circle> sites_;
+  std::vector<Circle> sites_;
   std::vector<double> targets_;
   const Region& region_;
   const AreaFitOptions& options_;
@@ -340,29 +386,6 @@ std::string text(double value) {
     if (std::strtod(buffer, nullptr) == value) break;
   }
   return buffer;
-}
-
-void checkSites(std::span<const Circle> sites) {
-  if (sites.empty()) refuse(ErrorCode::badInput, "There are no sites.");
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    const auto index = static_cast<std::int64_t>(i);
-    const auto& [x, y, r] = sites[i];
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(r)) {
-      refuse(ErrorCode::nonFinite, "Site " + std::to_string(i) + ": x, y and the weight must be finite.", index);
-    }
-  }
-  std::vector<std::size_t> order(sites.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto place = [&](std::size_t i) { return std::tuple(sites[i].x, sites[i].y, i); };
-  std::ranges::sort(order, {}, place);
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    const Circle& first = sites[order[k - 1]];
-    const Circle& second = sites[order[k]];
-    if (first.x != second.x || first.y != second.y) continue;
-    refuse(ErrorCode::badInput,
-           "Site " + std::to_string(order[k]) + " has the same position as site " + std::to_string(order[k - 1]) + ".",
-           static_cast<std::int64_t>(order[k]));
-  }
 }
 
 /// The areas, made to sum to that of the region.
@@ -395,6 +418,8 @@ void checkOptions(const AreaFitOptions& options) {
   }
   if (options.maxSteps < 1)
     refuse(ErrorCode::badOption, "maxSteps must be 1 or more (got " + std::to_string(options.maxSteps) + ").");
+  if (options.relax < 0)
+    refuse(ErrorCode::badOption, "relax must not be negative (got " + std::to_string(options.relax) + ").");
 }
 
 }  // namespace

@@ -31,9 +31,17 @@ export interface FitOptions {
   readonly tolerance?: number | undefined
   /** The largest number of steps. Default: 500. */
   readonly maxSteps?: number | undefined
+  /**
+   * How often all sites move to the centroids of their cells, after which the areas are fitted again. Cells become rounder
+   * each time. The diagram of the result has the sites where they have come to. Default: 0.
+   */
+  readonly relax?: number | undefined
   /** The weights to start from, for example those of an earlier fit. Default: the radii of the sites. */
   readonly weights?: Float64Array | readonly number[] | undefined
-  /** Called before the first step and after each one. If it throws, the fit stops and the error is passed on. */
+  /**
+   * Called before the first step, after each one, and after `relax` has moved the sites. If it throws, the fit stops and the
+   * error is passed on.
+   */
   readonly onStep?: ((step: FitStep) => void) | undefined
   /**
    * A signal that cancels the fit with the reason of the signal: at once in a worker, otherwise before the next step, if
@@ -81,6 +89,7 @@ export interface FitInput {
   readonly shares: boolean
   readonly tolerance: number
   readonly maxSteps: number
+  readonly relax: number
 }
 
 /** @throws CircleVoronoiError `badOption`, `badArgument`, `badInput` */
@@ -90,18 +99,23 @@ export function fitInput(
   options: FitOptions,
 ): FitInput {
   checkOptionNames(options, 'fitAreas', NAMES)
-  const { region, shares = false, tolerance = 1e-9, maxSteps = 500, weights, onStep, signal } = options
+  const { region, shares = false, tolerance = 1e-9, maxSteps = 500, relax = 0, weights, onStep, signal } = options
   if (!(region instanceof Region)) {
     refuseOption('fitAreas needs a region, which `region` of `loadRegions` makes, as its option region.')
   }
   if (typeof shares !== 'boolean') refuseOption(`shares is true or false, not ${shown(shares)}.`)
   if (typeof tolerance !== 'number') refuseOption(`tolerance is a number, not ${shown(tolerance)}.`)
-  if (!Number.isInteger(maxSteps) || maxSteps > 2 ** 31 - 1) {
-    refuseOption(`maxSteps is a whole number, not ${shown(maxSteps)}.`)
-  }
+  checkCount(maxSteps, 'maxSteps')
+  checkCount(relax, 'relax')
   if (onStep !== undefined && typeof onStep !== 'function') refuseOption('The option onStep is a function.')
   checkSignal(signal)
-  return { sites: sitesWith(sites, weights), areas: numbersOf(areas, 'areas'), shares, tolerance, maxSteps }
+  return { sites: sitesWith(sites, weights), areas: numbersOf(areas, 'areas'), shares, tolerance, maxSteps, relax }
+}
+
+function checkCount(count: unknown, name: string): void {
+  if (!Number.isInteger(count) || Math.abs(count as number) > 2 ** 31 - 1) {
+    refuseOption(`${name} is a whole number, not ${shown(count)}.`)
+  }
 }
 
 /** @throws CircleVoronoiError `badOption` */
@@ -109,7 +123,7 @@ export function checkSignal(signal: unknown): void {
   if (signal !== undefined && !(signal instanceof AbortSignal)) refuseOption('The option signal is an AbortSignal.')
 }
 
-const NAMES = ['region', 'shares', 'tolerance', 'maxSteps', 'weights', 'onStep', 'signal']
+const NAMES = ['region', 'shares', 'tolerance', 'maxSteps', 'relax', 'weights', 'onStep', 'signal']
 
 /** Points get the radius 0; weights take the place of radii. */
 function sitesWith(

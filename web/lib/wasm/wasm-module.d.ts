@@ -109,6 +109,7 @@ interface WasmRegionsModule {
       readonly shares: boolean
       readonly tolerance: number
       readonly maxSteps: number
+      readonly relax: number
       /** Whether to go on; must not throw. */
       readonly onStep: (steps: number, error: number, weights: Float64Array<ArrayBuffer>) => boolean
     },

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cities of Europe in districts of equal population
+import { loadCircleVoronoi } from '../../dist/lib/index.js'
+import { districtsOf } from './districts.js'
+
+/** Of a city of a million, in kilometers: the circles of the file have the areas of populations. */
+const RADIUS = 30
+/** How far districts go beyond the cities on the hull, in kilometers. */
+const MARGIN = 120
+const COLORS = ['#e9b44c', '#6aa5c9', '#d9869f', '#86b98b', '#a99bd0', '#e39a6f', '#9db4a0']
+
+const library = await loadCircleVoronoi()
+const regions = await library.loadRegions()
+const rows = (await (await fetch('../../public/data/cities.csv')).text()).trim().split('\n').slice(1)
+const cities = rows.map((row) => {
+  const [x, y, r] = row.split(',').map(Number)
+  return { x, y, r, people: (r / RADIUS) ** 2 }
+})
+const grown = library.compute(cities.map(({ x, y }) => ({ x, y, r: MARGIN })))
+const shape = regions.region([grown.hullPolygon({ tolerance: 1 })])
+
+const count = document.querySelector('#count')
+const picture = document.querySelector('#picture')
+const output = document.querySelector('#result')
+count.addEventListener('input', draw)
+draw()
+
+function draw() {
+  document.querySelector('#chosen').value = count.value
+  const { diagram, people, error } = districtsOf(regions, cities, Number(count.value), shape)
+  const { minX, minY, maxX, maxY } = shape.box
+  // One color more where neighbors have all others.
+  const colors = []
+  people.forEach((_, i) => {
+    const taken = Array.from(diagram.neighbors(i, { region: shape }), (neighbor) => colors[neighbor])
+    colors.push(COLORS.find((color) => !taken.includes(color)) ?? COLORS[i % COLORS.length])
+  })
+  const cells = people.map((number, i) => {
+    const title = `<title>${number.toFixed(2)} million people</title>`
+    return `<path d="${diagram.cellPath(i, { region: shape, tolerance: 1 })}" fill="${colors[i]}">${title}</path>`
+  })
+  const dots = cities.map(({ x, y, r }) => `<circle cx="${x}" cy="${y}" r="${r}" />`)
+  // North is up.
+  picture.innerHTML = `<svg viewBox="${minX} ${-maxY} ${maxX - minX} ${maxY - minY}" role="img" aria-label="Map of districts">
+    <g transform="scale(1,-1)">
+      <g stroke="#fff" stroke-width="8">${cells.join('')}</g>
+      <g fill="#1d2430" fill-opacity="0.55">${dots.join('')}</g>
+    </g>
+  </svg>`
+  const [least, most] = [Math.min(...people), Math.max(...people)].map((number) => number.toFixed(2))
+  output.value = `${people.length} districts of ${least} to ${most} million people: at most ${(100 * error).toFixed(1)} % from the mean`
+}
