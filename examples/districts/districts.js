@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Districts of equal population
-// fitAreas sets areas. To set populations, cells with too many people get a smaller area, again and again.
+// `fitAreas` sets areas, not populations. So this code repeats: fit, count the people, make crowded districts smaller.
 
 const ROUNDS = 60
 /** Smaller steps at the end, when the borders pass single cities. */
