@@ -16,7 +16,7 @@ const KINDS = /^PPL(A\d?|C)?$/
 const EARTH_RADIUS = 6371
 /** The middle of the map, and how far it goes on each side in kilometres: islands in the Atlantic lie beyond. */
 const MIDDLE = { longitude: 10, latitude: 52 }
-const REACH = 2200
+export const REACH = 2200
 /** Of a city of a million, in kilometres; areas are as populations. */
 const RADIUS = 30
 
@@ -38,7 +38,7 @@ export function citiesCsv() {
 }
 
 /** Lambert's azimuthal projection, on which equal areas are equal: kilometres to the east and to the north. */
-function onMap([longitude, latitude]) {
+export function onMap([longitude, latitude]) {
   const radians = (degrees) => (degrees * Math.PI) / 180
   const [east, north, middle] = [longitude - MIDDLE.longitude, latitude, MIDDLE.latitude].map(radians)
   const [sin, cos] = [Math.sin(north), Math.cos(north)]

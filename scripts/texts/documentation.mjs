@@ -88,6 +88,8 @@ function commandLine() {
       /<table class="(head|foot)">[\s\S]*?<\/table>|<section class="Sh">\s*<h1[^>]*id="NAME"[\s\S]*?<\/section>/g,
       '',
     )
+    // Options that share a description have a space in its place.
+    .replace(/<dd>&#x00A0;<\/dd>/g, '<dd></dd>')
     .replace(/<a class="permalink"[^>]*>([\s\S]*?)<\/a>/g, '$1')
     // Below the title of this page, whose policy allows no styles in attributes.
     .replace(/<(\/?)h([12])\b/g, (_, end, level) => `<${end}h${Number(level) + 1}`)
@@ -103,7 +105,10 @@ async function examples(site) {
 
 function cppReference() {
   const title = 'The C++ headers'
-  const headers = readdirSync(ROOT + HEADERS).sort()
+  // abi.h has nothing to call.
+  const headers = readdirSync(ROOT + HEADERS)
+    .filter((name) => name !== 'abi.h')
+    .sort()
   const parts = headers.map((header) => {
     const [, declared] =
       /\nnamespace [^{]*\{\n([\s\S]*?)\n\}\s*\/\/ namespace/.exec(
@@ -114,7 +119,7 @@ function cppReference() {
   })
   const about = `Every public name of the C++ library, in the namespace <code>circle_voronoi</code>, with its contract. Include the headers as
 <code>#include &lt;circle_voronoi/compute.h&gt;</code>.`
-  return page('headers.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`)
+  return { ...page('headers.html', title, `<h1>${title}</h1>\n<p>${about}</p>\n${parts.join('\n')}`), isBroad: true }
 }
 
 /** Nobody can use what is private. */

@@ -36,6 +36,7 @@ function link({ href, title }, isCurrent) {
  * @property {boolean} [isListed] whether other pages of its folder name it: by default so
  * @property {boolean} [isChapter] whether it has a number among those of its folder
  * @property {boolean} [isOpen] whether it is as wide as the window, without a list of pages beside it
+ * @property {boolean} [isBroad] whether its table of contents leaves the room beside it to long lines of code
  * @property {boolean} [isFound] whether the search finds it: by default so
  */
 
@@ -56,7 +57,7 @@ export function pageOf(template, text, all) {
   return styled.replace(/\{\{(\w+)\}\}/g, (_, name) => filled[name])
 }
 
-function bodyOf({ folder, file, html, isChapter, isOpen }, all) {
+function bodyOf({ folder, file, html, isChapter, isOpen, isBroad }, all) {
   const here = `${folder}/${file === 'index.html' ? '' : file}`
   const items = (pages) =>
     pages.map((page) => `<li>${link({ href: addressOf(page), title: page.title }, page.file === file)}</li>`).join('\n')
@@ -77,7 +78,7 @@ ${items(others)}
 <nav class="site" aria-label="Site">${linksTo('../', here)}</nav>
 <search><form class="search"><input type="search" name="q" autocomplete="off" aria-label="Search" placeholder="Search"></form><ol class="found" aria-live="polite" hidden></ol></search>
 </header>
-<div class="columns${isOpen ? ' open' : ''}">
+<div class="columns${isOpen ? ' open' : ''}${isBroad ? ' broad' : ''}">
 ${isOpen ? '' : `${pages}${contents === '' ? '' : `<nav class="toc" aria-labelledby="toc"><p id="toc">On this page</p>\n${contents}</nav>\n`}`}<main id="text">
 ${contents === '' ? html : withContents(html, contents)}
 ${

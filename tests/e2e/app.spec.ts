@@ -247,6 +247,18 @@ test('takes numbers, and refuses a wrong one in a sentence while the picture sta
   await expect(app.field('x')).toHaveValue('-3.25')
 })
 
+test('what is pressed on the first picture is pressed on the figure, whose pixels count', async ({ page }) => {
+  // The thread that paints does not come: nothing takes the place of the picture.
+  const answer = await heldBack('**/start-thread*', page)
+  await page.goto('/')
+  await expect(page.locator('#first-picture')).toBeVisible()
+  const { width, height } = page.viewportSize() as { width: number; height: number }
+  const pressed = () => page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.id, [width / 2, height / 2] as const)
+  await expect.poll(pressed).toBe('figure')
+  answer()
+  await expect(page.locator('#first-picture')).toBeHidden()
+})
+
 test('pans and zooms', async ({ app }) => {
   const picture = await app.canvas.screenshot()
   const isOther = async () => !picture.equals(await app.canvas.screenshot())

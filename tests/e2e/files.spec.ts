@@ -2,7 +2,7 @@
 // Opening, saving and sharing.
 import { readFileSync } from 'node:fs'
 import { loadFiles } from '../../web/lib/files.ts'
-import { decodeLink } from '../../web/lib/link.ts'
+import { decodeLink, LINK_LIMITS } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
@@ -109,6 +109,21 @@ test('saves the picture that is seen as PNG, so many times as large', async ({ a
   await app.page.getByLabel('times').press('Tab')
   await app.page.getByRole('button', { name: 'PNG' }).click()
   await expect(app.page.getByRole('alert')).toContainText('too large')
+})
+
+test('an SVG of circles too many for a link opens again, as these circles', async ({ app }) => {
+  const count = LINK_LIMITS.circles + 1
+  const rows = Array.from({ length: count }, (_, k) => `${k % 317},${Math.floor(k / 317)},0.25`)
+  await openPanel(app)
+  await choose(app, 'grid.csv', `x,y,r\n${rows.join('\n')}\n`)
+  await expect(app.status).toContainText('100,001 circles')
+  // Of the drawing itself, as little as may be.
+  for (let k = 0; k < 10; k++) await app.page.getByRole('button', { name: 'Zoom in' }).click()
+  const { text } = await saved(app, 'SVG')
+  expect(text.length).toBeLessThan(30 * count)
+  await app.choose('Introduction')
+  await choose(app, 'grid.svg', text)
+  await expect(app.status).toContainText('100,001 circles')
 })
 
 test('opens an SVG of the command line', async ({ app }) => {
@@ -310,6 +325,12 @@ test('columns of other names are known, or asked for with a preview; names are s
   await expect(page.locator('#name-tag')).toHaveText('Ulm')
   await page.mouse.click(at.x, at.y)
   await expect(app.inspector).toContainText('Ulm')
+  // They are part of the link.
+  await page.reload()
+  await expect(app.status).toHaveText(/^3 circles/)
+  await page.mouse.move(at.x, at.y)
+  await page.mouse.move(at.x + 1, at.y)
+  await expect(page.locator('#name-tag')).toHaveText('Ulm')
 
   const dialog = page.getByRole('dialog', { name: 'Which columns are the circles?' })
   await choose(app, 'odd.csv', 'a,b,c,d\n1,2,3,4\n5,6,7,8\n15,1,2,3\n')

@@ -49,6 +49,27 @@ test('what was changed is there after a reload at once', async ({ app }) => {
   await expect(app.status).toContainText('13 circles')
 })
 
+test('a link that is opened once more shows what it says, whatever was changed there as the page was left', async ({
+  app,
+}) => {
+  const { page, status } = app
+  await app.choose('Introduction')
+  await expect.poll(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
+  const link = page.url()
+  // The page is left before it has kept the change.
+  await page.evaluate(() => {
+    for (let timer = window.setTimeout(() => {}); timer > 0; timer--) clearTimeout(timer)
+    window.setTimeout = (() => 0) as unknown as typeof setTimeout
+  })
+  await app.canvas.focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press('Delete')
+  await expect(status).toContainText('13 circles')
+  await page.goto('about:blank')
+  await page.goto(link)
+  await expect(status).toContainText('14 circles')
+})
+
 test('the view is in the address unless everything is shown', async ({ app }) => {
   await app.page.mouse.move(640, 400)
   await app.page.mouse.wheel(0, -300)

@@ -2,6 +2,7 @@
 // Panels in windows of all sizes, forced colors, and pages that run from right to left.
 import AxeBuilder from '@axe-core/playwright'
 import type { Locator } from '@playwright/test'
+import { heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')
@@ -120,6 +121,45 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await app.page.getByRole('button', { name: 'Share', exact: true }).click()
     await expectNone()
     await app.page.getByRole('button', { name: 'Help' }).click()
+    await expectNone()
+  })
+}
+
+for (const [screen, media, size] of [
+  ['light', {}, [1280, 800]],
+  ['dark', { colorScheme: 'dark' }, [1280, 800]],
+  ['in forced colors', { forcedColors: 'active' }, [1280, 800]],
+  ['on a phone', {}, [390, 844]],
+] as const) {
+  test(`no circles, errors, progress and a choice of columns have no accessibility violation, ${screen}`, async ({
+    app,
+  }) => {
+    const { page } = app
+    await page.setViewportSize({ width: size[0], height: size[1] })
+    await page.emulateMedia(media)
+    const expectNone = async () => expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+    await app.canvas.focus()
+    await page.keyboard.press('Control+a')
+    await page.keyboard.press('Delete')
+    await expect(app.status).toContainText('0 circles')
+    await expectNone()
+    await app.openPanel('Files')
+    const open = (name: string, text: string) =>
+      page.getByLabel('Open …').setInputFiles({ name, mimeType: 'text/csv', buffer: Buffer.from(text) })
+    await open('a.csv', '0,0,-1\n')
+    await expect(page.getByRole('alert')).toContainText('negative radius')
+    await expectNone()
+    await open('odd.csv', 'a,b,c,d\n1,2,3,4\n5,6,7,8\n')
+    const dialog = page.getByRole('dialog', { name: 'Which columns are the circles?' })
+    await expect(dialog).toBeVisible()
+    await expectNone()
+    await dialog.getByRole('button', { name: 'Cancel' }).click()
+    const answer = await heldBack('**/data/spruces.csv', page)
+    await page.getByLabel('Data set').selectOption({ label: 'Spruces' })
+    await expect(page.locator('#progress')).toContainText('Loading …')
+    await expectNone()
+    answer()
+    await expect(app.status).toContainText('134 circles')
     await expectNone()
   })
 }

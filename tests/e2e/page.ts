@@ -8,8 +8,8 @@ import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, type Camera, fitted, type Padding, toScreen } from '../../web/view/camera.ts'
 
 /** What the page keeps free for its panels (web/app/padding.ts): in a wide window, and on a phone. */
-export const PADDING = { top: 84, right: 32, bottom: 76, left: 94 }
-const PADDING_OF_PHONE = { top: 120, right: 16, bottom: 130, left: 16 }
+export const PADDING = { top: 84, right: 32, bottom: 106, left: 94 }
+const PADDING_OF_PHONE = { top: 120, right: 16, bottom: 220, left: 16 }
 const NARROW = 640
 const ROOM = 16
 

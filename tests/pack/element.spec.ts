@@ -719,7 +719,7 @@ for (const file of ['index', 'bundle']) {
           await element.updateComplete
           return element.matches(':state(met)')
         },
-        { cell, area: { min: area * (1 - 1e-8), max: area * (1 + 1e-8) } },
+        { cell, area: { min: area * (1 - 1e-6), max: area * (1 + 1e-6) } },
       )
     await element.evaluate((element: Element) => {
       element.areas = [1, 1, 2]

@@ -121,6 +121,12 @@ describe('a link', () => {
     expect(library.compute(state.circles).certificate).toBeDefined()
   })
 
+  it('has the names of its circles', async () => {
+    const state = { circles: Float64Array.of(0, 0, 1, 5, 0, 1), names: ['Å', ''] }
+    expect(await decodeLink(await encodeLink(state))).toEqual(state)
+    await expect(encodeLink({ ...state, names: ['one'] })).rejects.toThrow('its names are not one per circle')
+  })
+
   it('is short', async () => {
     const circles = Float64Array.from({ length: 3 * 1000 }, (_, k) => ((k * 7919) % 1000) / 100)
     expect((await encodeLink({ circles })).length).toBeLessThan(9000)
@@ -173,6 +179,10 @@ describe('what is no link', () => {
     [{ circles: [0, 0, 1, 2, 0, 1, 1e200, 0, 1] }, 'circle 2 has a coordinate or a radius beyond 1e150'],
     [{ circles: [0, -1.01e150, 1] }, 'circle 0 has a coordinate or a radius beyond 1e150'],
     [{ circles: [0, 0, 1e151] }, 'circle 0 has a coordinate or a radius beyond 1e150'],
+    [{ names: ['a'] }, 'its names are not one per circle'],
+    [{ circles: [0, 0, 1], names: 'a' }, 'its names are not one per circle'],
+    [{ circles: [0, 0, 1], names: [7] }, 'its names are not one per circle'],
+    [{ circles: [0, 0, 1], names: ['a'.repeat(201)] }, 'its names are not one per circle'],
     [{ circles: { length: 3 } }, 'its circles are not three finite numbers each'],
     [{ step: 1.5 }, 'its step is none'],
     [{ step: -1 }, 'its step is none'],

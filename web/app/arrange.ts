@@ -17,7 +17,8 @@ export function arrangeAround(view: View, actions: PageActions): void {
   view.on('changed', () => {
     if (view.circles === table) return
     table = view.circles
-    look()
+    // Their region is known as soon as who set them goes on.
+    queueMicrotask(look)
   })
   const observer = new ResizeObserver(() => {
     if (isWhole && !actions.isWhole) actions.look(undefined)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Float64s } from '../lib/index.ts'
 import { LINK_LIMITS } from '../lib/link.ts'
+import type { Domain } from '../view/domain.ts'
+import { readRegion } from '../view/region-text.ts'
 import { wholeNumber } from '../view/whole-number.ts'
 import { type NamedCircles, parseNamed } from './csv.ts'
 import type { Recipe } from './generators/generators.ts'
@@ -13,6 +15,8 @@ export interface DataSet {
   readonly about: string
   /** Whose data it is. */
   readonly credit?: string
+  /** Whether there is a region beside the circles: `ID.region.json`, a list of rings. */
+  readonly hasRegion?: boolean
   /** Random circles, other ones each time. */
   readonly random?: { readonly family: string; readonly count: number }
 }
@@ -47,7 +51,8 @@ export const DATA_SETS: readonly DataSet[] = [
     id: 'cities',
     label: 'Cities of Europe',
     about: 'Cities of 100,000 inhabitants or more; the area of a circle grows with them.',
-    credit: 'GeoNames, CC BY 4.0',
+    credit: 'GeoNames, CC BY 4.0; coasts and borders by Natural Earth',
+    hasRegion: true,
   },
   {
     id: 'random',
@@ -129,8 +134,13 @@ export function dataSetOf(name: string): DataSet | undefined {
   return DATA_SETS.find(({ random }) => random?.family === source.family && random.count === source.count)
 }
 
+/** Circles, and what their cells are cut to. */
+export interface Loaded extends NamedCircles {
+  readonly domain?: Domain | undefined
+}
+
 /** @throws Error, if there are no circles of this name or they cannot be fetched or made */
-export async function loadDataSet(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<NamedCircles> {
+export async function loadDataSet(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<Loaded> {
   const source = sourceOf(name)
   switch (source?.kind) {
     case 'file':
@@ -152,7 +162,7 @@ export async function loadDataSet(name: string, make: (recipe: Recipe) => Promis
  *
  * @throws Error, as `loadDataSet`, and if there are too many
  */
-export async function loadLinked(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<NamedCircles> {
+export async function loadLinked(name: string, make: (recipe: Recipe) => Promise<Float64s>): Promise<Loaded> {
   const source = sourceOf(name)
   if (source?.kind === 'family' && source.count > LINK_LIMITS.circles) {
     throw new Error('The link is for too many circles.')
@@ -165,20 +175,27 @@ const ahead = new Map<string, Promise<Response>>()
 
 /** Asks for the circles of a file that is probably opened first, so that they come while the page is being made. */
 export function askAhead(name: string): void {
-  const asked = request(name)
+  const asked = request(`${name}.csv`)
   // Whoever opens it hears of it.
   asked.catch(() => {})
   ahead.set(name, asked)
 }
 
-function request(name: string): Promise<Response> {
-  return fetch(new URL(`data/${name}.csv`, document.baseURI))
+function request(file: string): Promise<Response> {
+  return fetch(new URL(`data/${file}`, document.baseURI))
 }
 
-async function fetched(name: string): Promise<NamedCircles> {
+async function fetched(name: string): Promise<Loaded> {
   const asked = ahead.get(name)
   ahead.delete(name)
-  const response = await (asked ?? request(name))
+  const { hasRegion = false } = dataSetOf(name) ?? {}
+  const files = [asked ?? request(`${name}.csv`), ...(hasRegion ? [request(`${name}.region.json`)] : [])]
+  const [table = '', region] = await Promise.all(files.map(async (file) => textOf(await file, name)))
+  const circles = parseNamed(table)
+  return region === undefined ? circles : { ...circles, domain: { region: readRegion(region), areas: undefined } }
+}
+
+function textOf(response: Response, name: string): Promise<string> {
   if (!response.ok) throw new Error(`The data set ${labelOf(name)} could not be loaded (${response.status}).`)
-  return parseNamed(await response.text())
+  return response.text()
 }

@@ -13,9 +13,19 @@ export class LinkWriter {
     this.#files = files
   }
 
-  /** @throws CircleVoronoiError as `encodeLink` */
-  linkOf(state: LinkInput): Promise<string> {
-    return sizeOf(state) > FEW ? this.#files.link(state) : encodeLink(state)
+  /**
+   * Without the names of circles, if there is room for the circles alone.
+   *
+   * @throws CircleVoronoiError as `encodeLink`
+   */
+  async linkOf(state: LinkInput): Promise<string> {
+    const write = (state: LinkInput) => (sizeOf(state) > FEW ? this.#files.link(state) : encodeLink(state))
+    try {
+      return await write(state)
+    } catch (error) {
+      if (state.names === undefined) throw error
+      return write({ ...state, names: undefined })
+    }
   }
 }
 

@@ -22,6 +22,7 @@ import { mountGroup } from './panels/group.ts'
 import { mountHelp } from './panels/help.ts'
 import { mountInspector } from './panels/inspector.ts'
 import { mountInspectorFacts } from './panels/inspector-facts.ts'
+import { mountInspectorShare } from './panels/inspector-share.ts'
 import { mountLayers } from './panels/layers.ts'
 import { mountLegend } from './panels/legend.ts'
 import { mountMethod } from './panels/method.ts'
@@ -29,6 +30,7 @@ import { mountMotion } from './panels/motion.ts'
 import { mountNames } from './panels/names.ts'
 import { mountNumbers } from './panels/numbers.ts'
 import { mountProgress } from './panels/progress.ts'
+import { mountRegion } from './panels/region.ts'
 import { mountSay } from './panels/say.ts'
 import { mountScale } from './panels/scale.ts'
 import { mountShare } from './panels/share.ts'
@@ -37,6 +39,7 @@ import { mountTable } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
 import { mountTrial } from './panels/trial.ts'
 import { mountViewControls } from './panels/view-controls.ts'
+import { RegionPen } from './region-pen.ts'
 import { styleSheetsLoaded } from './style-sheets.ts'
 
 // input ──► actions ──► editing ──► view ──► painter's thread
@@ -62,7 +65,12 @@ const figure = new Figure(
   },
   {
     actions: (store, editing, view) => new PageActions(store, editing, view, paddingOfPage, files),
-    keys: { editNumbers: () => editNumbers(), showHelp: () => showHelp() },
+    keys: {
+      editNumbers: () => editNumbers(),
+      showHelp: () => showHelp(),
+      drawKey: (key, step) => pen.key(key, step),
+      drawRegion: () => actions.useTool('draw'),
+    },
     played: (kept) => played(kept),
     onoutcome: () => {
       // What is shown at first is there without being kept.
@@ -89,12 +97,16 @@ mountLegend(store, view)
 const fileActions = new FileActions(store, editing, actions, view, files, links)
 mountFiles(fileActions)
 mountShare(fileActions)
+const pen = new RegionPen(store, actions, view)
+actions.pen = pen
+mountRegion(store, actions, fileActions, pen)
 // What is copied here is no file: this hears of it first.
 listenToClipboard(actions)
 listenToFiles(fileActions)
 restoreInvalidNumbers(document)
 const editNumbers = mountInspector(store, actions)
 mountInspectorFacts(store, editing, actions, view)
+mountInspectorShare(store, actions)
 const showHelp = mountHelp()
 mountGroup(store, actions)
 mountLayers(store, actions, view)

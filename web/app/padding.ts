@@ -5,6 +5,11 @@ import { byId } from './panels/by-id.ts'
 /** Between circles that are all seen and what stands around them, in pixels. */
 const ROOM = 16
 const ROOM_AT_EDGE = 32
+/** So much room has what is said of a scene at first, in rem. What goes with the first touch moves nothing. */
+const SAID = 5.625
+/** Low windows have no room for that; in narrow ones it stands above the status, and not beside it. */
+const LOW = matchMedia('(max-height: 32em)')
+const NARROW = matchMedia('(max-width: 40em)')
 
 /** What is covered of the picture on each side, and some room. Cards of what is selected come and go, and do not count. */
 export function paddingOfPage(): Padding {
@@ -19,12 +24,16 @@ export function paddingOfPage(): Padding {
     .filter((box) => box !== undefined && isSheet(box))
     .map((box) => box?.top ?? innerHeight)
   const below = [boxOf('status'), boxOf('view'), ...(isBelow ? [rail] : [])].filter(({ height }) => height > 0)
+  const said = LOW.matches ? 0 : SAID * Number.parseFloat(getComputedStyle(document.documentElement).fontSize)
+  const lowest = Math.min(...below.map(({ top }) => top), innerHeight)
+  const free = NARROW.matches ? lowest - said : Math.min(lowest, innerHeight - said)
   const left = [isBelow ? 0 : rail.right, panel === undefined || isSheet(panel) ? 0 : panel.right]
   const isPlayerBeside = player.width > 0 && !isSheet(player)
   return {
     top: boxOf('top').bottom + ROOM,
     right: isPlayerBeside ? innerWidth - player.left + ROOM : isBelow ? ROOM : ROOM_AT_EDGE,
-    bottom: innerHeight - Math.min(...below.map(({ top }) => top), ...sheets, innerHeight) + ROOM,
+    // A sheet hides it.
+    bottom: innerHeight - Math.min(...(sheets.length > 0 ? [lowest, ...sheets] : [free])) + ROOM,
     left: Math.max(...left) + ROOM,
   }
 }

@@ -5,9 +5,12 @@ import { EditorActions, type HowOpened, type Opened } from '../editing/editor-ac
 import type { Scene } from '../editing/history.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
-import type { Float64s } from '../lib/index.ts'
+import type { Circle, Edit, Float64s, Point } from '../lib/index.ts'
 import { decodeLink, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
+import type { Areas, Domain } from '../view/domain.ts'
+import type { Drawn } from '../view/gestures.ts'
+import type { Edited } from '../view/painter.ts'
 import type { View } from '../view/view.ts'
 import {
   DATA_SETS,
@@ -23,9 +26,11 @@ import type { FilesClient } from './files/files-client.ts'
 import type { Read } from './files/files-protocol.ts'
 import type { Recipe } from './generators/generators.ts'
 import { interestingBox, sizeOf } from './generators/interesting-box.ts'
+import type { RegionPen } from './region-pen.ts'
 
 /** What a user of the page can open beside. */
 export class PageActions extends EditorActions {
+  readonly #editing: Editing
   readonly #files: Pick<FilesClient, 'cancel'>
   readonly #make: (recipe: Recipe) => Promise<Float64s>
   readonly #shown: () => string
@@ -38,9 +43,88 @@ export class PageActions extends EditorActions {
     files: Pick<FilesClient, 'make' | 'cancel'>,
   ) {
     super(store, editing, view, padding)
+    this.#editing = editing
     this.#files = files
     this.#make = (recipe) => files.make(recipe)
     this.#shown = () => store.get().dataSet
+  }
+
+  /** What the tool `draw` draws with. */
+  pen: RegionPen | undefined
+  /** The radii that circles had before they got areas, by their numbers. */
+  readonly #radii = new Map<number, number>()
+
+  draw(how: Drawn, point: Point, within: number): void {
+    this.pen?.draw(how, point, within)
+  }
+
+  /** While a polygon is drawn, its last corner. */
+  override async undo(): Promise<void> {
+    if (this.tool !== 'draw' || this.pen?.undo() !== true) await super.undo()
+  }
+
+  override async setDomain(
+    change: Partial<Domain>,
+    gesture?: number,
+    edits: readonly Edit[] = [],
+  ): Promise<Edited | undefined> {
+    const { count } = this.#editing.circles
+    this.onstage('computing', count)
+    try {
+      return await super.setDomain(change, gesture, edits)
+    } finally {
+      this.onstage('opened', count)
+    }
+  }
+
+  /** Gives cells areas; `undefined`: circles have the radii again that they had. */
+  async setAreas(areas: Areas | undefined, gesture?: number): Promise<Edited | undefined> {
+    const { circles, domain } = this.#editing
+    const all = Array.from(circles.ids(), (id) => ({ id, circle: circles.get(id) as Circle }))
+    if (areas !== undefined && domain.areas === undefined) {
+      this.#radii.clear()
+      for (const { id, circle } of all) this.#radii.set(this.#editing.numberOf(id), circle.r)
+    }
+    if (areas !== undefined) return this.setDomain({ areas }, gesture)
+    const radii = this.radii()
+    const edits = all.map(({ id, circle }, k): Edit => {
+      return { kind: 'replace', id, circle: { ...circle, r: radii[k] as number } }
+    })
+    return this.setDomain({ areas }, gesture, edits)
+  }
+
+  /** The radii of the circles, or those that they had before they got areas. */
+  radii(): number[] {
+    const { circles, domain } = this.#editing
+    return Array.from(circles.ids(), (id) => {
+      const known = domain.areas === undefined ? undefined : this.#radii.get(this.#editing.numberOf(id))
+      return known ?? (circles.get(id) as Circle).r
+    })
+  }
+
+  /** The cells are no longer cut, and circles have radii of their own. */
+  async removeRegion(): Promise<void> {
+    const gesture = this.beginGesture()
+    if (this.#editing.domain.areas !== undefined) await this.setAreas(undefined, gesture)
+    await this.setDomain({ region: undefined }, gesture)
+  }
+
+  /** Gives the cell of a circle a share of the region, between 0 and 1. The others keep theirs among one another. */
+  async setShare(id: number, share: number, gesture?: number): Promise<void> {
+    const { circles, areas } = this.#editing
+    const list = Array.isArray(areas) ? [...areas] : Array<number>(circles.count).fill(1)
+    const k = circles.countBelow(id)
+    const others = list.reduce((sum, area, i) => (i === k ? sum : sum + area), 0)
+    list[k] = (share / (1 - share)) * others
+    await this.setDomain({ areas: list }, gesture)
+  }
+
+  /** The share of the region that the cell of a circle is given. */
+  shareOf(id: number): number | undefined {
+    const { circles, areas } = this.#editing
+    if (areas === undefined) return undefined
+    if (areas === 'equal') return 1 / circles.count
+    return (areas[circles.countBelow(id)] as number) / areas.reduce((sum, area) => sum + area, 0)
   }
 
   override cancelOpening(): void {
@@ -84,12 +168,15 @@ export class PageActions extends EditorActions {
   }
 
   async #linked(text: string): Promise<Opened> {
-    const { circles, dataSet, edits, view, layers = {}, step, method } = await decodeLink(text)
+    const { circles, names, dataSet, edits, view, layers = {}, step, method, region, areas } = await decodeLink(text)
     const scene =
       circles === undefined
         ? await this.#loadNamed(dataSet ?? nameFrom(DATA_SETS[0] as DataSet), loadLinked)
-        : { circles, dataSet: '', isEdited: false }
-    return { ...scene, edits, view, layers, step, method }
+        : { circles, names, dataSet: '', isEdited: false }
+    const own = 'domain' in scene ? scene.domain : undefined
+    const shown = region === undefined ? own?.region : (region ?? undefined)
+    const domain = (shown ?? areas) && { region: shown, areas }
+    return { ...scene, domain, edits, view, layers, step, method }
   }
 
   async #loadNamed(name: string, load = loadDataSet): Promise<Scene> {

@@ -99,9 +99,12 @@ export class EditorActions implements Hands {
     const { camera, size } = this.#view
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
+    // Areas go by the order of the circles.
+    const said = Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)
+    const names = said.circles && scene.names && Array.from(circles.ids(), (id) => this.#editing.nameOf(id))
     return {
-      // By the order of the circles.
-      ...(Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)),
+      ...said,
+      ...(names && { names }),
       ...regionOfLink(scene, domain),
       ...(areas !== undefined && { areas }),
       ...(!this.isWhole && { view: viewOfLink(camera, size) }),
@@ -212,13 +215,14 @@ export class EditorActions implements Hands {
   }
 
   /**
-   * Another region, or other areas in the order of the circles, as one step of undo. `undefined`: refused.
+   * Another region, or other areas in the order of the circles, and edits, as one step of undo. `undefined`: refused.
    *
    * @throws CircleVoronoiError `badOption` of what is no region
    */
-  setDomain(change: Partial<Domain>, gesture?: number): Promise<Edited | undefined> {
+  setDomain(change: Partial<Domain>, gesture?: number, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     const { region } = change
-    return this.#editing.edit([], gesture, region === undefined ? change : { ...change, region: plainRegion(region) })
+    const plain = region === undefined ? change : { ...change, region: plainRegion(region) }
+    return this.#editing.edit(edits, gesture, plain)
   }
 
   /** All or none of the edits, as one step of undo. `undefined`: refused. */

@@ -27,6 +27,10 @@ export interface KeyActions {
   /** Moves the focus to the numbers of the selected circle. */
   editNumbers?(): void
   showHelp?(): void
+  /** Reports whether a key was one of drawing a region. `step`: of arrow keys, in units. */
+  drawKey?(key: string, step: number): boolean
+  /** Begins to draw one. */
+  drawRegion?(): void
 }
 
 export interface KeyboardOptions {
@@ -43,7 +47,7 @@ export function listenToKeyboard(
   pointer: Listening,
   store: Store<State>,
   actions: EditorActions,
-  { editNumbers, showHelp }: KeyActions,
+  { editNumbers, showHelp, drawKey, drawRegion }: KeyActions,
   { around = document, signal }: KeyboardOptions = {},
 ): void {
   // A key that is held down is one gesture.
@@ -57,6 +61,7 @@ export function listenToKeyboard(
     const arrow = ARROWS[event.key]
     if (!event.repeat) gesture = actions.beginGesture()
 
+    if (tool === 'draw' && drawKey?.(event.key, step) === true) return true
     if (arrow !== undefined) {
       if (hasSelection && !actions.isReadonly) actions.moveSelected(arrow[0] * step, arrow[1] * step, gesture)
       else actions.pan(-arrow[0] * PAN_STEP, arrow[1] * PAN_STEP)
@@ -134,6 +139,8 @@ export function listenToKeyboard(
         return () => actions.useTool('add')
       case 's':
         return () => actions.toggleSnapping()
+      case 'p':
+        return drawRegion
       case 'escape':
         return event.target === figure ? undefined : () => actions.release()
       case 'delete':

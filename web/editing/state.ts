@@ -42,7 +42,7 @@ export interface State {
 }
 
 /** What a press on the figure does. */
-export type Tool = 'select' | 'pan' | 'add'
+export type Tool = 'select' | 'pan' | 'add' | 'draw'
 
 export const INITIAL_STATE: State = {
   dataSet: '',

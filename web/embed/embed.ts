@@ -19,10 +19,11 @@ async function show(): Promise<void> {
   link.href = `./${location.hash}`
   try {
     const { circles: own, dataSet = '', ...rest } = await decodeLink(location.hash)
-    const circles = own ?? (await loadLinked(dataSet, (recipe) => files.make(recipe))).circles
+    const named = own === undefined ? await loadLinked(dataSet, (recipe) => files.make(recipe)) : { circles: own }
+    const { circles, domain } = { domain: undefined, ...named }
     if (turn !== lastTurn) return
     figure.controls = rest.step === undefined ? '' : 'player'
-    await figure.setState({ ...rest, circles })
+    await figure.setState({ region: domain?.region, ...rest, circles })
     if (turn === lastTurn) problem.hidden = true
   } catch (error) {
     if (turn !== lastTurn) return

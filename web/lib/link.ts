@@ -59,6 +59,8 @@ export interface LinkView {
 export interface LinkState {
   /** The circles: x, y and r of each. */
   readonly circles?: Float64s | undefined
+  /** The name of each circle in `circles`, at most 200 letters long. An empty text means that the circle has no name. */
+  readonly names?: readonly string[] | undefined
   /** The name of a data set, instead of circles. */
   readonly dataSet?: string | undefined
   /** The edits in order; ids are those of `DiagramEditor`. */
@@ -88,7 +90,7 @@ export interface LinkInput extends Omit<LinkState, 'circles'> {
 const VERSION = 'v1'
 const LONGEST_NAME = 200
 const DEEPEST_LAYER = 8
-const FIELDS = ['circles', 'dataSet', 'edits', 'view', 'layers', 'step', 'method', 'region', 'areas'] as const
+const FIELDS = ['circles', 'names', 'dataSet', 'edits', 'view', 'layers', 'step', 'method', 'region', 'areas'] as const
 
 /**
  * Encodes a state as the text of a link. All numbers are exact, except that -0 becomes 0.
@@ -129,10 +131,11 @@ function linkFrom(letters: string): string {
 
 function jsonOf(state: LinkInput): string {
   if (typeof state !== 'object' || state === null) refuseArgument(`A link says a state, not ${shown(state)}.`)
-  const { circles, dataSet, edits, view, layers, step, method, region, areas } = state
+  const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = state
   if (edits !== undefined && !Array.isArray(edits)) refuseArgument(`A link says edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> = {
     circles: circles && [...coordinatesOf(circles)],
+    names,
     dataSet,
     edits: edits && Array.from(edits, listOf),
     view: view && [view.x, view.y, view.span],
@@ -185,6 +188,7 @@ export async function decodeLink(text: string): Promise<LinkState> {
 /** What is written: lists of numbers. */
 interface Said {
   readonly circles?: readonly number[] | undefined
+  readonly names?: readonly string[] | undefined
   readonly dataSet?: string | undefined
   readonly edits?: readonly (readonly [kind: '+' | '-' | '=', ...numbers: number[]])[] | undefined
   readonly view?: readonly [number, number, number] | undefined
@@ -195,9 +199,10 @@ interface Said {
   readonly areas?: 'equal' | readonly number[] | undefined
 }
 
-function stateOf({ circles, dataSet, edits, view, layers, step, method, region, areas }: Said): LinkState {
+function stateOf({ circles, names, dataSet, edits, view, layers, step, method, region, areas }: Said): LinkState {
   return {
     ...(circles && { circles: Float64Array.from(circles) }),
+    ...(names && { names }),
     ...(dataSet !== undefined && { dataSet }),
     ...(edits && { edits: edits.map(editOf) }),
     ...(view && { view: { x: view[0], y: view[1], span: view[2] } }),
@@ -240,7 +245,7 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
 /** Why this is not `Said`. */
 function problemOf(said: unknown): string | undefined {
   if (!isRecord(said)) return 'it says nothing'
-  const { circles, dataSet, edits, view, layers, step, method, region, areas } = said
+  const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = said
   if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0)) return 'its step is none'
   if (method !== undefined && !isName(method)) return 'its method has no name'
   if (circles !== undefined) {
@@ -250,6 +255,11 @@ function problemOf(said: unknown): string | undefined {
       const problem = problemOfCircle(circles, 3 * i)
       if (problem !== undefined) return `circle ${i} ${problem}`
     }
+  }
+  if (names !== undefined) {
+    const count = Array.isArray(circles) ? circles.length / 3 : 0
+    if (!Array.isArray(names) || names.length !== count || !names.every(isName))
+      return 'its names are not one per circle'
   }
   if (dataSet !== undefined) {
     if (!isName(dataSet)) return 'its data set has no name'

@@ -104,6 +104,8 @@ class Drawn {
       handle.setAttribute('tabindex', '0')
       handle.setAttribute('role', 'button')
       handle.setAttribute('aria-label', `${name}: drag it, or press arrow keys`)
+      // Chromium scrolls the page in spite of `touch-action` where it is that of a shape.
+      handle.addEventListener('touchstart', (event) => event.preventDefault(), { passive: false })
       handle.addEventListener('pointerdown', (event) => {
         handle.setPointerCapture(event.pointerId)
         const [from, at] = [this.#planeAt(event), placeOf()]

@@ -48,3 +48,13 @@ function regionBox(region: RegionShape): Box {
   }
   return box
 }
+
+/** The rings of a region: one in another is a hole of it. */
+export function ringsOf(region: RegionShape | undefined): [x: number, y: number][][] {
+  if (region === undefined) return []
+  const { points, ringOffsets } = ringArraysOf(region)
+  return Array.from({ length: ringOffsets.length - 1 }, (_, ring) => {
+    const [from, to] = [at(ringOffsets, ring), at(ringOffsets, ring + 1)]
+    return Array.from({ length: to - from }, (_, k) => [at(points, 2 * (from + k)), at(points, 2 * (from + k) + 1)])
+  })
+}

@@ -12,10 +12,15 @@ export interface Held {
   readonly circle: Circle
 }
 
+/** A corner is about to be somewhere, or is there, or it was the last one. */
+export type Drawn = 'move' | 'place' | 'close'
+
 /** What the gestures of a view do to its circles. */
 export interface Hands {
   /** What a press does: `add`: it becomes a circle. */
-  readonly tool: 'select' | 'pan' | 'add'
+  readonly tool: 'select' | 'pan' | 'add' | 'draw'
+  /** What the tool `draw` does at a point; what lies `within` so many units is the same point. */
+  draw?(how: Drawn, point: Point, within: number): void
   /** Whether dragged circles snap without a key. */
   readonly snaps: boolean
   /** A circle as it is now; `undefined`: there is none, or it is not to be changed. */
@@ -175,6 +180,21 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
+  /** The corner is where it is released. */
+  const drawCorner = (from: Point): Gesture => {
+    let last = from
+    const draw = (how: Drawn) => hands.draw?.(how, planeAt(last), within())
+    draw('move')
+    return {
+      move(to) {
+        last = to
+        draw('move')
+      },
+      click: () => draw('place'),
+      end: () => draw('place'),
+    }
+  }
+
   /** Held where nothing is: what a circle would take that is there is shown, and once it is released, it is. */
   const holdCircle = (from: Point): Gesture => {
     let last = planeAt(from)
@@ -262,5 +282,5 @@ export function gesturesOf(view: View, hands: Hands) {
     }
   }
 
-  return { pan, moveCircles, resizeCircle, scaleCircles, addCircle, holdCircle, band, movePathEnd, pinch }
+  return { pan, moveCircles, resizeCircle, scaleCircles, addCircle, drawCorner, holdCircle, band, movePathEnd, pinch }
 }

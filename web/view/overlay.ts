@@ -26,6 +26,8 @@ const TOUCHING_POINT = 3
 /** Of an end of the path that can be dragged, in pixels. */
 export const HANDLE_RADIUS = 8
 const HANDLE_SIDE = 8
+/** The radius of a corner that is drawn, in pixels. */
+const CORNER = 4
 /** The handle of selected circles lies so far outside the corner of their box, in pixels. */
 const HANDLE_DISTANCE = 7
 /** Browsers fill and stroke long paths in more than linear time. */
@@ -49,6 +51,8 @@ export interface StandingOut {
   readonly trial: Trial | undefined
   readonly chosen: Chosen | undefined
   readonly band: Band | undefined
+  /** The corners of a polygon that is being drawn. */
+  readonly sketch: Float64Array | undefined
 }
 
 export const NOTHING_STANDS_OUT: StandingOut = {
@@ -57,6 +61,7 @@ export const NOTHING_STANDS_OUT: StandingOut = {
   trial: undefined,
   chosen: undefined,
   band: undefined,
+  sketch: undefined,
 }
 
 /** What is drawn above the picture, anew whenever it moves. */
@@ -68,9 +73,21 @@ export interface Above extends StandingOut {
 }
 
 /** Whether nothing is drawn above the picture. */
-export function isNothingAbove({ marks, found, touching, trial, layers, chosen, band, above }: Above): boolean {
+export function isNothingAbove({ marks, found, touching, trial, layers, chosen, band, sketch, above }: Above): boolean {
   const { hull, largestDisc, path } = found ?? {}
-  const drawn = [marks.selected, marks.hovered, touching, trial, chosen, band, hull, largestDisc, path, layers.path]
+  const drawn = [
+    marks.selected,
+    marks.hovered,
+    touching,
+    trial,
+    chosen,
+    band,
+    sketch,
+    hull,
+    largestDisc,
+    path,
+    layers.path,
+  ]
   return above.length === 0 && drawn.every((what) => what === undefined)
 }
 
@@ -80,7 +97,7 @@ export function drawOverlay(
   frame: Frame,
   pixelRatio: number,
   style: Style,
-  { marks, found, touching, trial, layers, chosen, band, above }: Above,
+  { marks, found, touching, trial, layers, chosen, band, sketch, above }: Above,
 ): void {
   const to = new FrameSink(frame, drawing.path())
   const pathOf = (outline: Float64Array) => {
@@ -130,6 +147,7 @@ export function drawOverlay(
   if (trial !== undefined) drawTrial(trial)
   if (touching !== undefined && layers.disc) drawTouching(touching)
   if (band !== undefined) drawBand(band)
+  if (sketch !== undefined) drawSketch(sketch)
 
   function drawData(layer: AboveLayer): void {
     const {
@@ -204,6 +222,24 @@ export function drawOverlay(
     const path = rectangle(from.x * pixelRatio, from.y * pixelRatio, to.x * pixelRatio, to.y * pixelRatio)
     fill(path, style.accent, 0.1)
     stroke(path, style.accent, 1)
+  }
+
+  function drawSketch(corners: Float64Array): void {
+    const pixels = corners.map((value, k) => (k % 2 === 0 ? to.x(value) : to.y(value)))
+    const [path, closing, dots] = [drawing.path(), drawing.path(), drawing.path()]
+    for (let k = 0; k < pixels.length; k += 2) {
+      const [x, y] = [at(pixels, k), at(pixels, k + 1)]
+      if (k === 0) path.moveTo(x, y)
+      else path.lineTo(x, y)
+      addDisc(dots, frame, x, y, CORNER * pixelRatio)
+    }
+    closing.moveTo(at(pixels, pixels.length - 2), at(pixels, pixels.length - 1))
+    closing.lineTo(at(pixels, 0), at(pixels, 1))
+    fill(path, style.accent, FOUND_OPACITY)
+    outline(path, style.accent, FOUND_LINE)
+    stroke(closing, style.accent, FOUND_LINE, [5, 4])
+    fill(dots, style.paper)
+    stroke(dots, style.accent, FOUND_LINE)
   }
 
   function rectangle(left: number, top: number, right: number, bottom: number): PathSink {

@@ -139,6 +139,7 @@ export function listenToPointer(
     const scaling = view.handleAt(point, isTouch ? TOUCH_SLACK : 0)
     if (event.button === MIDDLE || hands.tool === 'pan') return gestures.pan(point, () => {})
     if (hands.tool === 'add') return gestures.addCircle(point)
+    if (hands.tool === 'draw') return gestures.drawCorner(point)
     if (pathEnd !== undefined) return gestures.movePathEnd(pathEnd)
     if (scaling !== undefined) return gestures.scaleCircles(point, scaling)
     return whenKnown(afterPending(() => gestureAt(point, event)))
@@ -223,6 +224,12 @@ export function listenToPointer(
     const point = pointOf(event)
     if (!pressed.has(event.pointerId)) {
       if (event.pointerType === 'touch') return
+      if (hands.tool === 'draw') {
+        hands.hover(undefined)
+        showCursor(undefined)
+        hands.draw?.('move', planeAt(point), 0)
+        return
+      }
       isHovering = true
       view.touch(planeAt(point), DISC_SLACK / view.camera.scale)
       hitAt(point, event.pointerType).then((hit) => {
@@ -271,6 +278,10 @@ export function listenToPointer(
   })
 
   const addAt = async (point: Point) => {
+    if (hands.tool === 'draw') {
+      hands.draw?.('close', planeAt(point), 0)
+      return
+    }
     const hit = await hitAt(point, 'mouse')
     if (hit === undefined || hit.part === 'cell') await hands.addFitting(planeAt(point))
   }

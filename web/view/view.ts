@@ -104,6 +104,7 @@ export class View {
   #lastTrial = 0
   #chosen: Chosen | undefined
   #band: Band | undefined
+  #sketch: Float64Array | undefined
   #above: readonly AboveLayer[] = []
   #baseChanged = false
   #overlayChanged = false
@@ -398,12 +399,21 @@ export class View {
   /** Which circles are selected, as they are: they can be scaled by a handle, and of several each stands out. */
   choose(circles: readonly Circle[]): void {
     const flat = Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r]))
-    this.#chosen = circles.length === 0 ? undefined : { circles: flat, box: boundingBox(flat) }
+    const [first, ...others] = circles
+    // The handle of a point is beside it: its box is not the one that is fitted.
+    const box = first !== undefined && others.length === 0 ? boxOfCircle(first) : boundingBox(flat)
+    this.#chosen = first && { circles: flat, box }
     this.#overlayChanges()
   }
 
   set band(band: Band | undefined) {
     this.#band = band
+    this.#overlayChanges()
+  }
+
+  /** The corners of a polygon that is being drawn, x and y of each; the last one still moves. */
+  set sketch(sketch: Float64Array | undefined) {
+    this.#sketch = sketch
     this.#overlayChanges()
   }
 
@@ -516,6 +526,7 @@ export class View {
       trial: this.#trial,
       chosen: this.#chosen,
       band: this.#band,
+      sketch: this.#sketch,
     }
   }
 
@@ -590,6 +601,10 @@ export class View {
     }
     watchPixels()
   }
+}
+
+function boxOfCircle({ x, y, r }: Circle): Box {
+  return { minX: x - r, minY: y - r, maxX: x + r, maxY: y + r }
 }
 
 function withoutCells({ selected, hovered }: Marks): Marks {

@@ -7,6 +7,8 @@ import type { Store } from '../../editing/store.ts'
 import { CircleVoronoiError, circleAt } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
 import { fitted } from '../../view/camera.ts'
+import { boxOf } from '../../view/domain.ts'
+import { readRegion } from '../../view/region-text.ts'
 import type { Shot, View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { sourceOf } from '../data-sets.ts'
@@ -17,14 +19,15 @@ import { toast } from '../panels/toast.ts'
 import { circlesFrom, rowsOf } from './columns.ts'
 import type { FilesClient } from './files-client.ts'
 import type { Read, SavedFormat } from './files-protocol.ts'
+import { isRegion, isRegionFile } from './region-file.ts'
 import { elementCode, embedCode, save } from './saving.ts'
-import { withLink } from './svg-scene.ts'
+import { withLink, withTable } from './svg-scene.ts'
 
 /** Larger files are none that a browser could show. */
 const LARGEST_FILE = 2 ** 28
 /** What the reader says of a table whose columns it does not know. */
 const UNKNOWN_COLUMNS = /no column is called|a header has to name|both mean|expected three numbers/
-const READABLE = 'Open CSV, JSON, GeoJSON, an SVG that was saved here, or a picture.'
+const READABLE = 'Open CSV, JSON, GeoJSON, well-known text, an SVG that was saved here, or a picture.'
 /** A longer address is none that browsers open. */
 const LONGEST_LINK = 2_000_000
 /** What of a sheet of paper is a picture: A3 at 300 dots per inch. */
@@ -66,9 +69,28 @@ export class FileActions {
     this.#links = links
   }
 
-  /** Opens a file. One that cannot be read changes nothing. */
-  openFile(file: File): Promise<HowOpened> {
+  /** Opens a file of circles, or of polygons as the region. One that cannot be read changes nothing. */
+  async openFile(file: File): Promise<HowOpened> {
+    if (await isRegionFile(file)) return this.openRegion(file)
     return this.#actions.openRead(() => this.#readFile(file))
+  }
+
+  /** Clips the cells to the polygons of a file. What cannot be a region changes nothing. */
+  async openRegion(file: File): Promise<HowOpened> {
+    return this.#clipTo(file.size > LARGEST_FILE ? '' : await file.text(), file.name)
+  }
+
+  async #clipTo(text: string, name: string): Promise<HowOpened> {
+    try {
+      const edited = await this.#actions.setDomain({ region: readRegion(text) })
+      if (edited === undefined) return 'refused'
+    } catch (error) {
+      this.#actions.complain(`${name}: ${(error as Error).message}`)
+      return 'refused'
+    }
+    this.#actions.look(undefined)
+    toast(`Cells are clipped to ${name}.`, { label: 'Undo', act: () => this.#actions.undo() })
+    return 'opened'
   }
 
   /** Takes a text as if it were a file, or a link. Circles of a table are added to those that there are. */
@@ -76,6 +98,7 @@ export class FileActions {
     const link = /^\S*#(v\d+\.[\w-]+)$/.exec(text.trim())?.[1]
     if (link !== undefined) return this.#actions.openLink(link)
     const name = 'The pasted text'
+    if (isRegion(text)) return this.#clipTo(text, 'the pasted polygons')
     const read = () => this.#read(new TextEncoder().encode(text), name)
     const isTable = !/^\s*[[{<]/.test(text)
     if (!isTable || this.#editing.circles.count === 0) return this.#actions.openRead(read)
@@ -136,16 +159,17 @@ export class FileActions {
   async saveAs(format: SavedFormat): Promise<void> {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
-      const text = await this.#client.write(circles, format)
+      const text = await this.#client.write(circles, format, this.#editing.domain.region)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
     })
   }
 
-  /** The drawing as it is seen, which opens the same again if it is not too large. */
+  /** The drawing as it is seen, which opens again: the same, or where there are too many circles for a link, its circles. */
   async saveDrawing(part: Part): Promise<void> {
     await this.#try(async () => {
-      const svg = withLink(await this.#view.toSVG(this.#shotOf(part)), await this.#link())
+      const [drawing, link] = [await this.#view.toSVG(this.#shotOf(part)), await this.#link()]
+      const svg = link !== '' ? withLink(drawing, link) : withTable(drawing, await this.#csv())
       save(new Blob([svg], { type: 'image/svg+xml' }), `${this.#name}.svg`)
     })
   }
@@ -169,7 +193,7 @@ export class FileActions {
     const { camera, size } = this.#view
     if (part === 'seen') return { camera, size }
     const room = { top: ROOM, right: ROOM, bottom: ROOM, left: ROOM }
-    return { camera: fitted(this.#editing.circles.box(), size, room), size }
+    return { camera: fitted(boxOf(this.#editing.circles.box(), this.#editing.domain), size, room), size }
   }
 
   /** Reports whether it is in the clipboard. */
@@ -183,8 +207,9 @@ export class FileActions {
 
   /** Elsewhere there are no data sets: the circles themselves are in it. */
   copyElementCode(): Promise<boolean> {
-    const { view, layers, step, method } = this.#actions.linkState() ?? {}
-    const state = { circles: this.#editing.circles.circles(), view, layers, step, method }
+    const { view, layers, step, method, areas } = this.#actions.linkState() ?? {}
+    const { region } = this.#editing.domain
+    const state = { circles: this.#editing.circles.circles(), view, layers, step, method, region, areas }
     const controls = step === undefined ? 'controls' : 'controls="player"'
     return this.#copy((link) => elementCode(addressOf('element.js'), link, controls), state)
   }
@@ -214,6 +239,10 @@ export class FileActions {
       if (error instanceof CircleVoronoiError && error.code === 'tooManyCircles') return ''
       throw error
     }
+  }
+
+  #csv(): Promise<string> {
+    return this.#client.write(this.#editing.circles.circles(), 'csv')
   }
 
   get #name(): string {

@@ -2,6 +2,7 @@
 import { receivedError } from '../../lib/base/errors.ts'
 import type { Float64s } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
+import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import type { Catalogue, Recipe } from '../generators/generators.ts'
 import type { FilesReply, FilesRequest, Read, SavedFormat } from './files-protocol.ts'
 
@@ -22,8 +23,8 @@ export class FilesClient {
   }
 
   /** @throws CircleVoronoiError as `compute`, `writeDiagram` */
-  write(circles: Float64s, format: SavedFormat): Promise<string> {
-    return this.#ask((request) => ({ kind: 'write', request, circles, format }))
+  write(circles: Float64s, format: SavedFormat, region?: RegionShape): Promise<string> {
+    return this.#ask((request) => ({ kind: 'write', request, circles, format, region }))
   }
 
   /** @throws CircleVoronoiError as `encodeLink` */

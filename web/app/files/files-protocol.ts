@@ -3,6 +3,7 @@
 import type { PostedError } from '../../lib/base/errors.ts'
 import type { Float64s } from '../../lib/index.ts'
 import type { LinkInput } from '../../lib/link.ts'
+import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import type { NamedCircles } from '../csv.ts'
 import type { Recipe } from '../generators/generators.ts'
 
@@ -20,6 +21,8 @@ export type FilesRequest =
       readonly request: number
       readonly circles: Float64s
       readonly format: SavedFormat
+      /** What cells are clipped to. */
+      readonly region: RegionShape | undefined
     }
   | { readonly kind: 'link'; readonly request: number; readonly state: LinkInput }
   | { readonly kind: 'make'; readonly request: number; readonly recipe: Recipe }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
+import { circleAt, type Diagram } from '../../lib/index.ts'
 import { encodeLink } from '../../lib/link.ts'
+import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import { randomNumbers } from '../random-circles.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
 import { namesIn } from './names.ts'
 import { stippled, tonesOf } from './stipple.ts'
-import { circlesOfSvg } from './svg-scene.ts'
+import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
 
 const port = globalThis as unknown as {
   onmessage: (event: MessageEvent<FilesRequest>) => void
@@ -50,14 +52,17 @@ async function resultOf(data: FilesRequest): Promise<unknown> {
 
 async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): Promise<Read> {
   const text = new TextDecoder().decode(bytes)
-  if (/^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)) return circlesOfSvg(text, name)
+  const isSvg = /^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)
+  const table = isSvg ? tableOfSvg(text) : undefined
+  if (isSvg && table === undefined) return circlesOfSvg(text, name)
   const { holdsDiagram, readCircles, readDiagram } = await files()
+  if (table !== undefined) return { circles: readCircles(new TextEncoder().encode(table), { name }) }
   if (holdsDiagram(bytes)) return { circles: readDiagram(bytes, { name }).circles }
   const circles = readCircles(bytes, { name })
   return { circles, names: namesIn(text, circles.length / 3) }
 }
 
-async function write({ circles, format }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {
+async function write({ circles, format, region }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
   const { compute } = await library()
   switch (format) {
@@ -68,8 +73,22 @@ async function write({ circles, format }: Extract<FilesRequest, { kind: 'write' 
     case 'json':
       return writeDiagram(compute(circles), { format })
     case 'cells':
+      if (region !== undefined) return clippedCells(compute(circles), region)
       return writeDiagram(compute(circles), { format: 'geojson' })
   }
+}
+
+/** The cells inside a region as GeoJSON: a feature for each circle, without a geometry where there is no part. */
+async function clippedCells(diagram: Diagram, shape: RegionShape): Promise<string> {
+  const region = (await (await library()).loadRegions()).region(shape)
+  const areas = diagram.cellAreas({ region })
+  const features = Array.from(areas, (area, i) => {
+    const coordinates = diagram.cellPolygon(i, { region }) ?? []
+    const neighbors = [...diagram.neighbors(i, { region })]
+    const geometry = coordinates.length === 0 ? null : { type: 'MultiPolygon', coordinates }
+    return { type: 'Feature', properties: { circle: i, r: circleAt(diagram.circles, i).r, area, neighbors }, geometry }
+  })
+  return JSON.stringify({ type: 'FeatureCollection', features })
 }
 
 /** Loads what it loads once; what fails is tried again when it is asked for again. */

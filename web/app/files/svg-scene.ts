@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings that open again: the page's own by the link in their metadata, those of the program by their circles.
+// Drawings that open again: the page's own by the link or the table in their metadata, those of the program by their circles.
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
 import type { Read } from './files-protocol.ts'
 
 const LINK = /<metadata id="circle-voronoi">(v\d+\.[\w-]+)<\/metadata>/
+const TABLE = /<metadata id="circle-voronoi-circles">([^<]*)<\/metadata>/
 const CIRCLES = /<g id="circles" class="circles">([\s\S]*?)<\/g>/
 // As they are written: circles, and those of radius 0 as points.
 const CIRCLE = /<circle data-circle="(\d+)"[^<>]* cx="([^"]+)" cy="([^"]+)" r="([^"]+)"\/>/y
 
-/** A drawing that says what it shows. */
+/** A drawing that says what it shows, in a link. */
 export function withLink(svg: string, link: string): string {
-  return link === '' ? svg : svg.replace('>\n', () => `>\n<metadata id="circle-voronoi">${link}</metadata>\n`)
+  return withMetadata(svg, 'circle-voronoi', link)
+}
+
+/** A drawing with its circles as CSV, which are too many for a link. */
+export function withTable(svg: string, csv: string): string {
+  return withMetadata(svg, 'circle-voronoi-circles', `\n${csv}`)
+}
+
+function withMetadata(svg: string, id: string, text: string): string {
+  return svg.replace('>\n', () => `>\n<metadata id="${id}">${text}</metadata>\n`)
+}
+
+/** The circles that a drawing has as CSV. */
+export function tableOfSvg(text: string): string | undefined {
+  return TABLE.exec(text)?.[1]?.trimStart()
 }
 
 /** @throws CircleVoronoiError `badInput` */

@@ -5,7 +5,7 @@ import type { SavedFormat } from '../files/files-protocol.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
 
-const OPENED = '.csv,.tsv,.txt,.json,.geojson,.svg,image/*'
+const OPENED = '.csv,.tsv,.txt,.json,.geojson,.wkt,.svg,image/*'
 
 const SAVED: readonly (readonly [format: SavedFormat, label: string, what: string])[] = [
   ['csv', 'CSV', 'x, y and r of each circle'],
@@ -52,7 +52,7 @@ export function mountFiles(actions: FileActions): void {
             ${FOLDER}Open …
             <input type="file" class="visually-hidden" accept=${OPENED} @change=${open} />
           </label>
-          <p>You can also drop or paste a file: CSV, JSON, GeoJSON, an SVG that was saved here, or a picture, which becomes circles.</p>
+          <p>You can also drop or paste a file: CSV, JSON, GeoJSON, an SVG that was saved here, or a picture, which becomes circles. Polygons, as GeoJSON or WKT, become the region.</p>
           <h3>Save the picture</h3>
           <div class="choices">
             <label>of
@@ -65,16 +65,16 @@ export function mountFiles(actions: FileActions): void {
             <button type="button" title="Save a drawing as you see it, which opens here again" @click=${() => actions.saveDrawing(part)}>
               ${DOWN}SVG
             </button>
+            <button type="button" title="Save a PNG for a sheet of A3 paper at 300 dots per inch" @click=${() => actions.savePoster(part)}>
+              ${DOWN}Poster, A3
+            </button>
             <button type="button" title="Save a picture as you see it" @click=${() => actions.savePicture(part, scale)}>
               ${DOWN}PNG
             </button>
             <label>
-              times
               <input type="number" min="0.1" step="any" required .value=${String(scale)} @change=${rescale} autocomplete="off" />
+              times
             </label>
-            <button type="button" title="Save a PNG for a sheet of A3 paper at 300 dots per inch" @click=${() => actions.savePoster(part)}>
-              ${DOWN}Poster, A3
-            </button>
           </div>
           <h3>Save the data</h3>
           <div class="choices">

@@ -42,6 +42,7 @@ const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: st
     'Tools',
     [
       ['V, H, A', 'select, pan, add until Escape'],
+      ['P', 'draw a region: click corners, or arrows and Space; double click or Enter closes, Escape cancels'],
       ['?', 'this help'],
     ],
   ],

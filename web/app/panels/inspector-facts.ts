@@ -25,7 +25,8 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
     asked = described
     const told = await view.tell([described.id])
     // Meanwhile it may be another one.
-    if (asked === described) render(factsOf(told?.cells.get(described.id)), facts)
+    const isInside = store.get().domain.region !== undefined
+    if (asked === described) render(factsOf(told?.cells.get(described.id), isInside), facts)
   }
   store.subscribe(({ selected, described }) => {
     if (selected === undefined) return
@@ -42,9 +43,9 @@ function placeOf({ circles }: Editing, id: number): string {
   return place === id ? '' : `${wholeNumber(place + 1)} of ${wholeNumber(circles.count)}; numbers are not used again`
 }
 
-function factsOf(cell: CellFacts | undefined) {
+function factsOf(cell: CellFacts | undefined, isInside: boolean) {
   if (cell === undefined || cell.hidden) return nothing
   const text = (value: number) => (Number.isFinite(value) ? shortest(Number(value.toPrecision(DIGITS))) : 'infinite')
-  return html`<dt>Area of the cell</dt><dd>${text(cell.area)}</dd>
+  return html`<dt>${isInside ? 'Area inside the region' : 'Area of the cell'}</dt><dd>${text(cell.area)}</dd>
     <dt>Perimeter</dt><dd>${text(cell.perimeter)}</dd>`
 }

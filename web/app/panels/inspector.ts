@@ -26,9 +26,10 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
       typing = field
     })
     field.addEventListener('change', () => {
-      const { selected, circle } = store.get()
-      if (selected === undefined || circle === undefined) return
-      actions.set([{ id: selected, circle: { ...circle, [FIELDS[i] as Field]: field.valueAsNumber } }])
+      // As it will be: what was typed before may not be done yet.
+      const [held, ...others] = actions.held()
+      if (held === undefined || others.length > 0) return
+      actions.set([{ id: held.id, circle: { ...held.circle, [FIELDS[i] as Field]: field.valueAsNumber } }])
     })
     field.addEventListener('blur', () => {
       typing = undefined

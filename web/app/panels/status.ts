@@ -22,10 +22,10 @@ export function mountStatus(store: Store<State>): void {
   })
 }
 
-/** Phones have no room for minor parts, and small ones none for second ones. */
-type Part = readonly [content: readonly (string | Node)[], rank?: 'minor' | 'second']
+/** Phones have no room for minor parts, and small ones, or those where there are rare ones, none for second ones. */
+type Part = readonly [content: readonly (string | Node)[], rank?: 'minor' | 'second' | 'rare']
 
-function statusOf({ counts, seconds }: NonNullable<State['edited']>): Node {
+function statusOf({ counts, fitted, seconds }: NonNullable<State['edited']>): Node {
   const proven = document.createElement('span')
   proven.className = 'good'
   proven.title = 'A judge has proven this diagram with exact signs, independently of how it was made.'
@@ -34,7 +34,8 @@ function statusOf({ counts, seconds }: NonNullable<State['edited']>): Node {
     [count(counts.circles, 'circle')],
     [count(counts.vertices, 'vertex', 'vertices'), 'second'],
     [count(counts.edges, 'edge'), 'minor'],
-    ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden']] as Part] : []),
+    ...(counts.hidden > 0 ? [[[bold(counts.hidden), ' hidden'], 'rare'] as Part] : []),
+    ...(fitted === undefined ? [] : [[['areas within ', bold(fitted.error.toExponential(0))], 'second'] as Part]),
     [[proven]],
     [duration(seconds), 'minor'],
   ]

@@ -137,7 +137,6 @@ class Clipped implements ClippedDiagram {
   #cells: ClippedDiagram['cells'] | undefined
   #edges: ClippedDiagram['edges'] | undefined
   #areas: Float64Array | undefined
-  /** Those of the last tolerance: who asks for one mostly asks for all. */
   #polygons: { readonly tolerance: number; readonly polygons: ClippedPolygons } | undefined
 
   constructor(module: WasmRegionsModule, address: number, region: Region) {
@@ -177,10 +176,9 @@ class Clipped implements ClippedDiagram {
   }
 
   polygons(tolerance: number) {
-    const last = this.#polygons
-    if (last?.tolerance === tolerance) return last.polygons
-    const polygons = unwrap(this.#module.clippedPolygons(this.#address, tolerance))
-    this.#polygons = { tolerance, polygons }
-    return polygons
+    if (this.#polygons?.tolerance !== tolerance) {
+      this.#polygons = { tolerance, polygons: unwrap(this.#module.clippedPolygons(this.#address, tolerance)) }
+    }
+    return this.#polygons.polygons
   }
 }

@@ -10,6 +10,8 @@ import type { Shares } from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import { idOf } from './cell-boxes.ts'
 
+/** Nobody sees a smaller error. Where pieces of a region are far apart, rounding of the weights alone makes 1e-8. */
+const TOLERANCE = 1e-6
 /** With more, nobody would wait for the end. */
 const MOST_FITTED = 10_000
 
@@ -28,7 +30,7 @@ export function fitted({ region, fitAreas }: Fitting, circles: Float64Array, sha
   const named = shares.filter((share) => share > 0)
   const mean = named.length === 0 ? 1 : named.reduce((sum, share) => sum + share, 0) / named.length
   const all = shares.map((share) => (share > 0 ? share : mean))
-  return fitAreas(circles, all, { region, shares: true })
+  return fitAreas(circles, all, { region, shares: true, tolerance: TOLERANCE })
 }
 
 /**

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regions and given areas in the page: opened, dropped, drawn, edited, kept, saved.
+import { readFileSync } from 'node:fs'
+import type { Locator } from '@playwright/test'
+import type { Point } from '../../web/lib/index.ts'
+import { decodeLink, encodeLink } from '../../web/lib/link.ts'
+import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
+import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
+import { type App, expect, test } from './page.ts'
+
+const THREE = [
+  [0, 0, 1],
+  [6, 0, 1],
+  [2, 5, 1],
+]
+const SQUARE = [
+  [-3, -3],
+  [9, -3],
+  [9, 8],
+  [-3, 8],
+]
+const HOLE = [
+  [3, 2],
+  [4, 2],
+  [4, 3],
+  [3, 3],
+]
+const PAPER = '250,248,244'
+
+const geojson = (...rings: number[][][]) => JSON.stringify({ type: 'Polygon', coordinates: rings })
+const { region } = await (await loadCircleVoronoi()).loadRegions()
+const TOTAL = region([SQUARE as [number, number][], HOLE as [number, number][]]).area
+
+async function openThree(app: App): Promise<void> {
+  await app.open(await encodeLink({ circles: THREE as [number, number, number][] }))
+  await expect(app.status).toContainText('3 circles')
+  await app.openPanel('Region')
+}
+
+/** The panel. */
+const panel = (app: App): Locator => app.page.getByRole('region', { name: 'Region', exact: true })
+
+async function drop(app: App, name: string, text: string): Promise<void> {
+  await app.page.evaluate(
+    ([name, text]) => {
+      const dataTransfer = new DataTransfer()
+      dataTransfer.items.add(new File([text as string], name as string))
+      document.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }))
+    },
+    [name, text],
+  )
+}
+
+const linkOf = async (app: App) => decodeLink(new URL(app.page.url()).hash).catch(() => ({}) as never)
+
+/** Where the square is seen, with the panel open. */
+function cameraOf(app: App): Camera {
+  const size = app.page.viewportSize() as { width: number; height: number }
+  return fitted({ minX: -3, minY: -3, maxX: 9, maxY: 8 }, size, app.padding)
+}
+
+function place(app: App, [x, y]: readonly number[]): Point {
+  const size = app.page.viewportSize() as { width: number; height: number }
+  return toScreen(cameraOf(app), size, { x: x as number, y: y as number })
+}
+
+/** The color of the picture at a point of the plane, once it is painted. */
+async function colorAt(app: App, point: readonly number[]): Promise<string> {
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  const [color] = await app.colors([place(app, point)])
+  return String(color)
+}
+
+async function saved(app: App, label: string): Promise<string> {
+  const download = app.page.waitForEvent('download')
+  await app.page.locator('#files').getByRole('button', { name: label, exact: true }).click()
+  return readFileSync(await (await download).path(), 'utf8')
+}
+
+test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo', async ({ app }) => {
+  await openThree(app)
+  const input = panel(app).getByLabel('Open …')
+  await input.setInputFiles({ name: 'hall.geojson', mimeType: '', buffer: Buffer.from(geojson(SQUARE, HOLE)) })
+  await expect(panel(app)).toContainText('2 outlines with 8 sides')
+  await expect(app.page.locator('#toast')).toContainText('Cells are clipped to hall.geojson.')
+  expect(await colorAt(app, [-1.5, 6])).not.toBe(PAPER)
+  expect(await colorAt(app, [3.5, 2.5])).toBe(PAPER)
+  expect(await colorAt(app, [-3.5, 0])).toBe(PAPER)
+
+  // Its areas are those inside.
+  const { x, y } = place(app, [0, 0])
+  await app.page.mouse.click(x, y)
+  await expect(app.inspector).toContainText('Area inside the region')
+  const ring = [SQUARE, HOLE] as [number, number][][]
+  const diagram = (await loadCircleVoronoi()).compute(THREE as [number, number, number][])
+  const areas = diagram.cellAreas({ region: region(ring) })
+  await expect(app.inspector).toContainText(String(Number((areas[0] as number).toPrecision(4))))
+
+  // The link has it, and opens it again; so does the SVG.
+  await expect.poll(async () => (await linkOf(app)).region).toMatchObject({ type: 'MultiPolygon' })
+  await app.page.reload()
+  await expect(app.status).toContainText('3 circles')
+  await expect(panel(app)).toContainText('2 outlines with 8 sides')
+  await app.openPanel('Files')
+  const svg = await saved(app, 'SVG')
+  expect(svg).toMatch(/<g clip-path="url\(#region-/)
+  const cells = JSON.parse(await saved(app, 'Cells'))
+  expect(cells.features.map(({ properties }: { properties: { area: number } }) => properties.area)).toEqual([...areas])
+  expect(cells.features[0].geometry.type).toBe('MultiPolygon')
+  await drop(app, 'none.csv', '0,0,1\n9,9,1\n')
+  await expect(app.status).toContainText('2 circles')
+  await drop(app, 'kept.svg', svg)
+  await expect(app.status).toContainText('3 circles')
+  await app.openPanel('Region')
+  await expect(panel(app)).toContainText('2 outlines with 8 sides')
+
+  await panel(app).getByRole('button', { name: 'Remove region' }).click()
+  await expect(panel(app)).not.toContainText('outlines')
+  expect(await colorAt(app, [3.5, 2.5])).not.toBe(PAPER)
+  await app.page.keyboard.press('Control+z')
+  await expect(panel(app)).toContainText('2 outlines with 8 sides')
+  await app.page.keyboard.press('Control+Shift+z')
+  await expect(panel(app)).not.toContainText('outlines')
+})
+
+test('polygons are dropped and pasted; points are circles; what crosses itself is refused, and the last one stays', async ({
+  app,
+}) => {
+  await openThree(app)
+  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await expect(panel(app)).toContainText('One outline with 4 sides')
+  const points = { type: 'Feature', properties: { r: 1 }, geometry: { type: 'Point', coordinates: [1, 2] } }
+  await drop(app, 'bow.geojson', geojson([HOLE[0], HOLE[2], HOLE[1], HOLE[3]] as number[][]))
+  await expect(app.page.getByRole('alert')).toContainText(
+    'Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (3.5, 2.5).',
+  )
+  await expect(panel(app)).toContainText('One outline with 4 sides')
+  await app.page.evaluate(
+    (text) => {
+      const clipboardData = new DataTransfer()
+      clipboardData.setData('text/plain', text)
+      document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }))
+    },
+    geojson(SQUARE, HOLE),
+  )
+  await expect(panel(app)).toContainText('2 outlines with 8 sides')
+  await expect(app.page.getByRole('alert')).toBeHidden()
+  await drop(app, 'points.geojson', JSON.stringify({ type: 'FeatureCollection', features: [points] }))
+  await expect(app.status).toContainText('1 circle')
+  await expect(panel(app)).not.toContainText('outlines')
+})
+
+test('a region is drawn: by clicks with a hole, by keys, canceled and taken back corner by corner', async ({ app }) => {
+  const { page } = app
+  await openThree(app)
+  const click = async (x: number, y: number) => {
+    await page.mouse.move(x, y)
+    await page.mouse.click(x, y)
+  }
+  await panel(app).getByRole('button', { name: 'Draw' }).click()
+  await expect(app.canvas).toBeFocused()
+  for (const [x, y] of [
+    [500, 150],
+    [1150, 150],
+    [1150, 700],
+    [500, 700],
+  ] as const) {
+    await click(x, y)
+  }
+  // Taken back and placed again.
+  await page.keyboard.press('Control+z')
+  await click(520, 690)
+  // At the first corner it is closed.
+  await click(502, 151)
+  await expect(panel(app)).toContainText('One outline with 4 sides')
+  await expect(page.getByRole('button', { name: 'Select and move' })).toHaveAttribute('aria-pressed', 'true')
+
+  // Inside, a hole, closed by a double click; one that crosses is refused, and stays to be mended.
+  await page.keyboard.press('p')
+  await click(700, 300)
+  await click(900, 300)
+  await page.mouse.dblclick(1300 - 30, 500)
+  await expect(page.getByRole('alert')).toContainText('cross')
+  await expect(panel(app).getByRole('button', { name: 'Close polygon' })).toBeVisible()
+  await panel(app).getByRole('button', { name: 'Undo corner' }).click()
+  await page.mouse.dblclick(800, 500)
+  await expect(panel(app)).toContainText('2 outlines with 7 sides')
+  await expect.poll(async () => (await linkOf(app)).region).toHaveLength(2)
+  await app.canvas.focus()
+  await page.keyboard.press('Control+z')
+  await expect(panel(app)).toContainText('One outline with 4 sides')
+
+  // Escape gives it up.
+  await page.keyboard.press('p')
+  await click(700, 300)
+  await page.keyboard.press('Escape')
+  await expect(panel(app).getByRole('button', { name: 'Draw more' })).toBeVisible()
+  await panel(app).getByRole('button', { name: 'Remove region' }).click()
+
+  // By keys alone: the next corner goes with the arrows.
+  await panel(app).getByRole('button', { name: 'Draw' }).focus()
+  await page.keyboard.press('Enter')
+  await page.keyboard.press(' ')
+  for (const arrow of ['ArrowRight', 'ArrowUp', 'ArrowLeft']) {
+    for (let k = 0; k < 3; k++) await page.keyboard.press(`Shift+${arrow}`)
+    await page.keyboard.press(' ')
+  }
+  await expect(page.locator('#said')).toHaveText('4 corners')
+  await page.keyboard.press('Enter')
+  await expect(panel(app)).toContainText('One outline with 4 sides')
+})
+
+test('areas: equal, by radius, one by one, kept while a point is dragged, by link and by undo', async ({ app }) => {
+  const { page } = app
+  await openThree(app)
+  await expect(panel(app).getByLabel('Areas')).toBeDisabled()
+  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  const choose = panel(app).getByLabel('Areas')
+  await expect(choose).toBeEnabled()
+  await choose.selectOption('equal')
+  await expect(app.status).toContainText(/areas within \de-\d+/)
+  const areaOf = async (at: readonly number[]) => {
+    const { x, y } = place(app, at)
+    await page.mouse.click(x, y)
+    await expect(app.inspector).toContainText('Area inside the region')
+    return app.inspector.locator('dd').first()
+  }
+  const digits = (value: number) => String(Number(value.toPrecision(4)))
+  await expect(await areaOf([0, 0])).toHaveText(digits(TOTAL / 3))
+  await expect(app.inspector.getByLabel('% of the region')).toHaveValue('33.33')
+
+  // A point is dragged: the cells keep their areas, and undo is one step.
+  await expect.poll(async () => (await linkOf(app)).areas).toBe('equal')
+  const before = await app.circles()
+  await app.drag(place(app, [0, 0]), place(app, [1, -1]))
+  await page.mouse.up()
+  await expect.poll(async () => (await app.circles())[0]).toBeCloseTo(1, 1)
+  await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 3))
+  await app.canvas.focus()
+  await page.keyboard.press('Control+z')
+  await expect.poll(() => app.circles()).toEqual(before)
+
+  // A half for one of them.
+  const share = app.inspector.getByLabel('% of the region')
+  await share.fill('50')
+  await share.press('Enter')
+  await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 2))
+  await expect.poll(async () => (await linkOf(app)).areas).toEqual([2, 1, 1])
+  await app.inspector.getByRole('button', { name: 'Circle 1' }).click()
+  await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 4))
+  await page.reload()
+  await expect(app.status).toContainText(/areas within/)
+  await expect(choose).toHaveValue('own')
+  await expect(await areaOf([2, 5])).toHaveText(digits(TOTAL / 4))
+  await expect(app.inspector.getByLabel('w', { exact: true })).toHaveAttribute('readonly', '')
+
+  // A slider does it live.
+  await app.inspector.getByLabel('Share of the region, against the mean').fill('0')
+  await expect(app.inspector.locator('dd').first()).toHaveText(digits(TOTAL / 3))
+
+  // Two points cannot be at one place.
+  for (const [name, value] of [
+    ['x', '0'],
+    ['y', '0'],
+  ] as const) {
+    await app.field(name).fill(value)
+    await app.field(name).press('Enter')
+  }
+  await expect(page.getByRole('alert')).toContainText('has the same position as')
+})
+
+test('circles have their radii again where areas are no longer given', async ({ app }) => {
+  await openThree(app)
+  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  const choose = panel(app).getByLabel('Areas')
+  await choose.selectOption('disc')
+  await expect(app.status).toContainText(/areas within/)
+  await expect.poll(async () => [...(await app.circles())]).not.toEqual(THREE.flat())
+  await choose.selectOption('free')
+  await expect.poll(async () => [...(await app.circles())]).toEqual(THREE.flat())
+  await expect(app.status).not.toContainText(/areas within/)
+})
+
+test('the cities have the outline of their land, also by a link of their name', async ({ app }) => {
+  await app.choose('Cities of Europe')
+  await app.openPanel('Region')
+  await expect(panel(app)).toContainText('11 outlines with 2,062 sides')
+  // A name says both.
+  await expect.poll(async () => linkOf(app)).toEqual({ dataSet: 'cities' })
+  await app.page.reload()
+  await expect(panel(app)).toContainText('11 outlines')
+  await panel(app).getByRole('button', { name: 'Remove region' }).click()
+  await expect.poll(async () => linkOf(app)).toEqual({ dataSet: 'cities', region: null })
+  await app.page.reload()
+  await expect(panel(app)).not.toContainText('outlines')
+})
+
+test.describe('by fingers', () => {
+  test.use({ hasTouch: true, viewport: { width: 390, height: 780 } })
+
+  test('a region is drawn on a phone', async ({ app }) => {
+    await openThree(app)
+    await panel(app).getByRole('button', { name: 'Draw' }).tap()
+    for (const [x, y] of [
+      [60, 150],
+      [330, 140],
+      [200, 300],
+    ] as const) {
+      await app.page.touchscreen.tap(x, y)
+    }
+    await panel(app).getByRole('button', { name: 'Close polygon' }).tap()
+    await expect(panel(app)).toContainText('One outline with 3 sides')
+  })
+})
+
+// Where the pointer is, in the plane: what a test of drawing rests on.
+test('the camera of these tests is that of the page', async ({ app }) => {
+  await openThree(app)
+  await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
+  await expect(panel(app)).toContainText('One outline')
+  const size = app.page.viewportSize() as { width: number; height: number }
+  const corner = place(app, [-3, -3])
+  expect(toPlane(cameraOf(app), size, corner)).toEqual({ x: expect.closeTo(-3, 9), y: expect.closeTo(-3, 9) })
+  expect(await colorAt(app, [-2.8, -2.8])).not.toBe(PAPER)
+  expect(await colorAt(app, [-3.2, -3.2])).toBe(PAPER)
+})

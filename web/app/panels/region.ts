@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { html, nothing, svg, type TemplateResult } from 'lit'
+import type { State } from '../../editing/state.ts'
+import type { Store } from '../../editing/store.ts'
+import { ringsOf } from '../../view/domain.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
+import type { FileActions } from '../files/file-actions.ts'
+import type { PageActions } from '../page-actions.ts'
+import type { RegionPen } from '../region-pen.ts'
+import { byId } from './by-id.ts'
+import { panelOf } from './panel.ts'
+
+/** What areas may be by: numbers above 0. */
+const BY = { equal: 'equal', radius: 'by radius', disc: 'by disc area' } as const
+const FREE = 'free'
+const OWN = 'own'
+
+const icon = (path: TemplateResult) => html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`
+const PEN = icon(svg`<path d="m4 16 1-4 8.500-8.500 3 3L8 15zM11.500 5.500l3 3" />`)
+const FOLDER = icon(svg`<path d="M3 6v9h14V7h-7L8 5H3Z" />`)
+const BIN = icon(svg`<path d="M4 6h12M8 6V4h4v2M6 6l.700 10h6.600L14 6" />`)
+
+/** What cells are cut to, and which areas they have there. */
+export function mountRegion(store: Store<State>, actions: PageActions, files: FileActions, pen: RegionPen): void {
+  const figure = byId('figure', HTMLElement)
+  const draw = () => panel.render(() => body(store.get()))
+  const panel = panelOf(byId('region', HTMLElement), 'Region', draw)
+  /** What the areas are by that were chosen last. */
+  let chosen: { readonly by: string; readonly areas: unknown } | undefined
+
+  const begin = () => {
+    actions.useTool('draw')
+    figure.focus()
+  }
+  const open = async ({ target }: Event) => {
+    const input = target as HTMLInputElement
+    const file = input.files?.[0]
+    if (file !== undefined) await files.openRegion(file)
+    // The same file may be chosen once more.
+    input.value = ''
+  }
+  const choose = async ({ target }: Event) => {
+    const { value } = target as HTMLSelectElement
+    if (value === FREE) await actions.setAreas(undefined)
+    else if (value === 'equal') await actions.setAreas('equal')
+    else if (value !== OWN) await actions.setAreas(actions.radii().map((r) => (value === 'disc' ? r * r : r)))
+    chosen = { by: value, areas: store.get().domain.areas }
+    // What was refused is not chosen.
+    draw()
+  }
+
+  const drawing = () => html`
+    <p>Click the corners. Close the polygon at its first corner, or with a double click. Inside the region it becomes a hole.</p>
+    <div class="choices">
+      <button type="button" class="primary" ?disabled=${pen.count < 3} @click=${() => pen.close()}>Close polygon</button>
+      <button type="button" ?disabled=${pen.count === 0} @click=${() => pen.undo()}>Undo corner</button>
+      <button type="button" @click=${() => actions.useTool('select')}>Cancel</button>
+    </div>
+  `
+
+  const body = ({ domain: { region, areas }, tool, edited }: State) => html`
+    <p>${region === undefined ? 'Clip the cells to a country, a hall with pillars, or any polygon.' : saidOf(region)}</p>
+    ${
+      tool === 'draw'
+        ? drawing()
+        : html`<div class="choices">
+            <button type="button" @click=${begin} title="Draw a polygon, corner by corner (P)">
+              ${PEN}${region === undefined ? 'Draw' : 'Draw more'}
+            </button>
+            <label class="button">
+              ${FOLDER}Open …
+              <input type="file" class="visually-hidden" accept=".geojson,.json,.wkt,.txt" @change=${open} />
+            </label>
+            ${
+              region === undefined
+                ? nothing
+                : html`<button type="button" @click=${() => actions.removeRegion()}>${BIN}Remove region</button>`
+            }
+          </div>`
+    }
+    <fieldset ?disabled=${region === undefined}>
+      <legend>Areas of the cells inside</legend>
+      <div class="layer">
+        <label for="areas">Areas</label>
+        <select id="areas" @change=${choose}>
+          ${optionsOf(areas).map(
+            ([value, label]) => html`<option value=${value} ?selected=${value === chosenOf(areas)}>${label}</option>`,
+          )}
+        </select>
+      </div>
+    </fieldset>
+    <p class="quiet" id="areas-said" aria-live="polite">${aboutAreas(region, areas, edited)}</p>
+  `
+
+  const chosenOf = (areas: State['domain']['areas']) => {
+    if (areas === undefined) return FREE
+    if (areas === 'equal') return 'equal'
+    return chosen?.areas === areas ? chosen.by : OWN
+  }
+  const optionsOf = (areas: State['domain']['areas']) => [
+    [FREE, 'not fixed'],
+    ...Object.entries(BY),
+    ...(chosenOf(areas) === OWN ? [[OWN, 'one by one']] : []),
+  ]
+
+  let shown: readonly unknown[] = []
+  store.subscribe(({ domain, tool, edited, said }) => {
+    const now = [domain, tool, edited?.fitted, tool === 'draw' && said]
+    if (now.every((value, k) => value === shown[k])) return
+    shown = now
+    draw()
+  })
+}
+
+function saidOf(region: NonNullable<State['domain']['region']>): string {
+  const rings = ringsOf(region)
+  const sides = rings.reduce((sum, ring) => sum + ring.length, 0)
+  const outlines = rings.length === 1 ? 'One outline' : `${wholeNumber(rings.length)} outlines`
+  return `${outlines} with ${wholeNumber(sides)} sides. Cells, areas and files are clipped to it.`
+}
+
+function aboutAreas(region: unknown, areas: unknown, edited: State['edited']): string {
+  if (region === undefined) return 'Areas need a region: the cells divide it.'
+  if (areas === undefined)
+    return 'Choose areas, and the diagram finds the weights of the points for which each cell has its own.'
+  const error = edited?.fitted?.error
+  const said = error === undefined ? '' : ` Largest error of an area: ${error.toExponential(0)}.`
+  return `Drag a point: all cells keep their areas. Select one to change its share.${said}`
+}

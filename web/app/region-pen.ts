@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { State } from '../editing/state.ts'
+import type { Store } from '../editing/store.ts'
+import type { Point } from '../lib/index.ts'
+import { ringsOf } from '../view/domain.ts'
+import type { Drawn } from '../view/gestures.ts'
+import type { View } from '../view/view.ts'
+import type { PageActions } from './page-actions.ts'
+
+const ARROWS: { readonly [key: string]: readonly [number, number] } = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+}
+
+/**
+ * Draws a polygon, corner by corner, while the tool is `draw`. Once it is closed it is part of the region: inside of it a hole,
+ * outside another polygon. One that cannot be stays to be mended.
+ */
+export class RegionPen {
+  readonly #store: Store<State>
+  readonly #actions: PageActions
+  readonly #view: View
+  #corners: Point[] = []
+  /** Where the next corner will be. */
+  #next: Point | undefined
+
+  constructor(store: Store<State>, actions: PageActions, view: View) {
+    this.#store = store
+    this.#actions = actions
+    this.#view = view
+    store.subscribe(({ tool }) => {
+      if (tool !== 'draw' && (this.#next !== undefined || this.#corners.length > 0)) this.#clear()
+    })
+  }
+
+  /** How many corners there are. */
+  get count(): number {
+    return this.#corners.length
+  }
+
+  draw(how: Drawn, point: Point, within: number): void {
+    if (how === 'move') this.#move(point)
+    else if (how === 'place') this.#place(point, within)
+    else this.close()
+  }
+
+  /** Arrow keys move the next corner, Space places it, Backspace takes the last one back, and Enter closes the polygon. */
+  key(key: string, step: number): boolean {
+    const arrow = ARROWS[key]
+    const { x, y } = this.#next ?? this.#corners.at(-1) ?? this.#view.camera
+    if (arrow !== undefined) this.#move({ x: x + arrow[0] * step, y: y + arrow[1] * step })
+    else if (key === ' ') this.#place({ x, y }, 0)
+    else if (key === 'Enter') this.close()
+    else if (key === 'Backspace' || key === 'Delete') this.undo()
+    else return false
+    return true
+  }
+
+  /** Takes back the last corner; false: there is none. */
+  undo(): boolean {
+    if (this.#corners.pop() === undefined) return false
+    this.#changed()
+    return true
+  }
+
+  /** Has the polygon be part of the region. */
+  async close(): Promise<void> {
+    if (this.#corners.length < 3) {
+      this.#actions.complain('A polygon needs three corners or more.')
+      return
+    }
+    const ring = this.#corners.map(({ x, y }) => [x, y] as const)
+    const { region } = this.#store.get().domain
+    const edited = await this.#actions.setDomain({ region: [...ringsOf(region), ring] })
+    if (edited !== undefined) this.#actions.useTool('select')
+  }
+
+  #move(point: Point): void {
+    this.#next = point
+    this.#draw()
+  }
+
+  #place(point: Point, within: number): void {
+    const [first, last] = [this.#corners[0], this.#corners.at(-1)]
+    if (first !== undefined && this.#corners.length > 2 && distance(first, point) <= within) {
+      this.close()
+      return
+    }
+    this.#next = undefined
+    // A double click has two presses.
+    if (last === undefined || distance(last, point) > within / 2) this.#corners.push(point)
+    this.#changed()
+  }
+
+  #changed(): void {
+    const { length } = this.#corners
+    const text = length === 1 ? '1 corner' : `${length} corners`
+    this.#store.update((state) => ({ ...state, problem: '', said: { text } }))
+    this.#draw()
+  }
+
+  #clear(): void {
+    this.#corners = []
+    this.#next = undefined
+    this.#draw()
+  }
+
+  #draw(): void {
+    const points = this.#next === undefined ? this.#corners : [...this.#corners, this.#next]
+    this.#view.sketch = points.length === 0 ? undefined : Float64Array.from(points.flatMap(({ x, y }) => [x, y]))
+  }
+}
+
+function distance(one: Point, other: Point): number {
+  return Math.hypot(one.x - other.x, one.y - other.y)
+}
