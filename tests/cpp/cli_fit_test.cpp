@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
@@ -85,6 +86,30 @@ TEST_F(CliFit, WritesADiagramWithTheWeightsAsRadiiWhichIsWhereTheNextFitBegins) 
   // A coarse fit takes fewer steps.
   textOf(sites_ + options + " --max-steps 4 --area-tolerance 0.1 --format json");
   fails(sites_ + options + " --max-steps 4", "The fit stopped after 4 steps", 1);
+}
+
+TEST_F(CliFit, MovesSitesToTheCentersOfTheirCells) {
+  const std::string options = sites_ + " --areas people --shares" + region_;
+  expectAreas(textOf(options + " --relax 30 --format geojson"));
+  // Sites that are at the centers of their cells stay.
+  const auto placesAfter = [&](const std::string& relax) {
+    std::vector<double> places;
+    const Json diagram = Json::parse(textOf(options + " --format json --relax " + relax));
+    for (const Json& circle : diagram["circles"]) {
+      places.push_back(circle["x"].get<double>());
+      places.push_back(circle["y"].get<double>());
+    }
+    return places;
+  };
+  const std::vector<double> start = placesAfter("0");
+  EXPECT_EQ(start, (std::vector<double>{1, 1, 3, 2, 2, 3}));
+  const std::vector<double> places = placesAfter("60");
+  const std::vector<double> more = placesAfter("61");
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_NEAR(more[i], places[i], 0.01) << i;
+    EXPECT_GT(std::abs(places[i] - start[i]), 0.01) << i;
+  }
+  fails(options + " --relax -1", "relax must not be negative (got -1).");
 }
 
 TEST_F(CliFit, TakesWeightsBelowZeroToStartFrom) {
