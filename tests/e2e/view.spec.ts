@@ -268,3 +268,25 @@ test('colors by a measure have a legend with numbers on the canvas', async ({ ap
   await app.choose('Random, 10,000')
   await expect(legend).toContainText('Radius of the circle')
 })
+
+test('an overlay with nothing on it is not drawn again while the picture is zoomed', async ({ app }) => {
+  const { page } = app
+  await page.evaluate(() => {
+    const { clearRect } = CanvasRenderingContext2D.prototype
+    const overlay = document.querySelector('#figure canvas:nth-of-type(2)')
+    Object.assign(globalThis, { drawn: 0 })
+    CanvasRenderingContext2D.prototype.clearRect = function (...box) {
+      if (this.canvas === overlay) (globalThis as unknown as { drawn: number }).drawn += 1
+      clearRect.apply(this, box)
+    }
+  })
+  const drawn = () => page.evaluate(() => (globalThis as unknown as { drawn: number }).drawn)
+  const before = await page.locator('#scale').textContent()
+  await app.canvas.focus()
+  for (let k = 0; k < 3; k++) await page.keyboard.press('+')
+  await expect(page.locator('#scale')).not.toHaveText(before as string)
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  expect(await drawn()).toBe(0)
+  await page.keyboard.press('Enter')
+  await expect.poll(drawn).toBeGreaterThan(0)
+})
