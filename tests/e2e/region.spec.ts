@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regions and given areas in the page: opened, dropped, drawn, edited, kept, saved.
 import { readFileSync } from 'node:fs'
+import AxeBuilder from '@axe-core/playwright'
 import type { Locator } from '@playwright/test'
 import type { Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
@@ -294,6 +295,34 @@ test('the cities have the outline of their land, also by a link of their name', 
   await app.page.reload()
   await expect(panel(app)).not.toContainText('outlines')
 })
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test.describe(colorScheme, () => {
+    test.use({ colorScheme })
+
+    test('is clear to everyone: empty, while drawing, refused, with areas', async ({ app }) => {
+      const { page } = app
+      const expectNone = async () => expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+      await openThree(app)
+      await expectNone()
+      await panel(app).getByRole('button', { name: 'Draw' }).click()
+      await page.mouse.click(600, 300)
+      await expect(panel(app).getByRole('button', { name: 'Undo corner' })).toBeEnabled()
+      await expectNone()
+      await page.keyboard.press('Enter')
+      await expect(page.getByRole('alert')).toHaveText('A polygon needs three corners or more.')
+      await expectNone()
+      await page.keyboard.press('Escape')
+      await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+      await panel(app).getByLabel('Areas').selectOption('equal')
+      await expect(app.status).toContainText(/areas within/)
+      const { x, y } = place(app, [0, 0])
+      await page.mouse.click(x, y)
+      await expect(app.inspector.getByLabel('% of the region')).toBeVisible()
+      await expectNone()
+    })
+  })
+}
 
 test.describe('by fingers', () => {
   test.use({ hasTouch: true, viewport: { width: 390, height: 780 } })

@@ -187,6 +187,31 @@ describe('the painter', () => {
     expect(await hit).toEqual({ id: 1, part: 'disc' })
   })
 
+  it('has another thread cut what the last one cut, and fit nothing again', async () => {
+    const region = [
+      [
+        [0, 0],
+        [9, 0],
+        [9, 9],
+      ],
+    ]
+    const opening = scene.open(Float64Array.of(0, 0, 1, 5, 0, 1), {
+      region,
+      areSites: true,
+      fit: { known: undefined, inserted: [] },
+    })
+    // The radii are those that were fitted.
+    worker().answer({ ...opened(1), circles: Float64Array.of(0, 0, 3, 5, 0, 0) } as FromPainter)
+    await opening
+    expect(scene.circles.get(0)?.r).toBe(3)
+    const edit = scene.edit([], { region: null })
+    worker().answer({ kind: 'refused', scene: 1, revision: 2, error: { code: 'badInput', message: '' } as never })
+    await expect(edit).rejects.toThrow()
+    worker().onmessage?.({ data: { kind: 'failed', message: 'out of memory' } })
+    expect(worker().of('open').at(-1)).toMatchObject({ region, areSites: true, circles: { 2: 3 } })
+    expect(worker().of('open').at(-1)?.fit).toBeUndefined()
+  })
+
   it('replaces a thread that never worked when something is asked again, and not before', async () => {
     const open = scene.open(new Float64Array())
     worker().onerror?.({ message: 'not found' })

@@ -22,7 +22,7 @@ const HEADINGS: Readonly<Record<Column, Heading>> = {
   x: { name: 'x', title: 'Center', isEditable: true },
   y: { name: 'y', title: 'Center', isEditable: true },
   r: { name: 'r', title: 'Radius', isEditable: true },
-  area: { name: 'area', title: 'Area of the cell', isEditable: false },
+  area: { name: 'area', title: 'Area of the cell, inside the region if there is one', isEditable: false },
   degree: { name: 'nbrs', title: 'Neighbors: how many cells border on this one', isEditable: false },
   gap: { name: 'nearest', title: 'Distance of the nearest other circle', isEditable: false },
 }
