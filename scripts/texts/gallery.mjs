@@ -15,8 +15,9 @@ const IN_SITE = {
   'dist/element/index.js': 'element.js',
   'dist/element/bundle.js': 'element.js',
   'dist/element/element.css': 'element.css',
-  'dist/lib/index.js': 'library.js',
+  'dist/lib/index.js': 'lib/bundle.js',
   'dist/site/': '',
+  'public/data/': 'data/',
 }
 const IN_DIST = new RegExp(`(?:\\.\\./)+(${Object.keys(IN_SITE).join('|')})`, 'g')
 
@@ -56,7 +57,13 @@ function aboutOf(files) {
  */
 export async function buildGallery(site) {
   copyFileSync(`${ROOT}web/element/element.css`, `${site}/element.css`)
-  copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/library.js`)
+  // With the modules that the one file fetches.
+  mkdirSync(`${site}/lib/generated`, { recursive: true })
+  copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/lib/bundle.js`)
+  for (const name of ['comparison', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])) {
+    const file = `lib/generated/circle-voronoi-${name}`
+    copyFileSync(`${ROOT}dist/${file}`, `${site}/${file}`)
+  }
   const examples = readGallery()
   for (const { folder, files } of examples.filter(({ isLive }) => isLive)) {
     await putPage(folder, files, `${site}/examples/${folder}`)
