@@ -10,13 +10,14 @@ import { codeBlock, escaped } from './page.mjs'
 const EXAMPLES = `${ROOT}examples`
 /** The sources of examples. What a program prints stands in a text of its name, with which tests compare it. */
 const SOURCE = /(CMakeLists\.txt|(?<!\.d)\.(cpp|css|csv|html|js|jsx|md|mjs|py|sh))$/
-/** What examples take from dist/, and the files of the site, seen from its folder, that are the same. */
+/** What examples take from dist/ and public/, and the files of the site, seen from its folder, that are the same. */
 const IN_SITE = {
   'dist/element/index.js': 'element.js',
   'dist/element/bundle.js': 'element.js',
   'dist/element/element.css': 'element.css',
-  'dist/lib/index.js': 'library.js',
+  'dist/lib/index.js': 'lib/bundle.js',
   'dist/site/': '',
+  'public/': '',
 }
 const IN_DIST = new RegExp(`(?:\\.\\./)+(${Object.keys(IN_SITE).join('|')})`, 'g')
 
@@ -56,7 +57,11 @@ function aboutOf(files) {
  */
 export async function buildGallery(site) {
   copyFileSync(`${ROOT}web/element/element.css`, `${site}/element.css`)
-  copyFileSync(`${ROOT}dist/lib/bundle.js`, `${site}/library.js`)
+  // The bundle finds the module of regions beside its folder.
+  mkdirSync(`${site}/lib/generated`, { recursive: true })
+  for (const file of ['bundle.js', 'generated/circle-voronoi-regions.js', 'generated/circle-voronoi-regions.wasm']) {
+    copyFileSync(`${ROOT}dist/lib/${file}`, `${site}/lib/${file}`)
+  }
   const examples = readGallery()
   for (const { folder, files } of examples.filter(({ isLive }) => isLive)) {
     await putPage(folder, files, `${site}/examples/${folder}`)
