@@ -5,19 +5,15 @@ import { districtsOf } from './districts.js'
 
 /** Of a city of a million, in kilometers: the circles of the file have the areas of populations. */
 const RADIUS = 30
-/** How far districts go beyond the cities on the hull, in kilometers. */
-const MARGIN = 120
 const COLORS = ['#e9b44c', '#6aa5c9', '#d9869f', '#86b98b', '#a99bd0', '#e39a6f', '#9db4a0']
 
-const library = await loadCircleVoronoi()
-const regions = await library.loadRegions()
+const regions = await (await loadCircleVoronoi()).loadRegions()
 const rows = (await (await fetch('../../public/data/cities.csv')).text()).trim().split('\n').slice(1)
 const cities = rows.map((row) => {
   const [x, y, r] = row.split(',').map(Number)
   return { x, y, r, people: (r / RADIUS) ** 2 }
 })
-const grown = library.compute(cities.map(({ x, y }) => ({ x, y, r: MARGIN })))
-const shape = regions.region([grown.hullPolygon({ tolerance: 1 })])
+const shape = regions.region(await (await fetch('../../public/data/cities.region.json')).json())
 
 const count = document.querySelector('#count')
 const picture = document.querySelector('#picture')

@@ -10,7 +10,7 @@ import { codeBlock, escaped } from './page.mjs'
 const EXAMPLES = `${ROOT}examples`
 /** The sources of examples. What a program prints stands in a text of its name, with which tests compare it. */
 const SOURCE = /(CMakeLists\.txt|(?<!\.d)\.(cpp|css|csv|html|js|jsx|md|mjs|py|sh))$/
-/** What examples take from dist/, and the files of the site, seen from its folder, that are the same. */
+/** What examples take from dist/ and public/, and the files of the site, seen from its folder, that are the same. */
 const IN_SITE = {
   'dist/element/index.js': 'element.js',
   'dist/element/bundle.js': 'element.js',

@@ -7,7 +7,12 @@ import { expect, type Frame, test } from '@playwright/test'
 
 const EXAMPLES = fileURLToPath(new URL('../../examples/', import.meta.url))
 /** Folders of what is a page. */
-const PAGES = ['bouncing', ...readdirSync(`${EXAMPLES}element`).map((name) => `element/${name}`)]
+const PAGES = [
+  'bouncing',
+  'districts',
+  ...readdirSync(`${EXAMPLES}element`).map((name) => `element/${name}`),
+  'treemap',
+]
 
 test('each page of the examples runs in the place of its picture, and shows a diagram', { tag: '@long' }, async ({
   page,
@@ -42,6 +47,8 @@ async function inkOf(frame: Frame): Promise<number> {
 }
 
 function inkHere(): number {
+  // An SVG shows its shapes.
+  if (document.querySelector('#picture svg path') !== null) return 1
   const shadows = [...document.querySelectorAll('circle-voronoi')].map(({ shadowRoot }) => shadowRoot)
   const canvases = [document, ...shadows].flatMap((root) => [...(root?.querySelectorAll('canvas') ?? [])])
   const inks = canvases.map((canvas) => {

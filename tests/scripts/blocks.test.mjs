@@ -51,10 +51,12 @@ it('finds fenced and indented blocks below their headings, and not what chapters
 /** Which file opens, builds or runs each example, or the first folder of its path. */
 const EXAMPLES = {
   bouncing: 'tests/e2e/examples.spec.ts',
+  districts: 'tests/pack/areas.spec.ts',
   element: 'tests/e2e/examples.spec.ts',
   fetch_content: 'tests/package/check.cmake',
   find_package: 'tests/package/check.cmake',
   tiles: 'tests/tiles/tiles.test.mjs',
+  treemap: 'tests/pack/areas.spec.ts',
 }
 it.each(readGallery().map(({ folder }) => folder))('the example %s has a test', (folder) => {
   const [name] = folder.split('/')

@@ -192,7 +192,11 @@ describe('the fields of the selected circle', () => {
     const set: unknown[] = []
     const store = createStore<State>({ ...INITIAL_STATE, selected: 7, circle: { x: 1, y: 2, r: 3 } })
     const complain = (problem: string) => store.update((state) => ({ ...state, problem }))
-    const actions = { set: (edits: unknown) => set.push(edits), select: (ids: unknown) => set.push(ids), complain }
+    const held = () => {
+      const { selected: id, circle } = store.get()
+      return circle === undefined ? [] : [{ id, circle }]
+    }
+    const actions = { held, set: (edits: unknown) => set.push(edits), select: (ids: unknown) => set.push(ids), complain }
     const frames: (() => void)[] = []
     vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
     const focusNumbers = mountInspector(store, actions as unknown as PageActions)

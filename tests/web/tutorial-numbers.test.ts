@@ -154,15 +154,15 @@ describe('chapter 8', () => {
   test('how the times grow', () => {
     expectSaid(8, 'The time grows with the number of circles, and hardly faster. Only trying all pairs is different.')
     expect(exponent(ways.auto)).toBeLessThan(1.12)
-    expectSaid(8, 'Twice as many circles, more than four times the time')
+    expectSaid(8, 'twice as many circles take more than four times the time')
     expect(2 ** exponent(ways.pairs)).toBeGreaterThan(4)
-    expectSaid(8, 'some twelve samples a circle with $N_s = 1$; twice as many circles, about twice the time')
+    expectSaid(8, 'about twelve samples per circle with $N_s = 1$; twice as many circles take about twice the time')
     expect(measured(/([\d.]+) a circle; n\^1\.0/)[0]).toBeCloseTo(12, 0)
     expect(2 ** exponent(ways.dynamic)).toBeCloseTo(2, 0)
   })
 
   test('flips take about a tenth of what samples take, and a hundred thousand circles a fraction of a second', () => {
-    expectSaid(8, '| flips | about a tenth of what samples take |')
+    expectSaid(8, '| flips | about a tenth of the time that samples take |')
     for (const [k, time] of ways.auto.slice(0, -1).entries()) {
       const ratio = seconds(ways.dynamic[k] as string) / seconds(time)
       expect(ratio).toBeGreaterThan(7)
