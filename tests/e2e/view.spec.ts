@@ -290,3 +290,17 @@ test('an overlay with nothing on it is not drawn again while the picture is zoom
   await page.keyboard.press('Enter')
   await expect.poll(drawn).toBeGreaterThan(0)
 })
+
+test('the numbers of no circles are drawn without an error', async ({ app }) => {
+  await app.choose('Introduction')
+  await app.openPanel('Numbers')
+  const charts = app.page.locator('#numbers canvas')
+  await expect(charts).toHaveCount(2)
+  await app.canvas.focus()
+  await app.page.keyboard.press('Control+a')
+  await app.page.keyboard.press('Delete')
+  await expect(app.status).toContainText('0 circles')
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await expect(app.page.locator('#numbers')).toContainText('Neighbors: 0.00 on average')
+  await expect(charts).toHaveCount(1)
+})

@@ -28,6 +28,9 @@ export class Histogram {
       ticks: { stroke: ink, width: 0.5, size: 3 },
     }
     this.#plot?.destroy()
+    this.#plot = undefined
+    // An axis without length has no end of ticks.
+    if (counts.length === 0) return
     this.#plot = new uPlot(
       {
         width: this.place.clientWidth,
