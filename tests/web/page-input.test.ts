@@ -196,7 +196,12 @@ describe('the fields of the selected circle', () => {
       const { selected: id, circle } = store.get()
       return circle === undefined ? [] : [{ id, circle }]
     }
-    const actions = { held, set: (edits: unknown) => set.push(edits), select: (ids: unknown) => set.push(ids), complain }
+    const actions = {
+      held,
+      set: (edits: unknown) => set.push(edits),
+      select: (ids: unknown) => set.push(ids),
+      complain,
+    }
     const frames: (() => void)[] = []
     vi.stubGlobal('requestAnimationFrame', (frame: () => void) => frames.push(frame))
     const focusNumbers = mountInspector(store, actions as unknown as PageActions)
