@@ -93,9 +93,9 @@ export class PageActions extends EditorActions {
     return this.setDomain({ areas }, gesture, edits)
   }
 
-  /** The columns of numbers that came with the circles. */
+  /** The names of the columns of numbers that came with the circles. */
   get columns(): readonly string[] {
-    return this.#editing.columns
+    return this.#editing.scene?.columns?.map(({ name }) => name) ?? []
   }
 
   /** Gives cells areas by a column. Circles without a number get the mean: how many, or `undefined` if it is refused. */

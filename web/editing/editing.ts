@@ -96,11 +96,6 @@ export class Editing {
     return this.#scene?.names?.[this.numberOf(id)] ?? ''
   }
 
-  /** The names of the columns that came with the circles. */
-  get columns(): readonly string[] {
-    return this.#scene?.columns?.map(({ name }) => name) ?? []
-  }
-
   /** A column in the order of the circles; NaN for circles that were added. */
   valuesOf(name: string): Float64s {
     const values = this.#scene?.columns?.find((column) => column.name === name)?.values

@@ -342,7 +342,7 @@ export class PaintedScene {
     const { boxes, isEverywhere } = this.#picture.apply(change)
     // All that is seen goes together, so that no part of a motion comes late.
     const isAtOnce = this.#followPower() && !isElsewhere
-    const patches = isAtOnce ? this.#repaintAll() : isElsewhere ? [] : this.#repaint(boxes)
+    const patches = isElsewhere ? [] : this.#repaint(isAtOnce ? undefined : boxes)
     if ((isEverywhere && !isAtOnce) || isElsewhere) this.#restart()
     this.#isFound = false
     const { inserted, removed, replaced, circles } = change
@@ -465,22 +465,17 @@ export class PaintedScene {
     })
   }
 
-  #repaint(boxes: readonly Box[]): Patch[] {
+  /** `undefined`: all that is painted. */
+  #repaint(boxes: readonly Box[] | undefined): Patch[] {
     const look = this.#look
     if (look === undefined) return []
     const margin = STROKE * look.grid.pixelRatio
     const tiles = tilesOf(look.wanted).filter((tile) => this.#painted.has(keyOf(tile)))
     return tiles.flatMap((tile) => {
+      if (boxes === undefined) return [this.#paint(tile, look)]
       const parts = boxes.flatMap((box) => intersection(tile, pixelsOf(look.grid, box, margin)) ?? [])
       return apart(parts).map((part) => this.#paint(part, look))
     })
-  }
-
-  #repaintAll(): Patch[] {
-    const look = this.#look
-    if (look === undefined) return []
-    const tiles = tilesOf(look.wanted).filter((tile) => this.#painted.has(keyOf(tile)))
-    return tiles.map((tile) => this.#paint(tile, look))
   }
 
   #restart(): void {

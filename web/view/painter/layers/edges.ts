@@ -5,6 +5,7 @@ import { hypotenuse } from '../../../lib/base/scale.ts'
 import { drawEdge } from '../../../lib/drawing/draw.ts'
 import { circleAt, type Diagram, type PathSink } from '../../../lib/index.ts'
 import { keptParts } from '../../../lib/regions/cell-limits.ts'
+import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 
 /** Browsers stroke long paths in more than linear time. */
@@ -20,10 +21,10 @@ export const edges: Layer = {
   isClipped: true,
   isOn: (layers) => layers.edges,
   draw(painting) {
-    const { picture, style, lineWidth, circles, width } = painting
+    const { style, lineWidth, width } = painting
     const opacity = shareOf(width, CELL_WITH_EDGES)
     if (opacity === 0) return
-    strokeEdges(painting, picture.diagram, circles, (path) => painting.stroke(path, style.edge, lineWidth, [], opacity))
+    strokeArcs(painting, (path) => painting.stroke(path, style.edge, lineWidth, [], opacity))
   },
 }
 
@@ -58,13 +59,27 @@ export const missedEdges: Layer = {
   isClipped: true,
   isOn: (layers) => layers.missedEdges,
   draw(painting) {
-    const { picture, style, circles, lineWidth } = painting
+    const { picture, style, lineWidth } = painting
     const missed = picture.method?.missed
     if (missed === undefined || missed.size === 0) return
-    const isMissed = (edge: number) => missed.has(edge)
     const width = Math.max(MISSED_LINE * painting.pixelRatio, lineWidth)
-    strokeEdges(painting, picture.diagram, circles, (path) => painting.stroke(path, style.missedEdges, width), isMissed)
+    strokeArcs(
+      painting,
+      (path) => painting.stroke(path, style.missedEdges, width),
+      (edge) => missed.has(edge),
+    )
   },
+}
+
+function strokeArcs(
+  painting: Painting,
+  stroke: (path: PathSink) => void,
+  isDrawn: (edge: number) => boolean = () => true,
+): void {
+  const { limits, tolerance, circles } = painting
+  const { diagram } = painting.picture
+  const add = (sink: FrameSink, e: number) => isDrawn(e) && drawEdge(sink, diagram, e, limits, tolerance)
+  strokeEdges(painting, diagram, circles, add, stroke)
 }
 
 /** A dash and the gap after it, in CSS pixels. */
@@ -78,38 +93,26 @@ const FAR = 1e9
  * whichever parts an edge is painted, and they stay where a vertex of the edge moves.
  */
 function strokeGhost(painting: Painting, diagram: Diagram, circles: readonly number[], color: string): void {
-  const thickness = Math.min(painting.lineWidth, GHOST_LINE * painting.pixelRatio)
-  let path = painting.drawing.path()
-  let count = 0
-  const stroke = () => painting.stroke(path, color, thickness)
-  for (const e of edgesOf(diagram, circles)) {
-    addDashes(path, painting, diagram, e)
-    count += 1
-    if (count % EDGES_PER_PATH !== 0) continue
-    stroke()
-    path = painting.drawing.path()
-  }
-  stroke()
-}
-
-function addDashes(path: PathSink, painting: Painting, diagram: Diagram, e: number): void {
-  const { limits, pixelRatio } = painting
-  const sink = painting.sink()
-  const { x, y, dx, dy } = lineOf(diagram, e)
-  const [beginX, beginY] = [sink.x(x), sink.y(y)]
+  const { lineWidth, pixelRatio, limits } = painting
   const [dash, period] = [DASH * pixelRatio, (DASH + GAP) * pixelRatio]
-  for (const { curve } of keptParts(diagram, e, { region: limits.region, maxDistance: undefined })) {
-    // y is downwards there.
-    const along = [curve.start, curve.end].map((end) => (sink.x(end.x) - beginX) * dx - (sink.y(end.y) - beginY) * dy)
-    const [from, to] = [Math.min(...along), Math.max(...along)]
-    if (!(Math.abs(from) < FAR && Math.abs(to) < FAR)) continue
-    for (let k = Math.floor(from / period); k * period < to; k++) {
-      const [start, end] = [Math.max(k * period, from), Math.min(k * period + dash, to)]
-      if (start >= end) continue
-      path.moveTo(beginX + start * dx, beginY - start * dy)
-      path.lineTo(beginX + end * dx, beginY - end * dy)
+  const add = (sink: FrameSink, e: number) => {
+    const { x, y, dx, dy } = lineOf(diagram, e)
+    const [beginX, beginY] = [sink.x(x), sink.y(y)]
+    for (const { curve } of keptParts(diagram, e, { region: limits.region, maxDistance: undefined })) {
+      // y is downwards there.
+      const along = [curve.start, curve.end].map((end) => (sink.x(end.x) - beginX) * dx - (sink.y(end.y) - beginY) * dy)
+      const [from, to] = [Math.min(...along), Math.max(...along)]
+      if (!(Math.abs(from) < FAR && Math.abs(to) < FAR)) continue
+      for (let k = Math.floor(from / period); k * period < to; k++) {
+        const [start, end] = [Math.max(k * period, from), Math.min(k * period + dash, to)]
+        if (start >= end) continue
+        sink.path.moveTo(beginX + start * dx, beginY - start * dy)
+        sink.path.lineTo(beginX + end * dx, beginY - end * dy)
+      }
     }
   }
+  const thickness = Math.min(lineWidth, GHOST_LINE * pixelRatio)
+  strokeEdges(painting, diagram, circles, add, (path) => painting.stroke(path, color, thickness))
 }
 
 /** The line that an edge lies on: a point between the centers, and a direction, the same for either order of the two. */
@@ -123,28 +126,25 @@ function lineOf({ circles, edges }: Diagram, e: number): { x: number; y: number;
   return { x: p.x + share * x, y: p.y + share * y, dx: -y / distance, dy: x / distance }
 }
 
-/** The edges around circles, each once: with its left circle. */
-function* edgesOf({ cells }: Diagram, circles: readonly number[]): Generator<number> {
-  for (const i of circles) for (const side of cells.sides(i)) if ((side & 1) === 0) yield side >> 1
-}
-
+/** Adds each edge around circles once, with its left circle, and strokes what was added. */
 function strokeEdges(
   painting: Painting,
-  diagram: Diagram,
+  { cells }: Diagram,
   circles: readonly number[],
+  add: (sink: FrameSink, e: number) => void,
   stroke: (path: PathSink) => void,
-  isDrawn: (edge: number) => boolean = () => true,
 ): void {
-  const { limits, tolerance } = painting
   let sink = painting.sink()
   let count = 0
-  for (const e of edgesOf(diagram, circles)) {
-    if (!isDrawn(e)) continue
-    drawEdge(sink, diagram, e, limits, tolerance)
-    count += 1
-    if (count % EDGES_PER_PATH !== 0) continue
-    stroke(sink.path)
-    sink = painting.sink()
+  for (const i of circles) {
+    for (const side of cells.sides(i)) {
+      if (side & 1) continue
+      add(sink, side >> 1)
+      count += 1
+      if (count % EDGES_PER_PATH !== 0) continue
+      stroke(sink.path)
+      sink = painting.sink()
+    }
   }
   stroke(sink.path)
 }
