@@ -195,6 +195,23 @@ test('a page that runs from right to left leaves each part of the status as it i
   expect((await boxOf(knots.first())).x).toBeLessThan((await boxOf(knots.last())).x)
 })
 
+test('what is pressed stays where it is while an error goes, and is clicked', async ({ app }) => {
+  const { page } = app
+  await page.setViewportSize({ width: 800, height: 600 })
+  await app.canvas.focus()
+  await page.keyboard.press('Enter')
+  await app.field('r').fill('-1')
+  await app.field('r').press('Enter')
+  await expect(page.getByRole('alert')).toBeVisible()
+  const { x, y } = await boxOf(page.locator('#rail').getByRole('button', { name: 'Layers', exact: true }))
+  await page.mouse.move(x + 10, y + 10)
+  await page.mouse.down()
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))))
+  await page.mouse.up()
+  await expect(page.locator('#layers')).toBeVisible()
+  await expect(page.getByRole('alert')).toBeHidden()
+})
+
 /** How many pixels of discs lie below an element: their colors are strong, those of cells are weak. */
 async function discPixelsBelow({ page, canvas }: App, selector: string): Promise<number> {
   await expect(canvas).toHaveAttribute('aria-busy', 'false')

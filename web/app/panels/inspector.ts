@@ -4,6 +4,7 @@ import { describeCell } from '../../editing/describe-cell.ts'
 import { shortest } from '../../editing/shortest.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { listenToPresses } from '../input/after-press.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
@@ -18,6 +19,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
   const neighbors = byId('inspector-neighbors', HTMLUListElement)
   const fields = FIELDS.map((name) => byId(`field-${name}`, HTMLInputElement))
   const figure = byId('figure', HTMLElement)
+  const afterPress = listenToPresses(document)
 
   // What is being typed, or was refused, stays in its field for the user to mend.
   let typing: HTMLInputElement | undefined
@@ -37,7 +39,8 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
       const { circle, problem } = store.get()
       if (circle === undefined) return
       const text = shortest(circle[FIELDS[i] as Field])
-      if (field.value !== text && problem !== '') actions.complain('')
+      if (field.value !== text && problem !== '')
+        afterPress(() => store.get().problem === problem && actions.complain(''))
       field.value = text
       field.setAttribute('aria-invalid', 'false')
     })
