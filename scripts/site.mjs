@@ -13,7 +13,7 @@ import { buildTexts } from './texts/texts.mjs'
 
 const SERVICE_WORKER = 'service-worker.js'
 /** What works with a network alone: what is for other pages, examples among these, and the pictures and the reference of the documentation, which are large. */
-const NOT_KEPT = /^(element\.(css|js)|(api|examples|lib)\/.*|docs\/.*\.(jpg|svg|txt))$/
+const NOT_KEPT = /^(element\.(css|js)|(api|examples|lib)\/.*|docs\/.*\.(jpg|png|svg|txt))$/
 /** Compressing other files would gain nothing. */
 const COMPRESSED = /\.(css|csv|html|js|json|md|svg|txt|wasm|webmanifest)$/
 /** Smaller ones fit into one packet as they are. */
