@@ -87,7 +87,7 @@ void addFitCommand(CLI::App& program) {
       ->capture_default_str();
   command
       ->add_option("--relax", arguments->relax,
-                   "How often all sites move to the centroids of their cells before the last fit")
+                   "How many times all sites move to the centroids of their cells before the last fit")
       ->type_name("COUNT")
       ->capture_default_str();
   arguments->output.isRegionNeeded = true;
