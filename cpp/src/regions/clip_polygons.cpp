@@ -10,6 +10,7 @@
 #include "flatten.h"
 #include "in_circle.h"
 #include "scale.h"
+#include "with_key.h"
 
 namespace circle_voronoi {
 namespace {
@@ -22,8 +23,8 @@ Point centerOf(const Diagram& diagram, CircleIndex circle) {
   return {c.x, c.y};
 }
 
-/// Divides the step that a corner lies beyond, as `middle` says, until the corner is on the left of the steps. The steps
-/// go counter-clockwise around the center, and the corner lies inside what they border.
+/// Divides the step that a corner lies beyond, as `middle` says, until the corner is on the left of the steps. The
+/// steps go counter-clockwise around the center, and the corner lies inside what they border.
 template <class Middle>
 void makeRoom(std::vector<Point>& points, Point center, Point corner, Middle middle) {
   for (int i = 0; i <= kMostDivisions; ++i) {
@@ -66,9 +67,8 @@ void ClipFlattener::collectCorners() {
   for (const auto& [cell, crossing] : parts.allCrossings()) {
     clearance = 0;
     last = parts.crossings.all[at(crossing)].point;
-    parts.visitCorners(parts.stretchFrom(crossing), [&, cell = cell](RegionSideIndex side) {
-      add(cell, parts.pointOf(parts.sideAfter(side)));
-    });
+    parts.visitCorners(parts.stretchFrom(crossing),
+                       [&, cell = cell](RegionSideIndex side) { add(cell, parts.pointOf(parts.sideAfter(side))); });
   }
   for (const auto& [cell, ring] : parts.allRings()) {
     clearance = 0;
@@ -86,7 +86,7 @@ std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part
   const auto key = [](const Corner& corner) { return std::int32_t{corner.edge}; };
   const Diagram& diagram = clipped_.diagram();
   const Bisector& bisector = part.bisector;
-  for (const Corner& corner : std::ranges::equal_range(corners_, std::int32_t{edge}, {}, key)) {
+  for (const Corner& corner : withKey(corners_, std::int32_t{edge}, key)) {
     const auto middle = [&](Point p, Point q) {
       const double from = parameterAt(bisector, p);
       const double to = parameterAt(bisector, q);
