@@ -4,6 +4,9 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
+import { readBook } from '../../scripts/texts/tutorial.mjs'
+import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
+import { library } from '../web/library.ts'
 
 const SITE = fileURLToPath(new URL('../../dist/site/', import.meta.url))
 const pagesOf = (folder: string) =>
@@ -12,6 +15,8 @@ const pagesOf = (folder: string) =>
     .map((name) => `${folder}/${name}`)
 /** Beyond that a page scrolls sideways by rounding alone. */
 const ROUNDING = 1
+/** Of a figure without buttons, in pixels. */
+const MARGIN = 16
 
 test('the first page sends each reader on within a screen', async ({ page }) => {
   await page.goto('/docs/')
@@ -252,6 +257,62 @@ test.describe('on a phone', () => {
     await page.touchscreen.tap(x + 16 + (5 + 3) * scale, y + 12)
     await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
   })
+
+  for (const { file, blocks } of readBook()) {
+    const names = blocks.filter(({ spec }) => spec.layers?.disc === true).map(({ spec }) => spec.name as string)
+    if (names.length === 0) continue
+    test(`${file}: a tap on a vertex marks where its disc touches circles`, async ({ page }) => {
+      await page.goto(`/tutorial/${file}`)
+      for (const name of names) {
+        const figure = page.locator(`#${name} circle-voronoi`)
+        await figure.scrollIntoViewIfNeeded()
+        const { circles, view, box } = await figure.evaluate(
+          async (element: HTMLElementTagNameMap['circle-voronoi']) => {
+            await element.ready
+            await element.updateComplete
+            const root = element.shadowRoot as ShadowRoot
+            const { left, top, width, height } = (root.querySelector('.figure') as Element).getBoundingClientRect()
+            return { circles: [...element.circles], view: element.view, box: { left, top, width, height } }
+          },
+        )
+        const padding = { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN }
+        const camera =
+          view === undefined
+            ? fitted(boundingBox(Float64Array.from(circles)), box, padding)
+            : { x: view.x, y: view.y, scale: Math.min(box.width, box.height) / view.span }
+        const { vertices, vertexCircles } = library.compute(Float64Array.from(circles))
+        const screen = (x: number, y: number) => toScreen(camera, box, { x, y })
+        const isSeen = ({ x, y }: { x: number; y: number }) =>
+          x > 12 && y > 12 && x < box.width - 12 && y < box.height - 12
+        const discs = Array.from({ length: vertices.length / 3 }, (_, v) => {
+          const [x = 0, y = 0, r = 0] = vertices.subarray(3 * v, 3 * v + 3)
+          const feet = [...vertexCircles.subarray(3 * v, 3 * v + 3)].map((i) => {
+            const [cx = 0, cy = 0] = circles.slice(3 * i, 3 * i + 2)
+            const away = Math.hypot(cx - x, cy - y)
+            return screen(x + (r * (cx - x)) / away, y + (r * (cy - y)) / away)
+          })
+          return { at: screen(x, y), feet }
+        })
+        const disc = discs.find(({ at, feet }) => [at, ...feet].every(isSeen))
+        // A border alone: the test above taps on it.
+        if (discs.length === 0) continue
+        expect(disc, name).toBeDefined()
+        const { at, feet } = disc as NonNullable<typeof disc>
+        const marked = () =>
+          figure.evaluate((element, points) => {
+            const canvas = [...(element.shadowRoot as ShadowRoot).querySelectorAll('canvas')].at(
+              -1,
+            ) as HTMLCanvasElement
+            const ratio = canvas.width / canvas.clientWidth
+            const context = canvas.getContext('2d') as CanvasRenderingContext2D
+            return points.map(({ x, y }) => (context.getImageData(x * ratio, y * ratio, 1, 1).data[3] as number) > 200)
+          }, feet)
+        expect(await marked(), name).not.toContain(true)
+        await page.touchscreen.tap(box.left + at.x, box.top + at.y)
+        await expect.poll(marked, { message: name }).toEqual([true, true, true])
+      }
+    })
+  }
 
   test('a finger gives weights to sites', async ({ page }) => {
     await page.goto('/tutorial/11-areas.html')
