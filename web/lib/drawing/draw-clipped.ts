@@ -3,8 +3,8 @@
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData, PathSink, Point } from '../base/types.ts'
 import { addArc } from '../curves/bezier.ts'
-import { parameterAt } from '../curves/bisector.ts'
-import { type BoundedCurve, edgeCurve, reversed, segment } from '../curves/curve.ts'
+import { parameterOf } from '../curves/bisector.ts'
+import { type BoundedCurve, curveOf, reversed, segment } from '../curves/curve.ts'
 import { isCircleArc, traceCircleArc } from '../regions/circle-arc.ts'
 import type { Outline, OutlinePiece } from '../regions/outline-piece.ts'
 import type { ClippedCells, ClippedEdges, ClippedPolygons, Region } from '../regions/region.ts'
@@ -57,9 +57,9 @@ function loopOf(diagram: DiagramData, cells: ClippedCells, from: number, to: num
 /** The part of a side between two of its points. */
 function sideBetween(diagram: DiagramData, side: number, start: Point, end: Point): BoundedCurve {
   const isForward = side % 2 === 0
-  const { bisector } = edgeCurve(diagram, side >> 1)
+  const { bisector } = curveOf(diagram, side >> 1)
   const [first, last] = isForward ? [start, end] : [end, start]
-  let [from, to] = [parameterAt(bisector, first.x, first.y), parameterAt(bisector, last.x, last.y)]
+  let [from, to] = [parameterOf(bisector, first.x, first.y), parameterOf(bisector, last.x, last.y)]
   // Where rounding contradicts their order, the part has the length zero.
   if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
   const curve = { bisector, from, to, start: first, end: last }
@@ -93,7 +93,7 @@ export function drawClippedEdges(sink: PathSink, diagram: DiagramData, parts: Cl
   parts.edge.forEach((edge, k) => {
     const start = { x: at(parts.start, 2 * k), y: at(parts.start, 2 * k + 1) }
     const end = { x: at(parts.end, 2 * k), y: at(parts.end, 2 * k + 1) }
-    const { bisector } = edgeCurve(diagram, edge)
+    const { bisector } = curveOf(diagram, edge)
     sink.moveTo(start.x, start.y)
     addArc(sink, { bisector, from: at(parts.from, k), to: at(parts.to, k), start, end }, tolerance)
   })

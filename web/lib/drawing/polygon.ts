@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { circleAt } from '../base/diagram-data.ts'
+import { circleOf } from '../base/diagram-data.ts'
 import { lengthOf } from '../base/scale.ts'
 import type { DiagramData, Point } from '../base/types.ts'
 import { polyline } from '../curves/bezier.ts'
@@ -53,7 +53,7 @@ function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
 export function hullRing(diagram: DiagramData, tolerance: number): Polygon | undefined {
   const ring: Polygon = []
   for (const { circle, start, end, angle } of convexHull(diagram).arcs) {
-    const { x, y } = circleAt(diagram.circles, circle)
+    const { x, y } = circleOf(diagram.circles, circle)
     const [dx, dy] = [start.x - x, start.y - y]
     const r = lengthOf({ x: dx, y: dy })
     // A chord of angle 2 h is r (1 - cos h) from the middle of its arc.
