@@ -48,8 +48,8 @@ export interface RegionsOfModule extends Regions {
   regionOf(rings: RingArrays): Region
 }
 
-/** The script of the module, as Emscripten writes it. */
-export type RegionsScript = (options: EmscriptenOptions) => Promise<WasmRegionsModule>
+/** The script of the module, as Emscripten writes it. The types of the package do not have those of its functions. */
+export type RegionsScript = (options: EmscriptenOptions) => Promise<object>
 
 /** The WebAssembly that a region was made by, with which a worker makes it again. */
 export function wasmOf(region: Region): CompiledWasm | undefined {
@@ -64,7 +64,7 @@ const compiled = new WeakMap<Region, CompiledWasm>()
  * @throws CircleVoronoiError `notLoaded`
  */
 export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm): Promise<RegionsOfModule> {
-  const module = await instantiate(createModule, wasm)
+  const module = (await instantiate(createModule, wasm)) as WasmRegionsModule
   // Free what is no longer used.
   const regions = new FinalizationRegistry((address: number) => module.deleteRegion(address))
   const clips = new FinalizationRegistry((address: number) => module.deleteClip(address))
