@@ -87,12 +87,14 @@ void addFitCommand(CLI::App& program) {
       ->capture_default_str();
   command
       ->add_option("--relax", arguments->relax,
-                   "How often sites move to the centers of mass of their cells before the last fit")
+                   "How many times all sites move to the centroids of their cells before the last fit")
       ->type_name("COUNT")
       ->capture_default_str();
   arguments->output.isRegionNeeded = true;
   addOutputOptions(*command, arguments->output);
-  command->get_option("--region")->required();
+  command->get_option("--region")
+      ->required()
+      ->description("A file with the region that the cells divide, as GeoJSON or well-known text");
   addProgressOption(*command, arguments->progress);
   command->footer("The result is the diagram of the sites with the weights as radii, in any format of compute.");
   command->callback([arguments] { runFit(*arguments); });
