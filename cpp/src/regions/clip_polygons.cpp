@@ -80,8 +80,13 @@ void ClipFlattener::collectCorners() {
   std::ranges::stable_sort(corners_, {}, [](const Corner& corner) { return std::int32_t{corner.edge}; });
 }
 
-std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part) const {
+std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, EdgeCurve part) const {
   if (part.start == part.end) return {part.start};
+  // With the smaller circle on the left, and from the ends alone: the same points if the edge has the other direction.
+  const bool isTurned = part.bisector.a > 0;
+  if (isTurned) part = reversed(part);
+  part.from = parameterAt(part.bisector, part.start);
+  part.to = std::max(part.from, parameterAt(part.bisector, part.end));
   std::vector<Point> points = pointsBetween(part, part.start, part.end, tolerance_);
   const auto key = [](const Corner& corner) { return std::int32_t{corner.edge}; };
   const Diagram& diagram = clipped_.diagram();
@@ -94,11 +99,12 @@ std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part
       const bool isBetween = std::min(from, to) < s && s < std::max(from, to);
       return pointAt(bisector, isBetween ? s : std::sqrt(from) * std::sqrt(to));
     };
-    const bool isLeft = corner.cell == diagram.edges[at(edge)].left;
+    const bool isLeft = (corner.cell == diagram.edges[at(edge)].left) != isTurned;
     if (!isLeft) std::ranges::reverse(points);
     makeRoom(points, centerOf(diagram, corner.cell), corner.point, middle);
     if (!isLeft) std::ranges::reverse(points);
   }
+  if (isTurned) std::ranges::reverse(points);
   return points;
 }
 
@@ -110,8 +116,6 @@ std::vector<Point> ClipFlattener::pointsOf(CircleIndex circle, const OutlinePiec
   const bool isAlong = piece.side % 2 == 0;
   part.start = isAlong ? piece.curve.start : piece.curve.end;
   part.end = isAlong ? piece.curve.end : piece.curve.start;
-  part.from = parameterAt(part.bisector, part.start);
-  part.to = std::max(part.from, parameterAt(part.bisector, part.end));
   std::vector<Point> points = pointsOf(Diagram::edgeOf(piece.side), part);
   if (!isAlong) std::ranges::reverse(points);
   return points;

@@ -7,6 +7,8 @@ import { polyline } from '../curves/bezier.ts'
 import { polyline as arcPolyline, isCircleArc } from '../regions/circle-arc.ts'
 import { convexHull } from '../regions/hull.ts'
 import type { SharedPiece } from '../regions/outline.ts'
+import type { Region } from '../regions/region.ts'
+import { type MultiPolygon, multiPolygonOf } from './draw-clipped.ts'
 
 /**
  * A closed counter-clockwise ring of points x, y that repeats its first point at the end.
@@ -44,6 +46,13 @@ function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
   if (isCircleArc(piece)) return arcPolyline(piece, tolerance)
   const points = polyline(piece.forward, tolerance)
   return piece.forward === piece.curve ? points : points.reverse()
+}
+
+/** The part of the hull inside a region, of the ring that `hullRing` makes; none if the hull has no area there. */
+export function hullInRegion(diagram: DiagramData, region: Region, tolerance: number): MultiPolygon | undefined {
+  const corners = hullRing(diagram, tolerance)?.slice(0, -1) ?? []
+  const row = region.module.clipConvex(corners.map(([x, y]) => ({ x, y })))
+  return row && multiPolygonOf(row)
 }
 
 /**
