@@ -47,6 +47,7 @@ async function expectAlwaysApart(app: App, layers: number): Promise<void> {
   // Where there is hardly any room, a card has all of it.
   const isCovered = !(await app.page.locator('#rail').isVisible())
   if (isCovered) await app.inspector.getByRole('button', { name: 'Deselect' }).click()
+  await expect(app.page.locator('#rail')).toBeVisible()
   await app.openPanel('Layers')
   await expectApart(app)
   const panel = app.page.locator('#layers')

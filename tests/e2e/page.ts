@@ -40,9 +40,13 @@ export class App {
   /** Opens or closes a panel by its button, which on a phone is in the second row. */
   async openPanel(name: string): Promise<void> {
     const more = this.page.getByRole('button', { name: 'More tools' })
-    const button = this.page.locator('#rail').getByRole('button', { name, exact: true })
+    // Where a sheet covers the rail, it is hidden.
+    const button = this.page.locator('#rail').getByRole('button', { name, exact: true, includeHidden: true })
     if (!(await button.isVisible())) await more.click()
+    const wasOpen = await button.getAttribute('aria-expanded')
     await button.click()
+    // It is loaded when it is opened for the first time.
+    await expect(button).not.toHaveAttribute('aria-expanded', wasOpen ?? '')
     const panel = await this.page.evaluate(
       () => document.querySelector('#left > .panel:not([hidden])')?.getBoundingClientRect().right,
     )

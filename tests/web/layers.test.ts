@@ -20,17 +20,21 @@ import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
 import { SvgDrawing } from '../../web/view/painter/drawing.ts'
 import { found } from '../../web/view/painter/found.ts'
+import type { Frame } from '../../web/view/painter/frame.ts'
+import { ordinary, power } from '../../web/view/painter/layers/edges.ts'
 import { mergedWith } from '../../web/view/painter/layers/vertices.ts'
 import { cellArea, Measures, placeAmong } from '../../web/view/painter/measures.ts'
 import { methodResult } from '../../web/view/painter/method-layers.ts'
 import { methodOutcome } from '../../web/view/painter/method-outcome.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
+import { type Layer, Painting } from '../../web/view/painter/painting.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
 import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
 
 const random = seededRandom(23)
+const comparison = await library.loadComparison()
 
 function randomCircles(count: number): Float64Array {
   return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? 0.9 * random() ** 3 : 20 * random()))
@@ -226,6 +230,72 @@ describe('the diagram of the centers', () => {
       Array.from({ length: list.length / 3 }, (_, k) => `${list.slice(3 * k, 3 * k + 3)}`)
     expect(keys(diagram.circles).sort()).toEqual(keys(expected.circles).sort())
     expect(keys(diagram.vertices).sort()).toEqual(keys(expected.vertices).sort())
+  })
+})
+
+/** The dashes of a layer that a frame shows, each as its two ends in the plane. */
+function dashesIn(picture: Picture, layer: Layer, frame: Frame): number[][] {
+  const drawing = new SvgDrawing()
+  layer.draw(new Painting(drawing, frame, 1, picture, {} as Style))
+  const numbers = [...String(drawing).matchAll(/M([-\d.]+),([-\d.]+)L([-\d.]+),([-\d.]+)/g)]
+  return numbers.map(([, ...ends]) =>
+    ends.map(Number).map((value, k) => {
+      const { x, y, scale, width, height } = frame
+      return k % 2 === 0 ? x + (value - width / 2) / scale : y + (height / 2 - value) / scale
+    }),
+  )
+}
+
+describe('dashed edges', () => {
+  const all: Frame = { x: 10, y: 10, scale: 40, width: 800, height: 800 }
+  /** A dash has its begin, its end or both in a part; those in all of it are the same, in either direction. */
+  function missing(dashes: number[][], others: number[][], { x, y, scale, width, height }: Frame): number[][] {
+    const isInside = ([px, py]: [number, number]) =>
+      Math.abs(px - x) < width / 2 / scale && Math.abs(py - y) < height / 2 / scale
+    const endsOf = (list: number[][]) =>
+      list.flatMap(([a, b, c, d]) => [
+        [a, b],
+        [c, d],
+      ]) as [number, number][]
+    const known = endsOf(others)
+    return endsOf(dashes)
+      .filter(isInside)
+      .filter(([px, py]) => !known.some(([qx, qy]) => Math.abs(px - qx) + Math.abs(py - qy) < 2e-3))
+  }
+
+  it('are where they are in whichever part of the picture is painted', () => {
+    const picture = new Picture(library.edit(randomCircles(60)))
+    picture.centers = new Centers(library, picture.diagram)
+    picture.setPower(comparison.computeComparison(picture.diagram.circles, 'power'))
+    const part: Frame = { x: 9, y: 12, scale: 40, width: 160, height: 120 }
+    for (const layer of [ordinary, power]) {
+      const [whole, few] = [dashesIn(picture, layer, all), dashesIn(picture, layer, part)]
+      expect(few.length).toBeGreaterThan(20)
+      expect(missing(few, whole, part)).toEqual([])
+      expect(missing(whole, few, part)).toEqual([])
+    }
+  })
+
+  it('stay outside of the boxes that an edit has painted anew', () => {
+    const picture = new Picture(library.edit(randomCircles(60)))
+    picture.centers = new Centers(library, picture.diagram)
+    for (let k = 0; k < 20; k++) {
+      const before = dashesIn(picture, ordinary, all)
+      const edits: Edit[] = [{ kind: 'insert', circle: { x: 20 * random(), y: 20 * random(), r: 0.1 } }]
+      const { boxes } = picture.apply(picture.editor.apply(edits))
+      const isElsewhere = ([x, y]: number[]) =>
+        boxes.every(
+          ({ minX, minY, maxX, maxY }) =>
+            (x as number) < minX - 0.1 ||
+            (x as number) > maxX + 0.1 ||
+            (y as number) < minY - 0.1 ||
+            (y as number) > maxY + 0.1,
+        )
+      const after = dashesIn(picture, ordinary, all)
+      expect(after.length).toBeGreaterThan(100)
+      expect(missing(before, after, all).filter(isElsewhere)).toEqual([])
+      expect(missing(after, before, all).filter(isElsewhere)).toEqual([])
+    }
   })
 })
 

@@ -4,6 +4,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FileActions } from '../../web/app/files/file-actions.ts'
 import { listenToClipboard } from '../../web/app/input/clipboard.ts'
 import { listenToFiles } from '../../web/app/input/dropping.ts'
+import { NOT_LOADED } from '../../web/app/loaded-once.ts'
 import type { PageActions } from '../../web/app/page-actions.ts'
 import { mountInspector } from '../../web/app/panels/inspector.ts'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
@@ -147,14 +148,18 @@ describe('the clipboard', () => {
 })
 
 describe('what is dropped', () => {
-  function listening() {
+  function listening(load = () => Promise.resolve()) {
     const opened: unknown[] = []
     const open = (what: unknown) => opened.push(what)
-    listenToFiles({ openFile: open, openText: open } as unknown as FileActions)
+    const actions = { openFile: open, openText: open } as unknown as FileActions
+    listenToFiles(
+      () => load().then(() => actions),
+      (problem) => opened.push(problem),
+    )
     return opened
   }
 
-  it('is announced until it has left the page or was dropped', () => {
+  it('is announced until it has left the page or was dropped', async () => {
     const opened = listening()
     const { classList } = page.body
     const over = () => {
@@ -171,10 +176,10 @@ describe('what is dropped', () => {
     dataTransfer.files = ['a.csv']
     expect(send('drop', { dataTransfer }).defaultPrevented).toBe(true)
     expect([...classList]).toEqual([])
-    expect(opened).toEqual(['a.csv'])
+    await vi.waitFor(() => expect(opened).toEqual(['a.csv']))
   })
 
-  it('or pasted is a file, or else text that is no blank, but not what is pasted into a field', () => {
+  it('or pasted is a file, or else text that is no blank, but not what is pasted into a field', async () => {
     const opened = listening()
     const clipboardData = new Data()
     clipboardData.setData('text/plain', ' \n')
@@ -183,7 +188,15 @@ describe('what is dropped', () => {
     expect(send('paste', { clipboardData }, new FakeElement('textarea')).defaultPrevented).toBe(false)
     expect(opened).toEqual([])
     expect(send('paste', { clipboardData }).defaultPrevented).toBe(true)
-    expect(opened).toEqual(['1,2,3'])
+    await vi.waitFor(() => expect(opened).toEqual(['1,2,3']))
+  })
+
+  it('cannot be opened while the part that opens it does not come, which is said', async () => {
+    const opened = listening(() => Promise.reject(new Error('no network')))
+    const dataTransfer = new Data()
+    dataTransfer.files = ['a.csv']
+    send('drop', { dataTransfer })
+    await vi.waitFor(() => expect(opened).toEqual([NOT_LOADED]))
   })
 })
 

@@ -3,37 +3,30 @@
 import { Figure } from '../element/figure.ts'
 import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
-import { FileActions } from './files/file-actions.ts'
 import { FilesClient } from './files/files-client.ts'
 import { listenToClipboard } from './input/clipboard.ts'
 import { listenToFiles } from './input/dropping.ts'
 import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
 import { Keeping } from './keeping.ts'
 import { LinkWriter } from './link-writer.ts'
+import { loadedOnce, NOT_LOADED } from './loaded-once.ts'
 import { driftAtStart } from './motion/drift.ts'
-import { Motion } from './motion/motion.ts'
 import { workOffline } from './offline.ts'
 import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'
 import { byId } from './panels/by-id.ts'
-import { mountFiles } from './panels/files.ts'
 import { mountGenerate } from './panels/generate.ts'
 import { mountGroup } from './panels/group.ts'
-import { mountHelp } from './panels/help.ts'
 import { mountInspector } from './panels/inspector.ts'
 import { mountInspectorFacts } from './panels/inspector-facts.ts'
 import { mountInspectorShare } from './panels/inspector-share.ts'
-import { mountLayers } from './panels/layers.ts'
 import { mountLegend } from './panels/legend.ts'
 import { mountMethod } from './panels/method.ts'
-import { mountMotion } from './panels/motion.ts'
 import { mountNames } from './panels/names.ts'
-import { mountNumbers } from './panels/numbers.ts'
+import { panelLater } from './panels/panel.ts'
 import { mountProgress } from './panels/progress.ts'
-import { mountRegion } from './panels/region.ts'
 import { mountSay } from './panels/say.ts'
 import { mountScale } from './panels/scale.ts'
-import { mountShare } from './panels/share.ts'
 import { mountStatus } from './panels/status.ts'
 import { mountTable } from './panels/table.ts'
 import { mountToolbar } from './panels/toolbar.ts'
@@ -80,6 +73,7 @@ const figure = new Figure(
   },
 )
 const { view, store, editing, actions } = figure
+const complain = (problem: string) => actions.complain(problem)
 
 const links = new LinkWriter(files)
 const keeping = new Keeping(links, () => actions.linkState())
@@ -94,28 +88,39 @@ mountStatus(store)
 mountSay(store)
 mountProgress(actions)
 mountLegend(store, view)
-const fileActions = new FileActions(store, editing, actions, view, files, links)
-mountFiles(fileActions)
-mountShare(fileActions)
+const fileActions = loadedOnce(async () => {
+  const { FileActions } = await import('./files/file-actions.ts')
+  return new FileActions(store, editing, actions, view, files, links)
+})
 const pen = new RegionPen(store, actions, view)
 actions.pen = pen
-mountRegion(store, actions, fileActions, pen)
 // What is copied here is no file: this hears of it first.
 listenToClipboard(actions)
-listenToFiles(fileActions)
+listenToFiles(fileActions, complain)
 restoreInvalidNumbers(document)
 const editNumbers = mountInspector(store, actions)
 mountInspectorFacts(store, editing, actions, view)
 mountInspectorShare(store, actions)
-const showHelp = mountHelp()
+const showHelp = () =>
+  import('./panels/help.ts').then(
+    ({ showHelp }) => showHelp(),
+    () => complain(NOT_LOADED),
+  )
+byId('show-help', HTMLButtonElement).addEventListener('click', showHelp)
 mountGroup(store, actions)
-mountLayers(store, actions, view)
-mountNumbers(store, view)
 mountTable(store, editing, actions, view)
 const played = mountMethod(store, actions)
-mountMotion(new Motion(view, editing, actions), view, (problem) => actions.complain(problem))
 mountScale(view)
 mountNames(store, editing)
+panelLater('files', complain, async () => (await import('./panels/files.ts')).mountFiles(await fileActions()))
+panelLater('share', complain, async () => (await import('./panels/share.ts')).mountShare(await fileActions()))
+panelLater('layers', complain, async () => (await import('./panels/layers.ts')).mountLayers(store, actions, view))
+panelLater('numbers', complain, async () => (await import('./panels/numbers.ts')).mountNumbers(store, view))
+panelLater('motion', complain, async () => (await import('./panels/motion.ts')).mountMotion(view, editing, actions))
+panelLater('region', complain, async () => {
+  const { mountRegion } = await import('./panels/region.ts')
+  mountRegion(store, actions, await fileActions(), pen)
+})
 
 const kept = await keeping.begin()
 // Somebody may have chosen something meanwhile.

@@ -28,6 +28,10 @@ namespace {
   throw Refusal{{code, site, std::move(message)}};
 }
 
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
 void checkSites(std::span<const Circle> sites) {
   if (sites.empty()) refuse(ErrorCode::badInput, "There are no sites.");
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -179,13 +183,13 @@ class Fitter {
     int idle = 0;
     const double least = kLeastShare * std::min(leastArea(state), *std::ranges::min_element(targets_));
     while (!isWithin(state, tolerance)) {
-      if (steps_ == options_.maxSteps) fail(state, "after " + std::to_string(steps_) + " steps");
+      if (steps_ == options_.maxSteps) fail(std::move(state), "");
+      if (!step(state, least)) fail(std::move(state), " because no step leads further");
       ++steps_;
-      if (!step(state, least)) fail(state, "where no step leads further");
       report(state);
       const double error = errorOf(state);
       idle = error < best / 2 ? 0 : idle + 1;
-      if (idle > kPatience && best < kNearlyThere) fail(state, "where areas no longer come nearer");
+      if (idle > kPatience && best < kNearlyThere) fail(std::move(state), " because areas no longer come nearer");
       best = std::min(best, error);
     }
   }
@@ -350,11 +354,14 @@ class Fitter {
     if (options_.onStep) options_.onStep({steps_, errorOf(state), state.weights});
   }
 
-  [[noreturn]] void fail(const State& state, const std::string& where) const {
+  /// Says what the last weights have reached, which `onStep` was told last.
+  [[noreturn]] void fail(State state, const std::string& reason) {
+    // Without the background, which the caller does not know.
+    if (std::exchange(density_.background, 0) > 0) state = requiredStateAt(std::move(state.weights));
     char reached[32];
     std::snprintf(reached, sizeof reached, "%.1e", errorOf(state));
-    refuse(ErrorCode::notConverged,
-           "The fit stopped " + where + ": the largest relative error of an area is " + reached + ".");
+    refuse(ErrorCode::notConverged, "The fit stopped after " + counted(static_cast<std::size_t>(steps_), "step") +
+                                        reason + ": the largest relative error of an area is " + reached + ".");
   }
 
   Region boxAround() const {
@@ -392,8 +399,8 @@ std::string text(double value) {
 std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites, double regionArea,
                                 const AreaFitOptions& options) {
   if (areas.size() != sites) {
-    refuse(ErrorCode::badInput,
-           "There are " + std::to_string(areas.size()) + " areas for " + std::to_string(sites) + " sites.");
+    refuse(ErrorCode::badInput, (areas.size() == 1 ? "There is " : "There are ") + counted(areas.size(), "area") +
+                                    " for " + counted(sites, "site") + ".");
   }
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (areas[i] > 0 && std::isfinite(areas[i])) continue;

@@ -4,6 +4,7 @@ import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
 import { circleAt, type Diagram } from '../../lib/index.ts'
 import { encodeLink } from '../../lib/link.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
+import { loadedOnce } from '../loaded-once.ts'
 import { randomNumbers } from '../random-circles.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
 import { namesIn } from './names.ts'
@@ -18,9 +19,9 @@ const port = globalThis as unknown as {
 /** The same picture becomes the same circles. */
 const STIPPLED = 1
 
-const files = kept(async () => (await import('../../lib/files.ts')).loadFiles())
-const library = kept(async () => (await import('../../lib/wasm/loader.ts')).loadCircleVoronoi())
-const generators = kept(async () => (await import('../generators/generators.ts')).loadGenerators())
+const files = loadedOnce(async () => (await import('../../lib/files.ts')).loadFiles())
+const library = loadedOnce(async () => (await import('../../lib/wasm/loader.ts')).loadCircleVoronoi())
+const generators = loadedOnce(async () => (await import('../generators/generators.ts')).loadGenerators())
 
 port.onmessage = async ({ data }) => {
   const { request } = data
@@ -89,16 +90,4 @@ async function clippedCells(diagram: Diagram, shape: RegionShape): Promise<strin
     return { type: 'Feature', properties: { circle: i, r: circleAt(diagram.circles, i).r, area, neighbors }, geometry }
   })
   return JSON.stringify({ type: 'FeatureCollection', features })
-}
-
-/** Loads what it loads once; what fails is tried again when it is asked for again. */
-function kept<Loaded>(load: () => Promise<Loaded>): () => Promise<Loaded> {
-  let loaded: Promise<Loaded> | undefined
-  return () => {
-    loaded ??= load().catch((error) => {
-      loaded = undefined
-      throw error
-    })
-    return loaded
-  }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg, type TemplateResult } from 'lit'
+import { html, svg, type TemplateResult } from 'lit/html.js'
 import { at } from '../../lib/base/diagram-data.ts'
 import type { Float64s } from '../../lib/index.ts'
 import { fitted } from '../../view/camera.ts'

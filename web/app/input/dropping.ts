@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { FileActions } from '../files/file-actions.ts'
+import { NOT_LOADED } from '../loaded-once.ts'
 
 /** Opens what is dropped on the page, or pasted where it is no text that is written. */
-export function listenToFiles(actions: FileActions): void {
+export function listenToFiles(actions: () => Promise<FileActions>, complain: (problem: string) => void): void {
+  const open = async (file: File | undefined, text: string) => {
+    const opening = await actions().catch(() => undefined)
+    if (opening === undefined) return complain(NOT_LOADED)
+    if (file !== undefined) opening.openFile(file)
+    else opening.openText(text)
+  }
   const openFrom = (data: DataTransfer): boolean => {
     const file = data.files[0]
     const text = data.getData('text/plain')
-    if (file !== undefined) actions.openFile(file)
-    else if (text.trim() !== '') actions.openText(text)
-    return file !== undefined || text.trim() !== ''
+    const isAny = file !== undefined || text.trim() !== ''
+    if (isAny) open(file, text)
+    return isAny
   }
 
   // Else the browser would go to the file.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg, type TemplateResult } from 'lit'
+import { html, svg, type TemplateResult } from 'lit/html.js'
 import type { FileActions, Part } from '../files/file-actions.ts'
 import type { SavedFormat } from '../files/files-protocol.ts'
 import { byId } from './by-id.ts'

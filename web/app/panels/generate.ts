@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, svg, type TemplateResult } from 'lit'
+import { html, nothing, svg, type TemplateResult } from 'lit/html.js'
 import type { Float64s } from '../../lib/index.ts'
 import { DATA_SETS, type DataSet, MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
 import type { FilesClient } from '../files/files-client.ts'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, render } from 'lit'
+import { html, render } from 'lit/html.js'
 import { byId } from './by-id.ts'
 import { CLOSE } from './icons.ts'
 
@@ -48,8 +48,8 @@ const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: st
   ],
 ]
 
-/** What pointer and keys do. Returns how to show it. */
-export function mountHelp(): () => void {
+/** Shows what pointer and keys do. */
+export function showHelp(): void {
   const dialog = byId('help', HTMLDialogElement)
   render(
     html`
@@ -73,7 +73,8 @@ export function mountHelp(): () => void {
     dialog,
   )
   // A click beside it closes it.
-  dialog.addEventListener('click', (event) => event.target === dialog && dialog.close())
-  byId('show-help', HTMLButtonElement).addEventListener('click', () => dialog.showModal())
-  return () => dialog.showModal()
+  dialog.onclick = ({ target }) => {
+    if (target === dialog) dialog.close()
+  }
+  dialog.showModal()
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, render } from 'lit'
+import { html, nothing, render } from 'lit/html.js'
 import type { Editing } from '../../editing/editing.ts'
 import { shortest } from '../../editing/shortest.ts'
 import type { State } from '../../editing/state.ts'

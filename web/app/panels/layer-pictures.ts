@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg, type TemplateResult } from 'lit'
+import { html, svg, type TemplateResult } from 'lit/html.js'
 
 // Two circles and a point, with what a layer adds to them.
 const CIRCLES = svg`<circle class="c" cx="9" cy="15" r="5" /><circle class="c" cx="24" cy="7" r="3" />`

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html } from 'lit'
+import { html } from 'lit/html.js'
+import type { Editing } from '../../editing/editing.ts'
 import type { View } from '../../view/view.ts'
 import { save } from '../files/saving.ts'
 import { filmed } from '../motion/film.ts'
-import type { Motion } from '../motion/motion.ts'
+import { Motion } from '../motion/motion.ts'
 import { MOVEMENTS, type MovementName } from '../motion/movements.ts'
+import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
 
@@ -18,7 +20,8 @@ const ABOUT: Readonly<Record<MovementName, string>> = {
 const RECORDED = 6
 
 /** Circles in motion, with a button that plays and stops. */
-export function mountMotion(motion: Motion, view: View, complain: (problem: string) => void): void {
+export function mountMotion(view: View, editing: Editing, actions: PageActions): void {
+  const motion = new Motion(view, editing, actions)
   let chosen: MovementName = 'bounce'
   let isRecording = false
   const record = async () => {
@@ -29,7 +32,7 @@ export function mountMotion(motion: Motion, view: View, complain: (problem: stri
       const { film, ending } = await filmed(view.stream(), RECORDED)
       save(film, `circles-${chosen}${ending}`)
     } catch (error) {
-      complain((error as Error).message)
+      actions.complain((error as Error).message)
     }
     isRecording = false
     draw()

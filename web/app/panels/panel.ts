@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, render, type TemplateResult } from 'lit'
+import { html, nothing, render, type TemplateResult } from 'lit/html.js'
+import { NOT_LOADED } from '../loaded-once.ts'
 import { CLOSE } from './icons.ts'
 
 const STORAGE = 'circle-voronoi:open-panel'
@@ -91,6 +92,24 @@ export function panelOf(
   // Once whoever made it has it.
   if (isKept && remembered() === element.id) queueMicrotask(() => panel.open())
   return panel
+}
+
+/** Loads and mounts a panel once its button is pressed, or at once if the page opens it again. */
+export function panelLater(id: string, complain: (problem: string) => void, mount: () => Promise<void>): void {
+  const button = document.querySelector(`[aria-controls="${id}"]`) as HTMLButtonElement
+  const load = async (isPressed: boolean) => {
+    try {
+      await mount()
+      // Now it hears of it.
+      if (isPressed) button.click()
+    } catch {
+      complain(NOT_LOADED)
+      listen()
+    }
+  }
+  const listen = () => button.addEventListener('click', () => load(true), { once: true })
+  if (remembered() === id) load(false)
+  else listen()
 }
 
 /** Makes the sheet of a phone larger or smaller; `undefined`: the other of the two. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, render } from 'lit'
+import { html, nothing, render } from 'lit/html.js'
 import type { Point } from '../../lib/index.ts'
 import { toPlane } from '../../view/camera.ts'
 import type { View } from '../../view/view.ts'

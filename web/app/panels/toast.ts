@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, render } from 'lit'
+import { html, nothing, render } from 'lit/html.js'
 import { byId } from './by-id.ts'
 
 /** What was done is said for so long, in milliseconds. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, render } from 'lit'
+import { html, render } from 'lit/html.js'
 import type { Trial } from '../../view/protocol.ts'
 import { areaText, namedOf } from '../../view/taken-text.ts'
 import type { View } from '../../view/view.ts'

@@ -2,7 +2,7 @@
 // What the diagram of the metric `circles` tells about its circles, each in linear time but for sorting. The dual's
 // triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
 import { checkData, checkMetric } from '../base/check.ts'
-import { at, circleAt } from '../base/diagram-data.ts'
+import { at, circleOf } from '../base/diagram-data.ts'
 import { between } from '../base/point.ts'
 import { lengthOf } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
@@ -65,8 +65,8 @@ export function closestPair(diagram: DiagramData): ClosestPair | undefined {
   let closest: ClosestPair | undefined
   for (let k = 0; k < pairs.length; k += 2) {
     const [first, second] = [at(pairs, k), at(pairs, k + 1)]
-    const c = circleAt(diagram.circles, first)
-    const d = circleAt(diagram.circles, second)
+    const c = circleOf(diagram.circles, first)
+    const d = circleOf(diagram.circles, second)
     const gap = lengthOf(between(c, d)) - c.r - d.r
     if (closest === undefined || gap < closest.gap) closest = { first, second, gap }
   }

@@ -92,6 +92,15 @@ interface WasmRegionsModule {
   ):
     | WasmError
     | (import('../regions/few-circles.ts').Sides & { readonly cells: import('../regions/region.ts').ClippedCells })
+  /** Cells of the diagram of a few circles; row i is that of circle i. */
+  clipPolygons(
+    region: number,
+    circles: Float64Array,
+    weights: boolean,
+    chosen: Int32Array,
+    maxDistance: number | undefined,
+    tolerance: number,
+  ): WasmError | import('../regions/region.ts').ClippedPolygons
   clippedCells(clip: number): WasmError | import('../regions/region.ts').ClippedCells
   clippedEdges(clip: number): WasmError | import('../regions/region.ts').ClippedEdges
   clippedAreas(clip: number): WasmError | Float64Array<ArrayBuffer>

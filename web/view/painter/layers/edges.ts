@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { at } from '../../../lib/base/diagram-data.ts'
+import { hypotenuse } from '../../../lib/base/scale.ts'
 import { drawEdge } from '../../../lib/drawing/draw.ts'
-import type { Diagram, PathSink } from '../../../lib/index.ts'
+import { circleAt, type Diagram, type PathSink } from '../../../lib/index.ts'
+import { keptParts } from '../../../lib/regions/cell-limits.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
 
 /** Browsers stroke long paths in more than linear time. */
@@ -33,8 +36,7 @@ export const ordinary: Layer = {
     const { centers } = painting.picture
     if (centers === undefined) return
     const { picture } = centers
-    const seen = picture.circlesIn(painting.limits.region.box)
-    strokeEdges(painting, picture.diagram, seen, (path) => strokeGhost(painting, path, painting.style.ordinary))
+    strokeGhost(painting, picture.diagram, picture.circlesIn(painting.limits.region.box), painting.style.ordinary)
   },
 }
 
@@ -46,8 +48,7 @@ export const power: Layer = {
   draw(painting) {
     const { power } = painting.picture
     if (power === undefined) return
-    const seen = power.index.search(painting.limits.region.box).sort((i, j) => i - j)
-    strokeEdges(painting, power.diagram, seen, (path) => strokeGhost(painting, path, painting.style.power))
+    strokeGhost(painting, power.diagram, power.index.search(painting.limits.region.box), painting.style.power)
   },
 }
 
@@ -66,8 +67,65 @@ export const missedEdges: Layer = {
   },
 }
 
-function strokeGhost(painting: Painting, path: PathSink, color: string): void {
-  painting.stroke(path, color, Math.min(painting.lineWidth, GHOST_LINE * painting.pixelRatio), [5, 4])
+/** A dash and the gap after it, in CSS pixels. */
+const DASH = 5
+const GAP = 4
+/** Farther along a line, in pixels, rounding would move dashes. */
+const FAR = 1e9
+
+/**
+ * The edges of a diagram of segments and rays. Where their dashes are depends on two circles alone: so they are the same in
+ * whichever parts an edge is painted, and they stay where a vertex of the edge moves.
+ */
+function strokeGhost(painting: Painting, diagram: Diagram, circles: readonly number[], color: string): void {
+  const thickness = Math.min(painting.lineWidth, GHOST_LINE * painting.pixelRatio)
+  let path = painting.drawing.path()
+  let count = 0
+  const stroke = () => painting.stroke(path, color, thickness)
+  for (const e of edgesOf(diagram, circles)) {
+    addDashes(path, painting, diagram, e)
+    count += 1
+    if (count % EDGES_PER_PATH !== 0) continue
+    stroke()
+    path = painting.drawing.path()
+  }
+  stroke()
+}
+
+function addDashes(path: PathSink, painting: Painting, diagram: Diagram, e: number): void {
+  const { limits, pixelRatio } = painting
+  const sink = painting.sink()
+  const { x, y, dx, dy } = lineOf(diagram, e)
+  const [beginX, beginY] = [sink.x(x), sink.y(y)]
+  const [dash, period] = [DASH * pixelRatio, (DASH + GAP) * pixelRatio]
+  for (const { curve } of keptParts(diagram, e, { region: limits.region, maxDistance: undefined })) {
+    // y is downwards there.
+    const along = [curve.start, curve.end].map((end) => (sink.x(end.x) - beginX) * dx - (sink.y(end.y) - beginY) * dy)
+    const [from, to] = [Math.min(...along), Math.max(...along)]
+    if (!(Math.abs(from) < FAR && Math.abs(to) < FAR)) continue
+    for (let k = Math.floor(from / period); k * period < to; k++) {
+      const [start, end] = [Math.max(k * period, from), Math.min(k * period + dash, to)]
+      if (start >= end) continue
+      path.moveTo(beginX + start * dx, beginY - start * dy)
+      path.lineTo(beginX + end * dx, beginY - end * dy)
+    }
+  }
+}
+
+/** The line that an edge lies on: a point between the centers, and a direction, the same for either order of the two. */
+function lineOf({ circles, edges }: Diagram, e: number): { x: number; y: number; dx: number; dy: number } {
+  const [one, other] = [circleAt(circles, at(edges, 4 * e)), circleAt(circles, at(edges, 4 * e + 1))]
+  const isAscending = one.x < other.x || (one.x === other.x && one.y < other.y)
+  const [p, q] = isAscending ? [one, other] : [other, one]
+  const [x, y] = [q.x - p.x, q.y - p.y]
+  const distance = hypotenuse(x, y)
+  const share = 0.5 + (p.r / distance - q.r / distance) * ((p.r / distance + q.r / distance) / 2)
+  return { x: p.x + share * x, y: p.y + share * y, dx: -y / distance, dy: x / distance }
+}
+
+/** The edges around circles, each once: with its left circle. */
+function* edgesOf({ cells }: Diagram, circles: readonly number[]): Generator<number> {
+  for (const i of circles) for (const side of cells.sides(i)) if ((side & 1) === 0) yield side >> 1
 }
 
 function strokeEdges(
@@ -77,20 +135,16 @@ function strokeEdges(
   stroke: (path: PathSink) => void,
   isDrawn: (edge: number) => boolean = () => true,
 ): void {
-  const { limits, tolerance, picture } = painting
-  const ownLimits = diagram === picture.diagram ? limits : { ...limits, maxDistance: undefined }
+  const { limits, tolerance } = painting
   let sink = painting.sink()
   let count = 0
-  for (const i of circles) {
-    for (const side of diagram.cells.sides(i)) {
-      // Each edge once: with its left circle.
-      if (side & 1 || !isDrawn(side >> 1)) continue
-      drawEdge(sink, diagram, side >> 1, ownLimits, tolerance)
-      count += 1
-      if (count % EDGES_PER_PATH !== 0) continue
-      stroke(sink.path)
-      sink = painting.sink()
-    }
+  for (const e of edgesOf(diagram, circles)) {
+    if (!isDrawn(e)) continue
+    drawEdge(sink, diagram, e, limits, tolerance)
+    count += 1
+    if (count % EDGES_PER_PATH !== 0) continue
+    stroke(sink.path)
+    sink = painting.sink()
   }
   stroke(sink.path)
 }
