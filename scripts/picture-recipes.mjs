@@ -16,6 +16,9 @@ import { posterMaker } from './texts/poster.mjs'
 /** As recipes draw. */
 const SIZE = { width: 480, height: 300 }
 
+/** The time of each frame, in milliseconds: what moves has the same place in each run. */
+const PICTURED_AT = 2000
+
 /** @param {import('@playwright/test').Browser} browser */
 export async function pictureRecipes(browser) {
   await pictureThreeCircles()
@@ -28,6 +31,8 @@ export async function pictureRecipes(browser) {
   const take = async (html, picture) => {
     writeFileSync(join(folder, 'index.html'), html)
     const page = await browser.newPage({ viewport: SIZE, deviceScaleFactor: 2 })
+    await page.addInitScript(`const { requestAnimationFrame: request } = globalThis
+      globalThis.requestAnimationFrame = (draw) => request.call(globalThis, () => draw(${PICTURED_AT}))`)
     await page.goto(address, { waitUntil: 'networkidle' })
     await page.screenshot({ path: ROOT + picture })
     await page.close()
