@@ -7,6 +7,7 @@
 #include "at.h"
 #include "guarded.h"
 #include "in_outline.h"
+#include "with_key.h"
 
 namespace circle_voronoi {
 
@@ -79,10 +80,7 @@ void ClippedDiagram::Parts::checkLevels() const {
 
 std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(const std::vector<InCell>& all,
                                                                              CircleIndex cell) {
-  const auto found = std::ranges::equal_range(all, std::int32_t{cell}, {},
-                                              [](const InCell& one) { return std::int32_t{one.cell}; });
-  return std::span(all).subspan(static_cast<std::size_t>(found.begin() - all.begin()),
-                                static_cast<std::size_t>(found.end() - found.begin()));
+  return withKey(all, std::int32_t{cell}, [](const InCell& one) { return std::int32_t{one.cell}; });
 }
 
 EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {

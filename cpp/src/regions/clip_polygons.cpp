@@ -10,6 +10,7 @@
 #include "flatten.h"
 #include "in_circle.h"
 #include "scale.h"
+#include "with_key.h"
 
 namespace circle_voronoi {
 namespace {
@@ -90,7 +91,7 @@ std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, EdgeCurve part) const
   const auto key = [](const Corner& corner) { return std::int32_t{corner.edge}; };
   const Diagram& diagram = clipped_.diagram();
   const Bisector& bisector = part.bisector;
-  for (const Corner& corner : std::ranges::equal_range(corners_, std::int32_t{edge}, {}, key)) {
+  for (const Corner& corner : withKey(corners_, std::int32_t{edge}, key)) {
     const auto middle = [&](Point p, Point q) {
       const double from = parameterAt(bisector, p);
       const double to = parameterAt(bisector, q);
