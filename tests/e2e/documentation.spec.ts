@@ -314,29 +314,35 @@ test.describe('on a phone', () => {
     })
   }
 
-  test('a finger gives weights to sites', async ({ page }) => {
-    await page.goto('/tutorial/11-areas.html')
-    const figure = page.locator('#by-hand')
-    const point = figure.locator('.handle').last()
-    await point.scrollIntoViewIfNeeded()
-    const told = figure.locator('output.told')
-    await expect(told).toHaveText(/^Cell 0 has 28 %/)
-    const scrolled = () => page.evaluate(() => scrollY)
-    const before = await scrolled()
-    const { x, y, width, height } = (await point.boundingBox()) as NonNullable<
-      Awaited<ReturnType<typeof point.boundingBox>>
-    >
-    const session = await page.context().newCDPSession(page)
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', by: number) =>
-      session.send('Input.dispatchTouchEvent', {
-        type,
-        touchPoints: type === 'touchEnd' ? [] : [{ x: x + width / 2 + by, y: y + height / 2 - by }],
-      })
-    await touch('touchStart', 0)
-    for (const by of [8, 16, 24]) await touch('touchMove', by)
-    await touch('touchEnd', 0)
-    await expect(told).not.toHaveText(/^Cell 0 has 28 %/)
-    // The page has not scrolled instead.
-    expect(await scrolled()).toBe(before)
-  })
+  for (const { file, blocks } of readBook()) {
+    const names = blocks.filter(({ kind }) => kind === 'drawn').map(({ spec }) => spec.name)
+    if (names.length === 0) continue
+    test(`${file}: a finger drags in what the tutorial draws itself, and the page stays where it is`, async ({
+      page,
+    }) => {
+      const session = await page.context().newCDPSession(page)
+      await page.goto(`/tutorial/${file}`)
+      for (const name of names) {
+        const figure = page.locator(`#${name}`)
+        const point = figure.locator('.handle').last()
+        await point.scrollIntoViewIfNeeded()
+        const content = () => figure.locator('svg.drawn > g').first().innerHTML()
+        const scrolled = () => page.evaluate(() => scrollY)
+        const [drawn, before] = [await content(), await scrolled()]
+        const { x, y, width, height } = (await point.boundingBox()) as NonNullable<
+          Awaited<ReturnType<typeof point.boundingBox>>
+        >
+        const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', by: number) =>
+          session.send('Input.dispatchTouchEvent', {
+            type,
+            touchPoints: type === 'touchEnd' ? [] : [{ x: x + width / 2 + by, y: y + height / 2 - by }],
+          })
+        await touch('touchStart', 0)
+        for (const by of [8, 16, 24]) await touch('touchMove', by)
+        await touch('touchEnd', 0)
+        await expect.poll(content, { message: name }).not.toBe(drawn)
+        expect(await scrolled(), name).toBe(before)
+      }
+    })
+  }
 })
