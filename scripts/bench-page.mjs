@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `npm run bench:page [-- --sizes N,...] [--million]`: the page in Chromium with circles spread evenly: how long a frame takes
+// `npm run bench:page [-- --sizes N,...] [--million] [--region]`: the page in Chromium with circles spread evenly: how long a frame takes
 // while a circle is dragged, the picture is panned, the wheel zooms and the pointer hovers, and how long from an edit to its
-// picture; with --million, opening, panning and zooming 1,000,000; and how long and how many bytes the first diagram takes on a
+// picture; with --million, opening, panning and zooming 1,000,000; with --region, dragging among 100,000 that are clipped to a
+// region of 1,000 sides; and how long and how many bytes the first diagram takes on a
 // slow line and processor (--sizes 0: that alone). Tables, and build/bench/page.json.
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { withBuiltPage } from './built-page.mjs'
@@ -9,19 +10,22 @@ import { main, ROOT } from './run.mjs'
 
 const SIZES = [300, 2_000, 10_000, 100_000]
 const MILLION = 1_000_000
+const CLIPPED = { circles: 100_000, sides: 1000 }
 const FRAMES = 120
 /** Slow 4G as Lighthouse has it: bits and milliseconds; and how much slower the processor is. */
 const SLOW = { bitsPerSecond: 1_638_400, latency: 150, processor: 4 }
 const STARTS = 5
 const VIEWPORT = { width: 1280, height: 800 }
 
-async function bench(browser, url, circles, gestures) {
+/** `sides`: of the region, if there is one. */
+async function bench(browser, url, circles, gestures, sides = 0) {
   const page = await browser.newPage({ viewport: VIEWPORT })
   page.setDefaultTimeout(120_000)
   try {
     await page.goto(url)
     await page.locator('#figure[aria-busy="false"]').waitFor()
     const times = { open: await opened(page, circles) }
+    if (sides > 0) await clipped(page, circles, sides)
     await page.locator('#figure[aria-busy="false"]').waitFor()
     const frames = {}
     for (const gesture of gestures) {
@@ -35,13 +39,39 @@ async function bench(browser, url, circles, gestures) {
       await page.locator('#figure[aria-busy="false"]').waitFor()
       times[`sharp after ${gesture}`] = Math.round(performance.now() - start)
     }
-    return { circles, frames, times }
+    const title = circles.toLocaleString('en')
+    return { circles, title: sides > 0 ? `${title}, ${sides.toLocaleString('en')} sides` : title, frames, times }
   } finally {
     await page.close()
   }
 }
 
-/** Opens a file with so many circles, as a user would, and returns the milliseconds until they are seen. */
+/** Drops a file, as a user would. */
+function drop(page, name, text) {
+  return page.evaluate(
+    ([name, text]) => {
+      const dataTransfer = new DataTransfer()
+      dataTransfer.items.add(new File([text], name))
+      const event = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true })
+      document.querySelector('#figure').dispatchEvent(event)
+    },
+    [name, text],
+  )
+}
+
+/** Clips to a coast around most of so many circles. */
+async function clipped(page, circles, sides) {
+  const middle = 2 * Math.sqrt(circles)
+  const ring = Array.from({ length: sides }, (_, k) => {
+    const angle = (2 * Math.PI * k) / sides
+    const radius = middle * (0.85 + 0.07 * Math.sin(17 * angle) + 0.05 * Math.sin(101 * angle))
+    return [middle + radius * Math.cos(angle), middle + radius * Math.sin(angle)]
+  })
+  await drop(page, 'coast.geojson', JSON.stringify({ type: 'Polygon', coordinates: [ring] }))
+  await page.locator('#toast', { hasText: 'coast.geojson' }).waitFor()
+}
+
+/** Opens a file with so many circles, and returns the milliseconds until they are seen. */
 async function opened(page, circles) {
   const start = performance.now()
   await page.evaluate((count) => {
@@ -226,15 +256,17 @@ await main(() =>
     starts.sort((a, b) => a['is seen'] - b['is seen'])
     for (const size of sizes.filter((size) => size > 0))
       rows.push(await bench(browser, url, size, ['drag', 'pan', 'zoom', 'hover']))
+    if (process.argv.includes('--region'))
+      rows.push(await bench(browser, url, CLIPPED.circles, ['drag', 'pan', 'zoom', 'hover'], CLIPPED.sides))
     if (process.argv.includes('--million')) rows.push(await bench(browser, url, MILLION, ['pan', 'zoom']))
     const first = starts[Math.floor(STARTS / 2)]
     console.log('The first diagram on slow 4G with a processor 4 times slower: the median')
     console.table({ 'start scene': first })
     if (rows.length > 0) {
       console.log('Milliseconds from frame to frame, the median and what 95 % stay below')
-      console.table(Object.fromEntries(rows.map(({ circles, frames }) => [circles, frames])))
+      console.table(Object.fromEntries(rows.map(({ title, frames }) => [title, frames])))
       console.log('Milliseconds until the picture is there')
-      console.table(Object.fromEntries(rows.map(({ circles, times }) => [circles, times])))
+      console.table(Object.fromEntries(rows.map(({ title, times }) => [title, times])))
     }
     mkdirSync(`${ROOT}build/bench`, { recursive: true })
     writeFileSync(`${ROOT}build/bench/page.json`, `${JSON.stringify({ first, rows }, undefined, 1)}\n`)

@@ -254,3 +254,48 @@ test.describe('with fingers', () => {
     await expect(app.status).toHaveText(/^8 circles/)
   })
 })
+
+test('a slider scales all radii between the diagram of the centers and that of the circles, as one step of undo', async ({
+  app,
+}) => {
+  const { page } = app
+  await app.openPanel('Layers')
+  const radii = page.locator('#layers').getByLabel('Radii')
+  await expect(radii).toHaveValue('1')
+  const before = await app.circles()
+  for (const share of ['0.5', '0.25', '0']) await radii.fill(share)
+  const scaled = (share: number) => before.map((value, k) => (k % 3 === 2 ? share * value : value))
+  await expect.poll(() => app.circles()).toEqual(scaled(0))
+  await radii.fill('0.75')
+  await expect.poll(() => app.circles()).toEqual(scaled(0.75))
+  await app.canvas.focus()
+  await page.keyboard.press('Control+z')
+  await expect.poll(() => app.circles()).toEqual(before)
+  await expect(radii).toHaveValue('1')
+  // Whoever wants less motion moves the slider.
+  await expect(page.locator('#layers').getByRole('button', { name: 'Play' })).toHaveCount(0)
+})
+
+test.describe('where motion is welcome', () => {
+  test.use({ contextOptions: { reducedMotion: 'no-preference' } })
+
+  test('the three diagrams part as the radii grow, in the panel of layers or of motion', async ({ app }) => {
+    const { page } = app
+    await app.choose('Introduction')
+    await app.openPanel('Layers')
+    const layers = page.locator('#layers')
+    await layers.getByRole('button', { name: 'Play' }).click()
+    for (const name of ['Voronoi of centers', 'Power diagram', 'Edges'])
+      await expect(layers.getByLabel(name, { exact: true })).toBeChecked()
+    await expect(layers.getByRole('button', { name: 'Stop' })).toBeVisible()
+    await app.openPanel('Motion')
+    const motion = page.locator('#motion')
+    await motion.getByRole('button', { name: 'Stop' }).click()
+    await expect.poll(async () => (await app.circles())[2]).toBeLessThan(dataSet('introduction')[2] as number)
+    await app.canvas.focus()
+    await page.keyboard.press('Control+z')
+    await expect.poll(() => app.circles()).toEqual(dataSet('introduction'))
+    await motion.getByLabel('Compare three diagrams').check()
+    await expect(motion).toContainText('they part as the radii grow')
+  })
+})

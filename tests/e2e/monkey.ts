@@ -21,6 +21,17 @@ const FILES = [
   ['empty.csv', ''],
   ['negative.csv', '0,0,-1'],
   ['damaged.json', '{"circles": [[0,'],
+  [
+    'people.csv',
+    Array.from({ length: 30 }, (_, k) => `${(7 * k) % 31},${(11 * k) % 29},0.5,${1 + (k % 9)}`).join('\n'),
+  ],
+] as const
+/** Around the circles of some data sets, around some circles of others, and far from all of the rest. */
+const REGIONS = [
+  ['square.wkt', 'POLYGON ((-4 -4, 12 -4, 12 12, -4 12))'],
+  ['holes.wkt', 'POLYGON ((0 0, 60 0, 60 60, 30 40, 0 60), (5 5, 9 5, 7 9), (20 10, 30 10, 30 20, 20 20))'],
+  ['two.wkt', 'MULTIPOLYGON (((0 0, 6 0, 3 7)), ((8 0, 500 0, 500 300, 8 300)))'],
+  ['bow.wkt', 'POLYGON ((0 0, 9 9, 9 0, 0 9))'],
 ] as const
 /** With more circles than this, copies of copies would soon fill the memory. */
 const MOST_CIRCLES = 3000
@@ -60,7 +71,10 @@ export class Monkey {
       [2, () => this.#button('#more, #more-tools button')],
       [4, () => this.#layer()],
       [1, () => this.#number()],
-      [1, () => this.#file()],
+      [1, () => this.#file(this.#one(FILES))],
+      [1, () => this.#file(this.#one(REGIONS))],
+      [1, () => this.#draw()],
+      [2, () => this.#region()],
       [1, () => this.#dataSet()],
       [1, () => this.#resize()],
       [1, () => this.#scheme()],
@@ -236,8 +250,7 @@ export class Monkey {
     )
   }
 
-  async #file(): Promise<void> {
-    const file = this.#one(FILES)
+  async #file(file: readonly [name: string, text: string]): Promise<void> {
     await this.#do(`file ${file[0]}`, () =>
       this.#page.evaluate(([name, text]) => {
         const dataTransfer = new DataTransfer()
@@ -245,6 +258,35 @@ export class Monkey {
         document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }))
       }, file),
     )
+  }
+
+  /** A polygon of a few corners, which may cross itself. */
+  async #draw(): Promise<void> {
+    const corners = Array.from({ length: 3 + Math.floor(3 * this.#random()) }, () => this.#point())
+    const end = this.#one(['Enter', 'Enter', 'Enter', 'Escape'])
+    await this.#do(`draw ${JSON.stringify(corners)} ${end}`, async () => {
+      await this.#app.canvas.focus()
+      await this.#page.keyboard.press('p')
+      for (const { x, y } of corners) {
+        await this.#page.mouse.move(x, y)
+        await this.#page.mouse.click(x, y)
+      }
+      await this.#app.canvas.focus()
+      await this.#page.keyboard.press(end)
+    })
+  }
+
+  /** Areas, and the buttons beside. */
+  async #region(): Promise<void> {
+    const choice = this.#random()
+    await this.#do('Region', () =>
+      this.#page.evaluate(() => {
+        const button = document.querySelector<HTMLButtonElement>('[aria-controls="region"]')
+        if (button?.ariaExpanded !== 'true') button?.click()
+      }),
+    )
+    if (this.#isTrue(0.3)) await this.#button('#region .choices button')
+    else await this.#select('#areas', choice)
   }
 
   async #dataSet(): Promise<void> {

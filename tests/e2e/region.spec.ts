@@ -7,7 +7,7 @@ import type { Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
-import { type App, expect, test } from './page.ts'
+import { App, expect, test } from './page.ts'
 
 const THREE = [
   [0, 0, 1],
@@ -268,6 +268,83 @@ test('areas: equal, by radius, one by one, kept while a point is dragged, by lin
     await app.field(name).press('Enter')
   }
   await expect(page.getByRole('alert')).toContainText('has the same position as')
+})
+
+test('areas are by a column of the opened table, taken back by undo, and kept by a reload without the column', async ({
+  app,
+}) => {
+  const { page } = app
+  await openThree(app)
+  await drop(app, 'towns.csv', 'x,y,r,name,people,rain\n0,0,1,A,10,3\n6,0,1,B,20,0\n2,5,1,C,,5\n')
+  const choose = panel(app).getByLabel('Areas')
+  const byPeople = choose.locator('option', { hasText: 'by people' })
+  await expect(byPeople).toHaveCount(1)
+  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await expect(choose).toBeEnabled()
+  await choose.selectOption('by people')
+  await expect(app.status).toContainText(/areas within/)
+  await expect(page.locator('#toast')).toHaveText('1 of the circles have no number in people: they get the mean.')
+  await expect.poll(async () => (await linkOf(app)).areas).toEqual([10, 20, 15])
+  const { x, y } = place(app, [6, 0])
+  await page.mouse.click(x, y)
+  await expect(app.inspector.locator('dd').first()).toHaveText(String(Number(((TOTAL * 20) / 45).toPrecision(4))))
+
+  // What cannot be an area is refused, and the last areas stay.
+  await choose.selectOption('by rain')
+  await expect(page.getByRole('alert')).toHaveText('rain: circle 1 has 0. Areas need numbers above 0.')
+  await expect(choose).toHaveValue('column:people')
+
+  await app.canvas.focus()
+  await page.keyboard.press('Control+z')
+  await expect(choose).toHaveValue('free')
+  await expect.poll(async () => [...(await app.circles())]).toEqual(THREE.flat())
+  await page.keyboard.press('Control+Shift+z')
+  await expect(choose).toHaveValue('column:people')
+  await expect.poll(async () => (await linkOf(app)).areas).toEqual([10, 20, 15])
+  await page.reload()
+  await expect(choose).toHaveValue('own')
+  await expect(byPeople).toHaveCount(0)
+
+  // Undo of another file brings the columns back, too.
+  await drop(app, 'towns.csv', 'x,y,r,people\n0,0,1,1\n6,0,1,2\n2,5,1,3\n')
+  await expect(byPeople).toHaveCount(1)
+  await drop(app, 'none.csv', '0,0,1\n9,9,1\n')
+  await expect(app.status).toContainText('2 circles')
+  await expect(byPeople).toHaveCount(0)
+  await app.canvas.focus()
+  await page.keyboard.press('Control+z')
+  await expect(byPeople).toHaveCount(1)
+})
+
+test('a region is in the table, in the storage of the browser, and in a link that somebody else opens', async ({
+  app,
+  browser,
+}) => {
+  const { page } = app
+  await openThree(app)
+  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await expect(panel(app)).toContainText('2 outlines with 8 sides')
+  const diagram = (await loadCircleVoronoi()).compute(THREE as [number, number, number][])
+  const ring = [SQUARE, HOLE] as [number, number][][]
+  const areas = [...diagram.cellAreas({ region: region(ring) })].map((area) => String(Number(area.toPrecision(4))))
+  const inTable = async ({ page }: App) => page.locator('#circle-grid [role="row"] > :nth-child(5)').allTextContents()
+  await app.openPanel('Table')
+  await expect.poll(() => inTable(app)).toEqual(expect.arrayContaining(areas))
+
+  // Without the address, the storage alone has it.
+  await expect.poll(async () => (await linkOf(app)).region).toMatchObject({ type: 'MultiPolygon' })
+  const { href } = new URL(page.url())
+  await page.evaluate(() => history.replaceState(null, '', location.pathname))
+  await page.reload()
+  await expect(app.status).toContainText('3 circles')
+  await expect.poll(() => inTable(app)).toEqual(expect.arrayContaining(areas))
+
+  const context = await browser.newContext()
+  const other = new App(await context.newPage())
+  await other.page.goto(href)
+  await other.openPanel('Region')
+  await expect(panel(other)).toContainText('2 outlines with 8 sides')
+  await context.close()
 })
 
 test('circles have their radii again where areas are no longer given', async ({ app }) => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import fc from 'fast-check'
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import { loadGenerators } from '../../web/app/generators/generators.ts'
 import { saidOf } from '../../web/app/panels/method-found.ts'
 import { at } from '../../web/lib/base/diagram-data.ts'
@@ -230,6 +230,30 @@ describe('the diagram of the centers', () => {
       Array.from({ length: list.length / 3 }, (_, k) => `${list.slice(3 * k, 3 * k + 3)}`)
     expect(keys(diagram.circles).sort()).toEqual(keys(expected.circles).sort())
     expect(keys(diagram.vertices).sort()).toEqual(keys(expected.vertices).sort())
+  })
+})
+
+describe('the power diagram', () => {
+  /** What one step of the clock is, in milliseconds, and whether the diagram is there after an edit. */
+  it.each([
+    [1, true],
+    [1000, false],
+  ])('follows each edit where it is there quickly, and else comes at rest: %d ms', (step, follows) => {
+    let now = 0
+    const clock = vi.spyOn(performance, 'now').mockImplementation(() => {
+      now += step
+      return now
+    })
+    const scene = new PaintedScene(library)
+    scene.open(randomCircles(40))
+    scene.setLayers({ ...DEFAULT_LAYERS, power: true })
+    scene.edit([{ kind: 'remove', id: 0 }])
+    expect(scene.isPowerMissing).toBe(true)
+    scene.addPower(comparison)
+    const circle = { x: 3, y: 4, r: 5 }
+    scene.edit([{ kind: 'insert', circle }])
+    expect(scene.isPowerMissing).toBe(!follows)
+    clock.mockRestore()
   })
 })
 

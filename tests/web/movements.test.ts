@@ -42,16 +42,19 @@ it('two equal circles that meet exchange their speeds', () => {
   expect(distances.at(-1)).toBeGreaterThan(4)
 })
 
-it('circles grow from points to what they are, and breathe around that', () => {
-  const grow = movementOf('grow', CIRCLES, BOX)
-  expect(grow(0).every(({ circle }) => circle.r === 0)).toBe(true)
-  const radii = CIRCLES.map(({ circle }) => circle.r)
-  for (const [k, { circle }] of grow(5).entries()) expect(circle.r).toBeCloseTo(radii[k] as number, 12)
-  const breathe = movementOf('breathe', CIRCLES, BOX, random)
-  for (let k = 0; k < 50; k++) {
-    breathe(0.1).forEach(({ circle }, k) => {
-      expect(circle.r).toBeLessThanOrEqual((radii[k] as number) + 1e-12)
-      expect(circle.r).toBeGreaterThan(0.6 * (radii[k] as number))
-    })
-  }
-})
+it.each(['grow', 'compare'] as const)(
+  'circles grow from points to what they are, and breathe around that: %s',
+  (name) => {
+    const grow = movementOf(name, CIRCLES, BOX)
+    expect(grow(0).every(({ circle }) => circle.r === 0)).toBe(true)
+    const radii = CIRCLES.map(({ circle }) => circle.r)
+    for (const [k, { circle }] of grow(5).entries()) expect(circle.r).toBeCloseTo(radii[k] as number, 12)
+    const breathe = movementOf('breathe', CIRCLES, BOX, random)
+    for (let k = 0; k < 50; k++) {
+      breathe(0.1).forEach(({ circle }, k) => {
+        expect(circle.r).toBeLessThanOrEqual((radii[k] as number) + 1e-12)
+        expect(circle.r).toBeGreaterThan(0.6 * (radii[k] as number))
+      })
+    }
+  },
+)

@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest'
 import { parseNamed } from '../../web/app/csv.ts'
 import { circlesFrom, guessedColumns, type Rows, rowsOf } from '../../web/app/files/columns.ts'
-import { namesIn } from '../../web/app/files/names.ts'
+import { attributesIn } from '../../web/app/files/names.ts'
 import { stippled } from '../../web/app/files/stipple.ts'
 import { randomNumbers } from '../../web/app/random-circles.ts'
 
@@ -44,12 +44,14 @@ describe('a table', () => {
     expect(circlesFrom(table, columns, false, 'f')).toEqual({
       circles: Float64Array.of(1.5, 2, 3, 4, 5, 6),
       names: ['u', 'v'],
+      columns: [],
     })
     expect(circlesFrom(table, columns, true, 'f').circles).toEqual(Float64Array.of(1.5, 2, 1.5, 4, 5, 3))
     const same = { ...columns, r: { all: 0.5 }, name: undefined }
     expect(circlesFrom(table, same, false, 'f')).toEqual({
       circles: Float64Array.of(1.5, 2, 0.5, 4, 5, 0.5),
       names: undefined,
+      columns: [{ name: 'c', values: Float64Array.of(3, 6) }],
     })
     expect(() => circlesFrom(table, { ...columns, r: 0 }, false, 'f')).toThrow(
       'f, row 1: “u” in column n is not a number.',
@@ -60,13 +62,36 @@ describe('a table', () => {
   })
 })
 
+describe('columns', () => {
+  it.each([
+    ['x,y,r,name,people,area\n1,2,3,A,10,x\n4,5,6,B,,7\n7,8,9,C,30,y\n', 'people'],
+    ['1;2;3;10\n4;5;6;n/a\n7;8;9;30', 'Column 4'],
+    ['[{"x":1,"y":2,"r":3,"people":10},{"x":4,"y":5,"r":6},{"x":7,"y":8,"r":9,"people":30,"area":7}]', 'people'],
+    [
+      JSON.stringify({
+        features: [10, undefined, 30].map((people) => ({ properties: { people, radius: 1, kind: 'town' } })),
+      }),
+      'people',
+    ],
+  ])('are the other ones of which most are numbers: %s', (text, name) => {
+    expect(attributesIn(text, 3).columns).toEqual([{ name, values: Float64Array.of(10, Number.NaN, 30) }])
+    expect(attributesIn(text, 2).columns).toBeUndefined()
+  })
+
+  it('are none where there are centers and radii alone', () => {
+    for (const text of ['x,y,r\n1,2,3\n4,5,6', '[[1,2,3],[4,5,6]]', '[{"cx":1,"cy":2,"r":1},{"cx":4,"cy":2,"r":1}]']) {
+      expect(attributesIn(text, 2).columns).toBeUndefined()
+    }
+  })
+})
+
 describe('names', () => {
   it('are those of a column, of objects or of features, if there is one for each circle', () => {
-    expect(namesIn('name,x,y,r\nA,1,2,3\nB,4,5,6', 2)).toEqual(['A', 'B'])
-    expect(namesIn('[{"x":1,"name":"A"},{"x":2}]', 2)).toEqual(['A', ''])
-    expect(namesIn('{"features":[{"properties":{"label":"A"}}]}', 1)).toEqual(['A'])
+    expect(attributesIn('name,x,y,r\nA,1,2,3\nB,4,5,6', 2).names).toEqual(['A', 'B'])
+    expect(attributesIn('[{"x":1,"name":"A"},{"x":2}]', 2).names).toEqual(['A', ''])
+    expect(attributesIn('{"features":[{"properties":{"label":"A"}}]}', 1).names).toEqual(['A'])
     for (const text of ['name,x,y,r\nA,1,2,3', '[[1,2,3],[4,5,6]]', '{"features":', 'x,y,r\n1,2,3\n4,5,6']) {
-      expect(namesIn(text, 2)).toBeUndefined()
+      expect(attributesIn(text, 2).names).toBeUndefined()
     }
   })
 

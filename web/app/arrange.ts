@@ -3,7 +3,7 @@ import type { View } from '../view/view.ts'
 import type { PageActions } from './page-actions.ts'
 
 /** What stands around the picture and covers some of it. */
-const AROUND = '#figure, #top, #rail, #left > .panel, #player'
+const AROUND = '#figure, #top, #rail, #left > .panel, #share, #player'
 
 /** Where all circles are seen, they are seen beside whatever is opened, and in a window of another size, too. */
 export function arrangeAround(view: View, actions: PageActions): void {

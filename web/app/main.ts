@@ -92,6 +92,10 @@ const fileActions = loadedOnce(async () => {
   const { FileActions } = await import('./files/file-actions.ts')
   return new FileActions(store, editing, actions, view, files, links)
 })
+const motion = loadedOnce(async () => {
+  const { Motion } = await import('./motion/motion.ts')
+  return new Motion(view, editing, actions)
+})
 const pen = new RegionPen(store, actions, view)
 actions.pen = pen
 // What is copied here is no file: this hears of it first.
@@ -114,9 +118,15 @@ mountScale(view)
 mountNames(store, editing)
 panelLater('files', complain, async () => (await import('./panels/files.ts')).mountFiles(await fileActions()))
 panelLater('share', complain, async () => (await import('./panels/share.ts')).mountShare(await fileActions()))
-panelLater('layers', complain, async () => (await import('./panels/layers.ts')).mountLayers(store, actions, view))
+panelLater('layers', complain, async () => {
+  const [{ mountLayers }, { Radii }] = await Promise.all([import('./panels/layers.ts'), import('./motion/radii.ts')])
+  mountLayers(store, actions, view, await motion(), new Radii(store, editing))
+})
 panelLater('numbers', complain, async () => (await import('./panels/numbers.ts')).mountNumbers(store, view))
-panelLater('motion', complain, async () => (await import('./panels/motion.ts')).mountMotion(view, editing, actions))
+panelLater('motion', complain, async () => {
+  const { mountMotion } = await import('./panels/motion.ts')
+  mountMotion(await motion(), view, actions)
+})
 panelLater('region', complain, async () => {
   const { mountRegion } = await import('./panels/region.ts')
   mountRegion(store, actions, await fileActions(), pen)

@@ -7,7 +7,8 @@ const ROOM = 16
 const ROOM_AT_EDGE = 32
 /** So much room has what is said of a scene at first, in rem. What goes with the first touch moves nothing. */
 const SAID = 5.625
-/** Low windows have no room for that; in narrow ones it stands above the status, and not beside it. */
+/** In low windows it stands beside the picture, as wide as this, in rem; in narrow ones above the status. */
+const SAID_ASIDE = 13
 const LOW = matchMedia('(max-height: 32em)')
 const NARROW = matchMedia('(max-width: 40em)')
 
@@ -17,21 +18,27 @@ export function paddingOfPage(): Padding {
   const rail = boxOf('rail')
   const isBelow = rail.width > rail.height
   const panel = document.querySelector('#left > .panel:not([hidden])')?.getBoundingClientRect()
-  const player = boxOf('player')
+  const [player, share] = [boxOf('player'), boxOf('share')]
   // On phones they are sheets, as wide as the window.
   const isSheet = ({ width }: DOMRect) => width > 0.7 * innerWidth
-  const sheets = [panel, player]
+  const sheets = [panel, player, share]
     .filter((box) => box !== undefined && isSheet(box))
     .map((box) => box?.top ?? innerHeight)
   const below = [boxOf('status'), boxOf('view'), ...(isBelow ? [rail] : [])].filter(({ height }) => height > 0)
-  const said = LOW.matches ? 0 : SAID * Number.parseFloat(getComputedStyle(document.documentElement).fontSize)
+  const rem = Number.parseFloat(getComputedStyle(document.documentElement).fontSize)
+  const said = LOW.matches ? 0 : SAID * rem
+  // An open panel takes its place.
+  const isAside = LOW.matches && !NARROW.matches && panel === undefined && share.width === 0 && player.width === 0
   const lowest = Math.min(...below.map(({ top }) => top), innerHeight)
   const free = NARROW.matches ? lowest - said : Math.min(lowest, innerHeight - said)
   const left = [isBelow ? 0 : rail.right, panel === undefined || isSheet(panel) ? 0 : panel.right]
-  const isPlayerBeside = player.width > 0 && !isSheet(player)
+  // In wide windows what is shared is seen around its card.
+  const beside = [player, ...(LOW.matches ? [share] : [])].find((box) => box.width > 0 && !isSheet(box))
   return {
     top: boxOf('top').bottom + ROOM,
-    right: isPlayerBeside ? innerWidth - player.left + ROOM : isBelow ? ROOM : ROOM_AT_EDGE,
+    right:
+      (isAside ? SAID_ASIDE * rem : 0) +
+      (beside !== undefined ? innerWidth - beside.left + ROOM : isBelow ? ROOM : ROOM_AT_EDGE),
     // A sheet hides it.
     bottom: innerHeight - Math.min(...(sheets.length > 0 ? [lowest, ...sheets] : [free])) + ROOM,
     left: Math.max(...left) + ROOM,

@@ -93,6 +93,26 @@ export class PageActions extends EditorActions {
     return this.setDomain({ areas }, gesture, edits)
   }
 
+  /** The columns of numbers that came with the circles. */
+  get columns(): readonly string[] {
+    return this.#editing.columns
+  }
+
+  /** Gives cells areas by a column. Circles without a number get the mean: how many, or `undefined` if it is refused. */
+  async setAreasBy(column: string): Promise<number | undefined> {
+    const { circles } = this.#editing
+    const values = this.#editing.valuesOf(column)
+    const wrong = values.findIndex((value) => value <= 0)
+    if (wrong >= 0) {
+      this.complain(`${column}: circle ${circles.ids()[wrong]} has ${values[wrong]}. Areas need numbers above 0.`)
+      return undefined
+    }
+    const known = values.filter((value) => value > 0)
+    const mean = known.reduce((sum, value) => sum + value, 0) / known.length
+    const edited = await this.setAreas(Array.from(values, (value) => (value > 0 ? value : mean)))
+    return edited && values.length - known.length
+  }
+
   /** The radii of the circles, or those that they had before they got areas. */
   radii(): number[] {
     const { circles, domain } = this.#editing

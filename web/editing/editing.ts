@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { NewestQueue } from '../lib/base/newest-queue.ts'
-import type { Circle, Edit } from '../lib/index.ts'
+import type { Circle, Edit, Float64s } from '../lib/index.ts'
 import type { CircleTable, Step } from '../view/circle-table.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Edited } from '../view/painter.ts'
@@ -94,6 +94,17 @@ export class Editing {
   /** What a circle is called, if it is called anything. */
   nameOf(id: number): string {
     return this.#scene?.names?.[this.numberOf(id)] ?? ''
+  }
+
+  /** The names of the columns that came with the circles. */
+  get columns(): readonly string[] {
+    return this.#scene?.columns?.map(({ name }) => name) ?? []
+  }
+
+  /** A column in the order of the circles; NaN for circles that were added. */
+  valuesOf(name: string): Float64s {
+    const values = this.#scene?.columns?.find((column) => column.name === name)?.values
+    return Float64Array.from(this.circles.ids(), (id) => values?.[this.numberOf(id)] ?? Number.NaN)
   }
 
   #rename(formerId: number, id: number): void {
@@ -250,9 +261,10 @@ export class Editing {
     const circles = this.circles.circles()
     const ids = this.circles.ids()
     const names = this.#scene.names && Array.from(ids, (id) => this.nameOf(id))
+    const columns = this.#scene.columns?.map(({ name }) => ({ name, values: this.valuesOf(name) }))
     const domain = this.#domain === NO_DOMAIN ? undefined : { ...this.#domain, areas: this.areas }
-    const scene = { circles, dataSet, isEdited: isEdited || !isSame(circles, this.#scene.circles), names, domain }
-    return [{ kind: 'opening', scene, ids }]
+    const isOther = isEdited || !isSame(circles, this.#scene.circles)
+    return [{ kind: 'opening', scene: { circles, dataSet, isEdited: isOther, names, columns, domain }, ids }]
   }
 
   /** A circle as it will be once all that was asked is done, if nothing is refused. */

@@ -3,6 +3,12 @@ import type { Float64s } from '../lib/index.ts'
 import type { Step } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
 
+/** A number for each circle, NaN where there is none. */
+export interface DataColumn {
+  readonly name: string
+  readonly values: Float64s
+}
+
 /** Circles that are opened at once. */
 export interface Scene {
   readonly circles: Float64s
@@ -12,6 +18,8 @@ export interface Scene {
   readonly isEdited: boolean
   /** What each circle is called; empty: nothing. */
   readonly names?: readonly string[] | undefined
+  /** What else a table says of the circles. */
+  readonly columns?: readonly DataColumn[] | undefined
   /** What cells are cut to, and their areas. `undefined`: neither. */
   readonly domain?: Domain | undefined
 }

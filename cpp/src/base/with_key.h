@@ -12,7 +12,8 @@ namespace circle_voronoi {
 template <class Item, class Key, class KeyOf>
 std::span<const Item> withKey(const std::vector<Item>& items, const Key& wanted, const KeyOf& keyOf) {
   const auto from = std::ranges::lower_bound(items, wanted, {}, keyOf);
-  return {from, std::ranges::upper_bound(from, items.end(), wanted, {}, keyOf)};
+  const auto to = std::ranges::upper_bound(from, items.end(), wanted, {}, keyOf);
+  return {items.data() + (from - items.begin()), static_cast<std::size_t>(to - from)};
 }
 
 }  // namespace circle_voronoi

@@ -18,6 +18,7 @@
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/metric.h"
 #include "guarded.h"
+#include "recompute.h"
 #include "scale.h"
 #include "spring_system.h"
 
@@ -76,7 +77,8 @@ class Fitter {
         targets_(std::move(targets)),
         region_(region),
         options_(options),
-        around_(boxAround()) {}
+        around_(boxAround()),
+        sizeOfBox_(around_.area() / region.area()) {}
 
   AreaFit run() {
     for (int k = 0; k < options_.relax; ++k) moveToCentroids(fitted(std::max(options_.tolerance, kWhileMoving)));
@@ -128,6 +130,7 @@ class Fitter {
     }
     checkSites(sites_);
     around_ = boxAround();
+    sizeOfBox_ = around_.area() / region_.area();
   }
 
   /// A state in which every cell has an area. Sites that the first weights hide are raised; if that is not enough, the
@@ -142,7 +145,7 @@ class Fitter {
     }
     State state = requiredStateAt(std::vector<double>(weights.size(), 0));
     if (leastArea(state) > 0) return state;
-    density_.background = region_.area() / around_.area();
+    density_.background = 1 / sizeOfBox_;
     return requiredStateAt(std::move(state.weights));
   }
 
@@ -208,7 +211,7 @@ class Fitter {
     for (int trial = 0; trial < kMostTrials && !direction.empty(); ++trial) {
       std::vector<double> weights = state.weights;
       for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += share * direction[i];
-      std::optional<State> next = stateAt(std::move(weights));
+      std::optional<State> next = stateAt(std::move(weights), &state);
       const auto isLost = [&](CircleIndex i) { return !(next->cells.areas[static_cast<std::size_t>(i)] > least); };
       if (next && leastArea(*next) > least) {
         const std::vector<double> left = forcesOn(*next);
@@ -283,9 +286,7 @@ class Fitter {
   }
 
   /// Of both region and background.
-  double targetOf(std::size_t site) const {
-    return targets_[site] * (1 + density_.background * (around_.area() / region_.area()));
-  }
+  double targetOf(std::size_t site) const { return targets_[site] * (1 + density_.background * sizeOfBox_); }
 
   double errorOf(const State& state) const {
     double error = 0;
@@ -315,13 +316,33 @@ class Fitter {
 
   static double leastArea(const State& state) { return *std::ranges::min_element(state.cells.areas); }
 
-  Result<State> measured(std::vector<double> weights) const {
+  /// Whether weights hide a site that is next to another in a state.
+  bool isHiddenAt(std::span<const double> weights, const State& near) const {
+    return std::ranges::any_of(near.cells.springs, [&](const Spring& spring) {
+      const auto i = static_cast<std::size_t>(spring.left);
+      const auto j = static_cast<std::size_t>(spring.right);
+      return lengthOf({sites_[i].x - sites_[j].x, sites_[i].y - sites_[j].y}) <= std::abs(weights[i] - weights[j]);
+    });
+  }
+
+  /// `near`: a state of similar weights, if there is one.
+  Result<State> measured(std::vector<double> weights, const State* near = nullptr) const {
     const double least = *std::ranges::min_element(weights);
     std::vector<Circle> circles = sites_;
     for (std::size_t i = 0; i < circles.size(); ++i) circles[i].r = weights[i] -= least;
-    Result<Diagram> diagram = compute(circles);
-    if (!diagram) return diagram.error();
-    State state = {std::move(weights), std::move(diagram).value(), {}};
+    State state = {std::move(weights), {}, {}};
+    if (near && isHiddenAt(state.weights, *near)) {
+      state.cells.areas.assign(sites_.size(), 0);
+      return state;
+    }
+    std::optional<Diagram> changed = near ? recompute(near->diagram, circles) : std::nullopt;
+    if (changed) {
+      state.diagram = *std::move(changed);
+    } else {
+      Result<Diagram> diagram = compute(circles);
+      if (!diagram) return diagram.error();
+      state.diagram = std::move(diagram).value();
+    }
     if (!state.diagram.hidden.empty()) {
       state.cells.areas.assign(sites_.size(), 0);
       return state;
@@ -344,8 +365,8 @@ class Fitter {
   }
 
   /// Nothing if these weights have no diagram.
-  std::optional<State> stateAt(std::vector<double> weights) const {
-    Result<State> state = measured(std::move(weights));
+  std::optional<State> stateAt(std::vector<double> weights, const State* near = nullptr) const {
+    Result<State> state = measured(std::move(weights), near);
     if (!state) return {};
     return std::move(state).value();
   }
@@ -381,6 +402,7 @@ class Fitter {
   const Region& region_;
   const AreaFitOptions& options_;
   Region around_;
+  double sizeOfBox_;  ///< as a multiple of the region
   Density density_;
   int steps_ = 0;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of other programs: which of their columns are centers and radii.
+import type { DataColumn } from '../../editing/history.ts'
 import type { NamedCircles } from '../csv.ts'
 
 /** A table of texts. */
@@ -42,19 +43,38 @@ export function rowsOf(text: string): Rows | undefined {
   const table = lines.map((line) => fieldsOf(line, separator))
   const hasDecimalCommas = separator !== ',' && table.some((row) => row.some((field) => /^-?\d+,\d+$/.test(field)))
   const [first = []] = table
-  const isNumber = (field: string) => !Number.isNaN(numberOf(field, hasDecimalCommas))
-  const hasHeading = !first.some(isNumber)
+  const hasHeading = !first.some((field) => isNumber(numberOf(field, hasDecimalCommas)))
   const rows = hasHeading ? table.slice(1) : table
   const heading = hasHeading ? first : first.map((_, k) => `Column ${k + 1}`)
-  const numeric = heading.filter((_, k) => {
-    const numbers = rows.filter((row) => isNumber(row[k] ?? '')).length
-    return rows.length > 0 && numbers > rows.length / 2
+  const found = { heading, hasHeading, rows, hasDecimalCommas }
+  return heading.filter((_, k) => isNumeric(valuesIn(found, k))).length < 2 ? undefined : found
+}
+
+/** The columns of numbers beside those of centers and radii. */
+export function otherColumns(rows: Rows, used: readonly (number | undefined)[]): DataColumn[] {
+  return rows.heading.flatMap((name, k) => {
+    const values = used.includes(k) ? [] : valuesIn(rows, k)
+    return isNumeric(values) ? [{ name, values: Float64Array.from(values) }] : []
   })
-  return numeric.length < 2 ? undefined : { heading, hasHeading, rows, hasDecimalCommas }
+}
+
+function valuesIn({ rows, hasDecimalCommas }: Rows, column: number): number[] {
+  return rows.map((row) => numberOf(row[column] ?? '', hasDecimalCommas))
+}
+
+/** Whether most of these are numbers. */
+export function isNumeric(values: readonly number[]): boolean {
+  return values.filter(isNumber).length > values.length / 2
+}
+
+function isNumber(value: number): boolean {
+  return !Number.isNaN(value)
 }
 
 /** The columns that the names tell, where they do. */
-export function guessedColumns({ heading }: Rows): Partial<Columns> & { readonly isDiameter?: boolean } {
+export function guessedColumns({
+  heading,
+}: Pick<Rows, 'heading'>): Partial<Columns> & { readonly isDiameter?: boolean } {
   const normal = heading.map((name) =>
     name
       .toLowerCase()
@@ -94,7 +114,13 @@ export function circlesFrom(rows: Rows, columns: Columns, isDiameter: boolean, f
     if (radius < 0) throw new Error(`${file}, row ${k + 1}: the radius must not be negative (got ${radius}).`)
     circles.set(circle, 3 * k)
   }
-  return { circles, names: name === undefined ? undefined : rows.rows.map((row) => row[name] ?? '') }
+  const used = [x, y, typeof r === 'number' ? r : undefined, name]
+  return { circles, names: namesIn(rows, name), columns: otherColumns(rows, used) }
+}
+
+/** The texts of a column; `undefined`: there is none. */
+export function namesIn({ rows }: Rows, column: number | undefined): readonly string[] | undefined {
+  return column === undefined ? undefined : rows.map((row) => row[column] ?? '')
 }
 
 function separatorOf(lines: readonly string[]): string | undefined {

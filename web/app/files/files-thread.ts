@@ -7,7 +7,7 @@ import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import { loadedOnce } from '../loaded-once.ts'
 import { randomNumbers } from '../random-circles.ts'
 import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
-import { namesIn } from './names.ts'
+import { attributesIn } from './names.ts'
 import { stippled, tonesOf } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
 
@@ -60,7 +60,7 @@ async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): P
   if (table !== undefined) return { circles: readCircles(new TextEncoder().encode(table), { name }) }
   if (holdsDiagram(bytes)) return { circles: readDiagram(bytes, { name }).circles }
   const circles = readCircles(bytes, { name })
-  return { circles, names: namesIn(text, circles.length / 3) }
+  return { circles, ...attributesIn(text, circles.length / 3) }
 }
 
 async function write({ circles, format, region }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {

@@ -17,8 +17,7 @@ export class Motion {
   readonly #editing: Editing
   readonly #actions: PageActions
   #frame = 0
-  /** Called when it begins and ends. */
-  onchange: () => void = () => {}
+  readonly #listeners = new Set<() => void>()
 
   constructor(view: View, editing: Editing, actions: PageActions) {
     this.#view = view
@@ -28,6 +27,15 @@ export class Motion {
 
   get isMoving(): boolean {
     return this.#frame !== 0
+  }
+
+  /** Has a function called when it begins and ends. */
+  onchange(listener: () => void): void {
+    this.#listeners.add(listener)
+  }
+
+  #tell(): void {
+    for (const listener of this.#listeners) listener()
   }
 
   start(name: MovementName): void {
@@ -42,15 +50,16 @@ export class Motion {
       return
     }
     this.#actions.select([])
+    if (name === 'compare') this.#actions.setLayers({ edges: true, ordinary: true, power: true })
     this.#run(movementOf(name, circles, this.#room(table.box())))
-    this.onchange()
+    this.#tell()
   }
 
   stop(): void {
     if (this.#frame === 0) return
     cancelAnimationFrame(this.#frame)
     this.#frame = 0
-    this.onchange()
+    this.#tell()
   }
 
   #run(movement: Movement): void {

@@ -14,6 +14,7 @@ export type Movement = (seconds: number) => readonly Moving[]
 export const MOVEMENTS = {
   bounce: 'Bounce',
   grow: 'Grow from points',
+  compare: 'Compare three diagrams',
   breathe: 'Breathe',
 } as const
 export type MovementName = keyof typeof MOVEMENTS
@@ -31,7 +32,7 @@ export function movementOf(name: MovementName, circles: readonly Moving[], box: 
   let time = 0
   const scaledBy = (factorOf: (k: number) => number) =>
     circles.map(({ id, circle }, k) => ({ id, circle: { ...circle, r: circle.r * factorOf(k) } }))
-  if (name === 'grow') {
+  if (name === 'grow' || name === 'compare') {
     return (seconds) => {
       time += seconds
       // There and back: the ordinary Voronoi diagram of the centers becomes that of the circles.

@@ -15,6 +15,8 @@ import {
 import type { MethodFound } from '../../view/protocol.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
+import { MOST_MOVING, type Motion } from '../motion/motion.ts'
+import type { Radii } from '../motion/radii.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 import { type Pictured, pictureOf } from './layer-pictures.ts'
@@ -41,11 +43,12 @@ const CANDIDATE_NAMES: Readonly<Record<Candidates, string>> = {
   'all-pairs': 'all pairs of circles',
 }
 /** What is drawn: each layer with its picture and a switch. */
-export function mountLayers(store: Store<State>, actions: PageActions, view: View): void {
+export function mountLayers(store: Store<State>, actions: PageActions, view: View, motion: Motion, radii: Radii): void {
   const panel = byId('layers', HTMLElement)
   const draw = () => folded.render(() => html`${waiting()} ${body(store.get())}`)
   view.on('diagram', () => draw())
   const folded = panelOf(panel, 'Layers', draw)
+  motion.onchange(() => draw())
 
   const toggle = (name: keyof Layers & Pictured, label: string, note: unknown = nothing): TemplateResult => {
     const layers = store.get().layers
@@ -108,7 +111,7 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
     `
   }
 
-  const body = ({ layers, found, edited }: State) => html`
+  const body = ({ layers, found, edited, domain }: State) => html`
     <fieldset>
       <legend>Diagram</legend>
       ${toggle('circles', 'Circles')}
@@ -137,8 +140,37 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
       <legend>Compare</legend>
       ${toggle('dual', 'Dual graph')} ${toggle('delaunay', 'Delaunay of centers')}
       ${toggle('ordinary', 'Voronoi of centers')} ${toggle('power', 'Power diagram')}
+      ${(edited?.counts.circles ?? 0) > MOST_MOVING || domain.areas !== undefined ? nothing : radiusControl()}
     </fieldset>
     ${(edited?.counts.circles ?? 0) > MOST_TRACED ? nothing : methodLayers(layers, edited?.counts.circles ?? 0, found?.method)}
+  `
+
+  /** Without radii the three diagrams are one. */
+  const radiusControl = () => html`
+    <div class="layer sub">
+      <label for="radii" title="Without radii, all three diagrams are the same">Radii</label>
+      <input
+        id="radii"
+        type="range"
+        min="0"
+        max="1"
+        step="any"
+        .value=${String(radii.share)}
+        @input=${(event: Event) => radii.scale((event.target as HTMLInputElement).valueAsNumber)}
+      />
+      ${
+        matchMedia('(prefers-reduced-motion: reduce)').matches
+          ? nothing
+          : html`<button
+              type="button"
+              aria-pressed=${motion.isMoving}
+              title="Watch the three diagrams part as the radii grow"
+              @click=${() => (motion.isMoving ? motion.stop() : motion.start('compare'))}
+            >
+              ${motion.isMoving ? 'Stop' : 'Play'}
+            </button>`
+      }
+    </div>
   `
 
   const togglePath = (event: Event) => {
@@ -205,9 +237,10 @@ export function mountLayers(store: Store<State>, actions: PageActions, view: Vie
   `
 
   let shown: readonly unknown[] = []
-  store.subscribe(({ layers, found, edited }) => {
-    if (layers === shown[0] && found === shown[1] && edited?.counts.circles === shown[2]) return
-    shown = [layers, found, edited?.counts.circles]
+  store.subscribe(({ layers, found, edited, domain }) => {
+    const now = [layers, found, edited?.counts.circles, domain.areas, radii.share]
+    if (now.every((value, k) => value === shown[k])) return
+    shown = now
     draw()
   })
 }

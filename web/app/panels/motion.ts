@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html } from 'lit/html.js'
-import type { Editing } from '../../editing/editing.ts'
 import type { View } from '../../view/view.ts'
 import { save } from '../files/saving.ts'
 import { filmed } from '../motion/film.ts'
-import { Motion } from '../motion/motion.ts'
+import type { Motion } from '../motion/motion.ts'
 import { MOVEMENTS, type MovementName } from '../motion/movements.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
@@ -13,6 +12,8 @@ import { panelOf } from './panel.ts'
 const ABOUT: Readonly<Record<MovementName, string>> = {
   bounce: 'Circles fly and bounce off one another. Neighbors in the diagram are those that may collide.',
   grow: 'All radii grow from zero and shrink again: the ordinary Voronoi diagram of the centers becomes that of the circles.',
+  compare:
+    'The ordinary diagram of the centers, the power diagram and the diagram of the circles in one picture. Without radii all three are the same; they part as the radii grow.',
   breathe: 'Each circle grows and shrinks at its own time.',
 }
 
@@ -20,8 +21,7 @@ const ABOUT: Readonly<Record<MovementName, string>> = {
 const RECORDED = 6
 
 /** Circles in motion, with a button that plays and stops. */
-export function mountMotion(view: View, editing: Editing, actions: PageActions): void {
-  const motion = new Motion(view, editing, actions)
+export function mountMotion(motion: Motion, view: View, actions: PageActions): void {
   let chosen: MovementName = 'bounce'
   let isRecording = false
   const record = async () => {
@@ -75,7 +75,7 @@ export function mountMotion(view: View, editing: Editing, actions: PageActions):
         <p class="quiet">Undo brings all circles back to where they were.</p>
       `,
     )
-  motion.onchange = () => draw()
+  motion.onchange(() => draw())
   const panel = panelOf(byId('motion', HTMLElement), 'Motion', draw, { isKept: false })
   draw()
 }

@@ -9,11 +9,14 @@ import type { PageActions } from '../page-actions.ts'
 import type { RegionPen } from '../region-pen.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
+import { toast } from './toast.ts'
 
 /** What areas may be by: numbers above 0. */
 const BY = { equal: 'equal', radius: 'by radius', disc: 'by disc area' } as const
 const FREE = 'free'
 const OWN = 'own'
+/** Before the name of a column. */
+const COLUMN = 'column:'
 
 const icon = (path: TemplateResult) => html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`
 const PEN = icon(svg`<path d="m4 16 1-4 8.500-8.500 3 3L8 15zM11.500 5.500l3 3" />`)
@@ -25,8 +28,8 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
   const figure = byId('figure', HTMLElement)
   const draw = () => panel.render(() => body(store.get()))
   const panel = panelOf(byId('region', HTMLElement), 'Region', draw)
-  /** What the areas are by that were chosen last. */
-  let chosen: { readonly by: string; readonly areas: unknown } | undefined
+  /** What areas are by that were chosen, also once they come back by undo. */
+  const chosen = new WeakMap<readonly number[], string>()
 
   const begin = () => {
     actions.useTool('draw')
@@ -40,13 +43,22 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
     input.value = ''
   }
   const choose = async ({ target }: Event) => {
-    const { value } = target as HTMLSelectElement
+    const select = target as HTMLSelectElement
+    const { value } = select
     if (value === FREE) await actions.setAreas(undefined)
     else if (value === 'equal') await actions.setAreas('equal')
+    else if (value.startsWith(COLUMN)) await chooseColumn(value.slice(COLUMN.length))
     else if (value !== OWN) await actions.setAreas(actions.radii().map((r) => (value === 'disc' ? r * r : r)))
-    chosen = { by: value, areas: store.get().domain.areas }
-    // What was refused is not chosen.
+    const { areas } = store.get().domain
+    if (Array.isArray(areas) && !chosen.has(areas)) chosen.set(areas, value)
     draw()
+    // What was refused is not chosen.
+    select.value = chosenOf(areas)
+  }
+
+  const chooseColumn = async (name: string) => {
+    const missing = (await actions.setAreasBy(name)) ?? 0
+    if (missing > 0) toast(`${wholeNumber(missing)} of the circles have no number in ${name}: they get the mean.`)
   }
 
   const drawing = () => html`
@@ -84,28 +96,34 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
         <label for="areas">Areas</label>
         <select id="areas" @change=${choose}>
           ${optionsOf(areas).map(
-            ([value, label]) => html`<option value=${value} ?selected=${value === chosenOf(areas)}>${label}</option>`,
+            ([value, label]) => html`<option value=${value} .selected=${value === chosenOf(areas)}>${label}</option>`,
           )}
         </select>
       </div>
     </fieldset>
+    ${
+      actions.columns.length === 0
+        ? nothing
+        : html`<p class="quiet">A link or a reload keeps the areas, but not the columns of the opened file.</p>`
+    }
     <p class="quiet" id="areas-said" aria-live="polite">${aboutAreas(region, areas, edited)}</p>
   `
 
   const chosenOf = (areas: State['domain']['areas']) => {
     if (areas === undefined) return FREE
     if (areas === 'equal') return 'equal'
-    return chosen?.areas === areas ? chosen.by : OWN
+    return chosen.get(areas) ?? OWN
   }
   const optionsOf = (areas: State['domain']['areas']) => [
     [FREE, 'not fixed'],
     ...Object.entries(BY),
+    ...actions.columns.map((name) => [COLUMN + name, `by ${name}`]),
     ...(chosenOf(areas) === OWN ? [[OWN, 'one by one']] : []),
   ]
 
   let shown: readonly unknown[] = []
   store.subscribe(({ domain, tool, edited, said }) => {
-    const now = [domain, tool, edited?.fitted, tool === 'draw' && said]
+    const now = [domain, tool, edited?.fitted, tool === 'draw' && said, actions.columns.join()]
     if (now.every((value, k) => value === shown[k])) return
     shown = now
     draw()

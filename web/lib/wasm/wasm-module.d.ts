@@ -137,6 +137,7 @@ interface WasmRegionsModule {
 /** What is written, as far as it is said. `bounds`: minX, minY, maxX, maxY. */
 interface WasmWriteOptions {
   readonly bounds: Float64Array | undefined
+  readonly region: import('../regions/region-shape.ts').RingArrays | undefined
   readonly maxDistance: number | undefined
   readonly tolerance: number | undefined
   readonly digits: number | undefined

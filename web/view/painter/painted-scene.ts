@@ -69,6 +69,8 @@ const STROKE = 4
 
 /** What is found in so many seconds is found with each edit. */
 const QUICK = 0.005
+/** A power diagram that takes so many follows each edit. */
+const QUICK_POWER = 0.01
 /** Of a circle with more neighbors, its own cell stands out alone. */
 const MOST_NEIGHBORS = 500
 
@@ -87,6 +89,9 @@ export class PaintedScene {
   #findingSeconds = 0
   /** Whether what depends on all circles has been found as it is now. */
   #isFound = false
+  /** Once it is there, and how long the last power diagram took. */
+  #comparison: Comparison | undefined
+  #powerSeconds = 0
   #look: Look | undefined
   /** Those of the grid that the view has, and those still to be painted, the next one last. */
   readonly #painted = new Set<string>()
@@ -166,10 +171,24 @@ export class PaintedScene {
   }
 
   /** The power diagram of the circles as they are. */
-  addPower({ computeComparison }: Comparison): void {
+  addPower(comparison: Comparison): void {
+    this.#comparison = comparison
     this.#isFound = false
-    this.#picture.setPower(computeComparison(this.#picture.diagram.circles, 'power'))
+    this.#computePower(comparison)
     this.#restart()
+  }
+
+  #computePower({ computeComparison }: Comparison): void {
+    const start = performance.now()
+    this.#picture.setPower(computeComparison(this.#picture.diagram.circles, 'power'))
+    this.#powerSeconds = (performance.now() - start) / 1000
+  }
+
+  /** The power diagram follows each edit, if it is there quickly: whether it does. */
+  #followPower(): boolean {
+    if (!this.isPowerMissing || this.#comparison === undefined || this.#powerSeconds > QUICK_POWER) return false
+    this.#computePower(this.#comparison)
+    return true
   }
 
   /** Whether the layers show something of the method that is not there. */
@@ -321,8 +340,10 @@ export class PaintedScene {
     this.#picture.areSites = areSites
     this.#areSites = areSites
     const { boxes, isEverywhere } = this.#picture.apply(change)
-    const patches = isElsewhere ? [] : this.#repaint(boxes)
-    if (isEverywhere || isElsewhere) this.#restart()
+    // All that is seen goes together, so that no part of a motion comes late.
+    const isAtOnce = this.#followPower() && !isElsewhere
+    const patches = isAtOnce ? this.#repaintAll() : isElsewhere ? [] : this.#repaint(boxes)
+    if ((isEverywhere && !isAtOnce) || isElsewhere) this.#restart()
     this.#isFound = false
     const { inserted, removed, replaced, circles } = change
     return {
@@ -453,6 +474,13 @@ export class PaintedScene {
       const parts = boxes.flatMap((box) => intersection(tile, pixelsOf(look.grid, box, margin)) ?? [])
       return apart(parts).map((part) => this.#paint(part, look))
     })
+  }
+
+  #repaintAll(): Patch[] {
+    const look = this.#look
+    if (look === undefined) return []
+    const tiles = tilesOf(look.wanted).filter((tile) => this.#painted.has(keyOf(tile)))
+    return tiles.map((tile) => this.#paint(tile, look))
   }
 
   #restart(): void {
