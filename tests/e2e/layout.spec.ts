@@ -120,8 +120,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await expectNone()
     }
     await app.page.getByRole('button', { name: 'Share', exact: true }).click()
+    await expect(app.page.locator('#share')).toBeVisible()
     await expectNone()
     await app.page.getByRole('button', { name: 'Help' }).click()
+    await expect(app.page.getByRole('dialog')).toBeVisible()
     await expectNone()
   })
 }
@@ -192,6 +194,61 @@ test('a page that runs from right to left leaves each part of the status as it i
   await expect(knots).toHaveText(['≤ 34', '169', '339', '508', '≥ 643'])
   expect((await boxOf(knots.first())).x).toBeLessThan((await boxOf(knots.last())).x)
 })
+
+/** How many pixels of discs lie below an element: their colors are strong, those of cells are weak. */
+async function discPixelsBelow({ page, canvas }: App, selector: string): Promise<number> {
+  await expect(canvas).toHaveAttribute('aria-busy', 'false')
+  return page.evaluate((selector) => {
+    const base = document.querySelector('#figure canvas') as HTMLCanvasElement
+    const copy = new OffscreenCanvas(base.width, base.height)
+    const context = copy.getContext('2d') as OffscreenCanvasRenderingContext2D
+    context.drawImage(base, 0, 0)
+    const { x, y, width, height } = (document.querySelector(selector) as Element).getBoundingClientRect()
+    const ratio = devicePixelRatio
+    const { data } = context.getImageData(x * ratio, y * ratio, width * ratio, height * ratio)
+    let count = 0
+    for (let k = 0; k < data.length; k += 4) {
+      const color = [...data.subarray(k, k + 3)]
+      if (Math.max(...color) - Math.min(...color) > 70) count += 1
+    }
+    return count
+  }, selector)
+}
+
+for (const [width, height] of [
+  [740, 360],
+  [320, 568],
+  [390, 844],
+] as const) {
+  test.describe(`on a phone, ${width} x ${height}`, () => {
+    test.use({ viewport: { width, height }, hasTouch: true, isMobile: true })
+
+    test('what is said at first and what is shared cover no circle, and nothing of them is cut off', async ({
+      page,
+    }) => {
+      const app = new App(page)
+      await app.open('')
+      const isWhole = (selector: string) =>
+        page.locator(selector).evaluate((element) => element.scrollHeight <= element.clientHeight + 1)
+      await expect(page.locator('#say')).toContainText('Drag one.')
+      // It says so where circles are.
+      expect(await discPixelsBelow(app, '#figure')).toBeGreaterThan(1000)
+      await expect.poll(() => discPixelsBelow(app, '#say')).toBe(0)
+      expect(await isWhole('#say')).toBe(true)
+      await page.getByRole('button', { name: 'Share', exact: true }).click()
+      await expect(page.getByRole('button', { name: 'Copy element' })).toBeVisible()
+      await expect.poll(() => discPixelsBelow(app, '#share')).toBe(0)
+      expect(await isWhole('#share')).toBe(true)
+      if (width < height) expect((await boxOf(page.locator('#share'))).height).toBeLessThan(height / 2)
+      await page.locator('#share').getByRole('button', { name: 'Close' }).click()
+      await app.canvas.focus()
+      await page.keyboard.press('Control+a')
+      await page.keyboard.press('Delete')
+      await expect(page.locator('#say')).toContainText('choose a data set above.')
+      expect(await isWhole('#say')).toBe(true)
+    })
+  })
+}
 
 test.describe('with fingers', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true })

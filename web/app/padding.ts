@@ -7,6 +7,9 @@ const ROOM = 16
 const ROOM_AT_EDGE = 32
 /** So much room has what is said of a scene at first, in rem. What goes with the first touch moves nothing. */
 const SAID = 5.625
+/** The same where its lines are short. */
+const SAID_IN_SHORT_LINES = 7
+const SHORT_LINES = matchMedia('(max-width: 22em)')
 /** In low windows it stands beside the picture, as wide as this, in rem; in narrow ones above the status. */
 const SAID_ASIDE = 13
 const LOW = matchMedia('(max-height: 32em)')
@@ -26,7 +29,7 @@ export function paddingOfPage(): Padding {
     .map((box) => box?.top ?? innerHeight)
   const below = [boxOf('status'), boxOf('view'), ...(isBelow ? [rail] : [])].filter(({ height }) => height > 0)
   const rem = Number.parseFloat(getComputedStyle(document.documentElement).fontSize)
-  const said = LOW.matches ? 0 : SAID * rem
+  const said = LOW.matches ? 0 : (SHORT_LINES.matches ? SAID_IN_SHORT_LINES : SAID) * rem
   // An open panel takes its place.
   const isAside = LOW.matches && !NARROW.matches && panel === undefined && share.width === 0 && player.width === 0
   const lowest = Math.min(...below.map(({ top }) => top), innerHeight)
