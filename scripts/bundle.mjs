@@ -27,7 +27,6 @@ async function lib() {
   }
   const exported = await Promise.all(['index', 'worker'].map((name) => import(`${ROOT}dist/lib/${name}.js`)))
   await oneFile('lib', exported.flatMap(Object.keys), [
-    replacing('web/lib/threads/thread-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
     replacing('web/lib/threads/regions-script.ts', 'web/lib/bundled/threads/regions-script.ts'),
   ])
   // That of the module that the compiler made.
@@ -44,18 +43,14 @@ async function element() {
     ...BUNDLED,
     outdir: 'dist/element',
     splitting: true,
-    plugins: [styles, replacing('web/view/painter-file.ts', 'web/element/built/painter-file.ts'), wasmBeside],
+    plugins: [styles, painterBeside, wasmBeside],
     entryPoints: {
       index: 'web/element/index.ts',
       define: 'web/element/define.ts',
       painter: 'web/view/painter/start-thread.ts',
     },
   })
-  await oneFile(
-    'element',
-    ['CircleVoronoiElement', 'defineCircleVoronoi'],
-    [styles, replacing('web/view/painter-file.ts', 'web/element/bundled/painter-file.ts')],
-  )
+  await oneFile('element', ['CircleVoronoiElement', 'defineCircleVoronoi'], [styles])
   copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)
   const { manifest } = await import('./manifest.mjs')
   writeFileSync(`${ROOT}dist/element/custom-elements.json`, `${JSON.stringify(manifest(), undefined, 2)}\n`)
@@ -76,6 +71,8 @@ async function oneFile(name, names, plugins) {
     entryPoints: [`web/${name}/bundle.ts`],
     plugins: [
       wasmInside,
+      replacing('web/lib/threads/thread-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
+      replacing('web/view/painter-file.ts', 'web/lib/bundled/threads/thread-file.ts'),
       replacing('web/lib/wasm/default-wasm.ts', 'web/lib/bundled/wasm/default-wasm.ts'),
       replacing('web/lib/wasm/module-scripts.ts', 'web/lib/bundled/wasm/module-scripts.ts'),
       wasmBeside,
@@ -124,15 +121,14 @@ const wasmInside = {
 }
 
 /** Bundles find the WebAssembly of dist/lib beside their own folder. */
-const wasmBeside = {
-  name: 'wasm-beside',
-  setup({ onLoad }) {
-    onLoad({ filter: /web\/lib\/wasm\/(default-wasm|comparison|load-regions)\.ts$/ }, ({ path }) => ({
-      contents: readFileSync(path, 'utf8').replace(/'[./]+(generated\/[\w-]+\.wasm)'/, "'../lib/$1'"),
-      loader: 'ts',
-    }))
-  },
-}
+const wasmBeside = rewriting(
+  /web\/lib\/wasm\/(default-wasm|comparison|load-regions)\.ts$/,
+  /'[./]+(generated\/[\w-]+\.wasm)'/,
+  "'../lib/$1'",
+)
+
+/** The thread of the element has a file of its own in dist/element. */
+const painterBeside = rewriting(/web\/view\/painter-file\.ts$/, /'\.\/painter\/start-thread\.ts'/g, "'./painter.js'")
 
 /** Style sheets as texts. */
 const styles = {
@@ -148,6 +144,19 @@ const styles = {
       return { contents: code, loader: 'text' }
     })
   },
+}
+
+/** Writes other addresses into modules. */
+function rewriting(filter, address, other) {
+  return {
+    name: `rewriting-${other}`,
+    setup({ onLoad }) {
+      onLoad({ filter }, ({ path }) => ({
+        contents: readFileSync(path, 'utf8').replace(address, other),
+        loader: 'ts',
+      }))
+    },
+  }
 }
 
 /** Takes one module in place of another one. */

@@ -4,8 +4,10 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import { pathToFileURL } from 'node:url'
 import sirv from 'sirv'
-import { addModules, pageOf, recipes } from '../tests/readme/recipes.mjs'
+import { addModules, pageOf, recipes, withOwnElement } from '../tests/readme/recipes.mjs'
+import { recipeDrawings } from './recipe-drawings.mjs'
 import { isMain, main, ROOT } from './run.mjs'
 import { chromiumPath } from './setup.mjs'
 import { loadDrawn } from './texts/drawn.mjs'
@@ -14,6 +16,9 @@ import { posterMaker } from './texts/poster.mjs'
 /** As recipes draw. */
 const SIZE = { width: 480, height: 300 }
 
+/** The time of each frame, in milliseconds: what moves has the same place in each run. */
+const PICTURED_AT = 2000
+
 /** @param {import('@playwright/test').Browser} browser */
 export async function pictureRecipes(browser) {
   await pictureThreeCircles()
@@ -21,15 +26,41 @@ export async function pictureRecipes(browser) {
   addModules(folder)
   const server = createServer(sirv(folder, { dev: true }))
   await new Promise((resolve) => server.listen(0, 'localhost', resolve))
-  for (const { code, picture } of recipes().filter(({ language }) => language === 'html')) {
-    writeFileSync(join(folder, 'index.html'), pageOf(code))
+  const address = `http://localhost:${server.address().port}/`
+  /** Takes the picture of a page that is written into the folder. */
+  const take = async (html, picture) => {
+    writeFileSync(join(folder, 'index.html'), html)
     const page = await browser.newPage({ viewport: SIZE, deviceScaleFactor: 2 })
-    await page.goto(`http://localhost:${server.address().port}/`, { waitUntil: 'networkidle' })
+    await page.addInitScript(`const { requestAnimationFrame: request } = globalThis
+      globalThis.requestAnimationFrame = (draw) => request.call(globalThis, () => draw(${PICTURED_AT}))`)
+    await page.goto(address, { waitUntil: 'networkidle' })
     await page.screenshot({ path: ROOT + picture })
     await page.close()
   }
+  const takeDrawing = (svg, picture) =>
+    take(pageOf(`<style>svg { display: block; width: 100vw; height: 100vh }</style>${svg}`), picture)
+  const drawings = await recipeDrawings()
+  for (const { language, title, code, picture } of recipes()) {
+    if (language === 'html') await take(pageOf(code), picture)
+    else if (language === 'py') {
+      const [, html = ''] = /"""([\s\S]*)"""/.exec(code) ?? []
+      await take(pageOf(withOwnElement(html)), picture)
+    } else {
+      const { names, draw } = drawings[title]
+      await takeDrawing(draw(await valuesOf(folder, code, names)), picture)
+    }
+  }
+  await takeDrawing(drawings['Compute in tiles'].draw({}), 'docs/cookbook/compute-in-tiles.png')
   server.close()
   rmSync(folder, { recursive: true })
+}
+
+/** Runs a script in the folder of its modules; its variables of these names. */
+async function valuesOf(folder, code, names) {
+  const file = join(folder, `${names.join('-')}-${Date.now()}.mjs`)
+  const inFolder = code.replaceAll("writeFileSync('", `writeFileSync('${folder}/`)
+  writeFileSync(file, `const console = { log() {} }\n${inFolder}\nexport { ${names.join(', ')} }\n`)
+  return import(pathToFileURL(file).href)
 }
 
 async function pictureThreeCircles() {

@@ -2,7 +2,7 @@
 // dist/site: the page, the tutorial and the documentation, static, for any folder of a server. A service worker knows all of its
 // files, and these are there compressed, too, for servers that send them as they are.
 import { createHash } from 'node:crypto'
-import { copyFileSync, cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join, relative } from 'node:path'
 import { promisify } from 'node:util'
 import { brotliCompress, gzip } from 'node:zlib'
@@ -13,7 +13,7 @@ import { buildTexts } from './texts/texts.mjs'
 
 const SERVICE_WORKER = 'service-worker.js'
 /** What works with a network alone: what is for other pages, examples among these, and the pictures and the reference of the documentation, which are large. */
-const NOT_KEPT = /^(element\.(css|js)|(api|examples|lib)\/.*|docs\/.*\.(jpg|svg|txt))$/
+const NOT_KEPT = /^(element\.(css|js)|(api|examples|lib)\/.*|docs\/.*\.(jpg|png|svg|txt))$/
 /** Compressing other files would gain nothing. */
 const COMPRESSED = /\.(css|csv|html|js|json|md|svg|txt|wasm|webmanifest)$/
 /** Smaller ones fit into one packet as they are. */
@@ -21,8 +21,9 @@ const SMALLEST = 1000
 
 async function buildSite(folder) {
   cpSync(`${ROOT}build/page`, folder, { recursive: true })
-  // For who copies the code of an element from the page.
-  copyFileSync(`${ROOT}dist/element/bundle.js`, `${folder}/element.js`)
+  // For pages with the code of an element that the playground writes. The file is not beside `lib`, as in the package, but above it.
+  const element = readFileSync(`${ROOT}dist/element/bundle.js`, 'utf8')
+  writeFileSync(`${folder}/element.js`, element.replaceAll('../lib/generated/', './lib/generated/'))
   await addFirstPicture(folder)
   await buildTexts(folder)
   const compressed = filesOf(folder).filter((name) => isCompressed(`${folder}/${name}`))

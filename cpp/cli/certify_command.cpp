@@ -42,7 +42,7 @@ void runCertify(const CertifyArguments& arguments) {
 void addCertifyCommand(CLI::App& program) {
   const auto arguments = std::make_shared<CertifyArguments>();
   CLI::App* command =
-      program.add_subcommand("certify", "Judge whether a diagram, as compute writes it, is right for its circles");
+      program.add_subcommand("certify", "Check whether a diagram that compute wrote is right for its circles");
   command->add_option("FILE", arguments->input, "A diagram as JSON; - is standard input")->type_name("")->required();
   addProgressOption(*command, arguments->progress);
   command->callback([arguments] { runCertify(*arguments); });

@@ -141,7 +141,9 @@ void addComputeCommand(CLI::App& program) {
       ->type_name("COUNT")
       ->capture_default_str()
       ->transform(wholeNumber(kMaxThreads).description("0 to " + std::to_string(kMaxThreads)));
-  command->add_option("--trace", arguments->trace, "Write what happens to this file, a line of JSON an event")
+  command
+      ->add_option("--trace", arguments->trace,
+                   "Write the events of the method to this file, one line of JSON per event")
       ->type_name("FILE");
   addTileOptions(*command, arguments->tile);
   addProgressOption(*command, arguments->progress);
@@ -151,7 +153,7 @@ void addComputeCommand(CLI::App& program) {
       "  csv       its vertices and edges\n"
       "  svg       a drawing with true curves, a group for each layer\n"
       "  geojson   the cells as polygons, with circle, r, area and neighbors\n"
-      "  geojsonl  the same features, one a line\n"
+      "  geojsonl  the same features, one per line\n"
       "  wkt       the cells as well-known text, a line for each circle\n"
       "  obj       the edges and cells as Wavefront OBJ\n"
       "  stats     what was done, how long it took, and the certificate");

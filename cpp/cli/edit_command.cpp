@@ -114,12 +114,14 @@ void addEditCommand(CLI::App& program) {
       ->required();
   command
       ->add_option("--script", arguments->script,
-                   "Edits, one a line: insert,x,y,r or remove,id or replace,id,x,y,r; - is standard input")
+                   "The edits, one per line: insert,x,y,r or remove,id or replace,id,x,y,r; - is standard input")
       ->type_name("FILE")
       ->required();
-  command->add_option("--changes", arguments->changes, "Where to write what each edit changes, a line of JSON each")
+  command
+      ->add_option("--changes", arguments->changes,
+                   "Write what each edit changes to this file, one line of JSON per edit")
       ->type_name("FILE");
-  command->add_option("--trace", arguments->trace, "Write what happens to this file, a line of JSON an event")
+  command->add_option("--trace", arguments->trace, "Write the events to this file, one line of JSON per event")
       ->type_name("FILE");
   addWeightsOption(*command, arguments->weights);
   addOutputOptions(*command, arguments->output);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "circle_voronoi/fit_areas.h"
@@ -30,6 +33,20 @@ struct FitArguments {
   std::string progress = "auto";
 };
 
+/// The error with the names that the options of a fit have on the command line.
+Error withFlags(Error error) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kFlags = {{{"`shares`", "--shares"},
+                                                                                    {"tolerance ", "--area-tolerance "},
+                                                                                    {"maxSteps ", "--max-steps "},
+                                                                                    {"relax ", "--relax "}}};
+  for (const auto& [name, flag] : kFlags) {
+    if (const std::size_t at = error.message.find(name); at != std::string::npos) {
+      error.message.replace(at, name.size(), flag);
+    }
+  }
+  return error;
+}
+
 /// How far a fit is on the way of its error from the first one to the tolerance, by orders of magnitude.
 double partDone(double first, double error, double tolerance) {
   if (!(first > tolerance) || !(error > tolerance)) return 1;
@@ -43,7 +60,7 @@ void runFit(FitArguments& arguments) {
   progress.show("read");
   const std::string name = inputName(arguments.input);
   const std::string text = readText(arguments.input);
-  const auto sites = readCircles(text, name, {arguments.weights});
+  const auto sites = readCircles(text, name, {.weights = arguments.weights, .points = true});
   if (!sites) throw Failure{kBadInput, sites.error().message};
   const auto areas = readNumbers(text, name, arguments.areas);
   if (!areas) throw Failure{kBadInput, areas.error().message};
@@ -60,7 +77,7 @@ void runFit(FitArguments& arguments) {
     progress.show("fit", partDone(first, step.error, options.tolerance));
   };
   const auto fit = fitAreas(*sites, *areas, *arguments.output.region, options);
-  if (!fit) fail(fit.error(), name + ": ");
+  if (!fit) fail(withFlags(fit.error()), name + ": ");
   writeDiagram(arguments.output, name, fit->diagram, progress);
 }
 
@@ -71,7 +88,7 @@ void addFitCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("fit", "Find weights for which the cells have given areas in a region");
   command
       ->add_option("FILE", arguments->input,
-                   "Sites, as the circles that compute reads; their radii are the weights to start from")
+                   "Sites, as the circles that compute reads; r is the weight to start from, 0 if there is none")
       ->type_name("")
       ->required();
   addWeightsOption(*command, arguments->weights);
@@ -87,12 +104,14 @@ void addFitCommand(CLI::App& program) {
       ->capture_default_str();
   command
       ->add_option("--relax", arguments->relax,
-                   "How often sites move to the centers of mass of their cells before the last fit")
+                   "How many times all sites move to the centroids of their cells before the last fit")
       ->type_name("COUNT")
       ->capture_default_str();
   arguments->output.isRegionNeeded = true;
   addOutputOptions(*command, arguments->output);
-  command->get_option("--region")->required();
+  command->get_option("--region")
+      ->required()
+      ->description("A file with the region that the cells divide, as GeoJSON or well-known text");
   addProgressOption(*command, arguments->progress);
   command->footer("The result is the diagram of the sites with the weights as radii, in any format of compute.");
   command->callback([arguments] { runFit(*arguments); });

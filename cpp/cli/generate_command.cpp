@@ -55,8 +55,10 @@ std::string listOfFamilies(std::string_view indent) {
 void addGenerateCommand(CLI::App& program) {
   const auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* command = program.add_subcommand("generate", "Write a random set of circles as CSV");
-  command->add_option("FAMILY", arguments->family, "A family of the list below")->type_name("")->required();
-  command->add_option("N", arguments->count, "How many circles, at most " + std::to_string(kMostCircles))
+  command->add_option("FAMILY", arguments->family, "The name of a family; the families are listed below")
+      ->type_name("")
+      ->required();
+  command->add_option("N", arguments->count, "The number of circles, at most " + std::to_string(kMostCircles))
       ->type_name("")
       ->required()
       ->transform(wholeNumber(kMostCircles));

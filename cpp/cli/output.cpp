@@ -63,12 +63,13 @@ void addOutputOptions(CLI::App& command, Output& output) {
   addOutputFile(command, output);
   command
       .add_option("--format", output.format,
-                  "What to write (see below); by default what the name of the output ends in, or else json")
+                  "The format of the output, see below; by default the extension of its file, or json if it has none")
       ->type_name("FORMAT")
       ->check(CLI::IsMember(kFormats));
   command
-      .add_option("--bounds", output.bounds,
-                  "svg, geojson, geojsonl, wkt, obj: the box to clip to; by default some room around the circles")
+      .add_option(
+          "--bounds", output.bounds,
+          "The box to clip to (svg, geojson, geojsonl, wkt, obj); by default the circles with a margin around them")
       ->type_name("MINX,MINY,MAXX,MAXY")
       ->check([](const std::string& text) {
         Box box;
@@ -76,12 +77,12 @@ void addOutputOptions(CLI::App& command, Output& output) {
       });
   command
       .add_option("--region", output.regionFile,
-                  "svg, geojson, geojsonl, wkt, obj: the file of a region to clip to, as GeoJSON or well-known text")
+                  "A file with the region to clip to, as GeoJSON or well-known text (svg, geojson, geojsonl, wkt, obj)")
       ->type_name("FILE");
   command
-      .add_option(
-          "--tolerance", output.tolerance,
-          "svg, geojson, geojsonl, wkt, obj: how near to the true curves; by default a hundred-thousandth of the box")
+      .add_option("--tolerance", output.tolerance,
+                  "The largest distance between the output and the true curves (svg, geojson, geojsonl, wkt, obj); by "
+                  "default a hundred-thousandth of the box")
       ->type_name("DISTANCE")
       ->check([](const std::string& text) {
         const auto distance = readNumber(text);
@@ -89,7 +90,7 @@ void addOutputOptions(CLI::App& command, Output& output) {
       });
   command
       .add_option("--max-distance", output.maxDistance,
-                  "svg, geojson, geojsonl, wkt, obj: cut cells and edges at this distance from their circles")
+                  "Cut cells and edges at this distance from their circles (svg, geojson, geojsonl, wkt, obj)")
       ->type_name("DISTANCE")
       ->check([](const std::string& text) {
         const auto distance = readNumber(text);
@@ -98,8 +99,8 @@ void addOutputOptions(CLI::App& command, Output& output) {
   command
       .add_option(
           "--digits", output.digits,
-          "of a diagram: how many digits coordinates and areas have after the decimal point at most; by default "
-          "as many as the tolerance asks for, in json and csv all")
+          "The largest number of digits after the decimal point in the coordinates and areas of a diagram; by default "
+          "as many as the tolerance needs, and all digits in json and csv")
       ->type_name("COUNT")
       ->transform(wholeNumber(std::numeric_limits<int>::max()));
 }
@@ -115,7 +116,7 @@ void settle(Output& output) {
   if (output.format.empty()) {
     const std::string ending = endingOf(output.file);
     if (!ending.empty() && std::ranges::find(kFormats, ending) == kFormats.end()) {
-      throw Failure{kBadInput, output.file + ": no format is called " + ending + "; --format says which is meant."};
+      throw Failure{kBadInput, output.file + ": no format is called " + ending + "; choose one with --format."};
     }
     output.format = ending.empty() ? kDefaultFormat : ending;
   }

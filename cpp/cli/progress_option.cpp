@@ -4,9 +4,7 @@
 namespace circle_voronoi::cli {
 
 void addProgressOption(CLI::App& command, std::string& when) {
-  command
-      .add_option("--progress", when,
-                  "Show on standard error how far the work is; auto: on a terminal, if it takes more than a second")
+  command.add_option("--progress", when, "Show the progress on standard error; auto: on a terminal, after a second")
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();

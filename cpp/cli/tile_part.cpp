@@ -138,7 +138,7 @@ void addTileOptions(CLI::App& command, TilePart& part) {
         const auto radius = readNumber(text);
         return radius && *radius >= 0 ? "" : "expected a number from 0.";
       });
-  addBox("--core", part.core, "Write what circles with their center in this box own, and no more");
+  addBox("--core", part.core, "Write only the parts whose owner has its center in this box");
   command.add_option("--open", part.open, "The file for the circles that are needed for what is not final")
       ->type_name("FILE");
 }

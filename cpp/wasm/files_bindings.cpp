@@ -93,6 +93,14 @@ std::optional<int> digitsFrom(const val& options) {
   return digits ? std::optional(static_cast<int>(std::min(*digits, 1000.0))) : std::nullopt;
 }
 
+/// The region of the options, as its arrays; nothing where it is undefined.
+std::optional<Result<Region>> regionFrom(const val& value) {
+  if (value.isUndefined()) return std::nullopt;
+  return Region::fromArrays(itemsFrom<double, Point>(value["points"]),
+                            itemsFrom<std::int32_t, std::int32_t>(value["ringOffsets"]),
+                            itemsFrom<std::int32_t, std::int32_t>(value["polygonOffsets"]));
+}
+
 ExportOptions exportOptionsFrom(const val& value) {
   ExportOptions options;
   if (const val bounds = value["bounds"]; !bounds.isUndefined()) options.bounds = itemsFrom<double, Box>(bounds).at(0);
@@ -147,7 +155,7 @@ val writeCirclesValue(const val& coordinates, const std::string& format) {
   });
 }
 
-/// `options`: `box`, `maxDistance`, `tolerance` and `digits`, each possibly undefined.
+/// `options`: `bounds`, `region`, `maxDistance`, `tolerance` and `digits`, each possibly undefined.
 val writeDiagramValue(const val& value, const std::string& format, const val& options) {
   return valueOf([&] {
     Diagram diagram = diagramFrom(value);
@@ -159,7 +167,11 @@ val writeDiagramValue(const val& value, const std::string& format, const val& op
     if (error) return errorValue(*error);
     diagram.stats = statsFrom(value["stats"]);
     if (isDrawn) {
-      return textValue([&](std::ostream& out) { return found->second(out, diagram, exportOptionsFrom(options)); });
+      ExportOptions drawn = exportOptionsFrom(options);
+      const auto region = regionFrom(options["region"]);
+      if (region && !region->ok()) return errorValue(region->error());
+      if (region) drawn.region = &region->value();
+      return textValue([&](std::ostream& out) { return found->second(out, diagram, drawn); });
     }
     const auto other = named(kOthers, format);
     if (other == kOthers.end()) return errorValue(unknownFormat(format));

@@ -126,6 +126,30 @@ val clipCell(std::uintptr_t region, const val& circles, bool weights, std::int32
   });
 }
 
+val polygonsValue(const ClippedPolygons& polygons) {
+  val result = val::object();
+  result.set("polygonOffsets", int32Array(polygons.polygonOffsets));
+  result.set("ringOffsets", int32Array(polygons.ringOffsets));
+  result.set("pointOffsets", int32Array(polygons.pointOffsets));
+  result.set("points", float64Array(polygons.points));
+  return result;
+}
+
+/// Polygons of chosen cells of the diagram of a few circles. The rows of the other cells are empty.
+val clipPolygons(std::uintptr_t region, const val& circles, bool weights, const val& chosen, const val& maxDistance,
+                 double tolerance) {
+  return valueOf([&] {
+    Options options;
+    options.weights = weights;
+    const auto diagram = compute(itemsFrom<double, Circle>(circles), options);
+    if (!diagram.ok()) return errorValue(diagram.error());
+    const auto cells = itemsFrom<std::int32_t, CircleIndex>(chosen);
+    const auto clipped = ClippedDiagram::ofCells(*diagram, regionOf(region), cells, distanceFrom(maxDistance));
+    if (!clipped.ok()) return errorValue(clipped.error());
+    return polygonsValue(clipped->polygons(tolerance));
+  });
+}
+
 val clippedCells(std::uintptr_t address) {
   return valueOf([&] { return cellsValue(clippedOf(address).cells()); });
 }
@@ -168,15 +192,7 @@ val clippedLargestEmptyDisc(std::uintptr_t address) {
 }
 
 val clippedPolygons(std::uintptr_t address, double tolerance) {
-  return valueOf([&] {
-    const ClippedPolygons polygons = clippedOf(address).polygons(tolerance);
-    val result = val::object();
-    result.set("polygonOffsets", int32Array(polygons.polygonOffsets));
-    result.set("ringOffsets", int32Array(polygons.ringOffsets));
-    result.set("pointOffsets", int32Array(polygons.pointOffsets));
-    result.set("points", float64Array(polygons.points));
-    return result;
-  });
+  return valueOf([&] { return polygonsValue(clippedOf(address).polygons(tolerance)); });
 }
 
 /// `sites`: x, y and the weight to start from of each. `onStep`, called with the number of steps, the largest relative
@@ -189,13 +205,18 @@ val fitAreasValue(std::uintptr_t region, const val& sites, const val& areas, con
     options.maxSteps = given["maxSteps"].as<int>();
     options.relax = given["relax"].as<int>();
     const val onStep = given["onStep"];
+    std::vector<double> weights;
     options.onStep = [&](const AreaFitStep& step) {
-      const std::vector<double> weights = copyOf(step.weights);
+      weights = copyOf(step.weights);
       if (onStep(step.step, step.error, float64Array(weights)).isFalse()) throw Stopped{};
     };
     const auto fit =
         fitAreas(itemsFrom<double, Circle>(sites), itemsFrom<double, double>(areas), regionOf(region), options);
-    if (!fit.ok()) return errorValue(fit.error());
+    if (!fit.ok()) {
+      val failed = errorValue(fit.error());
+      if (fit.error().code == ErrorCode::notConverged) failed["error"].set("weights", float64Array(weights));
+      return failed;
+    }
     val result = val::object();
     result.set("weights", float64Array(fit->weights));
     result.set("circles", float64Array(fit->diagram.circles));
@@ -216,6 +237,7 @@ EMSCRIPTEN_BINDINGS(circle_voronoi_regions) {
   emscripten::function("createClip", &createClip);
   emscripten::function("deleteClip", &deleteClip);
   emscripten::function("clipCell", &clipCell);
+  emscripten::function("clipPolygons", &clipPolygons);
   emscripten::function("clippedCells", &clippedCells);
   emscripten::function("clippedEdges", &clippedEdges);
   emscripten::function("clippedAreas", &clippedAreas);

@@ -66,6 +66,24 @@ TEST_F(CliFit, TakesAreasFromPropertiesOfPoints) {
   expectAreas(textOf(points + " --areas people --shares --format geojson" + region_));
 }
 
+TEST_F(CliFit, TakesPointsWithoutARadius) {
+  const std::string options = " --areas people --shares --format geojson" + region_;
+  expectAreas(textOf(write("points.csv", "people,y,x\n3,1,1\n1,2,3\n4,3,2\n") + options));
+  expectAreas(
+      textOf(write("points.json", R"([{"x":1,"y":1,"people":3},{"x":3,"y":2,"people":1},{"x":2,"y":3,"people":4}])") +
+             options));
+  expectAreas(textOf(write("points.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","geometry":{"type":"Point","coordinates":[1,1]},"properties":{"people":3}},
+{"type":"Feature","geometry":{"type":"Point","coordinates":[3,2]},"properties":{"people":1}},
+{"type":"Feature","geometry":{"type":"Point","coordinates":[2,3]},"properties":{"people":4}}]})") +
+                     options));
+  fails(write("no-y.csv", "people,x\n3,1\n") + " --areas people" + region_,
+        "no-y.csv:1: no column is called y, cy, lat or latitude.");
+  // Only a fit takes them.
+  expectFailure(run("compute " + write("points.csv", "people,y,x\n3,1,1\n") + " --format json"), 2,
+                "points.csv:1: no column is called r, rad or radius.");
+}
+
 TEST_F(CliFit, WritesADiagramWithTheWeightsAsRadiiWhichIsWhereTheNextFitBegins) {
   const std::string options = " --areas people --shares" + region_;
   const Json first = Json::parse(textOf(sites_ + options + " --format json"));
@@ -82,7 +100,7 @@ TEST_F(CliFit, WritesADiagramWithTheWeightsAsRadiiWhichIsWhereTheNextFitBegins) 
   }
   const std::string again = write("again.csv", sites);
   EXPECT_EQ(Json::parse(textOf(again + options + " --max-steps 1 --format json"))["circles"], first["circles"]);
-  fails(sites_ + options + " --max-steps 1", "sites.csv: The fit stopped after 1 steps: the largest relative error", 1);
+  fails(sites_ + options + " --max-steps 1", "sites.csv: The fit stopped after 1 step: the largest relative error", 1);
   // A coarse fit takes fewer steps.
   textOf(sites_ + options + " --max-steps 4 --area-tolerance 0.1 --format json");
   fails(sites_ + options + " --max-steps 4", "The fit stopped after 4 steps", 1);
@@ -109,7 +127,7 @@ TEST_F(CliFit, MovesSitesToTheCentersOfTheirCells) {
     EXPECT_NEAR(more[i], places[i], 0.01) << i;
     EXPECT_GT(std::abs(places[i] - start[i]), 0.01) << i;
   }
-  fails(options + " --relax -1", "relax must not be negative (got -1).");
+  fails(options + " --relax -1", "--relax must not be negative (got -1).");
 }
 
 TEST_F(CliFit, TakesWeightsBelowZeroToStartFrom) {
@@ -122,7 +140,7 @@ TEST_F(CliFit, SaysWhatIsWrong) {
   fails(sites_ + " --areas people --shares", "--region is required");
   fails(sites_ + " --shares" + region_, "--areas is required");
   fails(sites_ + " --areas people" + region_,
-        "sites.csv: The areas sum to 8, but the area of the region is 16. Set `shares` to scale them.");
+        "sites.csv: The areas sum to 8, but the area of the region is 16. Set --shares to scale them.");
   fails(sites_ + " --areas persons --shares" + region_, "sites.csv: circle 0 has no number \"persons\".");
   fails(sites_ + " --areas name --shares" + region_, "sites.csv: circle 0 has no number \"name\".");
   const std::string zero = write("zero.csv", "x,y,r,a\n1,1,0,1\n2,2,0,0\n");
@@ -130,8 +148,8 @@ TEST_F(CliFit, SaysWhatIsWrong) {
   const std::string equal = write("equal.csv", "x,y,r,a\n1,1,0,1\n1,1,0,2\n");
   fails(equal + " --areas a --shares" + region_, "equal.csv: Site 1 has the same position as site 0.");
   const std::string options = " --areas people --shares";
-  fails(sites_ + options + region_ + " --area-tolerance 2", "tolerance must be above 0 and below 1 (got 2).");
-  fails(sites_ + options + region_ + " --max-steps 0", "maxSteps must be 1 or more (got 0).");
+  fails(sites_ + options + region_ + " --area-tolerance 2", "--area-tolerance must be above 0 and below 1 (got 2).");
+  fails(sites_ + options + region_ + " --max-steps 0", "--max-steps must be 1 or more (got 0).");
   fails(sites_ + options + " --region " + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"), "cross at (1, 1).");
   fails(sites_ + options + region_ + " -o " + path("region.wkt"), "region.wkt would be overwritten");
   EXPECT_EQ(readFile(path("region.wkt")), kRegion);

@@ -417,15 +417,56 @@ TEST(AreaFit, RefusesWhatHasNoAnswer) {
   EXPECT_EQ(messageOf({0.5, 0}, 2), "Area 1 must be positive and finite (got 0).");
   EXPECT_EQ(messageOf({-1, 2}, 2), "Area 0 must be positive and finite (got -1).");
   EXPECT_EQ(messageOf({0.5, INFINITY}, 2), "Area 1 must be positive and finite (got inf).");
-  EXPECT_EQ(messageOf({0.5}, 2), "There are 1 areas for 2 sites.");
+  EXPECT_EQ(messageOf({0.5}, 2), "There is 1 area for 2 sites.");
   EXPECT_EQ(messageOf({0.5, 1}, 2),
             "The areas sum to 1.5, but the area of the region is 1. Set `shares` to scale them.");
+  EXPECT_EQ(messageOf({0.1, 0.2, 0.7}, 1), "There are 3 areas for 1 site.");
   EXPECT_EQ(messageOf({}, 0), "There are no sites.");
   EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.tolerance = 0}), "tolerance must be above 0 and below 1 (got 0).");
   EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.maxSteps = 0}), "maxSteps must be 1 or more (got 0).");
   EXPECT_EQ(messageOf({0.5, 0.5}, 2, {.relax = -1}), "relax must not be negative (got -1).");
-  EXPECT_EQ(messageOf({0.9, 0.1}, 2, {.maxSteps = 1}).substr(0, 69),
-            "The fit stopped after 1 steps: the largest relative error of an area ");
+}
+
+TEST(AreaFit, SaysWhatItReachedWhereItEndsTooEarly) {
+  Random random(13);
+  std::vector<Circle> sites = randomSites(200, random);
+  std::vector<double> shares = randomShares(sites.size(), 1, random);
+  const Region region = unitSquare();
+  AreaFitOptions options;
+  options.shares = true;
+  options.maxSteps = 1;
+  std::vector<double> weights;
+  options.onStep = [&](const AreaFitStep& step) { weights.assign(step.weights.begin(), step.weights.end()); };
+  const auto reached = [&](const std::string& start) {
+    const auto fit = fitAreas(sites, shares, region, options);
+    EXPECT_FALSE(fit);
+    if (fit) return 0.0;
+    EXPECT_EQ(fit.error().code, ErrorCode::notConverged);
+    EXPECT_EQ(fit.error().message.substr(0, start.size()), start);
+    // The number is that of the last weights in the region alone.
+    std::vector<Circle> circles = sites;
+    for (std::size_t i = 0; i < circles.size(); ++i) circles[i].r = weights[i];
+    const std::vector<double> areas = measureCells(compute(circles).value(), region).areas;
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    double error = 0;
+    for (std::size_t i = 0; i < areas.size(); ++i) error = std::max(error, std::abs(areas[i] * sum / shares[i] - 1));
+    EXPECT_NEAR(std::stod(fit.error().message.substr(start.size())), error, 0.05 * error);
+    return error;
+  };
+  const double first = reached("The fit stopped after 1 step: the largest relative error of an area is ");
+  options.maxSteps = 8;
+  const double later = reached("The fit stopped after 8 steps: the largest relative error of an area is ");
+  EXPECT_LT(later, first);
+  // The fit goes on from there.
+  for (std::size_t i = 0; i < sites.size(); ++i) sites[i].r = weights[i];
+  options.maxSteps = AreaFitOptions{}.maxSteps;
+  EXPECT_TRUE(fitAreas(sites, shares, region, options));
+  // Sites far outside, where the background is what the first steps fit.
+  sites.clear();
+  for (int i = 0; i < 100; ++i) sites.push_back({3 + random.unit(), 2 + random.unit(), 0});
+  shares.assign(sites.size(), 1);
+  options.maxSteps = 3;
+  EXPECT_GT(reached("The fit stopped after 3 steps: the largest relative error of an area is "), 0.1);
 }
 
 TEST(AreaFit, TellsEachStepAndStopsWhereTheCallerThrows) {

@@ -4,6 +4,7 @@ add_executable(circle_voronoi_region_tests
   clipped_diagram_test.cpp
   clipped_polygons_test.cpp
   fit_areas_test.cpp
+  recompute_test.cpp
   region_shapes.cpp
   region_test.cpp)
 target_link_libraries(circle_voronoi_region_tests PRIVATE

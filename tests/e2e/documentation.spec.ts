@@ -4,6 +4,9 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
+import { readBook } from '../../scripts/texts/tutorial.mjs'
+import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
+import { library } from '../web/library.ts'
 
 const SITE = fileURLToPath(new URL('../../dist/site/', import.meta.url))
 const pagesOf = (folder: string) =>
@@ -12,6 +15,8 @@ const pagesOf = (folder: string) =>
     .map((name) => `${folder}/${name}`)
 /** Beyond that a page scrolls sideways by rounding alone. */
 const ROUNDING = 1
+/** Of a figure without buttons, in pixels. */
+const MARGIN = 16
 
 test('the first page sends each reader on within a screen', async ({ page }) => {
   await page.goto('/docs/')
@@ -253,29 +258,91 @@ test.describe('on a phone', () => {
     await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
   })
 
-  test('a finger gives weights to sites', async ({ page }) => {
-    await page.goto('/tutorial/11-areas.html')
-    const figure = page.locator('#by-hand')
-    const point = figure.locator('.handle').last()
-    await point.scrollIntoViewIfNeeded()
-    const told = figure.locator('output.told')
-    await expect(told).toHaveText(/^Cell 0 has 28 %/)
-    const scrolled = () => page.evaluate(() => scrollY)
-    const before = await scrolled()
-    const { x, y, width, height } = (await point.boundingBox()) as NonNullable<
-      Awaited<ReturnType<typeof point.boundingBox>>
-    >
-    const session = await page.context().newCDPSession(page)
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', by: number) =>
-      session.send('Input.dispatchTouchEvent', {
-        type,
-        touchPoints: type === 'touchEnd' ? [] : [{ x: x + width / 2 + by, y: y + height / 2 - by }],
-      })
-    await touch('touchStart', 0)
-    for (const by of [8, 16, 24]) await touch('touchMove', by)
-    await touch('touchEnd', 0)
-    await expect(told).not.toHaveText(/^Cell 0 has 28 %/)
-    // The page has not scrolled instead.
-    expect(await scrolled()).toBe(before)
-  })
+  for (const { file, blocks } of readBook()) {
+    const names = blocks.filter(({ spec }) => spec.layers?.disc === true).map(({ spec }) => spec.name as string)
+    if (names.length === 0) continue
+    test(`${file}: a tap on a vertex marks where its disc touches circles`, async ({ page }) => {
+      await page.goto(`/tutorial/${file}`)
+      for (const name of names) {
+        const figure = page.locator(`#${name} circle-voronoi`)
+        await figure.scrollIntoViewIfNeeded()
+        const { circles, view, box } = await figure.evaluate(
+          async (element: HTMLElementTagNameMap['circle-voronoi']) => {
+            await element.ready
+            await element.updateComplete
+            const root = element.shadowRoot as ShadowRoot
+            const { left, top, width, height } = (root.querySelector('.figure') as Element).getBoundingClientRect()
+            return { circles: [...element.circles], view: element.view, box: { left, top, width, height } }
+          },
+        )
+        const padding = { top: MARGIN, right: MARGIN, bottom: MARGIN, left: MARGIN }
+        const camera =
+          view === undefined
+            ? fitted(boundingBox(Float64Array.from(circles)), box, padding)
+            : { x: view.x, y: view.y, scale: Math.min(box.width, box.height) / view.span }
+        const { vertices, vertexCircles } = library.compute(Float64Array.from(circles))
+        const screen = (x: number, y: number) => toScreen(camera, box, { x, y })
+        const isSeen = ({ x, y }: { x: number; y: number }) =>
+          x > 12 && y > 12 && x < box.width - 12 && y < box.height - 12
+        const discs = Array.from({ length: vertices.length / 3 }, (_, v) => {
+          const [x = 0, y = 0, r = 0] = vertices.subarray(3 * v, 3 * v + 3)
+          const feet = [...vertexCircles.subarray(3 * v, 3 * v + 3)].map((i) => {
+            const [cx = 0, cy = 0] = circles.slice(3 * i, 3 * i + 2)
+            const away = Math.hypot(cx - x, cy - y)
+            return screen(x + (r * (cx - x)) / away, y + (r * (cy - y)) / away)
+          })
+          return { at: screen(x, y), feet }
+        })
+        const disc = discs.find(({ at, feet }) => [at, ...feet].every(isSeen))
+        // A border alone: the test above taps on it.
+        if (discs.length === 0) continue
+        expect(disc, name).toBeDefined()
+        const { at, feet } = disc as NonNullable<typeof disc>
+        const marked = () =>
+          figure.evaluate((element, points) => {
+            const canvas = [...(element.shadowRoot as ShadowRoot).querySelectorAll('canvas')].at(
+              -1,
+            ) as HTMLCanvasElement
+            const ratio = canvas.width / canvas.clientWidth
+            const context = canvas.getContext('2d') as CanvasRenderingContext2D
+            return points.map(({ x, y }) => (context.getImageData(x * ratio, y * ratio, 1, 1).data[3] as number) > 200)
+          }, feet)
+        expect(await marked(), name).not.toContain(true)
+        await page.touchscreen.tap(box.left + at.x, box.top + at.y)
+        await expect.poll(marked, { message: name }).toEqual([true, true, true])
+      }
+    })
+  }
+
+  for (const { file, blocks } of readBook()) {
+    const names = blocks.filter(({ kind }) => kind === 'drawn').map(({ spec }) => spec.name)
+    if (names.length === 0) continue
+    test(`${file}: a finger drags in what the tutorial draws itself, and the page stays where it is`, async ({
+      page,
+    }) => {
+      const session = await page.context().newCDPSession(page)
+      await page.goto(`/tutorial/${file}`)
+      for (const name of names) {
+        const figure = page.locator(`#${name}`)
+        const point = figure.locator('.handle').last()
+        await point.scrollIntoViewIfNeeded()
+        const content = () => figure.locator('svg.drawn > g').first().innerHTML()
+        const scrolled = () => page.evaluate(() => scrollY)
+        const [drawn, before] = [await content(), await scrolled()]
+        const { x, y, width, height } = (await point.boundingBox()) as NonNullable<
+          Awaited<ReturnType<typeof point.boundingBox>>
+        >
+        const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', by: number) =>
+          session.send('Input.dispatchTouchEvent', {
+            type,
+            touchPoints: type === 'touchEnd' ? [] : [{ x: x + width / 2 + by, y: y + height / 2 - by }],
+          })
+        await touch('touchStart', 0)
+        for (const by of [8, 16, 24]) await touch('touchMove', by)
+        await touch('touchEnd', 0)
+        await expect.poll(content, { message: name }).not.toBe(drawn)
+        expect(await scrolled(), name).toBe(before)
+      }
+    })
+  }
 })

@@ -84,8 +84,10 @@ test('a tiny circle is zoomed to by a key and by a button', async ({ app }) => {
   await app.field('r').press('Enter')
   await expect(app.field('r')).toHaveValue('1e-6')
   await app.field('r').press('Escape')
+  const linked = () => decodeLink(new URL(page.url()).hash)
+  await expect.poll(async () => (await linked()).edits?.length).toBe(1)
   await page.keyboard.press('f')
-  const span = async () => (await decodeLink(new URL(page.url()).hash)).view?.span ?? Number.POSITIVE_INFINITY
+  const span = async () => (await linked()).view?.span ?? Number.POSITIVE_INFINITY
   await expect.poll(span).toBeLessThan(1e-5)
   await page.keyboard.press('0')
   await expect.poll(span).toBe(Number.POSITIVE_INFINITY)

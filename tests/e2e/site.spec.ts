@@ -169,6 +169,45 @@ test.describe('kept by the browser', () => {
   })
 })
 
+test('a figure on another page takes its modules from the folder of the site', async ({ page }) => {
+  const answers: string[] = []
+  page.on('response', (response) => {
+    const [, module] = /lib\/generated\/(.*)$/.exec(response.url()) ?? []
+    if (module !== undefined) answers.push(`${response.status()} ${module}`)
+  })
+  const { server, url } = await serve(SITE)
+  try {
+    const lesson = new URL('/lessons/first/', url).href
+    await page.route(lesson, (route) =>
+      route.fulfill({
+        contentType: 'text/html',
+        body: `<!doctype html><html lang="en"><title>Lesson</title><link rel="icon" href="data:,">
+          <script type="module" src="${FOLDER}element.js"></script>
+          <circle-voronoi circles="[[1, 2, 0], [5, 1, 0], [4, 6, 0]]" areas="1 2 4"
+            region="POLYGON ((0 0, 9 1, 8 7, 3 8, 0 5), (3 3, 4 3, 4 4))"></circle-voronoi>
+          <circle-voronoi circles="[[1, 2, 1], [5, 1, 0], [4, 6, 0]]" layers="power"></circle-voronoi>`,
+      }),
+    )
+    await page.goto(lesson)
+    const shown = page.locator('circle-voronoi').evaluateAll((elements: HTMLElementTagNameMap['circle-voronoi'][]) =>
+      Promise.all(
+        elements.map(async (element) => {
+          await element.toSVG()
+          return [...element.circles].filter((_, k) => k % 3 === 2)
+        }),
+      ),
+    )
+    const [weights, radii] = await shown
+    // Radii are what the areas have made of them.
+    expect(weights?.[2]).toBeGreaterThan(0.1)
+    expect(radii).toEqual([1, 0, 0])
+    const modules = ['comparison', 'regions'].flatMap((name) => [`${name}.js`, `${name}.wasm`])
+    await expect.poll(() => [...answers].sort()).toEqual(modules.map((name) => `200 circle-voronoi-${name}`))
+  } finally {
+    await stop(server)
+  }
+})
+
 testOfApp('the first diagram needs few bytes, and all of them are sent compressed', async ({ app }) => {
   const sent = await app.page.evaluate(() =>
     [...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')].map((entry) => {

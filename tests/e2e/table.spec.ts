@@ -207,7 +207,7 @@ test('rows are sorted by any column, and what is selected here is selected there
   await page.locator('#figure').focus()
   await page.keyboard.press('Escape')
   await page.keyboard.press('Enter')
-  await expect(app.inspector).toBeVisible()
+  await expect(app.inspector.locator('h2')).toHaveText(/^Circle \d+$/)
   const id = Number((await app.inspector.locator('h2').textContent())?.replace('Circle ', ''))
   await expect(table.cell(id + 1, 1)).toBeInViewport()
   await expect(table.grid).toHaveAttribute(

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +34,8 @@ namespace {
 constexpr double kMostSeconds = 0.05;
 /// Of the largest length around.
 constexpr double kRounding = 1e-9;
+/// Of lengths that are subnormal themselves.
+constexpr double kLeastRounding = 4 * std::numeric_limits<double>::denorm_min();
 /// How much larger than the box anything may be for its rounding not to show in the box.
 constexpr double kMostRange = 0x1p16;
 
@@ -81,7 +84,7 @@ class Checker {
     size_ = std::max(box.maxX - box.minX, box.maxY - box.minY);
     double largest = std::max({std::abs(box.minX), std::abs(box.minY), std::abs(box.maxX), std::abs(box.maxY)});
     for (const auto& [x, y, r] : circles_) largest = std::max({largest, std::abs(x), std::abs(y), r});
-    rounding_ = kRounding * largest;
+    rounding_ = std::max(kRounding * largest, kLeastRounding);
     for (const auto& [x, y, radius] : diagram.vertices) largest = std::max({largest, std::abs(x), std::abs(y)});
     isLarge_ = largest < kMostRange * size_ && size_ > 1e-140;
   }
@@ -108,7 +111,7 @@ class Checker {
         require(length <= around * (1 + kRounding) + rounding_, "an arc is longer than its control polygon");
         const double tolerance = 1e-5 * size_;
         for (const Point& p : timed("polyline", [&] { return polyline(piece, tolerance); })) {
-          require(isFinite(p) && depthOf(p) > -rounding_ - 2 * tolerance, "a polyline leaves the box");
+          require(isFinite(p) && depthOf(p) >= -rounding_ - 2 * tolerance, "a polyline leaves the box");
         }
         for (const CubicBezier& cubic : timed("cubicBeziers", [&] { return cubicBeziers(piece, tolerance); })) {
           require(isFinite(cubic.control1) && isFinite(cubic.control2), "a curve is not finite");

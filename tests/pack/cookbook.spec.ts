@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recipes of the cookbook, run as a reader would: scripts in Node, pages in a browser. Each page has its picture.
+// The recipes of the cookbook, run as a reader would: scripts in Node, pages in a browser. Each recipe has its picture.
 import { existsSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { blocksRunBy } from '../readme/blocks.mjs'
-import { addModules, POLICY, pageOf, recipes } from '../readme/recipes.mjs'
+import { addModules, POLICY, pageOf, recipes, withOwnElement } from '../readme/recipes.mjs'
 import { Project, ROOT } from './project.ts'
 import { serve } from './static-server.ts'
 
@@ -25,13 +25,19 @@ test.beforeAll(() => {
 })
 test.afterAll(() => project.remove())
 
-test('all of them are run, and each section has one or a picture of an example', () => {
+test('all of them are run, and each section has a picture', () => {
   expect(blocksRunBy('tests/pack/cookbook.spec.ts').map(({ code }) => code)).toEqual(RECIPES.map(({ code }) => code))
   expect(new Set(RECIPES.map(({ language }) => language))).toEqual(new Set(['html', 'js', 'py']))
   const text = readFileSync(join(ROOT, 'docs/cookbook.md'), 'utf8')
   const sections = text.split(/^## /m).slice(1)
   expect(sections.length).toBeGreaterThan(18)
-  for (const section of sections) expect(section).toMatch(/```|!\[.*\]\(examples\/|\]\(tiles\.md\)/)
+  for (const section of sections) {
+    const [, picture = ''] = /!\[\w.*\]\(((?:cookbook|examples)\/[\w-]+\.\w+)\)/.exec(section) ?? []
+    expect(existsSync(join(ROOT, 'docs', picture)), section).toBe(true)
+    expect(picture, section).not.toBe('')
+  }
+  // Those that `npm run picture` makes are shown.
+  for (const { picture } of RECIPES) expect(text).toContain(`](${picture.slice('docs/'.length)})`)
 })
 
 for (const { title, code } of inLanguage('js')) {
@@ -43,13 +49,11 @@ for (const { title, code } of inLanguage('js')) {
   })
 }
 
-for (const { title, code, picture } of inLanguage('html')) {
+for (const { title, code } of inLanguage('html')) {
   test(`${title}, in a page`, async ({ page }) => {
     const complaints = await shown(page, pageOf(code))
     await expect.poll(() => colorsIn(page), { message: complaints.join() }).toBeGreaterThan(2)
     expect(complaints).toEqual([])
-    expect(existsSync(join(ROOT, picture)), 'npm run picture makes it').toBe(true)
-    expect(readFileSync(join(ROOT, 'docs/cookbook.md'), 'utf8')).toContain(`](${picture.slice('docs/'.length)})`)
   })
 }
 
@@ -98,7 +102,7 @@ test('what a notebook shows is a live figure', async ({ page }) => {
   project.write('IPython.py', '')
   project.write('cell.py', `${NOTEBOOK}\nprint(${last.trim()}.data)`)
   const html = project.run('python3', 'cell.py')
-  const own = html.replace('https://example.com/circle-voronoi/', './node_modules/circle-voronoi/')
+  const own = withOwnElement(html)
   expect(own).not.toBe(html)
   const complaints = await shown(page, pageOf(own))
   const figure = page.locator('circle-voronoi')

@@ -164,9 +164,11 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
     new Set(['circleschange', 'diagramchange', 'selectionchange'].map((name) => `${name} of circle-voronoi`)),
   )
   await figure.focus()
+  const selectedCount = () => element.evaluate((element: Element) => element.selection.length)
   await page.keyboard.press('Escape')
+  await expect.poll(selectedCount).toBe(0)
   await page.keyboard.press('Enter')
-  await expect.poll(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
+  await expect.poll(selectedCount).toBe(1)
   const [selected] = await element.evaluate((element: Element) => element.selection)
   await page.keyboard.press('ArrowRight')
   const atFirst = [0, 0, 2, 10, 0, 1, 5, 8, 1.5, 4, 3, 0.5]

@@ -28,7 +28,7 @@ const RUN_BY = [
   { by: NATIVE, file: 'README.md', heading: 'In C++' },
   { by: PACKAGE, file: 'README.md', heading: 'As a figure in a page' },
   { by: NATIVE, file: 'README.md', heading: 'In the shell' },
-  { by: LISTED, file: 'README.md', heading: 'Speed', what: 'commands' },
+  { by: LISTED, file: 'README.md', language: '', what: 'commands' },
   { by: LISTED, file: 'docs/building.md', what: 'commands' },
   { by: NATIVE, file: 'docs/shell.md', language: 'sh' },
   { by: LISTED, file: 'docs/shell.md', language: '', what: 'file' },

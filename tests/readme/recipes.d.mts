@@ -4,4 +4,5 @@ import type { Block } from './blocks.d.mts'
 export function recipes(): readonly (Block & { readonly title: string; readonly picture: string })[]
 export function addModules(folder: string): void
 export function pageOf(code: string): string
+export function withOwnElement(html: string): string
 export const POLICY: string

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recipes of docs/cookbook.md: pages with a picture each, and scripts. What they import is in a folder `node_modules`.
+// The recipes of docs/cookbook.md: pages and scripts, with a picture each. What they import is in a folder `node_modules`.
 import { existsSync, mkdirSync, readFileSync, symlinkSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -10,7 +10,7 @@ const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 /** What recipes use besides this library. */
 const OTHERS = ['d3-delaunay', 'd3-selection', 'leaflet']
 
-/** @returns {(import('./blocks.mjs').Block & { title: string, picture: string })[]} `picture`: its file, if it is a page */
+/** @returns {(import('./blocks.mjs').Block & { title: string, picture: string })[]} `picture`: its file */
 export function recipes() {
   return blocksOfMarkdown('docs/cookbook.md', readFileSync(`${ROOT}docs/cookbook.md`, 'utf8')).map((block) => {
     const title = block.headings.at(-1)
@@ -25,12 +25,17 @@ export function addModules(folder) {
   for (const name of OTHERS) symlinkSync(join(ROOT, 'node_modules', name), join(modules, name))
   if (existsSync(join(modules, 'circle-voronoi'))) return
   mkdirSync(join(modules, 'circle-voronoi'))
-  symlinkSync(join(ROOT, 'dist'), join(modules, 'circle-voronoi/dist'))
+  for (const name of ['dist', 'package.json']) symlinkSync(join(ROOT, name), join(modules, 'circle-voronoi', name))
 }
 
 /** A whole page around a recipe. */
 export function pageOf(code) {
   return `<!doctype html>\n<html lang="en"><meta charset="utf-8"><title>Recipe</title><body style="margin: 0">\n${code}`
+}
+
+/** What a notebook shows, with the element of the folder's own modules. */
+export function withOwnElement(html) {
+  return html.replace('https://example.com/circle-voronoi/', './node_modules/circle-voronoi/')
 }
 
 /** Pages may have styles in attributes, as Leaflet and these recipes do. */

@@ -2,7 +2,8 @@
 // Files in JavaScript against those of the native program: the same bytes, the same errors.
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
-import { readdirSync, readFileSync } from 'node:fs'
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
 import { describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { loadFiles } from '../../dist/lib/files.js'
@@ -15,6 +16,7 @@ const CORPUS = `${ROOT}tests/fuzz/reader_corpus`
 const library = await loadCircleVoronoi()
 const comparison = await library.loadComparison()
 const files = await loadFiles()
+const { region } = await library.loadRegions()
 
 function run(args, input) {
   const { status, stdout, stderr } = spawnSync(`${ROOT}build/native/circle-voronoi`, args, {
@@ -52,6 +54,36 @@ describe('a diagram is written as by the program', () => {
       assert.equal(files.writeDiagram(diagram, box), run(['compute', path, ...same]).text)
     })
   }
+
+  it('clipped to a region', () => {
+    const rings = [
+      [
+        [10, 10],
+        [90, 20],
+        [60, 45],
+        [80, 90],
+        [15, 70],
+      ],
+      [
+        [30, 30],
+        [30, 50],
+        [50, 40],
+      ],
+    ]
+    const shape = { type: 'Polygon', coordinates: rings.map((ring) => [...ring, ring[0]]) }
+    const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
+    const file = `${folder}/region.geojson`
+    writeFileSync(file, JSON.stringify(shape))
+    const diagram = library.compute(readCirclesOf('waka.csv'))
+    const path = `${ROOT}tests/fixtures/waka.csv`
+    for (const format of ['svg', 'geojson', 'geojsonl', 'wkt', 'obj']) {
+      const text = files.writeDiagram(diagram, { format, region: region(shape), maxDistance: 8 })
+      const args = ['compute', path, '--format', format, '--region', file, '--max-distance', '8']
+      assert.equal(withoutTimes(text), run(args).text, format)
+      assert.notEqual(text, files.writeDiagram(diagram, { format, maxDistance: 8 }))
+    }
+    rmSync(folder, { recursive: true })
+  })
 
   it('as JSON, and read again', () => {
     const diagram = library.compute(readCirclesOf('waka.csv'))

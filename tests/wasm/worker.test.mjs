@@ -123,6 +123,12 @@ describe('fitAreas', () => {
     assert.deepEqual(steps.there, steps.here)
     assert.ok(steps.here.length > 2)
     assert.deepEqual(there.diagram.cellAreas({ region: hall }), here.areas)
+    // What did not converge has the weights of its last step.
+    await assert.rejects(worker.fitAreas(sites, shares, { region: hall, shares: true, maxSteps: 2 }), (error) => {
+      assert.equal(error.code, 'notConverged')
+      assert.deepEqual(error.weights, steps.here[2].weights)
+      return true
+    })
   })
 
   it('is canceled by a signal, and the worker goes on', async () => {

@@ -3,6 +3,12 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { DecimalText } from '../../web/lib/drawing/decimal.ts'
 
+const textOf = (value: number, count: number) => {
+  const text = new DecimalText(count)
+  text.addNumber(value)
+  return `${text}`
+}
+
 const digits = fc.integer({ min: 0, max: 20 })
 const numbers = fc.oneof(
   fc.double({ noNaN: true, noDefaultInfinity: true }),
@@ -17,7 +23,7 @@ describe('the text of a number with few digits', () => {
       fc.property(numbers, digits, (value, count) => {
         const scaled = value * 10 ** count
         const expected = Math.abs(scaled) < 2 ** 53 ? Math.round(scaled) / 10 ** count : value
-        const text = new DecimalText(count).of(value)
+        const text = textOf(value, count)
         expect(Number(text)).toBe(expected === 0 ? Number(text) * 0 : expected)
         expect(text.length).toBeLessThanOrEqual(`${expected}`.length + (`${expected}`.includes('e') ? 25 : 0))
       }),
@@ -36,6 +42,20 @@ describe('the text of a number with few digits', () => {
     [1e21, 2, '1e+21'],
     [0.1, Number.POSITIVE_INFINITY, '0.1'],
   ])('%d to %d digits is %s', (value, count, text) => {
-    expect(new DecimalText(count).of(value)).toBe(text)
+    expect(textOf(value, count)).toBe(text)
+  })
+
+  it('stays in its own text, when several long ones are written in turns', () => {
+    const texts = [1, 2, 3].map((count) => new DecimalText(count))
+    const expected = ['', '', '']
+    for (let k = 0; k < 10_000; k++) {
+      texts[k % 3]?.add(' ')
+      texts[k % 3]?.addNumber(k + 0.5)
+      expected[k % 3] += ` ${k}.5`
+    }
+    expect(texts.map(String)).toEqual(expected)
+    expect(texts.map(String)).toEqual(expected)
+    texts[0]?.add('!')
+    expect(String(texts[0])).toBe(`${expected[0]}!`)
   })
 })

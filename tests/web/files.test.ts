@@ -104,7 +104,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
     () => f.writeDiagram(diagram, { format: 'xml' }),
   ],
   ...(['json', 'csv', 'stats'] as const).flatMap((format) =>
-    (['bounds', 'maxDistance', 'tolerance'] as const).map(
+    (['bounds', 'region', 'maxDistance', 'tolerance'] as const).map(
       (name) =>
         [
           'badOption',
@@ -113,6 +113,11 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
         ] as const,
     ),
   ),
+  [
+    'badOption',
+    'The region of writeDiagram is made by loadRegions().region, not 1.',
+    () => f.writeDiagram(diagram, { format: 'svg', region: 1 }),
+  ],
   ['badOption', 'The format stats takes no digits.', () => f.writeDiagram(diagram, { format: 'stats', digits: 2 })],
   ...[-1, 2.5, '2', Number.NaN].map(
     (digits) =>
@@ -155,7 +160,7 @@ const MISUSE: readonly (readonly [code: string, says: string, act: () => unknown
   ],
   [
     'badOption',
-    'There is no option box of writeDiagram; its options are format, bounds, maxDistance, tolerance and digits.',
+    'There is no option box of writeDiagram; its options are format, bounds, region, maxDistance, tolerance and digits.',
     () => f.writeDiagram(diagram, { box: [0, 0, 1, 1] }),
   ],
 ]

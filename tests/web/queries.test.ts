@@ -229,6 +229,25 @@ it('no circles have no answers', () => {
   expect(convexHull(diagram)).toEqual({ arcs: [], length: 0, area: 0 })
 })
 
+it('of several closest pairs that with the smallest indices is found', () => {
+  for (const seed of [1, 2, 3, 4, 5]) {
+    const random = seededRandom(seed)
+    const grid = Array.from({ length: 25 }, (_, k) => [4 * (k % 5), 4 * Math.floor(k / 5), 1, random()] as const)
+    const circles = grid.toSorted((one, other) => one[3] - other[3]).flatMap((circle) => circle.slice(0, 3))
+    const diagram = library.compute(Float64Array.from(circles))
+    const pairs = neighborPairs(diagram)
+    const gaps = Array.from({ length: pairs.length / 2 }, (_, k) => {
+      const [c, d] = [
+        circleAt(diagram.circles, pairs[2 * k] as number),
+        circleAt(diagram.circles, pairs[2 * k + 1] as number),
+      ]
+      return Math.hypot(c.x - d.x, c.y - d.y) - c.r - d.r
+    })
+    const k = gaps.indexOf(2)
+    expect(closestPair(diagram)).toEqual({ first: pairs[2 * k], second: pairs[2 * k + 1], gap: 2 })
+  }
+})
+
 it('one circle is its own hull', () => {
   const { arcs, length, area } = convexHull(library.compute(Float64Array.of(1, 2, 3)))
   expect(arcs).toEqual([{ circle: 0, r: 3, start: { x: 4, y: 2 }, end: { x: 4, y: 2 }, angle: 2 * Math.PI }])

@@ -4,16 +4,20 @@ import { describe, expect, it, vi } from 'vitest'
 import {
   type Bounds,
   type Circles,
-  type CircleVoronoiError,
+  CircleVoronoiError,
   circleAt,
   clipCurve,
+  convexHull,
   Diagram,
   distanceFrom,
   edgeCurve,
+  type FitStep,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscInside,
+  type MultiPolygon,
   type Outline,
   outlineArea,
+  type PathSink,
   Region,
   type RegionShape,
 } from '../../web/lib/index.ts'
@@ -403,14 +407,107 @@ describe('a diagram in a region', () => {
     expect(largestEmptyDiscCenteredIn(library.compute([]), { region: hall })).toBeUndefined()
   })
 
+  it('clips the hull', () => {
+    const data = circles(40, 18)
+    const diagram = library.compute(data)
+    const tolerance = 1e-6
+    // Inside a region around it, the hull is whole.
+    const around = region([
+      [
+        [-20, -20],
+        [30, -20],
+        [30, 30],
+        [-20, 30],
+      ],
+    ])
+    const whole = diagram.hullPolygon({ tolerance }) as [number, number][]
+    const [[kept = []] = [], ...others] = diagram.hullPolygon({ region: around, tolerance }) ?? []
+    expect(others).toEqual([])
+    expect(kept[0]).toEqual(kept.at(-1))
+    expect(twice(kept)).toBeCloseTo(twice(whole), 9)
+    expect(twice(kept) / 2).toBeCloseTo(convexHull(diagram).area, 3)
+    // Points are in the part of the hull where they are in both.
+    const part = diagram.hullPolygon({ region: hall, tolerance }) ?? []
+    const isInside = (rings: readonly (readonly (readonly number[])[])[], x: number, y: number) =>
+      region(rings as RegionShape).contains(x, y)
+    const [inWhole, inPart] = [region([whole]), region({ type: 'MultiPolygon', coordinates: part })]
+    const random = seededRandom(19)
+    for (let k = 0; k < 3000; k++) {
+      const [x, y] = [20 * random() - 5, 20 * random() - 5]
+      expect(inPart.contains(x, y)).toBe(inWhole.contains(x, y) && hall.contains(x, y))
+    }
+    expect(isInside([whole], 4.5, 4.5)).toBe(true)
+    // The path has the same points.
+    const points: [number, number][] = []
+    const context = {
+      moveTo: (x: number, y: number) => points.push([x, y]),
+      lineTo: (x: number, y: number) => points.push([x, y]),
+      closePath: () => {},
+    } as unknown as PathSink
+    diagram.renderHull({ region: hall, tolerance, context })
+    expect(points).toEqual(part.flatMap((rings) => rings.flatMap((ring) => ring.slice(0, -1))))
+    expect(diagram.renderHull({ region: hall })).toMatch(/^M.+Z$/)
+    // Apart, and hulls without an area.
+    const far = library.compute([[50, 50, 1]])
+    expect([far.hullPolygon({ region: hall }), far.renderHull({ region: hall })]).toEqual([undefined, ''])
+    const disc = library.compute([[1.5, 4, 1]]).hullPolygon({ region: hall, tolerance: 1e-7 })?.[0]?.[0] ?? []
+    expect(twice(disc) / 2).toBeCloseTo(Math.PI, 5)
+    for (const flat of [
+      [],
+      [[1, 1, 0]],
+      [
+        [1, 1, 0],
+        [2, 2, 0],
+        [4, 4, 0],
+      ],
+    ] as [number, number, number][][]) {
+      expect(library.compute(flat).hullPolygon({ region: hall })).toBeUndefined()
+    }
+    const both = { region: hall, bounds: [0, 0, 1, 1] } as object
+    expect(problemOf(() => diagram.hullPolygon(both))).toMatch(/^badOption: There is no option bounds/)
+  })
+
+  it('has the polygons of one cell after an edit, the same as of all', () => {
+    // A ring may begin anywhere.
+    const turned = (polygons: MultiPolygon | undefined) =>
+      polygons?.map((rings) =>
+        rings.map((ring) => {
+          const points = ring.slice(1)
+          const first = points.map(String).sort()[0]
+          const start = points.findIndex((point) => String(point) === first)
+          return [...points.slice(start), ...points.slice(0, start)]
+        }),
+      )
+    for (const [count, maxDistance] of [
+      [300, undefined],
+      [900, 0.2],
+    ] as const) {
+      const editor = library.edit(circles(count, 23))
+      const diagram = editor.snapshot()
+      editor.onchange = (change) => diagram.apply(change)
+      const fresh = () => new Diagram(structuredClone(diagram))
+      for (const id of [0, 7, 20]) {
+        editor.replace(id, { x: 2.9 + 0.01 * id, y: 3.1, r: 0.5 })
+        const chosen = diagram.indexOf(id)
+        const clip = vi.spyOn(hall.module, 'clip')
+        const alone = diagram.cellPolygon(chosen, { region: hall, tolerance: 1e-4, maxDistance })
+        expect(clip).not.toHaveBeenCalled()
+        clip.mockRestore()
+        const all = new Map(
+          Array.from(fresh().cellPolygons({ region: hall, tolerance: 1e-4, maxDistance }), (p) => [p.index, p]),
+        )
+        expect(turned(alone)).toEqual(turned(all.get(chosen)))
+        expect(alone?.length).toBeGreaterThan(0)
+      }
+    }
+  })
+
   it('is no option where it would be ignored', () => {
     const diagram = library.compute(circles(4, 17))
     const options = { region: hall } as object
     const calls: ((given: object) => unknown)[] = [
-      (given) => diagram.renderHull(given),
       (given) => diagram.renderDual(given),
       (given) => diagram.renderCircles(given),
-      (given) => diagram.hullPolygon(given),
       (given) => largestEmptyDiscInside(diagram, given as { bounds: Bounds }),
       (given) => clipCurve(edgeCurve(diagram, 0), given as { bounds: Bounds }),
     ]
@@ -488,10 +585,12 @@ describe('fitted areas', () => {
     expect(problem([0.5, 0.4], { region: square })).toMatch(
       /^badInput: The areas sum to 0.9, but the area of the region is 1/,
     )
-    expect(problem([1], { region: square })).toMatch(/^badInput: There are 1 areas for 2 sites/)
+    expect(problem([1], { region: square })).toMatch(/^badInput: There is 1 area for 2 sites/)
     expect(problem('12', { region: square })).toMatch(/^badArgument: /)
-    expect(problem([0.5, 0.5], { region: square, weights: [1] })).toMatch(/^badOption: There are 1 weights for 2 sites/)
-    expect(problem([0.9, 0.1], { region: square, maxSteps: 1 })).toMatch(/^notConverged: The fit stopped after 1 steps/)
+    expect(problem([0.5, 0.5], { region: square, weights: [1] })).toMatch(/^badOption: There is 1 weight for 2 sites/)
+    expect(problem([0.9, 0.1], { region: square, maxSteps: 1 })).toMatch(
+      /^notConverged: The fit stopped after 1 step: /,
+    )
     expect(problem([0.5, 0.5], { region: square, share: true })).toMatch(/^badOption: There is no option share/)
     const stop = {
       region: square,
@@ -506,6 +605,34 @@ describe('fitted areas', () => {
     expect(problem([0.5, 0.5], { region: other })).toMatch(/^badOption: The region of fitAreas was made by another/)
     expect(problemOf(() => fitAreas(undefined as never, [1], { region: square }))).toMatch(/^badInput: /)
     expect(problemOf(() => fitAreas([['a', 1] as never], [1], { region: square }))).toMatch(/^badInput: Circle 0 /)
+  })
+
+  it('say what they have reached where they do not converge, with the weights to go on from', () => {
+    const sites = circles(50, 31)
+    const shares = sites.map((_, i) => 1 + (i % 7))
+    let last: FitStep | undefined
+    const onStep = (step: FitStep) => {
+      last = step
+    }
+    let caught: unknown
+    try {
+      fitAreas(sites, shares, { region: hall, shares: true, maxSteps: 3, onStep })
+    } catch (error) {
+      caught = error
+    }
+    const { code, message, weights } = caught as CircleVoronoiError
+    expect([code, message.slice(0, 31)]).toEqual(['notConverged', 'The fit stopped after 3 steps: '])
+    expect(last?.steps).toBe(3)
+    expect(weights).toEqual(last?.weights)
+    const areas = library.compute(sites.map(([x, y], i) => [x, y, weights?.[i] ?? 0])).cellAreas({ region: hall })
+    const errors = shares.map((share, i) => Math.abs(((areas[i] ?? 0) * sum(shares)) / (72 * share) - 1))
+    expect(message).toContain(
+      `of an area is ${Math.max(...errors)
+        .toExponential(1)
+        .slice(0, 3)}`,
+    )
+    expect(fitAreas(sites, shares, { region: hall, shares: true, weights }).error).toBeLessThan(1e-9)
+    expect(new CircleVoronoiError('badInput', 'None.').weights).toBeUndefined()
   })
 
   it('may have their sites moved to the centroids of the cells', () => {

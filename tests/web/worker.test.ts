@@ -297,6 +297,13 @@ describe('a fit in a worker', async () => {
     expect(await reasonOf(worker.fitAreas(SITES, [4, 12], { region: square, signal }))).toBe('enough')
   })
 
+  it('that does not converge has the weights that it reached', async () => {
+    const fit = worker.fitAreas(SITES, [4, 12], { region: square })
+    const error = { code: 'notConverged', circle: undefined, message: 'No.', weights: Float64Array.of(0, 1) } as const
+    ;(await asked(1)).say({ error })
+    expect(await reasonOf(fit)).toMatchObject({ code: 'notConverged', message: 'No.', weights: error.weights })
+  })
+
   it('is refused before it goes there', async () => {
     const problem = (options: object) => reasonOf(worker.fitAreas(SITES, [4, 12], options as { region: Region }))
     expect(await problem({})).toMatchObject({ code: 'badOption', message: expect.stringContaining('needs a region') })

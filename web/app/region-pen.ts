@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { ARROWS } from '../editing/keyboard.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Point } from '../lib/index.ts'
@@ -6,13 +7,6 @@ import { ringsOf } from '../view/domain.ts'
 import type { Drawn } from '../view/gestures.ts'
 import type { View } from '../view/view.ts'
 import type { PageActions } from './page-actions.ts'
-
-const ARROWS: { readonly [key: string]: readonly [number, number] } = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-}
 
 /**
  * Draws a polygon, corner by corner, while the tool is `draw`. Once it is closed it is part of the region: inside of it a hole,

@@ -15,7 +15,8 @@ const FINER = 1 / 10
 const SCALE_STEP = 0.04
 const PAN_STEP = 48
 
-const ARROWS: { readonly [key: string]: readonly [number, number] } = {
+/** The direction of each arrow key in the plane. */
+export const ARROWS: { readonly [key: string]: readonly [number, number] } = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
   ArrowUp: [0, 1],

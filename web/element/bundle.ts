@@ -4,10 +4,10 @@
  * bundlers: its thread would not find their output.
  */
 import { answerViews } from '../view/painter/painter-thread.ts'
-import { PAINTER_NAME } from '../view/painter-file.ts'
+import { THREAD_NAME } from '../view/painter-file.ts'
 
 export * from './index.ts'
 
 // The same file is what its thread runs.
 const name: unknown = Object(globalThis).name
-if (globalThis.document === undefined && name === PAINTER_NAME) answerViews()
+if (globalThis.document === undefined && name === THREAD_NAME) answerViews()

@@ -19,6 +19,7 @@ import { Diagram } from './diagram/diagram.ts'
 import { statsOf } from './diagram/diagram-file.ts'
 import createModule from './generated/circle-voronoi-files.js'
 import { ConvexPolygon } from './regions/convex-polygon.ts'
+import { type Region, regionOption } from './regions/region.ts'
 import { judgedArrays } from './wasm/judged-arrays.ts'
 import { checkLoadOptions, type LoadOptions } from './wasm/load-options.ts'
 import { compileWasm, instantiate, unwrap } from './wasm/wasm.ts'
@@ -40,7 +41,7 @@ export const CIRCLE_FORMATS = ['csv', 'json', 'geojson'] as const
  */
 export const DIAGRAM_FORMATS = ['json', 'csv', 'stats', 'svg', 'geojson', 'geojsonl', 'wkt', 'obj'] as const
 const DRAWN: readonly string[] = ['svg', 'geojson', 'geojsonl', 'wkt', 'obj']
-const DRAWN_OPTIONS = ['bounds', 'maxDistance', 'tolerance'] as const
+const DRAWN_OPTIONS = ['bounds', 'region', 'maxDistance', 'tolerance'] as const
 
 /**
  * Options for writing circles.
@@ -66,6 +67,11 @@ export interface DiagramFileOptions {
   readonly format?: (typeof DIAGRAM_FORMATS)[number] | undefined
   /** The box to clip to. Default: the bounding box of the circles plus a margin of a twentieth of its size. */
   readonly bounds?: Box | readonly [minX: number, minY: number, maxX: number, maxY: number] | undefined
+  /**
+   * The region to clip to, in place of bounds. A cell without a part in the region is a feature without a geometry. Cells at
+   * the boundary keep all their digits.
+   */
+  readonly region?: Region | undefined
   /** The distance from their circles at which cells and edges are cut. Default: no limit. */
   readonly maxDistance?: number | undefined
   /** The largest distance from the true curves, above 0. Default: a hundred-thousandth of the box. */
@@ -176,6 +182,7 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       const unused = DRAWN.includes(format) ? undefined : DRAWN_OPTIONS.find((name) => options[name] !== undefined)
       if (unused !== undefined) refuseOption(`The format ${format} takes no ${unused}.`)
       const { bounds, maxDistance, tolerance, digits } = options
+      const region = regionOption(options, 'writeDiagram')
       if (format === 'stats' && digits !== undefined) refuseOption('The format stats takes no digits.')
       checkDigits(digits)
       if (tolerance !== undefined) checkTolerance(tolerance)
@@ -185,7 +192,7 @@ export async function loadFiles(options: LoadOptions = {}): Promise<Files> {
       const { metric, stats } = diagram
       const data = { metric, ...arrays, stats: statsOf(stats) }
       return decoder.decode(
-        unwrap(module.writeDiagram(data, format, { bounds: sides, maxDistance, tolerance, digits })).text,
+        unwrap(module.writeDiagram(data, format, { bounds: sides, region, maxDistance, tolerance, digits })).text,
       )
     },
   }

@@ -55,7 +55,14 @@ export type { Change, EditWay } from './diagram/change.ts'
 export { type Cell, Diagram } from './diagram/diagram.ts'
 export type { DiagramFile } from './diagram/diagram-file.ts'
 export type { MultiPolygon } from './drawing/draw-clipped.ts'
-export type { BoundsOptions, ContextOptions, DrawOptions, PolygonOptions, TextOptions } from './drawing/draw-options.ts'
+export type {
+  BoundsOptions,
+  ContextOptions,
+  DrawOptions,
+  HullOptions,
+  PolygonOptions,
+  TextOptions,
+} from './drawing/draw-options.ts'
 export type { Polygon } from './drawing/polygon.ts'
 export { SvgPath } from './drawing/svg-path.ts'
 export {

@@ -130,9 +130,11 @@ function linkFrom(letters: string): string {
 }
 
 function jsonOf(state: LinkInput): string {
-  if (typeof state !== 'object' || state === null) refuseArgument(`A link says a state, not ${shown(state)}.`)
+  if (typeof state !== 'object' || state === null)
+    refuseArgument(`The state of a link must be an object, not ${shown(state)}.`)
   const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = state
-  if (edits !== undefined && !Array.isArray(edits)) refuseArgument(`A link says edits, not ${shown(edits)}.`)
+  if (edits !== undefined && !Array.isArray(edits))
+    refuseArgument(`The edits of a link must be a list of edits, not ${shown(edits)}.`)
   const said: Record<(typeof FIELDS)[number], unknown> = {
     circles: circles && [...coordinatesOf(circles)],
     names,
@@ -146,7 +148,7 @@ function jsonOf(state: LinkInput): string {
     areas,
   }
   const problem = problemOf(said)
-  if (problem !== undefined) refuseArgument(`This is no state for a link: ${problem}.`)
+  if (problem !== undefined) refuseArgument(`The state cannot be written as a link: ${problem}.`)
   const json = JSON.stringify({ ...said, region: region && plainRegion(region) })
   if (json.length > LINK_LIMITS.bytes) tooMuch()
   return json
@@ -169,8 +171,8 @@ function jsonOf(state: LinkInput): string {
 export async function decodeLink(text: string): Promise<LinkState> {
   if (typeof text !== 'string') refuseArgument(`decodeLink takes a text, not ${shown(text)}.`)
   if (text.length > LINK_LIMITS.letters) tooMuch()
-  const [, version, letters] = /^#?v(\d{1,9})\.([\w-]*)$/.exec(text) ?? refuse('it is none of this page')
-  if (`v${version}` !== VERSION) refuse(`it is of version ${version}, and this is version ${VERSION.slice(1)}`)
+  const [, version, letters] = /^#?v(\d{1,9})\.([\w-]*)$/.exec(text) ?? refuse('it is not a link of this page')
+  if (`v${version}` !== VERSION) refuse(`it has version ${version}, and this library reads version ${VERSION.slice(1)}`)
   let said: unknown
   try {
     const json = await unpacked(letters as string, LINK_LIMITS.bytes)
@@ -224,7 +226,7 @@ function listOf(edit: Edit): Exclude<Said['edits'], undefined>[number] {
     case 'replace':
       return ['=', edit.id, ...circle(edit.circle)]
     default:
-      refuseArgument(`A link says edits, not ${shown(edit)}.`)
+      refuseArgument(`An edit of a link must be an insertion, a removal or a replacement, not ${shown(edit)}.`)
   }
 }
 
@@ -244,12 +246,14 @@ const EDITS: Readonly<Record<string, readonly [count: number, hasId: boolean]>> 
 
 /** Why this is not `Said`. */
 function problemOf(said: unknown): string | undefined {
-  if (!isRecord(said)) return 'it says nothing'
+  if (!isRecord(said)) return 'it has no content'
   const { circles, names, dataSet, edits, view, layers, step, method, region, areas } = said
-  if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0)) return 'its step is none'
-  if (method !== undefined && !isName(method)) return 'its method has no name'
+  if (step !== undefined && !(Number.isSafeInteger(step) && (step as number) >= 0))
+    return 'the step is not a whole number from 0'
+  if (method !== undefined && !isName(method)) return 'the method is not a name'
   if (circles !== undefined) {
-    if (!isListOfNumbers(circles) || circles.length % 3 !== 0) return 'its circles are not three finite numbers each'
+    if (!isListOfNumbers(circles) || circles.length % 3 !== 0)
+      return 'the circles do not have three finite numbers each'
     if (circles.length > 3 * LINK_LIMITS.circles) tooMuch()
     for (let i = 0; i < circles.length / 3; i++) {
       const problem = problemOfCircle(circles, 3 * i)
@@ -259,29 +263,29 @@ function problemOf(said: unknown): string | undefined {
   if (names !== undefined) {
     const count = Array.isArray(circles) ? circles.length / 3 : 0
     if (!Array.isArray(names) || names.length !== count || !names.every(isName))
-      return 'its names are not one per circle'
+      return 'there is not one name for each circle'
   }
   if (dataSet !== undefined) {
-    if (!isName(dataSet)) return 'its data set has no name'
+    if (!isName(dataSet)) return 'the data set is not a name'
     if (circles !== undefined) return 'it has circles and a data set'
   }
   if (edits !== undefined) {
-    if (!Array.isArray(edits) || !edits.every(isEdit)) return 'its edits are none'
+    if (!Array.isArray(edits) || !edits.every(isEdit)) return 'the edits are invalid'
     if (edits.length > LINK_LIMITS.edits) tooMuch()
     for (const [i, [kind, ...numbers]] of edits.entries()) {
       const problem = kind === '-' ? undefined : problemOfCircle(numbers, numbers.length - 3)
       if (problem !== undefined) return `the circle of edit ${i} ${problem}`
     }
   }
-  if (region !== undefined && region !== null && !isRegion(region)) return 'its region is none'
+  if (region !== undefined && region !== null && !isRegion(region)) return 'the region is invalid'
   const isShares = isListOfNumbers(areas) && areas.every((share) => share > 0)
-  if (areas !== undefined && areas !== 'equal' && !isShares) return 'its areas are none'
+  if (areas !== undefined && areas !== 'equal' && !isShares) return 'the areas are neither "equal" nor numbers above 0'
   if (view !== undefined) {
-    if (!isListOfNumbers(view) || view.length !== 3 || !((view[2] as number) > 0)) return 'its view is none'
+    if (!isListOfNumbers(view) || view.length !== 3 || !((view[2] as number) > 0)) return 'the view is invalid'
   }
   const isRight =
     layers === undefined || (isRecord(layers) && isLayer(layers, DEEPEST_LAYER, { left: LINK_LIMITS.layerValues }))
-  return isRight ? undefined : 'its layers are none'
+  return isRight ? undefined : 'the layers are invalid'
 }
 
 /** Whether it is made of rings of finite numbers; what they are like is not checked. */

@@ -110,7 +110,7 @@ export function sentenceOf({ wrong, missing, leftover, borders }: Comparison): s
   const lost = leftover.filter(({ isRight }) => !isRight).length
   if (wrong.length + missing.length + lost === 0) return 'As printed: the same diagram here.'
   const lines = wrong.length === 0 ? '' : `, and ${count(wrong.length, 'line')} where there is no border`
-  const arrows = lost === 0 ? '' : ` ${count(lost, 'directed edge')} left over too many.`
+  const arrows = lost === 0 ? '' : ` ${count(lost, 'leftover directed edge')} should not be there.`
   return `As printed: ${borders - missing.length} of ${count(borders, 'border')} found${lines}.${arrows}`
 }
 

@@ -5,7 +5,7 @@ import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
 import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { Layers } from './layers.ts'
-import { newPainterWorker, PAINTER_NAME, painterFile } from './painter-file.ts'
+import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type { Counts, DomainChange, Fitted, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
 import { Failure, type Refusals } from './refusal.ts'
 import type { Style } from './style.ts'
@@ -155,7 +155,7 @@ export class Painter {
   #start(): void {
     let worker: Worker
     try {
-      worker = startModuleWorker(newPainterWorker, painterFile, PAINTER_NAME)
+      worker = startModuleWorker(newWorker, threadFile, THREAD_NAME)
     } catch (error) {
       this.#stop(() => reasonOf(error))
       return

@@ -28,10 +28,11 @@ struct AreaFitOptions {
   double tolerance = 1e-9;
   /// The largest number of steps, 1 or more.
   int maxSteps = 500;
-  /// How often all sites move to the centers of mass of their cells, after which the areas are fitted again. Cells become
-  /// rounder each time. The diagram of the result has the sites where they have come to.
+  /// How often all sites move to the centers of mass of their cells, after which the areas are fitted again. Cells
+  /// become rounder each time. The diagram of the result has the sites where they have come to.
   int relax = 0;
-  /// Called before the first step, after each one, and after sites have moved. To cancel, throw: the exception passes through `fitAreas`.
+  /// Called before the first step, after each one, and after sites have moved. To cancel, throw: the exception passes
+  /// through `fitAreas`.
   std::function<void(const AreaFitStep&)> onStep = {};
 };
 
@@ -58,7 +59,8 @@ struct AreaFit {
 ///
 /// Errors: nonFinite, coordinateTooLarge (both name the site), badInput (there are not as many areas as sites, an area
 /// is not positive and finite, two sites are equal, or the areas do not sum to the region's), badOption,
-/// tooManyCircles, notConverged (the message says what was reached; `onStep` was called with the best weights last).
+/// tooManyCircles, notConverged (the message says how many steps there were and what they reached; the best weights are
+/// those with which `onStep` was called last).
 Result<AreaFit> fitAreas(std::span<const Circle> sites, std::span<const double> areas, const Region& region,
                          const AreaFitOptions& options = {});
 

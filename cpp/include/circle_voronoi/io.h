@@ -18,6 +18,7 @@ namespace CIRCLE_VORONOI_API circle_voronoi {
 
 struct ReadOptions {
   bool weights = false;  ///< whether radii may be negative (Options::weights)
+  bool points = false;   ///< whether circles may lack r, which is 0 then; a table has a header
 };
 
 /// Reads circles from UTF-8 text. The text may begin with a byte-order mark. Lines end in LF, CRLF or CR. The first
@@ -40,7 +41,8 @@ Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view 
 
 /// Reads what a text that `readCircles` accepts says about its circles beyond x, y and r: the other columns of a table,
 /// the other properties of GeoJSON points, the other members of JSON objects. Returns for each circle the members of a
-/// JSON object, without braces and on one line, for ExportOptions::attributes.
+/// JSON object, without braces and on one line, for ExportOptions::attributes. Circles may lack r
+/// (ReadOptions::points).
 ///
 /// Fields of a table become numbers where they are numbers of JSON, otherwise strings, and null where they are empty. A
 /// name that `writeGeoJson` uses itself, such as area, gets `input_` in front. Errors: badInput.

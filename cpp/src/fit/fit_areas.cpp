@@ -18,6 +18,7 @@
 #include "circle_voronoi/finder.h"
 #include "circle_voronoi/metric.h"
 #include "guarded.h"
+#include "recompute.h"
 #include "scale.h"
 #include "spring_system.h"
 
@@ -26,6 +27,10 @@ namespace {
 
 [[noreturn]] void refuse(ErrorCode code, std::string message, std::int64_t site = kNone) {
   throw Refusal{{code, site, std::move(message)}};
+}
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 void checkSites(std::span<const Circle> sites) {
@@ -72,7 +77,8 @@ class Fitter {
         targets_(std::move(targets)),
         region_(region),
         options_(options),
-        around_(boxAround()) {}
+        around_(boxAround()),
+        sizeOfBox_(around_.area() / region.area()) {}
 
   AreaFit run() {
     for (int k = 0; k < options_.relax; ++k) moveToCentroids(fitted(std::max(options_.tolerance, kWhileMoving)));
@@ -124,6 +130,7 @@ class Fitter {
     }
     checkSites(sites_);
     around_ = boxAround();
+    sizeOfBox_ = around_.area() / region_.area();
   }
 
   /// A state in which every cell has an area. Sites that the first weights hide are raised; if that is not enough, the
@@ -138,7 +145,7 @@ class Fitter {
     }
     State state = requiredStateAt(std::vector<double>(weights.size(), 0));
     if (leastArea(state) > 0) return state;
-    density_.background = region_.area() / around_.area();
+    density_.background = 1 / sizeOfBox_;
     return requiredStateAt(std::move(state.weights));
   }
 
@@ -179,13 +186,13 @@ class Fitter {
     int idle = 0;
     const double least = kLeastShare * std::min(leastArea(state), *std::ranges::min_element(targets_));
     while (!isWithin(state, tolerance)) {
-      if (steps_ == options_.maxSteps) fail(state, "after " + std::to_string(steps_) + " steps");
+      if (steps_ == options_.maxSteps) fail(std::move(state), "");
+      if (!step(state, least)) fail(std::move(state), " because no step leads further");
       ++steps_;
-      if (!step(state, least)) fail(state, "where no step leads further");
       report(state);
       const double error = errorOf(state);
       idle = error < best / 2 ? 0 : idle + 1;
-      if (idle > kPatience && best < kNearlyThere) fail(state, "where areas no longer come nearer");
+      if (idle > kPatience && best < kNearlyThere) fail(std::move(state), " because areas no longer come nearer");
       best = std::min(best, error);
     }
   }
@@ -204,7 +211,7 @@ class Fitter {
     for (int trial = 0; trial < kMostTrials && !direction.empty(); ++trial) {
       std::vector<double> weights = state.weights;
       for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += share * direction[i];
-      std::optional<State> next = stateAt(std::move(weights));
+      std::optional<State> next = stateAt(std::move(weights), &state);
       const auto isLost = [&](CircleIndex i) { return !(next->cells.areas[static_cast<std::size_t>(i)] > least); };
       if (next && leastArea(*next) > least) {
         const std::vector<double> left = forcesOn(*next);
@@ -279,9 +286,7 @@ class Fitter {
   }
 
   /// Of both region and background.
-  double targetOf(std::size_t site) const {
-    return targets_[site] * (1 + density_.background * (around_.area() / region_.area()));
-  }
+  double targetOf(std::size_t site) const { return targets_[site] * (1 + density_.background * sizeOfBox_); }
 
   double errorOf(const State& state) const {
     double error = 0;
@@ -311,13 +316,33 @@ class Fitter {
 
   static double leastArea(const State& state) { return *std::ranges::min_element(state.cells.areas); }
 
-  Result<State> measured(std::vector<double> weights) const {
+  /// Whether weights hide a site that is next to another in a state.
+  bool isHiddenAt(std::span<const double> weights, const State& near) const {
+    return std::ranges::any_of(near.cells.springs, [&](const Spring& spring) {
+      const auto i = static_cast<std::size_t>(spring.left);
+      const auto j = static_cast<std::size_t>(spring.right);
+      return lengthOf({sites_[i].x - sites_[j].x, sites_[i].y - sites_[j].y}) <= std::abs(weights[i] - weights[j]);
+    });
+  }
+
+  /// `near`: a state of similar weights, if there is one.
+  Result<State> measured(std::vector<double> weights, const State* near = nullptr) const {
     const double least = *std::ranges::min_element(weights);
     std::vector<Circle> circles = sites_;
     for (std::size_t i = 0; i < circles.size(); ++i) circles[i].r = weights[i] -= least;
-    Result<Diagram> diagram = compute(circles);
-    if (!diagram) return diagram.error();
-    State state = {std::move(weights), std::move(diagram).value(), {}};
+    State state = {std::move(weights), {}, {}};
+    if (near && isHiddenAt(state.weights, *near)) {
+      state.cells.areas.assign(sites_.size(), 0);
+      return state;
+    }
+    std::optional<Diagram> changed = near ? recompute(near->diagram, circles) : std::nullopt;
+    if (changed) {
+      state.diagram = *std::move(changed);
+    } else {
+      Result<Diagram> diagram = compute(circles);
+      if (!diagram) return diagram.error();
+      state.diagram = std::move(diagram).value();
+    }
     if (!state.diagram.hidden.empty()) {
       state.cells.areas.assign(sites_.size(), 0);
       return state;
@@ -340,8 +365,8 @@ class Fitter {
   }
 
   /// Nothing if these weights have no diagram.
-  std::optional<State> stateAt(std::vector<double> weights) const {
-    Result<State> state = measured(std::move(weights));
+  std::optional<State> stateAt(std::vector<double> weights, const State* near = nullptr) const {
+    Result<State> state = measured(std::move(weights), near);
     if (!state) return {};
     return std::move(state).value();
   }
@@ -350,11 +375,14 @@ class Fitter {
     if (options_.onStep) options_.onStep({steps_, errorOf(state), state.weights});
   }
 
-  [[noreturn]] void fail(const State& state, const std::string& where) const {
+  /// Says what the last weights have reached, which `onStep` was told last.
+  [[noreturn]] void fail(State state, const std::string& reason) {
+    // Without the background, which the caller does not know.
+    if (std::exchange(density_.background, 0) > 0) state = requiredStateAt(std::move(state.weights));
     char reached[32];
     std::snprintf(reached, sizeof reached, "%.1e", errorOf(state));
-    refuse(ErrorCode::notConverged,
-           "The fit stopped " + where + ": the largest relative error of an area is " + reached + ".");
+    refuse(ErrorCode::notConverged, "The fit stopped after " + counted(static_cast<std::size_t>(steps_), "step") +
+                                        reason + ": the largest relative error of an area is " + reached + ".");
   }
 
   Region boxAround() const {
@@ -374,6 +402,7 @@ class Fitter {
   const Region& region_;
   const AreaFitOptions& options_;
   Region around_;
+  double sizeOfBox_;  ///< as a multiple of the region
   Density density_;
   int steps_ = 0;
 };
@@ -392,8 +421,8 @@ std::string text(double value) {
 std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites, double regionArea,
                                 const AreaFitOptions& options) {
   if (areas.size() != sites) {
-    refuse(ErrorCode::badInput,
-           "There are " + std::to_string(areas.size()) + " areas for " + std::to_string(sites) + " sites.");
+    refuse(ErrorCode::badInput, (areas.size() == 1 ? "There is " : "There are ") + counted(areas.size(), "area") +
+                                    " for " + counted(sites, "site") + ".");
   }
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (areas[i] > 0 && std::isfinite(areas[i])) continue;

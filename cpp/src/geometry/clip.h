@@ -33,7 +33,8 @@ class LineCrossing {
   LineCrossing(const Bisector& bisector, Point p, Vector direction);
 
   /// Returns the parameters in increasing order: none, one or two.
-  std::span<const double> parameters() const { return {parameters_.data(), count_}; }
+  std::span<const double> parameters() const& { return {parameters_.data(), count_}; }
+  std::span<const double> parameters() const&& = delete;
 
   /// Returns whether the branch goes from the left of the line to its right at a crossing, which is counted from 0.
   bool goesRight(std::size_t crossing) const { return goesRight_[crossing]; }

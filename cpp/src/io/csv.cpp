@@ -82,17 +82,19 @@ bool isNumber(const CsvField& field, char separator) {
   return !CsvNumberReader(separator).read(field, value);
 }
 
-/// The columns that a header names; nothing if it does not name all three.
-std::optional<Columns> columnsOf(const CsvTable& table) {
+/// The columns that a header names; nothing if it does not name x, y and, unless these are points, r.
+std::optional<Columns> columnsOf(const CsvTable& table, bool points) {
   const Fields fields = table.fields();
   Columns columns{};
+  columns.fill(kNoColumn);
   for (std::size_t number = 0; number < columns.size(); ++number) {
     const auto named = [&](const CsvField& field) { return isNameOf(number, field.text); };
     const auto found = std::ranges::find_if(fields, named);
+    if (found == fields.end() && number == 2 && points) break;
     if (found == fields.end()) return std::nullopt;
     columns[number] = static_cast<std::size_t>(found - fields.begin());
   }
-  for (std::size_t number = 0; number < columns.size(); ++number) {
+  for (std::size_t number = 0; number < columns.size() && columns[number] != kNoColumn; ++number) {
     const Fields rest = fields.subspan(columns[number] + 1);
     const auto other = std::ranges::find_if(rest, [&](const CsvField& field) { return isNameOf(number, field.text); });
     if (other != rest.end()) {
@@ -167,7 +169,7 @@ std::optional<std::string> readCount(const CsvField& field, std::int64_t most, s
 
 }  // namespace
 
-std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole) {
+std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole, bool points) {
   std::optional<ReadFailure> failure;
   std::optional<CsvTable> widest;
   for (const char separator : kSeparators) {
@@ -178,7 +180,7 @@ std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole) {
       if (!failure) failure = reason;
       continue;
     }
-    const auto header = columnsOf(table);
+    const auto header = columnsOf(table, points);
     if (header || isThreeNumbers(table)) return layoutFrom(table, header);
     const std::size_t width = filled(table.fields()).size();
     const std::size_t widestWidth = widest ? filled(widest->fields()).size() : 0;
@@ -233,7 +235,7 @@ std::size_t CsvRowReader::read(std::string_view text, PlacedCircles& circles, bo
                                                           : threeNumbersExpected(layout_.separator)};
     }
     const auto fieldOf = [&](std::size_t column) { return column < count ? fields[column] : CsvField{}; };
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t i = 0; i < values.size() && layout_.columns[i] != kNoColumn; ++i) {
       if (const auto problem = numbers_.read(fieldOf(layout_.columns[i]), values[i])) {
         throw ReadFailure{table.offset(), std::string(kNames[i][0]) + *problem};
       }
@@ -261,8 +263,8 @@ void CsvRowReader::readNames(const CsvTable& table, FieldOf fieldOf, PlacedCircl
   circles.done.push_back(done != 0);
 }
 
-Result<PlacedCircles> readCsv(std::string_view text, std::string_view name) try {
-  const auto layout = layoutOf(text);
+Result<PlacedCircles> readCsv(std::string_view text, std::string_view name, bool points) try {
+  const auto layout = layoutOf(text, true, points);
   if (!layout) return errorAt(name, text, 0, "the text is empty but for comments.");
   PlacedCircles circles;
   CsvRowReader(*layout).read(text, circles);

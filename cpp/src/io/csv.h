@@ -27,19 +27,23 @@ class CsvNumberReader {
   char mark_ = 0;  ///< of the numbers so far; 0: they had none
 };
 
+/// In place of a column that a table does not have.
+inline constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
+
 /// How a table of circles is laid out.
 struct CsvLayout {
   char separator = ',';
   bool hasHeader = false;
   std::size_t width = 3;
-  std::array<std::size_t, 3> columns = {0, 1, 2};  ///< of x, y and r
+  std::array<std::size_t, 3> columns = {0, 1, 2};  ///< of x, y and r; kNoColumn for r if all are 0
   std::optional<std::size_t> id;                   ///< of a tile (tile.h)
   std::optional<std::size_t> done;                 ///< likewise
 };
 
 /// The layout with which the first record is a header or a circle; nothing if there is no record. `isWhole` is that of
-/// CsvTable: the beginning of a text has the layout of the text, or none yet. Throws ReadFailure.
-std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole = true);
+/// CsvTable: the beginning of a text has the layout of the text, or none yet. `points`: whether a header need not name
+/// r (ReadOptions::points). Throws ReadFailure.
+std::optional<CsvLayout> layoutOf(std::string_view text, bool isWhole = true, bool points = false);
 
 /// Reads the rows of a table, whose text may come in pieces.
 class CsvRowReader {

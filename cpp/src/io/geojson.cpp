@@ -85,7 +85,7 @@ Radius readProperties(JsonReader& reader) {
   return result;
 }
 
-Circle readFeature(JsonReader& reader) {
+Circle readFeature(JsonReader& reader, bool points) {
   std::optional<std::string> type;
   std::optional<Geometry> geometry;
   std::optional<Radius> properties;
@@ -106,15 +106,15 @@ Circle readFeature(JsonReader& reader) {
   if (!geometry || geometry->type != "Point") reader.fail("the geometry of a feature is not a Point.");
   if (!geometry->position) reader.fail("a Point has no two numbers as its coordinates.");
   const auto r = properties && properties->r ? properties->r : properties ? properties->radius : std::nullopt;
-  if (!r) reader.fail("a feature has no number as its property r or radius.");
-  return {geometry->position->x, geometry->position->y, *r};
+  if (!r && !points) reader.fail("a feature has no number as its property r or radius.");
+  return {geometry->position->x, geometry->position->y, r.value_or(0)};
 }
 
-PlacedCircles readFeatures(JsonReader& reader) {
+PlacedCircles readFeatures(JsonReader& reader, bool points) {
   PlacedCircles result;
   reader.enterArray();
   while (reader.nextItem()) {
-    result.circles.push_back(readFeature(reader));
+    result.circles.push_back(readFeature(reader, points));
     result.offsets.push_back(reader.offset());
   }
   return result;
@@ -122,7 +122,7 @@ PlacedCircles readFeatures(JsonReader& reader) {
 
 }  // namespace
 
-Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name) try {
+Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name, bool points) try {
   JsonReader reader(text);
   std::optional<std::string> type;
   std::optional<PlacedCircles> circles;
@@ -131,7 +131,7 @@ Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name) 
     if (*key == "type") {
       readType(reader, type);
     } else if (*key == "features") {
-      readOnce(reader, circles, JsonKind::array, "features", [&] { return readFeatures(reader); });
+      readOnce(reader, circles, JsonKind::array, "features", [&] { return readFeatures(reader, points); });
     } else {
       reader.skip();
     }

@@ -23,7 +23,7 @@ double readField(JsonReader& reader, std::size_t field) {
   return reader.number();
 }
 
-Circle readArray(JsonReader& reader) {
+Circle readArray(JsonReader& reader, std::size_t least) {
   Numbers values{};
   std::size_t count = 0;
   reader.enterArray();
@@ -32,11 +32,11 @@ Circle readArray(JsonReader& reader) {
     values[count] = readField(reader, count);
     ++count;
   }
-  if (count < values.size()) reader.fail("a circle has no " + nameOfField(count) + ".");
+  if (count < least) reader.fail("a circle has no " + nameOfField(count) + ".");
   return {values[0], values[1], values[2]};
 }
 
-Circle readObject(JsonReader& reader) {
+Circle readObject(JsonReader& reader, std::size_t least) {
   Numbers values{};
   std::array<bool, kKeys.size()> given{};
   reader.enterObject();
@@ -51,25 +51,26 @@ Circle readObject(JsonReader& reader) {
     values[field] = readField(reader, field);
   }
   const auto missing = static_cast<std::size_t>(std::ranges::find(given, false) - given.begin());
-  if (missing < given.size()) reader.fail("a circle has no " + nameOfField(missing) + ".");
+  if (missing < least) reader.fail("a circle has no " + nameOfField(missing) + ".");
   return {values[0], values[1], values[2]};
 }
 
-Circle readCircle(JsonReader& reader) {
+/// `least`: how many of x, y and r there have to be.
+Circle readCircle(JsonReader& reader, std::size_t least) {
   const JsonKind kind = reader.kind();
-  if (kind == JsonKind::array) return readArray(reader);
-  if (kind == JsonKind::object) return readObject(reader);
+  if (kind == JsonKind::array) return readArray(reader, least);
+  if (kind == JsonKind::object) return readObject(reader, least);
   reader.fail("expected a circle, [x,y,r] or {\"x\":..,\"y\":..,\"r\":..}, not " + std::string(nameOf(kind)) + ".");
 }
 
 }  // namespace
 
-Result<PlacedCircles> readJson(std::string_view text, std::string_view name) try {
+Result<PlacedCircles> readJson(std::string_view text, std::string_view name, bool points) try {
   PlacedCircles result;
   JsonReader reader(text);
   reader.enterArray();
   while (reader.nextItem()) {
-    result.circles.push_back(readCircle(reader));
+    result.circles.push_back(readCircle(reader, points ? 2 : 3));
     result.offsets.push_back(reader.offset());
   }
   reader.finish();

@@ -12,7 +12,9 @@ Result<std::vector<Circle>> readCircles(std::string_view text, std::string_view 
     if (!content) return content.error();
     const std::string_view rest = content.value();
     const char begin = rest[rest.find_first_not_of(" \t\r\n")];
-    auto read = begin == '[' ? readJson(rest, name) : begin == '{' ? readGeoJson(rest, name) : readCsv(rest, name);
+    auto read = begin == '['   ? readJson(rest, name, options.points)
+                : begin == '{' ? readGeoJson(rest, name, options.points)
+                               : readCsv(rest, name, options.points);
     if (!read) return read.error();
     // Only here is it known on which line a circle stands.
     if (const auto judged = validate(read.value().circles, options.weights); !judged) {

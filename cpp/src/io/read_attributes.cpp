@@ -141,7 +141,7 @@ std::string textOf(const CsvField& field) {
 
 std::vector<std::string> ofRows(std::string_view text) {
   std::vector<std::string> result;
-  const auto layout = layoutOf(text);
+  const auto layout = layoutOf(text, true, true);
   if (!layout) return result;
   CsvTable table(text, layout->separator);
   std::vector<std::string> names;

@@ -42,13 +42,15 @@ Error placed(Error error, std::span<const std::size_t> offsets, std::string_view
 /// How many lines end in the text.
 std::size_t lineEnds(std::string_view text);
 
+// `points`: ReadOptions::points.
+
 /// A table of circles (io.h).
-Result<PlacedCircles> readCsv(std::string_view text, std::string_view name);
+Result<PlacedCircles> readCsv(std::string_view text, std::string_view name, bool points);
 
 /// `[[x,y,r],...]` or `[{"x":..,"y":..,"r":..},...]`; other keys of an object are skipped.
-Result<PlacedCircles> readJson(std::string_view text, std::string_view name);
+Result<PlacedCircles> readJson(std::string_view text, std::string_view name, bool points);
 
 /// A GeoJSON FeatureCollection of Points with a property `radius` or `r`.
-Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name);
+Result<PlacedCircles> readGeoJson(std::string_view text, std::string_view name, bool points);
 
 }  // namespace circle_voronoi

@@ -7,6 +7,7 @@
 #include "at.h"
 #include "guarded.h"
 #include "in_outline.h"
+#include "with_key.h"
 
 namespace circle_voronoi {
 
@@ -79,10 +80,7 @@ void ClippedDiagram::Parts::checkLevels() const {
 
 std::span<const ClippedDiagram::Parts::InCell> ClippedDiagram::Parts::within(const std::vector<InCell>& all,
                                                                              CircleIndex cell) {
-  const auto found = std::ranges::equal_range(all, std::int32_t{cell}, {},
-                                              [](const InCell& one) { return std::int32_t{one.cell}; });
-  return std::span(all).subspan(static_cast<std::size_t>(found.begin() - all.begin()),
-                                static_cast<std::size_t>(found.end() - found.begin()));
+  return withKey(all, std::int32_t{cell}, [](const InCell& one) { return std::int32_t{one.cell}; });
 }
 
 EdgeCurve ClippedDiagram::Parts::curveOf(const Arc& arc) const {
@@ -167,9 +165,8 @@ bool ClippedDiagram::Parts::hasBorder(CircleIndex circle, std::int32_t layer) co
     const std::int32_t level = arcs.levelOf(diagram.originOf(side));
     if (diagram.originOf(side) == kNone || (layer > 0 ? level < layer : level >= layer)) return false;
     if (!arcs.isCrossed(edge)) return true;
-    return std::ranges::any_of(arcs.of(edge), [&](const Arc& arc) {
-      return arc.layer == layer && arc.start == kNone && arc.end == kNone;
-    });
+    return std::ranges::any_of(
+        arcs.of(edge), [&](const Arc& arc) { return arc.layer == layer && arc.start == kNone && arc.end == kNone; });
   };
   const auto sides = diagram.sides(circle);
   return !sides.empty() && std::ranges::all_of(sides, isCovered);
@@ -234,7 +231,8 @@ void ClippedDiagram::Parts::loopsOf(CircleIndex circle, Loops& loops) const {
       if (polygons[k] == polygon || polygons[k] == -1) candidates.push_back(k);
     }
     const Point p = pointOf(region.ringOffsets()[at(hole)]);
-    const auto found = std::ranges::find_if(candidates, [&](std::size_t k) { return hasInLoop(piecesOf(loops.loop(k)), p); });
+    const auto found =
+        std::ranges::find_if(candidates, [&](std::size_t k) { return hasInLoop(piecesOf(loops.loop(k)), p); });
     const std::size_t around = candidates.size() == 1 || found == candidates.end()
                                    ? (candidates.empty() ? polygons.size() : candidates.front())
                                    : *found;

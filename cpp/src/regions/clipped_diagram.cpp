@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "arc_measure.h"
+#include "areas_and_arcs.h"
 #include "at.h"
 #include "circle_arc.h"
 #include "circle_voronoi/limits.h"
@@ -23,6 +24,8 @@ namespace {
 using Parts = ClippedDiagram::Parts;
 using Place = ClippedDiagram::Place;
 
+using VisitArc = std::function<void(const Edge&, const EdgeCurve&)>;
+
 Point placeOf(const Vertex& vertex) { return {vertex.x, vertex.y}; }
 
 /// The moments of the parts of all cells in the region, each relative to a point of its own.
@@ -31,13 +34,14 @@ Point placeOf(const Vertex& vertex) { return {vertex.x, vertex.y}; }
 /// the point that divides its side of the region exactly as Crossing::share says, seen from nearby.
 class CellMoments {
  public:
-  explicit CellMoments(const Parts& parts)
+  /// Calls `visit`, if there is one, with each part of an edge inside.
+  explicit CellMoments(const Parts& parts, const VisitArc& visit = {})
       : parts_(parts), diagram_(parts.diagram), moments_(diagram_.circles.size()), references_(diagram_.circles.size()) {
     const Box& box = parts.bounds;
     unit_ = unitFor(std::max(box.maxX - box.minX, box.maxY - box.minY));
     chooseReferences();
-    addEdges();
-    addArcs();
+    addEdges(visit);
+    addArcs(visit);
     addBoundary();
   }
 
@@ -114,7 +118,7 @@ class CellMoments {
     add(edge.right, beyond, seen(edge.right, curve.start), -factor);
   }
 
-  void addEdges() {
+  void addEdges(const VisitArc& visit) {
     for (std::size_t e = 0; e < diagram_.edges.size(); ++e) {
       const auto index = static_cast<std::int32_t>(e);
       const Edge& edge = diagram_.edges[e];
@@ -123,15 +127,18 @@ class CellMoments {
       if (level == 0) continue;
       const Point start = placeOf(diagram_.vertices[at(edge.start)]);
       const Point end = placeOf(diagram_.vertices[at(edge.end)]);
-      addCurve(edge, parts_.curveOf(index), start, end, level);
+      const EdgeCurve curve = parts_.curveOf(index);
+      if (visit && level > 0) visit(edge, curve);
+      addCurve(edge, curve, start, end, level);
     }
   }
 
-  void addArcs() {
+  void addArcs(const VisitArc& visit) {
     for (const Arc& arc : parts_.arcs.all()) {
       const Edge& edge = diagram_.edges[at(arc.edge)];
       const double factor = arc.layer > 0 ? 1 : -1;
       const EdgeCurve curve = parts_.curveOf(arc);
+      if (visit && arc.layer == 1) visit(edge, curve);
       struct End {
         const CellMoments& its;
         std::int32_t crossing;
@@ -377,13 +384,16 @@ std::vector<CircleIndex> ClippedDiagram::neighbors(CircleIndex circle) const {
 }
 
 std::vector<double> ClippedDiagram::areas() const {
+  if (!maxDistance()) return areasAndArcs(*this, {});
   std::vector<double> areas(diagram().circles.size());
-  if (!maxDistance()) {
-    const CellMoments moments(*parts_);
-    for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = moments.area(i);
-    return areas;
-  }
   for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = area(outline(static_cast<std::int32_t>(i)));
+  return areas;
+}
+
+std::vector<double> areasAndArcs(const ClippedDiagram& clipped, const VisitArc& visit) {
+  const CellMoments moments(clipped.parts(), visit);
+  std::vector<double> areas(clipped.diagram().circles.size());
+  for (std::size_t i = 0; i < areas.size(); ++i) areas[i] = moments.area(i);
   return areas;
 }
 

@@ -11,7 +11,6 @@
 #include <range/v3/algorithm/copy.hpp>
 #include <range/v3/algorithm/count.hpp>
 #include <range/v3/algorithm/equal.hpp>
-#include <range/v3/algorithm/equal_range.hpp>
 #include <range/v3/algorithm/find.hpp>
 #include <range/v3/algorithm/find_if.hpp>
 #include <range/v3/algorithm/for_each.hpp>
@@ -39,7 +38,6 @@ using ::ranges::any_of;
 using ::ranges::copy;
 using ::ranges::count;
 using ::ranges::equal;
-using ::ranges::equal_range;
 using ::ranges::find;
 using ::ranges::find_if;
 using ::ranges::for_each;

@@ -63,12 +63,18 @@ export class CircleVoronoiError extends Error {
   readonly code: ErrorCode
   /** The index of the circle with the problem (its id in an editor); `undefined` if there is no such circle. */
   readonly circle: number | undefined
+  /**
+   * The weight of each site after the last step of a fit of areas that did not converge (`notConverged`), from which another
+   * fit can go on; otherwise `undefined`.
+   */
+  readonly weights: Float64Array | undefined
 
-  /** Creates an error. `details`: the circle with the problem, and the error that caused this one, where there are any. */
-  constructor(code: ErrorCode, message: string, { circle, ...options }: ErrorDetails = {}) {
+  /** Creates an error. `details`: what else is known about it. */
+  constructor(code: ErrorCode, message: string, { circle, weights, ...options }: ErrorDetails = {}) {
     super(message, options)
     this.code = code
     this.circle = circle
+    this.weights = weights
   }
 }
 
@@ -80,6 +86,8 @@ export class CircleVoronoiError extends Error {
 export interface ErrorDetails extends ErrorOptions {
   /** The index of the circle with the problem, or its id in an editor. */
   readonly circle?: number | undefined
+  /** The weights of a fit that did not converge. */
+  readonly weights?: Float64Array | undefined
 }
 
 /** An error as plain data, which threads post to each other. */
@@ -87,16 +95,17 @@ export interface PostedError {
   readonly code: ErrorCode
   readonly circle: number | undefined
   readonly message: string
+  readonly weights?: Float64Array | undefined
 }
 
 /** Returns an error as plain data. */
-export function postedError({ code, circle, message }: CircleVoronoiError): PostedError {
-  return { code, circle, message }
+export function postedError({ code, circle, message, weights }: CircleVoronoiError): PostedError {
+  return { code, circle, message, weights }
 }
 
 /** Returns the error that another thread has posted. */
-export function receivedError({ code, circle, message }: PostedError): CircleVoronoiError {
-  return new CircleVoronoiError(code, message, { circle })
+export function receivedError({ code, message, ...details }: PostedError): CircleVoronoiError {
+  return new CircleVoronoiError(code, message, details)
 }
 
 /** What a caught value says, to be put into a sentence. */

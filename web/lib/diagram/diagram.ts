@@ -20,6 +20,7 @@ import {
   drawClippedEdges,
   drawOutline,
   drawPiecesOf,
+  drawPolygons,
   drawRings,
   type MultiPolygon,
   multiPolygonOf,
@@ -32,13 +33,15 @@ import {
   DRAW_OPTIONS,
   type DrawOptions,
   drawn,
+  HULL_OPTIONS,
+  type HullOptions,
   PATH_OPTIONS,
   POLYGON_OPTIONS,
   type PolygonOptions,
   type TextOptions,
   toleranceOf,
 } from '../drawing/draw-options.ts'
-import { hullRing, type Polygon, ringOf } from '../drawing/polygon.ts'
+import { hullInRegion, hullRing, type Polygon, ringOf } from '../drawing/polygon.ts'
 import { keptParts, type Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
@@ -46,7 +49,13 @@ import { exportBox } from '../regions/export-box.ts'
 import { outlineArea, outlineCentroid, outlinePerimeter } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
-import { type ClippedCells, type ClippedDiagram, type Region, regionOption } from '../regions/region.ts'
+import {
+  type ClippedCells,
+  type ClippedDiagram,
+  type PolygonsRow,
+  type Region,
+  regionOption,
+} from '../regions/region.ts'
 import type { Change } from './change.ts'
 import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
 import { DiagramPatch } from './diagram-patch.ts'
@@ -115,7 +124,7 @@ export class Diagram implements DiagramData {
   #patch: DiagramPatch | undefined
   #lastRegion: ConvexPolygon | undefined
   #clip: { region: Region; maxDistance: number | undefined; clipped: ClippedDiagram } | undefined
-  /** How many cells have been clipped one by one since the last change. */
+  /** What clipping cells one by one has cost since the last change, in times of one outline. */
   #alone = 0
 
   /** Wraps the arrays of `data` without copying them. */
@@ -390,12 +399,18 @@ export class Diagram implements DiagramData {
     return drawn(options, undefined, (sink) => drawDual(sink, this))
   }
 
-  /** Draws the convex hull of the circles: arcs and the tangent segments between them. */
-  renderHull(options?: TextOptions): string
-  renderHull(options: ContextOptions): void
-  renderHull(options: TextOptions | ContextOptions = {}): string | undefined {
-    checkDrawOptions(options, 'renderHull', PATH_OPTIONS)
-    return drawn(options, undefined, (sink) => drawHull(sink, this))
+  /**
+   * Draws the convex hull of the circles: arcs and the tangent segments between them. With a `region`, draws polygons
+   * within `tolerance` of the part of the hull inside.
+   */
+  renderHull(options?: HullOptions & TextOptions): string
+  renderHull(options: HullOptions & ContextOptions): void
+  renderHull(options: HullOptions & (TextOptions | ContextOptions) = {}): string | undefined {
+    checkDrawOptions(options, 'renderHull', [...PATH_OPTIONS, ...HULL_OPTIONS])
+    const region = this.#regionIn('renderHull', options)
+    if (region === undefined) return drawn(options, undefined, (sink) => drawHull(sink, this))
+    const tolerance = toleranceOf(options, region)
+    return drawn(options, tolerance, (sink) => drawPolygons(sink, hullInRegion(this, region, tolerance) ?? []))
   }
 
   /**
@@ -410,9 +425,7 @@ export class Diagram implements DiagramData {
     this.#checkCircle(i, 'cellPolygon')
     checkDrawOptions(options, 'cellPolygon', POLYGON_OPTIONS)
     const region = this.#regionIn('cellPolygon', options)
-    if (region !== undefined) {
-      return multiPolygonOf(this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i)
-    }
+    if (region !== undefined) return multiPolygonOf(this.#polygonsIn(region, i, options))
     const limits = this.#limitsOf('cellPolygon', options, POLYGON_OPTIONS)
     return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))
   }
@@ -421,6 +434,9 @@ export class Diagram implements DiagramData {
   cellPolygons(options: PolygonOptions & { readonly region: Region }): Generator<MultiPolygon & { index: number }, void>
   cellPolygons(options?: PolygonOptions & { readonly region?: undefined }): Generator<Polygon & { index: number }, void>
   *cellPolygons(options: PolygonOptions = {}): Generator<(Polygon | MultiPolygon) & { index: number }, void> {
+    checkDrawOptions(options, 'cellPolygons', POLYGON_OPTIONS)
+    const region = this.#regionIn('cellPolygons', options)
+    if (region !== undefined) this.#clippedTo(region, options)
     for (let index = 0; index < this.circles.length / 3; index++) {
       const polygon = this.cellPolygon(index, options as PolygonOptions & { readonly region?: undefined })
       if (polygon !== undefined) yield Object.assign(polygon, { index })
@@ -429,10 +445,14 @@ export class Diagram implements DiagramData {
 
   /**
    * Returns the convex hull of the circles as a closed counter-clockwise polygon that repeats its first point at the
-   * end.
+   * end. With a `region`, returns the part of the hull inside as a `MultiPolygon`, or `undefined` if there is none.
    */
-  hullPolygon(options: Pick<PolygonOptions, 'tolerance'> = {}): Polygon | undefined {
-    checkDrawOptions(options, 'hullPolygon', ['tolerance'])
+  hullPolygon(options: HullOptions & { readonly region: Region }): MultiPolygon | undefined
+  hullPolygon(options?: HullOptions & { readonly region?: undefined }): Polygon | undefined
+  hullPolygon(options: HullOptions = {}): Polygon | MultiPolygon | undefined {
+    checkDrawOptions(options, 'hullPolygon', HULL_OPTIONS)
+    const region = this.#regionIn('hullPolygon', options)
+    if (region !== undefined) return hullInRegion(this, region, toleranceOf(options, region))
     return hullRing(this, toleranceOf(options, this.#defaultBounds()))
   }
 
@@ -553,13 +573,23 @@ export class Diagram implements DiagramData {
     return cells ? [cells, 0] : [this.#clippedTo(region, options).cells, i]
   }
 
+  /** The polygons of one cell in a region. */
+  #polygonsIn(region: Region, i: number, options: PolygonOptions): PolygonsRow {
+    const { maxDistance } = options
+    const tolerance = toleranceOf(options, region)
+    // Its neighbors are clipped with it.
+    const isAlone = this.#isClippedAlone(region, i, maxDistance, POLYGONS_COST)
+    const alone = isAlone ? region.module.clipPolygon(this, i, maxDistance, tolerance) : undefined
+    return alone ?? [this.#clippedTo(region, options).polygons(tolerance), i]
+  }
+
   /**
    * Whether a cell is clipped without the others: the first few after a change, as an editor asks for them. After so many
    * questions that clipping all cells would have been as quick, all cells are clipped.
    */
-  #isClippedAlone(region: Region, i: number, maxDistance: number | undefined): boolean {
+  #isClippedAlone(region: Region, i: number, maxDistance: number | undefined, cost = 1): boolean {
     if (this.#keptClip(region, maxDistance) !== undefined || this.metric !== 'circles') return false
-    this.#alone += 1
+    this.#alone += cost
     return CELLS_FOR_ONE * this.#alone <= this.circles.length / 3 && this.cells.sides(i).length > 0
   }
 
@@ -599,6 +629,9 @@ export class Diagram implements DiagramData {
 
 /** So many cells are clipped together in the time of one alone. */
 const CELLS_FOR_ONE = 64
+
+/** The polygons of a cell alone take as long as so many outlines. */
+const POLYGONS_COST = 4
 
 /** How to compute the diagrams again that `compute` made here. */
 const recomputations = new WeakMap<Diagram, (circles: Float64s) => DiagramData>()

@@ -1,53 +1,94 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers rounded to some digits after the decimal point, as text: several times as fast as to round and let the language
-// find the shortest text, which takes most of the time of an SVG path.
+// Text of numbers that are rounded to some digits after the decimal point. It is written as bytes: a string for each number
+// would take most of the time of an SVG path.
 
-const GROUP = 4
-const SIZE = 10 ** GROUP
-const MOST_GROUPS = 2
-/** Below it no quotient that is taken apart here is rounded to a whole number that it is not. */
+/** Beyond it a quotient of doubles may be rounded to a whole number that it is not. */
 const MOST = 2 ** 44
+/** The digits that an integer of 32 bits has room for. */
+const MOST_DIGITS = 8
 
-/** The digits of numbers below 10^4, with zeros in front, but not those at the end if they come last; the first after a point. */
-const FIRST_GROUPS: string[] = []
-const LAST_GROUPS: string[] = []
-const ONLY_GROUPS: string[] = []
+const bytes = new Uint8Array(2 ** 14)
+/** Room for a command of a path with its numbers. */
+const ROOM = 256
+const decoder = new TextDecoder()
+/** The text that is being written to the bytes, and how many of them it uses. */
+let writing: DecimalText | undefined
+let used = 0
 
-/** Texts of numbers with at most `digits` of them after the decimal point, without zeros at the end. */
+/** A text, and numbers in it with at most `digits` digits after the decimal point, without zeros at the end. */
 export class DecimalText {
+  readonly #digits: number
   readonly #scale: number
-  readonly #groups: number
-  readonly #padding: number
+  #text = ''
 
   /** `digits`: from 0. More than a double has stand for all of them. */
   constructor(digits: number) {
+    this.#digits = digits
     this.#scale = 10 ** digits
-    this.#groups = Math.ceil(digits / GROUP)
-    this.#padding = 10 ** (this.#groups * GROUP - digits)
-    if (this.#groups > MOST_GROUPS || FIRST_GROUPS.length > 0) return
-    for (let i = 0; i < SIZE; i++) {
-      const text = String(i).padStart(GROUP, '0')
-      const last = text.replace(/0+$/, '')
-      FIRST_GROUPS.push(`.${text}`)
-      LAST_GROUPS.push(last)
-      ONLY_GROUPS.push(`.${last}`)
-    }
   }
 
-  /** The text of a number. */
-  of(value: number): string {
+  /** Whether nothing has been written. */
+  get isEmpty(): boolean {
+    return this.#text === '' && writing !== this
+  }
+
+  toString(): string {
+    if (writing === this) {
+      this.#flush()
+      writing = undefined
+    }
+    return this.#text
+  }
+
+  /** Adds a few ASCII characters. */
+  add(text: string): void {
+    if (writing !== this || used > bytes.length - ROOM) this.#begin()
+    for (let k = 0; k < text.length; k++) bytes[used++] = text.charCodeAt(k)
+  }
+
+  /** Adds a number. */
+  addNumber(value: number): void {
+    if (writing !== this || used > bytes.length - ROOM) this.#begin()
     const scaled = Math.round(value * this.#scale)
     const size = Math.abs(scaled)
-    // Beyond 2^53 a double has no digits to round off.
-    if (!(size < MOST) || this.#groups > MOST_GROUPS) return `${size < 2 ** 53 ? scaled / this.#scale : value}`
     const whole = Math.trunc(size / this.#scale)
-    const rest = (size - whole * this.#scale) * this.#padding
-    // As few parts as may be: each makes a string of its own.
-    const integer = scaled >= 0 ? `${whole}` : whole === 0 ? '-0' : `${-whole}`
-    if (rest === 0) return integer
-    if (this.#groups === 1) return integer + ONLY_GROUPS[rest]
-    const first = Math.trunc(rest / SIZE)
-    const last = rest - first * SIZE
-    return last === 0 ? integer + ONLY_GROUPS[first] : integer + FIRST_GROUPS[first] + LAST_GROUPS[last]
+    if (!(size < MOST && whole < 2 ** 31) || this.#digits > MOST_DIGITS) {
+      // Beyond 2^53 a double has no digits to round off.
+      this.add(`${size < 2 ** 53 ? scaled / this.#scale : value}`)
+      return
+    }
+    if (scaled < 0) bytes[used++] = MINUS
+    let count = 1
+    for (let power = 10; power <= whole; power *= 10) count += 1
+    addDigits(whole, count)
+    let rest = size - whole * this.#scale
+    if (rest === 0) return
+    bytes[used++] = POINT
+    count = this.#digits
+    for (; rest % 10 === 0; count--) rest = (rest / 10) | 0
+    addDigits(rest, count)
   }
+
+  #begin(): void {
+    if (writing !== undefined) writing.#flush()
+    writing = this
+  }
+
+  #flush(): void {
+    this.#text += decoder.decode(bytes.subarray(0, used))
+    used = 0
+  }
+}
+
+const [MINUS, POINT, ZERO] = [0x2d, 0x2e, 0x30]
+
+/** The last `count` digits of a whole number. */
+function addDigits(value: number, count: number): void {
+  let rest = value
+  for (let k = used + count; k > used; ) {
+    const tenth = (rest / 10) | 0
+    bytes[--k] = ZERO + rest - 10 * tenth
+    rest = tenth
+  }
+  used += count
 }

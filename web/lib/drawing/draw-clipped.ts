@@ -3,11 +3,11 @@
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData, PathSink, Point } from '../base/types.ts'
 import { addArc } from '../curves/bezier.ts'
-import { parameterAt } from '../curves/bisector.ts'
-import { type BoundedCurve, edgeCurve, reversed, segment } from '../curves/curve.ts'
+import { parameterOf } from '../curves/bisector.ts'
+import { type BoundedCurve, curveOf, reversed, segment } from '../curves/curve.ts'
 import { isCircleArc, traceCircleArc } from '../regions/circle-arc.ts'
 import type { Outline, OutlinePiece } from '../regions/outline-piece.ts'
-import type { ClippedCells, ClippedEdges, ClippedPolygons, Region } from '../regions/region.ts'
+import type { ClippedCells, ClippedEdges, ClippedPolygons, PolygonsRow, Region } from '../regions/region.ts'
 
 /**
  * The coordinates of a GeoJSON MultiPolygon: a list of polygons, each a list of closed rings that repeat their first point.
@@ -57,9 +57,9 @@ function loopOf(diagram: DiagramData, cells: ClippedCells, from: number, to: num
 /** The part of a side between two of its points. */
 function sideBetween(diagram: DiagramData, side: number, start: Point, end: Point): BoundedCurve {
   const isForward = side % 2 === 0
-  const { bisector } = edgeCurve(diagram, side >> 1)
+  const { bisector } = curveOf(diagram, side >> 1)
   const [first, last] = isForward ? [start, end] : [end, start]
-  let [from, to] = [parameterAt(bisector, first.x, first.y), parameterAt(bisector, last.x, last.y)]
+  let [from, to] = [parameterOf(bisector, first.x, first.y), parameterOf(bisector, last.x, last.y)]
   // Where rounding contradicts their order, the part has the length zero.
   if (from > to) from = to = Math.sqrt(from) * Math.sqrt(to)
   const curve = { bisector, from, to, start: first, end: last }
@@ -93,7 +93,7 @@ export function drawClippedEdges(sink: PathSink, diagram: DiagramData, parts: Cl
   parts.edge.forEach((edge, k) => {
     const start = { x: at(parts.start, 2 * k), y: at(parts.start, 2 * k + 1) }
     const end = { x: at(parts.end, 2 * k), y: at(parts.end, 2 * k + 1) }
-    const { bisector } = edgeCurve(diagram, edge)
+    const { bisector } = curveOf(diagram, edge)
     sink.moveTo(start.x, start.y)
     addArc(sink, { bisector, from: at(parts.from, k), to: at(parts.to, k), start, end }, tolerance)
   })
@@ -111,8 +111,19 @@ export function drawRings(sink: PathSink, { points, ringOffsets }: Region): void
   }
 }
 
+/** Draws polygons. */
+export function drawPolygons(sink: PathSink, polygons: MultiPolygon): void {
+  for (const ring of polygons.flat()) {
+    ring.slice(0, -1).forEach(([x, y], k) => {
+      if (k === 0) sink.moveTo(x, y)
+      else sink.lineTo(x, y)
+    })
+    sink.closePath()
+  }
+}
+
 /** The polygons of a row, if it has any. */
-export function multiPolygonOf(polygons: ClippedPolygons, row: number): MultiPolygon | undefined {
+export function multiPolygonOf([polygons, row]: PolygonsRow): MultiPolygon | undefined {
   const { polygonOffsets, ringOffsets } = polygons
   const [first, last] = [at(polygonOffsets, row), at(polygonOffsets, row + 1)]
   if (first === last) return undefined

@@ -39,6 +39,13 @@ export interface PolygonOptions extends BoundsOptions {
 }
 
 /**
+ * Options for the convex hull.
+ *
+ * @category Drawing
+ */
+export type HullOptions = Pick<PolygonOptions, 'region' | 'tolerance'>
+
+/**
  * Options for returning the `d` attribute of an SVG path.
  *
  * @category Drawing
@@ -102,6 +109,7 @@ export function drawn(
 export const BOUNDS_OPTIONS = ['bounds', 'region', 'maxDistance']
 export const POLYGON_OPTIONS = [...BOUNDS_OPTIONS, 'tolerance']
 export const DRAW_OPTIONS = ['context', ...POLYGON_OPTIONS, 'digits']
+export const HULL_OPTIONS = ['region', 'tolerance']
 export const PATH_OPTIONS = ['context', 'digits']
 
 /** @throws CircleVoronoiError `badOption`, if there are others than those named */

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { circleAt } from '../base/diagram-data.ts'
+import { circleOf } from '../base/diagram-data.ts'
 import { lengthOf } from '../base/scale.ts'
 import type { DiagramData, Point } from '../base/types.ts'
 import { polyline } from '../curves/bezier.ts'
 import { polyline as arcPolyline, isCircleArc } from '../regions/circle-arc.ts'
 import { convexHull } from '../regions/hull.ts'
 import type { SharedPiece } from '../regions/outline.ts'
+import type { Region } from '../regions/region.ts'
+import { type MultiPolygon, multiPolygonOf } from './draw-clipped.ts'
 
 /**
  * A closed counter-clockwise ring of points x, y that repeats its first point at the end.
@@ -46,6 +48,13 @@ function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
   return piece.forward === piece.curve ? points : points.reverse()
 }
 
+/** The part of the hull inside a region, of the ring that `hullRing` makes; none if the hull has no area there. */
+export function hullInRegion(diagram: DiagramData, region: Region, tolerance: number): MultiPolygon | undefined {
+  const corners = hullRing(diagram, tolerance)?.slice(0, -1) ?? []
+  const row = region.module.clipConvex(corners.map(([x, y]) => ({ x, y })))
+  return row && multiPolygonOf(row)
+}
+
 /**
  * The hull of a diagram's circles as a ring inside it, not farther from it than the tolerance. One below 1e-9 of a circle's
  * radius counts as that.
@@ -53,7 +62,7 @@ function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
 export function hullRing(diagram: DiagramData, tolerance: number): Polygon | undefined {
   const ring: Polygon = []
   for (const { circle, start, end, angle } of convexHull(diagram).arcs) {
-    const { x, y } = circleAt(diagram.circles, circle)
+    const { x, y } = circleOf(diagram.circles, circle)
     const [dx, dy] = [start.x - x, start.y - y]
     const r = lengthOf({ x: dx, y: dy })
     // A chord of angle 2 h is r (1 - cos h) from the middle of its arc.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkDiagram, checkMetric, checkPoint, refuseArgument } from '../base/check.ts'
-import { at, circleAt, NONE } from '../base/diagram-data.ts'
+import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
 import { between } from '../base/point.ts'
 import { facing } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { type EdgeCurve, edgeCurve } from '../curves/curve.ts'
+import { curveOf, type EdgeCurve } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { LineCrossing } from '../regions/clip.ts'
 import { Heap } from './heap.ts'
@@ -80,14 +80,14 @@ interface Exit {
 
 /** `undefined`: never. */
 function exitOf(diagram: Diagram, circle: number, p: Point): Exit | undefined {
-  const c = circleAt(diagram.circles, circle)
+  const c = circleOf(diagram.circles, circle)
   const toPoint = between(c, p)
   const direction = toPoint.x === 0 && toPoint.y === 0 ? { x: 1, y: 0 } : toPoint
   // One side is crossed; which one rounding may leave open where two meet.
   let leastMiss = 1 + 1e-9
   let exit: Exit | undefined
   for (const side of diagram.cells.sides(circle)) {
-    const { bisector, from, to } = edgeCurve(diagram, side >> 1)
+    const { bisector, from, to } = curveOf(diagram, side >> 1)
     for (const s of new LineCrossing(bisector, c, direction).parameters) {
       const point = pointOf(bisector, s)
       const miss = s < from ? from / s : s > to ? s / to : 1
@@ -129,6 +129,7 @@ function clearanceOf(diagram: Diagram, { bisector }: EdgeCurve, edge: number, fr
 
 /** The best paths from a place on an edge, or from infinity, to all nodes. */
 function reached(diagram: Diagram, from: Exit | undefined): Reach {
+  const { vertexSides } = diagram
   const nodeCount = nodeOf(diagram, NONE) + 1
   const reach: Reach = {
     clearance: new Float64Array(nodeCount).fill(Number.NEGATIVE_INFINITY),
@@ -148,20 +149,20 @@ function reached(diagram: Diagram, from: Exit | undefined): Reach {
     offer(nodeOf(diagram, NONE), Number.POSITIVE_INFINITY, NONE, NONE)
   } else {
     const { edge, parameter } = from
-    const curve = edgeCurve(diagram, edge)
+    const curve = curveOf(diagram, edge)
     offer(startOf(diagram, edge), clearanceOf(diagram, curve, edge, curve.from, parameter), edge, NONE)
     offer(endOf(diagram, edge), clearanceOf(diagram, curve, edge, parameter, curve.to), edge, NONE)
   }
   const toInfinity: number[] = []
   for (let edge = 0; edge < diagram.edges.length / 4; edge++) {
-    if (startOf(diagram, edge) === nodeCount - 1 || endOf(diagram, edge) === nodeCount - 1) toInfinity.push(edge)
+    if (startOf(diagram, edge) === nodeCount - 1 || endOf(diagram, edge) === nodeCount - 1) toInfinity.push(2 * edge)
   }
   while (pending.size > 0) {
     const { item: node, key } = pending.pop()
     if (key < at(reach.clearance, node)) continue
-    const leaving = diagram.vertexSides.subarray(3 * node, 3 * node + 3)
-    for (const edge of node === nodeCount - 1 ? toInfinity : leaving.map((side) => side >> 1)) {
-      const curve = edgeCurve(diagram, edge)
+    for (const side of node === nodeCount - 1 ? toInfinity : vertexSides.subarray(3 * node, 3 * node + 3)) {
+      const edge = side >> 1
+      const curve = curveOf(diagram, edge)
       const along = Math.min(key, clearanceOf(diagram, curve, edge, curve.from, curve.to))
       offer(startOf(diagram, edge), along, edge, node)
       offer(endOf(diagram, edge), along, edge, node)
@@ -178,7 +179,7 @@ interface Route {
 function routeTo(diagram: Diagram, reach: Reach, from: Exit | undefined, to: Exit | undefined): Route {
   if (to === undefined) return routeToNode(reach, nodeOf(diagram, NONE), Number.POSITIVE_INFINITY, NONE)
   const { edge, parameter } = to
-  const curve = edgeCurve(diagram, edge)
+  const curve = curveOf(diagram, edge)
   const clearance = (low: number, high: number) => clearanceOf(diagram, curve, edge, low, high)
   const start = startOf(diagram, edge)
   const end = endOf(diagram, edge)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkDiagram, checkMetric } from '../base/check.ts'
-import { at, circleAt, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
+import { at, circleOf, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
 import { distanceFrom } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { edgeCurve } from '../curves/curve.ts'
+import { curveOf } from '../curves/curve.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { partsInside } from '../regions/clip.ts'
 import { type ConvexPolygon, type RegionOptions, regionOf } from '../regions/convex-polygon.ts'
@@ -59,7 +59,7 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
       best = { disc: { x: p.x, y: p.y, r: least }, circles: empty > inside ? [] : [nearest] }
       return
     }
-    const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleAt(diagram.circles, circles[0]).r)
+    const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleOf(diagram.circles, circles[0]).r)
     if (!circles.includes(nearest) && distanceFrom(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
     // It may touch but sides.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
@@ -162,8 +162,8 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
  */
 function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sides: readonly Side[]): Point[] {
   const { left, right } = edgeAt(diagram, e)
-  const radius = Math.min(circleAt(diagram.circles, left).r, circleAt(diagram.circles, right).r)
-  return partsInside(edgeCurve(diagram, e), region).flatMap(({ curve: { bisector, from, to } }) =>
+  const radius = Math.min(circleOf(diagram.circles, left).r, circleOf(diagram.circles, right).r)
+  return partsInside(curveOf(diagram, e), region).flatMap(({ curve: { bisector, from, to } }) =>
     sides.flatMap((side) => {
       const a = Math.abs(bisector.a)
       const c = bisector.apex + a
@@ -183,7 +183,7 @@ function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sid
 
 /** The centers of discs that touch a circle and the two sides of a ridge. */
 function placesAlongRidge({ circles }: Diagram, circle: number, { from, to, depthFrom, depthTo }: Ridge): Point[] {
-  const c = circleAt(circles, circle)
+  const c = circleOf(circles, circle)
   const toFrom = between(c, from)
   const step = between(from, to)
   const unit = unitFor(Math.max(largestOf(toFrom), largestOf(step), Math.abs(c.r)))

@@ -7,7 +7,7 @@ import { between, dot } from '../base/point.ts'
 import { largestOf } from '../base/scale.ts'
 import type { DiagramData, Point, Vertex } from '../base/types.ts'
 import { pointOf } from '../curves/bisector.ts'
-import { edgeCurve, seenFrom } from '../curves/curve.ts'
+import { curveOf, seenFrom } from '../curves/curve.ts'
 import { pointOn, tangentNormal } from '../curves/tangent.ts'
 import type { Diagram } from '../diagram/diagram.ts'
 import { LineCrossing, partsInside } from '../regions/clip.ts'
@@ -64,7 +64,7 @@ export function largestEmptyDiscCenteredIn(
     const radiusAt = (v: number) => (v === NONE ? Number.POSITIVE_INFINITY : at(diagram.vertices, 3 * v + 2))
     // Along an edge the distance is largest at one of its ends.
     if (Math.max(radiusAt(start), radiusAt(end)) <= largest.radius) continue
-    for (const { curve, cutFrom, cutTo } of partsInside(edgeCurve(diagram, e), region)) {
+    for (const { curve, cutFrom, cutTo } of partsInside(curveOf(diagram, e), region)) {
       if (cutFrom !== NONE) largest.offerAround(curve.start, left, right)
       if (cutTo !== NONE) largest.offerAround(curve.end, left, right)
     }

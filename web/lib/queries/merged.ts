@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkData, checkLength } from '../base/check.ts'
-import { at, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { between } from '../base/point.ts'
-import { lengthOf } from '../base/scale.ts'
+import { at, edgeAt, NONE } from '../base/diagram-data.ts'
+import { hypotenuse } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
 
 /**
@@ -56,7 +55,8 @@ export function mergeVertices(diagram: DiagramData, nearZero?: number): MergedDi
     const { start, end } = edgeAt(diagram, e)
     if (start === NONE || end === NONE) continue
     const limit = nearZero ?? roundingError(diagram, start) + roundingError(diagram, end)
-    if (lengthOf(between(vertexAt(diagram, start), vertexAt(diagram, end))) > limit) continue
+    const gap = (k: number) => at(vertices, 3 * end + k) - at(vertices, 3 * start + k)
+    if (hypotenuse(gap(0), gap(1)) > limit) continue
     isShort[e] = 1
     sets.unite(start, end)
   }
@@ -87,21 +87,25 @@ export function mergeVertices(diagram: DiagramData, nearZero?: number): MergedDi
   around.forEach((list, v) => {
     firstCircle[v + 1] = at(firstCircle, v) + list.length
   })
+  const circles = new Int32Array(at(firstCircle, members.length))
+  around.forEach((list, v) => {
+    circles.set(fromSmallest(list.reverse()), at(firstCircle, v))
+  })
   const mergedEnd = (vertex: number) => (vertex === NONE ? NONE : at(mergedVertex, vertex))
   return {
-    vertices: Float64Array.from(members.flatMap((v) => [...vertices.subarray(3 * v, 3 * v + 3)])),
+    vertices: new Float64Array(3 * members.length).map((_, k) =>
+      at(vertices, 3 * (members[Math.floor(k / 3)] as number) + (k % 3)),
+    ),
     firstCircle,
-    circles: Int32Array.from(around.flatMap((list) => fromSmallest(list.reverse()))),
-    edges: edges
-      .map((value, k) => (k % 4 < 2 ? value : mergedEnd(value)))
-      .filter((_, k) => isShort[Math.floor(k / 4)] === 0),
+    circles,
+    edges: edges.filter((_, k) => isShort[k >> 2] === 0).map((value, k) => (k % 4 < 2 ? value : mergedEnd(value))),
     mergedVertex,
   }
 }
 
 function fromSmallest(cycle: readonly number[]): number[] {
   const start = cycle.indexOf(cycle.reduce((least, i) => Math.min(least, i)))
-  return [...cycle.slice(start), ...cycle.slice(0, start)]
+  return cycle.slice(start).concat(cycle.slice(0, start))
 }
 
 /**
@@ -111,8 +115,11 @@ function fromSmallest(cycle: readonly number[]): number[] {
 function roundingError({ circles, vertices, vertexCircles }: DiagramData, vertex: number): number {
   const sizeOf = (numbers: Float64Array, i: number) =>
     Math.abs(at(numbers, 3 * i)) + Math.abs(at(numbers, 3 * i + 1)) + Math.abs(at(numbers, 3 * i + 2))
-  const triple = vertexCircles.subarray(3 * vertex, 3 * vertex + 3)
-  return 2 ** -40 * triple.reduce((size, i) => Math.max(size, sizeOf(circles, i)), sizeOf(vertices, vertex))
+  let size = sizeOf(vertices, vertex)
+  for (let slot = 3 * vertex; slot < 3 * vertex + 3; slot++) {
+    size = Math.max(size, sizeOf(circles, at(vertexCircles, slot)))
+  }
+  return 2 ** -40 * size
 }
 
 /** Union-find over indices, the smallest index of a set standing for it. */

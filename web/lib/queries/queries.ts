@@ -2,7 +2,7 @@
 // What the diagram of the metric `circles` tells about its circles, each in linear time but for sorting. The dual's
 // triangles are `vertexCircles`; two of them may share two circles or all three, so it is a quasi-triangulation.
 import { checkData, checkMetric } from '../base/check.ts'
-import { at, circleAt } from '../base/diagram-data.ts'
+import { at, circleOf } from '../base/diagram-data.ts'
 import { between } from '../base/point.ts'
 import { lengthOf } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
@@ -61,14 +61,22 @@ export interface ClosestPair {
 export function closestPair(diagram: DiagramData): ClosestPair | undefined {
   checkData(diagram, 'closestPair')
   checkMetric(diagram, 'closestPair', 'circles')
-  const pairs = neighborPairs(diagram)
+  const { circles, edges } = diagram
   let closest: ClosestPair | undefined
-  for (let k = 0; k < pairs.length; k += 2) {
-    const [first, second] = [at(pairs, k), at(pairs, k + 1)]
-    const c = circleAt(diagram.circles, first)
-    const d = circleAt(diagram.circles, second)
+  for (let e = 0; e < edges.length; e += 4) {
+    const first = Math.min(at(edges, e), at(edges, e + 1))
+    const second = Math.max(at(edges, e), at(edges, e + 1))
+    const c = circleOf(circles, first)
+    const d = circleOf(circles, second)
     const gap = lengthOf(between(c, d)) - c.r - d.r
-    if (closest === undefined || gap < closest.gap) closest = { first, second, gap }
+    if (closest === undefined || gap < closest.gap || (gap === closest.gap && isBefore(first, second, closest))) {
+      closest = { first, second, gap }
+    }
   }
   return closest
+}
+
+/** Of equal gaps the pair with the smallest indices counts, whatever the order of the edges. */
+function isBefore(first: number, second: number, other: ClosestPair): boolean {
+  return first < other.first || (first === other.first && second < other.second)
 }

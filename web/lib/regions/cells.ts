@@ -65,7 +65,7 @@ export class Cells {
     if (first === NONE) return new Int32Array()
     const sides = [first]
     for (let side = at(nextSide, first); side !== first; side = at(nextSide, side)) sides.push(side)
-    return Int32Array.from(sides)
+    return new Int32Array(sides)
   }
 
   /** Returns the circle whose cell a side belongs to. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkData } from '../base/check.ts'
-import { at, circleAt } from '../base/diagram-data.ts'
+import { at, circleOf } from '../base/diagram-data.ts'
 import { between, cross, dot } from '../base/point.ts'
 import { lengthOf } from '../base/scale.ts'
 import type { Circle, DiagramData, Point } from '../base/types.ts'
@@ -96,7 +96,7 @@ export function hullGrowth({ circles, hull }: DiagramData): number {
 
 /** A circle as far as it matters to the hull, grown by `hullGrowth`. */
 export function hullCircleAt({ circles, metric }: DiagramData, circle: number, growth: number): Circle {
-  const { x, y, r } = circleAt(circles, circle)
+  const { x, y, r } = circleOf(circles, circle)
   return { x, y, r: metric === 'circles' ? r + growth : 0 }
 }
 

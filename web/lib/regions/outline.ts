@@ -132,8 +132,7 @@ function passageOf({ pieces, cutFrom, cutTo }: Chain, ring: Ring): Passage {
  */
 function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain[]): SharedPiece[][] {
   const passages = chains.map((chain) => passageOf(chain, ring))
-  const begin = clearPlace(cells, circle, ring, passages)
-  const beginsInside = leadAt(cells, circle, ring.at(begin)) > 0
+  const { place: begin, isInside: beginsInside } = clearPlace(cells, circle, ring, passages)
   const ahead = (place: number) => (place < begin ? place + ring.total : place)
   const byExit = [...passages].sort((one, other) => ahead(one.exit) - ahead(other.exit))
   const byEntry = [...passages].sort((one, other) => ahead(one.entry) - ahead(other.entry))
@@ -164,34 +163,40 @@ function joined(cells: Cells, circle: number, ring: Ring, chains: readonly Chain
 }
 
 /**
- * A place in one of the largest gaps between entries and exits: of several that where the cell's own circle and the others
- * differ most. One alone may lie on the boundary of both the region and the cell.
+ * A place in one of the largest gaps between entries and exits, and whether it is inside the cell: of several that where
+ * the cell's own circle and the others differ most. One alone may lie on the boundary of both the region and the cell.
  */
-function clearPlace(cells: Cells, circle: number, ring: Ring, passages: readonly Passage[]): number {
+function clearPlace(
+  cells: Cells,
+  circle: number,
+  ring: Ring,
+  passages: readonly Passage[],
+): { readonly place: number; readonly isInside: boolean } {
   const tried = 4
   const places = passages.flatMap(({ entry, exit }) => [entry, exit]).sort((one, other) => one - other)
   const gaps = places.map((start, i) => ({
     start,
     size: (places[i + 1] ?? (places[0] as number) + ring.total) - start,
   }))
+  const neighbors = cells.neighbors(circle)
   let best = -1
-  let clear = 0
+  let clear = { place: 0, isInside: false }
   for (const { start, size } of gaps.sort((one, other) => other.size - one.size).slice(0, tried)) {
     for (const share of [0.5, 0.3, 0.8]) {
       const place = (start + share * size) % ring.total
-      const difference = Math.abs(leadAt(cells, circle, ring.at(place)))
-      if (difference <= best) continue
-      best = difference
-      clear = place
+      const lead = leadAt(cells, circle, neighbors, ring.at(place))
+      if (Math.abs(lead) <= best) continue
+      best = Math.abs(lead)
+      clear = { place, isInside: lead > 0 }
     }
   }
   return clear
 }
 
 /** How much nearer the circle is to a point than its nearest neighbor. */
-function leadAt(cells: Cells, circle: number, { x, y }: Point): number {
+function leadAt(cells: Cells, circle: number, neighbors: Int32Array, { x, y }: Point): number {
   let least = Number.POSITIVE_INFINITY
-  for (const side of cells.sides(circle)) least = Math.min(least, cells.lead(circle, cells.neighborOf(side), x, y))
+  for (const neighbor of neighbors) least = Math.min(least, cells.lead(circle, neighbor, x, y))
   return least
 }
 

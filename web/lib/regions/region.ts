@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkNumber, refuseOption, shown } from '../base/check.ts'
-import type { Box, DiagramData, Float64s, Int32s, Vertex } from '../base/types.ts'
+import type { Box, DiagramData, Float64s, Int32s, Point, Vertex } from '../base/types.ts'
 
 /** A diagram in a region, as the WebAssembly module for regions clips it. Row i is that of circle i. */
 export interface ClippedDiagram {
@@ -45,12 +45,24 @@ export interface ClippedPolygons {
   readonly points: Float64s
 }
 
+/** A row of polygons. */
+export type PolygonsRow = readonly [polygons: ClippedPolygons, row: number]
+
 /** What a region asks of its module. */
 export interface RegionModule {
   contains(x: number, y: number): boolean
   clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram
   /** One cell that has sides, as the only row; `undefined` if it cannot be clipped without all others. */
   clipCell(diagram: DiagramData, circle: number, maxDistance: number | undefined): ClippedCells | undefined
+  /** The polygons of one cell that has sides; `undefined` as for `clipCell`. */
+  clipPolygon(
+    diagram: DiagramData,
+    circle: number,
+    maxDistance: number | undefined,
+    tolerance: number,
+  ): PolygonsRow | undefined
+  /** The part of a convex polygon inside; `undefined` if the polygon, which runs counter-clockwise, has no area. */
+  clipConvex(corners: readonly Point[]): PolygonsRow | undefined
 }
 
 /**

@@ -138,7 +138,8 @@ function sitesWith(
   if (weights === undefined) return circles
   const start = numbersOf(weights, 'weights')
   if (start.length !== circles.length / 3) {
-    refuseOption(`There are ${start.length} weights for ${circles.length / 3} sites.`)
+    const are = start.length === 1 ? 'There is 1 weight' : `There are ${start.length} weights`
+    refuseOption(`${are} for ${circles.length === 3 ? '1 site' : `${circles.length / 3} sites`}.`)
   }
   return circles.map((value, k) => (k % 3 === 2 ? (start[(k - 2) / 3] as number) : value))
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { refuseOption } from '../base/check.ts'
 import type { Circles } from '../base/coordinates.ts'
-import { NONE } from '../base/diagram-data.ts'
+import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
+import { Cells } from '../regions/cells.ts'
+import { circlesOfConvexCell } from '../regions/convex-cell.ts'
 import { fewCircles, sidesOfFew } from '../regions/few-circles.ts'
 import { type ClippedDiagram, type ClippedPolygons, Region } from '../regions/region.ts'
 import { type RegionShape, type RingArrays, ringArraysOf } from '../regions/region-shape.ts'
@@ -30,9 +32,9 @@ export interface Regions {
    * the weights to start from, or points `[x, y]` or `{ x, y }`.
    *
    * @throws CircleVoronoiError `badInput`, if there are not as many areas as sites, an area is not positive and finite,
-   *   two sites are equal, or the areas do not sum to that of the region; `notConverged`, which says what was reached: `onStep`
-   *   was called with the best weights last;
-   *   `badOption`, `badArgument`, and the codes of `compute`
+   *   two sites are equal, or the areas do not sum to that of the region; `notConverged`, with
+   *   a message that says how many steps there were and what they reached, and with the weights after the last step as
+   *   `error.weights`; `badOption`, `badArgument`, and the codes of `compute`
    * @example
    * const { region, fitAreas } = await library.loadRegions()
    * const square = region([[[0, 0], [1, 0], [1, 1], [0, 1]]])
@@ -48,8 +50,8 @@ export interface RegionsOfModule extends Regions {
   regionOf(rings: RingArrays): Region
 }
 
-/** The script of the module, as Emscripten writes it. */
-export type RegionsScript = (options: EmscriptenOptions) => Promise<WasmRegionsModule>
+/** The script of the module, as Emscripten writes it. The types of the package do not have those of its functions. */
+export type RegionsScript = (options: EmscriptenOptions) => Promise<object>
 
 /** The WebAssembly that a region was made by, with which a worker makes it again. */
 export function wasmOf(region: Region): CompiledWasm | undefined {
@@ -64,7 +66,7 @@ const compiled = new WeakMap<Region, CompiledWasm>()
  * @throws CircleVoronoiError `notLoaded`
  */
 export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm): Promise<RegionsOfModule> {
-  const module = await instantiate(createModule, wasm)
+  const module = (await instantiate(createModule, wasm)) as WasmRegionsModule
   // Free what is no longer used.
   const regions = new FinalizationRegistry((address: number) => module.deleteRegion(address))
   const clips = new FinalizationRegistry((address: number) => module.deleteClip(address))
@@ -84,13 +86,27 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
       contains: (x, y) => module.regionContains(address, x, y),
       clip: (diagram, maxDistance) => clippedOf(address, region, diagram, maxDistance),
       clipCell(diagram, circle, maxDistance) {
-        const few = fewCircles(diagram, circle)
-        const result = module.clipCell(address, few.circles, diagram.weights, few.chosen, maxDistance)
+        const few = fewCircles(diagram, [circle])
+        const chosen = at(few.chosen, 0)
+        const result = module.clipCell(address, few.circles, diagram.weights, chosen, maxDistance)
         // What is wrong with a few circles, all circles tell better.
         if ('error' in result) return undefined
         const { cells, ...small } = result
         const sides = sidesOfFew(diagram, few, small)
         return sides && { ...cells, side: cells.side.map((side) => sides.get(side) ?? NONE) }
+      },
+      clipPolygon(diagram, circle, maxDistance, tolerance) {
+        // Neighbors lay points on the common border, so their cells are needed, too.
+        const few = fewCircles(diagram, [circle, ...new Set(new Cells(diagram).neighbors(circle))])
+        const { circles, chosen } = few
+        const polygons = module.clipPolygons(address, circles, diagram.weights, chosen, maxDistance, tolerance)
+        return 'error' in polygons ? undefined : [polygons, at(chosen, 0)]
+      },
+      clipConvex(corners) {
+        const circles = circlesOfConvexCell(corners)
+        if (circles === undefined) return undefined
+        // All sides are straight: the tolerance plays no role.
+        return [unwrap(module.clipPolygons(address, circles, false, Int32Array.of(0), undefined, 1)), 0]
       },
     })
     regions.register(region, address)

@@ -92,6 +92,15 @@ interface WasmRegionsModule {
   ):
     | WasmError
     | (import('../regions/few-circles.ts').Sides & { readonly cells: import('../regions/region.ts').ClippedCells })
+  /** Cells of the diagram of a few circles; row i is that of circle i. */
+  clipPolygons(
+    region: number,
+    circles: Float64Array,
+    weights: boolean,
+    chosen: Int32Array,
+    maxDistance: number | undefined,
+    tolerance: number,
+  ): WasmError | import('../regions/region.ts').ClippedPolygons
   clippedCells(clip: number): WasmError | import('../regions/region.ts').ClippedCells
   clippedEdges(clip: number): WasmError | import('../regions/region.ts').ClippedEdges
   clippedAreas(clip: number): WasmError | Float64Array<ArrayBuffer>
@@ -128,6 +137,7 @@ interface WasmRegionsModule {
 /** What is written, as far as it is said. `bounds`: minX, minY, maxX, maxY. */
 interface WasmWriteOptions {
   readonly bounds: Float64Array | undefined
+  readonly region: import('../regions/region-shape.ts').RingArrays | undefined
   readonly maxDistance: number | undefined
   readonly tolerance: number | undefined
   readonly digits: number | undefined

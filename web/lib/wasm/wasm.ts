@@ -20,8 +20,13 @@ export type WasmSource = string | URL | Response | ArrayBuffer | ArrayBufferView
 
 /** What a function of the core returns in place of its result. */
 export interface WasmError {
-  /** `circle`: -1 if there is none. */
-  readonly error: { readonly code: string; readonly circle: number; readonly message: string }
+  /** `circle`: -1 if there is none. `weights`: those of a fit that did not converge. */
+  readonly error: {
+    readonly code: string
+    readonly circle: number
+    readonly message: string
+    readonly weights?: Float64Array
+  }
 }
 
 /** What Emscripten's modules call to get at the WebAssembly. */
@@ -84,8 +89,8 @@ export function instantiate<Exports>(
 /** A result of a module, or its error thrown. */
 export function unwrap<Value extends object>(result: Value | WasmError): Value {
   if (!('error' in result)) return result
-  const { code, circle, message } = result.error
-  throw new CircleVoronoiError(code as ErrorCode, message, { circle: circle < 0 ? undefined : circle })
+  const { code, circle, message, weights } = result.error
+  throw new CircleVoronoiError(code as ErrorCode, message, { circle: circle < 0 ? undefined : circle, weights })
 }
 
 async function compileFrom(url: URL): Promise<CompiledWasm> {

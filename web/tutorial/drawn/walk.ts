@@ -72,7 +72,7 @@ export const walk: Kind = {
     const walked = value * length
     return {
       content: pen.content,
-      told: `After ${said(walked)} steps circle ${now.i} is nearest, and f is ${said(now.f)}. If f had risen as fast as you walked, it would be ${said(walked - start.r)}.`,
+      told: `At distance ${said(walked)} of the walk, circle ${now.i} is nearest, and f is ${said(now.f)}. If f had risen as fast as you walked, it would be ${said(walked - start.r)}.`,
     }
   },
 }

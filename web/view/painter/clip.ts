@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { CircleVoronoi, Diagram, PathSink } from '../../lib/index.ts'
+import { fewCircles } from '../../lib/regions/few-circles.ts'
 import type { Region } from '../../lib/regions/region.ts'
-import { localDiagram } from './local-diagram.ts'
 
 /** The region of a scene, and what cells are inside it. */
 export class Clip {
@@ -15,26 +15,28 @@ export class Clip {
 
   /** The area of a cell inside. It takes no longer in a large diagram. */
   areaOf(diagram: Diagram, i: number): number {
-    return this.#alone(diagram, [i])?.cellArea(0, { region: this.region }) ?? 0
+    return this.#ofEach(diagram, [i], (few, k) => few.cellArea(k, { region: this.region }))[0] ?? 0
   }
 
   /** The perimeter of a cell inside. */
   perimeterOf(diagram: Diagram, i: number): number {
-    return this.#alone(diagram, [i])?.cellPerimeter(0, { region: this.region }) ?? 0
+    return this.#ofEach(diagram, [i], (few, k) => few.cellPerimeter(k, { region: this.region }))[0] ?? 0
   }
 
   /** Draws the cells of circles inside. */
   drawCells(context: PathSink, diagram: Diagram, circles: readonly number[], tolerance: number): void {
-    const there = circles.filter((i) => diagram.cells.exists(i))
-    const local = this.#alone(diagram, there)
     const { region } = this
-    there.forEach((_, k) => {
-      local?.cellPath(k, { context, region, tolerance })
-    })
+    this.#ofEach(diagram, circles, (few, k) => few.cellPath(k, { context, region, tolerance }))
   }
 
-  #alone(diagram: Diagram, circles: readonly number[]): Diagram | undefined {
-    const isThere = circles.length > 0 && circles.every((i) => diagram.cells.exists(i))
-    return isThere ? localDiagram(this.#library, diagram, circles) : undefined
+  /** Calls `use` for each cell that there is, with a diagram of few circles in which the cell is the same. */
+  #ofEach<Value>(diagram: Diagram, circles: readonly number[], use: (few: Diagram, k: number) => Value): Value[] {
+    const { circles: some, chosen } = fewCircles(
+      diagram,
+      circles.filter((i) => diagram.cells.exists(i)),
+    )
+    if (chosen.length === 0) return []
+    const few = this.#library.compute(some)
+    return Array.from(chosen, (k) => use(few, k))
   }
 }
