@@ -41,6 +41,7 @@ describe('the text of a number with few digits', () => {
     [3.1, 7, '3.1'],
     [1e21, 2, '1e+21'],
     [0.1, Number.POSITIVE_INFINITY, '0.1'],
+    [5e10 + 0.25, 2, '50000000000.25'],
   ])('%d to %d digits is %s', (value, count, text) => {
     expect(textOf(value, count)).toBe(text)
   })

@@ -5,6 +5,7 @@ import { type Change, CircleVoronoiError, Diagram, type DiagramEditor } from '..
 import { EditorClient } from '../../web/lib/threads/editor-client.ts'
 import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
 import type { CallResult, EditorCall, EditorCalls, Start } from '../../web/lib/threads/worker-messages.ts'
+import { useThreads } from './fake-threads.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -67,14 +68,8 @@ class FakeThread {
   }
 }
 
-const world = vi.hoisted(() => ({ threads: [] as unknown[] }))
-vi.mock('../../web/lib/threads/thread.ts', () => ({
-  startThread(events: ThreadEvents) {
-    const thread = new FakeThread(events)
-    world.threads.push(thread)
-    return thread
-  },
-}))
+vi.mock('../../web/lib/threads/thread.ts', () => import('./fake-threads.ts'))
+const threads: FakeThread[] = []
 
 let client: EditorClient
 let thread: FakeThread
@@ -82,8 +77,13 @@ let changes: Change[]
 const onEnd = vi.fn()
 
 beforeEach(async () => {
+  useThreads((events) => {
+    const started = new FakeThread(events)
+    threads.push(started)
+    return started
+  })
   client = new EditorClient(MODULE, false, onEnd)
-  thread = world.threads.at(-1) as FakeThread
+  thread = threads.at(-1) as FakeThread
   changes = []
   client.onchange = (change) => changes.push(change)
   const begun = client.begin(THREE)
@@ -270,7 +270,7 @@ describe('the client of an editor', () => {
 
   it('ends where it cannot begin', async () => {
     const other = new EditorClient(MODULE, false, onEnd)
-    const itsThread = world.threads.at(-1) as FakeThread
+    const itsThread = threads.at(-1) as FakeThread
     const begun = other.begin(Float64Array.of(0, 0, -1))
     itsThread.answer()
     await expect(begun).rejects.toMatchObject({ code: 'negativeRadius', circle: 0 })
@@ -281,7 +281,7 @@ describe('the client of an editor', () => {
 
   it('takes weights where it is told so', async () => {
     const other = new EditorClient(MODULE, true, onEnd)
-    const itsThread = world.threads.at(-1) as FakeThread
+    const itsThread = threads.at(-1) as FakeThread
     const begun = other.begin(Float64Array.of(0, 0, -1))
     itsThread.answer()
     await begun

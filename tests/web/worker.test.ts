@@ -8,6 +8,7 @@ import type { RegionModule } from '../../web/lib/regions/region.ts'
 import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
 import type { ComputeRequest, FitRequest, Reply, Request, Start } from '../../web/lib/threads/worker-messages.ts'
 import { type CircleVoronoiWorker, createWorker } from '../../web/lib/worker.ts'
+import { useThreads } from './fake-threads.ts'
 import { library } from './library.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
@@ -56,26 +57,24 @@ class FakeThread {
   }
 }
 
-const world = vi.hoisted(() => ({ threads: [] as unknown[], failure: undefined as Error | undefined }))
-const threads = world.threads as FakeThread[]
-
-vi.mock('../../web/lib/threads/thread.ts', () => ({
-  startThread(events: ThreadEvents) {
-    if (world.failure !== undefined) throw world.failure
-    const thread = new FakeThread(events)
-    world.threads.push(thread)
-    return thread
-  },
-}))
+vi.mock('../../web/lib/threads/thread.ts', () => import('./fake-threads.ts'))
+const threads: FakeThread[] = []
+let failure: Error | undefined
 
 let worker: CircleVoronoiWorker
 beforeEach(() => {
+  useThreads((events) => {
+    if (failure !== undefined) throw failure
+    const thread = new FakeThread(events)
+    threads.push(thread)
+    return thread
+  })
   worker = createWorker({ wasm: WASM })
 })
 afterEach(() => {
   worker.dispose()
   threads.length = 0
-  world.failure = undefined
+  failure = undefined
   vi.unstubAllGlobals()
 })
 
@@ -196,13 +195,13 @@ describe('a worker', () => {
   })
 
   it('that cannot start says so, and tries again', async () => {
-    world.failure = new Error('there are none here')
+    failure = new Error('there are none here')
     expect(await reasonOf(worker.compute(THREE))).toMatchObject({
       code: 'internal',
       message: 'The worker failed: there are none here.',
-      cause: world.failure,
+      cause: failure,
     })
-    world.failure = undefined
+    failure = undefined
     const again = worker.compute(THREE)
     ;(await asked(1)).answer()
     await again
