@@ -229,7 +229,8 @@ class Walk {
     for (const CircleIndex one : stalled_) {
       const Bisector bisector =
           circle_voronoi::bisector(diagram_.circles[at(one)], diagram_.circles[at(cell_)], diagram_.metric);
-      for (const double s : LineCrossing(bisector, line.from, line.along).parameters()) {
+      const LineCrossing crossing(bisector, line.from, line.along);
+      for (const double s : crossing.parameters()) {
         const double its = line.turned(line.shareOf(pointAt(bisector, s)));
         if (its - when > kNearlyOneShare) next = std::min(next, its);
       }
