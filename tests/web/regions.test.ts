@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { describe, expect, it, vi } from 'vitest'
+import { multiPolygonOf } from '../../web/lib/drawing/draw-clipped.ts'
 import {
   type Bounds,
   type Circles,
@@ -467,10 +468,10 @@ describe('a diagram in a region', () => {
     expect(problemOf(() => diagram.hullPolygon(both))).toMatch(/^badOption: There is no option bounds/)
   })
 
-  it('has the polygons of one cell after an edit, the same as of all', () => {
-    // A ring may begin anywhere.
-    const turned = (polygons: MultiPolygon | undefined) =>
-      polygons?.map((rings) =>
+  /** Polygons in one order, whose rings begin with the smallest point: they may begin anywhere. */
+  const turned = (polygons: MultiPolygon | undefined) =>
+    polygons
+      ?.map((rings) =>
         rings.map((ring) => {
           const points = ring.slice(1)
           const first = points.map(String).sort()[0]
@@ -478,6 +479,27 @@ describe('a diagram in a region', () => {
           return [...points.slice(start), ...points.slice(0, start)]
         }),
       )
+      .sort((one, other) => (String(one) < String(other) ? -1 : 1))
+
+  it('has the polygons of one cell among corners of the region, the same as of all', () => {
+    // Corners of a coast in a cell divide the polylines of its borders.
+    for (const seed of [1, 2, 3]) {
+      const random = seededRandom(seed)
+      const corners = Array.from({ length: 800 }, (_, k) => {
+        const [angle, r] = [(2 * Math.PI * k) / 800, 2.7 + 0.9 * random()]
+        return [4.5 + r * Math.cos(angle), 4.5 + r * Math.sin(angle)] as const
+      })
+      const coast = region([corners])
+      const diagram = library.compute(Array.from({ length: 400 }, () => [9 * random(), 9 * random(), 0.25 * random()]))
+      const tolerance = 0.02
+      for (const all of diagram.cellPolygons({ region: coast, tolerance })) {
+        const row = coast.module.clipPolygon(diagram, all.index, undefined, tolerance)
+        expect(turned(row && multiPolygonOf(row)), `cell ${all.index}, seed ${seed}`).toEqual(turned(all))
+      }
+    }
+  })
+
+  it('has the polygons of one cell after an edit, the same as of all', () => {
     for (const [count, maxDistance] of [
       [300, undefined],
       [900, 0.2],
