@@ -53,6 +53,7 @@ const FILE_OPTIONS: Record<keyof DiagramFileOptions, string> = {
   format: '--format',
   // Where a polygon would do as well, in what draws, the name is that of the region and not of the box.
   bounds: '--bounds',
+  region: '--region',
   maxDistance: '--max-distance',
   tolerance: '--tolerance',
   digits: '--digits',

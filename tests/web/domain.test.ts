@@ -12,7 +12,7 @@ import { SvgDrawing } from '../../web/view/painter/drawing.ts'
 import type { Frame } from '../../web/view/painter/frame.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
-import { addBorder, addInside, addOutside } from '../../web/view/painter/region-path.ts'
+import { addBorder, addInside, addOutside, partShown } from '../../web/view/painter/region-path.ts'
 import { isRegionText, readRegion } from '../../web/view/region-text.ts'
 import type { Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
@@ -160,14 +160,34 @@ describe('a region on the screen', () => {
     },
   )
 
-  it('cuts cells and edges in an SVG, and not circles', () => {
+  const drawn = (frame: Frame) => {
     const scene = new PaintedScene(library)
     scene.open(CIRCLES, { region: RINGS }, regions)
     scene.setLayers({ ...DEFAULT_LAYERS, dual: true })
     const drawing = new SvgDrawing()
     const style = new Proxy({}, { get: (_, name) => (name === 'map' ? Array(6).fill('map') : String(name)) }) as Style
-    scene.draw(drawing, { x: 4, y: 4, scale: 20, width: 200, height: 200 }, 1, style)
-    const text = String(drawing)
+    scene.draw(drawing, frame, 1, style)
+    return String(drawing)
+  }
+
+  it.each([
+    ['whole, with a hole', 4, 4, 20, 'border'],
+    ['a corner', 7, 7, 60, 'border'],
+    ['beside the hole', 1.5, 1.5, 200, 'inside'],
+    ['in the hole', 4, 4, 400, 'outside'],
+    ['far away', 40, 40, 20, 'outside'],
+  ] as const)('clips only where its border is seen: %s', (_, x, y, scale, part) => {
+    const frame = { x, y, scale, width: 200, height: 200 }
+    expect(partShown(frame, regions.region(RINGS))).toBe(part)
+    const text = drawn(frame)
+    expect(text.includes('clip-path')).toBe(part === 'border')
+    expect(text.includes('stroke="edge"')).toBe(part !== 'outside')
+    // The veil.
+    expect(text.includes('fill="paper" fill-opacity="0.6"')).toBe(part !== 'inside')
+  })
+
+  it('cuts cells and edges in an SVG, and not circles', () => {
+    const text = drawn({ x: 4, y: 4, scale: 20, width: 200, height: 200 })
     const groups = [...text.matchAll(/<g clip-path="url\(#([\w-]+)\)">\n(.*?)\n<\/g>/gs)]
     expect(groups).not.toHaveLength(0)
     const names = new Set(groups.map(([, name]) => name))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { PathSink } from '../../lib/index.ts'
+import type { Region } from '../../lib/regions/region.ts'
 import type { Drawing } from './drawing.ts'
 import { cells } from './layers/cells.ts'
 import { discs, rims } from './layers/circles.ts'
@@ -9,7 +10,7 @@ import { delaunay, dual } from './layers/graphs.ts'
 import { hiders } from './layers/hiders.ts'
 import { vertices } from './layers/vertices.ts'
 import type { Layer, Painting } from './painting.ts'
-import { addBorder, addInside, addOutside } from './region-path.ts'
+import { addBorder, addInside, addOutside, partShown } from './region-path.ts'
 
 /** How much of the paper lies on what is outside of a region. */
 const VEIL = 0.6
@@ -38,14 +39,16 @@ export function paint(painting: Painting): void {
   const { drawing, frame, style, picture, pixelRatio } = painting
   drawing.cover(style.paper)
   const region = picture.clip?.region
-  const inside = region && pathOf(drawing, (path) => addInside(path, frame, region))
+  const part = region && partShown(frame, region)
+  // Clips to long paths take long, and most squares of a picture have no border.
+  const inside = part === 'border' ? pathOf(drawing, (path) => addInside(path, frame, region as Region)) : undefined
   for (const layer of LAYERS) {
-    if (!layer.isOn(painting.layers)) continue
+    if (!layer.isOn(painting.layers) || (layer.isClipped === true && part === 'outside')) continue
     drawing.clip(layer.isClipped === true ? inside : undefined)
     layer.draw(painting)
   }
   drawing.clip(undefined)
-  if (region === undefined) return
+  if (region === undefined || part === 'inside') return
   drawing.fill(
     pathOf(drawing, (path) => addOutside(path, frame, region)),
     style.paper,
