@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { readFileSync } from 'node:fs'
 import { describe, expect, it, vi } from 'vitest'
-import { multiPolygonOf } from '../../web/lib/drawing/draw-clipped.ts'
 import {
   type Bounds,
   type Circles,
@@ -15,7 +14,6 @@ import {
   type FitStep,
   largestEmptyDiscCenteredIn,
   largestEmptyDiscInside,
-  type MultiPolygon,
   type Outline,
   outlineArea,
   type PathSink,
@@ -466,62 +464,6 @@ describe('a diagram in a region', () => {
     }
     const both = { region: hall, bounds: [0, 0, 1, 1] } as object
     expect(problemOf(() => diagram.hullPolygon(both))).toMatch(/^badOption: There is no option bounds/)
-  })
-
-  /** Polygons in one order, whose rings begin with the smallest point: they may begin anywhere. */
-  const turned = (polygons: MultiPolygon | undefined) =>
-    polygons
-      ?.map((rings) =>
-        rings.map((ring) => {
-          const points = ring.slice(1)
-          const first = points.map(String).sort()[0]
-          const start = points.findIndex((point) => String(point) === first)
-          return [...points.slice(start), ...points.slice(0, start)]
-        }),
-      )
-      .sort((one, other) => (String(one) < String(other) ? -1 : 1))
-
-  it('has the polygons of one cell among corners of the region, the same as of all', () => {
-    // Corners of a coast in a cell divide the polylines of its borders.
-    for (const seed of [1, 2, 3]) {
-      const random = seededRandom(seed)
-      const corners = Array.from({ length: 800 }, (_, k) => {
-        const [angle, r] = [(2 * Math.PI * k) / 800, 2.7 + 0.9 * random()]
-        return [4.5 + r * Math.cos(angle), 4.5 + r * Math.sin(angle)] as const
-      })
-      const coast = region([corners])
-      const diagram = library.compute(Array.from({ length: 400 }, () => [9 * random(), 9 * random(), 0.25 * random()]))
-      const tolerance = 0.02
-      for (const all of diagram.cellPolygons({ region: coast, tolerance })) {
-        const row = coast.module.clipPolygon(diagram, all.index, undefined, tolerance)
-        expect(turned(row && multiPolygonOf(row)), `cell ${all.index}, seed ${seed}`).toEqual(turned(all))
-      }
-    }
-  })
-
-  it('has the polygons of one cell after an edit, the same as of all', () => {
-    for (const [count, maxDistance] of [
-      [300, undefined],
-      [900, 0.2],
-    ] as const) {
-      const editor = library.edit(circles(count, 23))
-      const diagram = editor.snapshot()
-      editor.onchange = (change) => diagram.apply(change)
-      const fresh = () => new Diagram(structuredClone(diagram))
-      for (const id of [0, 7, 20]) {
-        editor.replace(id, { x: 2.9 + 0.01 * id, y: 3.1, r: 0.5 })
-        const chosen = diagram.indexOf(id)
-        const clip = vi.spyOn(hall.module, 'clip')
-        const alone = diagram.cellPolygon(chosen, { region: hall, tolerance: 1e-4, maxDistance })
-        expect(clip).not.toHaveBeenCalled()
-        clip.mockRestore()
-        const all = new Map(
-          Array.from(fresh().cellPolygons({ region: hall, tolerance: 1e-4, maxDistance }), (p) => [p.index, p]),
-        )
-        expect(turned(alone)).toEqual(turned(all.get(chosen)))
-        expect(alone?.length).toBeGreaterThan(0)
-      }
-    }
   })
 
   it('is no option where it would be ignored', () => {

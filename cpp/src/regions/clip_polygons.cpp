@@ -23,8 +23,8 @@ Point centerOf(const Diagram& diagram, CircleIndex circle) {
   return {c.x, c.y};
 }
 
-/// Divides the step that a corner lies beyond, as `middle` says, until the corner is on the left of the steps. The
-/// steps go counter-clockwise around the center, and the corner lies inside what they border.
+/// Divides the step that a corner lies beyond, as `middle` says, until the corner is on the left of the steps. The steps
+/// go counter-clockwise around the center, and the corner lies inside what they border.
 template <class Middle>
 void makeRoom(std::vector<Point>& points, Point center, Point corner, Middle middle) {
   for (int i = 0; i <= kMostDivisions; ++i) {
@@ -67,8 +67,9 @@ void ClipFlattener::collectCorners() {
   for (const auto& [cell, crossing] : parts.allCrossings()) {
     clearance = 0;
     last = parts.crossings.all[at(crossing)].point;
-    parts.visitCorners(parts.stretchFrom(crossing),
-                       [&, cell = cell](RegionSideIndex side) { add(cell, parts.pointOf(parts.sideAfter(side))); });
+    parts.visitCorners(parts.stretchFrom(crossing), [&, cell = cell](RegionSideIndex side) {
+      add(cell, parts.pointOf(parts.sideAfter(side)));
+    });
   }
   for (const auto& [cell, ring] : parts.allRings()) {
     clearance = 0;
@@ -80,13 +81,8 @@ void ClipFlattener::collectCorners() {
   std::ranges::stable_sort(corners_, {}, [](const Corner& corner) { return std::int32_t{corner.edge}; });
 }
 
-std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, EdgeCurve part) const {
+std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, const EdgeCurve& part) const {
   if (part.start == part.end) return {part.start};
-  // With the smaller circle on the left, and from the ends alone: the same points if the edge has the other direction.
-  const bool isTurned = part.bisector.a > 0;
-  if (isTurned) part = reversed(part);
-  part.from = parameterAt(part.bisector, part.start);
-  part.to = std::max(part.from, parameterAt(part.bisector, part.end));
   std::vector<Point> points = pointsBetween(part, part.start, part.end, tolerance_);
   const auto key = [](const Corner& corner) { return std::int32_t{corner.edge}; };
   const Diagram& diagram = clipped_.diagram();
@@ -99,12 +95,11 @@ std::vector<Point> ClipFlattener::pointsOf(EdgeIndex edge, EdgeCurve part) const
       const bool isBetween = std::min(from, to) < s && s < std::max(from, to);
       return pointAt(bisector, isBetween ? s : std::sqrt(from) * std::sqrt(to));
     };
-    const bool isLeft = (corner.cell == diagram.edges[at(edge)].left) != isTurned;
+    const bool isLeft = corner.cell == diagram.edges[at(edge)].left;
     if (!isLeft) std::ranges::reverse(points);
     makeRoom(points, centerOf(diagram, corner.cell), corner.point, middle);
     if (!isLeft) std::ranges::reverse(points);
   }
-  if (isTurned) std::ranges::reverse(points);
   return points;
 }
 
@@ -116,6 +111,8 @@ std::vector<Point> ClipFlattener::pointsOf(CircleIndex circle, const OutlinePiec
   const bool isAlong = piece.side % 2 == 0;
   part.start = isAlong ? piece.curve.start : piece.curve.end;
   part.end = isAlong ? piece.curve.end : piece.curve.start;
+  part.from = parameterAt(part.bisector, part.start);
+  part.to = std::max(part.from, parameterAt(part.bisector, part.end));
   std::vector<Point> points = pointsOf(Diagram::edgeOf(piece.side), part);
   if (!isAlong) std::ranges::reverse(points);
   return points;

@@ -19,9 +19,8 @@ class CIRCLE_VORONOI_API ClipFlattener {
  public:
   ClipFlattener(const ClippedDiagram& clipped, double tolerance);
 
-  /// Returns the points of a part of an edge in the region, in the direction of the edge: the same for both cells,
-  /// and in any diagram that has the two cells.
-  std::vector<Point> pointsOf(EdgeIndex edge, EdgeCurve part) const;
+  /// Returns the points of a part of an edge in the region, in the direction of the edge: the same for both cells.
+  std::vector<Point> pointsOf(EdgeIndex edge, const EdgeCurve& part) const;
 
   /// Returns the points of a piece of an outline that is a side or an arc of a circle, in the direction of the outline.
   std::vector<Point> pointsOf(CircleIndex circle, const OutlinePiece& piece) const;

@@ -49,13 +49,7 @@ import { exportBox } from '../regions/export-box.ts'
 import { outlineArea, outlineCentroid, outlinePerimeter } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
-import {
-  type ClippedCells,
-  type ClippedDiagram,
-  type PolygonsRow,
-  type Region,
-  regionOption,
-} from '../regions/region.ts'
+import { type ClippedCells, type ClippedDiagram, type Region, regionOption } from '../regions/region.ts'
 import type { Change } from './change.ts'
 import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
 import { DiagramPatch } from './diagram-patch.ts'
@@ -124,7 +118,7 @@ export class Diagram implements DiagramData {
   #patch: DiagramPatch | undefined
   #lastRegion: ConvexPolygon | undefined
   #clip: { region: Region; maxDistance: number | undefined; clipped: ClippedDiagram } | undefined
-  /** What clipping cells one by one has cost since the last change, in times of one outline. */
+  /** How many cells have been clipped one by one since the last change. */
   #alone = 0
 
   /** Wraps the arrays of `data` without copying them. */
@@ -425,7 +419,9 @@ export class Diagram implements DiagramData {
     this.#checkCircle(i, 'cellPolygon')
     checkDrawOptions(options, 'cellPolygon', POLYGON_OPTIONS)
     const region = this.#regionIn('cellPolygon', options)
-    if (region !== undefined) return multiPolygonOf(this.#polygonsIn(region, i, options))
+    if (region !== undefined) {
+      return multiPolygonOf([this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i])
+    }
     const limits = this.#limitsOf('cellPolygon', options, POLYGON_OPTIONS)
     return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))
   }
@@ -434,9 +430,6 @@ export class Diagram implements DiagramData {
   cellPolygons(options: PolygonOptions & { readonly region: Region }): Generator<MultiPolygon & { index: number }, void>
   cellPolygons(options?: PolygonOptions & { readonly region?: undefined }): Generator<Polygon & { index: number }, void>
   *cellPolygons(options: PolygonOptions = {}): Generator<(Polygon | MultiPolygon) & { index: number }, void> {
-    checkDrawOptions(options, 'cellPolygons', POLYGON_OPTIONS)
-    const region = this.#regionIn('cellPolygons', options)
-    if (region !== undefined) this.#clippedTo(region, options)
     for (let index = 0; index < this.circles.length / 3; index++) {
       const polygon = this.cellPolygon(index, options as PolygonOptions & { readonly region?: undefined })
       if (polygon !== undefined) yield Object.assign(polygon, { index })
@@ -573,23 +566,13 @@ export class Diagram implements DiagramData {
     return cells ? [cells, 0] : [this.#clippedTo(region, options).cells, i]
   }
 
-  /** The polygons of one cell in a region. */
-  #polygonsIn(region: Region, i: number, options: PolygonOptions): PolygonsRow {
-    const { maxDistance } = options
-    const tolerance = toleranceOf(options, region)
-    // Its neighbors are clipped with it.
-    const isAlone = this.#isClippedAlone(region, i, maxDistance, POLYGONS_COST)
-    const alone = isAlone ? region.module.clipPolygon(this, i, maxDistance, tolerance) : undefined
-    return alone ?? [this.#clippedTo(region, options).polygons(tolerance), i]
-  }
-
   /**
    * Whether a cell is clipped without the others: the first few after a change, as an editor asks for them. After so many
    * questions that clipping all cells would have been as quick, all cells are clipped.
    */
-  #isClippedAlone(region: Region, i: number, maxDistance: number | undefined, cost = 1): boolean {
+  #isClippedAlone(region: Region, i: number, maxDistance: number | undefined): boolean {
     if (this.#keptClip(region, maxDistance) !== undefined || this.metric !== 'circles') return false
-    this.#alone += cost
+    this.#alone += 1
     return CELLS_FOR_ONE * this.#alone <= this.circles.length / 3 && this.cells.sides(i).length > 0
   }
 
@@ -629,9 +612,6 @@ export class Diagram implements DiagramData {
 
 /** So many cells are clipped together in the time of one alone. */
 const CELLS_FOR_ONE = 64
-
-/** The polygons of a cell alone take as long as so many outlines. */
-const POLYGONS_COST = 4
 
 /** How to compute the diagrams again that `compute` made here. */
 const recomputations = new WeakMap<Diagram, (circles: Float64s) => DiagramData>()

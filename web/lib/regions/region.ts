@@ -54,13 +54,6 @@ export interface RegionModule {
   clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram
   /** One cell that has sides, as the only row; `undefined` if it cannot be clipped without all others. */
   clipCell(diagram: DiagramData, circle: number, maxDistance: number | undefined): ClippedCells | undefined
-  /** The polygons of one cell that has sides; `undefined` as for `clipCell`. */
-  clipPolygon(
-    diagram: DiagramData,
-    circle: number,
-    maxDistance: number | undefined,
-    tolerance: number,
-  ): PolygonsRow | undefined
   /** The part of a convex polygon inside; `undefined` if the polygon, which runs counter-clockwise, has no area. */
   clipConvex(corners: readonly Point[]): PolygonsRow | undefined
 }

@@ -4,7 +4,6 @@ import type { Circles } from '../base/coordinates.ts'
 import { at, NONE } from '../base/diagram-data.ts'
 import type { DiagramData } from '../base/types.ts'
 import { Diagram } from '../diagram/diagram.ts'
-import { Cells } from '../regions/cells.ts'
 import { circlesOfConvexCell } from '../regions/convex-cell.ts'
 import { fewCircles, sidesOfFew } from '../regions/few-circles.ts'
 import { type ClippedDiagram, type ClippedPolygons, Region } from '../regions/region.ts'
@@ -94,13 +93,6 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
         const { cells, ...small } = result
         const sides = sidesOfFew(diagram, few, small)
         return sides && { ...cells, side: cells.side.map((side) => sides.get(side) ?? NONE) }
-      },
-      clipPolygon(diagram, circle, maxDistance, tolerance) {
-        // Neighbors lay points on the common border, so their cells are needed, too.
-        const few = fewCircles(diagram, [circle, ...new Set(new Cells(diagram).neighbors(circle))])
-        const { circles, chosen } = few
-        const polygons = module.clipPolygons(address, circles, diagram.weights, chosen, maxDistance, tolerance)
-        return 'error' in polygons ? undefined : [polygons, at(chosen, 0)]
       },
       clipConvex(corners) {
         const circles = circlesOfConvexCell(corners)
