@@ -308,6 +308,8 @@ test.describe('on a phone', () => {
             return points.map(({ x, y }) => (context.getImageData(x * ratio, y * ratio, 1, 1).data[3] as number) > 200)
           }, feet)
         expect(await marked(), name).not.toContain(true)
+        // Elsewhere, so that this tap and that on the figure before are no double tap, which adds a circle.
+        await page.touchscreen.tap(2, 2)
         await page.touchscreen.tap(box.left + at.x, box.top + at.y)
         await expect.poll(marked, { message: name }).toEqual([true, true, true])
       }

@@ -66,16 +66,29 @@ class Page {
     return toScreen(fitted(boundingBox(circles), size, { ...PADDING, left: rail + 16 }), size, point)
   }
 
-  /** Clicks the button with this name. */
+  /** Clicks the button with this name, once it is there and rests: what is saved may make the window smaller. */
   async click(name: string): Promise<void> {
-    const middle = await this.engine.evaluate((name) => {
+    const middleOf = (name: string) => {
       const nameOf = (button: Element) => button.getAttribute('aria-label') ?? button.textContent?.trim()
       const button = [...document.querySelectorAll('button')].find((button) => nameOf(button) === name)
-      if (button === undefined) throw new Error(`There is no button ${name}.`)
-      const { x, y, width, height } = button.getBoundingClientRect()
-      return { x: x + width / 2, y: y + height / 2 }
-    }, name)
-    await this.engine.drag([middle])
+      const { x, y, width, height } = button?.getBoundingClientRect() ?? new DOMRect()
+      return width > 0 ? { x: x + width / 2, y: y + height / 2 } : null
+    }
+    let before: Point | null = null
+    const rests = (middle: Point | null) => {
+      const isSame = middle !== null && middle.x === before?.x && middle.y === before.y
+      before = middle
+      return isSame
+    }
+    const middle = await until(`button ${name}`, () => this.engine.evaluate(middleOf, name), rests)
+    await this.engine.drag([middle as Point])
+  }
+
+  /** Gives a file to the input of files that fits a selector, once it is there. */
+  async choose(selector: string, path: string): Promise<void> {
+    const isThere = (selector: string) => document.querySelector(selector) !== null
+    await until(selector, () => this.engine.evaluate(isThere, selector), Boolean)
+    await this.engine.choose(selector, path)
   }
 
   /** The colors that are painted at these pixels: red, green, blue. */
@@ -124,7 +137,7 @@ for (const [name, openEngine] of ENGINES) {
         await page.click('Files')
         const csv = testInfo.outputPath('five.csv')
         writeFileSync(csv, FIVE.join('\n'))
-        await engine.choose('#files input[type=file]', csv)
+        await page.choose('#files input[type=file]', csv)
         await page.says('#status', '5 circles')
         await page.click('CSV')
         const saved = `${engine.downloads}/circles.csv`
