@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -16,7 +15,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kCircles = "x,y,r,name,population\n0,0,1,\"A, \"\"the first\"\"\",12\n4,0,0.5,B,\n9,9,0,far,1e3\n";
+constexpr const char* kCircles =
+    "x,y,r,name,population\n0,0,1,\"A, \"\"the first\"\"\",12\n4,0,0.5,B,\n9,9,0,far,1e3\n";
 constexpr const char* kRegion =
     R"({"type":"Feature","properties":null,"geometry":{"type":"MultiPolygon","coordinates":[
 [[[-1,-1],[5,-1],[5,1],[-1,1],[-1,-1]],[[0.5,0.5],[1,0.5],[1,0.75]]],[[[5,2,7],[6,2,7],[6,3,7]]]]}})";
@@ -70,18 +70,36 @@ TEST_F(CliRegion, ComputeConvertAndEditClip) {
   EXPECT_NE(textOf("compute " + circles_ + " --region " + region_ + " --format wkt").find("\nPOLYGON EMPTY\n"),
             std::string::npos);
   // The same region as well-known text.
-  const std::string wkt = write("region.wkt",
-                                "SRID=4326;multipolygon z (((-1 -1 0, 5 -1 0, 5 1 0, -1 1 0, -1 -1 0), (0.5 0.5 0, 1 0.5 0, 1 0.75 "
-                                "0)),\n ((5 2 0, 6 2 0, 6 3 0)))\n");
+  const std::string wkt =
+      write("region.wkt",
+            "SRID=4326;multipolygon z (((-1 -1 0, 5 -1 0, 5 1 0, -1 1 0, -1 -1 0), (0.5 0.5 0, 1 0.5 0, 1 0.75 "
+            "0)),\n ((5 2 0, 6 2 0, 6 3 0)))\n");
   EXPECT_EQ(textOf("compute " + circles_ + " --region " + wkt + " --format geojson"), computed);
 }
 
 TEST_F(CliRegion, MaxDistanceAndRegionTogether) {
-  const Json features =
-      Json::parse(textOf("compute " + circles_ + " --region " + region_ + " --max-distance 0.25 --format geojson"))["features"];
+  const Json features = Json::parse(
+      textOf("compute " + circles_ + " --region " + region_ + " --max-distance 0.25 --format geojson"))["features"];
   // Half of the second disc, and a part of it is cut off by nothing.
   EXPECT_NEAR(features[1]["properties"]["area"].get<double>(), 0.75 * 0.75 * 3.14159265358979, 1e-9);
   EXPECT_LT(features[0]["properties"]["area"].get<double>(), 1.25 * 1.25 * 3.14159265358979);
+}
+
+TEST_F(CliRegion, OfATileWhatIsFinalIsClippedAsInTheWhole) {
+  const std::string circles = write("many.csv", textOf("generate uniform 300 --seed 3"));
+  const std::string region = write("bay.wkt", "POLYGON((5 5, 25 6, 24 20, 15 12, 6 22, 5 5))");
+  const std::string options = " --format geojsonl --region " + region;
+  const std::string whole = "\n" + textOf("compute " + circles + options);
+  const auto [status, part, err] = run("compute " + circles + " --known 0,0,30,30 --max-radius 1" + options);
+  EXPECT_EQ(status, 3);
+  EXPECT_NE(err.find("are not final"), std::string::npos) << err;
+  int clipped = 0;
+  std::istringstream lines(part);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_NE(whole.find("\n" + line + "\n"), std::string::npos) << line;
+    clipped += Json::parse(line)["geometry"].is_null() ? 0 : 1;
+  }
+  EXPECT_GT(clipped, 30);
 }
 
 TEST_F(CliRegion, AttributesGoThrough) {
@@ -111,7 +129,8 @@ TEST_F(CliRegion, SaysWhatIsWrong) {
   fails(compute + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"),
         "bow.wkt: Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (1, 1).");
   fails(compute + write("empty.wkt", "POLYGON EMPTY"), "empty.wkt:1: the region is empty.");
-  fails(compute + write("open.wkt", "POLYGON ((0 0, 1 0, 1 1)"), "open.wkt:1: expected a comma or a closing parenthesis.");
+  fails(compute + write("open.wkt", "POLYGON ((0 0, 1 0, 1 1)"),
+        "open.wkt:1: expected a comma or a closing parenthesis.");
   fails(compute + write("point.json", R"({"type":"Point","coordinates":[0,0]})"),
         "point.json:1: a Point has no area; a region is a Polygon or a MultiPolygon.");
   fails(compute + write("flat.json", R"({"type":"Polygon","coordinates":[[0,0],[1,0],[1,1]]})"),
