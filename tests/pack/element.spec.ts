@@ -712,21 +712,17 @@ for (const file of ['index', 'bundle']) {
     expect(await element.evaluate((element: Element) => element.toSVG())).toMatch(/<clipPath id="[\w-]+">/)
 
     // The shares of 164.
-    const met = (cell: number, area: number) =>
-      element.evaluate(
-        async (element: Element, check) => {
-          element.check = check
-          await element.updateComplete
-          await new Promise((resolve) => setTimeout(resolve))
-          await element.updateComplete
-          return element.matches(':state(met)')
-        },
-        { cell, area: { min: area * (1 - 1e-6), max: area * (1 + 1e-6) } },
-      )
+    const becomes = async (cell: number, area: number) => {
+      const check = { cell, area: { min: area * (1 - 1e-6), max: area * (1 + 1e-6) } }
+      await element.evaluate((element: Element, check) => {
+        element.check = check
+      }, check)
+      await expect.poll(() => element.evaluate((element: Element) => element.matches(':state(met)'))).toBe(true)
+    }
     await element.evaluate((element: Element) => {
       element.areas = [1, 1, 2]
     })
-    expect(await met(2, 82)).toBe(true)
+    await becomes(2, 82)
     const radii = () => element.evaluate((element: Element) => [...element.circles].filter((_, k) => k % 3 === 2))
     const before = await radii()
     await page.mouse.move(x + 300 + 100, y + 200 + 80)
@@ -735,8 +731,8 @@ for (const file of ['index', 'bundle']) {
     await page.mouse.move(x + 300 + 140, y + 200 + 40)
     await page.mouse.up()
     await expect.poll(radii).not.toEqual(before)
-    expect(await met(1, 41)).toBe(true)
-    expect(await met(2, 82)).toBe(true)
+    await becomes(1, 41)
+    await becomes(2, 82)
     await element.evaluate((element: Element) => element.focus())
     await page.keyboard.press('Control+z')
     await expect.poll(radii).toEqual(before)
