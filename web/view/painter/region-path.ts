@@ -11,23 +11,13 @@ const MARGIN = 16
 
 /** What a frame shows of a region: its border, or only its inside, or only its outside. */
 export function partShown(frame: Frame, region: Region): 'border' | 'inside' | 'outside' {
-  for (const ring of ringsOf(frame, region)) {
-    if (comesNear(frame, ring)) return 'border'
+  let isBorderSeen = false
+  const moveTo = () => {
+    isBorderSeen = true
   }
+  addBorder({ ...NO_PATH, moveTo }, frame, region)
+  if (isBorderSeen) return 'border'
   return region.contains(frame.x, frame.y) ? 'inside' : 'outside'
-}
-
-/** Whether the box around a side of a ring has a part in the frame or its margin. */
-function comesNear({ width, height }: Frame, ring: Float64Array): boolean {
-  let [x, y] = [at(ring, ring.length - 2), at(ring, ring.length - 1)]
-  for (let k = 0; k < ring.length; k += 2) {
-    const [nextX, nextY] = [at(ring, k), at(ring, k + 1)]
-    const isBeside = Math.max(x, nextX) < -MARGIN || Math.min(x, nextX) > width + MARGIN
-    const isAboveOrBelow = Math.max(y, nextY) < -MARGIN || Math.min(y, nextY) > height + MARGIN
-    if (!isBeside && !isAboveOrBelow) return true
-    ;[x, y] = [nextX, nextY]
-  }
-  return false
 }
 
 /** Adds what a frame shows of the inside of a region. */
