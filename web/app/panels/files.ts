@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg, type TemplateResult } from 'lit/html.js'
+import { html, svg } from 'lit/html.js'
 import type { FileActions, Part } from '../files/file-actions.ts'
 import type { SavedFormat } from '../files/files-protocol.ts'
 import { byId } from './by-id.ts'
+import { FOLDER, icon } from './icons.ts'
 import { panelOf } from './panel.ts'
 
 const OPENED = '.csv,.tsv,.txt,.json,.geojson,.wkt,.svg,image/*'
@@ -18,8 +19,6 @@ const PARTS: readonly (readonly [part: Part, label: string])[] = [
   ['all', 'all circles'],
 ]
 
-const icon = (path: TemplateResult) => html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`
-const FOLDER = icon(svg`<path d="M3 6v9h14V7h-7L8 5H3Z" />`)
 const DOWN = icon(svg`<path d="M10 4v8m-3-3 3 3 3-3M4 16h12" />`)
 
 /** Opening and saving. */

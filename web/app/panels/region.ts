@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, svg, type TemplateResult } from 'lit/html.js'
+import { html, nothing, svg } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import { ringsOf } from '../../view/domain.ts'
@@ -8,6 +8,7 @@ import type { FileActions } from '../files/file-actions.ts'
 import type { PageActions } from '../page-actions.ts'
 import type { RegionPen } from '../region-pen.ts'
 import { byId } from './by-id.ts'
+import { FOLDER, icon } from './icons.ts'
 import { panelOf } from './panel.ts'
 import { toast } from './toast.ts'
 
@@ -18,9 +19,7 @@ const OWN = 'own'
 /** Before the name of a column. */
 const COLUMN = 'column:'
 
-const icon = (path: TemplateResult) => html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`
 const PEN = icon(svg`<path d="m4 16 1-4 8.500-8.500 3 3L8 15zM11.500 5.500l3 3" />`)
-const FOLDER = icon(svg`<path d="M3 6v9h14V7h-7L8 5H3Z" />`)
 const BIN = icon(svg`<path d="M4 6h12M8 6V4h4v2M6 6l.700 10h6.600L14 6" />`)
 
 /** What cells are cut to, and which areas they have there. */

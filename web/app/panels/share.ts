@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg, type TemplateResult } from 'lit/html.js'
+import { html, svg } from 'lit/html.js'
 import type { FileActions } from '../files/file-actions.ts'
 import { byId } from './by-id.ts'
+import { icon } from './icons.ts'
 import { panelOf } from './panel.ts'
 import { toast } from './toast.ts'
 
-const icon = (path: TemplateResult) => html`<svg viewBox="0 0 20 20" aria-hidden="true">${path}</svg>`
 const CHAIN = icon(svg`<path d="M8 12l4-4M7 9l-2 2a2.800 2.800 0 0 0 4 4l2-2M13 11l2-2a2.800 2.800 0 0 0-4-4L9 7" />`)
 const CODE = icon(svg`<path d="m7 6-4 4 4 4M13 6l4 4-4 4" />`)
 
