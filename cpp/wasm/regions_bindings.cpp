@@ -135,18 +135,17 @@ val polygonsValue(const ClippedPolygons& polygons) {
   return result;
 }
 
-/// Polygons of chosen cells of the diagram of a few circles. The rows of the other cells are empty.
-val clipPolygons(std::uintptr_t region, const val& circles, bool weights, const val& chosen, const val& maxDistance,
-                 double tolerance) {
+/// The polygons inside a region of the cell of the first of some points. The rows of the other cells are empty.
+val clipFirstCell(std::uintptr_t region, const val& points) {
   return valueOf([&] {
-    Options options;
-    options.weights = weights;
-    const auto diagram = compute(itemsFrom<double, Circle>(circles), options);
+    const auto diagram = compute(itemsFrom<double, Circle>(points));
     if (!diagram.ok()) return errorValue(diagram.error());
-    const auto cells = itemsFrom<std::int32_t, CircleIndex>(chosen);
-    const auto clipped = ClippedDiagram::ofCells(*diagram, regionOf(region), cells, distanceFrom(maxDistance));
+    const std::array<CircleIndex, 1> first = {CircleIndex{0}};
+    const auto clipped = ClippedDiagram::ofCells(*diagram, regionOf(region), first, std::nullopt);
     if (!clipped.ok()) return errorValue(clipped.error());
-    return polygonsValue(clipped->polygons(tolerance));
+    // All sides are straight: any tolerance does.
+    constexpr double kTolerance = 1;
+    return polygonsValue(clipped->polygons(kTolerance));
   });
 }
 
@@ -237,7 +236,7 @@ EMSCRIPTEN_BINDINGS(circle_voronoi_regions) {
   emscripten::function("createClip", &createClip);
   emscripten::function("deleteClip", &deleteClip);
   emscripten::function("clipCell", &clipCell);
-  emscripten::function("clipPolygons", &clipPolygons);
+  emscripten::function("clipFirstCell", &clipFirstCell);
   emscripten::function("clippedCells", &clippedCells);
   emscripten::function("clippedEdges", &clippedEdges);
   emscripten::function("clippedAreas", &clippedAreas);

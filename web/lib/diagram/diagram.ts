@@ -420,7 +420,7 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, 'cellPolygon', POLYGON_OPTIONS)
     const region = this.#regionIn('cellPolygon', options)
     if (region !== undefined) {
-      return multiPolygonOf([this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i])
+      return multiPolygonOf(this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i)
     }
     const limits = this.#limitsOf('cellPolygon', options, POLYGON_OPTIONS)
     return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))

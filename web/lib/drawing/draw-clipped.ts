@@ -7,7 +7,7 @@ import { parameterOf } from '../curves/bisector.ts'
 import { type BoundedCurve, curveOf, reversed, segment } from '../curves/curve.ts'
 import { isCircleArc, traceCircleArc } from '../regions/circle-arc.ts'
 import type { Outline, OutlinePiece } from '../regions/outline-piece.ts'
-import type { ClippedCells, ClippedEdges, ClippedPolygons, PolygonsRow, Region } from '../regions/region.ts'
+import type { ClippedCells, ClippedEdges, ClippedPolygons, Region } from '../regions/region.ts'
 
 /**
  * The coordinates of a GeoJSON MultiPolygon: a list of polygons, each a list of closed rings that repeat their first point.
@@ -123,7 +123,7 @@ export function drawPolygons(sink: PathSink, polygons: MultiPolygon): void {
 }
 
 /** The polygons of a row, if it has any. */
-export function multiPolygonOf([polygons, row]: PolygonsRow): MultiPolygon | undefined {
+export function multiPolygonOf(polygons: ClippedPolygons, row: number): MultiPolygon | undefined {
   const { polygonOffsets, ringOffsets } = polygons
   const [first, last] = [at(polygonOffsets, row), at(polygonOffsets, row + 1)]
   if (first === last) return undefined

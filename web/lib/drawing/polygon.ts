@@ -51,8 +51,8 @@ function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
 /** The part of the hull inside a region, of the ring that `hullRing` makes; none if the hull has no area there. */
 export function hullInRegion(diagram: DiagramData, region: Region, tolerance: number): MultiPolygon | undefined {
   const corners = hullRing(diagram, tolerance)?.slice(0, -1) ?? []
-  const row = region.module.clipConvex(corners.map(([x, y]) => ({ x, y })))
-  return row && multiPolygonOf(row)
+  const inside = region.module.clipConvex(corners.map(([x, y]) => ({ x, y })))
+  return inside && multiPolygonOf(inside, 0)
 }
 
 /**

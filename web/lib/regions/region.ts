@@ -45,17 +45,14 @@ export interface ClippedPolygons {
   readonly points: Float64s
 }
 
-/** A row of polygons. */
-export type PolygonsRow = readonly [polygons: ClippedPolygons, row: number]
-
 /** What a region asks of its module. */
 export interface RegionModule {
   contains(x: number, y: number): boolean
   clip(diagram: DiagramData, maxDistance: number | undefined): ClippedDiagram
   /** One cell that has sides, as the only row; `undefined` if it cannot be clipped without all others. */
   clipCell(diagram: DiagramData, circle: number, maxDistance: number | undefined): ClippedCells | undefined
-  /** The part of a convex polygon inside; `undefined` if the polygon, which runs counter-clockwise, has no area. */
-  clipConvex(corners: readonly Point[]): PolygonsRow | undefined
+  /** The part of a convex polygon inside, as row 0; `undefined` if the polygon, which runs counter-clockwise, has no area. */
+  clipConvex(corners: readonly Point[]): ClippedPolygons | undefined
 }
 
 /**

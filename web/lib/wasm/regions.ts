@@ -96,9 +96,7 @@ export async function regionsOf(createModule: RegionsScript, wasm: CompiledWasm)
       },
       clipConvex(corners) {
         const circles = circlesOfConvexCell(corners)
-        if (circles === undefined) return undefined
-        // All sides are straight: the tolerance plays no role.
-        return [unwrap(module.clipPolygons(address, circles, false, Int32Array.of(0), undefined, 1)), 0]
+        return circles && unwrap(module.clipFirstCell(address, circles))
       },
     })
     regions.register(region, address)

@@ -92,15 +92,8 @@ interface WasmRegionsModule {
   ):
     | WasmError
     | (import('../regions/few-circles.ts').Sides & { readonly cells: import('../regions/region.ts').ClippedCells })
-  /** Cells of the diagram of a few circles; row i is that of circle i. */
-  clipPolygons(
-    region: number,
-    circles: Float64Array,
-    weights: boolean,
-    chosen: Int32Array,
-    maxDistance: number | undefined,
-    tolerance: number,
-  ): WasmError | import('../regions/region.ts').ClippedPolygons
+  /** The cell of the first of some points, as circles of radius 0. Row i is that of point i, and only row 0 has polygons. */
+  clipFirstCell(region: number, points: Float64Array): WasmError | import('../regions/region.ts').ClippedPolygons
   clippedCells(clip: number): WasmError | import('../regions/region.ts').ClippedCells
   clippedEdges(clip: number): WasmError | import('../regions/region.ts').ClippedEdges
   clippedAreas(clip: number): WasmError | Float64Array<ArrayBuffer>
