@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import AxeBuilder from '@axe-core/playwright'
 import { pointAt } from '../../web/lib/curves/bisector.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/curves/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
+import { violationsOf } from './accessibility.ts'
 import { got, heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
@@ -316,8 +316,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     const at = app.center(BRONZE, 600)
     await app.page.mouse.click(at.x, at.y)
     await expect(app.inspector).toBeVisible()
-    const { violations } = await new AxeBuilder({ page: app.page }).analyze()
-    expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([])
+    expect(await violationsOf(app.page)).toEqual([])
   })
 }
 

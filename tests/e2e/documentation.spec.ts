@@ -2,11 +2,11 @@
 // The pages of the documentation and the contents of the tutorial: where they lead, how they look, and what their search finds.
 import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
-import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
 import { readBook } from '../../scripts/texts/tutorial.mjs'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { library } from '../web/library.ts'
+import { violationsOf } from './accessibility.ts'
 
 const SITE = fileURLToPath(new URL('../../dist/site/', import.meta.url))
 const pagesOf = (folder: string) =>
@@ -113,7 +113,7 @@ test('the pages of the documentation are accessible', { tag: '@long' }, async ({
     await page.goto(`/${name}`)
     for (const colorScheme of ['light', 'dark'] as const) {
       await page.emulateMedia({ colorScheme })
-      const { violations } = await new AxeBuilder({ page }).analyze()
+      const violations = await violationsOf(page)
       expect(
         violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]),
         `${name} ${colorScheme}`,
@@ -140,14 +140,14 @@ test.describe('search', () => {
     return found(page).evaluateAll((links) => links.map((link) => link.getAttribute('href') as string))
   }
 
-  for (const [words, address] of [
-    ['leaflet', '../docs/cookbook.html#show-cells-on-a-leaflet-map'],
-    ['react', '../docs/cookbook.html#use-it-in-react'],
-    ['animate', '../docs/cookbook.html#animate-by-edits'],
-    ['migrate', '../docs/cookbook.html#migrate-from-d3-delaunay'],
-    ['moodle', '../docs/cookbook.html#use-it-in-moodle-and-other-frames'],
-  ] as const) {
-    test(`finds ${words}, in its section, with a snippet`, async ({ page }) => {
+  test('finds what is in the text, in its section, with a snippet', async ({ page }) => {
+    for (const [words, address] of [
+      ['leaflet', '../docs/cookbook.html#show-cells-on-a-leaflet-map'],
+      ['react', '../docs/cookbook.html#use-it-in-react'],
+      ['animate', '../docs/cookbook.html#animate-by-edits'],
+      ['migrate', '../docs/cookbook.html#migrate-from-d3-delaunay'],
+      ['moodle', '../docs/cookbook.html#use-it-in-moodle-and-other-frames'],
+    ] as const) {
       await page.goto('/docs/')
       const addresses = await search(page, words)
       expect(addresses.slice(0, 2)).toContain(address)
@@ -155,8 +155,8 @@ test.describe('search', () => {
       await expect(link.locator('span')).toHaveText(/\w+ \w+/)
       await link.click()
       await expect(page.locator(`[id="${address.split('#')[1]}"]`)).toBeInViewport()
-    })
-  }
+    }
+  })
 
   test('has pages that explain before names of the reference', async ({ page }) => {
     await page.goto('/docs/')
@@ -199,7 +199,7 @@ test('the contents of the tutorial are a gallery: a figure to drag, and a pictur
       .toBeGreaterThan(0)
     await expect(tile.locator('span').last()).toHaveText(/\w+ \w+/)
   }
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOf(page)).toEqual([])
 })
 
 test.describe('without scripts', () => {
@@ -261,7 +261,7 @@ test.describe('on a phone', () => {
   for (const { file, blocks } of readBook()) {
     const names = blocks.filter(({ spec }) => spec.layers?.disc === true).map(({ spec }) => spec.name as string)
     if (names.length === 0) continue
-    test(`${file}: a tap on a vertex marks where its disc touches circles`, async ({ page }) => {
+    test(`${file}: a tap on a vertex marks where its disc touches circles`, { tag: '@long' }, async ({ page }) => {
       await page.goto(`/tutorial/${file}`)
       for (const name of names) {
         const figure = page.locator(`#${name} circle-voronoi`)
@@ -319,9 +319,9 @@ test.describe('on a phone', () => {
   for (const { file, blocks } of readBook()) {
     const names = blocks.filter(({ kind }) => kind === 'drawn').map(({ spec }) => spec.name)
     if (names.length === 0) continue
-    test(`${file}: a finger drags in what the tutorial draws itself, and the page stays where it is`, async ({
-      page,
-    }) => {
+    test(`${file}: a finger drags in what the tutorial draws itself, and the page stays where it is`, {
+      tag: '@long',
+    }, async ({ page }) => {
       const session = await page.context().newCDPSession(page)
       await page.goto(`/tutorial/${file}`)
       for (const name of names) {

@@ -8,11 +8,7 @@ import { App, expect, test } from './page.ts'
 /** Discs in two rows, 4 units from one to the next. */
 const ROWS = Float64Array.from([0, 4, 8, 0, 4, 8].flatMap((x, k) => [x, k < 3 ? 0 : 4, 1]))
 
-async function started(app: App, circles = ROWS): Promise<void> {
-  await app.page.goto(`/#${await encodeLink({ circles })}`)
-  await app.page.reload()
-  await expect(app.status).toContainText(`${circles.length / 3} circles`)
-}
+test.use({ link: await encodeLink({ circles: ROWS }) })
 
 /** The circles, once they are kept. */
 async function circlesOf(app: App): Promise<Circle[]> {
@@ -41,7 +37,6 @@ async function selectRow(app: App): Promise<void> {
 }
 
 test('several are selected by Shift and by a rubber band, all and none by keys', async ({ app }) => {
-  await started(app)
   await click(app, 0, 0)
   await expect(app.inspector).toContainText('Circle 0')
   await app.page.keyboard.down('Shift')
@@ -67,7 +62,6 @@ test('several are selected by Shift and by a rubber band, all and none by keys',
 })
 
 test('several are moved together, and by one undo back', async ({ app }) => {
-  await started(app)
   await selectRow(app)
   const { scale } = app.camera(ROWS)
   const from = at(app, 4, 0)
@@ -94,8 +88,7 @@ test('several are moved together, and by one undo back', async ({ app }) => {
   ])
 })
 
-test('several are scaled by the handle and by keys, one by the handle', async ({ app }) => {
-  await started(app)
+test('several are scaled by the handle and by keys', async ({ app }) => {
   await selectRow(app)
   const corner = at(app, 9, -1)
   const middle = at(app, 4, 0)
@@ -109,8 +102,9 @@ test('several are scaled by the handle and by keys, one by the handle', async ({
   await app.canvas.focus()
   await app.page.keyboard.press('+')
   await expect.poll(third).toEqual({ x: expect.closeTo(4 + 4 * 1.04, 9), y: 0, r: expect.closeTo(1.04, 9) })
+})
 
-  await started(app)
+test('one is scaled by the handle', async ({ app }) => {
   await click(app, 0, 4)
   await expect(app.inspector).toContainText('Circle 3')
   const own = at(app, 1, 3)
@@ -124,7 +118,6 @@ test('what is selected is duplicated, copied, cut and pasted, in another tab too
 }) => {
   const context = app.page.context()
   await context.grantPermissions(['clipboard-read', 'clipboard-write'])
-  await started(app)
   await selectRow(app)
   await app.page.keyboard.press('Control+d')
   await expect(app.status).toContainText('9 circles')
@@ -152,7 +145,6 @@ test('what is selected is duplicated, copied, cut and pasted, in another tab too
 })
 
 test('keys move by steps that fit the data, ten times with Shift, a tenth with Alt', async ({ app }) => {
-  await started(app)
   await click(app, 4, 0)
   await app.page.keyboard.press('ArrowRight')
   await app.page.keyboard.press('Shift+ArrowUp')
@@ -167,7 +159,6 @@ test('keys move by steps that fit the data, ten times with Shift, a tenth with A
 })
 
 test('Control and an arrow key go to the neighbor on that side', async ({ app }) => {
-  await started(app)
   await click(app, 0, 0)
   await expect(app.inspector).toContainText('Circle 0')
   let last = 0
@@ -192,7 +183,6 @@ test('Control and an arrow key go to the neighbor on that side', async ({ app })
 })
 
 test('what is dragged snaps to neighbors and to the grid, with Alt or always', async ({ app }) => {
-  await started(app)
   await click(app, 0, 0)
   await expect(app.inspector).toContainText('Circle 0')
   const { scale } = app.camera(ROWS)
@@ -217,7 +207,6 @@ test('what is dragged snaps to neighbors and to the grid, with Alt or always', a
 })
 
 test('tools: pan moves no circle, Space and the middle button pan, keys choose', async ({ app }) => {
-  await started(app)
   const from = at(app, 4, 0)
   const view = async () => (await decodeLink(new URL(app.page.url()).hash)).view
   const expectPressed = (name: string) =>
@@ -258,7 +247,6 @@ test('help shows what pointer and keys do', async ({ app }) => {
 })
 
 test('what is done is said once', async ({ app }) => {
-  await started(app)
   await app.page.clock.install()
   await app.page.evaluate(() => {
     const said = document.querySelector('#said') as HTMLElement
@@ -290,7 +278,6 @@ test.describe('with fingers', () => {
   test.use({ viewport: { width: 390, height: 780 }, hasTouch: true })
 
   test('one pans, or drags what is selected; a pinch edits nothing', async ({ app }) => {
-    await started(app)
     const session = await app.page.context().newCDPSession(app.page)
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...points: Point[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(({ x, y }, id) => ({ x, y, id })) })

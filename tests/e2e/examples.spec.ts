@@ -2,8 +2,8 @@
 // The examples in the documentation: each page of them runs where it is shown, and each has its source.
 import { readdirSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
-import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Frame, test } from '@playwright/test'
+import { violationsOf } from './accessibility.ts'
 
 const EXAMPLES = fileURLToPath(new URL('../../examples/', import.meta.url))
 /** Folders of what is a page. */
@@ -24,7 +24,7 @@ test('each page of the examples runs in the place of its picture, and shows a di
   await page.goto('/docs/examples.html')
   const pictures = page.locator('figure.example img')
   await expect(pictures).toHaveCount(PAGES.length)
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOf(page)).toEqual([])
   for (const folder of PAGES) {
     const figure = page.locator(`figure.example[data-page="../examples/${folder}/"]`)
     await expect(figure.getByRole('link', { name: 'Open the page' })).toHaveAttribute('href', `../examples/${folder}/`)

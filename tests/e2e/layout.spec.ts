@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Panels in windows of all sizes, forced colors, and pages that run from right to left.
-import AxeBuilder from '@axe-core/playwright'
 import type { Locator } from '@playwright/test'
+import { violationsOf } from './accessibility.ts'
 import { heldBack } from './held-back.ts'
 import { App, dataSet, expect, test } from './page.ts'
 
@@ -94,10 +94,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     app,
   }) => {
     await app.page.emulateMedia({ colorScheme })
-    const expectNone = async () => {
-      const { violations } = await new AxeBuilder({ page: app.page }).analyze()
-      expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([])
-    }
+    const expectNone = async () => expect(await violationsOf(app.page)).toEqual([])
     await app.choose('Introduction')
     await app.page.keyboard.press('Control+a')
     await expect(app.page.getByRole('region', { name: 'Selected circles' })).toBeVisible()
@@ -140,7 +137,7 @@ for (const [screen, media, size] of [
     const { page } = app
     await page.setViewportSize({ width: size[0], height: size[1] })
     await page.emulateMedia(media)
-    const expectNone = async () => expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+    const expectNone = async () => expect(await violationsOf(page)).toEqual([])
     await app.canvas.focus()
     await page.keyboard.press('Control+a')
     await page.keyboard.press('Delete')

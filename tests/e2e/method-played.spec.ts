@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The method played on the circles of the page.
-import { AxeBuilder } from '@axe-core/playwright'
 import { decodeLink } from '../../web/lib/link.ts'
+import { violationsOf } from './accessibility.ts'
 import { type App, expect, test } from './page.ts'
 
 const stepOf = async (link: string) => (await decodeLink(link).catch(() => undefined))?.step
@@ -40,7 +40,7 @@ test('is one button away, follows what is edited, and a link opens it at its ste
   }
   await expect.poll(readLink).toBe(3)
   expect((await decodeLink(link)).view).toBeUndefined()
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOf(page)).toEqual([])
 
   // At a stage it stays there, with the circles as they are then.
   const before = await sentence.textContent()

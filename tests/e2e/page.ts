@@ -25,7 +25,7 @@ export class App {
     this.page = page
   }
 
-  /** The page with circles enough for most tests; without a link it begins with a few. */
+  /** The page with circles enough for most tests; at an empty link it begins with a few. */
   async open(link = BRONZE_LINK): Promise<void> {
     await this.page.goto(`/#${link}`)
     await expect(this.status).toContainText('edges')
@@ -148,9 +148,10 @@ export function dataSet(name: string): Float64Array {
   return parseCircles(readFileSync(new URL(`../../public/data/${name}.csv`, import.meta.url), 'utf8'))
 }
 
-/** A test with the page open. It fails on any message of an error and any violation of the Content-Security-Policy. */
-export const test = base.extend<{ app: App }>({
-  app: async ({ page }, use) => {
+/** A test with the page open at a link. It fails on any message of an error and any violation of the Content-Security-Policy. */
+export const test = base.extend<{ app: App; link: string | undefined }>({
+  link: [undefined, { option: true }],
+  app: async ({ page, link }, use) => {
     const errors: string[] = []
     page.on('pageerror', (error) => errors.push(error.message))
     page.on('console', (message) => {
@@ -158,7 +159,7 @@ export const test = base.extend<{ app: App }>({
       if ((message.type() === 'error' || message.type() === 'warning') && !isBlocked) errors.push(message.text())
     })
     const app = new App(page)
-    await app.open()
+    await app.open(link)
     await use(app)
     expect(errors).toEqual([])
   },

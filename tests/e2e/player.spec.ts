@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Page } from '@playwright/test'
+import { violationsOf } from './accessibility.ts'
 import { testOf } from './built-page.ts'
 import type { PlayerPage } from './player-page/player-page.ts'
 
@@ -60,7 +60,7 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   await page.getByRole('combobox', { name: 'Jump to' }).selectOption('selected')
   await page.getByRole('button', { name: 'Previous match' }).click()
   await expect(sentence).toContainText('4')
-  const { violations } = await new AxeBuilder({ page }).include('#player').analyze()
+  const violations = await violationsOf(page, '#player')
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([])
 })
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regions and given areas in the page: opened, dropped, drawn, edited, kept, saved.
 import { readFileSync } from 'node:fs'
-import AxeBuilder from '@axe-core/playwright'
 import type { Locator } from '@playwright/test'
 import type { Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
+import { violationsOf } from './accessibility.ts'
 import { App, expect, test } from './page.ts'
 
 const THREE = [
@@ -32,11 +32,7 @@ const geojson = (...rings: number[][][]) => JSON.stringify({ type: 'Polygon', co
 const { region } = await (await loadCircleVoronoi()).loadRegions()
 const TOTAL = region([SQUARE as [number, number][], HOLE as [number, number][]]).area
 
-async function openThree(app: App): Promise<void> {
-  await app.open(await encodeLink({ circles: THREE as [number, number, number][] }))
-  await expect(app.status).toContainText('3 circles')
-  await app.openPanel('Region')
-}
+test.use({ link: await encodeLink({ circles: THREE as [number, number, number][] }) })
 
 /** The panel. */
 const panel = (app: App): Locator => app.page.getByRole('region', { name: 'Region', exact: true })
@@ -79,7 +75,7 @@ async function saved(app: App, label: string): Promise<string> {
 }
 
 test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo', async ({ app }) => {
-  await openThree(app)
+  await app.openPanel('Region')
   const input = panel(app).getByLabel('Open …')
   await input.setInputFiles({ name: 'hall.geojson', mimeType: '', buffer: Buffer.from(geojson(SQUARE, HOLE)) })
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
@@ -127,7 +123,7 @@ test('a file of polygons is the region: by pixels, areas, link, SVG, cells, undo
 test('polygons are dropped and pasted; points are circles; what crosses itself is refused, and the last one stays', async ({
   app,
 }) => {
-  await openThree(app)
+  await app.openPanel('Region')
   await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline with 4 sides')
   const points = { type: 'Feature', properties: { r: 1 }, geometry: { type: 'Point', coordinates: [1, 2] } }
@@ -153,7 +149,7 @@ test('polygons are dropped and pasted; points are circles; what crosses itself i
 
 test('a region is drawn: by clicks with a hole, by keys, canceled and taken back corner by corner', async ({ app }) => {
   const { page } = app
-  await openThree(app)
+  await app.openPanel('Region')
   const click = async (x: number, y: number) => {
     await page.mouse.move(x, y)
     await page.mouse.click(x, y)
@@ -213,7 +209,7 @@ test('a region is drawn: by clicks with a hole, by keys, canceled and taken back
 
 test('areas: equal, by radius, one by one, kept while a point is dragged, by link and by undo', async ({ app }) => {
   const { page } = app
-  await openThree(app)
+  await app.openPanel('Region')
   await expect(panel(app).getByLabel('Areas')).toBeDisabled()
   await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
   const choose = panel(app).getByLabel('Areas')
@@ -274,7 +270,7 @@ test('areas are by a column of the opened table, taken back by undo, and kept by
   app,
 }) => {
   const { page } = app
-  await openThree(app)
+  await app.openPanel('Region')
   await drop(app, 'towns.csv', 'x,y,r,name,people,rain\n0,0,1,A,10,3\n6,0,1,B,20,0\n2,5,1,C,,5\n')
   const choose = panel(app).getByLabel('Areas')
   const byPeople = choose.locator('option', { hasText: 'by people' })
@@ -321,7 +317,7 @@ test('a region is in the table, in the storage of the browser, and in a link tha
   browser,
 }) => {
   const { page } = app
-  await openThree(app)
+  await app.openPanel('Region')
   await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
   await expect(panel(app)).toContainText('2 outlines with 8 sides')
   const diagram = (await loadCircleVoronoi()).compute(THREE as [number, number, number][])
@@ -348,7 +344,7 @@ test('a region is in the table, in the storage of the browser, and in a link tha
 })
 
 test('circles have their radii again where areas are no longer given', async ({ app }) => {
-  await openThree(app)
+  await app.openPanel('Region')
   await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
   const choose = panel(app).getByLabel('Areas')
   await choose.selectOption('disc')
@@ -379,8 +375,8 @@ for (const colorScheme of ['light', 'dark'] as const) {
 
     test('is clear to everyone: empty, while drawing, refused, with areas', async ({ app }) => {
       const { page } = app
-      const expectNone = async () => expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
-      await openThree(app)
+      const expectNone = async () => expect(await violationsOf(page)).toEqual([])
+      await app.openPanel('Region')
       await expectNone()
       await panel(app).getByRole('button', { name: 'Draw' }).click()
       await page.mouse.click(600, 300)
@@ -405,7 +401,7 @@ test.describe('by fingers', () => {
   test.use({ hasTouch: true, viewport: { width: 390, height: 780 } })
 
   test('a region is drawn on a phone', async ({ app }) => {
-    await openThree(app)
+    await app.openPanel('Region')
     await panel(app).getByRole('button', { name: 'Draw' }).tap()
     for (const [x, y] of [
       [60, 150],
@@ -421,7 +417,7 @@ test.describe('by fingers', () => {
 
 // Where the pointer is, in the plane: what a test of drawing rests on.
 test('the camera of these tests is that of the page', async ({ app }) => {
-  await openThree(app)
+  await app.openPanel('Region')
   await drop(app, 'square.wkt', 'POLYGON ((-3 -3, 9 -3, 9 8, -3 8))')
   await expect(panel(app)).toContainText('One outline')
   const size = app.page.viewportSize() as { width: number; height: number }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of numbers: keyboard, mouse and fingers, pasted rows, and what is selected.
+
+import { violationsOf } from './accessibility.ts'
 import { type App, dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -214,8 +216,7 @@ test('rows are sorted by any column, and what is selected here is selected there
     'aria-activedescendant',
     (await table.cell(id + 1, 1).getAttribute('id')) as string,
   )
-  const results = await new (await import('@axe-core/playwright')).default({ page }).include('#table').analyze()
-  expect(results.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([])
+  expect(await violationsOf(page, '#table')).toEqual([])
 })
 
 test('keys bring the current row into sight, and up from the heading there is nothing', async ({ app }) => {

@@ -2,7 +2,6 @@
 // Each chapter, as a reader uses it: every figure is dragged and moved by keys, every question answered wrong and right.
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
-import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Locator, type Page, test } from '@playwright/test'
 import { type Chapter, readBook, type Spec } from '../../scripts/texts/tutorial.mjs'
 import { decodeLink } from '../../web/lib/link.ts'
@@ -10,6 +9,7 @@ import { CORRUPTIONS } from '../../web/tutorial/corruptions.ts'
 import { boundingBox, type Camera, fitted, toScreen } from '../../web/view/camera.ts'
 import { layersFrom } from '../../web/view/layers.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
+import { violationsOf } from './accessibility.ts'
 
 type Element = HTMLElementTagNameMap['circle-voronoi']
 
@@ -282,7 +282,7 @@ async function read(page: Page, { file, blocks }: Chapter): Promise<void> {
     .map(({ spec }) => spec.name)
   for (const name of names) await show(page.locator(`#${name} circle-voronoi`))
   expect(await page.evaluate(() => (globalThis as unknown as { shift: () => number }).shift())).toBeLessThan(MOST_SHIFT)
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOf(page)).toEqual([])
 
   for (const name of names) await tryFigure(page, name)
   for (const { kind, spec } of blocks) {
@@ -467,13 +467,13 @@ test('the documentation reads well, and its search finds', async ({ page }) => {
   for (const name of ['The manual page', 'A live figure in a page']) {
     await page.getByRole('navigation', { name: 'Documentation' }).getByRole('link', { name }).click()
     await expect(page.getByRole('heading', { level: 1 })).toHaveText(name)
-    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+    expect(await violationsOf(page)).toEqual([])
   }
   await page.getByRole('navigation', { name: 'Site' }).getByRole('link', { name: 'Reference' }).click()
   await page.getByRole('main').getByRole('link', { name: 'circle-voronoi', exact: true }).first().click()
   await page.getByRole('link', { name: 'edgeCurve', exact: true }).click()
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('Function: edgeCurve()')
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOf(page)).toEqual([])
   await page.getByLabel('Search').fill('antipodal disc')
   const found = page.locator('.found a')
   await expect(found.first()).toBeVisible()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import AxeBuilder from '@axe-core/playwright'
 import { decodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
+import { violationsOf } from './accessibility.ts'
 import { dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
@@ -169,8 +169,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     }
     await app.openPanel('Numbers')
     await expect(app.page.getByText('Proven by')).toBeAttached()
-    const { violations } = await new AxeBuilder({ page: app.page }).analyze()
-    expect(violations).toEqual([])
+    expect(await violationsOf(app.page)).toEqual([])
   })
 }
 

@@ -3,7 +3,6 @@
 import { spawnSync } from 'node:child_process'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
-import { AxeBuilder } from '@axe-core/playwright'
 import { expect, type Page, test, type Worker } from '@playwright/test'
 import { build as bundle } from 'esbuild'
 import { build } from 'vite'
@@ -11,6 +10,7 @@ import { buildSite } from '../../examples/element/markdown/build.mjs'
 import type { FigureState } from '../../web/element/circle-voronoi-element.ts'
 import { encodeLink } from '../../web/lib/link.ts'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
+import { violationsOf } from '../e2e/accessibility.ts'
 import { type Ask, heapOf, withThread } from '../e2e/thread-session.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
 import { ROOT } from './project.ts'
@@ -137,7 +137,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(asked.filter((url) => url.includes('/player-'))).toEqual([])
   await expect(figure).toHaveAccessibleName('Four circles, their diagram and their hull')
   await expect(figure).toHaveAccessibleDescription(/^4 circles; the diagram has 3 vertices and 6 edges\. Enter selects/)
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOf(page)).toEqual([])
 
   // The page scrolls over it, until it was pressed.
   await page.setViewportSize({ width: 1280, height: 500 })
@@ -215,7 +215,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await page.emulateMedia({ colorScheme: 'dark' })
   await expect.poll(async () => Math.max(...(await corner()))).toBeLessThan(140)
   expect(Math.min(...light)).toBeGreaterThan(150)
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOf(page)).toEqual([])
   await page.emulateMedia({ colorScheme: 'light' })
 
   // What is wrong is said, and changes nothing.
@@ -260,7 +260,7 @@ test('in one file from another origin, of which nothing else is asked', async ({
       new Set([`${origin}/dist/element/bundle.js`]),
     )
     expect(problems).toEqual([])
-    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+    expect(await violationsOf(page)).toEqual([])
   } finally {
     await elsewhere.close()
     await here.close()
@@ -344,7 +344,7 @@ test('the method step by step, in the figure that plays it and where a text tell
   await expect(sentence).toContainText('The Delaunay graph of the centers')
   expect(await stepOf('#played')).toBe(1)
   expect(await told('played')).toEqual([`played 1/${steps}`])
-  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
+  expect(await violationsOf(page)).toEqual([])
 
   // By script: it plays until it is told to stay, and a state has the step.
   const kept = await played.evaluate(async (element: Element) => {
