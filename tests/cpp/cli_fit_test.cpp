@@ -17,12 +17,12 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kSites = "x,y,r,name,people,square meters\n1,1,0,north,3,6\n3,2,0,south,1,2\n2,3,0,west,4,8\n";
-constexpr const char* kRegion = "POLYGON ((0 0, 4 0, 4 4, 0 4))";
+constexpr const char* kSquare = "POLYGON ((0 0, 4 0, 4 4, 0 4))";
 
 class CliFit : public test::Cli {
  protected:
   const std::string sites_ = write("sites.csv", kSites);
-  const std::string region_ = " --region " + write("region.wkt", kRegion);
+  const std::string region_ = " --region " + write("region.wkt", kSquare);
 
   std::string textOf(const std::string& arguments, const std::string& input = "") const {
     const auto [status, out, err] = run("fit " + arguments, input);
@@ -152,7 +152,7 @@ TEST_F(CliFit, SaysWhatIsWrong) {
   fails(sites_ + options + region_ + " --max-steps 0", "--max-steps must be 1 or more (got 0).");
   fails(sites_ + options + " --region " + write("bow.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2))"), "cross at (1, 1).");
   fails(sites_ + options + region_ + " -o " + path("region.wkt"), "region.wkt would be overwritten");
-  EXPECT_EQ(readFile(path("region.wkt")), kRegion);
+  EXPECT_EQ(readFile(path("region.wkt")), kSquare);
 }
 
 TEST_F(CliFit, TellsHowFarItIs) {

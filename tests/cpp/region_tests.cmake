@@ -9,12 +9,11 @@ add_executable(circle_voronoi_region_tests
   region_test.cpp)
 target_link_libraries(circle_voronoi_region_tests PRIVATE
   circle_voronoi_trials circle_voronoi::fit GTest::gtest_main)
-if(CIRCLE_VORONOI_BUILD_CLI)
-  target_sources(circle_voronoi_region_tests PRIVATE cli.cpp cli_fit_test.cpp cli_region_test.cpp)
-  target_link_libraries(circle_voronoi_region_tests PRIVATE nlohmann_json::nlohmann_json)
-  add_dependencies(circle_voronoi_region_tests circle_voronoi_cli)
-endif()
 gtest_discover_tests(circle_voronoi_region_tests DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES)
+if(CIRCLE_VORONOI_UNITY_BUILD)
+  set_target_properties(circle_voronoi_region_tests PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+endif()
 # Boost.Geometry leaves a box uninitialized that it does not read, which GCC cannot tell.
 set_source_files_properties(clipped_polygons_test.cpp PROPERTIES
+  SKIP_UNITY_BUILD_INCLUSION ON
   COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
