@@ -39,7 +39,7 @@ test('the address is that of what is shown, and another page shows the same', as
 test('what was changed is there after a reload at once', async ({ app }) => {
   await app.choose('Introduction')
   // The address that is loaded again is from before the change.
-  await expect.poll(() => hashOf(app)).not.toBe('')
+  await expect.poll(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
   await app.canvas.focus()
   // Enter selects the circle in the middle, and Delete waits for that.
   await app.page.keyboard.press('Enter')
@@ -160,6 +160,7 @@ test('what is chosen while a slow link is loaded stays, and is kept', async ({ a
   await opened.page.goto(`/#${slow}`)
   await opened.page.getByLabel('Data set').selectOption({ label: 'Introduction' })
   await expect(opened.status).toContainText('14 circles')
+  await expect.poll(async () => (await decodeLink(hashOf(opened))).dataSet).toBe('introduction')
   const go = (link: string) =>
     page.evaluate((link) => {
       location.hash = link
@@ -188,12 +189,12 @@ test('what is chosen while a slow link is loaded stays, and is kept', async ({ a
 test('a tab that was closed loses nothing, and two tabs do not destroy each other’s', async ({ app }) => {
   const context = app.page.context()
   await app.choose('Introduction')
-  await expect.poll(() => hashOf(app)).not.toBe('')
+  await expect.poll(async () => (await decodeLink(hashOf(app))).dataSet).toBe('introduction')
   const second = new App(await context.newPage())
   await second.open('')
   await expect(second.status).toHaveText(/^8 circles/)
   await second.choose('Spruces')
-  await expect.poll(() => hashOf(second)).not.toBe('')
+  await expect.poll(async () => (await decodeLink(hashOf(second)).catch(() => ({ dataSet: '' }))).dataSet).toBe('spruces')
   await app.page.goto('/')
   await expect(app.status).toContainText('14 circles')
   await second.page.close()

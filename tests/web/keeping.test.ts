@@ -377,7 +377,7 @@ describe('what a page leaves late', () => {
     made[0]?.('v1.late')
     await vi.advanceTimersByTimeAsync(399)
     expect(address.hash).toBe('#v1.b')
-    kept.wasOpened('#v1.b')
+    kept.wasOpened('#v1.b', true)
     await vi.advanceTimersByTimeAsync(1)
     made[1]?.('v1.c')
     await vi.advanceTimersByTimeAsync(0)
@@ -400,6 +400,31 @@ describe('what a page leaves late', () => {
     expect(address.hash).toBe('#v1.new')
     await vi.advanceTimersByTimeAsync(400)
     expect(made).toHaveLength(2)
+  })
+
+  it('is the newest where the link of something older takes longer', async () => {
+    const { made, address, keeping: kept } = keeping('')
+    await kept.begin()
+    for (let k = 0; k < 2; k++) {
+      kept.changed()
+      await vi.advanceTimersByTimeAsync(400)
+    }
+    made[1]?.('v1.new')
+    await vi.advanceTimersByTimeAsync(0)
+    made[0]?.('v1.old')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('#v1.new')
+  })
+
+  it('is there again where the link of another address is refused', async () => {
+    const { made, address, keeping: kept } = keeping('#v1.a')
+    await kept.begin()
+    address.hash = '#v1.damaged'
+    kept.wasOpened('#v1.damaged', false)
+    await vi.advanceTimersByTimeAsync(400)
+    made[0]?.('v1.a')
+    await vi.advanceTimersByTimeAsync(0)
+    expect(address.hash).toBe('#v1.a')
   })
 
   it('is not shown in place of a link that is opened, and not later either', async () => {

@@ -68,8 +68,8 @@ describe('what is opened', () => {
   it('keeps its edits from what is opened while it is computed', async () => {
     const { actions, editing, view, circles } = started()
     const first = actions.open(async () => FIRST)
-    await Promise.resolve()
-    await Promise.resolve()
+    // It is loaded by then; what is computed takes a turn.
+    for (let k = 0; k < 10; k++) await Promise.resolve()
     const second = actions.open(async () => SECOND)
     expect([await first, await second]).toEqual(['superseded', 'opened'])
     expect([circles(), view.layers.hull]).toEqual([[1, 1, 1, 2, 2, 2, 3, 3, 3], false])
@@ -91,6 +91,19 @@ describe('what is opened', () => {
     const failing = Promise.reject(new Error('It could not be loaded.'))
     const [first, second] = await Promise.all([actions.open(() => failing), actions.open(async () => SECOND)])
     expect([first, second, store.get().problem]).toEqual(['superseded', 'opened', ''])
+  })
+
+  it('is superseded at once by what is opened after it, or canceled, though it is never loaded', async () => {
+    const { actions, view, circles } = started()
+    const never = () => new Promise<Opened>(() => {})
+    const first = actions.open(never)
+    expect(await actions.open(async () => SECOND)).toBe('opened')
+    expect(await first).toBe('superseded')
+    const third = actions.open(never)
+    Object.assign(view, { cancel: () => false })
+    actions.cancelOpening()
+    expect(await third).toBe('superseded')
+    expect(circles()).toEqual([1, 1, 1, 2, 2, 2, 3, 3, 3])
   })
 })
 

@@ -19,6 +19,8 @@ export class Keeping {
   #timer: ReturnType<typeof setTimeout> | undefined
   /** Whether what is shown is kept, up to the last change. */
   #isKept = true
+  /** The writing that was begun last: one that was begun before may end later. */
+  #lastWrite = 0
   /** What the address said when it was read or written here last: another one is a link that is about to be opened. */
   #hash = ''
 
@@ -62,10 +64,14 @@ export class Keeping {
     return location.hash !== this.#hash
   }
 
-  /** To be called once the link of a changed address was opened, or could not be: till then it is not written over. */
-  wasOpened(hash: string): void {
+  /**
+   * To be called once the link of a changed address was opened, or could not be: till then it is not written over. What stayed
+   * in its place is kept.
+   */
+  wasOpened(hash: string, isShown: boolean): void {
     // Meanwhile there may be another one, which may even have been opened first.
     if (hash === location.hash) this.#hash = hash
+    if (!isShown) this.changed()
   }
 
   async #write(): Promise<void> {
@@ -73,9 +79,11 @@ export class Keeping {
     this.#timer = undefined
     const state = this.#read()
     if (state === undefined) return
+    this.#lastWrite += 1
+    const turn = this.#lastWrite
     const link = await this.#linkOf(state)
     // Meanwhile there may be something newer.
-    if (this.#timer !== undefined) return
+    if (this.#timer !== undefined || turn !== this.#lastWrite) return
     if (this.isAddressNew) return this.changed()
     const isShort = link !== undefined && link.length <= LONGEST_ADDRESS
     history.replaceState(null, '', isShort ? `#${link}` : location.pathname + location.search)

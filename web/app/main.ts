@@ -134,7 +134,9 @@ panelLater('region', complain, async () => {
 
 const kept = await keeping.begin()
 // Somebody may have chosen something meanwhile.
-if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) === 'refused')) {
+const open = () => (kept === undefined ? 'refused' : actions.openLink(kept))
+const begun = actions.hasOpened ? 'superseded' : await open()
+if (begun === 'refused') {
   const { problem } = store.get()
   await actions.load((DATA_SETS[0] as DataSet).id)
   // Of the link, for which these circles stand in.
@@ -149,6 +151,10 @@ if (!actions.hasOpened && (kept === undefined || (await actions.openLink(kept)) 
   figure.whenPainted().then(() => firstPicture?.remove())
 } else {
   firstPicture?.remove()
+  if (begun === 'superseded') {
+    hasShown = true
+    keeping.changed()
+  }
 }
 arrangeAround(view, actions)
 view.on('camera', () => keeping.changed())
@@ -157,10 +163,14 @@ store.subscribe((state) => {
   if (state.step !== step) keeping.changed()
   step = state.step
 })
+let addresses = 0
 const openAddress = async () => {
+  addresses += 1
+  const turn = addresses
   const { hash } = location
-  if (hash !== '') await actions.openLink(hash)
-  keeping.wasOpened(hash)
+  const how = hash === '' ? 'opened' : await actions.openLink(hash)
+  // An address that comes again may be on its way again.
+  if (turn === addresses) keeping.wasOpened(hash, how === 'opened')
 }
 window.addEventListener('hashchange', openAddress)
 // It may have changed while the page began.

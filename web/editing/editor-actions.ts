@@ -66,6 +66,8 @@ export class EditorActions implements Hands {
   readonly #view: View
   readonly #padding: () => Padding
   #lastLoad = 0
+  /** Ends the wait for what is loaded, which may never come. */
+  #stopLoading: () => void = () => {}
   #isPanning = false
   #pending: Promise<unknown> | undefined
 
@@ -131,6 +133,10 @@ export class EditorActions implements Hands {
   /** Opens what is loaded, unless something else is asked for meanwhile. What is refused changes nothing. */
   async open(load: () => Promise<Opened>): Promise<HowOpened> {
     this.#lastLoad += 1
+    this.#stopLoading()
+    const stopped = new Promise<undefined>((resolve) => {
+      this.#stopLoading = () => resolve(undefined)
+    })
     const turn = this.#lastLoad
     const isSuperseded = () => turn !== this.#lastLoad
     let end: Stage = 'refused'
@@ -138,8 +144,8 @@ export class EditorActions implements Hands {
       this.onstage('loading', 0)
       // What was wrong before is no longer of interest.
       this.complain('')
-      const opened = await load()
-      if (isSuperseded()) return 'superseded'
+      const opened = await Promise.race([load(), stopped])
+      if (opened === undefined || isSuperseded()) return 'superseded'
       const { edits, view, layers, step, method, ...scene } = opened
       const before = { camera: this.#view.camera, selection: this.#store.get().selection }
       this.select([])
@@ -177,6 +183,7 @@ export class EditorActions implements Hands {
     // What is being loaded comes too late then.
     if (!this.#view.cancel()) {
       this.#lastLoad += 1
+      this.#stopLoading()
       this.onstage('refused', 0)
     }
   }
