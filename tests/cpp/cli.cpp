@@ -32,6 +32,8 @@ std::string chosenProgram() {
 const std::string Cli::program_ = chosenProgram();
 
 Cli::Cli() : folder_(std::filesystem::temp_directory_path() / ("circle-voronoi-test-" + std::to_string(getpid()))) {
+  // One that was killed may have left files, and numbers of processes come again.
+  std::filesystem::remove_all(folder_);
   std::filesystem::create_directories(folder_);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Page } from '@playwright/test'
 import { pointAt } from '../../web/lib/curves/bisector.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/curves/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
@@ -11,6 +12,11 @@ const BRONZE = dataSet('bronzefilter')
 const INTRODUCTION = dataSet('introduction')
 const START = dataSet('start')
 
+/** Waits until a page has drawn so many frames. */
+async function framesOf(page: Page, count: number): Promise<void> {
+  for (let k = 0; k < count; k++) await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
+}
+
 test('shows a few circles at the start, and one line that says what it is', async ({ page }) => {
   const app = new App(page)
   await app.open('')
@@ -19,8 +25,10 @@ test('shows a few circles at the start, and one line that says what it is', asyn
   await expect(line).toBeVisible()
   for (const name of ['Tutorial', 'Docs', 'Source']) await expect(page.getByRole('link', { name })).toBeVisible()
   // It is gone with the first touch, and who wants less motion sees none.
+  await expect(page.locator('#first-picture')).toHaveCount(0)
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
   const picture = await app.canvas.screenshot()
-  await new Promise((resolve) => setTimeout(resolve, 500))
+  await framesOf(page, 30)
   expect(picture.equals(await app.canvas.screenshot())).toBe(true)
   const at = app.center(START, 0)
   await page.mouse.click(at.x, at.y)

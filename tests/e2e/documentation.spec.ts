@@ -254,8 +254,9 @@ test.describe('on a phone', () => {
     const scale = (width - 32) / 12
     await page.touchscreen.tap(x + 16 + (5 + 3) * scale, y + height / 2)
     await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
+    const tapped = await figure.screenshot()
     await page.touchscreen.tap(x + 16 + (5 + 3) * scale, y + 12)
-    await expect.poll(async () => before.equals(await figure.screenshot())).toBe(false)
+    await expect.poll(async () => tapped.equals(await figure.screenshot())).toBe(false)
   })
 
   for (const { file, blocks } of readBook()) {

@@ -296,9 +296,11 @@ test.describe('with fingers', () => {
     await app.page.touchscreen.tap(from.x, from.y - 60)
     await expect(app.inspector).toContainText('Circle 1')
     await swipe({ x: from.x, y: from.y - 60 }, 0, -30)
-    await expect.poll(async () => (await circlesOf(app))[1]?.y).toBeGreaterThan(0.5)
+    // More than two thirds of the way are over.
+    await expect.poll(async () => (await circlesOf(app))[1]?.y).toBeGreaterThan(0.7)
     const moved = await circlesOf(app)
 
+    const before = (await view())?.span
     // The first finger lies on the selected circle.
     const place = { x: from.x, y: from.y - 90 }
     await touch('touchStart', place)
@@ -307,7 +309,6 @@ test.describe('with fingers', () => {
     for (const x of [90, 110, 130])
       await touch('touchMove', { x: place.x - 10, y: place.y }, { x: place.x + x, y: place.y })
     await touch('touchEnd')
-    const before = (await view())?.span
     await expect.poll(async () => (await view())?.span).not.toBe(before)
     await expect.poll(() => circlesOf(app)).toEqual(moved)
   })

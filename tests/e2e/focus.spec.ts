@@ -60,7 +60,12 @@ test('Delete and Escape work after a click on the toolbar', async ({ app }) => {
   // In a field they are those of the field.
   await app.page.getByLabel('Data set').focus()
   await app.page.keyboard.press('Control+z')
-  await expect(app.status).toContainText('13 circles')
+  // The first that is undone is what the figure is asked.
+  await app.canvas.focus()
+  await app.page.keyboard.press('Control+z')
+  await expect(app.status).toContainText('14 circles')
+  await app.page.keyboard.press('Control+z')
+  await expect(app.status).toContainText('678 circles')
 })
 
 test('a circle that Tab selects is shown', async ({ app }) => {

@@ -38,6 +38,10 @@ test('a family with a number and a seed, again, edited, and the same after a rel
   await panel.getByLabel('n', { exact: true }).fill('60')
   await panel.getByLabel('n', { exact: true }).press('Enter')
   await expect(app.status).toContainText('60 circles')
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await expect(app.status).toContainText('50 circles')
+  await page.getByRole('button', { name: 'Redo' }).click()
+  await expect(app.status).toContainText('60 circles')
   await expect.poll(() => stateOf(app)).toEqual({ dataSet: 'clustered:7:60' })
 
   await page.getByRole('button', { name: 'Another random sample' }).click()

@@ -73,7 +73,10 @@ test('held, it shows what would be taken from whom; Escape leaves all as it was,
   for (let k = 0; k < 2; k++) await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
   await expect(panel).toBeHidden()
   await page.mouse.up()
-  await expect(app.status).toContainText('14 circles')
+  // What is asked after it comes after whatever would have been added or shown.
+  await page.keyboard.press('Delete')
+  await expect(app.status).toContainText('13 circles')
+  await expect(panel).toBeHidden()
 })
 
 test.describe('with fingers', () => {

@@ -194,7 +194,9 @@ test('a tab that was closed loses nothing, and two tabs do not destroy each othe
   await second.open('')
   await expect(second.status).toHaveText(/^8 circles/)
   await second.choose('Spruces')
-  await expect.poll(async () => (await decodeLink(hashOf(second)).catch(() => ({ dataSet: '' }))).dataSet).toBe('spruces')
+  await expect
+    .poll(async () => (await decodeLink(hashOf(second)).catch(() => ({ dataSet: '' }))).dataSet)
+    .toBe('spruces')
   await app.page.goto('/')
   await expect(app.status).toContainText('14 circles')
   await second.page.close()

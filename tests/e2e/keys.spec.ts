@@ -240,7 +240,9 @@ test.describe('with fingers', () => {
     await expect(app.inspector).toBeHidden()
     await expect.poll(() => drawnAbove(app)).toBe(0)
     const free = { x: 30, y: 300 }
+    await page.clock.install()
     await touch('touchStart', free)
+    await page.clock.fastForward(700)
     await expect.poll(() => drawnAbove(app)).toBeGreaterThan(100)
     // It follows the finger, and no circle is added.
     const overlay = () =>
@@ -248,7 +250,6 @@ test.describe('with fingers', () => {
         .locator('canvas')
         .nth(1)
         .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
-    await page.waitForTimeout(700)
     const first = await overlay()
     await touch('touchMove', { x: 60, y: 340 })
     await expect.poll(overlay).not.toBe(first)

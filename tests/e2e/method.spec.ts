@@ -40,6 +40,7 @@ test('candidates and samples change what the method finds, and not the diagram',
         for (let k = 0; k < data.length; k += 4) if (data[k] === r && data[k + 1] === g && data[k + 2] === b) count += 1
         return count
       })
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
   expect(await pink()).toBe(0)
   await panel.getByLabel('Candidates').selectOption('uniform')
   await panel.getByLabel('m, samples on a circle').fill('3')

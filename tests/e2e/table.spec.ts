@@ -169,11 +169,13 @@ test('rows are sorted by any column, and what is selected here is selected there
   await expect(table.grid).toHaveAttribute('aria-rowcount', '679')
   const columnOf = async (column: number, rows: number) => {
     const texts = await Promise.all(Array.from({ length: rows }, (_, k) => table.cell(k + 1, column).textContent()))
+    // What is still to be measured is empty.
+    if (texts.includes('')) return undefined
     return texts.map((text) => (text === '∞' ? Number.POSITIVE_INFINITY : text === '–' ? Number.NaN : Number(text)))
   }
   const heading = (name: string) => table.grid.getByRole('columnheader', { name, exact: true })
   const isSorted = (values: number[], sign: number) =>
-    values.every((value, k) => k === 0 || sign * (values[k - 1] as number) <= sign * value)
+    values.length > 0 && values.every((value, k) => k === 0 || sign * (values[k - 1] as number) <= sign * value)
   for (const [column, name] of Object.entries({ 4: 'r', 5: 'area', 6: 'nbrs', 7: 'nearest' })) {
     for (const [sort, sign] of [
       ['ascending', 1],
@@ -183,10 +185,7 @@ test('rows are sorted by any column, and what is selected here is selected there
       await expect(heading(name)).toHaveAttribute('aria-sort', sort)
       await expect
         .poll(async () =>
-          isSorted(
-            (await columnOf(Number(column), 8)).filter((value) => !Number.isNaN(value)),
-            sign,
-          ),
+          isSorted((await columnOf(Number(column), 8))?.filter((value) => !Number.isNaN(value)) ?? [], sign),
         )
         .toBe(true)
     }

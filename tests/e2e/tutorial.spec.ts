@@ -494,6 +494,7 @@ test.describe('without scripts', () => {
     await expect(page.getByRole('heading', { level: 1 })).toHaveText('Which circle is nearest?')
     await expect(page.locator('math').first()).toBeVisible()
     const pictures = page.locator('circle-voronoi > img')
+    expect(await pictures.count()).toBeGreaterThan(0)
     for (const picture of await pictures.all()) {
       await picture.scrollIntoViewIfNeeded()
       const box = (await picture.boundingBox()) as { width: number; height: number }
@@ -507,7 +508,9 @@ test.describe('without scripts', () => {
 
   test('what rules find as printed is pictured and said', async ({ page }) => {
     await page.goto('/tutorial/06-where-rules-fail.html')
-    for (const figure of await page.locator('figure.printed').all()) {
+    const figures = await page.locator('figure.printed').all()
+    expect(figures.length).toBeGreaterThan(0)
+    for (const figure of figures) {
       await figure.scrollIntoViewIfNeeded()
       const picture = figure.locator('.picture img')
       await soon(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(0)

@@ -12,7 +12,7 @@ test('the discs bounce, and their diagram follows', async ({ page }) => {
     page.on('console', (message) => message.type() === 'error' && problems.push(message.text()))
     await page.goto(`${server.address}examples/bouncing/`)
     const times = page.locator('output')
-    await expect(times).toHaveText(/^frame 60: edits [\d.]+ ms, drawing [\d.]+ ms$/, { timeout: 100_000 })
+    await expect(times).toHaveText(/^frame \d+: edits [\d.]+ ms, drawing [\d.]+ ms$/, { timeout: 100_000 })
     const inked = await page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
       const { data } = (canvas.getContext('2d') as CanvasRenderingContext2D).getImageData(
         0,

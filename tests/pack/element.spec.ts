@@ -444,6 +444,8 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   })
   await shown(page)
   await drag(page, 3, 150, 0)
+  // What is drawn comes after each edit before it.
+  await element.evaluate((element: HTMLElementTagNameMap['circle-voronoi']) => element.toSVG())
   expect(await circlesOf(page)).toEqual(atFirst)
   expect(problems).toEqual([])
 })

@@ -459,8 +459,8 @@ async function expectToPrint(page: Page, address: string, expected = EXPECTED): 
   })
   await page.goto(address)
   const output = page.locator('output')
-  await expect(output, complaints.join('\n')).not.toBeEmpty({ timeout: 30_000 })
-  expect(await output.textContent()).toBe(expected)
+  await expect(output).not.toBeEmpty({ timeout: 30_000 })
+  expect({ text: await output.textContent(), complaints }).toEqual({ text: expected, complaints: [] })
 }
 
 /** plain.html: a page without a bundler, which finds modules by their addresses. */

@@ -38,6 +38,7 @@ export function passesNativeTests(filter) {
       .split(/\n\s*/)
       .map((test) => suite + test),
   )
+  if (names.length === 0) throw new Error(`No native test has a name like ${filter}.`)
   describe('passes the tests of the native program', AT_ONCE, () => {
     for (const name of names) {
       it(name, (_, done) => {

@@ -72,7 +72,7 @@ describe('a thread in Node', () => {
     expect(given).toEqual([expect.objectContaining({ execArgv: [] })])
   })
 
-  it('tells of its failure, and answers nothing once it has been ended', async () => {
+  it('tells of its failure, and answers nothing', async () => {
     world.file = moduleOf(`throw new Error('broken')`)
     let failure: unknown
     const broken = startThread({
