@@ -38,9 +38,12 @@ function exampleOf(name: string): string {
   return readFileSync(join(ROOT, `examples/element/${name}/index.html`), 'utf8')
 }
 
-/** A page for a test, in build/examples. */
+/** Where pages for tests are written: each of the workers has a folder of its own. */
+const PAGES = `build/examples-${process.env.TEST_PARALLEL_INDEX}`
+
+/** A page for a test. */
 function writeExample(name: string, html: string): void {
-  const path = join(ROOT, 'build/examples', name)
+  const path = join(ROOT, PAGES, name)
   mkdirSync(dirname(path), { recursive: true })
   writeFileSync(path, html)
 }
@@ -253,7 +256,7 @@ test('in one file from another origin, of which nothing else is asked', async ({
   try {
     const { problems, asked } = watch(page)
     writeExample('bundle.html', exampleOf('bundle').replaceAll('../../../', elsewhere.address))
-    await page.goto(`${here.address}build/examples/bundle.html`)
+    await page.goto(`${here.address}${PAGES}/bundle.html`)
     await expectToBeLive(page)
     // By the page and by the thread.
     expect(new Set(asked.filter((url) => url.startsWith(origin)))).toEqual(
@@ -279,7 +282,7 @@ test('one file fetches what draws power diagrams, wherever its thread comes from
         <circle-voronoi circles="${THREE}"></circle-voronoi>`,
       )
       const { problems } = watch(page)
-      await page.goto(`${here.address}build/examples/power.html`)
+      await page.goto(`${here.address}${PAGES}/power.html`)
       await shown(page)
       const drawn = () => page.locator('circle-voronoi').evaluate((element: Element) => element.toSVG())
       const before = (await drawn()).match(/<path/g)?.length ?? 0
@@ -303,7 +306,7 @@ test('the module and its thread from another origin', async ({ page }) => {
   try {
     const { problems } = watch(page)
     writeExample('plain.html', exampleOf('plain').replaceAll('../../../', elsewhere.address))
-    await page.goto(`${here.address}build/examples/plain.html`)
+    await page.goto(`${here.address}${PAGES}/plain.html`)
     await expectToBeLive(page)
     expect(problems).toEqual([])
   } finally {
@@ -452,8 +455,8 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
 
 test('in Markdown, from a file', async ({ page }) => {
   const { problems } = watch(page)
-  buildSite(join(ROOT, 'build/markdown-site'), '../../dist/element/index.js')
-  await page.goto(`${server.address}build/markdown-site/index.html`)
+  buildSite(join(ROOT, PAGES, 'markdown'), '../../../dist/element/index.js')
+  await page.goto(`${server.address}${PAGES}/markdown/index.html`)
   await shown(page)
   expect((await circlesOf(page)).slice(0, 3)).toEqual([1, 1, 0.4])
   expect(await circlesOf(page)).toHaveLength(27)
@@ -467,7 +470,7 @@ test('in Markdown, from a file', async ({ page }) => {
 
 for (const name of ['react', 'vue']) {
   test(`with ${name}, which hears of the circles and sets them`, async ({ page }) => {
-    const outDir = join(ROOT, `build/examples/${name}`)
+    const outDir = join(ROOT, PAGES, name)
     await build({
       root: join(ROOT, `examples/element/${name}`),
       configFile: false,
@@ -481,7 +484,7 @@ for (const name of ['react', 'vue']) {
       build: { outDir, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
     })
     const { problems, asked } = watch(page)
-    await page.goto(`${server.address}build/examples/${name}/index.html`)
+    await page.goto(`${server.address}${PAGES}/${name}/index.html`)
     await expect(page.locator('output')).toHaveText('3 circles, 3 edges')
     await expectToBeLive(page)
     expect(asked.filter((url) => url.endsWith('.wasm'))).toHaveLength(1)
@@ -511,11 +514,11 @@ test('from an esbuild build, as docs/element.md says', async ({ page }) => {
     `<!doctype html><html lang="en"><title>esbuild</title><link rel="icon" href="data:,">
     <script type="module" src="page.js"></script><circle-voronoi circles="${THREE}"></circle-voronoi>`,
   )
-  const cwd = join(ROOT, 'build/examples/esbuild')
+  const cwd = join(ROOT, PAGES, 'esbuild')
   const { status, stderr } = spawnSync(join(ROOT, 'node_modules/.bin/esbuild'), args, { cwd, encoding: 'utf8' })
   expect(status).toBe(0)
   expect(stderr).not.toContain('WARNING')
-  await page.goto(`${server.address}build/examples/esbuild/build/index.html`)
+  await page.goto(`${server.address}${PAGES}/esbuild/build/index.html`)
   await expectToBeLive(page)
   expect(problems).toEqual([])
 })
@@ -536,7 +539,7 @@ for (const [k, code] of inLanguage('jsx').entries()) {
       stdin: { contents: source, loader: 'jsx', resolveDir: ROOT },
       jsx: 'automatic',
       bundle: true,
-      outfile: join(ROOT, 'build/examples/react-block.js'),
+      outfile: join(ROOT, PAGES, 'react-block.js'),
     })
     await open(page, 'react-block', '<div id="root"></div><script src="react-block.js" defer></script>')
     await expectToBeLive(page)
@@ -592,7 +595,7 @@ test('what it says stays: numbers, a check that undo meets again, states, and wh
     <script type="module" src="../../dist/element/index.js"></script>
     <circle-voronoi circles="[[0,0,2],[10,0,1],[5,8,1.5],[5,3,1]]" check='{"cell": 3, "neighbor": 2}' controls></circle-voronoi>`,
   )
-  await page.goto(`${server.address}build/examples/staying.html`)
+  await page.goto(`${server.address}${PAGES}/staying.html`)
   await shown(page)
   const element = page.locator('circle-voronoi')
   const told = () =>
@@ -682,7 +685,7 @@ for (const file of ['index', 'bundle']) {
       <style>circle-voronoi { width: 600px; height: 400px }</style>
       <circle-voronoi circles="${THREE}" view="5 4 20"></circle-voronoi>`,
     )
-    await page.goto(`${server.address}build/examples/regions.html`)
+    await page.goto(`${server.address}${PAGES}/regions.html`)
     await shown(page)
     const element = page.locator('circle-voronoi')
     const { x, y } = (await element.boundingBox()) as { x: number; y: number }
@@ -787,7 +790,7 @@ test('given the bytes: by its own name, and the method is played', async ({ page
     <circle-voronoi circles="[[0,0,2],[10,0,1],[5,8,1.5]]" controls></circle-voronoi>
     <my-circles circles="[[0,0,2],[10,0,1],[5,8,1.5]]" step="1"></my-circles>`,
   )
-  await page.goto(`${server.address}build/examples/bytes.html`)
+  await page.goto(`${server.address}${PAGES}/bytes.html`)
   await expectToBeLive(page)
   const other = page.locator('my-circles')
   const state = await other.evaluate(async (element: Element) => {
@@ -859,7 +862,7 @@ test('twenty figures share a module and a thread, and give back what is far away
     ${await response.text()}`
     await route.fulfill({ response, body })
   })
-  await page.goto(`${server.address}build/examples/twenty.html`)
+  await page.goto(`${server.address}${PAGES}/twenty.html`)
   /** Pixels of canvases, in figures that have some. */
   const pixels = () =>
     page
@@ -1018,7 +1021,7 @@ async function open(page: Page, name: string, body: string, lang = 'en'): Promis
     `<!doctype html><html lang="${lang}"><title>${name}</title><link rel="icon" href="data:,">
     <script type="module" src="../../dist/element/index.js"></script>${body}`,
   )
-  await page.goto(`${server.address}build/examples/${name}.html`)
+  await page.goto(`${server.address}${PAGES}/${name}.html`)
 }
 
 /** The errors since the last time. */
@@ -1171,7 +1174,7 @@ test('where nothing can be computed, that is said, and what stands between the t
     ['#worker', 'The diagram could not be computed: There are no threads here.'],
   ] as const) {
     await page.goto('about:blank')
-    await page.goto(`${server.address}build/examples/failing.html${hash}`)
+    await page.goto(`${server.address}${PAGES}/failing.html${hash}`)
     await shown(page)
     await expect(alert).toHaveText(message)
     const told = await errors(page)
@@ -1214,9 +1217,9 @@ test('in one file inside the page itself', async ({ page }) => {
       `<!doctype html><html lang="en"><title>Inline</title><link rel="icon" href="data:,">
       <script type="module">${bundle}</script><circle-voronoi circles="${THREE}" controls></circle-voronoi>`,
     )
-    await page.goto(`${here.address}build/examples/inline.html`)
+    await page.goto(`${here.address}${PAGES}/inline.html`)
     await expectToBeLive(page)
-    expect(asked.filter((url) => url.startsWith('http'))).toEqual([`${here.address}build/examples/inline.html`])
+    expect(asked.filter((url) => url.startsWith('http'))).toEqual([`${here.address}${PAGES}/inline.html`])
     expect(problems).toEqual([])
   } finally {
     await here.close()
@@ -1238,7 +1241,7 @@ for (const build of ['index', 'bundle']) {
         `<!doctype html><html lang="en"><title>Sandbox</title><link rel="icon" href="data:,">
         <iframe sandbox="allow-scripts" src="framed.html" title="Figure" style="width: 600px; height: 400px"></iframe>`,
       )
-      await page.goto(`${here.address}build/examples/sandbox.html`)
+      await page.goto(`${here.address}${PAGES}/sandbox.html`)
       const element = page.frameLocator('iframe').locator('circle-voronoi')
       const seen = await element.evaluate(async (element: Element) => {
         await element.ready
