@@ -274,8 +274,6 @@ test('pans and zooms', async ({ app }) => {
   await app.page.mouse.wheel(0, -300)
   await expect.poll(isOther).toBe(true)
   await app.page.getByRole('button', { name: 'Fit' }).click()
-  await app.page.mouse.move(640, 790)
-  await expect.poll(isOther).toBe(true)
 
   const before = app.locate(BRONZE, { x: 9, y: -0.5 })
   await app.drag(before, { x: before.x + 100, y: before.y - 50 })

@@ -54,6 +54,11 @@ async function expectAlwaysApart(app: App, layers: number): Promise<void> {
   expect((await boxOf(panel)).height).toBeGreaterThan(layers)
   await panel.getByRole('button', { name: 'Close' }).click()
   await expect(panel).toBeHidden()
+  const answer = await heldBack('**/data/spruces.csv', app.page)
+  await app.page.getByLabel('Data set').selectOption({ label: 'Spruces' })
+  await expect(app.page.locator('#progress').getByRole('button', { name: 'Cancel' })).toBeInViewport({ ratio: 1 })
+  await expectApart(app)
+  answer()
 }
 
 // 320 x 200 is 1280 x 800 at 400 %.

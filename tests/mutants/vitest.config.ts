@@ -5,8 +5,6 @@ export default defineConfig({
   test: {
     include: ['tests/web/**/*.test.ts'],
     setupFiles: ['tests/mutants/same-random-numbers.ts'],
-    // Each file for itself would load everything anew, for each change.
-    isolate: false,
     // Counting what runs takes time.
     testTimeout: 300_000,
   },

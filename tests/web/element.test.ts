@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an element reads: attributes, data, checks; and what its manifest says of it.
 import { readFileSync } from 'node:fs'
-import { describe, expect, test, vi } from 'vitest'
+import { describe, expect, test } from 'vitest'
 import { manifest } from '../../scripts/manifest.mjs'
 import { problemOf } from '../../web/editing/problem.ts'
 import {
@@ -138,9 +138,6 @@ describe('what it says', () => {
   const counts = { circles: 12345, hidden: 1, vertices: 1, edges: 2 }
 
   test('is in the language of its page, if that is known, with its numbers', async () => {
-    // Elsewhere other languages may have been loaded.
-    vi.resetModules()
-    const { loadWords, wordsOf } = await import('../../web/element/language.ts')
     const english = (number: string) =>
       `${number} circles, 1 of them hidden inside others; the diagram has 1 vertex and 2 edges.`
     const german = (number: string) =>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of web/lib/threads/thread.ts: a test says what its threads are. One module for all tests, since in
-// tests/mutants many of them run in one world, where the first module in that place stays.
+// In place of web/lib/threads/thread.ts: a test says what its threads are.
 import type { ThreadEvents } from '../../web/lib/threads/thread.ts'
 
 let start: (events: ThreadEvents) => unknown

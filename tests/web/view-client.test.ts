@@ -4,6 +4,7 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { Point } from '../../web/lib/index.ts'
 import type { Painter } from '../../web/view/painter.ts'
 import type { Described, Marks, Touching } from '../../web/view/protocol.ts'
+import { View } from '../../web/view/view.ts'
 
 const drawn = vi.hoisted(() => [] as { touching: unknown; marks: Marks }[])
 vi.mock('../../web/view/overlay.ts', () => ({
@@ -24,10 +25,6 @@ vi.mock('../../web/view/base-picture.ts', () => ({
     draw() {}
   },
 }))
-
-// Elsewhere it may have been loaded with what is replaced here.
-vi.resetModules()
-const { View } = await import('../../web/view/view.ts')
 
 let frames: (() => void)[] = []
 beforeEach(() => {
