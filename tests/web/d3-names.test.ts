@@ -7,7 +7,7 @@ import { library } from './library.ts'
 const { Delaunay, Voronoi } = await import('d3-delaunay' as string)
 const COOKBOOK = readFileSync(new URL('../../docs/cookbook.md', import.meta.url), 'utf8')
 const [, same = '', table = ''] =
-  /many names are the same: ([^.]+)\.[^|]+\n\n(\| d3-delaunay [\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
+  /recognize\s+many names: ([^.]+)\.[^|]+\n\n(\| d3-delaunay [\s\S]+?)\n\n/.exec(COOKBOOK) ?? []
 const diagram = library.compute([
   [0, 0, 1],
   [6, 0, 1],
