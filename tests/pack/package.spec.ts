@@ -455,7 +455,7 @@ async function expectToPrint(page: Page, address: string, expected = EXPECTED): 
   const complaints: string[] = []
   page.on('pageerror', (error) => complaints.push(error.message))
   page.on('console', (message) => {
-    if (message.type() === 'error') complaints.push(message.text())
+    if (message.type() === 'error') complaints.push(`${message.text()} (${message.location().url})`)
   })
   await page.goto(address)
   const output = page.locator('output')
