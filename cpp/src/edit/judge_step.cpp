@@ -80,9 +80,7 @@ bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
       if (!isOther || (h > t && state.savedInStep(t / 3) != nullptr)) continue;
       const int a = dual.origin[h];
       const int b = dual.origin[t];
-      if (a != kPointAtInfinity && b != kPointAtInfinity &&
-          (state.predicates.contains(state.circles[a], state.circles[b]) ||
-           state.predicates.contains(state.circles[b], state.circles[a]))) {
+      if (a != kPointAtInfinity && b != kPointAtInfinity && state.predicates.hiddenOf(a, b) != kPointAtInfinity) {
         return false;
       }
       const int order = prover.proveEdge(h);
