@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "certificate_message.h"
 #include "prefetch.h"
 
 namespace circle_voronoi {
@@ -213,6 +214,14 @@ Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircl
     }
   }
   return {};
+}
+
+std::optional<Error> refusalOfHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden) {
+  const Verdict verdict = judgeHidden(circles, hidden);
+  if (verdict.isRight()) return std::nullopt;
+  const Certificate certificate = {verdict.flaw, verdict.circle, kNone, kNone, {}};
+  return Error{ErrorCode::notCertified, verdict.circle,
+               "No construction led to a certified diagram: " + messageOf(certificate, {})};
 }
 
 }  // namespace circle_voronoi
