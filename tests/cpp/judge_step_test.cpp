@@ -16,7 +16,7 @@
 namespace circle_voronoi {
 namespace {
 
-using Verdict = StepJudge::Verdict;
+using Verdict = StepVerdict;
 
 std::unique_ptr<EditState> stateOf(const std::vector<Circle>& circles) {
   return buildState(circles, test::firstIds(circles.size()), false).value();

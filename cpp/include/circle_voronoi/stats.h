@@ -32,7 +32,7 @@ struct Counts {
 
 /// Wall-clock seconds of each stage.
 struct Seconds {
-  double order = 0;        ///< bringing the circles into spatial order
+  double order = 0;        ///< checking the circles, and bringing them into spatial order
   double triangulate = 0;  ///< finding hidden circles, and the Delaunay triangulation of the centers
   double sample = 0;
   double pair = 0;

@@ -34,24 +34,24 @@ struct Figure {
 
 /// Figures 5 b and 5 c: two circles (0, 1) that are neighbors, although one row of circles, or two rows, lie between
 /// their centers.
-std::vector<Circle> oneRowBetween();
-std::vector<Circle> twoRowsBetween();
+[[nodiscard]] std::vector<Circle> oneRowBetween();
+[[nodiscard]] std::vector<Circle> twoRowsBetween();
 
 /// Figure 5 d: a very large circle (0) and a small one (1) that are neighbors. Layers of tiny circles around the small
 /// one put many steps of the Delaunay graph of the centers between the two.
-std::vector<Circle> layersBetween();
+[[nodiscard]] std::vector<Circle> layersBetween();
 
 /// Figure 6: two circles (0, 1) that are neighbors, although two tiny ones lie between their centers.
-std::vector<Circle> sevenCircles();
+[[nodiscard]] std::vector<Circle> sevenCircles();
 
 /// Figure 9: a short edge between circles 0 and 2, and one that is a millionth as long as the circles are wide.
-std::vector<Circle> shortEdge();
-std::vector<Circle> nearlyNoEdge();
+[[nodiscard]] std::vector<Circle> shortEdge();
+[[nodiscard]] std::vector<Circle> nearlyNoEdge();
 
 /// Figure 12: intersecting circles, three of them mutually (0, 1, 2), and a circle that is hidden (5, by 3).
-std::vector<Circle> intersectingCircles();
+[[nodiscard]] std::vector<Circle> intersectingCircles();
 
 /// Figure 13 b, after Lee et al. (2016): convex cells, pairs of circles with several edges, cells with two edges.
-std::vector<Circle> severalEdges();
+[[nodiscard]] std::vector<Circle> severalEdges();
 
 }  // namespace circle_voronoi

@@ -58,6 +58,7 @@ constexpr auto kTraceKinds = std::to_array<std::string_view>({"roundBegun",
                                                               "circleReplaced",
                                                               "circleShrunk"});
 static_assert(std::is_same_v<decltype(kTraceKinds), const Names<TraceKind::circleShrunk>>);
+static_assert(kSecondsMembers.size() == static_cast<std::size_t>(Stage::assemble) + 2, "each stage has a time");
 
 template <class Value, std::size_t count>
 std::string_view nameIn(const std::array<std::string_view, count>& names, Value value) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "certificate_message.h"
 #include "construct.h"
 #include "diagram_of.h"
 #include "guarded.h"
@@ -58,10 +57,17 @@ Observer observerOfInput(const Observer& observer, const std::vector<int>& visib
   };
 }
 
-Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scaled, const Options& options) {
+Result<Diagram> computeWith(std::span<const Circle> circles, const Options& options) {
   const Threads threads(options.threads);
   Journal journal(options.progress);
   Stats& stats = journal.stats;
+  auto valid = [&] {
+    // The stage begins once the circles are known to be valid.
+    const Stopwatch watch(stats.seconds.order);
+    return validate(circles, options.weights);
+  }();
+  if (!valid) return valid.error();
+  ScaledCircles scaled = std::move(valid).value();
   stats.method = options.method;
   stats.counts.circles = static_cast<std::int64_t>(scaled.circles.size());
   OrderedCircles ordered;
@@ -118,15 +124,13 @@ Result<Diagram> computeValid(std::span<const Circle> circles, ScaledCircles scal
 Result<Diagram> compute(std::span<const Circle> circles, const Options& options) {
   return guarded([&]() -> Result<Diagram> {
     if (auto error = checkOptions(options, circles.size())) return *std::move(error);
-    auto scaled = validate(circles, options.weights);
-    if (!scaled) return scaled.error();
     Options own = options;
     own.progress = lettingThrough(options.progress);
     own.observer = lettingThrough(options.observer);
     double seconds = 0;
     auto result = [&] {
       const Stopwatch watch(seconds);
-      return computeValid(circles, std::move(scaled).value(), own);
+      return computeWith(circles, own);
     }();
     if (result) result.value().stats.seconds.total = seconds;
     return result;

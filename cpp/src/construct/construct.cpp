@@ -89,32 +89,53 @@ Topology touchPairs(std::span<const Circle> circles, const std::vector<Pair>& pa
   return std::move(touched.topology);
 }
 
-/// A dual after flips: its discs, and what they found.
-struct Flipped {
-  FaceDiscs discs;
-  Flips flips;
+/// A patch takes as long as the insertion of hundreds of circles.
+constexpr std::size_t kFewWrongFaces = 100;
 
-  Proof takeProof() { return {discs.take(), discs.takeOrders(), {}}; }
-};
-
-Flipped flipped(Dual& dual, Predicates& predicates, const Sites& sites, FaceTeller& teller, Journal& journal,
-                Threads threads) {
-  const Stopwatch watch = journal.enter(Stage::flip);
-  FaceDiscs discs(sites.circles, dual, predicates, threads);
-  Flips flips = flip(dual, discs, teller.watcher());
-  journal.stats.counts.flips += flips.count;
-  return {std::move(discs), std::move(flips)};
+/// Repairs a dual after flips in patches that grow until none is seen to be wrong. Returns whether not too much was.
+bool repairAll(Dual& dual, FaceDiscs& discs, std::vector<int>& wrong, Journal& journal) {
+  if (wrong.empty()) return true;
+  if (wrong.size() > kFewWrongFaces + static_cast<std::size_t>(dual.faceCount()) / 200) return false;
+  const Stopwatch watch = journal.enter(Stage::repair);
+  journal.stats.way = Way::repair;
+  const auto solve = [&](std::span<const Circle> circles) { return solveLocally(circles, journal.stats.counts); };
+  for (const int reach : {2, 4, 8, 16}) {
+    if (wrong.empty()) break;
+    journal.stats.counts.repairs += repair(dual, discs, wrong, reach, solve);
+  }
+  return true;
 }
 
-/// Flips and judges a dual, and tells all that.
-Verdict flippedAndJudged(Dual& dual, const Sites& sites, FaceTeller& teller, Journal& journal, Threads threads) {
+/// Flips a dual, repairs it if `mayRepair`, judges it, and tells all that. Does not judge it if too much is left to
+/// repair.
+Verdict flippedAndJudged(Dual& dual, const Sites& sites, bool mayRepair, FaceTeller& teller, Journal& journal,
+                         Threads threads) {
   teller.tellChanges();
   Predicates predicates(sites.circles);
-  Proof proof = flipped(dual, predicates, sites, teller, journal, threads).takeProof();
+  auto [discs, wrong] = [&] {
+    const Stopwatch watch = journal.enter(Stage::flip);
+    FaceDiscs all(sites.circles, dual, predicates, threads);
+    Flips flips = flip(dual, all, teller.watcher());
+    journal.stats.counts.flips += flips.count;
+    return std::pair(std::move(all), std::move(flips.wrong));
+  }();
+  const bool isToJudge = !mayRepair || repairAll(dual, discs, wrong, journal);
   addCounts(predicates, journal.stats.counts);
-  Verdict verdict = judged(dual, std::move(proof), sites.circles, journal, threads);
+  if (!isToJudge) return {Flaw::notJudged};
+  Verdict verdict = judged(dual, {discs.take(), discs.takeOrders(), {}}, sites.circles, journal, threads);
   teller.tellChanges();
   return verdict;
+}
+
+/// Flips from the triangulation of the centers, which it uses up.
+Construction flippedFromCenters(Sites& sites, bool mayRepair, const Observer& observer, Journal& journal,
+                                Threads threads) {
+  journal.stats.way = Way::flip;
+  FaceTeller teller(sites.centers, sites.circles, observer);
+  teller.tellRound(0);
+  if (observer) tellOfCenters(sites.centers, observer);
+  Verdict verdict = flippedAndJudged(sites.centers, sites, mayRepair, teller, journal, threads);
+  return {std::move(sites.centers), std::move(verdict)};
 }
 
 /// The circles at what was found wrong and their neighbors among the centers; all if none is named.
@@ -153,15 +174,13 @@ constexpr int kMostResamplings = 4;
 constexpr std::int64_t kMostAngularSamples = 4'000'000;
 
 constexpr std::size_t kLargestPatch = 256;
-constexpr std::size_t kFewWrongFaces = 100;
-
 /// A dual, and what is known of its proof.
 struct Unjudged {
   Dual dual;
   Proof proof;
 };
 
-/// The dual by insertion, and by flips where a near tie misled it.
+/// Builds the dual by insertion, and by flips where a near tie misled it.
 std::optional<Unjudged> inserted(std::span<const Circle> circles, Counts& counts) {
   Predicates predicates(circles);
   auto result = insertAll(circles, predicates);
@@ -174,28 +193,6 @@ std::optional<Unjudged> inserted(std::span<const Circle> circles, Counts& counts
   addCounts(predicates, counts);
   if (!result) return std::nullopt;
   return Unjudged{std::move(result->dual), std::move(proof)};
-}
-
-/// The whole dual by insertion.
-std::optional<Unjudged> insertedAll(const Sites& sites, Journal& journal) {
-  const Stopwatch watch = journal.enter(Stage::flip);
-  return inserted(sites.circles, journal.stats.counts);
-}
-
-/// Repairs a dual after flips in patches that grow until none is seen to be wrong. Returns whether not too much was.
-bool repairAll(Dual& dual, Flipped& after, Journal& journal) {
-  std::vector<int>& wrong = after.flips.wrong;
-  if (wrong.empty()) return true;
-  // A patch takes as long as the insertion of hundreds of circles.
-  if (wrong.size() > kFewWrongFaces + static_cast<std::size_t>(dual.faceCount()) / 200) return false;
-  const Stopwatch watch = journal.enter(Stage::repair);
-  journal.stats.way = Way::repair;
-  const auto solve = [&](std::span<const Circle> circles) { return solveLocally(circles, journal.stats.counts); };
-  for (const int reach : {2, 4, 8, 16}) {
-    if (wrong.empty()) break;
-    journal.stats.counts.repairs += repair(dual, after.discs, wrong, reach, solve);
-  }
-  return true;
 }
 
 }  // namespace
@@ -256,7 +253,7 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
     if (!result.unfit) {
       Dual dual = result.dual;
       FaceTeller teller(dual, sites.circles, observer);
-      Verdict verdict = flippedAndJudged(dual, sites, teller, journal, threads);
+      Verdict verdict = flippedAndJudged(dual, sites, false, teller, journal, threads);
       if (verdict.isRight()) return {std::move(dual), std::move(verdict)};
     }
     // What is missing may lie farther off than what is seen to be wrong: from the third try on, sample everywhere.
@@ -270,57 +267,38 @@ Construction constructByTouchingDisc(const Sites& sites, const Options& options,
 }
 
 Construction constructByFlips(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
-  journal.stats.way = Way::flip;
-  FaceTeller teller(sites.centers, sites.circles, observer);
-  teller.tellRound(0);
-  if (observer) tellOfCenters(sites.centers, observer);
-  Verdict verdict = flippedAndJudged(sites.centers, sites, teller, journal, threads);
-  return {std::move(sites.centers), std::move(verdict)};
+  return flippedFromCenters(sites, false, observer, journal, threads);
 }
 
 Construction constructAutomatically(Sites& sites, const Observer& observer, Journal& journal, Threads threads) {
-  Construction result;
-  int round = 0;
-  // Whether the dual is right. What is not told on the way to it is told at the end.
-  const auto isCertified = [&](Proof proof, FaceTeller& teller) {
-    result.verdict = judged(result.dual, std::move(proof), sites.circles, journal, threads);
-    teller.tellChanges();
-    return result.isRight();
-  };
-  const auto isRightAnew = [&](Unjudged anew) {
-    result.dual = std::move(anew.dual);
-    FaceTeller teller(result.dual, sites.circles, observer);
-    teller.tellRound(round++);
-    return isCertified(std::move(anew.proof), teller);
-  };
   if (sites.dual) {
     journal.stats.way = Way::insert;
     journal.stats.counts.flips += sites.flips;
     addCounts(sites.signs, journal.stats.counts);
-    result.dual = *std::move(sites.dual);
+    Construction result = {*std::move(sites.dual), {}};
     result.verdict.proof = std::move(sites.proof);
     FaceTeller teller(result.dual, sites.circles, observer);
-    teller.tellRound(round);
+    teller.tellRound(0);
     teller.tellChanges();
     return result;
   }
-  journal.stats.way = Way::flip;
-  {
-    result.dual = std::move(sites.centers);
+  Construction result = flippedFromCenters(sites, true, observer, journal, threads);
+  int round = 1;
+  for (const Way way : {Way::insert, Way::apolloniusGraph}) {
+    if (result.isRight()) break;
+    journal.stats.way = way;
+    auto anew = [&] {
+      const Stopwatch watch = journal.enter(Stage::flip);
+      return way == Way::insert ? inserted(sites.circles, journal.stats.counts)
+                                : Unjudged{apolloniusGraph(sites.circles), {}};
+    }();
+    if (!anew) continue;
+    result.dual = std::move(anew->dual);
     FaceTeller teller(result.dual, sites.circles, observer);
     teller.tellRound(round++);
-    if (observer) tellOfCenters(result.dual, observer);
+    result.verdict = judged(result.dual, std::move(anew->proof), sites.circles, journal, threads);
     teller.tellChanges();
-    Predicates predicates(sites.circles);
-    Flipped after = flipped(result.dual, predicates, sites, teller, journal, threads);
-    const bool isLittle = repairAll(result.dual, after, journal);
-    addCounts(predicates, journal.stats.counts);
-    if (isLittle && isCertified(after.takeProof(), teller)) return result;
   }
-  journal.stats.way = Way::insert;
-  if (auto anew = insertedAll(sites, journal); anew && isRightAnew(*std::move(anew))) return result;
-  journal.stats.way = Way::apolloniusGraph;
-  isRightAnew({apolloniusGraph(sites.circles), {}});
   return result;
 }
 

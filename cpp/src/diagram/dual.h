@@ -29,6 +29,9 @@ struct Dual {
   /// The next half-edge around the origin of one, counter-clockwise.
   int around(int h) const { return twin[previous(h)]; }
 
+  /// Returns the next half-edge around the origin of one, clockwise.
+  int aroundClockwise(int h) const { return next(twin[h]); }
+
   /// Whether a half-edge and its twin fit together, between two faces and two corners.
   bool fits(int h) const {
     const int t = twin[h];

@@ -244,7 +244,7 @@ Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, 
   int h = start;
   do {
     topology.hull.push_back(dual.target(h));
-    h = Dual::next(dual.twin[h]);
+    h = dual.aroundClockwise(h);
   } while (h != start);
   return topology;
 }

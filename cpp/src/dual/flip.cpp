@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flip.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "edge_order.h"
+#include "homogeneous_disc.h"
 #include "settle_ties.h"
 #include "wrong_faces.h"
 
@@ -104,18 +106,14 @@ class Flipper {
     return true;
   }
 
-  /// The squared length of the common tangents of two circles.
-  double squaredTangentLength(int i, int j) const {
-    const Circle& a = circles_[i];
-    const Circle& b = circles_[j];
-    const Vector v = between(a, b);
-    return dot(v, v) - (a.r - b.r) * (a.r - b.r);
-  }
-
-  /// Where a disc is lost its circles come to lie along one tangent line: c, in the middle, crosses that of a and b.
+  /// Returns whether the common tangents of a and b are the longest of those of three circles. Where a disc is lost,
+  /// its circles come to lie along one tangent line, and c, in the middle, crosses that of a and b.
   bool isTopOf(int a, int b, int c) const {
-    const double ab = squaredTangentLength(a, b);
-    return ab >= squaredTangentLength(b, c) && ab >= squaredTangentLength(c, a);
+    const auto square = [this](int i, int j) {
+      const Difference d(circles_[i], circles_[j]);
+      return cone(d, d);
+    };
+    return square(a, b) >= std::max(square(b, c), square(c, a));
   }
 
   void flipEdge(int h) {

@@ -210,7 +210,7 @@ class Inserter : private DualKeeper {
   /// The same of those at one edge to the new circle and at the two beside it.
   void settleBeside(int i, int toNew) {
     const int a = dual_.origin[toNew];
-    const int right = Dual::next(dual_.twin[toNew]);
+    const int right = dual_.aroundClockwise(toNew);
     const int left = dual_.around(toNew);
     movers_.clear();
     for (const int h : {right, toNew, left}) waiting_.take(h, movers_);
@@ -228,7 +228,7 @@ class Inserter : private DualKeeper {
       if (const double nearness = toMiddle.nearness(ray); nearness > met.nearness) {
         // The new cell may have another border with this one beyond the next.
         met = {toNew, nearness};
-        for (const int beyond : {Dual::next(dual_.twin[right]), dual_.around(left)}) {
+        for (const int beyond : {dual_.aroundClockwise(right), dual_.around(left)}) {
           if (dual_.target(beyond) == i) met = nearer(met, {beyond, nearness}, j);
         }
       }
@@ -296,7 +296,7 @@ class Inserter : private DualKeeper {
       return nearer(met, {other, bisectorOf(other).nearness(ray)}, j).h == sector.h;
     };
     const bool isThere =
-        spans(sector.h, j) && isBefore(dual_.around(sector.h)) && isBefore(Dual::next(dual_.twin[sector.h]));
+        spans(sector.h, j) && isBefore(dual_.around(sector.h)) && isBefore(dual_.aroundClockwise(sector.h));
     return isThere ? sector.h : kPointAtInfinity;
   }
 

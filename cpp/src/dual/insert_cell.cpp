@@ -77,7 +77,7 @@ std::optional<CellInserter::CutEdge> CellInserter::cutEdgeAround(int likely, int
       if (const Cut cut = cutOf(h, i); cut.isCut) return CutEdge{h, cut};
     }
     left = dual_.around(left);
-    right = Dual::next(dual_.twin[right]);
+    right = dual_.aroundClockwise(right);
   } while (left != likely);
   return CutEdge{likely, {}};
 }
@@ -204,9 +204,7 @@ bool CellInserter::isAtInfinity(int h) const {
 }
 
 int CellInserter::turn(int from, const Disc& first, const Disc& second) const {
-  const int sign =
-      predicates_.filteredCross(predicates_.direction(from, first.disc), predicates_.direction(from, second.disc));
-  return sign != 0 ? sign : predicates_.exactCross(from, first.corners, second.corners);
+  return predicates_.turn(from, first.corners, first.disc, second.corners, second.disc);
 }
 
 void CellInserter::flipEdge(int h, int i) {

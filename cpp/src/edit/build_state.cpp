@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "certificate_message.h"
 #include "construct.h"
 #include "diagram_of.h"
 #include "hide.h"

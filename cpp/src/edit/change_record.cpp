@@ -213,7 +213,7 @@ void ChangeRecorder::recordHull(Change& change, const EditState& state) {
     if (saved.before != kNone || !state.isInUse(saved.face) || dual.isFinite(saved.face)) continue;
     const int h = hullEdge(dual, saved.face);
     add(h);
-    const int before = Dual::next(dual.twin[Dual::next(h)]);
+    const int before = dual.aroundClockwise(Dual::next(h));
     if (state.firstSaved(before / 3) == nullptr) add(before);
   }
 }

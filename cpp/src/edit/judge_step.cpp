@@ -7,25 +7,25 @@
 #include "settle_ties.h"
 
 namespace circle_voronoi {
-StepJudge::Verdict StepJudge::judge(EditState& state, int moved) {
+StepVerdict StepJudge::judge(EditState& state, int moved) {
   unsettled_.clear();
   for (const int slot : touched_) turns_[slot] = 0;  // should memory have run out
   touched_.clear();
   turns_.resize(state.sites.size());
   hullTurns_ = 0;
   const int faceCount = state.visibleCount < 2 ? 0 : 2 * state.visibleCount - 2;
-  if (state.faceCount != faceCount) return Verdict::broken;
+  if (state.faceCount != faceCount) return StepVerdict::broken;
   StepProver prover(state.dual, state.circles, state.predicates, state.discs, state.proof);
-  if (const Verdict verdict = judgeFaces(state, moved, prover); verdict != Verdict::right) return verdict;
+  if (const StepVerdict verdict = judgeFaces(state, moved, prover); verdict != StepVerdict::right) return verdict;
   const bool areRight = areEdgesRight(state, prover);
   // Leaves the counts at zero, whatever was right before.
-  return areTurnsRight(state) && areRight && areCirclesRight(state, moved) ? Verdict::right : Verdict::wrong;
+  return areTurnsRight(state) && areRight && areCirclesRight(state, moved) ? StepVerdict::right : StepVerdict::wrong;
 }
 
 /// Adjacency, and a disc of each changed face. Their neighbors, whose edges change, count as touched, too.
-StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved, StepProver& prover) {
+StepVerdict StepJudge::judgeFaces(EditState& state, int moved, StepProver& prover) {
   const Dual& dual = state.dual;
-  Verdict verdict = Verdict::right;
+  StepVerdict verdict = StepVerdict::right;
   for (std::size_t i = state.stepFaces(); i < state.faceLog.size(); ++i) {
     const int face = state.faceLog[i].face;
     const auto corners = cornersOf(dual, 3 * face);
@@ -35,13 +35,13 @@ StepJudge::Verdict StepJudge::judgeFaces(EditState& state, int moved, StepProver
     state.faceLog[i].isChanged = isChanged;
     if (!isInUse) continue;
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
-      if (!dual.fits(h)) return Verdict::broken;
-      if (dual.origin[h] != kPointAtInfinity && !state.isVisible(dual.origin[h])) return Verdict::broken;
+      if (!dual.fits(h)) return StepVerdict::broken;
+      if (dual.origin[h] != kPointAtInfinity && !state.isVisible(dual.origin[h])) return StepVerdict::broken;
       if (isChanged) state.willChange(dual.twin[h] / 3);
     }
     if (!isChanged) continue;
     state.discs.update(face);
-    if (!prover.proveFace(face)) verdict = Verdict::wrong;
+    if (!prover.proveFace(face)) verdict = StepVerdict::wrong;
   }
   return verdict;
 }
@@ -80,9 +80,7 @@ bool StepJudge::areEdgesRight(EditState& state, StepProver& prover) {
       if (!isOther || (h > t && state.savedInStep(t / 3) != nullptr)) continue;
       const int a = dual.origin[h];
       const int b = dual.origin[t];
-      if (a != kPointAtInfinity && b != kPointAtInfinity &&
-          (state.predicates.contains(state.circles[a], state.circles[b]) ||
-           state.predicates.contains(state.circles[b], state.circles[a]))) {
+      if (a != kPointAtInfinity && b != kPointAtInfinity && state.predicates.hiddenOf(a, b) != kPointAtInfinity) {
         return false;
       }
       const int order = prover.proveEdge(h);

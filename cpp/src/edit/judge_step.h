@@ -8,21 +8,22 @@
 
 namespace circle_voronoi {
 
+/// What a step has made of a certified diagram.
+enum class StepVerdict {
+  right,
+  wrong,
+  broken,  ///< the faces do not even fit together
+};
+
 /// Judges what a step has changed in a certified diagram, by the theorem of judge.h. What that asks of a face, an edge
 /// or a circle holds where nothing has changed; what it counts - the turns of each region and of the hull, faces and
 /// circles - changes by what the changed edges had and have. So the whole is certified again, by induction.
 class StepJudge {
  public:
-  enum class Verdict {
-    right,
-    wrong,
-    broken,  ///< the faces do not even fit together
-  };
-
   /// Finds the discs of all changed faces, too, and notes what the proof keeps of their edges.
   ///
   /// `moved`: the slot of a circle that has changed, or kNone.
-  Verdict judge(EditState& state, int moved);
+  StepVerdict judge(EditState& state, int moved);
 
   /// Of a step that is right: a half-edge of each changed edge of length zero that is not as ties are to be settled.
   std::span<const int> unsettled() const { return unsettled_; }
@@ -30,7 +31,7 @@ class StepJudge {
  private:
   using StepProver = Prover<FaceDiscs>;
 
-  Verdict judgeFaces(EditState& state, int moved, StepProver& prover);
+  StepVerdict judgeFaces(EditState& state, int moved, StepProver& prover);
   bool areEdgesRight(EditState& state, StepProver& prover);
   bool areCirclesRight(EditState& state, int moved) const;
   bool areTurnsRight(const EditState& state);

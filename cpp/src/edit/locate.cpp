@@ -23,7 +23,7 @@ int sectorOf(const EditState& state, int h, Point p) {
   int spoke = h;
   do {
     if (state.discs.spans(spoke, ray)) return spoke;
-    spoke = isLeft ? dual.around(spoke) : Dual::next(dual.twin[spoke]);
+    spoke = isLeft ? dual.around(spoke) : dual.aroundClockwise(spoke);
   } while (spoke != h);
   int nearest = h;
   double least = kInfinite;
@@ -34,7 +34,7 @@ int sectorOf(const EditState& state, int h, Point p) {
         nearest = spoke;
       }
     }
-    spoke = Dual::next(dual.twin[spoke]);
+    spoke = dual.aroundClockwise(spoke);
   } while (spoke != h);
   return nearest;
 }

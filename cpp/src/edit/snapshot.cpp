@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "certificate_message.h"
 #include "diagram_of.h"
 #include "hiders.h"
 #include "order.h"

@@ -251,15 +251,15 @@ std::optional<EditWay> Stepper::certify(int moved) {
 
 /// Judges the step, and settles its ties.
 bool Stepper::isRight(int moved) {
-  StepJudge::Verdict verdict = judge_.judge(state_, moved);
-  if (verdict == StepJudge::Verdict::right && !judge_.unsettled().empty()) {
+  StepVerdict verdict = judge_.judge(state_, moved);
+  if (verdict == StepVerdict::right && !judge_.unsettled().empty()) {
     edges_.assign(judge_.unsettled().begin(), judge_.unsettled().end());
     flipTies(state_.dual, state_.discs, edges_, state_);
     state_.noteEdges();
     verdict = judge_.judge(state_, moved);
   }
-  isBroken_ = verdict == StepJudge::Verdict::broken;
-  return verdict == StepJudge::Verdict::right && judge_.unsettled().empty();
+  isBroken_ = verdict == StepVerdict::broken;
+  return verdict == StepVerdict::right && judge_.unsettled().empty();
 }
 
 /// The edges of all faces that have changed in this step.

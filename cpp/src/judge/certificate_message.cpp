@@ -50,14 +50,6 @@ Certificate certificateOf(const Verdict& verdict, const Dual& dual, const Topolo
   return certificate;
 }
 
-std::optional<Error> refusalOfHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden) {
-  const Verdict verdict = judgeHidden(circles, hidden);
-  if (verdict.isRight()) return std::nullopt;
-  const Certificate certificate = {verdict.flaw, verdict.circle, kNone, kNone, {}};
-  return Error{ErrorCode::notCertified, verdict.circle,
-               "No construction led to a certified diagram: " + messageOf(certificate, {})};
-}
-
 std::string messageOf(const Certificate& certificate, const Diagram& diagram) {
   const auto about = [&] { return subject(certificate, diagram); };
   switch (certificate.flaw) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-#include <span>
 #include <string>
 
 #include "circle_voronoi/diagram.h"
-#include "circle_voronoi/error.h"
 #include "judge.h"
 #include "topology.h"
 
@@ -14,9 +11,6 @@ namespace circle_voronoi {
 
 /// A verdict on a dual in terms of its topology; circles stay as they are.
 Certificate certificateOf(const Verdict& verdict, const Dual& dual, const Topology& topology);
-
-/// The error where a hidden circle does not lie in the visible one that is named for it, by the index of the circle.
-std::optional<Error> refusalOfHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden);
 
 /// One sentence on what a certificate found, with the indices concerned; empty if certified.
 std::string messageOf(const Certificate& certificate, const Diagram& diagram);

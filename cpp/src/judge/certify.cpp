@@ -68,7 +68,7 @@ std::variant<Visible, Certificate> visibleCircles(std::span<const Circle> circle
 }
 
 /// The topology by visible circles; an index of no visible circle becomes kNone, which no topology accepts.
-Topology topologyOf(const Diagram& diagram, const std::vector<std::int32_t>& sites) {
+Topology visibleTopology(const Diagram& diagram, const std::vector<std::int32_t>& sites) {
   const auto site = [&](std::int32_t i) {
     return i >= 0 && static_cast<std::size_t>(i) < sites.size() ? sites[i] : kNone;
   };
@@ -140,7 +140,7 @@ Certificate judgeDiagram(std::span<const Circle> circles, double unit, const Dia
   if (const auto* certificate = std::get_if<Certificate>(&found)) return *certificate;
   const auto& visible = std::get<Visible>(found);
   const auto count = static_cast<int>(visible.circles.size());
-  const Topology topology = topologyOf(diagram, visible.sites);
+  const Topology topology = visibleTopology(diagram, visible.sites);
   if (count < 2 && topology.hull.size() != visible.circles.size()) return {Flaw::eulerCount, kNone, kNone, kNone, {}};
   Links links;
   auto dual = dualOf(topology, count, &links);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "certificate_message.h"
 #include "prefetch.h"
 
 namespace circle_voronoi {
@@ -99,11 +100,11 @@ class Judge {
 
   void checkFace(int face, int firstHalfEdge, Predicates& predicates, FaceProver& prover, Findings& found) {
     const int hidden = hiddenCorner(face, predicates);
-    if (!hasDiscs_ && hidden == kNone) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
-    if (hidden != kNone || !prover.proveFace(face)) {
+    if (!hasDiscs_ && !isFinite(hidden)) proof_.discs[face] = predicates.disc(cornersOf(dual_, 3 * face));
+    if (isFinite(hidden) || !prover.proveFace(face)) {
       found.check = 4 * static_cast<std::size_t>(face);
       found.verdict =
-          hidden != kNone ? Verdict{Flaw::cellNotClosed, hidden} : Verdict{Flaw::vertexWithoutDisc, kNone, face};
+          isFinite(hidden) ? Verdict{Flaw::cellNotClosed, hidden} : Verdict{Flaw::vertexWithoutDisc, kNone, face};
       return;
     }
     for (int t = 3 * face; t < 3 * face + 3; ++t) {
@@ -126,21 +127,17 @@ class Judge {
     }
   }
 
-  /// A corner of a face that another hides, or kNone. Each edge is looked at once, before the first of its faces gets
-  /// its disc.
+  /// Returns a corner of a face that another hides, or kPointAtInfinity. Each edge is looked at once, before the first
+  /// of its faces gets its disc.
   int hiddenCorner(int face, Predicates& predicates) const {
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
       if (dual_.twin[h] < h) continue;
       const int a = dual_.origin[h];
       const int b = dual_.target(h);
       if (!isFinite(a) || !isFinite(b)) continue;
-      const Circle& one = circles_[a];
-      const Circle& other = circles_[b];
-      if (isLonger(between(one, other), std::abs(one.r - other.r))) continue;
-      if (predicates.contains(one, other)) return b;
-      if (predicates.contains(other, one)) return a;
+      if (const int hidden = predicates.hiddenOf(a, b); isFinite(hidden)) return hidden;
     }
-    return kNone;
+    return kPointAtInfinity;
   }
 
   /// Proves an edge, given by its second half. What comes after the first that is wrong is not looked at.
@@ -217,6 +214,14 @@ Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircl
     }
   }
   return {};
+}
+
+std::optional<Error> refusalOfHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden) {
+  const Verdict verdict = judgeHidden(circles, hidden);
+  if (verdict.isRight()) return std::nullopt;
+  const Certificate certificate = {verdict.flaw, verdict.circle, kNone, kNone, {}};
+  return Error{ErrorCode::notCertified, verdict.circle,
+               "No construction led to a certified diagram: " + messageOf(certificate, {})};
 }
 
 }  // namespace circle_voronoi

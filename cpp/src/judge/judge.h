@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "circle_voronoi/certificate.h"
 #include "circle_voronoi/diagram.h"
+#include "circle_voronoi/error.h"
 #include "dual.h"
 #include "predicates.h"
 #include "proof.h"
@@ -53,5 +55,9 @@ Verdict judge(std::span<const Circle> circles, const Dual& dual, Predicates& pre
 /// Judges whether each hidden circle lies in a circle that is not hidden, and names each circle once. The verdict names
 /// the first that does not.
 Verdict judgeHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden);
+
+/// Returns the error if a hidden circle does not lie in the visible circle that is named for it. The error has the
+/// index of the hidden circle.
+std::optional<Error> refusalOfHidden(std::span<const Circle> circles, std::span<const HiddenCircle> hidden);
 
 }  // namespace circle_voronoi

@@ -78,24 +78,15 @@ class Prover {
   }
 
  private:
-  /// The corner of the face on the right of a half-edge that is its origin.
-  int cornerBefore(int h) const { return Dual::next(dual_.twin[h]); }
-
-  Direction toDisc(int corner) const { return predicates_.direction(dual_.origin[corner], discs_[corner / 3]); }
-
   /// Whether a turn passes that is less than half a turn.
-  bool passesInOrder(int h) const { return proof_[cornerBefore(h)].isLower && !proof_[h].isLower; }
+  bool passesInOrder(int h) const { return proof_[dual_.aroundClockwise(h)].isLower && !proof_[h].isLower; }
 
   /// Whether any turn passes: one within a half passes if it is nearly a full one.
   bool passes(int h) {
-    const int before = cornerBefore(h);
+    const int before = dual_.aroundClockwise(h);
     if (proof_[before].isLower != proof_[h].isLower) return proof_[before].isLower;
-    int sign = predicates_.filteredCross(toDisc(before), toDisc(h));
-    if (sign == 0) {
-      const auto corners = [&](int corner) { return cornersOf(dual_, corner - corner % 3); };
-      sign = predicates_.exactCross(dual_.origin[h], corners(before), corners(h));
-    }
-    return sign < 0;
+    return predicates_.turn(dual_.origin[h], cornersOf(dual_, before), discs_[before / 3], cornersOf(dual_, h),
+                            discs_[h / 3]) < 0;
   }
 
   const Dual& dual_;

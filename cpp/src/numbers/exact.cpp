@@ -284,6 +284,9 @@ struct PlacedDisc {
   int exponent;
 };
 
+/// Returns a point as a circle of radius 0, of which g is the square of a distance.
+Circle pointAt(Point p) { return {p.x, p.y, 0}; }
+
 PlacedDisc placedDisc(const Face& face, const Circle& o) {
   return seenFrom(o, othersOf(face, &o), [](const auto& seen, int exponent) -> PlacedDisc {
     const auto& [u, v] = seen;
@@ -383,12 +386,9 @@ bool contains(const Circle& outer, const Circle& inner) {
 // With d = b - a it is e |d|^2, divided by the square of the length of d in (x, y, s) space. The error is relative to
 // the products, which are at most that square.
 std::optional<Vector> tangentNormal(const Circle& a, const Circle& b) {
-  struct Parts {
-    Floating x, y, s, g;
-  };
   const auto [x, y, s, g] = seenFrom(a, std::array{&b}, [](const auto& seen, int) {
     const auto& [v, square, isAtInfinity] = seen[0];
-    return Parts{floating(v.x), floating(v.y), floating(v.s), floating(square)};
+    return std::array{floating(v.x), floating(v.y), floating(v.s), floating(square)};
   });
   if (!g.isPositive()) return std::nullopt;
   const Floating root = sqrt(g);
@@ -402,6 +402,22 @@ int tangentSide(const Circle& a, const Circle& b, const Circle& c) {
   return seenFrom(a, std::array{&b, &c}, [](const auto& seen, int) {
     const auto& [u, z] = seen;
     return reachSign(cross(u.v, z.v), u.v);
+  });
+}
+
+int orientation(Point a, Point b, Point c) {
+  const std::array points = {pointAt(a), pointAt(b)};
+  return seenFrom(pointAt(c), std::array{&points[0], &points[1]}, [](const auto& seen, int) {
+    const auto& [u, v] = seen;
+    return planeCross(u.v, v.v).sign();
+  });
+}
+
+int inCircle(Point a, Point b, Point c, Point d) {
+  const std::array points = {pointAt(a), pointAt(b), pointAt(c)};
+  return seenFrom(pointAt(d), std::array{&points[0], &points[1], &points[2]}, [](const auto& seen, int) {
+    const auto& [u, v, w] = seen;
+    return (u.g * planeCross(v.v, w.v) + v.g * planeCross(w.v, u.v) + w.g * planeCross(u.v, v.v)).sign();
   });
 }
 

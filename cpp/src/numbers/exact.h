@@ -83,4 +83,11 @@ std::optional<Vector> tangentNormal(const Circle& a, const Circle& b);
 /// of it.
 int tangentSide(const Circle& a, const Circle& b, const Circle& c);
 
+/// Returns 1 if points a, b, c are counter-clockwise, -1 if they are clockwise, 0 if they are collinear.
+int orientation(Point a, Point b, Point c);
+
+/// Returns 1 if point d lies inside the circle through a, b, c, which are counter-clockwise; 0 if it lies on the
+/// circle; -1 if it lies outside.
+int inCircle(Point a, Point b, Point c, Point d);
+
 }  // namespace circle_voronoi::exact

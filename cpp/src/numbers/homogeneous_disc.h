@@ -36,6 +36,10 @@ inline double largestPart(const Difference& u) { return std::max({std::abs(u.x),
 
 inline double cone(const Difference& u, const Difference& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
 
+inline Difference cross(const Difference& u, const Difference& v) {
+  return {u.y * v.s - u.s * v.y, u.s * v.x - u.x * v.s, u.x * v.y - u.y * v.x};
+}
+
 inline double sizeSquared(const Difference& u) { return u.x * u.x + u.y * u.y + u.s * u.s; }
 
 /// The length, not below it by more than rounding even where the squares underflow.
@@ -135,7 +139,7 @@ inline CornerDisc discOfSides(const Difference& d01, const Difference& d12, cons
   const double g22 = cone(b, b);
   const double g12 = cone(a, b);
   const double g33 = cone(c, c);
-  const Difference n(a.y * b.s - a.s * b.y, a.s * b.x - a.x * b.s, a.x * b.y - a.y * b.x);
+  const Difference n = cross(a, b);
   const double k = cone(n, n);
 
   HomogeneousDisc& disc = result.disc;

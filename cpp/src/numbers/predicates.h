@@ -90,6 +90,13 @@ class Predicates {
   /// filter did not decide: by refined discs, then exactly. The faces share an edge.
   int exactCross(int from, const Triple& first, const Triple& second);
 
+  /// Returns the sign of the cross product of the directions to the discs of two faces that share an edge, seen from a
+  /// corner of both.
+  int turn(int from, const Triple& first, const FaceDisc& firstDisc, const Triple& second, const FaceDisc& secondDisc) {
+    const int sign = filteredCross(direction(from, firstDisc), direction(from, secondDisc));
+    return sign != 0 ? sign : exactCross(from, first, second);
+  }
+
   /// For faces (a, b, c) and (b, a, d) of circles, which have discs, and a bisector that looksFromFirst(a, b): 1 if the
   /// discs lie in order along it, that of (b, a, d) first when going with a on the left; 0 if they are the same; -1 if
   /// they are out of order. That is the sign of the cross product of the directions to them from a, without the
@@ -111,6 +118,14 @@ class Predicates {
   }
 
   bool contains(const Circle& outer, const Circle& inner);
+
+  /// Returns the one of two circles that the other contains, or kPointAtInfinity.
+  int hiddenOf(int a, int b) {
+    const Circle& one = circles_[a];
+    const Circle& other = circles_[b];
+    if (isLonger(between(one, other), std::abs(one.r - other.r))) return kPointAtInfinity;
+    return contains(one, other) ? b : contains(other, one) ? a : kPointAtInfinity;
+  }
 
   /// 1 if circle c crosses the tangent line to the left of a -> b, 0 if it touches it, -1 if it is clear of it.
   int tangentSide(int a, int b, int c);

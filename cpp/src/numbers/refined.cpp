@@ -104,10 +104,6 @@ struct Axis {
   }
 };
 
-Difference cross(const Difference& f, const Difference& g) {
-  return {f.y * g.s - f.s * g.y, f.s * g.x - f.x * g.s, f.x * g.y - f.y * g.x};
-}
-
 /// 4 <M, M>.
 ///
 /// Error: let e be the largest relative error of A, B, C, P their sum, S = A + C - B.

@@ -13,20 +13,6 @@
 namespace circle_voronoi {
 namespace {
 
-/// A vector of (x, y, rho) space.
-struct Vector3 {
-  double x, y, s;
-};
-
-Vector3 cross(const Vector3& u, const Vector3& v) {
-  return {u.y * v.s - u.s * v.y, u.s * v.x - u.x * v.s, u.x * v.y - u.y * v.x};
-}
-
-/// The product of the cone: x x + y y - rho rho.
-double cone(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y - u.s * v.s; }
-
-Vector3 relative(const Circle& c, const Circle& o) { return {c.x - o.x, c.y - o.y, c.r - o.r}; }
-
 std::optional<Vertex> vertexIn(const exact::Face& circles, double unit) {
   const auto& [a, b, c] = circles;
   if (const auto vertex = vertexAt(discOf(*a, *b, *c), circles, unit)) return vertex;
@@ -55,18 +41,18 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
   const int iv = (io + 2) % 3;
   const Circle& o = *circles[io];
 
-  const Vector3 u = relative(*circles[iu], o);
-  const Vector3 v = relative(*circles[iv], o);
-  const Vector3 w = relative(*circles[iv], *circles[iu]);
+  const Difference u(*circles[iu], o);
+  const Difference v(*circles[iv], o);
+  const Difference w(*circles[iv], *circles[iu]);
   const double uu = cone(u, u);
   const double vv = cone(v, v);
-  const Vector3 n = cross(u, v);
-  const Vector3 vn = cross(v, n);
-  const Vector3 nu = cross(n, u);
+  const Difference n = cross(u, v);
+  const Difference vn = cross(v, n);
+  const Difference nu = cross(n, u);
   // The point of the planes' common line nearest the origin; the line runs along n.
   const double scale = 1 / (2 * (n.x * n.x + n.y * n.y + n.s * n.s));
-  const Vector3 base = {scale * (uu * vn.x + vv * nu.x), scale * (uu * vn.y + vv * nu.y),
-                        scale * (uu * vn.s + vv * nu.s)};
+  const Difference base(scale * (uu * vn.x + vv * nu.x), scale * (uu * vn.y + vv * nu.y),
+                        scale * (uu * vn.s + vv * nu.s));
   const double qa = cone(n, n);
   const double qb = cone(base, n);
   const double qc = cone(base, base);

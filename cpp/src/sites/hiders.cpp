@@ -97,8 +97,9 @@ class BoxTree {
   struct Node {
     BoxOfCircles box;
     Slope slope;
-    Rank first;                                 ///< of its circles the one that comes before all others
-    std::array<std::uint8_t, kFanOut> order{};  ///< its children, each before those whose first comes after its own
+    Rank first;  ///< of its circles the one that comes before all others
+    std::array<std::uint8_t, kFanOut>
+        childOrder{};  ///< its children, each before those whose first comes after its own
   };
 
   BoxTree(NumberedCircles circles, Threads threads) {
@@ -133,12 +134,12 @@ class BoxTree {
       const Node& added = below[begin + child];
       node.box.include(added.box);
       std::size_t place = child;
-      for (; place > 0 && added.first.isBefore(below[begin + node.order[place - 1]].first); --place) {
-        node.order[place] = node.order[place - 1];
+      for (; place > 0 && added.first.isBefore(below[begin + node.childOrder[place - 1]].first); --place) {
+        node.childOrder[place] = node.childOrder[place - 1];
       }
-      node.order[place] = static_cast<std::uint8_t>(child);
+      node.childOrder[place] = static_cast<std::uint8_t>(child);
     }
-    node.first = below[begin + node.order[0]].first;
+    node.first = below[begin + node.childOrder[0]].first;
     return node;
   }
 
@@ -184,7 +185,7 @@ class Search {
     const std::size_t begin = index * kFanOut;
     const std::size_t count = std::min(levels_[level - 1].size() - begin, kFanOut);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t child = begin + node.order[i];
+      const std::size_t child = begin + node.childOrder[i];
       const Node& below = levels_[level - 1][child];
       if (!below.first.isBefore(lastBound_)) return;
       ++steps_;

@@ -158,7 +158,7 @@ export interface Counts {
  * @category Diagrams
  */
 export interface Seconds {
-  /** Bringing the circles into spatial order. */
+  /** Checking the circles, and bringing them into spatial order. */
   readonly order: number
   /** Finding hidden circles, and the Delaunay triangulation of the centers. */
   readonly triangulate: number

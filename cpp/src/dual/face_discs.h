@@ -150,11 +150,9 @@ class FaceDiscs {
   Flaw flawAtInfinity(int before, int h, int after, Predicates& predicates) const {
     const int circle = dual_.origin[h];
     if (before == after || predicates.tangentSide(after, before, circle) >= 0) return Flaw::none;
-    const int right = Dual::next(dual_.twin[h]);
-    const int filtered = predicates.filteredCross(predicates.direction(circle, discs_[right / 3]),
-                                                  predicates.direction(circle, discs_[h / 3]));
+    const int right = dual_.aroundClockwise(h);
     const int turn =
-        filtered != 0 ? filtered : predicates.exactCross(circle, cornersOf(dual_, right), cornersOf(dual_, h));
+        predicates.turn(circle, cornersOf(dual_, right), discs_[right / 3], cornersOf(dual_, h), discs_[h / 3]);
     return turn < 0 ? Flaw::hullNotClosed : Flaw::none;
   }
 
