@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url'
 import sirv, { type Options } from 'sirv'
 import type { HtmlTagDescriptor, Plugin } from 'vite'
 import { defineConfig } from 'vitest/config'
+import * as icons from './web/view/icons.ts'
 
 const CONTENT_SECURITY_POLICY = [
   "default-src 'self'",
@@ -54,6 +55,20 @@ const preloads: Plugin = {
   },
 }
 
+/** The icons of the page, which stand in its HTML by their names. */
+const pageIcons: Plugin = {
+  name: 'page-icons',
+  transformIndexHtml: {
+    order: 'pre',
+    handler: (html) =>
+      html.replace(/<svg data-icon="(\w+)" aria-hidden="true">/g, (_, name: string) => {
+        const path = (icons as Readonly<Record<string, string>>)[name.toUpperCase()]
+        if (path === undefined) throw new Error(`There is no icon ${name} in web/view/icons.ts.`)
+        return `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="${path}" />`
+      }),
+  },
+}
+
 /** Serves the built files that are compressed as they are; Vite itself would send WebAssembly as it is. */
 const compressedFiles: Plugin = {
   name: 'compressed-files',
@@ -102,6 +117,7 @@ export default defineConfig(({ isPreview }) => ({
   },
   plugins: [
     { name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] },
+    pageIcons,
     preloads,
     compressedFiles,
   ],

@@ -3,9 +3,11 @@ import { html, nothing, render, svg, type TemplateResult } from 'lit/html.js'
 import { Diagram } from '../lib/diagram/diagram.ts'
 import type { Circle } from '../lib/index.ts'
 import { Trace, type TraceOptions, type TraceState } from '../lib/wasm/trace.ts'
+import { ASK, BACK, DOT, FORTH, NEXT, PAUSE, PLAY, PREVIOUS } from '../view/icons.ts'
 import type { Traced } from '../view/protocol.ts'
 import type { View } from '../view/view.ts'
 import { type RingMark, ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from './discs.ts'
+import { icon } from './icon.ts'
 import css from './player.css?inline'
 import { type Question, questionAfter } from './prediction.ts'
 import { type Line, PROGRAMS, type Program } from './program.ts'
@@ -52,18 +54,6 @@ const MOST_WAITING = 6
 const REVEALED = 24
 /** Nothing is edited for so long, in milliseconds, before it is played anew. */
 const REST = 150
-
-const icon = (paths: TemplateResult) => html`<svg class="glyph" viewBox="0 0 20 20" aria-hidden="true">${paths}</svg>`
-const ICONS = {
-  play: icon(svg`<path class="full" d="M6 4l10 6-10 6z" />`),
-  pause: icon(svg`<path d="M7 4v12M13 4v12" />`),
-  back: icon(svg`<path d="M6 4v12" /><path class="full" d="M15 4l-7 6 7 6z" />`),
-  forth: icon(svg`<path d="M14 4v12" /><path class="full" d="M5 4l7 6-7 6z" />`),
-  previous: icon(svg`<path d="M10 4l-6 6 6 6M16 4l-6 6 6 6" />`),
-  next: icon(svg`<path d="M4 4l6 6-6 6M10 4l6 6-6 6" />`),
-  dot: icon(svg`<circle class="full" cx="10" cy="10" r="4.500" />`),
-  ask: icon(svg`<path d="M7 7a3 3 0 1 1 4 3c-1 .6-1 1.200-1 2.500M10 16v.1" />`),
-}
 
 let sheet: CSSStyleSheet | undefined
 
@@ -448,8 +438,8 @@ class MethodPlayer implements Player {
         />
       </div>
       <div class="row">
-        ${this.#button(words.back, ICONS.back, () => this.#user(step - 1), step === 0)}
-        ${this.#button(isPlaying ? words.pause : words.play, isPlaying ? ICONS.pause : ICONS.play, () => (isPlaying ? this.pause() : this.play()))}
+        ${this.#button(words.back, icon(BACK, true), () => this.#user(step - 1), step === 0)}
+        ${this.#button(isPlaying ? words.pause : words.play, isPlaying ? icon(PAUSE) : icon(PLAY, true), () => (isPlaying ? this.pause() : this.play()))}
         <button
           type="button"
           data-forth
@@ -458,20 +448,20 @@ class MethodPlayer implements Player {
           ?disabled=${step === last}
           @click=${() => this.#user(step + 1)}
         >
-          ${ICONS.forth}
+          ${icon(FORTH, true)}
         </button>
         <select aria-label=${words.speed} @change=${(event: Event) => this.#setSpeed(Number((event.target as HTMLSelectElement).value))}>
           ${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === this.#speed}>${speed} / s</option>`)}
         </select>
         <span class="where">${step}<span class="of"> / ${last}</span></span>
         <span class="jump">
-        ${this.#toggle(words.ask, ICONS.ask, this.#asks, () => {
+        ${this.#toggle(words.ask, icon(ASK), this.#asks, () => {
           this.#asks = !this.#asks
         })}
-        ${this.#toggle(words.breakHere, ICONS.dot, this.#breakpoints.has(step), () => {
+        ${this.#toggle(words.breakHere, icon(DOT, true), this.#breakpoints.has(step), () => {
           if (!this.#breakpoints.delete(step)) this.#breakpoints.add(step)
         })}
-        ${this.#button(words.previous, ICONS.previous, () => this.#jump(-1), this.#jumpTarget(-1) === undefined)}
+        ${this.#button(words.previous, icon(PREVIOUS), () => this.#jump(-1), this.#jumpTarget(-1) === undefined)}
         <select
           aria-label=${words.goal}
           @change=${(event: Event) => {
@@ -481,7 +471,7 @@ class MethodPlayer implements Player {
         >
           ${Object.entries(words.goals).map(([goal, text]) => html`<option value=${goal} ?selected=${goal === this.#goal}>${text}</option>`)}
         </select>
-        ${this.#button(words.next, ICONS.next, () => this.#jump(1), this.#jumpTarget(1) === undefined)}
+        ${this.#button(words.next, icon(NEXT), () => this.#jump(1), this.#jumpTarget(1) === undefined)}
         </span>
       </div>
       <p class="sentence" aria-live=${isPlaying ? 'off' : 'polite'}>${sentence}</p>

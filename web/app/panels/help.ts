@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
+import { icon } from '../../player/icon.ts'
+import { CLOSE } from '../../view/icons.ts'
 import { byId } from './by-id.ts'
-import { CLOSE } from './icons.ts'
 
 const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: string, what: string])[]])[] = [
   [
@@ -56,7 +57,7 @@ export function showHelp(): void {
       <form method="dialog" class="row">
         <h2 id="help-title">Mouse, fingers and keys</h2>
         <button class="icon" aria-label="Close" title="Close (Escape)">
-          ${CLOSE}
+          ${icon(CLOSE)}
         </button>
       </form>
       <div class="help">
