@@ -40,12 +40,12 @@ export class PageActions extends EditorActions {
     editing: Editing,
     view: View,
     padding: () => Padding,
-    files: Pick<FilesClient, 'make' | 'cancel'>,
+    files: Pick<FilesClient, 'call' | 'cancel'>,
   ) {
     super(store, editing, view, padding)
     this.#editing = editing
     this.#files = files
-    this.#make = (recipe) => files.make(recipe)
+    this.#make = (recipe) => files.call('make', recipe)
     this.#shown = () => store.get().dataSet
   }
 

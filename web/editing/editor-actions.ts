@@ -265,7 +265,7 @@ export class EditorActions implements Hands {
   async fitted({ x, y }: Point): Promise<Circle | undefined> {
     if (this.isReadonly) return undefined
     const usual = USUAL_RADIUS / this.#view.camera.scale
-    const nearest = await this.#view.hit(x, y, 0)
+    const nearest = await this.#view.ask('hit', x, y, 0)
     const other = nearest === undefined ? undefined : this.circle(nearest.id)
     const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
     return { x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }
@@ -397,7 +397,7 @@ export class EditorActions implements Hands {
   selectNearMiddle(): Promise<void> {
     return this.#waitFor(async () => {
       const { x, y } = this.#view.camera
-      const hit = await this.#view.hit(x, y, 0)
+      const hit = await this.#view.ask('hit', x, y, 0)
       if (hit !== undefined) this.select([hit.id])
     })
   }

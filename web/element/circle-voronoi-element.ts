@@ -584,7 +584,7 @@ export class CircleVoronoiElement extends Base {
       if (wrong !== undefined) throw wrong
     }
     const { method, samples } = this
-    const computed = await figure.view.compute({ method, ...(samples !== undefined && { samples }) })
+    const computed = await figure.view.ask('compute', { method, ...(samples !== undefined && { samples }) })
     if (computed === undefined) refuse((words) => words.notComputedAgain, 'internal')
     if ('problem' in computed) throw new CircleVoronoiError('badOption', computed.problem)
     return computed
@@ -940,7 +940,7 @@ export class CircleVoronoiElement extends Base {
     const check = this.#check
     // It calls circles by their numbers.
     const asked = check && figure && withIds(check, (number) => figure.editing.idOf(number))
-    const facts = asked && (await figure?.view.tell(idsOf(asked)))
+    const facts = asked && (await figure?.view.ask('tell', idsOf(asked)))
     // Meanwhile there may be others.
     if (figure !== this.#figure || check !== this.#check) return
     const isMet = check && asked !== undefined && facts !== undefined && holds(asked, facts)

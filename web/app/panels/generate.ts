@@ -30,7 +30,10 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
 
   const load = async () => {
     try {
-      const [loaded, { pictureOf }] = await Promise.all([files.catalogue(), import('../generators/sample-picture.ts')])
+      const [loaded, { pictureOf }] = await Promise.all([
+        files.call('catalogue'),
+        import('../generators/sample-picture.ts'),
+      ])
       catalogue = loaded
       picture = pictureOf
       problem = ''

@@ -14,7 +14,6 @@ import {
   largestEmptyDiscCenteredInHull,
   type Point,
 } from '../../lib/index.ts'
-import { isMethodShown, type Layers } from '../layers.ts'
 import type { Found } from '../protocol.ts'
 import { idOf } from './cell-boxes.ts'
 import { commandsOf } from './commands.ts'
@@ -39,11 +38,6 @@ export function found({ diagram, reach, layers, method }: Picture, tolerance: nu
         : pathOf(diagram, layers.path.from, layers.path.to, tolerance, reach),
     method: method?.found,
   }
-}
-
-export function isAnythingFound(layers: Layers): boolean {
-  const { hull, largestDisc, path } = layers
-  return hull || largestDisc || path !== undefined || isMethodShown(layers)
 }
 
 /** For each arc its circle's x, y and radius, the angle where it begins, its turn, and the start of the next arc. */

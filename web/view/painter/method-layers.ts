@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/base/diagram-data.ts'
 import type { CircleVoronoi, Diagram } from '../../lib/index.ts'
-import { isMethodShown, type Layers, type MethodLayer, MOST_PAIRED, MOST_TRACED, SAMPLES } from '../layers.ts'
+import { type Layers, type MethodLayer, SAMPLES } from '../layers.ts'
 import type { MethodFound } from '../protocol.ts'
 import { methodOutcome } from './method-outcome.ts'
 
@@ -19,11 +19,6 @@ export interface MethodResult {
   readonly found: MethodFound
   /** Edges of the diagram. */
   readonly missed: ReadonlySet<number>
-}
-
-/** Whether the layers show something of the method, of so many circles. */
-export function isTraced(layers: Layers, circles: number): boolean {
-  return circles <= (layers.candidates === 'all-pairs' ? MOST_PAIRED : MOST_TRACED) && isMethodShown(layers)
 }
 
 export function methodResult(library: CircleVoronoi, diagram: Diagram, layers: Layers): MethodResult {
