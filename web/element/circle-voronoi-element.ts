@@ -4,7 +4,7 @@ import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
-import { decodeLink, type LayerValue, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
+import type { LayerValue, LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
@@ -25,7 +25,7 @@ import {
 import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
 import { mountControls, paddingBelow } from './controls.ts'
-import { circlesWithin, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
+import { circlesWithin, linkState, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
 import { Figure } from './figure.ts'
 import { loadWords, wordsOf } from './language.ts'
 import { readCircles } from './read-circles.ts'
@@ -621,7 +621,7 @@ export class CircleVoronoiElement extends Base {
   async setState(state: LinkInput | string): Promise<void> {
     const said: LinkState =
       typeof state === 'string'
-        ? await decodeLink(state.replace(/^.*#/, ''))
+        ? await linkState(state.replace(/^.*#/, ''))
         : { ...state, circles: state.circles && coordinatesOf(state.circles) }
     const figure = await this.#started()
     if (said.circles === undefined && said.dataSet === undefined && figure.editing.scene !== undefined) {

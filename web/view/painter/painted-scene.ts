@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at } from '../../lib/base/diagram-data.ts'
-import {
-  type Box,
-  type CircleVoronoi,
-  type Comparison,
-  circleAt,
-  type Diagram,
-  type Edit,
-  type Float64s,
-} from '../../lib/index.ts'
+import { at, circleAt } from '../../lib/base/diagram-data.ts'
+import type { Box, Comparison, Diagram, Edit, Float64s } from '../../lib/index.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import type { CircleChange } from '../circle-table.ts'
 import { DEFAULT_LAYERS, isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
 import type { Counts, Described, DomainChange, Fitted, Found, Hit, Marks, Patch, PixelBox, Wish } from '../protocol.ts'
@@ -22,7 +15,7 @@ import { CanvasDrawing, type Drawing } from './drawing.ts'
 import type { Fitting } from './fitted-edits.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
 import { apart, frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
-import type { LayerParts, RegionParts } from './later.ts'
+import type { LaterParts, RegionParts } from './later.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
@@ -52,11 +45,11 @@ interface Opened {
 
 /** The circles of one view, and what of their picture the view has been given. */
 export class PaintedScene {
-  readonly library: CircleVoronoi
+  readonly library: ComputingLibrary
   /** The diagram, and how it is drawn. */
   picture: Picture
   #layers = DEFAULT_LAYERS
-  #parts: LayerParts = {}
+  #parts: LaterParts | undefined
   /** How long it took last to find what depends on all circles. */
   #findingSeconds = 0
   /** Whether what depends on all circles has been found as it is now. */
@@ -75,7 +68,7 @@ export class PaintedScene {
   #areSites = false
 
   /** Without circles. */
-  constructor(library: CircleVoronoi) {
+  constructor(library: ComputingLibrary) {
     this.library = library
     this.picture = new Picture(library.edit([]))
   }
@@ -119,8 +112,8 @@ export class PaintedScene {
   }
 
   /** Draws these from now on. `parts`: what that needs. */
-  setLayers(layers: Layers, isPainted = true, parts: LayerParts = this.#parts): void {
-    this.#parts = parts
+  setLayers(layers: Layers, isPainted = true, parts?: LaterParts): void {
+    this.#parts ??= parts
     const picture = this.picture
     const { candidates, sampleCount } = this.#layers
     this.#layers = layers
@@ -168,17 +161,13 @@ export class PaintedScene {
   /** Whether the layers show something of the method that is not there. */
   get isMethodMissing(): boolean {
     const { diagram, method } = this.picture
-    return (
-      method === undefined &&
-      this.#parts.methodResult !== undefined &&
-      isTraced(this.#layers, diagram.circles.length / 3)
-    )
+    return method === undefined && this.#parts !== undefined && isTraced(this.#layers, diagram.circles.length / 3)
   }
 
   /** What the touching disc method makes of the circles as they are. */
   addMethod(): void {
     this.#isFound = false
-    const result = this.#parts.methodResult?.(this.library, this.picture.diagram, this.#layers)
+    const result = this.#parts?.methodResult(this.library, this.picture.diagram, this.#layers)
     if (result !== undefined) this.picture.setMethod(result)
     this.#restart()
   }
@@ -203,7 +192,7 @@ export class PaintedScene {
     const start = performance.now()
     const scale = this.#look?.grid.scale
     const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
-    const result = this.#parts.found?.(this.picture, tolerance) ?? NOTHING_FOUND
+    const result = this.#parts?.found(this.picture, tolerance) ?? NOTHING_FOUND
     this.#isFound = true
     this.#findingSeconds = (performance.now() - start) / 1000
     return result

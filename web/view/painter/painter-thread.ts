@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
-import type { CircleVoronoi, Comparison } from '../../lib/index.ts'
+import type { Comparison } from '../../lib/index.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
-import { withModules } from '../../lib/wasm/with-modules.ts'
 import type { DomainChange, FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
 import type { Answers, Steps } from './answers.ts'
-import { laterAnswers, layerParts, type RegionParts } from './later.ts'
+import { laterParts, partsOf, type RegionParts } from './later.ts'
 import { PaintedScene } from './painted-scene.ts'
 
 /** How long the thread paints before it listens again, in milliseconds. */
@@ -19,8 +19,8 @@ const port = globalThis as unknown as {
   postMessage(message: FromPainter, transfer?: Transferable[]): void
 }
 
-let begin: (library: CircleVoronoi | Promise<CircleVoronoi>) => void
-const library = new Promise<CircleVoronoi>((resolve) => {
+let begin: (library: ComputingLibrary | Promise<ComputingLibrary>) => void
+const library = new Promise<ComputingLibrary>((resolve) => {
   begin = resolve
 })
 const scenes = new Map<number, PaintedScene>()
@@ -44,7 +44,7 @@ export function answerViews(): void {
   // One after the other, though the first ones wait for the library.
   let last: Promise<void> = Promise.resolve()
   port.onmessage = ({ data }) => {
-    if (data.kind === 'start') begin(circleVoronoiOf(data.module).then(withModules))
+    if (data.kind === 'start') begin(circleVoronoiOf(data.module))
     else last = last.then(() => answer(data)).catch((error) => post({ kind: 'failed', message: reasonOf(error) }))
   }
 }
@@ -116,7 +116,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       await reply(scene, message)
       return
     case 'layers':
-      scene.setLayers(message.layers, message.isPainted, await layerParts(message.layers))
+      scene.setLayers(message.layers, message.isPainted, await partsOf(message.layers))
       tellFound(message.scene, scene)
       return
     case 'mark':
@@ -132,7 +132,10 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
 /** What clips and fits, loaded once it is needed. */
 async function regionsFor({ region, fit }: DomainChange): Promise<RegionParts | undefined> {
   if ((region ?? undefined) === undefined && fit === undefined) return undefined
-  const load = async () => ({ ...(await (await library).loadRegions()), ...(await import('./fitted-edits.ts')) })
+  const load = async () => {
+    const { loadRegions, fitted, fittedEdits } = await import('./later-parts.ts')
+    return { ...(await loadRegions({})), fitted, fittedEdits }
+  }
   regions ??= load()
   try {
     return await regions
@@ -150,7 +153,7 @@ const answers: Answers<'hit' | 'legend'> = {
 }
 
 async function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, { kind: 'ask' }>): Promise<void> {
-  const known: Partial<Answers<keyof Questions>> = name in answers ? answers : ((await laterAnswers()) ?? {})
+  const known: Partial<Answers<keyof Questions>> = name in answers ? answers : ((await laterParts())?.answers ?? {})
   try {
     const value = (known[name] as ((...args: readonly unknown[]) => unknown) | undefined)?.(scene, ...args)
     if (typeof value !== 'function') {
@@ -241,6 +244,11 @@ function findAtRest(): void {
   rest = setTimeout(() => findAll().catch((error) => post({ kind: 'failed', message: reasonOf(error) })), REST)
 }
 
+async function loadPower(): Promise<Comparison> {
+  const { loadComparison } = await import('./later-parts.ts')
+  return loadComparison(await library, {})
+}
+
 async function findAll(): Promise<void> {
   for (const [number, scene] of scenes) {
     if (scene.isMethodMissing) {
@@ -249,7 +257,7 @@ async function findAll(): Promise<void> {
     }
     if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
     if (!scene.isPowerMissing) continue
-    comparison ??= (await library).loadComparison()
+    comparison ??= loadPower()
     const loaded = await comparison.catch(() => undefined)
     if (loaded === undefined) {
       // What cannot be loaded is not drawn; it may be there the next time.
