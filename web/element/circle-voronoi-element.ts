@@ -201,7 +201,7 @@ export class CircleVoronoiElement extends Base {
     this.#internals = this.attachInternals()
     this.#shell = new Shell(this.attachShadow({ mode: 'open' }))
     this.#describe()
-    this.#shell.onrestyle = () => this.#figure?.restyle()
+    this.#shell.onrestyle = () => this.#figure?.view.restyle()
     // After the figure itself has heard of it.
     this.#shell.frame.addEventListener('wheel', (event) => {
       if (!event.defaultPrevented) this.#shell.hint(this.#words.wheelHint)
@@ -975,9 +975,9 @@ export class CircleVoronoiElement extends Base {
     this.#speaking = loadWords(this.#language)?.then(() => {
       this.#applyControls()
       this.#showProblems()
-      this.#figure?.stepping.restyle()
+      this.#figure?.stepping.redraw()
     })
-    this.#figure?.stepping.restyle()
+    this.#figure?.stepping.redraw()
   }
 
   /** That of the page, as far as it is known. */

@@ -5,6 +5,7 @@ import type { Circle } from '../lib/index.ts'
 import { Trace, type TraceOptions, type TraceState } from '../lib/wasm/trace.ts'
 import { ASK, BACK, DOT, FORTH, NEXT, PAUSE, PLAY, PREVIOUS } from '../view/icons.ts'
 import type { Traced } from '../view/protocol.ts'
+import { computedColors } from '../view/style.ts'
 import type { View } from '../view/view.ts'
 import { type RingMark, ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from './discs.ts'
 import { icon } from './icon.ts'
@@ -41,8 +42,8 @@ export interface Player {
   pause(): void
   /** Shows a step, or the nearest one that there is. */
   stepTo(step: number): void
-  /** Other colors are told of, which the player cannot hear of by itself. */
-  restyle(): void
+  /** Draws it in other words, or after a change that nothing else tells of. */
+  redraw(): void
   /** Shows the diagram again. */
   dispose(): void
 }
@@ -54,6 +55,16 @@ const MOST_WAITING = 6
 const REVEALED = 24
 /** Nothing is edited for so long, in milliseconds, before it is played anew. */
 const REST = 150
+
+const COLORS: Colors = {
+  past: 'var(--player-past)',
+  sample: 'var(--player-sample)',
+  current: 'var(--player-current)',
+  good: 'var(--player-good)',
+  bad: 'var(--player-bad)',
+  edge: 'var(--player-edge)',
+  ink: 'var(--player-ink)',
+}
 
 let sheet: CSSStyleSheet | undefined
 
@@ -71,6 +82,8 @@ class MethodPlayer implements Player {
   readonly #watching = new AbortController()
   readonly #unlisten: readonly (() => void)[]
   readonly #resized: ResizeObserver
+  /** `undefined`: to be read. */
+  #colors: Colors | undefined
   #run = 0
   /** The step to be shown once there is a trace; `undefined`: there is one, of the circles as they are. */
   #wanted: number | Line | undefined
@@ -104,6 +117,10 @@ class MethodPlayer implements Player {
     adopt(container.getRootNode() as Document | ShadowRoot)
     this.#unlisten = [
       view.on('changed', () => this.#playAnew()),
+      view.on('style', () => {
+        this.#colors = undefined
+        this.#draw()
+      }),
       view.on('marked', ({ selected }) => {
         if (selected?.id === this.#selected) return
         this.#selected = selected?.id
@@ -111,9 +128,6 @@ class MethodPlayer implements Player {
       }),
     ]
     container.addEventListener('keydown', (event) => this.#key(event), { signal: this.#watching.signal })
-    for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
-      matchMedia(query).addEventListener('change', () => this.restyle(), { signal: this.#watching.signal })
-    }
     this.#resized = new ResizeObserver(() => this.#drawTimeline())
     this.#resized.observe(container)
     this.#draw()
@@ -157,7 +171,7 @@ class MethodPlayer implements Player {
     this.#onstep(next, this.#steps.length)
   }
 
-  restyle(): void {
+  redraw(): void {
     this.#draw()
   }
 
@@ -324,17 +338,15 @@ class MethodPlayer implements Player {
     this.stepTo(step)
   }
 
-  #color(property: string): string {
-    const probe = this.#root.querySelector<HTMLElement>('[data-probe]')
-    if (probe === null) return 'black'
-    probe.style.setProperty('color', `var(${property})`)
-    return getComputedStyle(probe).color
+  #colorsNow(): Colors {
+    this.#colors ??= computedColors(this.#root, COLORS)
+    return this.#colors
   }
 
   #drawTimeline(): void {
     const canvas = this.#root.querySelector('canvas')
     if (canvas !== null && this.#steps.length > 0) {
-      drawTimeline(canvas, this.#steps, this.#step, this.#breakpoints, (property) => this.#color(property))
+      drawTimeline(canvas, this.#steps, this.#step, this.#breakpoints, this.#colorsNow())
     }
   }
 
@@ -368,18 +380,9 @@ class MethodPlayer implements Player {
     render(this.#page(trace, current, state, tested, circleOf), this.#root)
     this.#drawTimeline()
     this.#reveal()
-    const colors: Colors = {
-      past: this.#color('--player-past'),
-      sample: this.#color('--player-sample'),
-      current: this.#color('--player-current'),
-      good: this.#color('--player-good'),
-      bad: this.#color('--player-bad'),
-      edge: this.#color('--player-edge'),
-      ink: this.#color('--player-ink'),
-    }
     // Of circles that are no longer so, nothing is drawn.
     const isNothing = step === steps.length - 1 || this.#wanted !== undefined
-    this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, colors)
+    this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, this.#colorsNow())
   }
 
   /** Scrolls the current line into what is seen of the player, where it has less room than it needs. */
@@ -423,7 +426,6 @@ class MethodPlayer implements Player {
     const words = this.#words
     const sentence = sentenceOf(trace, current, tested, words)
     return html`
-      <span data-probe hidden></span>
       <div class="head">
       <div class="timeline">
         <canvas aria-hidden="true"></canvas>

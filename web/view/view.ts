@@ -37,6 +37,8 @@ export interface ViewEvents {
   /** Whether anything of the diagram is drawn. */
   readonly diagram: boolean
   readonly camera: Camera
+  /** Colors may be others. */
+  readonly style: undefined
   /** What the circle would take that is tried; `undefined`: none is. */
   readonly tried: Trial | undefined
   /** Circles were set, or edited. */
@@ -104,6 +106,7 @@ export class View {
     layers: new Set(),
     diagram: new Set(),
     camera: new Set(),
+    style: new Set(),
     tried: new Set(),
     changed: new Set(),
     refused: new Set(),
@@ -406,8 +409,8 @@ export class View {
     this.#style = this.#readStyle()
     this.#picture.clear()
     this.#see()
-    this.#overlayChanged = true
-    this.#schedule()
+    this.#overlayChanges()
+    this.#tell('style', undefined)
   }
 
   #readStyle(): Style {
