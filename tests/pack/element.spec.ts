@@ -139,7 +139,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(asked.filter((url) => !/\/(examples\/element\/strict|dist\/element|dist\/lib)\//.test(url))).toEqual([])
   expect(asked.filter((url) => url.includes('/player-'))).toEqual([])
   await expect(figure).toHaveAccessibleName('Four circles, their diagram and their hull')
-  await expect(figure).toHaveAccessibleDescription(/^4 circles; the diagram has 3 vertices and 6 edges\. Enter selects/)
+  await expect(figure).toHaveAccessibleDescription(/^4 circles; the diagram has 3 vertices and 6 edges\. Enter: select/)
   expect(await violationsOf(page)).toEqual([])
 
   // The page scrolls over it, until it was pressed.
@@ -422,12 +422,12 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   const element = page.locator('circle-voronoi')
   const output = page.locator('output')
   const atFirst = await circlesOf(page)
-  await expect(element.getByRole('application')).toHaveAccessibleDescription(/not yet as they are to be/)
+  await expect(element.getByRole('application')).toHaveAccessibleDescription(/Not solved yet\./)
   await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toBeEmpty()
   expect(await element.evaluate((element: Element) => [element.checkValidity(), element.validationMessage])).toEqual([
     false,
-    'The circles are not yet as they are to be.',
+    'Not solved yet.',
   ])
   // Far away, it no longer borders on the small one.
   await drag(page, 3, 150, 0)
@@ -811,7 +811,7 @@ test('given the bytes: by its own name, and the method is played', async ({ page
   // In the language of the page.
   await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible()
   await expect(page.locator('circle-voronoi').getByRole('application')).toHaveAccessibleDescription(
-    /^3 Kreise; das Diagramm hat 1 Ecke und 3 Kanten\. Enter wählt/,
+    /^3 Kreise; das Diagramm hat 1 Ecke und 3 Kanten\. Enter: wählt/,
   )
   expect(problems).toEqual([])
 })

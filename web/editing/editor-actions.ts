@@ -57,6 +57,8 @@ export type HowOpened = 'opened' | 'refused' | 'superseded'
 export class EditorActions implements Hands {
   /** Whether circles are only looked at and selected. */
   isReadonly = false
+  /** Of how many circles a link says the name alone, if they have one. */
+  protected readonly mostNamed: number = 0
   /** What is read out. */
   words = ENGLISH_EDITING
   /** Called with each stage, and how many circles are opened; 0: not known. */
@@ -102,7 +104,7 @@ export class EditorActions implements Hands {
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
     // Areas go by the order of the circles.
-    const said = Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)
+    const said = Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
     const names = said.circles && scene.names && Array.from(circles.ids(), (id) => this.#editing.nameOf(id))
     return {
       ...said,
@@ -265,7 +267,7 @@ export class EditorActions implements Hands {
   async fitted({ x, y }: Point): Promise<Circle | undefined> {
     if (this.isReadonly) return undefined
     const usual = USUAL_RADIUS / this.#view.camera.scale
-    const nearest = await this.#view.hit(x, y, 0)
+    const nearest = await this.#view.ask('hit', x, y, 0)
     const other = nearest === undefined ? undefined : this.circle(nearest.id)
     const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
     return { x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }
@@ -397,7 +399,7 @@ export class EditorActions implements Hands {
   selectNearMiddle(): Promise<void> {
     return this.#waitFor(async () => {
       const { x, y } = this.#view.camera
-      const hit = await this.#view.hit(x, y, 0)
+      const hit = await this.#view.ask('hit', x, y, 0)
       if (hit !== undefined) this.select([hit.id])
     })
   }

@@ -4,7 +4,7 @@ import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
-import { decodeLink, type LayerValue, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
+import type { LayerValue, LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
@@ -25,7 +25,7 @@ import {
 import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
 import { mountControls, paddingBelow } from './controls.ts'
-import { circlesWithin, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
+import { circlesWithin, linkState, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
 import { Figure } from './figure.ts'
 import { loadWords, wordsOf } from './language.ts'
 import { readCircles } from './read-circles.ts'
@@ -201,7 +201,7 @@ export class CircleVoronoiElement extends Base {
     this.#internals = this.attachInternals()
     this.#shell = new Shell(this.attachShadow({ mode: 'open' }))
     this.#describe()
-    this.#shell.onrestyle = () => this.#figure?.restyle()
+    this.#shell.onrestyle = () => this.#figure?.view.restyle()
     // After the figure itself has heard of it.
     this.#shell.frame.addEventListener('wheel', (event) => {
       if (!event.defaultPrevented) this.#shell.hint(this.#words.wheelHint)
@@ -584,7 +584,7 @@ export class CircleVoronoiElement extends Base {
       if (wrong !== undefined) throw wrong
     }
     const { method, samples } = this
-    const computed = await figure.view.compute({ method, ...(samples !== undefined && { samples }) })
+    const computed = await figure.view.ask('compute', { method, ...(samples !== undefined && { samples }) })
     if (computed === undefined) refuse((words) => words.notComputedAgain, 'internal')
     if ('problem' in computed) throw new CircleVoronoiError('badOption', computed.problem)
     return computed
@@ -621,7 +621,7 @@ export class CircleVoronoiElement extends Base {
   async setState(state: LinkInput | string): Promise<void> {
     const said: LinkState =
       typeof state === 'string'
-        ? await decodeLink(state.replace(/^.*#/, ''))
+        ? await linkState(state.replace(/^.*#/, ''))
         : { ...state, circles: state.circles && coordinatesOf(state.circles) }
     const figure = await this.#started()
     if (said.circles === undefined && said.dataSet === undefined && figure.editing.scene !== undefined) {
@@ -940,7 +940,7 @@ export class CircleVoronoiElement extends Base {
     const check = this.#check
     // It calls circles by their numbers.
     const asked = check && figure && withIds(check, (number) => figure.editing.idOf(number))
-    const facts = asked && (await figure?.view.tell(idsOf(asked)))
+    const facts = asked && (await figure?.view.ask('tell', idsOf(asked)))
     // Meanwhile there may be others.
     if (figure !== this.#figure || check !== this.#check) return
     const isMet = check && asked !== undefined && facts !== undefined && holds(asked, facts)
@@ -975,9 +975,9 @@ export class CircleVoronoiElement extends Base {
     this.#speaking = loadWords(this.#language)?.then(() => {
       this.#applyControls()
       this.#showProblems()
-      this.#figure?.stepping.restyle()
+      this.#figure?.stepping.redraw()
     })
-    this.#figure?.stepping.restyle()
+    this.#figure?.stepping.redraw()
   }
 
   /** That of the page, as far as it is known. */

@@ -158,12 +158,6 @@ export class Figure<Actions extends EditorActions = EditorActions> {
     return this.store.get().step
   }
 
-  /** Has all drawn in the colors that there are now. */
-  restyle(): void {
-    this.view.restyle()
-    this.stepping.restyle()
-  }
-
   /** Ends once there is nothing left to be painted. */
   whenPainted(): Promise<void> {
     return new Promise((resolve) => {

@@ -145,6 +145,17 @@ export function isMethodShown(layers: Layers): boolean {
   return layers.missedEdges || METHOD_LAYERS.some((name) => layers[name])
 }
 
+/** Whether the layers show something of the method, of so many circles. */
+export function isTraced(layers: Layers, circles: number): boolean {
+  return circles <= (layers.candidates === 'all-pairs' ? MOST_PAIRED : MOST_TRACED) && isMethodShown(layers)
+}
+
+/** Whether the layers show something that depends on all circles. */
+export function isAnythingFound(layers: Layers): boolean {
+  const { hull, largestDisc, path } = layers
+  return hull || largestDisc || path !== undefined || isMethodShown(layers)
+}
+
 /** What a cell is measured by. */
 export type Measure = Exclude<CellColors, 'auto' | 'none' | 'different'>
 

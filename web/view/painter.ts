@@ -8,6 +8,7 @@ import type { Layers } from './layers.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
 import type { Counts, DomainChange, Fitted, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
 import { Failure, type Refusals } from './refusal.ts'
+import { type RemoteCall, RemoteCalls } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
 /** What came of circles that were opened, or of edits. */
@@ -42,13 +43,6 @@ interface Waiting {
   reject(error: unknown): void
 }
 
-/** What was asked without a change of circles. */
-interface Asked {
-  readonly scene: Scene
-  resolve(answer: unknown): void
-  reject(error: unknown): void
-}
-
 interface Scene {
   readonly events: PictureEvents
   readonly waiting: Map<number, Waiting>
@@ -69,13 +63,12 @@ interface Scene {
 export class Painter {
   readonly #options: LoadOptions
   readonly #scenes = new Map<number, Scene>()
-  readonly #asked = new Map<number, Asked>()
+  readonly #questions = new RemoteCalls<Questions>()
   #worker: Worker | undefined
   /** Whether the thread has done something that was asked. */
   #hasWorked = false
   #isDisposed = false
   #lastScene = 0
-  #lastRequest = 0
 
   constructor(options: LoadOptions = {}) {
     this.#options = options
@@ -132,17 +125,13 @@ export class Painter {
         }
         return isOpening
       },
-      ask: (name, args) =>
-        new Promise((resolve, reject) => {
-          if (this.#worker === undefined || isClosed()) {
-            resolve(undefined)
-            return
-          }
-          this.#lastRequest += 1
-          const message = { kind: 'ask', scene: number, request: this.#lastRequest, name, args } satisfies ToPainter
-          this.#worker.postMessage(message)
-          this.#asked.set(this.#lastRequest, { scene, resolve, reject })
-        }),
+      ask: async (name, args) => {
+        const worker = this.#worker
+        if (worker === undefined || isClosed()) return undefined
+        const post = (call: RemoteCall<keyof Questions>) =>
+          worker.postMessage({ kind: 'ask', scene: number, ...call } satisfies ToPainter)
+        return this.#questions.call(name, args, post, scene)
+      },
     })
   }
 
@@ -189,10 +178,7 @@ export class Painter {
   #receive(message: Exclude<FromPainter, { kind: 'failed' }>): void {
     if ('request' in message) {
       this.#hasWorked = true
-      const asked = this.#asked.get(message.request)
-      this.#asked.delete(message.request)
-      if (message.kind === 'answer') asked?.resolve(message.value)
-      else asked?.reject(receivedError(message.error))
+      this.#questions.receive(message)
       return
     }
     const scene = this.#scenes.get(message.scene)
@@ -235,11 +221,7 @@ export class Painter {
 
   /** There will be no answers for a scene. */
   #leave(scene: Scene, reason: Reason): void {
-    for (const [request, asked] of this.#asked) {
-      if (asked.scene !== scene) continue
-      this.#asked.delete(request)
-      asked.resolve(undefined)
-    }
+    this.#questions.leave(scene)
     const failure = new Failure((words) => words.notComputed(reason(words)))
     for (const { reject } of scene.waiting.values()) reject(failure)
     scene.waiting.clear()
@@ -261,10 +243,10 @@ interface Line {
   /** Posts it, too. */
   edited(message: Waiting['message']): Promise<Edited>
   cancel(): boolean
-  ask(name: keyof Questions, args: readonly unknown[]): Promise<unknown>
+  ask<Name extends keyof Questions>(name: Name, args: Parameters<Questions[Name]>): Promise<Answer<Name>>
 }
 
-type Answer<Name extends keyof Questions> = ReturnType<Questions[Name]> | undefined
+export type Answer<Name extends keyof Questions> = ReturnType<Questions[Name]> | undefined
 
 /** The circles of one view, in the painter's thread. */
 export class PainterScene {
@@ -313,7 +295,7 @@ export class PainterScene {
    * @throws CircleVoronoiError that says why it cannot be answered
    */
   ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
-    return this.#line.ask(name, args) as Promise<Answer<Name>>
+    return this.#line.ask(name, args)
   }
 
   /** What is drawn; the next `look` has it painted. */

@@ -19,6 +19,7 @@ import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange } from './circle-table.ts'
 import type { Layers, Measure } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
+import type { RemoteCall, RemoteReply } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
 /**
@@ -100,6 +101,9 @@ export interface Questions {
   trace(options: TraceOptions): Traced
 }
 
+/** Those that nothing that moves waits for. */
+export type LaterQuestions = Exclude<keyof Questions, 'hit' | 'legend'>
+
 export type ToPainter =
   | { readonly kind: 'start'; readonly module: CompiledWasm }
   /** A scene without circles. What is for none that is there is not heard. */
@@ -120,13 +124,7 @@ export type ToPainter =
     } & DomainChange)
   | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & Wish)
   /** What is asked by its name, and what is given with it. */
-  | {
-      readonly kind: 'ask'
-      readonly scene: number
-      readonly request: number
-      readonly name: keyof Questions
-      readonly args: readonly unknown[]
-    }
+  | ({ readonly kind: 'ask'; readonly scene: number } & RemoteCall<keyof Questions>)
   /** What is drawn; `isPainted`: not only what is found (`Found`) is another. */
   | { readonly kind: 'layers'; readonly scene: number; readonly layers: Layers; readonly isPainted: boolean }
   /** Which circles stand out; what is known of them comes now and with each edit. */
@@ -183,8 +181,7 @@ export type FromPainter =
       /** Whether all of that is painted now. */
       readonly isWhole: boolean
     }
-  | { readonly kind: 'answer'; readonly request: number; readonly value: unknown }
-  | { readonly kind: 'noAnswer'; readonly request: number; readonly error: PostedError }
+  | ({ readonly kind: 'answer' } & RemoteReply)
   | { readonly kind: 'found'; readonly scene: number; readonly found: Found }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
   /** The same, with outlines for what is looked at now. */

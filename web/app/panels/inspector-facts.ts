@@ -23,7 +23,7 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
   let asked: State['described']
   const ask = async (described: NonNullable<State['described']>) => {
     asked = described
-    const told = await view.tell([described.id])
+    const told = await view.ask('tell', [described.id])
     // Meanwhile it may be another one.
     const isInside = store.get().domain.region !== undefined
     if (asked === described) render(factsOf(told?.cells.get(described.id), isInside), facts)

@@ -51,7 +51,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
 
   const measure = async () => {
     const of = edited
-    const answer = await view.measure()
+    const answer = await view.ask('measure')
     // Of other circles it would be wrong.
     if (of !== edited || answer === undefined) return
     distribution = answer
@@ -72,7 +72,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
     const of = edited
     computed = 'computing'
     draw()
-    const answer = await view.compute((WAYS[way] as (typeof WAYS)[number])[1])
+    const answer = await view.ask('compute', (WAYS[way] as (typeof WAYS)[number])[1])
     computed = of === edited ? answer : undefined
     draw()
   }

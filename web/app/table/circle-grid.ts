@@ -236,7 +236,7 @@ export class CircleGrid implements GridContent {
     let measured: Tabulated | undefined
     if (isMeasured(sorting.column)) {
       this.#grid.render()
-      measured = await this.#view.tabulate([sorting.column])
+      measured = await this.#view.ask('tabulate', [sorting.column], undefined)
       // Meanwhile something else was asked for.
       if (turn !== this.#turn) return
     }
@@ -260,7 +260,7 @@ export class CircleGrid implements GridContent {
     do {
       this.#isStale = false
       const ids = this.#order.slice(this.#seen[0], this.#seen[1] + 1)
-      const table = ids.length === 0 ? undefined : await this.#view.tabulate(MEASURED, ids)
+      const table = ids.length === 0 ? undefined : await this.#view.ask('tabulate', MEASURED, ids)
       this.#measured = new Map(
         [...(table?.ids ?? [])].map((id, k) => [id, table?.columns.map((column) => column[k] as number) ?? []]),
       )

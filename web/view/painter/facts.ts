@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { circleAt, type Diagram } from '../../lib/index.ts'
+
+import { circleAt } from '../../lib/base/diagram-data.ts'
+import type { Diagram } from '../../lib/index.ts'
 import type { CellFacts, Counts, Facts } from '../protocol.ts'
 import type { Picture } from './picture.ts'
 

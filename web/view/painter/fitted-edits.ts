@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { circleRadius, circleX, circleY } from '../../lib/base/coordinates.ts'
-import { at } from '../../lib/base/diagram-data.ts'
-import { circleAt, type Diagram, type Edit } from '../../lib/index.ts'
+import { at, circleAt } from '../../lib/base/diagram-data.ts'
+import type { Diagram, Edit } from '../../lib/index.ts'
 import type { Region } from '../../lib/regions/region.ts'
 import type { AreaFit } from '../../lib/wasm/fit.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, edgeAt, NONE, vertexAt } from '../../lib/base/diagram-data.ts'
-import { type Diagram, mergeVertices } from '../../lib/index.ts'
+import type { Diagram } from '../../lib/index.ts'
+import { mergeVertices } from '../../lib/queries/merged.ts'
 import type { Counted } from '../protocol.ts'
 
 /** What a method finds of a diagram. */

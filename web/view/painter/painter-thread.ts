@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
-import type { CircleVoronoi, Comparison } from '../../lib/index.ts'
+import type { Comparison } from '../../lib/index.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
-import type { Regions } from '../../lib/wasm/regions.ts'
-import { withModules } from '../../lib/wasm/with-modules.ts'
 import type { DomainChange, FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
-import { CanvasDrawing, SvgDrawing } from './drawing.ts'
+import type { Answers, Steps } from './answers.ts'
+import { laterParts, partsOf, type RegionParts } from './later.ts'
 import { PaintedScene } from './painted-scene.ts'
 
 /** How long the thread paints before it listens again, in milliseconds. */
@@ -19,8 +19,8 @@ const port = globalThis as unknown as {
   postMessage(message: FromPainter, transfer?: Transferable[]): void
 }
 
-let begin: (library: CircleVoronoi | Promise<CircleVoronoi>) => void
-const library = new Promise<CircleVoronoi>((resolve) => {
+let begin: (library: ComputingLibrary | Promise<ComputingLibrary>) => void
+const library = new Promise<ComputingLibrary>((resolve) => {
   begin = resolve
 })
 const scenes = new Map<number, PaintedScene>()
@@ -32,7 +32,7 @@ interface Measuring {
 }
 let measuring: Measuring[] = []
 let comparison: Promise<Comparison> | undefined
-let regions: Promise<Regions> | undefined
+let regions: Promise<RegionParts> | undefined
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Lets messages that have arrived be heard before more is painted. */
@@ -44,7 +44,7 @@ export function answerViews(): void {
   // One after the other, though the first ones wait for the library.
   let last: Promise<void> = Promise.resolve()
   port.onmessage = ({ data }) => {
-    if (data.kind === 'start') begin(circleVoronoiOf(data.module).then(withModules))
+    if (data.kind === 'start') begin(circleVoronoiOf(data.module))
     else last = last.then(() => answer(data)).catch((error) => post({ kind: 'failed', message: reasonOf(error) }))
   }
 }
@@ -113,10 +113,10 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     }
     case 'ask':
-      reply(scene, message)
+      await reply(scene, message)
       return
     case 'layers':
-      scene.setLayers(message.layers, message.isPainted)
+      scene.setLayers(message.layers, message.isPainted, await partsOf(message.layers))
       tellFound(message.scene, scene)
       return
     case 'mark':
@@ -130,9 +130,13 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
 }
 
 /** What clips and fits, loaded once it is needed. */
-async function regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
+async function regionsFor({ region, fit }: DomainChange): Promise<RegionParts | undefined> {
   if ((region ?? undefined) === undefined && fit === undefined) return undefined
-  regions ??= (await library).loadRegions()
+  const load = async () => {
+    const { loadRegions, fitted, fittedEdits } = await import('./later-parts.ts')
+    return { ...(await loadRegions({})), fitted, fittedEdits }
+  }
+  regions ??= load()
   try {
     return await regions
   } catch (error) {
@@ -142,44 +146,16 @@ async function regionsFor({ region, fit }: DomainChange): Promise<Regions | unde
   }
 }
 
-/** What takes long is answered in steps. */
-type Steps<Value> = () => Generator<void, Value>
-type Answers = {
-  readonly [Name in keyof Questions]: (
-    scene: PaintedScene,
-    ...args: Parameters<Questions[Name]>
-  ) => ReturnType<Questions[Name]> | Steps<ReturnType<Questions[Name]>>
-}
-
-const answers: Answers = {
+/** What is asked while something moves waits for nothing. */
+const answers: Answers<'hit' | 'legend'> = {
   hit: (scene, x, y, slack) => scene.hit(x, y, slack),
-  touch: (scene, x, y, slack) => scene.touch(x, y, slack),
-  try: (scene, circle) => scene.try(circle),
-  svg: (scene, ...given) =>
-    drawn(() => {
-      const drawing = new SvgDrawing()
-      scene.draw(drawing, ...given)
-      return String(drawing)
-    }),
-  image: (scene, frame, ...given) =>
-    drawn(() => {
-      const canvas = new OffscreenCanvas(frame.width, frame.height)
-      const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-      scene.draw(new CanvasDrawing(context), frame, ...given)
-      return canvas.transferToImageBitmap()
-    }),
-  legend: (scene) => scene.legend,
-  measure: (scene) => () => scene.measure(),
-  tabulate: (scene, columns, ids) =>
-    ids === undefined ? () => scene.tabulateAll(columns) : scene.tabulate(columns, ids),
-  tell: (scene, ids) => scene.tell(ids),
-  compute: (scene, options) => scene.compute(options),
-  trace: (scene, options) => scene.trace(options),
+  legend: (scene) => scene.picture.legend,
 }
 
-function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, { kind: 'ask' }>): void {
+async function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, { kind: 'ask' }>): Promise<void> {
+  const known: Partial<Answers<keyof Questions>> = name in answers ? answers : ((await laterParts())?.answers ?? {})
   try {
-    const value = (answers[name] as (scene: PaintedScene, ...args: readonly unknown[]) => unknown)(scene, ...args)
+    const value = (known[name] as ((...args: readonly unknown[]) => unknown) | undefined)?.(scene, ...args)
     if (typeof value !== 'function') {
       post({ kind: 'answer', request, value }, name === 'image' && value !== undefined ? [value as ImageBitmap] : [])
       return
@@ -189,16 +165,7 @@ function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, 
     })
   } catch (error) {
     if (!(error instanceof CircleVoronoiError)) throw error
-    post({ kind: 'noAnswer', request, error: postedError(error) })
-  }
-}
-
-/** `undefined`: it is too large for a canvas, or for the memory; other scenes go on. */
-function drawn<Drawn>(draw: () => Drawn): Drawn | undefined {
-  try {
-    return draw()
-  } catch {
-    return undefined
+    post({ kind: 'answer', request, error: postedError(error) })
   }
 }
 
@@ -277,6 +244,11 @@ function findAtRest(): void {
   rest = setTimeout(() => findAll().catch((error) => post({ kind: 'failed', message: reasonOf(error) })), REST)
 }
 
+async function loadPower(): Promise<Comparison> {
+  const { loadComparison } = await import('./later-parts.ts')
+  return loadComparison(await library, {})
+}
+
 async function findAll(): Promise<void> {
   for (const [number, scene] of scenes) {
     if (scene.isMethodMissing) {
@@ -285,7 +257,7 @@ async function findAll(): Promise<void> {
     }
     if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
     if (!scene.isPowerMissing) continue
-    comparison ??= (await library).loadComparison()
+    comparison ??= loadPower()
     const loaded = await comparison.catch(() => undefined)
     if (loaded === undefined) {
       // What cannot be loaded is not drawn; it may be there the next time.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, NONE } from '../../lib/base/diagram-data.ts'
+import { at, circleAt, NONE } from '../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../lib/base/scale.ts'
 import { parameterAt, pointAt } from '../../lib/curves/bisector.ts'
 import { edgeCurve } from '../../lib/curves/curve.ts'
-import { circleAt, type Diagram, type Point, type Vertex } from '../../lib/index.ts'
+import type { Diagram, Point, Vertex } from '../../lib/index.ts'
 import type { Touching } from '../protocol.ts'
 
 /** The disc around the vertex, or else the point of an edge, nearest to (x, y), of the cells of some circles. */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at } from '../../../lib/base/diagram-data.ts'
+import { at, circleAt } from '../../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../../lib/base/scale.ts'
 import { drawEdge } from '../../../lib/drawing/draw.ts'
-import { circleAt, type Diagram, type PathSink } from '../../../lib/index.ts'
+import type { Diagram, PathSink } from '../../../lib/index.ts'
 import { keptParts } from '../../../lib/regions/cell-limits.ts'
 import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
