@@ -5,7 +5,18 @@ import type { Box, Comparison, Diagram, Edit, Float64s } from '../../lib/index.t
 import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import type { CircleChange } from '../circle-table.ts'
 import { DEFAULT_LAYERS, isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
-import type { Counts, Described, DomainChange, Fitted, Found, Hit, Marks, Patch, PixelBox, Wish } from '../protocol.ts'
+import type {
+  Described,
+  DiagramCounts,
+  DomainChange,
+  Fitted,
+  Found,
+  Hit,
+  Marks,
+  Patch,
+  PixelBox,
+  Wish,
+} from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import type { Style } from '../style.ts'
 import { Centers } from './centers.ts'
@@ -203,7 +214,7 @@ export class PaintedScene {
     paint(new Painting(drawing, frame, pixelRatio, this.picture, style))
   }
 
-  counts(): Counts {
+  counts(): DiagramCounts {
     const { circles, hidden, vertices, edges } = this.picture.diagram
     return {
       circles: circles.length / 3,
