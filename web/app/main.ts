@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { withSelection } from '../editing/state.ts'
 import { Figure } from '../element/figure.ts'
 import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
@@ -143,10 +144,7 @@ if (begun === 'refused') {
   actions.complain(problem)
   // What is selected may be where it was on its way.
   driftAtStart(view, byId('figure', HTMLElement), () =>
-    store.update((state) => {
-      const circle = state.selected === undefined ? undefined : view.circles.get(state.selected)
-      return { ...state, circle }
-    }),
+    store.update((state) => withSelection(state, state.selection, view.circles)),
   )
   figure.whenPainted().then(() => firstPicture?.remove())
 } else {

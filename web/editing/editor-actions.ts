@@ -13,7 +13,7 @@ import type { Editing } from './editing.ts'
 import type { Scene } from './history.ts'
 import { cameraOf, circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
 import { shortest } from './shortest.ts'
-import type { State, Tool } from './state.ts'
+import { type State, type Tool, withSelection } from './state.ts'
 import type { Store } from './store.ts'
 import { ENGLISH_EDITING } from './words.ts'
 
@@ -361,9 +361,7 @@ export class EditorActions implements Hands {
   select(ids: readonly number[]): void {
     this.#store.update((state) => {
       if (ids.length === state.selection.length && ids.every((id, k) => id === state.selection[k])) return state
-      const selected = ids.length === 1 ? ids[0] : undefined
-      const circle = selected === undefined ? undefined : this.#editing.circles.get(selected)
-      return { ...state, selection: ids, selected, circle, described: undefined, problem: '' }
+      return { ...withSelection(state, ids, this.#editing.circles), described: undefined, problem: '' }
     })
   }
 

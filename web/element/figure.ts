@@ -60,7 +60,6 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   readonly #listening: Listening
   readonly #figure: HTMLElement
   readonly #keys = new AbortController()
-  #isShown = true
   #refused: Error | undefined
 
   constructor({ figure, around, player, said }: Places, options: FigureOptions<Actions>) {
@@ -149,7 +148,6 @@ export class Figure<Actions extends EditorActions = EditorActions> {
 
   /** Whether it has pixels. */
   set isShown(isShown: boolean) {
-    this.#isShown = isShown
     this.view.isShown = isShown
   }
 
@@ -161,7 +159,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   /** Ends once there is nothing left to be painted. */
   whenPainted(): Promise<void> {
     return new Promise((resolve) => {
-      const isPainted = () => !this.#isShown || this.view.size.width === 0 || this.#figure.ariaBusy === 'false'
+      const isPainted = () => !this.view.isShown || this.view.size.width === 0 || this.#figure.ariaBusy === 'false'
       const observer = new MutationObserver(() => {
         if (!isPainted()) return
         observer.disconnect()
