@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { withSelection } from '../editing/state.ts'
-import { Figure } from '../element/figure.ts'
+import { Figure } from '../player/figure.ts'
 import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
 import { FilesClient } from './files/files-client.ts'

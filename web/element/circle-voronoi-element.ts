@@ -7,6 +7,7 @@ import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
 import type { LayerValue, LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
+import { Figure } from '../player/figure.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
 import type { DiagramCounts } from '../view/protocol.ts'
@@ -27,7 +28,6 @@ import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
 import { mountControls, paddingBelow } from './controls.ts'
 import { circlesWithin, linkState, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
-import { Figure } from './figure.ts'
 import { loadWords, wordsOf } from './language.ts'
 import { readCircles } from './read-circles.ts'
 import { refuse } from './refusals.ts'
@@ -736,7 +736,7 @@ export class CircleVoronoiElement extends Base {
         return { method, ...(samples !== undefined && { samples }) }
       },
       onstep: (step, steps) => this.#tell('stepchange', { step, steps }),
-      words: () => this.#words,
+      words: () => this.#words.others,
     })
     const { store, editing } = this.#figure
     let before: readonly number[] = []
@@ -771,7 +771,7 @@ export class CircleVoronoiElement extends Base {
 
   #show(): void {
     if (this.#figure === undefined) return
-    this.#figure.isShown = this.#isShown
+    this.#figure.view.isShown = this.#isShown
     this.#shell.isShown = this.#isShown
   }
 
