@@ -7,12 +7,12 @@ import { boxOf, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Hands, Held } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
+import { short } from '../view/short.ts'
 import type { View } from '../view/view.ts'
 import { middleOf, nextInDirection, roundStep, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
 import type { Editing } from './editing.ts'
 import type { Scene } from './history.ts'
 import { cameraOf, circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
-import { shortest } from './shortest.ts'
 import { type State, type Tool, withSelection } from './state.ts'
 import type { Store } from './store.ts'
 import { ENGLISH_EDITING } from './words.ts'
@@ -354,7 +354,7 @@ export class EditorActions implements Hands {
     const [only, ...others] = changed
     if (only === undefined) return
     const { x, y, r } = only.circle
-    const numbers = () => this.words.numbers(only.id, shortest(x), shortest(y), shortest(r))
+    const numbers = () => this.words.numbers(only.id, short(x), short(y), short(r))
     this.#say(others.length === 0 ? numbers() : this.words.moved(changed.length))
   }
 
