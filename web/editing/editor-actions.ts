@@ -151,7 +151,9 @@ export class EditorActions implements Hands {
       const { edits, view, layers, step, method, ...scene } = opened
       const before = { camera: this.#view.camera, selection: this.#store.get().selection }
       this.select([])
-      this.#view.setCamera(this.#looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN)))
+      const cameraNow = () => this.#looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
+      const camera = cameraNow()
+      this.#view.setCamera(camera)
       this.onstage('computing', scene.circles.length / 3)
       const edited = await this.#editing.open(scene, edits)
       if (isSuperseded()) return 'superseded'
@@ -163,6 +165,8 @@ export class EditorActions implements Hands {
         return 'refused'
       }
       end = 'opened'
+      // What is beside the picture may have opened meanwhile.
+      if (this.#view.camera === camera && !isSame(camera, cameraNow())) this.#view.setCamera(cameraNow())
       if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
       else this.#forgetPlaces()
       this.useTool('select')
