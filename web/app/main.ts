@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { Figure } from '../element/figure.ts'
+import { withSelection } from '../editing/state.ts'
+import { Figure } from '../player/figure.ts'
 import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
 import { FilesClient } from './files/files-client.ts'
@@ -143,10 +144,7 @@ if (begun === 'refused') {
   actions.complain(problem)
   // What is selected may be where it was on its way.
   driftAtStart(view, byId('figure', HTMLElement), () =>
-    store.update((state) => {
-      const circle = state.selected === undefined ? undefined : view.circles.get(state.selected)
-      return { ...state, circle }
-    }),
+    store.update((state) => withSelection(state, state.selection, view.circles)),
   )
   figure.whenPainted().then(() => firstPicture?.remove())
 } else {

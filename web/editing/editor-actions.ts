@@ -7,13 +7,13 @@ import { boxOf, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Hands, Held } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
+import { short } from '../view/short.ts'
 import type { View } from '../view/view.ts'
 import { middleOf, nextInDirection, roundStep, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
 import type { Editing } from './editing.ts'
 import type { Scene } from './history.ts'
 import { cameraOf, circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
-import { shortest } from './shortest.ts'
-import type { State, Tool } from './state.ts'
+import { type State, type Tool, withSelection } from './state.ts'
 import type { Store } from './store.ts'
 import { ENGLISH_EDITING } from './words.ts'
 
@@ -151,7 +151,9 @@ export class EditorActions implements Hands {
       const { edits, view, layers, step, method, ...scene } = opened
       const before = { camera: this.#view.camera, selection: this.#store.get().selection }
       this.select([])
-      this.#view.setCamera(this.#looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN)))
+      const cameraNow = () => this.#looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
+      const camera = cameraNow()
+      this.#view.setCamera(camera)
       this.onstage('computing', scene.circles.length / 3)
       const edited = await this.#editing.open(scene, edits)
       if (isSuperseded()) return 'superseded'
@@ -163,6 +165,8 @@ export class EditorActions implements Hands {
         return 'refused'
       }
       end = 'opened'
+      // What is beside the picture may have opened meanwhile.
+      if (this.#view.camera === camera && !isSame(camera, cameraNow())) this.#view.setCamera(cameraNow())
       if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
       else this.#forgetPlaces()
       this.useTool('select')
@@ -354,16 +358,14 @@ export class EditorActions implements Hands {
     const [only, ...others] = changed
     if (only === undefined) return
     const { x, y, r } = only.circle
-    const numbers = () => this.words.numbers(only.id, shortest(x), shortest(y), shortest(r))
+    const numbers = () => this.words.numbers(only.id, short(x), short(y), short(r))
     this.#say(others.length === 0 ? numbers() : this.words.moved(changed.length))
   }
 
   select(ids: readonly number[]): void {
     this.#store.update((state) => {
       if (ids.length === state.selection.length && ids.every((id, k) => id === state.selection[k])) return state
-      const selected = ids.length === 1 ? ids[0] : undefined
-      const circle = selected === undefined ? undefined : this.#editing.circles.get(selected)
-      return { ...state, selection: ids, selected, circle, described: undefined, problem: '' }
+      return { ...withSelection(state, ids, this.#editing.circles), described: undefined, problem: '' }
     })
   }
 

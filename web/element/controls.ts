@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import type { Figure } from '../player/figure.ts'
 import type { Padding } from '../view/camera.ts'
 import { disable } from '../view/disable.ts'
 import { ADD, FIT, MINUS, PLUS, REDO, REMOVE, UNDO } from '../view/icons.ts'
-import type { Figure } from './figure.ts'
 import { make, type Shell } from './shell.ts'
 import type { Words } from './words.ts'
 

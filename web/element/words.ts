@@ -4,7 +4,7 @@ import { ENGLISH_KEYS, type KeyHelp } from '../editing/key-help.ts'
 import type { ProblemWords } from '../editing/problem.ts'
 import { type EditingWords, ENGLISH_EDITING } from '../editing/words.ts'
 import type { PlayerWords } from '../player/words.ts'
-import type { Counts } from '../view/protocol.ts'
+import type { DiagramCounts } from '../view/protocol.ts'
 import type { ElementRefusals } from './refusals.ts'
 
 /** What an element says by itself. */
@@ -30,7 +30,7 @@ export interface Words {
   /** What the player is called. */
   readonly player: string
   /** What is shown, as a sentence. */
-  describe(counts: Counts): string
+  describe(counts: DiagramCounts): string
   readonly editing: EditingWords
   /** What English says by itself, in another language. */
   readonly others?: { readonly refusals: ElementRefusals & ProblemWords; readonly player: PlayerWords }

@@ -22,11 +22,11 @@ export interface PlayerOptions {
   /** Shows the circles that are played; their diagram is hidden until the end, and what happens is drawn above. */
   readonly view: View
   /** What is played: the touching disc method, flips (`method: 'auto'`), or `edits`. */
-  readonly options?: TraceOptions | undefined
+  readonly options: TraceOptions
   /** Where to begin. */
   readonly step?: number | undefined
   /** Called with each step that is shown, and how many there are. */
-  readonly onstep?: ((step: number, steps: number) => void) | undefined
+  onstep(step: number, steps: number): void
   /** What it says, asked for whenever it is drawn. Default: English. */
   readonly words?: (() => PlayerWords | undefined) | undefined
 }
@@ -108,8 +108,8 @@ class MethodPlayer implements Player {
   constructor(container: HTMLElement, { view, options, step, onstep, words }: PlayerOptions) {
     this.#root = container
     this.#view = view
-    this.#options = options ?? {}
-    this.#onstep = onstep ?? (() => {})
+    this.#options = options
+    this.#onstep = onstep
     this.#wordsNow = words ?? (() => undefined)
     container.classList.add('cv-player')
     // Its time runs from left to right.

@@ -6,14 +6,24 @@ import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options
 import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { Layers } from './layers.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
-import type { Counts, DomainChange, Fitted, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
+import type {
+  DiagramCounts,
+  DomainChange,
+  Fitted,
+  Found,
+  FromPainter,
+  Marks,
+  Questions,
+  ToPainter,
+  Wish,
+} from './protocol.ts'
 import { Failure, type Refusals } from './refusal.ts'
 import { type RemoteCall, RemoteCalls } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
 /** What came of circles that were opened, or of edits. */
 export interface Edited {
-  readonly counts: Counts
+  readonly counts: DiagramCounts
   /** The ids of the circles that came, in the order of the edits. */
   readonly inserted: Int32Array
   /** The edits that undo it. */

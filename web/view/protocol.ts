@@ -147,7 +147,7 @@ export type FromPainter =
       readonly kind: 'opened'
       readonly scene: number
       readonly revision: number
-      readonly counts: Counts
+      readonly counts: DiagramCounts
       readonly seconds: number
       /** Those with radii that were fitted. */
       readonly circles?: Float64s | undefined
@@ -158,7 +158,7 @@ export type FromPainter =
       readonly kind: 'edited'
       readonly scene: number
       readonly revision: number
-      readonly counts: Counts
+      readonly counts: DiagramCounts
       readonly grid: number
       readonly patches: readonly Patch[]
       /** Around all that looks different. */
@@ -196,7 +196,8 @@ export interface Fitted {
   readonly steps: number
 }
 
-export interface Counts {
+/** How many circles, hidden circles, vertices and edges a diagram has. */
+export interface DiagramCounts {
   readonly circles: number
   readonly hidden: number
   readonly vertices: number
@@ -219,7 +220,7 @@ export interface CellFacts extends Circle {
 }
 
 /** What is so of a diagram. */
-export interface Facts extends Counts {
+export interface Facts extends DiagramCounts {
   /** Those that were asked for; there is none of circles that are not there. */
   readonly cells: ReadonlyMap<number, CellFacts>
 }

@@ -25,6 +25,7 @@ const HELP: readonly (readonly [title: string, rows: readonly KeyRow[]])[] = [
       select.all,
     ],
   ],
+  ['Tools', [PAGE_KEYS.tools, PAGE_KEYS.region, PAGE_KEYS.help]],
   [
     'Edit',
     [
@@ -43,7 +44,6 @@ const HELP: readonly (readonly [title: string, rows: readonly KeyRow[]])[] = [
       PAGE_KEYS.numbers,
     ],
   ],
-  ['Tools', [PAGE_KEYS.tools, PAGE_KEYS.region, PAGE_KEYS.help]],
 ]
 
 /** Shows what pointer and keys do. */

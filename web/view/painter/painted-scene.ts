@@ -4,8 +4,19 @@ import { at, circleAt } from '../../lib/base/diagram-data.ts'
 import type { Box, Comparison, Diagram, Edit, Float64s } from '../../lib/index.ts'
 import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import type { CircleChange } from '../circle-table.ts'
-import { DEFAULT_LAYERS, isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
-import type { Counts, Described, DomainChange, Fitted, Found, Hit, Marks, Patch, PixelBox, Wish } from '../protocol.ts'
+import { isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
+import type {
+  Described,
+  DiagramCounts,
+  DomainChange,
+  Fitted,
+  Found,
+  Hit,
+  Marks,
+  Patch,
+  PixelBox,
+  Wish,
+} from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import type { Style } from '../style.ts'
 import { Centers } from './centers.ts'
@@ -48,7 +59,6 @@ export class PaintedScene {
   readonly library: ComputingLibrary
   /** The diagram, and how it is drawn. */
   picture: Picture
-  #layers = DEFAULT_LAYERS
   #parts: LaterParts | undefined
   /** How long it took last to find what depends on all circles. */
   #findingSeconds = 0
@@ -64,8 +74,6 @@ export class PaintedScene {
   #hint = -1
   #selected: number | undefined
   #hovered: number | undefined
-  /** Whether circles are shown as points. */
-  #areSites = false
 
   /** Without circles. */
   constructor(library: ComputingLibrary) {
@@ -85,12 +93,13 @@ export class PaintedScene {
       change.fit && shares.length > 0 ? regions?.fitted(this.#fitting(clip, regions), circles, shares) : undefined
     const opened = fit?.diagram.circles ?? circles
     const picture = new Picture(this.library.edit(opened), clip)
+    const { layers, areSites } = this.picture
+    picture.areSites = change.areSites ?? areSites
     this.dispose()
     this.picture = picture
-    this.#areSites = change.areSites ?? this.#areSites
     this.#findingSeconds = 0
     this.#hint = -1
-    this.setLayers(this.#layers)
+    this.setLayers(layers)
     return { circles: fit?.diagram.circles, fitted: fit && { error: fit.error, steps: fit.steps } }
   }
 
@@ -115,11 +124,9 @@ export class PaintedScene {
   setLayers(layers: Layers, isPainted = true, parts?: LaterParts): void {
     this.#parts ??= parts
     const picture = this.picture
-    const { candidates, sampleCount } = this.#layers
-    this.#layers = layers
+    const { candidates, sampleCount } = picture.layers
     this.#isFound = false
     picture.layers = layers
-    picture.areSites = this.#areSites
     if (!layers.delaunay && !layers.ordinary) {
       picture.centers?.dispose()
       picture.centers = undefined
@@ -134,7 +141,7 @@ export class PaintedScene {
 
   /** Whether the power diagram is to be shown and is not there. */
   get isPowerMissing(): boolean {
-    return this.#layers.power && this.picture.power === undefined
+    return this.picture.layers.power && this.picture.power === undefined
   }
 
   /** The power diagram of the circles as they are. */
@@ -161,25 +168,27 @@ export class PaintedScene {
   /** Whether the layers show something of the method that is not there. */
   get isMethodMissing(): boolean {
     const { diagram, method } = this.picture
-    return method === undefined && this.#parts !== undefined && isTraced(this.#layers, diagram.circles.length / 3)
+    return (
+      method === undefined && this.#parts !== undefined && isTraced(this.picture.layers, diagram.circles.length / 3)
+    )
   }
 
   /** What the touching disc method makes of the circles as they are. */
   addMethod(): void {
     this.#isFound = false
-    const result = this.#parts?.methodResult(this.library, this.picture.diagram, this.#layers)
+    const result = this.#parts?.methodResult(this.library, this.picture.diagram, this.picture.layers)
     if (result !== undefined) this.picture.setMethod(result)
     this.#restart()
   }
 
   /** Whether the layers show what depends on all circles and has not been found. */
   get isAnythingToFind(): boolean {
-    return !this.#isFound && isAnythingFound(this.#layers)
+    return !this.#isFound && isAnythingFound(this.picture.layers)
   }
 
   /** Whether that has a path, which is as fine as what is looked at. */
   get isPathFound(): boolean {
-    return this.#layers.path !== undefined
+    return this.picture.layers.path !== undefined
   }
 
   /** Whether to find that takes no longer than an edit may. */
@@ -203,7 +212,7 @@ export class PaintedScene {
     paint(new Painting(drawing, frame, pixelRatio, this.picture, style))
   }
 
-  counts(): Counts {
+  counts(): DiagramCounts {
     const { circles, hidden, vertices, edges } = this.picture.diagram
     return {
       circles: circles.length / 3,
@@ -235,11 +244,10 @@ export class PaintedScene {
         ? { edits: asked, fit: undefined }
         : regions.fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
     const change = this.picture.editor.apply(edits)
-    const { areSites = this.#areSites } = domain
-    const isElsewhere = clip !== this.picture.clip || areSites !== this.#areSites
+    const { areSites = this.picture.areSites } = domain
+    const isElsewhere = clip !== this.picture.clip || areSites !== this.picture.areSites
     this.picture.clip = clip
     this.picture.areSites = areSites
-    this.#areSites = areSites
     const { boxes, isEverywhere } = this.picture.apply(change)
     // All that is seen goes together, so that no part of a motion comes late.
     const isAtOnce = this.#followPower() && !isElsewhere
@@ -299,7 +307,7 @@ export class PaintedScene {
     let discSize = Number.POSITIVE_INFINITY
     for (const id of index.search({ minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack })) {
       const i = diagram.indexOf(id)
-      const r = this.#areSites ? 0 : at(circles, 3 * i + 2)
+      const r = this.picture.areSites ? 0 : at(circles, 3 * i + 2)
       const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y) - r
       // A small circle is all disc: it can be resized once it is seen larger.
       const hasRim = r > 3 * slack
@@ -351,7 +359,7 @@ export class PaintedScene {
     const neighbors = [...new Set(diagram.neighbors(i))]
     return {
       id,
-      circle: { ...circleAt(circles, i), ...(this.#areSites && { r: 0 }) },
+      circle: { ...circleAt(circles, i), ...(this.picture.areSites && { r: 0 }) },
       hiddenBy,
       isBounded: cells.isBounded(i),
       neighbors: Int32Array.from(leastFirst(neighbors.map(idOf))),
