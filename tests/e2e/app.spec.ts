@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Page } from '@playwright/test'
 import { pointAt } from '../../web/lib/curves/bisector.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/curves/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { violationsOf } from './accessibility.ts'
 import { got, heldBack } from './held-back.ts'
-import { App, dataSet, expect, test } from './page.ts'
+import { App, dataSet, expect, framesOf, test } from './page.ts'
 
 const BRONZE = dataSet('bronzefilter')
 const INTRODUCTION = dataSet('introduction')
 const START = dataSet('start')
 
 /** Waits until a page has drawn so many frames. */
-async function framesOf(page: Page, count: number): Promise<void> {
-  for (let k = 0; k < count; k++) await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
-}
-
 test('shows a few circles at the start, and one line that says what it is', async ({ page }) => {
   const app = new App(page)
   await app.open('')
@@ -29,6 +24,7 @@ test('shows a few circles at the start, and one line that says what it is', asyn
   await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
   const picture = await app.canvas.screenshot()
   await framesOf(page, 30)
+  await app.painted()
   expect(picture.equals(await app.canvas.screenshot())).toBe(true)
   const at = app.center(START, 0)
   await page.mouse.click(at.x, at.y)
@@ -105,6 +101,7 @@ test('updates the diagram within a drag, before the mouse is released', async ({
   const from = app.center(BRONZE, 600)
   await app.page.mouse.click(from.x, from.y)
   await expect(app.inspector).toContainText('Circle 600')
+  await expect.poll(() => app.neighbors()).not.toEqual([])
   const neighbors = await app.neighbors()
   const picture = await app.canvas.screenshot()
   const to = app.center(BRONZE, 100)
@@ -112,7 +109,9 @@ test('updates the diagram within a drag, before the mouse is released', async ({
   await app.drag(from, to)
   await expect.poll(() => app.neighbors()).not.toEqual(neighbors)
   expect(picture.equals(await app.canvas.screenshot())).toBe(false)
-  expect(Number(await app.field('x').inputValue())).toBeCloseTo(BRONZE[300] as number, 1)
+  await expect
+    .poll(async () => Math.abs(Number(await app.field('x').inputValue()) - (BRONZE[300] as number)))
+    .toBeLessThan(0.05)
 
   await app.page.mouse.up()
   await app.page.getByRole('button', { name: 'Undo' }).click()

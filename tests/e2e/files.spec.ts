@@ -277,7 +277,7 @@ test('saved drawings are what is seen: its colors, its layers and its part of th
   await openPanel(app)
   await page.mouse.move(700, 400)
   await page.mouse.wheel(0, -400)
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   /** The color of each of some pixels of a drawing as large as the window. */
   const drawnColors = (svg: string, points: readonly { x: number; y: number }[]) =>
     page.evaluate(

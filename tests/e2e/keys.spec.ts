@@ -191,6 +191,7 @@ test('circles move while it plays, and undo brings all of them back at once', as
     await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
     await panel.getByRole('button', { name: 'Stop' }).click()
     await expect(panel.getByRole('button', { name: 'Play' })).toBeVisible()
+    await expect.poll(() => app.circles()).not.toEqual(INTRODUCTION)
     await page.getByRole('button', { name: 'Undo' }).click()
     await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
   }

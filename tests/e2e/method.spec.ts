@@ -40,7 +40,7 @@ test('candidates and samples change what the method finds, and not the diagram',
         for (let k = 0; k < data.length; k += 4) if (data[k] === r && data[k + 1] === g && data[k + 2] === b) count += 1
         return count
       })
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   expect(await pink()).toBe(0)
   await panel.getByLabel('Candidates').selectOption('uniform')
   await panel.getByLabel('m, samples on a circle').fill('3')
@@ -49,15 +49,15 @@ test('candidates and samples change what the method finds, and not the diagram',
   await expect.poll(async () => ((await found())[3] as number) < (edges as number)).toBe(true)
   await expect.poll(pink).toBeGreaterThan(20)
   expect(await counts()).toBe(before)
-  await expect
-    .poll(async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers)
-    .toEqual({ missedEdges: true, candidates: 'uniform', sampleCount: 3 })
+  const layers = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers
+  await expect.poll(layers).toEqual({ missedEdges: true, candidates: 'uniform', sampleCount: 3 })
 
   // What is no number of samples changes nothing.
   await panel.getByLabel('m, samples on a circle').fill('0')
   await panel.getByLabel('m, samples on a circle').press('Enter')
   await panel.getByLabel('Candidates').selectOption('all-pairs')
   await expect(said).toContainText('From all pairs')
+  await expect.poll(layers).toEqual({ missedEdges: true, candidates: 'all-pairs', sampleCount: 3 })
   await expect.poll(async () => (await found()).slice(0, 4)).toEqual([vertices, vertices, edges, edges])
   // After an edit it is found anew.
   await page.locator('#figure').focus()

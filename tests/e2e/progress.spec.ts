@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What takes long says so, and can be canceled.
+import type { Page } from '@playwright/test'
 import { got, heldBack } from './held-back.ts'
 import { expect, test } from './page.ts'
 
@@ -35,13 +36,14 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   const at = app.center((await app.circles()) as Float64Array, 600)
   await page.mouse.click(at.x, at.y)
   await expect(app.inspector).toBeVisible()
+  await holdThread(page)
   const before = await app.status.textContent()
   await app.openPanel('Generate')
   const panel = page.getByRole('region', { name: 'Generate' })
-  await panel.getByLabel('n', { exact: true }).fill('600000')
+  await panel.getByLabel('n', { exact: true }).fill('6000')
   await panel.getByLabel('n', { exact: true }).press('Enter')
   await panel.getByRole('button', { name: /^points/ }).click()
-  await expect(progress).toContainText('Computing the diagram of 600,000 circles …', { timeout: 60_000 })
+  await expect(progress).toContainText('Computing the diagram of 6,000 circles …')
   // What was selected is of other circles.
   await expect(app.inspector).toBeHidden()
   await progress.getByRole('button', { name: 'Cancel' }).click()
@@ -50,8 +52,16 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   expect(await app.status.textContent()).toBe(before)
   // All goes on.
   await expect(app.inspector).toContainText('Circle 600')
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false', { timeout: 60_000 })
+  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
   await app.canvas.focus()
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('677 circles')
 })
+
+/** Has the painter's thread answer nothing more, as in a computation that takes forever. Canceling ends the thread. */
+async function holdThread(page: Page): Promise<void> {
+  const thread = page.workers().find((worker) => /start-thread/.test(worker.url()))
+  await thread?.evaluate(() =>
+    addEventListener('message', (event) => event.stopImmediatePropagation(), { capture: true }),
+  )
+}

@@ -254,7 +254,7 @@ test('colors by a measure have a legend with numbers on the canvas', async ({ ap
   const largest = Array.from({ length: 678 }, (_, i) => i).sort(
     (i, j) => (BRONZE[3 * j + 2] as number) - (BRONZE[3 * i + 2] as number),
   )
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   const [color] = await app.colors([app.center(BRONZE, largest[0] as number)])
   const end = await legend.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
     const context = canvas.getContext('2d') as CanvasRenderingContext2D
@@ -284,7 +284,7 @@ test('an overlay with nothing on it is not drawn again while the picture is zoom
   await app.canvas.focus()
   for (let k = 0; k < 3; k++) await page.keyboard.press('+')
   await expect(page.locator('#scale')).not.toHaveText(before as string)
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   expect(await drawn()).toBe(0)
   await page.keyboard.press('Enter')
   await expect.poll(drawn).toBeGreaterThan(0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type ChildProcess, spawn } from 'node:child_process'
-import { mkdtempSync, readdirSync, rmSync } from 'node:fs'
+import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs'
 import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 import type { Engine } from './engine.ts'
@@ -119,10 +119,16 @@ export async function openWebKit(): Promise<Engine> {
   }
 }
 
-/** The browser of the package, in a folder named for the machine. */
+/** The browser of the newest WebKitGTK, in a folder named for the machine. */
 function miniBrowser(): string {
-  const folder = readdirSync('/usr/lib').find((name) => name.endsWith('-linux-gnu'))
-  return `/usr/lib/${folder}/webkit2gtk-4.1/MiniBrowser`
+  const folders = readdirSync('/usr/lib').filter((name) => name.endsWith('-linux-gnu'))
+  const browsers = folders
+    .flatMap((folder) => readdirSync(`/usr/lib/${folder}`).map((name) => `${folder}/${name}`))
+    .filter((name) => /webkit2?gtk-[\d.]+$/.test(name) && existsSync(`/usr/lib/${name}/MiniBrowser`))
+  const versionOf = (name: string) => Number(/[\d.]+$/.exec(name)?.[0])
+  const newest = browsers.sort((a, b) => versionOf(a) - versionOf(b)).at(-1)
+  if (newest === undefined) throw new Error('There is no MiniBrowser of WebKitGTK in /usr/lib.')
+  return `/usr/lib/${newest}/MiniBrowser`
 }
 
 /** What a program writes first to its fourth stream. */
@@ -144,7 +150,7 @@ function freePort(): Promise<number> {
 }
 
 async function listening(port: number): Promise<void> {
-  for (let attempt = 0; attempt < 100; attempt++) {
+  for (let attempt = 0; attempt < 500; attempt++) {
     const answer = await fetch(`http://127.0.0.1:${port}/status`).catch(() => undefined)
     if (answer?.ok) return
     await new Promise((resolve) => setTimeout(resolve, 100))
