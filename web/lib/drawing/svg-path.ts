@@ -28,6 +28,13 @@ export class SvgPath implements PathSink {
     return this.#text.toString()
   }
 
+  /** @internal Returns the text and begins again with an empty one. */
+  take(): string {
+    this.#x = Number.NaN
+    this.#y = Number.NaN
+    return this.#text.take()
+  }
+
   moveTo(x: number, y: number): void {
     this.#text.add('M')
     this.#go(x, y)
