@@ -158,7 +158,7 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
       sink.lineTo(end.x, end.y)
     } else {
       const control = controlPoint(bisector, from, to)
-      const share = shareOfControl(from, to)
+      const share = shareOfControl(excessOf(from, to))
       const control1 = mix(start, control, share)
       const control2 = mix(end, control, share)
       sink.bezierCurveTo(control1.x, control1.y, control2.x, control2.y, end.x, end.y)
@@ -210,14 +210,14 @@ export function controlAcross(b: number, from: number, to: number): number {
   return b * ((from / (from + to)) * to - 1 / (from + to))
 }
 
-/** How far from the ends of an arc towards its control point the control points of its cubic curve are. */
-export function shareOfControl(from: number, to: number): number {
-  const weight = 1 + excessOf(from, to)
+/** How far from the ends of an arc towards its control point the control points of its cubic curve are, by w - 1. */
+export function shareOfControl(excess: number): number {
+  const weight = 1 + excess
   return (4 * weight) / (3 * (1 + weight))
 }
 
 /** w - 1 */
-function excessOf(from: number, to: number): number {
+export function excessOf(from: number, to: number): number {
   const difference = Math.sqrt(to) - Math.sqrt(from)
   return ((difference / Math.sqrt(from)) * (difference / Math.sqrt(to))) / 2
 }
@@ -228,9 +228,9 @@ function excessOf(from: number, to: number): number {
  * distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer to the line of
  * its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times |a|.
  */
-export function chordError(a: number, b: number, from: number, to: number): number {
+export function chordError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   if (a === 0) return 0
-  const along = excessOf(from, to) * Math.abs(a)
+  const along = excess * Math.abs(a)
   if (from < 1 && 1 < to) return along
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const x = (a * (middle - 1 / middle)) / 2
@@ -258,8 +258,7 @@ export function isNearlyStraight(a: number, from: number, to: number, tolerance:
  * the way to the branch along one axis is at most |a| f / (2 k cosh t), along the other b f / (k sinh t), with
  * k^2 = 1 - f and t the parameter of the arc nearest to the apex.
  */
-export function cubicError(a: number, b: number, from: number, to: number): number {
-  const excess = excessOf(from, to)
+export function cubicError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   const f = (excess * excess * excess) / (27 * (excess + 2))
   if (!(f < 0.5)) return Number.POSITIVE_INFINITY
   const k = Math.sqrt(1 - f)
