@@ -183,6 +183,11 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
 export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
   checkBoundedCurve(curve, 'polyline')
   checkLength(tolerance, 'polyline', 'tolerance')
+  return polylineOf(curve, tolerance)
+}
+
+/** The same of checked arguments. */
+export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   const { bisector, from: first, to, start, end } = curve
   if (isNearlyStraight(bisector.a, first, to, tolerance / bisector.unit)) return [start, end]
   const limit = limitOf(curve, chordError(bisector.a, bisector.b, first, to), tolerance, 1e-9)

@@ -47,7 +47,7 @@ import { keptParts, type Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
-import { outlineArea, outlineCentroid, outlinePerimeter } from '../regions/measure.ts'
+import { areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
 import { type ClippedCells, type ClippedDiagram, type Region, regionOption } from '../regions/region.ts'
@@ -486,7 +486,7 @@ export class Diagram implements DiagramData {
 
   /** Returns the area of the part of cell `i` inside the bounds, exact up to rounding; 0 if circle `i` is hidden. */
   cellArea(i: number, options: BoundsOptions = {}): number {
-    return outlineArea(this.#outline(i, 'cellArea', options))
+    return areaOf(this.#outline(i, 'cellArea', options))
   }
 
   /**
@@ -495,31 +495,31 @@ export class Diagram implements DiagramData {
    */
   cellCentroid(i: number, options: BoundsOptions = {}): Point | undefined {
     const outline = this.#outline(i, 'cellCentroid', options)
-    return outline.length === 0 ? undefined : outlineCentroid(outline)
+    return outline.length === 0 ? undefined : centroidOf(outline)
   }
 
   /** Returns the perimeter of the part of cell `i` inside the bounds, exact up to rounding; 0 if the part is empty. */
   cellPerimeter(i: number, options: BoundsOptions = {}): number {
-    return outlinePerimeter(this.#outline(i, 'cellPerimeter', options))
+    return perimeterOf(this.#outline(i, 'cellPerimeter', options))
   }
 
   /** Returns the area of each cell inside the bounds. */
   cellAreas(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellAreas', options, 'areas', (outline) => [outlineArea(outline)])
+    return this.#ofEach('cellAreas', options, 'areas', (outline) => [areaOf(outline)])
   }
 
   /** Returns the centroid of each cell inside the bounds, as x and y; NaN for an empty cell. */
   cellCentroids(options: BoundsOptions = {}): Float64Array {
     return this.#ofEach('cellCentroids', options, 'centroids', (outline) => {
       if (outline.length === 0) return [Number.NaN, Number.NaN]
-      const { x, y } = outlineCentroid(outline)
+      const { x, y } = centroidOf(outline)
       return [x, y]
     })
   }
 
   /** Returns the perimeter of each cell inside the bounds. */
   cellPerimeters(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellPerimeters', options, 'perimeters', (outline) => [outlinePerimeter(outline)])
+    return this.#ofEach('cellPerimeters', options, 'perimeters', (outline) => [perimeterOf(outline)])
   }
 
   #outline(i: number, caller: string, options: BoundsOptions): Outline {

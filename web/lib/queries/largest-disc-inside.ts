@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkDiagram, checkMetric } from '../base/check.ts'
-import { at, circleOf, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { distanceFrom } from '../base/metric.ts'
+import { at, circleOf, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
+import { distanceOf } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
@@ -52,7 +52,7 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
     const inside = depthOf(p)
     if (!(inside > radius())) return
     const nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
-    const empty = distanceFrom(diagram, nearest, p.x, p.y)
+    const empty = distanceOf(diagram, nearest, p.x, p.y)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
     if (circles[0] === undefined) {
@@ -60,7 +60,7 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
       return
     }
     const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleOf(diagram.circles, circles[0]).r)
-    if (!circles.includes(nearest) && distanceFrom(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    if (!circles.includes(nearest) && distanceOf(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
     // It may touch but sides.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
     best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }
@@ -68,12 +68,12 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
 
   // First what touches most circles: of equal discs the first is kept.
   for (let v = 0; v < diagram.vertices.length / 3; v++) {
-    const { x, y, r: empty } = vertexAt(diagram, v)
+    const { x, y, r: empty } = vertexOf(diagram, v)
     if (empty <= radius() || depthOf({ x, y }) < empty) continue
     best = { disc: { x, y, r: empty }, circles: [...diagram.vertexCircles.subarray(3 * v, 3 * v + 3)] }
   }
   for (let e = 0; e < diagram.edges.length / 4; e++) {
-    const { left, right, start, end } = edgeAt(diagram, e)
+    const { left, right, start, end } = edgeOf(diagram, e)
     const radiusAt = (v: number) => (v === NONE ? Infinity : at(diagram.vertices, 3 * v + 2))
     // Along an edge the distance is largest at one of its ends.
     if (Math.max(radiusAt(start), radiusAt(end)) > radius()) {
@@ -161,7 +161,7 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
  * K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n . along + |a|)).
  */
 function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sides: readonly Side[]): Point[] {
-  const { left, right } = edgeAt(diagram, e)
+  const { left, right } = edgeOf(diagram, e)
   const radius = Math.min(circleOf(diagram.circles, left).r, circleOf(diagram.circles, right).r)
   return partsInside(curveOf(diagram, e), region).flatMap(({ curve: { bisector, from, to } }) =>
     sides.flatMap((side) => {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkDiagram, checkMetric, checkOptionNames } from '../base/check.ts'
-import { at, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { distanceFrom } from '../base/metric.ts'
+import { at, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
+import { distanceOf } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
 import { largestOf } from '../base/scale.ts'
 import type { DiagramData, Point, Vertex } from '../base/types.ts'
@@ -57,10 +57,10 @@ export function largestEmptyDiscCenteredIn(
     if (nearest !== NONE) largest.offerAround(corner, nearest)
   }
   for (let v = 0; v < diagram.vertices.length / 3; v++) {
-    if (region.contains(vertexAt(diagram, v))) largest.offerVertex(v)
+    if (region.contains(vertexOf(diagram, v))) largest.offerVertex(v)
   }
   for (let e = 0; e < diagram.edges.length / 4; e++) {
-    const { left, right, start, end } = edgeAt(diagram, e)
+    const { left, right, start, end } = edgeOf(diagram, e)
     const radiusAt = (v: number) => (v === NONE ? Number.POSITIVE_INFINITY : at(diagram.vertices, 3 * v + 2))
     // Along an edge the distance is largest at one of its ends.
     if (Math.max(radiusAt(start), radiusAt(end)) <= largest.radius) continue
@@ -120,7 +120,7 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | un
       const crossings = line.parameters.filter((s) => from < s && s < to)
       const target = cells.targetOf(side)
       // An edge that crosses the line twice has come out of the hull again elsewhere.
-      if (target !== NONE && crossings.length < 2 && dot(normal, between(touch, vertexAt(diagram, target))) > 0) {
+      if (target !== NONE && crossings.length < 2 && dot(normal, between(touch, vertexOf(diagram, target))) > 0) {
         // Only rounding leads to a vertex twice.
         if (isOutside[target] === 0) {
           isOutside[target] = 1
@@ -152,12 +152,12 @@ class Largest {
   }
 
   offerVertex(v: number): void {
-    this.#offer(vertexAt(this.#diagram, v), this.#diagram.vertexCircles.subarray(3 * v, 3 * v + 3))
+    this.#offer(vertexOf(this.#diagram, v), this.#diagram.vertexCircles.subarray(3 * v, 3 * v + 3))
   }
 
   /** The disc around a point that touches these circles. */
   offerAround({ x, y }: Point, ...circles: readonly number[]): void {
-    this.#offer({ x, y, r: distanceFrom(this.#diagram, circles[0] as number, x, y) }, circles)
+    this.#offer({ x, y, r: distanceOf(this.#diagram, circles[0] as number, x, y) }, circles)
   }
 
   /** A point of a circle that has grown. */
