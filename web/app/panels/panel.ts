@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render, type TemplateResult } from 'lit/html.js'
-import { NOT_LOADED } from '../loaded-once.ts'
+import { NOT_LOADED } from '../not-loaded.ts'
 import { CLOSE } from './icons.ts'
 
 const STORAGE = 'circle-voronoi:open-panel'

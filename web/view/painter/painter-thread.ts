@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
-import type { CircleVoronoi, Comparison } from '../../lib/index.ts'
+import { loadedOnce } from '../../lib/base/loaded-once.ts'
+import type { CircleVoronoi } from '../../lib/index.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import { withModules } from '../../lib/wasm/with-modules.ts'
@@ -31,8 +32,8 @@ interface Measuring {
   steps: Generator<void, FromPainter>
 }
 let measuring: Measuring[] = []
-let comparison: Promise<Comparison> | undefined
-let regions: Promise<Regions> | undefined
+const comparison = loadedOnce(async () => (await library).loadComparison())
+const regions = loadedOnce(async () => (await library).loadRegions())
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Lets messages that have arrived be heard before more is painted. */
@@ -132,14 +133,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
 /** What clips and fits, loaded once it is needed. */
 async function regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
   if ((region ?? undefined) === undefined && fit === undefined) return undefined
-  regions ??= (await library).loadRegions()
-  try {
-    return await regions
-  } catch (error) {
-    // It may be there the next time.
-    regions = undefined
-    throw error
-  }
+  return regions()
 }
 
 /** What takes long is answered in steps. */
@@ -285,13 +279,9 @@ async function findAll(): Promise<void> {
     }
     if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
     if (!scene.isPowerMissing) continue
-    comparison ??= (await library).loadComparison()
-    const loaded = await comparison.catch(() => undefined)
-    if (loaded === undefined) {
-      // What cannot be loaded is not drawn; it may be there the next time.
-      comparison = undefined
-      continue
-    }
+    const loaded = await comparison().catch(() => undefined)
+    // What cannot be loaded is not drawn; it may be there the next time.
+    if (loaded === undefined) continue
     // Meanwhile it may have been closed, or changed.
     if (scenes.get(number) !== scene || !scene.isPowerMissing) continue
     scene.addPower(loaded)
