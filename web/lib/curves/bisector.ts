@@ -25,24 +25,24 @@ import { METRICS, type Metric } from '../base/types.ts'
  * @category Curves
  */
 export interface Bisector {
-  /** The foci: the center of the left circle, */
+  /** The center of the left circle, one of the two foci. */
   readonly left: Point
-  /** and of the right one. */
+  /** The center of the right circle, one of the two foci. */
   readonly right: Point
-  /** Of a, b and apex: 1 or a power of two. */
+  /** The unit of length in which `a`, `b` and `apex` are measured: 1 or a power of two. */
   readonly unit: number
-  /** (r_left - r_right) / 2 */
+  /** Half the difference of the radii, (r_left - r_right) / 2; 0 for a straight bisector. In `unit`. */
   readonly a: number
-  /** a^2 + b^2 = c^2, where c is half the distance of the centers; above 0 */
+  /** The other half-axis of the hyperbola, above 0: a^2 + b^2 = c^2, where c is half the distance of the centers. In `unit`. */
   readonly b: number
-  /** The focus of the smaller circle, the left one if radii are equal. */
+  /** The center of the smaller circle, or of the left circle if the radii are equal. */
   readonly origin: Point
   /** Unit vector from the origin to the other focus. */
   readonly along: Vector
-  /** Unit vector at right angles to it, with the left circle on its left. */
+  /** Unit vector at right angles to `along`, with the left circle on its left. */
   readonly across: Vector
   /**
-   * The distance c - |a| from the origin to the apex. For the metric `power` it is where the radical axis crosses the line
+   * The distance c - |a| from the origin to the apex, in `unit`. For the metric `power` it is where the radical axis crosses the line
    * of centers, and may be negative.
    */
   readonly apex: number

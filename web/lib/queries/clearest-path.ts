@@ -38,9 +38,6 @@ export interface ClearestPath {
  * Finds the path of greatest clearance from p to q, in O(n log n). The diagram must have the metric `circles` and at
  * least one circle.
  *
- * To move straight away from the nearest center until an edge is met never loses clearance. As that carries every path onto
- * the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
- *
  * @throws CircleVoronoiError `badArgument`
  *
  * @category Questions
@@ -53,6 +50,8 @@ export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
   checkPoint(p, 'clearestPath')
   checkPoint(q, 'clearestPath')
   if (diagram.circles.length === 0) refuseArgument('clearestPath takes a diagram of one circle or more.')
+  // To move straight away from the nearest center until an edge is met never loses clearance. As that carries every path
+  // onto the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
   const fromCircle = diagram.find(p.x, p.y)
   const toCircle = diagram.find(q.x, q.y)
   const from = exitOf(diagram, fromCircle, p)

@@ -20,15 +20,10 @@ const ROUNDING_OF_DEPTH = 2 ** -48
 const ROUNDING_OF_PLACE = 2 ** -31
 
 /**
- * Finds the largest empty disc that lies completely inside a region; it may touch sides of the region as well as circles. If
- * circles cover the region, the result is that of `largestEmptyDiscCenteredIn`, whose radius is then not positive. Returns
- * `undefined` if there are no circles. The diagram must have the metric `circles`. Each circle is tried with each of the segments, some two for each side, of the region's medial axis.
- *
- * The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
- * along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
- * circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
- * circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All of
- * these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
+ * Finds the largest empty disc that lies completely inside a region. The disc may touch sides of the region as well as
+ * circles. If circles cover the region, the function returns the result of `largestEmptyDiscCenteredIn`, whose radius is
+ * then not positive. Returns `undefined` if there are no circles. The diagram must have the metric `circles`. The time is
+ * proportional to the number of circles times the number of sides of the region.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
  *
@@ -39,6 +34,12 @@ const ROUNDING_OF_PLACE = 2 ** -31
 export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscInside')
   checkMetric(diagram, 'largestEmptyDiscInside', 'circles')
+  // The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
+  // along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
+  // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
+  // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region, which
+  // has some two segments for each side. All of these are tried, and of each what is really empty and inside is taken:
+  // rounding cannot make a result too large.
   const region = regionOf(options, 'largestEmptyDiscInside')
   const centered = largestEmptyDiscCenteredIn(diagram, { bounds: region })
   if (centered === undefined || centered.disc.r <= 0) return centered

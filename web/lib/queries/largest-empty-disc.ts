@@ -31,9 +31,6 @@ export interface EmptyDisc {
  * circles. The disc may stick out. Its radius is negative if circles cover all points. Returns `undefined` if there are no
  * circles. The diagram must have the metric `circles`.
  *
- * The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
- * cell it is convex along every line.
- *
  * @throws CircleVoronoiError `badArgument`, `badOption`
  *
  * @category Questions
@@ -51,6 +48,8 @@ export function largestEmptyDiscCenteredIn(
   const given = regionOption(options, caller)
   if (given !== undefined) return given.module.clip(diagram, undefined).largestEmptyDisc()
   const region = ConvexPolygon.of((options as RegionOptions).bounds)
+  // The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
+  // cell it is convex along every line.
   const largest = new Largest(diagram)
   for (const corner of region.corners) {
     const nearest = diagram.find(corner.x, corner.y)
@@ -73,16 +72,10 @@ export function largestEmptyDiscCenteredIn(
 }
 
 /**
- * Finds the largest empty disc whose center lies in the convex hull of the circles. Its radius is not negative.
+ * Finds the largest empty disc whose center lies in the convex hull of the circles. Its radius is not negative. Returns
+ * `undefined` if there are no circles. The diagram must have the metric `circles`.
  *
- * What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
- * from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
- *   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
- *   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie
- *     outermost, never the third, since the unit vectors from the centers to the vertex lie on a convex arc;
- *   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
- * So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
- * inside the hull.
+ * @throws CircleVoronoiError `badArgument`
  *
  * @category Questions
  * @example
@@ -103,6 +96,14 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | un
     return largest.best
   }
 
+  // What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
+  // from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
+  //   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
+  //   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie
+  //     outermost, never the third, since the unit vectors from the centers to the vertex lie on a convex arc;
+  //   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
+  // So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
+  // inside the hull.
   const isOutside = new Uint8Array(vertices.length / 3)
   for (let top = 0; top < edges.length / 2; top++) {
     if (cells.originOf(top) !== NONE) continue
