@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { withSelection } from '../editing/state.ts'
+import { loadedOnce } from '../lib/base/loaded-once.ts'
 import { Figure } from '../player/figure.ts'
 import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
@@ -10,8 +11,8 @@ import { listenToFiles } from './input/dropping.ts'
 import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
 import { Keeping } from './keeping.ts'
 import { LinkWriter } from './link-writer.ts'
-import { loadedOnce, NOT_LOADED } from './loaded-once.ts'
 import { driftAtStart } from './motion/drift.ts'
+import { NOT_LOADED } from './not-loaded.ts'
 import { workOffline } from './offline.ts'
 import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'

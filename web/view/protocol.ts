@@ -101,9 +101,6 @@ export interface Questions {
   trace(options: TraceOptions): Traced
 }
 
-/** Those that nothing that moves waits for. */
-export type LaterQuestions = Exclude<keyof Questions, 'hit' | 'legend'>
-
 export type ToPainter =
   | { readonly kind: 'start'; readonly module: CompiledWasm }
   /** A scene without circles. What is for none that is there is not heard. */

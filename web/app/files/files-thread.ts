@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
+import { loadedOnce } from '../../lib/base/loaded-once.ts'
 import { circleAt, type Diagram, type Float64s } from '../../lib/index.ts'
 import { encodeLink } from '../../lib/link.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
 import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
-import { loadedOnce } from '../loaded-once.ts'
 import { randomNumbers } from '../random-circles.ts'
 import type { FilesCalls, Read, SavedFormat } from './files-protocol.ts'
 import { attributesIn } from './names.ts'

@@ -2,7 +2,7 @@
 import { html, nothing, render, type TemplateResult } from 'lit/html.js'
 import { icon } from '../../player/icon.ts'
 import { CLOSE } from '../../view/icons.ts'
-import { NOT_LOADED } from '../loaded-once.ts'
+import { NOT_LOADED } from '../not-loaded.ts'
 
 const STORAGE = 'circle-voronoi:open-panel'
 /** A handle that is pulled so far, in pixels, makes the sheet larger or smaller. */

@@ -12,6 +12,9 @@ import type { PathSink, Point } from '../base/types.ts'
 import { type Bisector, inPlane, pointOf } from './bisector.ts'
 import type { BoundedCurve } from './curve.ts'
 
+/** The smallest effective tolerance of `addArc`, as a share of the extent of the arc. */
+export const FINEST_CURVE = 1e-12
+
 /**
  * A conic section as a rational quadratic Bézier curve; its three points have the weights 1, `weight`, 1.
  *
@@ -137,15 +140,15 @@ export function traceArc(
 export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: BoundedCurve, tolerance: number): void {
   const { bisector, to: last } = curve
   let { from, start } = curve
-  if (isNearlyStraight(bisector, from, last, tolerance)) {
+  if (isNearlyStraight(bisector.a, from, last, tolerance / bisector.unit)) {
     sink.lineTo(curve.end.x, curve.end.y)
     return
   }
-  let error = chordError(bisector, from, last)
-  const limit = atLeast(1e-12, curve, error, tolerance)
+  let error = chordError(bisector.a, bisector.b, from, last)
+  const limit = limitOf(curve, error, tolerance, FINEST_CURVE)
   for (let isLast = false; !isLast; ) {
     // To know that one curve does for the rest spares the search for how far a line would do.
-    const byOneCubic = error > limit && cubicError(bisector, from, last) <= limit
+    const byOneCubic = error > limit && cubicError(bisector.a, bisector.b, from, last) <= limit
     const byLine = byOneCubic ? from : farthest(bisector, from, last, limit, chordError)
     const byCubic = byOneCubic || byLine === last ? last : farthest(bisector, from, last, limit, cubicError)
     const to = Math.max(byLine, byCubic)
@@ -155,15 +158,14 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
       sink.lineTo(end.x, end.y)
     } else {
       const control = controlPoint(bisector, from, to)
-      const weight = 1 + excessOf(from, to)
-      const share = (4 * weight) / (3 * (1 + weight))
+      const share = shareOfControl(excessOf(from, to))
       const control1 = mix(start, control, share)
       const control2 = mix(end, control, share)
       sink.bezierCurveTo(control1.x, control1.y, control2.x, control2.y, end.x, end.y)
     }
     from = to
     start = end
-    if (!isLast) error = chordError(bisector, from, last)
+    if (!isLast) error = chordError(bisector.a, bisector.b, from, last)
   }
 }
 
@@ -181,9 +183,14 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
 export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
   checkBoundedCurve(curve, 'polyline')
   checkLength(tolerance, 'polyline', 'tolerance')
+  return polylineOf(curve, tolerance)
+}
+
+/** The same of checked arguments. */
+export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   const { bisector, from: first, to, start, end } = curve
-  if (isNearlyStraight(bisector, first, to, tolerance)) return [start, end]
-  const limit = atLeast(1e-9, curve, chordError(bisector, first, to), tolerance)
+  if (isNearlyStraight(bisector.a, first, to, tolerance / bisector.unit)) return [start, end]
+  const limit = limitOf(curve, chordError(bisector.a, bisector.b, first, to), tolerance, 1e-9)
   const points = [start]
   let from = farthest(bisector, first, to, limit, chordError)
   while (from < to) {
@@ -197,12 +204,25 @@ export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
 /** Where the tangents at two parameters meet: the polar form of the branch. */
 export function controlPoint(bisector: Bisector, from: number, to: number): Point {
   const { apex, a, b } = bisector
-  const u = apex - Math.abs(a) * (((from - 1) / (from + to)) * (to - 1))
-  return inPlane(bisector, u, b * ((from / (from + to)) * to - 1 / (from + to)))
+  return inPlane(bisector, controlAlong(apex, a, from, to), controlAcross(b, from, to))
+}
+
+export function controlAlong(apex: number, a: number, from: number, to: number): number {
+  return apex - Math.abs(a) * (((from - 1) / (from + to)) * (to - 1))
+}
+
+export function controlAcross(b: number, from: number, to: number): number {
+  return b * ((from / (from + to)) * to - 1 / (from + to))
+}
+
+/** How far from the ends of an arc towards its control point the control points of its cubic curve are, by w - 1. */
+export function shareOfControl(excess: number): number {
+  const weight = 1 + excess
+  return (4 * weight) / (3 * (1 + weight))
 }
 
 /** w - 1 */
-function excessOf(from: number, to: number): number {
+export function excessOf(from: number, to: number): number {
   const difference = Math.sqrt(to) - Math.sqrt(from)
   return ((difference / Math.sqrt(from)) * (difference / Math.sqrt(to))) / 2
 }
@@ -213,9 +233,9 @@ function excessOf(from: number, to: number): number {
  * distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer to the line of
  * its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times |a|.
  */
-function chordError({ a, b }: Bisector, from: number, to: number): number {
+export function chordError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   if (a === 0) return 0
-  const along = excessOf(from, to) * Math.abs(a)
+  const along = excess * Math.abs(a)
   if (from < 1 && 1 < to) return along
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const x = (a * (middle - 1 / middle)) / 2
@@ -227,9 +247,9 @@ function chordError({ a, b }: Bisector, from: number, to: number): number {
  * Whether a bound without roots tells that an arc keeps within a tolerance of its chord, as most in a drawing do: the error
  * is at most |a| (w - 1), and w - 1 = (w^2 - 1) / (w + 1) at most (to - from)^2 / (8 from to).
  */
-function isNearlyStraight({ a, unit }: Bisector, from: number, to: number, tolerance: number): boolean {
+export function isNearlyStraight(a: number, from: number, to: number, tolerance: number): boolean {
   const difference = to - from
-  return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * (tolerance / unit)
+  return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * tolerance
 }
 
 /**
@@ -243,8 +263,7 @@ function isNearlyStraight({ a, unit }: Bisector, from: number, to: number, toler
  * the way to the branch along one axis is at most |a| f / (2 k cosh t), along the other b f / (k sinh t), with
  * k^2 = 1 - f and t the parameter of the arc nearest to the apex.
  */
-function cubicError({ a, b }: Bisector, from: number, to: number): number {
-  const excess = excessOf(from, to)
+export function cubicError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   const f = (excess * excess * excess) / (27 * (excess + 2))
   if (!(f < 0.5)) return Number.POSITIVE_INFINITY
   const k = Math.sqrt(1 - f)
@@ -260,30 +279,35 @@ function cubicError({ a, b }: Bisector, from: number, to: number): number {
  * the way; errors grow with it.
  */
 function farthest(
-  bisector: Bisector,
+  { a, b }: Bisector,
   from: number,
   to: number,
   tolerance: number,
-  error: (bisector: Bisector, from: number, to: number) => number,
+  error: (a: number, b: number, from: number, to: number) => number,
 ): number {
-  if (!(error(bisector, from, to) > tolerance)) return to
+  if (!(error(a, b, from, to) > tolerance)) return to
   const halvings = 50
   const nearEnough = 1 / 32
   let good = from
   let bad = to
   for (let i = 0; i < halvings && bad - good > nearEnough * (good - from); i++) {
     const middle = Math.sqrt(good) * Math.sqrt(bad)
-    if (error(bisector, from, middle) <= tolerance) good = middle
+    if (error(a, b, from, middle) <= tolerance) good = middle
     else bad = middle
   }
   return good > from ? good : bad
 }
 
 /** A tolerance in the unit of the bisector, and not below a share of the arc's extent. `error`: of its chord. */
-function atLeast(share: number, { bisector, start, end }: BoundedCurve, error: number, tolerance: number): number {
+function limitOf({ bisector, start, end }: BoundedCurve, error: number, tolerance: number, share: number): number {
   const { unit } = bisector
-  const least = share * (hypotenuse(end.x - start.x, end.y - start.y) / unit + error)
-  return tolerance / unit > least ? tolerance / unit : least
+  return atLeast(share, hypotenuse(end.x - start.x, end.y - start.y) / unit, error, tolerance / unit)
+}
+
+/** A tolerance, not below a share of the extent of an arc with a chord. */
+export function atLeast(share: number, chord: number, error: number, tolerance: number): number {
+  const least = share * (chord + error)
+  return tolerance > least ? tolerance : least
 }
 
 function mix(p: Point, q: Point, share: number): Point {

@@ -25,24 +25,24 @@ import { METRICS, type Metric } from '../base/types.ts'
  * @category Curves
  */
 export interface Bisector {
-  /** The foci: the center of the left circle, */
+  /** The center of the left circle, one of the two foci. */
   readonly left: Point
-  /** and of the right one. */
+  /** The center of the right circle, one of the two foci. */
   readonly right: Point
-  /** Of a, b and apex: 1 or a power of two. */
+  /** The unit of length in which `a`, `b` and `apex` are measured: 1 or a power of two. */
   readonly unit: number
-  /** (r_left - r_right) / 2 */
+  /** Half the difference of the radii, (r_left - r_right) / 2; 0 for a straight bisector. In `unit`. */
   readonly a: number
-  /** a^2 + b^2 = c^2, where c is half the distance of the centers; above 0 */
+  /** The other half-axis of the hyperbola, above 0: a^2 + b^2 = c^2, where c is half the distance of the centers. In `unit`. */
   readonly b: number
-  /** The focus of the smaller circle, the left one if radii are equal. */
+  /** The center of the smaller circle, or of the left circle if the radii are equal. */
   readonly origin: Point
   /** Unit vector from the origin to the other focus. */
   readonly along: Vector
-  /** Unit vector at right angles to it, with the left circle on its left. */
+  /** Unit vector at right angles to `along`, with the left circle on its left. */
   readonly across: Vector
   /**
-   * The distance c - |a| from the origin to the apex. For the metric `power` it is where the radical axis crosses the line
+   * The distance c - |a| from the origin to the apex, in `unit`. For the metric `power` it is where the radical axis crosses the line
    * of centers, and may be negative.
    */
   readonly apex: number
@@ -100,13 +100,18 @@ export function bisectorOf(circles: Float64Array, left: number, right: number, m
     right: rightCenter,
     unit,
     a: difference / 2,
-    // Not c^2 - a^2, which cancels for a circle almost inside the other.
-    b: Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2,
+    b: halfConjugateAxis(d, size),
     origin,
     along,
     across: originIsLeft ? { x: -along.y, y: along.x } : { x: along.y, y: -along.x },
     apex: Math.min(Math.max((d - size) / 2 + shift, -FARTHEST_APEX), FARTHEST_APEX),
   }
+}
+
+/** Returns b for circles at the distance d whose radii differ by `size`. */
+export function halfConjugateAxis(d: number, size: number): number {
+  // Not c^2 - a^2, which cancels for a circle almost inside the other.
+  return Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2
 }
 
 /**
@@ -156,9 +161,20 @@ export function parameterAt(bisector: Bisector, x: number, y: number): number {
 /** The same of checked arguments. */
 export function parameterOf(bisector: Bisector, x: number, y: number): number {
   const { origin, unit, across, apex, a, b } = bisector
-  const dx = (x - origin.x) / unit
-  const dy = (y - origin.y) / unit
-  const sine = (dx * across.x + dy * across.y) / b
+  return parameterFrom(a, b, apex, across.x, across.y, (x - origin.x) / unit, (y - origin.y) / unit)
+}
+
+/** Returns the parameter of a point (dx, dy) as seen from the origin of a bisector, in its unit. */
+export function parameterFrom(
+  a: number,
+  b: number,
+  apex: number,
+  acrossX: number,
+  acrossY: number,
+  dx: number,
+  dy: number,
+): number {
+  const sine = (dx * acrossX + dy * acrossY) / b
   if (a === 0) return exponentialOf(sine)
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
   // changes faster. Of a narrow branch that is the distance. Its height may be off by any factor, as b is: each of the
@@ -182,10 +198,15 @@ export function parameterAtRise(rise: number): number {
  */
 export function movedApart(bisector: Bisector, reach: number): Bisector {
   const { a, b, apex } = bisector
-  const least = (FINEST * reach) / (Math.abs(a) + b)
+  const least = leastUnit(a, b, reach)
   if (!(least > bisector.unit)) return bisector
   const unit = powerOfTwoIn(least)
   return { ...bisector, unit, apex: a === 0 ? apex * (bisector.unit / unit) : apex }
+}
+
+/** The unit, or less, in which `movedApart` draws a bisector. */
+export function leastUnit(a: number, b: number, reach: number): number {
+  return (FINEST * reach) / (Math.abs(a) + b)
 }
 
 /** e^t for t = arsinh(sine). */

@@ -92,16 +92,14 @@ function spansInside(curve: EdgeCurve, region: ConvexPolygon): Span[] {
     const from = region.corner(side)
     const crossing = new LineCrossing(curve.bisector, from, between(from, region.cornerAfter(side)))
     const kept: Span[] = []
-    const keep = (span: Span) => {
-      if (!crossing.isRight(span.from, span.to)) kept.push(span)
-    }
     for (let rest of spans) {
       for (const s of crossing.parameters) {
         if (s <= rest.from || s >= rest.to) continue
-        keep({ ...rest, to: s, cutTo: side })
-        rest = { ...rest, from: s, cutFrom: side }
+        const { from, to, cutFrom, cutTo } = rest
+        if (!crossing.isRight(from, s)) kept.push({ from, to: s, cutFrom, cutTo: side })
+        rest = { from: s, to, cutFrom: side, cutTo }
       }
-      keep(rest)
+      if (!crossing.isRight(rest.from, rest.to)) kept.push(rest)
     }
     spans = kept
   }
@@ -114,6 +112,15 @@ function placeOf(
   region: ConvexPolygon,
 ): 'inside' | 'outside' | 'cut' {
   const control = controlPoint(bisector, from, to)
+  if (region.isBox && Number.isFinite(control.x) && Number.isFinite(control.y)) {
+    const { minX, minY, maxX, maxY } = region.box
+    const lowX = Math.min(start.x, control.x, end.x)
+    const lowY = Math.min(start.y, control.y, end.y)
+    const highX = Math.max(start.x, control.x, end.x)
+    const highY = Math.max(start.y, control.y, end.y)
+    if (highX < minX || highY < minY || lowX > maxX || lowY > maxY) return 'outside'
+    return minX <= lowX && minY <= lowY && highX <= maxX && highY <= maxY ? 'inside' : 'cut'
+  }
   let isInside = true
   for (let side = 0; side < region.corners.length; side++) {
     const corner = region.corner(side)
@@ -172,12 +179,7 @@ export class LineCrossing {
     const discriminant = k * (k + 2 * a) + b * b
     const root = Math.sqrt(discriminant)
     const sum = this.#half < 0 ? this.#half - root : this.#half + root
-    this.parameters =
-      discriminant > 0
-        ? [sum / this.#growth, this.#decay / sum]
-            .filter((s) => s > 0 && s < Number.POSITIVE_INFINITY)
-            .sort((one, other) => one - other)
-        : []
+    this.parameters = discriminant > 0 ? inOrder(sum / this.#growth, this.#decay / sum) : []
   }
 
   /**
@@ -186,12 +188,26 @@ export class LineCrossing {
    */
   isRight(from: number, to: number): boolean {
     const middle = parameterBetween(from, to)
-    const height = (s: number) => this.#growth * s - 2 * this.#half + this.#decay / s
     // The branch may touch the line in one of any two points, but not in both.
-    const first = height(parameterBetween(from, middle))
-    const second = height(parameterBetween(middle, to))
+    const first = this.#height(parameterBetween(from, middle))
+    const second = this.#height(parameterBetween(middle, to))
     return (Math.abs(first) > Math.abs(second) ? first : second) > 0
   }
+
+  #height(s: number): number {
+    return this.#growth * s - 2 * this.#half + this.#decay / s
+  }
+}
+
+/** Those of two numbers that are parameters of points, the smaller one first. */
+function inOrder(one: number, other: number): number[] {
+  if (!isParameter(one)) return isParameter(other) ? [other] : []
+  if (!isParameter(other)) return [one]
+  return one > other ? [other, one] : [one, other]
+}
+
+function isParameter(s: number): boolean {
+  return s > 0 && s < Number.POSITIVE_INFINITY
 }
 
 function parameterBetween(from: number, to: number): number {

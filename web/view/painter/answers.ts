@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answers to questions about a scene. The thread loads them with the first question: no picture needs them.
+// The answers to questions about a scene.
 import { NONE } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { LaterQuestions, Questions } from '../protocol.ts'
+import type { Questions } from '../protocol.ts'
 import { distributionOf } from './distribution.ts'
 import { CanvasDrawing } from './drawing.ts'
 import { factsOf } from './facts.ts'
@@ -16,14 +16,16 @@ import { trialOf } from './trial.ts'
 /** What takes long is answered in steps. */
 export type Steps<Value> = () => Generator<void, Value>
 /** A function for each question. */
-export type Answers<Names extends keyof Questions> = {
-  readonly [Name in Names]: (
+type Answers = {
+  readonly [Name in keyof Questions]: (
     scene: PaintedScene,
     ...args: Parameters<Questions[Name]>
   ) => ReturnType<Questions[Name]> | Steps<ReturnType<Questions[Name]>>
 }
 
 export const answers = {
+  hit: (scene, x, y, slack) => scene.hit(x, y, slack),
+  legend: (scene) => scene.picture.legend,
   touch(scene, x, y, slack) {
     const { diagram } = scene.picture
     const box = { minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack }
@@ -69,7 +71,7 @@ export const answers = {
     }
   },
   trace: ({ library, picture }, options) => traced(library, picture.diagram, options),
-} satisfies Answers<LaterQuestions>
+} satisfies Answers
 
 /** `undefined`: it is too large for a canvas, or for the memory; other scenes go on. */
 function drawn<Drawn>(draw: () => Drawn): Drawn | undefined {

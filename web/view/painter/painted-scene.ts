@@ -3,6 +3,7 @@
 import { at, circleAt } from '../../lib/base/diagram-data.ts'
 import type { Box, Comparison, Diagram, Edit, Float64s } from '../../lib/index.ts'
 import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import type { Regions } from '../../lib/wasm/regions.ts'
 import type { CircleChange } from '../circle-table.ts'
 import { isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
 import type {
@@ -23,10 +24,11 @@ import { Centers } from './centers.ts'
 import { Clip } from './clip.ts'
 import { commandsOf } from './commands.ts'
 import { CanvasDrawing, type Drawing } from './drawing.ts'
-import type { Fitting } from './fitted-edits.ts'
+import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
+import { found } from './found.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
 import { apart, frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
-import type { LaterParts, RegionParts } from './later.ts'
+import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
@@ -46,8 +48,6 @@ const QUICK_POWER = 0.01
 /** Of a circle with more neighbors, its own cell stands out alone. */
 const MOST_NEIGHBORS = 500
 
-const NOTHING_FOUND: Found = { hull: undefined, largestDisc: undefined, path: undefined, method: undefined }
-
 /** The circles with radii that were fitted, and how near their areas are, if that was asked for. */
 interface Opened {
   readonly circles: Float64s | undefined
@@ -59,7 +59,6 @@ export class PaintedScene {
   readonly library: ComputingLibrary
   /** The diagram, and how it is drawn. */
   picture: Picture
-  #parts: LaterParts | undefined
   /** How long it took last to find what depends on all circles. */
   #findingSeconds = 0
   /** Whether what depends on all circles has been found as it is now. */
@@ -86,11 +85,11 @@ export class PaintedScene {
    *
    * @throws CircleVoronoiError as `edit` of the library, `region` and `fitAreas`; then all stays as it was
    */
-  open(circles: Float64Array, change: DomainChange = {}, regions?: RegionParts): Opened {
+  open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): Opened {
     const clip = this.#clipOf(change, regions)
     const shares = Array.from({ length: circles.length / 3 }, (_, i) => change.fit?.known?.get(i) ?? Number.NaN)
     const fit =
-      change.fit && shares.length > 0 ? regions?.fitted(this.#fitting(clip, regions), circles, shares) : undefined
+      change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
     const opened = fit?.diagram.circles ?? circles
     const picture = new Picture(this.library.edit(opened), clip)
     const { layers, areSites } = this.picture
@@ -104,15 +103,15 @@ export class PaintedScene {
   }
 
   /** What cells are cut to once a change is done. */
-  #clipOf({ region }: DomainChange, regions: RegionParts | undefined): Clip | undefined {
+  #clipOf({ region }: DomainChange, regions: Regions | undefined): Clip | undefined {
     if (region === undefined) return this.picture.clip
-    return region === null ? undefined : new Clip(this.library, (regions as RegionParts).region(region))
+    return region === null ? undefined : new Clip(this.library, (regions as Regions).region(region))
   }
 
   /** @throws Refusal, if there is no region */
-  #fitting(clip: Clip | undefined, regions: RegionParts | undefined): Fitting {
+  #fitting(clip: Clip | undefined, regions: Regions | undefined): Fitting {
     if (clip === undefined) throw new Refusal(ENGLISH_REFUSALS, (words) => words.areasWithoutRegion)
-    return { region: clip.region, fitAreas: (regions as RegionParts).fitAreas }
+    return { region: clip.region, fitAreas: (regions as Regions).fitAreas }
   }
 
   dispose(): void {
@@ -120,9 +119,8 @@ export class PaintedScene {
     this.picture.editor.dispose()
   }
 
-  /** Draws these from now on. `parts`: what that needs. */
-  setLayers(layers: Layers, isPainted = true, parts?: LaterParts): void {
-    this.#parts ??= parts
+  /** Draws these from now on. */
+  setLayers(layers: Layers, isPainted = true): void {
     const picture = this.picture
     const { candidates, sampleCount } = picture.layers
     this.#isFound = false
@@ -168,16 +166,13 @@ export class PaintedScene {
   /** Whether the layers show something of the method that is not there. */
   get isMethodMissing(): boolean {
     const { diagram, method } = this.picture
-    return (
-      method === undefined && this.#parts !== undefined && isTraced(this.picture.layers, diagram.circles.length / 3)
-    )
+    return method === undefined && isTraced(this.picture.layers, diagram.circles.length / 3)
   }
 
   /** What the touching disc method makes of the circles as they are. */
   addMethod(): void {
     this.#isFound = false
-    const result = this.#parts?.methodResult(this.library, this.picture.diagram, this.picture.layers)
-    if (result !== undefined) this.picture.setMethod(result)
+    this.picture.setMethod(methodResult(this.library, this.picture.diagram, this.picture.layers))
     this.#restart()
   }
 
@@ -201,7 +196,7 @@ export class PaintedScene {
     const start = performance.now()
     const scale = this.#look?.grid.scale
     const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
-    const result = this.#parts?.found(this.picture, tolerance) ?? NOTHING_FOUND
+    const result = found(this.picture, tolerance)
     this.#isFound = true
     this.#findingSeconds = (performance.now() - start) / 1000
     return result
@@ -230,7 +225,7 @@ export class PaintedScene {
   edit(
     asked: readonly Edit[],
     domain: DomainChange = {},
-    regions?: RegionParts,
+    regions?: Regions,
   ): {
     patches: Patch[]
     boxes: readonly Box[]
@@ -240,9 +235,9 @@ export class PaintedScene {
   } {
     const clip = this.#clipOf(domain, regions)
     const { edits, fit } =
-      domain.fit === undefined || regions === undefined
+      domain.fit === undefined
         ? { edits: asked, fit: undefined }
-        : regions.fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
+        : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
     const change = this.picture.editor.apply(edits)
     const { areSites = this.picture.areSites } = domain
     const isElsewhere = clip !== this.picture.clip || areSites !== this.picture.areSites

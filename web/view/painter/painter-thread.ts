@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
-import type { Comparison } from '../../lib/index.ts'
+import { loadedOnce } from '../../lib/base/loaded-once.ts'
+import { loadComparison } from '../../lib/wasm/comparison.ts'
 import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
-import type { DomainChange, FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
-import type { Answers, Steps } from './answers.ts'
-import { laterParts, partsOf, type RegionParts } from './later.ts'
+import { loadRegions } from '../../lib/wasm/load-regions.ts'
+import type { Regions } from '../../lib/wasm/regions.ts'
+import type { DomainChange, FromPainter, Patch, ToPainter } from '../protocol.ts'
+import { answers, type Steps } from './answers.ts'
 import { PaintedScene } from './painted-scene.ts'
 
 /** How long the thread paints before it listens again, in milliseconds. */
@@ -31,8 +33,8 @@ interface Measuring {
   steps: Generator<void, FromPainter>
 }
 let measuring: Measuring[] = []
-let comparison: Promise<Comparison> | undefined
-let regions: Promise<RegionParts> | undefined
+const comparison = loadedOnce(async () => loadComparison(await library, {}))
+const regions = loadedOnce(() => loadRegions({}))
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Lets messages that have arrived be heard before more is painted. */
@@ -113,10 +115,10 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
       return
     }
     case 'ask':
-      await reply(scene, message)
+      reply(scene, message)
       return
     case 'layers':
-      scene.setLayers(message.layers, message.isPainted, await partsOf(message.layers))
+      scene.setLayers(message.layers, message.isPainted)
       tellFound(message.scene, scene)
       return
     case 'mark':
@@ -130,32 +132,14 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
 }
 
 /** What clips and fits, loaded once it is needed. */
-async function regionsFor({ region, fit }: DomainChange): Promise<RegionParts | undefined> {
+async function regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
   if ((region ?? undefined) === undefined && fit === undefined) return undefined
-  const load = async () => {
-    const { loadRegions, fitted, fittedEdits } = await import('./later-parts.ts')
-    return { ...(await loadRegions({})), fitted, fittedEdits }
-  }
-  regions ??= load()
-  try {
-    return await regions
-  } catch (error) {
-    // It may be there the next time.
-    regions = undefined
-    throw error
-  }
+  return regions()
 }
 
-/** What is asked while something moves waits for nothing. */
-const answers: Answers<'hit' | 'legend'> = {
-  hit: (scene, x, y, slack) => scene.hit(x, y, slack),
-  legend: (scene) => scene.picture.legend,
-}
-
-async function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, { kind: 'ask' }>): Promise<void> {
-  const known: Partial<Answers<keyof Questions>> = name in answers ? answers : ((await laterParts())?.answers ?? {})
+function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, { kind: 'ask' }>): void {
   try {
-    const value = (known[name] as ((...args: readonly unknown[]) => unknown) | undefined)?.(scene, ...args)
+    const value = (answers[name] as (scene: PaintedScene, ...args: readonly unknown[]) => unknown)(scene, ...args)
     if (typeof value !== 'function') {
       post({ kind: 'answer', request, value }, name === 'image' && value !== undefined ? [value as ImageBitmap] : [])
       return
@@ -244,11 +228,6 @@ function findAtRest(): void {
   rest = setTimeout(() => findAll().catch((error) => post({ kind: 'failed', message: reasonOf(error) })), REST)
 }
 
-async function loadPower(): Promise<Comparison> {
-  const { loadComparison } = await import('./later-parts.ts')
-  return loadComparison(await library, {})
-}
-
 async function findAll(): Promise<void> {
   for (const [number, scene] of scenes) {
     if (scene.isMethodMissing) {
@@ -257,13 +236,9 @@ async function findAll(): Promise<void> {
     }
     if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
     if (!scene.isPowerMissing) continue
-    comparison ??= loadPower()
-    const loaded = await comparison.catch(() => undefined)
-    if (loaded === undefined) {
-      // What cannot be loaded is not drawn; it may be there the next time.
-      comparison = undefined
-      continue
-    }
+    const loaded = await comparison().catch(() => undefined)
+    // What cannot be loaded is not drawn; it may be there the next time.
+    if (loaded === undefined) continue
     // Meanwhile it may have been closed, or changed.
     if (scenes.get(number) !== scene || !scene.isPowerMissing) continue
     scene.addPower(loaded)
