@@ -13,7 +13,7 @@ import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { violationsOf } from '../e2e/accessibility.ts'
 import { type Ask, heapOf, withThread } from '../e2e/thread-session.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
-import { ROOT } from './project.ts'
+import { ROOT } from './project.mjs'
 import { type Server, serve } from './static-server.ts'
 
 /** What an example may do that has a few lines of script or style in itself. */
