@@ -242,6 +242,8 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await page.keyboard.press('Enter')
   await page.keyboard.press('Delete')
   await expect.poll(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
+  // Its thread answers after whatever was asked of it before.
+  await element.evaluate((element: Element) => element.toSVG())
   expect(await circlesOf(page)).toEqual(atFirst)
   expect(problems).toEqual([])
 })
@@ -973,6 +975,8 @@ test.describe('with fingers', () => {
     await expect.poll(async () => (await circlesOf(page))[9]).toBeGreaterThan((atFirst[9] as number) + 4)
     expect(await scrolled()).toBe(before)
     await scroll(() => page.evaluate(() => scrollTo(0, 0)))
+    // The last move of the finger may still be on its way.
+    await figure.evaluate((element: Element) => element.toSVG())
     const moved = await circlesOf(page)
     const free = await placeOf(page, 2)
     await scroll(() => swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90))
