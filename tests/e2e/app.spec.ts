@@ -201,35 +201,35 @@ test('switches the data set by the menu', async ({ app }) => {
   await expect(app.status).toContainText('300 circles')
 })
 
-test('says which circle is hidden, and by which', async ({ app }) => {
-  await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 11)
-  await app.page.mouse.click(at.x, at.y)
-  await expect(app.inspector).toContainText('Hidden inside circle 0')
-})
+test('the card says what hides a circle, and takes numbers but no wrong ones', async ({ app }) => {
+  await test.step('says which circle is hidden, and by which', async () => {
+    await app.choose('Introduction')
+    const at = app.center(INTRODUCTION, 11)
+    await app.page.mouse.click(at.x, at.y)
+    await expect(app.inspector).toContainText('Hidden inside circle 0')
+  })
+  await test.step('takes numbers, and refuses a wrong one in a sentence while the picture stays', async () => {
+    const at = app.center(INTRODUCTION, 4)
+    await app.page.mouse.click(at.x, at.y)
+    await app.field('x').fill('-3.25')
+    await app.field('x').press('Enter')
+    await expect(app.page.getByRole('button', { name: 'Undo' })).toBeEnabled()
+    await expect(app.page.getByRole('alert')).toBeHidden()
+    await app.painted()
+    const counts = async () => (await app.status.textContent())?.replace(/ · [^·]* ms/, '')
+    const before = await counts()
 
-test('takes numbers, and refuses a wrong one in a sentence while the picture stays', async ({ app }) => {
-  await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 4)
-  await app.page.mouse.click(at.x, at.y)
-  await app.field('x').fill('-3.25')
-  await app.field('x').press('Enter')
-  await expect(app.page.getByRole('button', { name: 'Undo' })).toBeEnabled()
-  await expect(app.page.getByRole('alert')).toBeHidden()
-  await app.painted()
-  const counts = async () => (await app.status.textContent())?.replace(/ · [^·]* ms/, '')
-  const before = await counts()
+    await app.field('r').fill('-1')
+    await app.field('r').press('Enter')
+    await expect(app.page.getByRole('alert')).toHaveText(/4.*radius|radius.*4/i)
+    await expect(app.field('r')).toHaveAttribute('aria-invalid', 'true')
+    expect(await counts()).toBe(before)
 
-  await app.field('r').fill('-1')
-  await app.field('r').press('Enter')
-  await expect(app.page.getByRole('alert')).toHaveText(/4.*radius|radius.*4/i)
-  await expect(app.field('r')).toHaveAttribute('aria-invalid', 'true')
-  expect(await counts()).toBe(before)
-
-  await app.field('r').fill('1.25')
-  await app.field('r').press('Enter')
-  await expect(app.page.getByRole('alert')).toBeHidden()
-  await expect(app.field('x')).toHaveValue('-3.25')
+    await app.field('r').fill('1.25')
+    await app.field('r').press('Enter')
+    await expect(app.page.getByRole('alert')).toBeHidden()
+    await expect(app.field('x')).toHaveValue('-3.25')
+  })
 })
 
 test('what is pressed on the first picture is pressed on the figure, whose pixels count', async ({ page }) => {
