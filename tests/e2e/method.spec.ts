@@ -49,12 +49,17 @@ test('candidates and samples change what the method finds, and not the diagram',
   await expect.poll(async () => ((await found())[3] as number) < (edges as number)).toBe(true)
   await expect.poll(pink).toBeGreaterThan(20)
   expect(await counts()).toBe(before)
-  const layers = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers
-  await expect.poll(layers).toEqual({ missedEdges: true, candidates: 'uniform', sampleCount: 3 })
+  const linked = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers
+  const few = { missedEdges: true, candidates: 'uniform', sampleCount: 3 }
+  await expect.poll(linked).toEqual(few)
 
   // What is no number of samples changes nothing.
   await panel.getByLabel('m, samples on a circle').fill('0')
   await panel.getByLabel('m, samples on a circle').press('Enter')
+  // The link follows what is changed after it.
+  await panel.getByLabel('Convex hull').check()
+  await expect.poll(linked).toEqual({ ...few, hull: true })
+  await panel.getByLabel('Convex hull').uncheck()
   await panel.getByLabel('Candidates').selectOption('all-pairs')
   await expect(said).toContainText('From all pairs')
   await expect.poll(layers).toEqual({ missedEdges: true, candidates: 'all-pairs', sampleCount: 3 })

@@ -190,24 +190,23 @@ async function tryDrawn(page: Page, { name, point }: Spec): Promise<void> {
   await expect(figure.locator('output.told')).not.toHaveText('')
   const play = figure.getByRole('button', { name: 'Play' })
   if ((await play.count()) > 0) {
-    // The page itself pauses at the first step: a slow test would find the end, where the button says Play again.
-    await figure.evaluate(async (element) => {
-      const button = (name: string) =>
-        [...element.querySelectorAll('button')].find(
-          (button) => (button.ariaLabel ?? button.textContent)?.trim() === name,
-        )
-      const picture = element.querySelector('svg.drawn') as Element
-      const stepped = new Promise<void>((resolve) => {
-        const observer = new MutationObserver(() => {
-          observer.disconnect()
-          resolve()
-        })
-        observer.observe(picture, { childList: true, subtree: true, attributes: true, characterData: true })
-      })
-      button('Play')?.click()
-      await stepped
-      button('Pause')?.click()
-    })
+    const atEnd = await content()
+    // It is paused with the first picture, before it comes to an end by itself.
+    await play.evaluate(
+      (button: HTMLButtonElement, figure) =>
+        new Promise<void>((resolve) => {
+          const drawing = figure?.querySelector('svg.drawn > g') as Element
+          const observer = new MutationObserver(() => {
+            observer.disconnect()
+            button.click()
+            resolve()
+          })
+          observer.observe(drawing, { childList: true })
+          button.click()
+        }),
+      await figure.elementHandle(),
+    )
+    await soon(content, name).not.toBe(atEnd)
     await expect(play).toBeVisible()
     await figure.getByRole('button', { name: 'Next' }).click()
     const told = await figure.locator('output.told').textContent()

@@ -119,16 +119,22 @@ export async function openWebKit(): Promise<Engine> {
   }
 }
 
-/** The browser of the newest WebKitGTK, in a folder named for the machine. */
+/** The newest browser of the packages of WebKitGTK, which are in a folder named for the machine. */
 function miniBrowser(): string {
-  const folders = readdirSync('/usr/lib').filter((name) => name.endsWith('-linux-gnu'))
-  const browsers = folders
-    .flatMap((folder) => readdirSync(`/usr/lib/${folder}`).map((name) => `${folder}/${name}`))
-    .filter((name) => /webkit2?gtk-[\d.]+$/.test(name) && existsSync(`/usr/lib/${name}/MiniBrowser`))
-  const versionOf = (name: string) => Number(/[\d.]+$/.exec(name)?.[0])
-  const newest = browsers.sort((a, b) => versionOf(a) - versionOf(b)).at(-1)
-  if (newest === undefined) throw new Error('There is no MiniBrowser of WebKitGTK in /usr/lib.')
-  return `/usr/lib/${newest}/MiniBrowser`
+  const folder = `/usr/lib/${readdirSync('/usr/lib').find((name) => name.endsWith('-linux-gnu'))}`
+  const browsers = readdirSync(folder)
+    .filter((name) => /^webkit2?gtk-[\d.]+$/.test(name))
+    .sort((one, other) => versionOf(one) - versionOf(other))
+    .map((name) => `${folder}/${name}/MiniBrowser`)
+    .filter((path) => existsSync(path))
+  const newest = browsers.at(-1)
+  if (newest === undefined) throw new Error(`There is no MiniBrowser of WebKitGTK in ${folder}.`)
+  return newest
+}
+
+/** What its name says: of `webkit2gtk-4.1` 4.1, which is older than `webkitgtk-6.0`. */
+function versionOf(name: string): number {
+  return Number(name.slice(name.lastIndexOf('-') + 1))
 }
 
 /** What a program writes first to its fourth stream. */
@@ -149,6 +155,7 @@ function freePort(): Promise<number> {
   })
 }
 
+/** On a busy machine it may take long to start. */
 async function listening(port: number): Promise<void> {
   for (let attempt = 0; attempt < 500; attempt++) {
     const answer = await fetch(`http://127.0.0.1:${port}/status`).catch(() => undefined)

@@ -13,7 +13,7 @@ import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { violationsOf } from '../e2e/accessibility.ts'
 import { type Ask, heapOf, withThread } from '../e2e/thread-session.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
-import { ROOT } from './project.ts'
+import { ROOT } from './project.mjs'
 import { type Server, serve } from './static-server.ts'
 
 /** What an example may do that has a few lines of script or style in itself. */
@@ -242,7 +242,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await page.keyboard.press('Enter')
   await page.keyboard.press('Delete')
   await expect.poll(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
-  // The thread answers in order: an edit would have come before.
+  // Its thread answers after whatever was asked of it before.
   await element.evaluate((element: Element) => element.toSVG())
   expect(await circlesOf(page)).toEqual(atFirst)
   expect(problems).toEqual([])
@@ -975,6 +975,7 @@ test.describe('with fingers', () => {
     await expect.poll(async () => (await circlesOf(page))[9]).toBeGreaterThan((atFirst[9] as number) + 4)
     expect(await scrolled()).toBe(before)
     await scroll(() => page.evaluate(() => scrollTo(0, 0)))
+    // The last move of the finger may still be on its way.
     await figure.evaluate((element: Element) => element.toSVG())
     const moved = await circlesOf(page)
     const free = await placeOf(page, 2)

@@ -10,7 +10,7 @@ import { SHADES, type Style } from '../../web/view/style.ts'
 const CIRCLES = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 const LARGEST = 16_384
 /** On a busy machine the thread may take long to start. */
-const SOON = { timeout: 50_000 }
+const SOON = { timeout: 40_000 }
 
 /** Takes whatever is drawn on it. */
 const context: unknown = new Proxy({}, { get: () => () => {}, set: () => true })

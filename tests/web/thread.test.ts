@@ -9,7 +9,7 @@ import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 /** On a busy machine a thread may take long to start. */
-const SOON = { timeout: 50_000 }
+const SOON = { timeout: 40_000 }
 const PAGE = 'https://example.org/worker-thread.js'
 const world = vi.hoisted(() => ({ file: '', newWorker: (): unknown => undefined }))
 
