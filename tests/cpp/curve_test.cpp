@@ -368,7 +368,6 @@ TEST(Curve, LengthOfNearlyStraightOrSharplyBentArcsIsBetweenChordAndControlPolyg
                                           bisector({0, 0, 2e10}, {2.1e10, 0, 0.16}),
                                           bisector({0, 0, 2e10}, {1.9e10, 5e9, 0.16})};
   for (int k = 0; k < 10000; ++k) {
-    const Bisector& branch = branches[static_cast<std::size_t>(k) % branches.size()];
     const double s = std::pow(10, k % 17 - 8);
     const EdgeCurve arc = arcOf(branches[static_cast<std::size_t>(k) % branches.size()], s, s * (1 + 1e4 / (k + 1)));
     const RationalBezier bezier = rationalBezier(arc);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Page } from '@playwright/test'
 import { pointAt } from '../../web/lib/curves/bisector.ts'
 import { edgeCurve, isBoundedCurve } from '../../web/lib/curves/curve.ts'
 import type { Point } from '../../web/lib/index.ts'
@@ -13,6 +14,10 @@ const INTRODUCTION = dataSet('introduction')
 const START = dataSet('start')
 
 /** Waits until a page has drawn so many frames. */
+async function framesOf(page: Page, count: number): Promise<void> {
+  for (let k = 0; k < count; k++) await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
+}
+
 test('shows a few circles at the start, and one line that says what it is', async ({ page }) => {
   const app = new App(page)
   await app.open('')

@@ -86,12 +86,6 @@ export class App {
     return this.page.locator('#figure')
   }
 
-  /** Waits until all that was asked so far is painted. What is asked shows as busy with the next frame. */
-  async painted(): Promise<void> {
-    await framesOf(this.page, 2)
-    await expect(this.canvas).toHaveAttribute('aria-busy', 'false')
-  }
-
   get inspector() {
     return this.page.getByRole('region', { name: 'Selected circle', exact: true })
   }
@@ -156,11 +150,6 @@ export class App {
         })
       }, points)
   }
-}
-
-/** Waits for frames of a page. */
-export async function framesOf(page: Page, count: number): Promise<void> {
-  for (let k = 0; k < count; k++) await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
 }
 
 export function dataSet(name: string): Float64Array {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What takes long says so, and can be canceled.
-import type { Page } from '@playwright/test'
 import { got, heldBack } from './held-back.ts'
 import { expect, test } from './page.ts'
 import { threadOf } from './thread-session.ts'
@@ -37,7 +36,6 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   const at = app.center((await app.circles()) as Float64Array, 600)
   await page.mouse.click(at.x, at.y)
   await expect(app.inspector).toBeVisible()
-  await holdThread(page)
   const before = await app.status.textContent()
   await app.openPanel('Generate')
   const panel = page.getByRole('region', { name: 'Generate' })
@@ -64,11 +62,3 @@ test('a long computation says how many circles it is of, and canceled leaves wha
   await page.keyboard.press('Delete')
   await expect(app.status).toContainText('677 circles')
 })
-
-/** Has the painter's thread answer nothing more, as in a computation that takes forever. Canceling ends the thread. */
-async function holdThread(page: Page): Promise<void> {
-  const thread = page.workers().find((worker) => /start-thread/.test(worker.url()))
-  await thread?.evaluate(() =>
-    addEventListener('message', (event) => event.stopImmediatePropagation(), { capture: true }),
-  )
-}

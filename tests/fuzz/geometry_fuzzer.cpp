@@ -39,9 +39,6 @@ constexpr double kLeastRounding = 4 * std::numeric_limits<double>::denorm_min();
 /// How much larger than the box anything may be for its rounding not to show in the box.
 constexpr double kMostRange = 0x1p16;
 
-/// Whether libFuzzer runs the target, which it tells by LLVMFuzzerInitialize.
-bool isFuzzing = false;
-
 void require(bool holds, const std::string& what) {
   if (holds) return;
   std::fprintf(stderr, "%s\n", what.c_str());
@@ -278,11 +275,6 @@ void run(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 }  // namespace circle_voronoi::fuzz
-
-extern "C" int LLVMFuzzerInitialize(int* /*argumentCount*/, char*** /*arguments*/) {
-  circle_voronoi::fuzz::isFuzzing = true;
-  return 0;
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   circle_voronoi::fuzz::run({data, size});

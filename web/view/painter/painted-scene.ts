@@ -88,8 +88,7 @@ export class PaintedScene {
   open(circles: Float64Array, change: DomainChange = {}, regions?: Regions): Opened {
     const clip = this.#clipOf(change, regions)
     const shares = Array.from({ length: circles.length / 3 }, (_, i) => change.fit?.known?.get(i) ?? Number.NaN)
-    const fit =
-      change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
+    const fit = change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
     const opened = fit?.diagram.circles ?? circles
     const picture = new Picture(this.library.edit(opened), clip)
     const { layers, areSites } = this.picture
