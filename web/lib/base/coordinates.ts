@@ -37,9 +37,6 @@ export function coordinatesOf(circles: Circles): Float64s {
  */
 export type Accessor<Datum> = (datum: Datum, index: number, data: Iterable<Datum>) => number
 
-/** A length beyond this is not believed before the data have been gone through. */
-const MOST_EXPECTED = 2 ** 24
-
 /**
  * The circles that three functions find in data.
  *
@@ -58,29 +55,21 @@ export function coordinatesFrom<Datum>(
   ) {
     refuse(`The circles are neither a typed array nor a list, but ${shown(data)}.`)
   }
-  // Most data say how many they are; others double the room.
-  const { length } = data as { readonly length?: unknown }
-  const hasLength = Number.isInteger(length) && (length as number) >= 0 && (length as number) < MOST_EXPECTED
-  let numbers = new Float64Array(3 * (hasLength ? (length as number) : 16))
-  let i = 0
-  for (const datum of data) {
+  const list = Array.isArray(data) ? (data as readonly Datum[]) : [...data]
+  const numbers = new Float64Array(3 * list.length)
+  for (let i = 0; i < list.length; i++) {
+    const datum = list[i] as Datum
     const x: unknown = fx(datum, i, data)
     const y: unknown = fy(datum, i, data)
     const r: unknown = fr(datum, i, data)
     if (typeof x !== 'number' || typeof y !== 'number' || typeof r !== 'number') {
       refuse(`Circle ${i} does not have three numbers x, y and r.`, i)
     }
-    if (3 * i === numbers.length) {
-      const more = new Float64Array(2 * numbers.length + 48)
-      more.set(numbers)
-      numbers = more
-    }
     numbers[3 * i] = x
     numbers[3 * i + 1] = y
     numbers[3 * i + 2] = r
-    i += 1
   }
-  return 3 * i === numbers.length ? numbers : numbers.slice(0, 3 * i)
+  return numbers
 }
 
 /** The accessors of an object or an array; of anything else nothing, which is refused. */

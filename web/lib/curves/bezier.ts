@@ -12,9 +12,6 @@ import type { PathSink, Point } from '../base/types.ts'
 import { type Bisector, inPlane, pointOf } from './bisector.ts'
 import type { BoundedCurve } from './curve.ts'
 
-/** The smallest effective tolerance of `addArc`, as a share of the extent of the arc. */
-export const FINEST_CURVE = 1e-12
-
 /**
  * A conic section as a rational quadratic Bézier curve; its three points have the weights 1, `weight`, 1.
  *
@@ -144,13 +141,17 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
     sink.lineTo(curve.end.x, curve.end.y)
     return
   }
-  let error = chordError(bisector.a, bisector.b, from, last)
-  const limit = limitOf(curve, error, tolerance, FINEST_CURVE)
+  // Of the rest of the arc.
+  let excess = excessOf(from, last)
+  let error = chordError(bisector.a, bisector.b, from, last, excess)
+  const limit = atLeast(1e-12, curve, error, tolerance)
   for (let isLast = false; !isLast; ) {
     // To know that one curve does for the rest spares the search for how far a line would do.
-    const byOneCubic = error > limit && cubicError(bisector.a, bisector.b, from, last) <= limit
-    const byLine = byOneCubic ? from : farthest(bisector, from, last, limit, chordError)
-    const byCubic = byOneCubic || byLine === last ? last : farthest(bisector, from, last, limit, cubicError)
+    const byOneCubic = error > limit && cubicError(bisector.a, bisector.b, from, last, excess) <= limit
+    const byCubic = byOneCubic || !(error > limit) ? last : farthest(bisector, from, last, limit, cubicError)
+    // As errors grow along the arc, this spares the search if a line errs too much up to there.
+    const isShorter = byOneCubic || (byCubic > from && chordError(bisector.a, bisector.b, from, byCubic) > 2 * limit)
+    const byLine = isShorter ? from : farthest(bisector, from, last, limit, chordError)
     const to = Math.max(byLine, byCubic)
     isLast = !(to < last)
     const end = isLast ? curve.end : pointOf(bisector, to)
@@ -158,14 +159,22 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
       sink.lineTo(end.x, end.y)
     } else {
       const control = controlPoint(bisector, from, to)
-      const share = shareOfControl(excessOf(from, to))
-      const control1 = mix(start, control, share)
-      const control2 = mix(end, control, share)
-      sink.bezierCurveTo(control1.x, control1.y, control2.x, control2.y, end.x, end.y)
+      const weight = 1 + (isLast ? excess : excessOf(from, to))
+      const share = (4 * weight) / (3 * (1 + weight))
+      sink.bezierCurveTo(
+        start.x + share * (control.x - start.x),
+        start.y + share * (control.y - start.y),
+        end.x + share * (control.x - end.x),
+        end.y + share * (control.y - end.y),
+        end.x,
+        end.y,
+      )
     }
     from = to
     start = end
-    if (!isLast) error = chordError(bisector.a, bisector.b, from, last)
+    if (isLast) return
+    excess = excessOf(from, last)
+    error = chordError(bisector.a, bisector.b, from, last, excess)
   }
 }
 
@@ -190,7 +199,7 @@ export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
 export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   const { bisector, from: first, to, start, end } = curve
   if (isNearlyStraight(bisector.a, first, to, tolerance / bisector.unit)) return [start, end]
-  const limit = limitOf(curve, chordError(bisector.a, bisector.b, first, to), tolerance, 1e-9)
+  const limit = atLeast(1e-9, curve, chordError(bisector.a, bisector.b, first, to), tolerance)
   const points = [start]
   let from = farthest(bisector, first, to, limit, chordError)
   while (from < to) {
@@ -204,25 +213,12 @@ export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
 /** Where the tangents at two parameters meet: the polar form of the branch. */
 export function controlPoint(bisector: Bisector, from: number, to: number): Point {
   const { apex, a, b } = bisector
-  return inPlane(bisector, controlAlong(apex, a, from, to), controlAcross(b, from, to))
-}
-
-export function controlAlong(apex: number, a: number, from: number, to: number): number {
-  return apex - Math.abs(a) * (((from - 1) / (from + to)) * (to - 1))
-}
-
-export function controlAcross(b: number, from: number, to: number): number {
-  return b * ((from / (from + to)) * to - 1 / (from + to))
-}
-
-/** How far from the ends of an arc towards its control point the control points of its cubic curve are, by w - 1. */
-export function shareOfControl(excess: number): number {
-  const weight = 1 + excess
-  return (4 * weight) / (3 * (1 + weight))
+  const u = apex - Math.abs(a) * (((from - 1) / (from + to)) * (to - 1))
+  return inPlane(bisector, u, b * ((from / (from + to)) * to - 1 / (from + to)))
 }
 
 /** w - 1 */
-export function excessOf(from: number, to: number): number {
+function excessOf(from: number, to: number): number {
   const difference = Math.sqrt(to) - Math.sqrt(from)
   return ((difference / Math.sqrt(from)) * (difference / Math.sqrt(to))) / 2
 }
@@ -233,7 +229,7 @@ export function excessOf(from: number, to: number): number {
  * distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer to the line of
  * its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times |a|.
  */
-export function chordError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
+function chordError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   if (a === 0) return 0
   const along = excess * Math.abs(a)
   if (from < 1 && 1 < to) return along
@@ -247,7 +243,7 @@ export function chordError(a: number, b: number, from: number, to: number, exces
  * Whether a bound without roots tells that an arc keeps within a tolerance of its chord, as most in a drawing do: the error
  * is at most |a| (w - 1), and w - 1 = (w^2 - 1) / (w + 1) at most (to - from)^2 / (8 from to).
  */
-export function isNearlyStraight(a: number, from: number, to: number, tolerance: number): boolean {
+function isNearlyStraight(a: number, from: number, to: number, tolerance: number): boolean {
   const difference = to - from
   return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * tolerance
 }
@@ -263,7 +259,7 @@ export function isNearlyStraight(a: number, from: number, to: number, tolerance:
  * the way to the branch along one axis is at most |a| f / (2 k cosh t), along the other b f / (k sinh t), with
  * k^2 = 1 - f and t the parameter of the arc nearest to the apex.
  */
-export function cubicError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
+function cubicError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   const f = (excess * excess * excess) / (27 * (excess + 2))
   if (!(f < 0.5)) return Number.POSITIVE_INFINITY
   const k = Math.sqrt(1 - f)
@@ -299,15 +295,10 @@ function farthest(
 }
 
 /** A tolerance in the unit of the bisector, and not below a share of the arc's extent. `error`: of its chord. */
-function limitOf({ bisector, start, end }: BoundedCurve, error: number, tolerance: number, share: number): number {
+function atLeast(share: number, { bisector, start, end }: BoundedCurve, error: number, tolerance: number): number {
   const { unit } = bisector
-  return atLeast(share, hypotenuse(end.x - start.x, end.y - start.y) / unit, error, tolerance / unit)
-}
-
-/** A tolerance, not below a share of the extent of an arc with a chord. */
-export function atLeast(share: number, chord: number, error: number, tolerance: number): number {
-  const least = share * (chord + error)
-  return tolerance > least ? tolerance : least
+  const least = share * (hypotenuse(end.x - start.x, end.y - start.y) / unit + error)
+  return tolerance / unit > least ? tolerance / unit : least
 }
 
 function mix(p: Point, q: Point, share: number): Point {

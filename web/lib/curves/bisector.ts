@@ -79,39 +79,55 @@ export function bisector(circles: Float64Array, left: number, right: number, met
 
 /** The same of checked arguments. */
 export function bisectorOf(circles: Float64Array, left: number, right: number, metric: Metric): Bisector {
-  const leftCenter = { x: at(circles, 3 * left), y: at(circles, 3 * left + 1) }
-  const rightCenter = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
+  return measureBisector(blankBisector(), circles, left, right, metric)
+}
+
+/** An object whose numbers can be replaced in place. */
+export type Mutable<T> = { -readonly [Key in keyof T]: T[Key] extends Point ? { x: number; y: number } : T[Key] }
+
+/** A bisector to be measured. Its numbers are no integers, which engines would store in another way. */
+export function blankBisector(): Mutable<Bisector> {
+  const point = () => ({ x: 0.5, y: 0.5 })
+  const left = point()
+  return { left, right: point(), unit: 1, a: 0.5, b: 0.5, origin: left, along: point(), across: point(), apex: 0.5 }
+}
+
+/** Makes a bisector that of two circles, and returns it. */
+export function measureBisector(
+  target: Mutable<Bisector>,
+  circles: Float64Array,
+  left: number,
+  right: number,
+  metric: Metric,
+): Bisector {
   const leftRadius = at(circles, 3 * left + 2)
   const rightRadius = at(circles, 3 * right + 2)
+  target.left.x = at(circles, 3 * left)
+  target.left.y = at(circles, 3 * left + 1)
+  target.right.x = at(circles, 3 * right)
+  target.right.y = at(circles, 3 * right + 1)
   const originIsLeft = metric !== 'circles' || leftRadius <= rightRadius
-  const origin = originIsLeft ? leftCenter : rightCenter
-  const other = originIsLeft ? rightCenter : leftCenter
+  const origin = originIsLeft ? target.left : target.right
+  const other = originIsLeft ? target.right : target.left
   const unit = unitFor(Math.max(Math.abs(other.x - origin.x), Math.abs(other.y - origin.y)))
   const x = (other.x - origin.x) / unit
   const y = (other.y - origin.y) / unit
   const d = Math.sqrt(x * x + y * y)
   const difference = metric === 'circles' ? (leftRadius - rightRadius) / unit : 0
   const size = Math.abs(difference)
-  const along = { x: x / d, y: y / d }
   const shift =
     metric === 'power' ? ((leftRadius - rightRadius) / unit) * ((leftRadius + rightRadius) / unit / (2 * d)) : 0
-  return {
-    left: leftCenter,
-    right: rightCenter,
-    unit,
-    a: difference / 2,
-    b: halfConjugateAxis(d, size),
-    origin,
-    along,
-    across: originIsLeft ? { x: -along.y, y: along.x } : { x: along.y, y: -along.x },
-    apex: Math.min(Math.max((d - size) / 2 + shift, -FARTHEST_APEX), FARTHEST_APEX),
-  }
-}
-
-/** Returns b for circles at the distance d whose radii differ by `size`. */
-export function halfConjugateAxis(d: number, size: number): number {
+  target.unit = unit
+  target.a = difference / 2
   // Not c^2 - a^2, which cancels for a circle almost inside the other.
-  return Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2
+  target.b = Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2
+  target.origin = origin
+  target.along.x = x / d
+  target.along.y = y / d
+  target.across.x = originIsLeft ? -target.along.y : target.along.y
+  target.across.y = originIsLeft ? target.along.x : -target.along.x
+  target.apex = Math.min(Math.max((d - size) / 2 + shift, -FARTHEST_APEX), FARTHEST_APEX)
+  return target
 }
 
 /**
@@ -161,20 +177,9 @@ export function parameterAt(bisector: Bisector, x: number, y: number): number {
 /** The same of checked arguments. */
 export function parameterOf(bisector: Bisector, x: number, y: number): number {
   const { origin, unit, across, apex, a, b } = bisector
-  return parameterFrom(a, b, apex, across.x, across.y, (x - origin.x) / unit, (y - origin.y) / unit)
-}
-
-/** Returns the parameter of a point (dx, dy) as seen from the origin of a bisector, in its unit. */
-export function parameterFrom(
-  a: number,
-  b: number,
-  apex: number,
-  acrossX: number,
-  acrossY: number,
-  dx: number,
-  dy: number,
-): number {
-  const sine = (dx * acrossX + dy * acrossY) / b
+  const dx = (x - origin.x) / unit
+  const dy = (y - origin.y) / unit
+  const sine = (dx * across.x + dy * across.y) / b
   if (a === 0) return exponentialOf(sine)
   // The point's height b sinh t and its distance apex + c (cosh t - 1) both tell t; rounding shows less in the one that
   // changes faster. Of a narrow branch that is the distance. Its height may be off by any factor, as b is: each of the
@@ -198,15 +203,10 @@ export function parameterAtRise(rise: number): number {
  */
 export function movedApart(bisector: Bisector, reach: number): Bisector {
   const { a, b, apex } = bisector
-  const least = leastUnit(a, b, reach)
+  const least = (FINEST * reach) / (Math.abs(a) + b)
   if (!(least > bisector.unit)) return bisector
   const unit = powerOfTwoIn(least)
   return { ...bisector, unit, apex: a === 0 ? apex * (bisector.unit / unit) : apex }
-}
-
-/** The unit, or less, in which `movedApart` draws a bisector. */
-export function leastUnit(a: number, b: number, reach: number): number {
-  return (FINEST * reach) / (Math.abs(a) + b)
 }
 
 /** e^t for t = arsinh(sine). */

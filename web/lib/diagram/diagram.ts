@@ -50,7 +50,7 @@ import { exportBox } from '../regions/export-box.ts'
 import { areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
-import { type ClippedCells, type ClippedDiagram, type Region, regionOption } from '../regions/region.ts'
+import { type ClippedCells, type ClippedDiagram, Region, regionOption } from '../regions/region.ts'
 import type { Change } from './change.ts'
 import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
 import { DiagramPatch } from './diagram-patch.ts'
@@ -327,19 +327,15 @@ export class Diagram implements DiagramData {
   edgePath(e: number, options: PolygonOptions & ContextOptions): void
   edgePath(e: number, options: DrawOptions = {}): string | undefined {
     checkIndex(e, this.edges.length / 4, 'edgePath', 'edge')
-    checkDrawOptions(options, 'edgePath', DRAW_OPTIONS)
-    const region = this.#regionIn('edgePath', options)
-    if (region !== undefined) {
-      return this.#drawnIn(region, options, (sink, tolerance) => {
+    return this.#drawn(
+      'edgePath',
+      options,
+      (sink, limits, tolerance) => drawEdge(sink, this, e, limits, tolerance),
+      (sink, region, tolerance) => {
         const outline = clippedOutline(this, this.#cellIn(region, at(this.edges, 4 * e), options))
         drawPiecesOf(sink, outline, 2 * e, tolerance)
-      })
-    }
-    const limits = this.#limitsOf('edgePath', options)
-    const tolerance = toleranceOf(options, limits.region)
-    const sink = sinkOf(options, tolerance)
-    drawEdge(sink, this, e, limits, tolerance)
-    return textOf(sink)
+      },
+    )
   }
 
   /**
@@ -350,49 +346,37 @@ export class Diagram implements DiagramData {
   cellPath(i: number, options: PolygonOptions & ContextOptions): void
   cellPath(i: number, options: DrawOptions = {}): string | undefined {
     this.#checkCircle(i, 'cellPath')
-    checkDrawOptions(options, 'cellPath', DRAW_OPTIONS)
-    const region = this.#regionIn('cellPath', options)
-    if (region !== undefined) {
-      return this.#drawnIn(region, options, (sink, tolerance) => {
+    return this.#drawn(
+      'cellPath',
+      options,
+      (sink, limits, tolerance) => drawCell(sink, this.cells, i, limits, tolerance),
+      (sink, region, tolerance) => {
         drawOutline(sink, clippedOutline(this, this.#cellIn(region, i, options)), tolerance)
-      })
-    }
-    const limits = this.#limitsOf('cellPath', options)
-    const tolerance = toleranceOf(options, limits.region)
-    const sink = sinkOf(options, tolerance)
-    drawCell(sink, this.cells, i, limits, tolerance)
-    return textOf(sink)
+      },
+    )
   }
 
   /** Draws all edges inside the bounds. */
   render(options?: PolygonOptions & TextOptions): string
   render(options: PolygonOptions & ContextOptions): void
   render(options: DrawOptions = {}): string | undefined {
-    checkDrawOptions(options, 'render', DRAW_OPTIONS)
-    const region = this.#regionIn('render', options)
-    if (region !== undefined) {
-      return this.#drawnIn(region, options, (sink, tolerance) => {
+    return this.#drawn(
+      'render',
+      options,
+      (sink, limits, tolerance) => {
+        for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, limits, tolerance)
+      },
+      (sink, region, tolerance) => {
         drawClippedEdges(sink, this, this.#clippedTo(region, options).edges, tolerance)
-      })
-    }
-    const limits = this.#limitsOf('render', options)
-    const tolerance = toleranceOf(options, limits.region)
-    const sink = sinkOf(options, tolerance)
-    for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, limits, tolerance)
-    return textOf(sink)
+      },
+    )
   }
 
   /** Draws the outline of the bounds, or of the region. */
   renderBounds(options?: PolygonOptions & TextOptions): string
   renderBounds(options: PolygonOptions & ContextOptions): void
   renderBounds(options: DrawOptions = {}): string | undefined {
-    checkDrawOptions(options, 'renderBounds', DRAW_OPTIONS)
-    const region = this.#regionIn('renderBounds', options)
-    if (region !== undefined) return this.#drawnIn(region, options, (sink) => drawRings(sink, region))
-    const limits = this.#limitsOf('renderBounds', options)
-    const sink = sinkOf(options, toleranceOf(options, limits.region))
-    drawRegion(sink, limits.region)
-    return textOf(sink)
+    return this.#drawn('renderBounds', options, (sink, { region }) => drawRegion(sink, region), drawRings)
   }
 
   /** Draws all circles, including hidden ones. */
@@ -425,9 +409,10 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, 'renderHull', [...PATH_OPTIONS, ...HULL_OPTIONS])
     const region = this.#regionIn('renderHull', options)
     if (region !== undefined) {
-      return this.#drawnIn(region, options, (sink, tolerance) => {
-        drawPolygons(sink, hullInRegion(this, region, tolerance) ?? [])
-      })
+      const tolerance = toleranceOf(options, region)
+      const sink = sinkOf(options, tolerance)
+      drawPolygons(sink, hullInRegion(this, region, tolerance) ?? [])
+      return textOf(sink)
     }
     const sink = sinkOf(options, undefined)
     drawHull(sink, this)
@@ -547,15 +532,20 @@ export class Diagram implements DiagramData {
     return values
   }
 
-  /** Draws what a region keeps. */
-  #drawnIn(
-    region: Region,
+  /** Draws what bounds or a region keep. */
+  #drawn(
+    caller: string,
     options: DrawOptions,
-    draw: (sink: PathSink, tolerance: number) => void,
+    drawWithin: (sink: PathSink, limits: Limits, tolerance: number) => void,
+    drawIn: (sink: PathSink, region: Region, tolerance: number) => void,
   ): string | undefined {
-    const tolerance = toleranceOf(options, region)
+    checkDrawOptions(options, caller, DRAW_OPTIONS)
+    const region = this.#regionIn(caller, options)
+    const limits = region ?? this.#limitsOf(caller, options)
+    const tolerance = toleranceOf(options, limits instanceof Region ? limits : limits.region)
     const sink = sinkOf(options, tolerance)
-    draw(sink, tolerance)
+    if (limits instanceof Region) drawIn(sink, limits, tolerance)
+    else drawWithin(sink, limits, tolerance)
     return textOf(sink)
   }
 

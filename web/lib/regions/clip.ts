@@ -112,15 +112,6 @@ function placeOf(
   region: ConvexPolygon,
 ): 'inside' | 'outside' | 'cut' {
   const control = controlPoint(bisector, from, to)
-  if (region.isBox && Number.isFinite(control.x) && Number.isFinite(control.y)) {
-    const { minX, minY, maxX, maxY } = region.box
-    const lowX = Math.min(start.x, control.x, end.x)
-    const lowY = Math.min(start.y, control.y, end.y)
-    const highX = Math.max(start.x, control.x, end.x)
-    const highY = Math.max(start.y, control.y, end.y)
-    if (highX < minX || highY < minY || lowX > maxX || lowY > maxY) return 'outside'
-    return minX <= lowX && minY <= lowY && highX <= maxX && highY <= maxY ? 'inside' : 'cut'
-  }
   let isInside = true
   for (let side = 0; side < region.corners.length; side++) {
     const corner = region.corner(side)
@@ -179,7 +170,12 @@ export class LineCrossing {
     const discriminant = k * (k + 2 * a) + b * b
     const root = Math.sqrt(discriminant)
     const sum = this.#half < 0 ? this.#half - root : this.#half + root
-    this.parameters = discriminant > 0 ? inOrder(sum / this.#growth, this.#decay / sum) : []
+    this.parameters =
+      discriminant > 0
+        ? [sum / this.#growth, this.#decay / sum]
+            .filter((s) => s > 0 && s < Number.POSITIVE_INFINITY)
+            .sort((one, other) => one - other)
+        : []
   }
 
   /**
@@ -197,17 +193,6 @@ export class LineCrossing {
   #height(s: number): number {
     return this.#growth * s - 2 * this.#half + this.#decay / s
   }
-}
-
-/** Those of two numbers that are parameters of points, the smaller one first. */
-function inOrder(one: number, other: number): number[] {
-  if (!isParameter(one)) return isParameter(other) ? [other] : []
-  if (!isParameter(other)) return [one]
-  return one > other ? [other, one] : [one, other]
-}
-
-function isParameter(s: number): boolean {
-  return s > 0 && s < Number.POSITIVE_INFINITY
 }
 
 function parameterBetween(from: number, to: number): number {
