@@ -102,6 +102,14 @@ TEST(Insert, FindsTheEdgeThatACellCutsWhereDistancesLookEqual) {
   }
 }
 
+TEST(Insert, PutsACircleBetweenTwoThatItTouchesInOnePoint) {
+  // All three touch both common tangent lines. The point lies outside the first circle by less than rounding shows.
+  const Circle outer = {0, 0, 0x1.247fbc97ed6ccp+4};
+  const Circle point = {0x1.a79e83e4dc454p+3, 0x1.9372653b7c72bp+3, 0};
+  const Circle middle = {point.x / 2, point.y / 2, outer.r / 2};
+  EXPECT_TRUE(isInsertedRightly(visibleCircles({outer, point, middle})));
+}
+
 TEST(Insert, TheLeadOfANearerCircleIsRightWhereDistancesLookEqual) {
   // Seen from 1, both are at distance 1 to all digits of a double.
   const Circle farther = {-1e-30, 0, 1e-31};

@@ -116,19 +116,12 @@ CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   const bool hasEnd = enter.disc.exists && (c == kPointAtInfinity || orderAlongEdge(a, b, enter, discAt(h)) > 0);
   if (!leave.disc.exists && !enter.disc.exists) {
     const int side = predicates_.tangentSide(a, b, i);
-    return {side > 0 || (side == 0 && liesNearer(i, a, b)), false, false};
+    // All circles on one tangent line: far out along the edge, the one that touches it in the middle is nearest.
+    return {side > 0 || (side == 0 && exact::touchesBetween(circle(a), circle(b), circle(i))), false, false};
   }
   if (!leave.disc.exists || !enter.disc.exists) return {hasStart || hasEnd, false, false};
   if (orderAlongEdge(a, b, enter, leave) >= 0) return {hasStart && hasEnd, false, false};
   return {hasStart || hasEnd, hasStart, !hasStart};
-}
-
-bool CellInserter::liesNearer(int i, int a, int b) const {
-  const Vector v = between(circle(a), circle(b));
-  const double l = length(v);
-  const double reach = (l - circle(a).r - circle(b).r) / 2;
-  const double t = (circle(a).r + reach) / l;
-  return distanceFrom({circle(a).x + t * v.x, circle(a).y + t * v.y}, circle(i)) < reach;
 }
 
 void CellInserter::renewDisc(int face, int i) {

@@ -137,9 +137,6 @@ class CellInserter {
 
   Cut cutOf(int h, int i) const;
 
-  /// Whether circle i is nearer than a and b to where the line through the centers of these crosses their bisector.
-  bool liesNearer(int i, int a, int b) const;
-
   /// Finds the disc of a face with a new circle. It has none if that hides one of the others.
   void renewDisc(int face, int i);
 
