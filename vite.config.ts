@@ -3,6 +3,9 @@ import { fileURLToPath } from 'node:url'
 import sirv, { type Options } from 'sirv'
 import type { HtmlTagDescriptor, Plugin } from 'vite'
 import { defineConfig } from 'vitest/config'
+import { PAGE_KEYS } from './web/app/page-keys.ts'
+import { ENGLISH_KEYS, spokenKeys } from './web/editing/key-help.ts'
+import * as icons from './web/view/icons.ts'
 
 const CONTENT_SECURITY_POLICY = [
   "default-src 'self'",
@@ -54,6 +57,22 @@ const preloads: Plugin = {
   },
 }
 
+/** What is part of the page's HTML and stands elsewhere: icons, by their names, and the text of its keys. */
+const pageParts: Plugin = {
+  name: 'page-parts',
+  transformIndexHtml: {
+    order: 'pre',
+    handler: (html) =>
+      html
+        .replace('<!-- keys -->', spokenKeys(ENGLISH_KEYS, false, Object.values(PAGE_KEYS)))
+        .replace(/<svg data-icon="(\w+)" aria-hidden="true">/g, (_, name: string) => {
+          const path = (icons as Readonly<Record<string, string>>)[name.toUpperCase()]
+          if (path === undefined) throw new Error(`There is no icon ${name} in web/view/icons.ts.`)
+          return `<svg viewBox="0 0 20 20" aria-hidden="true"><path d="${path}" />`
+        }),
+  },
+}
+
 /** Serves the built files that are compressed as they are; Vite itself would send WebAssembly as it is. */
 const compressedFiles: Plugin = {
   name: 'compressed-files',
@@ -102,6 +121,7 @@ export default defineConfig(({ isPreview }) => ({
   },
   plugins: [
     { name: 'content-security-policy', apply: 'build', transformIndexHtml: () => [policyTag] },
+    pageParts,
     preloads,
     compressedFiles,
   ],

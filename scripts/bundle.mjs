@@ -3,7 +3,7 @@
 // Not by Vite, which would take into them the threads and the WebAssembly that the bundlers of others have to find beside them.
 import { chmodSync, copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join, posix } from 'node:path'
-import { gzipSync } from 'node:zlib'
+import { promisify } from 'node:util'
 import { build, transform } from 'esbuild'
 import { ROOT } from './run.mjs'
 
@@ -43,14 +43,14 @@ async function element() {
     ...BUNDLED,
     outdir: 'dist/element',
     splitting: true,
-    plugins: [styles, painterBeside, wasmBeside],
+    plugins: [...ELEMENT, painterBeside, wasmBeside],
     entryPoints: {
       index: 'web/element/index.ts',
       define: 'web/element/define.ts',
       painter: 'web/view/painter/start-thread.ts',
     },
   })
-  await oneFile('element', ['CircleVoronoiElement', 'defineCircleVoronoi'], [styles])
+  await oneFile('element', ['CircleVoronoiElement', 'defineCircleVoronoi'], ELEMENT)
   copyFileSync(`${ROOT}web/element/element.css`, `${ROOT}dist/element/element.css`)
   const { manifest } = await import('./manifest.mjs')
   writeFileSync(`${ROOT}dist/element/custom-elements.json`, `${JSON.stringify(manifest(), undefined, 2)}\n`)
@@ -109,15 +109,25 @@ function cli() {
   copyFileSync(`${ROOT}web/cli/generated/program.wasm`, `${ROOT}dist/cli/generated/program.wasm`)
 }
 
-/** Compressed once more by a server, base64 of the bytes themselves would be half as long again. */
+/**
+ * Compressed once more by a server, base64 of the bytes themselves would be half as long again. Zopfli takes two seconds for a
+ * twentieth less than zlib.
+ */
 const wasmInside = {
   name: 'wasm-inside',
   setup({ onLoad }) {
-    onLoad({ filter: /\.wasm$/ }, ({ path }) => ({
-      contents: gzipSync(readFileSync(path), { level: 9 }),
+    onLoad({ filter: /\.wasm$/ }, async ({ path }) => ({
+      contents: await zopfli(readFileSync(path)),
       loader: 'base64',
     }))
   },
+}
+
+async function zopfli(bytes) {
+  const { gzip } = await import('@gfx/zopfli')
+  // Its listeners would show its own minified code in place of an error of this script.
+  for (const event of ['uncaughtException', 'unhandledRejection']) process.removeAllListeners(event)
+  return promisify(gzip)(bytes, {})
 }
 
 /** Bundles find the WebAssembly of dist/lib beside their own folder. */
@@ -173,5 +183,8 @@ function replacing(module, other) {
     },
   }
 }
+
+/** The element does without the JSON of diagrams. */
+const ELEMENT = [styles, replacing('web/lib/diagram/diagram-file.ts', 'web/element/no-diagram-file.ts')]
 
 await { lib, element, cli }[process.argv[2]]()

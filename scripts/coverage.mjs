@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `npm run coverage`: how much of the C++ the native tests run, lines and branches, and in build/coverage/report.txt the lines of
-// each file that none of them runs. Options are CTest's.
+// each file that none of them runs. Options are CTest's. `npm run coverage -- --web`: how much of web/ the Vitest tests run, with
+// the lines in build/coverage-web. Further options are Vitest's.
 import { existsSync, readdirSync, rmSync } from 'node:fs'
-import { main, ROOT, run, statusOf } from './run.mjs'
+import { build, main, ROOT, run, statusOf } from './run.mjs'
 import { setup } from './setup.mjs'
 
 const BUILD = `${ROOT}build/coverage`
+const WEB = '--web'
+const options = process.argv.slice(2).filter((option) => option !== WEB)
 
-await main(async () => {
+await main(process.argv.includes(WEB) ? coverageOfWeb : coverageOfCore)
+
+async function coverageOfWeb() {
+  await build('build:tests')
+  const reporters = ['text-summary', 'html'].map((name) => `--coverage.reporter=${name}`)
+  const files = ['--coverage.include=web/**/*.ts', '--coverage.exclude=web/**/generated/**']
+  const place = '--coverage.reportsDirectory=build/coverage-web'
+  // Also of what some test that fails has run.
+  const always = '--coverage.reportOnFailure'
+  await run(`${ROOT}node_modules/.bin/vitest`, ['run', '--coverage', ...reporters, ...files, place, always, ...options])
+  console.log('Lines that no test runs: build/coverage-web/index.html')
+}
+
+async function coverageOfCore() {
   await setup('tests')
   if (!existsSync(`${BUILD}/build.ninja`)) await run('cmake', ['--preset', 'coverage'])
   await run('cmake', ['--build', '--preset', 'coverage'])
   const counts = readdirSync(BUILD, { recursive: true }).filter((path) => path.endsWith('.gcda'))
   for (const path of counts) rmSync(`${BUILD}/${path}`)
-  const status = await statusOf('ctest', ['--preset', 'coverage', ...process.argv.slice(2)])
+  const status = await statusOf('ctest', ['--preset', 'coverage', ...options])
   // Ways out by an exception are no branches of ours.
-  const options = ['--exclude-throw-branches', '--print-summary', '--output', `${BUILD}/report.txt`]
-  await run('gcovr', ['--root', ROOT, '--filter', 'cpp/(include|src|cli)/', ...options, BUILD])
+  const report = ['--exclude-throw-branches', '--print-summary', '--output', `${BUILD}/report.txt`]
+  await run('gcovr', ['--root', ROOT, '--filter', 'cpp/(include|src|cli)/', ...report, BUILD])
   console.log('Lines that no test runs: build/coverage/report.txt')
   if (status !== 0) throw new Error('Tests failed, so that others may not have run.')
-})
+}

@@ -34,6 +34,10 @@ await main(async () => {
   const quick = SUITES.filter(({ name, lengths = ['quick'] }) => {
     return lengths.includes('quick') && (values.suite?.includes(name) ?? true)
   })
+  const tell = (heading) => {
+    console.log(`\n${heading}`)
+    for (const [test, count] of failures) console.log(`${count} of ${values.times}: ${test}`)
+  }
   for (const suite of quick) {
     for (const condition of CONDITIONS.filter(({ pagesAlone }) => !pagesAlone || suite.hasPages)) {
       for (let time = 0; time < Number(values.times); time++) {
@@ -43,10 +47,11 @@ await main(async () => {
           failures.set(key, (failures.get(key) ?? 0) + 1)
         }
       }
+      // A run takes hours, and may be ended before its end.
+      if (failures.size > 0) tell(`Not always green until now, after ${suite.name}, ${condition.name}:`)
     }
   }
-  console.log('\nNot always green:')
-  for (const [test, count] of failures) console.log(`${count} of ${values.times}: ${test}`)
+  tell('Not always green:')
   if (failures.size > 0) throw new Error(`${failures.size} tests were not always green.`)
   console.log('nothing')
 })

@@ -36,9 +36,9 @@ export const SUITES = [
     args: (report) => ['--disallow-code-generation-from-strings', ...nodeTests(report, 'tests/wasm')],
   },
   {
-    name: 'Files, tiles and README in Node',
+    name: 'Files, tiles, package and README in Node',
     program: process.execPath,
-    args: (report) => nodeTests(report, 'tests/files', 'tests/tiles', 'tests/readme'),
+    args: (report) => nodeTests(report, 'tests/files', 'tests/tiles', 'tests/pack', 'tests/readme'),
   },
   {
     name: "The paper's results and the program in Node",

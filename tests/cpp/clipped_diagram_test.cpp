@@ -362,7 +362,7 @@ TEST(ClippedDiagram, SomeCellsAreClippedAsAllAre) {
   }
 }
 
-TEST(ClippedDiagram, SomeCellsOfHardRegions) {
+TEST(ClippedDiagram, SomeCellsHaveTheAreasTheyHaveAmongAllInHardRegions) {
   forHardRegions([](const Diagram& diagram, const Region& region, const ClippedDiagram& clipped) {
     std::vector<CircleIndex> some;
     for (std::size_t i = 0; i < diagram.circles.size(); i += 3) some.push_back(static_cast<std::int32_t>(i));

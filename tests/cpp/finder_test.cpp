@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "circle_voronoi/cells.h"
 #include "circle_voronoi/compute.h"
@@ -48,6 +49,29 @@ TEST(Finder, FindsANearestCircle) {
         ASSERT_LE(distanceFrom(diagram, finder.find(p, hint), p), least + rounding)
             << "point " << k << " from " << hint;
       }
+    }
+  }
+}
+
+// Only the circles of few ranks around some places keep their sides, and no walk gets on without sides. So these walks
+// are short.
+TEST(Finder, TakesFewStepsAmongManyCirclesOnALine) {
+  constexpr std::int32_t kCount = 100'000;
+  constexpr std::int32_t kPeriod = 100;
+  constexpr std::int32_t kFew = 4;
+  for (const bool isColumn : {false, true}) {
+    std::vector<Circle> circles;
+    for (std::int32_t i = 0; i < kCount; ++i) {
+      const double place = i;
+      circles.push_back(isColumn ? Circle{7, place, 0.25} : Circle{place, 7, 0.25});
+    }
+    Diagram diagram = compute(circles).value();
+    const Finder finder(diagram);
+    for (std::int32_t i = 0; i < kCount; ++i) {
+      if (std::abs(i % kPeriod - kPeriod / 2) > kFew) diagram.links.firstSide[static_cast<std::size_t>(i)] = kNone;
+    }
+    for (std::int32_t i = kPeriod / 2; i < kCount; i += kPeriod) {
+      ASSERT_EQ(finder.find(isColumn ? Point{7.5, i + 0.25} : Point{i + 0.25, 7.5}), i);
     }
   }
 }

@@ -82,7 +82,7 @@ double stiffnessByQuadrature(const EdgeCurve& arc) {
   return sum;
 }
 
-TEST(AreaFitSpring, HasTheStiffnessOfTheIntegralByQuadrature) {
+TEST(AreaFitSprings, HaveTheStiffnessOfTheIntegralByQuadrature) {
   for (const double radius : {0.0, 0.3, 0.9, 0.999, -0.5}) {
     EdgeCurve arc;
     arc.bisector = bisector({0, 0, 0.5 + radius}, {1, 0, 0.5});
@@ -96,7 +96,7 @@ TEST(AreaFitSpring, HasTheStiffnessOfTheIntegralByQuadrature) {
 }
 
 // Curved, straight, clipped and nearly hidden: what the areas gain as one weight grows is what the springs say.
-TEST(AreaFitSpring, IsTheDerivativeOfTheAreas) {
+TEST(AreaFitSprings, AreTheDerivativeOfTheAreas) {
   Random random(7);
   const Region region = unitSquare();
   for (int trial = 0; trial < 30; ++trial) {

@@ -71,7 +71,7 @@ const std::map<Family, std::array<double, 4>> kMostPercent = {
     {Family::onRim, {1, 0.4, 0.4, 0.4}},
 };
 
-TEST(Mismatches, ByFamilyAndNumberOfSamples) {
+TEST(Mismatches, AreNoMoreThanEachFamilyAndNumberOfSamplesMayHave) {
   const std::uint64_t seed = environmentOr("CIRCLE_VORONOI_SEED", 1);
   const std::uint64_t trials = environmentOr("CIRCLE_VORONOI_TRIALS", 100);
   const std::vector<test::Mismatches> rows = test::countMismatches(seed, trials);

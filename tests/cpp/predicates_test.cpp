@@ -318,7 +318,7 @@ TEST(Predicates, AgreeWithExactArithmeticAlongTheAxisItself) {
   }
 }
 
-TEST(Predicates, TangentSideOfACircleSoNearThatSquaresUnderflow) {
+TEST(Predicates, TangentSideIsExactWhereSquaresOfDistancesUnderflow) {
   Random random(test::seedOr(1));
   for (int trial = 0; trial < 2000; ++trial) {
     const double near = std::ldexp(1 + random.unit(), -530 - static_cast<int>(random.below(30)));

@@ -13,7 +13,7 @@ namespace {
 /// How far a disc is from touching a circle from outside.
 double gap(const Vertex& disc, const Circle& c) { return length({disc.x - c.x, disc.y - c.y}) - c.r - disc.r; }
 
-TEST(ThreeTouchDisc, OfEqualCirclesIsCenterdInTheCircumcenter) {
+TEST(ThreeTouchDisc, OfEqualCirclesIsCenteredInTheCircumcenter) {
   const auto disc = threeTouchDisc({0, 0, 1}, {6, 0, 1}, {0, 8, 1});
   ASSERT_TRUE(disc);
   EXPECT_DOUBLE_EQ(disc->disc.x, 3);

@@ -114,5 +114,16 @@ TEST(TileStream, HasALimitForALineAndForWhatComesBeforeTheTable) {
   }
 }
 
+// By its number among all, though it is read with a piece of them.
+TEST(TileStream, NamesTheCircleAndTheLineOfTheWholeThatAreWrong) {
+  TileStream stream("test");
+  ASSERT_TRUE(stream.read("x,y,r\n0,0,1\n1,1,1\n2,2").ok());
+  ASSERT_EQ(stream.read(",1\n").value().ids, std::vector<std::int64_t>{2});
+  const auto refused = stream.read("3,3,1\n4,4,-1\n");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().circle, 4);
+  EXPECT_EQ(refused.error().message, "test:6: Circle 4 has a negative radius.");
+}
+
 }  // namespace
 }  // namespace circle_voronoi

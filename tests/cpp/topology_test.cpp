@@ -55,7 +55,7 @@ TEST(Topology, GoesToTheDualAndBackInEveryFamily) {
   }
 }
 
-TEST(Topology, OfOneCircleAndOfTwo) {
+TEST(Topology, HasAHullButNoVerticesForOneCircleAndForTwo) {
   EXPECT_EQ(topologyOf(Dual{}, 0).hull, (std::vector<CircleIndex>{}));
   EXPECT_EQ(topologyOf(Dual{}, 1).hull, (std::vector<CircleIndex>{0}));
   const Topology two = topologyOf(Dual{{0, 1, kPointAtInfinity, 1, 0, kPointAtInfinity}, {3, 5, 4, 0, 2, 1}}, 2);

@@ -49,7 +49,7 @@ Solved solveSampled(const std::string& fixture, int samples) {
 
 // The paper finds hidden circles by the leftover DEs. Left in, they take part in antipodal discs and displace the
 // neighbors of the circle that contains them: here a copy of circle 0.
-TEST(TouchRule1, HiddenCirclesAreRemovedFirst) {
+TEST(TouchRules, Rule1HiddenCirclesAreRemovedFirst) {
   const Solved solved = solveSampled("missed-antipodal-disc-duplicates-4", 0);
   EXPECT_EQ(solved.problem, "");
   ASSERT_EQ(solved.diagram.hidden.size(), 1U);
@@ -59,7 +59,7 @@ TEST(TouchRule1, HiddenCirclesAreRemovedFirst) {
 
 // DE(c,a) may exist and belong to another branch of the bisector of c and a: taking it for the third DE of the disc,
 // as Algorithm 3 does, closes the diagram of three circles in a row after one vertex.
-TEST(TouchRule2, TheThirdDirectedEdgeMustBeAdjacentAndForward) {
+TEST(TouchRules, Rule2TheThirdDirectedEdgeMustBeAdjacentAndForward) {
   for (const std::string name : {"collinear-varied", "log-uniform", "one-huge", "two-huge"}) {
     const Solved solved = solveAllPairs("third-edge-not-forward-" + name + "-3");
     EXPECT_EQ(solved.problem, "") << name;
@@ -68,7 +68,7 @@ TEST(TouchRule2, TheThirdDirectedEdgeMustBeAdjacentAndForward) {
 }
 
 // Where a disc of R_min is not antipodal, a center to the right of its DE may lie behind it on the bisector.
-TEST(TouchRule3, ForwardIsAlongTheBisector) {
+TEST(TouchRules, Rule3ForwardIsAlongTheBisector) {
   for (const std::string name : {"intersecting-3", "lightly-intersecting-3", "lightly-intersecting-4", "hidden-3"}) {
     EXPECT_EQ(solveAllPairs("center-right-of-edge-" + name).problem, "") << name;
   }
@@ -76,7 +76,7 @@ TEST(TouchRule3, ForwardIsAlongTheBisector) {
 
 // When its turn comes a three-touch disc may name a DE that is gone. Discs are discarded then, and none is lost: the DE
 // that took its place has formed its own.
-TEST(TouchRule4, DiscsOfDeletedEdgesAreStale) {
+TEST(TouchRules, Rule4DiscsOfDeletedEdgesAreStale) {
   const Solved solved = solveSampled("missed-antipodal-disc-duplicates-22", 1);
   EXPECT_EQ(solved.problem, "");
   EXPECT_GT(solved.events.at(TraceKind::threeTouchDiscStale), 0);
@@ -85,7 +85,7 @@ TEST(TouchRule4, DiscsOfDeletedEdgesAreStale) {
 
 // All circles touch one disc. A DE sorted into the ring by an angle that rounding has changed would cross another one;
 // it takes the places of the two that it replaces.
-TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
+TEST(TouchRules, Rule5TiesKeepTheOrderOfTheRing) {
   for (const std::string name : {"tie-on-one-disc-cocircular-equal-4", "tie-on-one-disc-cocircular-varied-4",
                                  "center-right-of-edge-cocircular-varied-5"}) {
     const Solved solved = solveAllPairs(name);
@@ -97,7 +97,7 @@ TEST(TouchRule5, TiesKeepTheOrderOfTheRing) {
 
 // Opposite circles around one disc all have it for antipodal disc. An antipodal disc that touches a neighbor, but for
 // rounding, is left to the three-touch discs; two that were both accepted would cross.
-TEST(TouchRule5, AnAntipodalDiscThatTouchesANeighborIsNotEmpty) {
+TEST(TouchRules, Rule5AnAntipodalDiscThatTouchesANeighborIsNotEmpty) {
   const Solved solved = solveAllPairs("tie-of-antipodal-disc-cocircular-equal-8");
   EXPECT_EQ(test::problemInDegeneratePosition(solved.diagram, oracle::exactDiagram(solved.circles), solved.circles),
             "");
@@ -106,7 +106,7 @@ TEST(TouchRule5, AnAntipodalDiscThatTouchesANeighborIsNotEmpty) {
 }
 
 // The antipodal disc of two intersecting circles has a negative radius and may meet a third one like any other.
-TEST(TouchRule6, DiscsOfIntersectingCirclesAreTestedForEmptiness) {
+TEST(TouchRules, Rule6DiscsOfIntersectingCirclesAreTestedForEmptiness) {
   for (const std::string name : {"center-right-of-edge-intersecting-4", "missed-antipodal-disc-intersecting-5",
                                  "missed-antipodal-disc-intersecting-6"}) {
     const Solved solved = solveAllPairs(name);
@@ -119,7 +119,7 @@ TEST(TouchRule6, DiscsOfIntersectingCirclesAreTestedForEmptiness) {
 
 // Each edge has two segments that end in a vertex or at infinity. A DE that goes without a vertex would leave an edge
 // behind that nothing joins.
-TEST(TouchRule7, EveryEdgeHasItsVertices) {
+TEST(TouchRules, Rule7EveryEdgeHasItsVertices) {
   for (const std::string& name : test::fixtureNames()) {
     const Solved solved = solveAllPairs(name);
     const auto ends = std::ranges::count_if(solved.diagram.edges, [](const Edge& e) { return e.start != kNone; }) +
@@ -131,7 +131,7 @@ TEST(TouchRule7, EveryEdgeHasItsVertices) {
 // Rule 8, which samples there are, has its tests in sample_test.cpp and pair_test.cpp.
 
 // Sampling may miss an antipodal disc; with every pair as a candidate nothing is missing.
-TEST(TouchRule9, AllPairsMissNothing) {
+TEST(TouchRules, Rule9AllPairsMissNothing) {
   for (const std::string name : {"clustered-4", "log-uniform-4", "mixed-4", "one-huge-4"}) {
     EXPECT_NE(solveSampled("missed-antipodal-disc-" + name, 0).problem, "") << name;
     EXPECT_EQ(solveSampled("missed-antipodal-disc-" + name, 1).problem, "") << name;
@@ -141,7 +141,7 @@ TEST(TouchRule9, AllPairsMissNothing) {
 
 // A three-touch disc may come before the antipodal disc of two of its circles by rounding alone. The DE that it places
 // stands for both; a second pair of DEs would count the edge twice.
-TEST(TouchRule, ADirectedEdgeStandsForTheAntipodalDiscOfItsCircles) {
+TEST(TouchRules, ADirectedEdgeStandsForTheAntipodalDiscOfItsCircles) {
   const Solved solved = solveAllPairs("antipodal-disc-after-three-touch-disc-clustered-3");
   EXPECT_EQ(solved.problem, "");
   EXPECT_EQ(solved.diagram.edges.size(), 3U);

@@ -73,7 +73,7 @@ TEST(Vertex, HasTheSameBitsAtEveryScale) {
   }
 }
 
-TEST(Vertex, OfCirclesThatRoundingTookOffALine) {
+TEST(Vertex, OfEqualCirclesThatRoundingTookOffALineIsFarAwayAndCertified) {
   // Equal circles on a line in decimals: what is left of the bend puts a vertex far away.
   const std::vector<Circle> circles = {{0.1, 0.3, 0.05}, {0.2, 0.6, 0.05}, {0.7, 2.1, 0.05}};
   const Diagram diagram = compute(circles).value();
@@ -123,7 +123,7 @@ TEST(Vertex, BeyondTheDoublesIsAnError) {
   EXPECT_EQ(certify(diagram).value().flaw, Flaw::vertexMisplaced);
 }
 
-TEST(Vertex, OfTheSmallestDoubles) {
+TEST(Vertex, OfCirclesAsSmallAsTheSmallestDoublesIsCertified) {
   for (const double unit : {0x1p-1074, 0x1p-1070, 0x1p-1022, 0x1p-1000}) {
     const std::vector<Circle> circles = {
         {0, 0, 7 * unit}, {90 * unit, 8 * unit, 3 * unit}, {31 * unit, 77 * unit, 5 * unit}};

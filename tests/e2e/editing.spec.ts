@@ -61,56 +61,61 @@ test('several are selected by Shift and by a rubber band, all and none by keys',
   await expect(group(app)).toBeHidden()
 })
 
-test('several are moved together, and by one undo back', async ({ app }) => {
-  await selectRow(app)
-  const { scale } = app.camera(ROWS)
-  const from = at(app, 4, 0)
-  await app.drag(from, { x: from.x, y: from.y + Math.round(scale) })
-  await app.page.mouse.up()
-  const moved = async () => (await circlesOf(app)).map(({ x, y }) => [x, Number(y.toFixed(1))])
-  const y = expect.closeTo(-1, 1)
-  await expect.poll(moved).toEqual([
-    [0, y],
-    [4, y],
-    [8, y],
-    [0, 4],
-    [4, 4],
-    [8, 4],
-  ])
-  await app.page.keyboard.press('Control+z')
-  await expect.poll(moved).toEqual([
-    [0, 0],
-    [4, 0],
-    [8, 0],
-    [0, 4],
-    [4, 4],
-    [8, 4],
-  ])
-})
-
-test('several are scaled by the handle and by keys', async ({ app }) => {
-  await selectRow(app)
-  const corner = at(app, 9, -1)
-  const middle = at(app, 4, 0)
-  // The handle stands 7 pixels outside.
-  const handle = { x: corner.x + 7, y: corner.y + 7 }
-  await app.drag(handle, { x: middle.x + 1.1 * (handle.x - middle.x), y: middle.y + 1.1 * (handle.y - middle.y) })
-  await app.page.mouse.up()
-  const third = async () => (await circlesOf(app))[2]
-  await expect.poll(third).toEqual({ x: expect.closeTo(8.4, 1), y: 0, r: expect.closeTo(1.1, 1) })
-  await app.page.keyboard.press('Control+z')
-  await app.canvas.focus()
-  await app.page.keyboard.press('+')
-  await expect.poll(third).toEqual({ x: expect.closeTo(4 + 4 * 1.04, 9), y: 0, r: expect.closeTo(1.04, 9) })
-})
-
-test('one is scaled by the handle', async ({ app }) => {
-  await click(app, 0, 4)
-  await expect(app.inspector).toContainText('Circle 3')
-  const own = at(app, 1, 3)
-  await app.drag({ x: own.x + 7, y: own.y + 7 }, { x: own.x + 40, y: own.y + 40 })
-  await app.page.mouse.up()
-  await expect.poll(async () => (await circlesOf(app))[3]?.r).toBeGreaterThan(1.1)
+test('several are moved together and back by one undo, and scaled by the handle and by keys; one by the handle', async ({
+  app,
+}) => {
+  await test.step('several are moved', async () => {
+    await selectRow(app)
+    const { scale } = app.camera(ROWS)
+    const from = at(app, 4, 0)
+    await app.drag(from, { x: from.x, y: from.y + Math.round(scale) })
+    await app.page.mouse.up()
+    const moved = async () => (await circlesOf(app)).map(({ x, y }) => [x, Number(y.toFixed(1))])
+    const y = expect.closeTo(-1, 1)
+    await expect.poll(moved).toEqual([
+      [0, y],
+      [4, y],
+      [8, y],
+      [0, 4],
+      [4, 4],
+      [8, 4],
+    ])
+    await app.page.keyboard.press('Control+z')
+    await expect.poll(moved).toEqual([
+      [0, 0],
+      [4, 0],
+      [8, 0],
+      [0, 4],
+      [4, 4],
+      [8, 4],
+    ])
+  })
+  await test.step('several are scaled', async () => {
+    await selectRow(app)
+    const corner = at(app, 9, -1)
+    const middle = at(app, 4, 0)
+    // The handle stands 7 pixels outside.
+    const handle = { x: corner.x + 7, y: corner.y + 7 }
+    await app.drag(handle, { x: middle.x + 1.1 * (handle.x - middle.x), y: middle.y + 1.1 * (handle.y - middle.y) })
+    await app.page.mouse.up()
+    const third = async () => (await circlesOf(app))[2]
+    await expect.poll(third).toEqual({ x: expect.closeTo(8.4, 1), y: 0, r: expect.closeTo(1.1, 1) })
+    await app.page.keyboard.press('Control+z')
+    await app.canvas.focus()
+    await app.page.keyboard.press('+')
+    await expect.poll(third).toEqual({ x: expect.closeTo(4 + 4 * 1.04, 9), y: 0, r: expect.closeTo(1.04, 9) })
+    await app.page.keyboard.press('Control+z')
+    await app.page.keyboard.press('Escape')
+    await expect.poll(third).toEqual({ x: 8, y: 0, r: 1 })
+  })
+  await test.step('one is scaled', async () => {
+    await click(app, 0, 4)
+    await expect(app.inspector).toContainText('Circle 3')
+    const own = at(app, 1, 3)
+    await app.drag({ x: own.x + 7, y: own.y + 7 }, { x: own.x + 40, y: own.y + 40 })
+    await app.page.mouse.up()
+    await expect.poll(async () => (await circlesOf(app))[3]?.r).toBeGreaterThan(1.1)
+  })
 })
 
 test('what is selected is duplicated, copied, cut and pasted, in another tab too, and deleted together', async ({

@@ -64,6 +64,12 @@ test('an element in a form goes back to what its attributes say when the form is
     told.push([figure.layers.dual, figure.layers.hull])
     figure.setAttribute('layers', 'dual')
     told.push([figure.layers.dual, figure.layers.hull])
+    // So does one that it was set to before.
+    await figure.stepTo(2)
+    const { step } = figure
+    figure.setAttribute('step', '1')
+    await figure.updateComplete
+    told.push([step, figure.step])
     return told
   })
   expect(told).toEqual([
@@ -71,5 +77,6 @@ test('an element in a form goes back to what its attributes say when the form is
     [0, 0, 1, 6, 0, 1, 0, 8, 1],
     [false, true],
     [true, false],
+    [2, 1],
   ])
 })

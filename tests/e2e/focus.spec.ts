@@ -8,64 +8,66 @@ import { dataSet, expect, PADDING, test } from './page.ts'
 const BRONZE = dataSet('bronzefilter')
 const INTRODUCTION = dataSet('introduction')
 
-test('a button that has nothing left to do gives the focus to the picture', async ({ app }) => {
-  const at = app.center(BRONZE, 650)
-  await app.page.mouse.click(at.x, at.y)
-  await expect(app.inspector).toContainText('Circle 650')
-  await app.inspector.getByRole('button', { name: 'Delete' }).click()
-  await expect(app.status).toContainText('677 circles')
-  await expect(app.canvas).toBeFocused()
-  await app.page.getByRole('button', { name: 'Undo' }).click()
-  await expect(app.status).toContainText('678 circles')
-  await expect(app.canvas).toBeFocused()
+test('buttons that have nothing left to do give the focus to the picture, and a circle that comes back is selected', async ({
+  app,
+}) => {
+  await test.step('a button that has nothing left to do gives the focus to the picture', async () => {
+    const at = app.center(BRONZE, 650)
+    await app.page.mouse.click(at.x, at.y)
+    await expect(app.inspector).toContainText('Circle 650')
+    await app.inspector.getByRole('button', { name: 'Delete' }).click()
+    await expect(app.status).toContainText('677 circles')
+    await expect(app.canvas).toBeFocused()
+    await app.page.getByRole('button', { name: 'Undo' }).click()
+    await expect(app.status).toContainText('678 circles')
+    await expect(app.canvas).toBeFocused()
+  })
+  await test.step('a circle that comes back is selected', async () => {
+    await expect(app.inspector).toContainText('Circle 678')
+    // As fast as one can: each waits for what is before it.
+    await app.page.keyboard.press('Delete')
+    await app.page.keyboard.press('Control+z')
+    await expect(app.inspector).toContainText('Circle 679')
+    await expect(app.field('x')).toHaveValue(String(BRONZE[1950]))
+    await app.page.keyboard.press('Delete')
+    await expect(app.status).toContainText('677 circles')
+  })
 })
 
-test('a circle that comes back is selected', async ({ app }) => {
-  const at = app.center(BRONZE, 650)
-  await app.page.mouse.click(at.x, at.y)
-  // As fast as one can: each waits for what is before it.
-  await app.page.keyboard.press('Delete')
-  await app.page.keyboard.press('Control+z')
-  await expect(app.inspector).toContainText('Circle 678')
-  await expect(app.field('x')).toHaveValue(String(BRONZE[1950]))
-  await app.page.keyboard.press('Delete')
-  await expect(app.status).toContainText('677 circles')
-})
-
-test('a neighbor is selected by its number, and the focus stays among the neighbors', async ({ app }) => {
-  await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 4)
-  await app.page.mouse.click(at.x, at.y)
-  const list = app.inspector.getByRole('list', { name: 'Neighbors' }).getByRole('button')
-  const first = (await list.first().textContent()) as string
-  await list.first().focus()
-  await app.page.keyboard.press('Enter')
-  await expect(app.inspector).toContainText(`Circle ${first}`)
-  await expect(list.first()).not.toHaveText(first)
-  await expect(list.first()).toBeFocused()
-})
-
-test('Delete and Escape work after a click on the toolbar', async ({ app }) => {
-  await app.choose('Introduction')
-  const at = app.center(INTRODUCTION, 4)
-  await app.page.mouse.click(at.x, at.y)
-  await expect(app.inspector).toBeVisible()
-  const add = app.page.getByRole('button', { name: 'Add a circle' })
-  await add.click()
-  await app.page.keyboard.press('Escape')
-  await expect(add).toHaveAttribute('aria-pressed', 'false')
-  await expect(app.inspector).toBeVisible()
-  await app.page.keyboard.press('Delete')
-  await expect(app.status).toContainText('13 circles')
-  // In a field they are those of the field.
-  await app.page.getByLabel('Data set').focus()
-  await app.page.keyboard.press('Control+z')
-  // The first that is undone is what the figure is asked.
-  await app.canvas.focus()
-  await app.page.keyboard.press('Control+z')
-  await expect(app.status).toContainText('14 circles')
-  await app.page.keyboard.press('Control+z')
-  await expect(app.status).toContainText('678 circles')
+test('the focus stays among neighbors, and keys of the picture work after a click on the toolbar', async ({ app }) => {
+  await test.step('a neighbor is selected by its number, and the focus stays among the neighbors', async () => {
+    await app.choose('Introduction')
+    const at = app.center(INTRODUCTION, 4)
+    await app.page.mouse.click(at.x, at.y)
+    const list = app.inspector.getByRole('list', { name: 'Neighbors' }).getByRole('button')
+    const first = (await list.first().textContent()) as string
+    await list.first().focus()
+    await app.page.keyboard.press('Enter')
+    await expect(app.inspector).toContainText(`Circle ${first}`)
+    await expect(list.first()).not.toHaveText(first)
+    await expect(list.first()).toBeFocused()
+  })
+  await test.step('Delete and Escape work after a click on the toolbar', async () => {
+    const at = app.center(INTRODUCTION, 4)
+    await app.page.mouse.click(at.x, at.y)
+    await expect(app.inspector).toBeVisible()
+    const add = app.page.getByRole('button', { name: 'Add a circle' })
+    await add.click()
+    await app.page.keyboard.press('Escape')
+    await expect(add).toHaveAttribute('aria-pressed', 'false')
+    await expect(app.inspector).toBeVisible()
+    await app.page.keyboard.press('Delete')
+    await expect(app.status).toContainText('13 circles')
+    // In a field they are those of the field.
+    await app.page.getByLabel('Data set').focus()
+    await app.page.keyboard.press('Control+z')
+    // The first that is undone is what the figure is asked.
+    await app.canvas.focus()
+    await app.page.keyboard.press('Control+z')
+    await expect(app.status).toContainText('14 circles')
+    await app.page.keyboard.press('Control+z')
+    await expect(app.status).toContainText('678 circles')
+  })
 })
 
 test('a circle that Tab selects is shown', async ({ app }) => {

@@ -22,7 +22,7 @@ const drawnAbove = (app: App) =>
 test('the focus on the drawing is seen', async ({ app }) => {
   const { page } = app
   const corner = { x: 0, y: 0, width: 12, height: 12 }
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   const before = await page.screenshot({ clip: corner })
   await page.keyboard.press('Tab')
   await expect(app.canvas).toBeFocused()
@@ -191,6 +191,8 @@ test('circles move while it plays, and undo brings all of them back at once', as
     await expect.poll(async () => picture.equals(await app.canvas.screenshot())).toBe(false)
     await panel.getByRole('button', { name: 'Stop' }).click()
     await expect(panel.getByRole('button', { name: 'Play' })).toBeVisible()
+    // Where they have come to is kept; only then something is undone.
+    await expect.poll(() => app.circles()).not.toEqual(INTRODUCTION)
     await page.getByRole('button', { name: 'Undo' }).click()
     await expect.poll(() => app.circles()).toEqual(INTRODUCTION)
   }

@@ -40,7 +40,7 @@ test('candidates and samples change what the method finds, and not the diagram',
         for (let k = 0; k < data.length; k += 4) if (data[k] === r && data[k + 1] === g && data[k + 2] === b) count += 1
         return count
       })
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   expect(await pink()).toBe(0)
   await panel.getByLabel('Candidates').selectOption('uniform')
   await panel.getByLabel('m, samples on a circle').fill('3')
@@ -49,13 +49,17 @@ test('candidates and samples change what the method finds, and not the diagram',
   await expect.poll(async () => ((await found())[3] as number) < (edges as number)).toBe(true)
   await expect.poll(pink).toBeGreaterThan(20)
   expect(await counts()).toBe(before)
-  await expect
-    .poll(async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers)
-    .toEqual({ missedEdges: true, candidates: 'uniform', sampleCount: 3 })
+  const linked = async () => (await decodeLink(new URL(page.url()).hash).catch(() => undefined))?.layers
+  const few = { missedEdges: true, candidates: 'uniform', sampleCount: 3 }
+  await expect.poll(linked).toEqual(few)
 
   // What is no number of samples changes nothing.
   await panel.getByLabel('m, samples on a circle').fill('0')
   await panel.getByLabel('m, samples on a circle').press('Enter')
+  // The link follows what is changed after it.
+  await panel.getByLabel('Convex hull').check()
+  await expect.poll(linked).toEqual({ ...few, hull: true })
+  await panel.getByLabel('Convex hull').uncheck()
   await panel.getByLabel('Candidates').selectOption('all-pairs')
   await expect(said).toContainText('From all pairs')
   await expect.poll(async () => (await found()).slice(0, 4)).toEqual([vertices, vertices, edges, edges])

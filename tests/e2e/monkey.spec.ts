@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page after some time in the hands of a monkey, which does as much as it is told: more by `npm run monkey`.
 import { writeFileSync } from 'node:fs'
-import type { CDPSession, JSHandle, Page, Worker } from '@playwright/test'
+import type { CDPSession, JSHandle, Page } from '@playwright/test'
 import { Monkey } from './monkey.ts'
 import { App, expect as expectSoon, test } from './page.ts'
-import { heapOf, withThread } from './thread-session.ts'
+import { heapOf, THREAD, threadOf, withThread } from './thread-session.ts'
 
 /** What a monkey has asked for may take a while. */
 const expect = expectSoon.configure({ timeout: 30_000 })
@@ -30,13 +30,6 @@ function shown({ page }: App): Promise<string> {
     const status = document.querySelector('#status')?.textContent
     return [status, location.href, ...(await Promise.all(hashes))].join()
   })
-}
-
-/** The file of the painter's thread. */
-const THREAD = /start-thread/
-
-function threadOf(page: Page): Worker {
-  return page.workers().find((worker) => THREAD.test(worker.url())) as Worker
 }
 
 /** Waits until all that was asked is done and painted: also what the thread does once nothing has been edited for a while. */

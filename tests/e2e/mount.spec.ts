@@ -65,71 +65,74 @@ test('two views on one page know nothing of each other', async ({ opened: page }
   expect(again).toEqual({ circles: 2, hidden: 0, vertices: 0, edges: 1 })
 })
 
-test('a view is written as an SVG and as a PNG that look alike', async ({ opened: page }) => {
-  const alike = await page.evaluate(async () => {
-    const draw = async (blob: Blob) => {
-      const image = new Image()
-      image.src = URL.createObjectURL(blob)
-      await image.decode()
-      const canvas = new OffscreenCanvas(400, 300)
-      const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
-      context.drawImage(image, 0, 0, 400, 300)
-      return { pixels: context.getImageData(0, 0, 400, 300).data, width: image.naturalWidth }
-    }
-    const found = new Promise<void>((resolve) => views.one.on('found', (found) => found?.hull && resolve()))
-    views.one.setLayers({ hull: true, dual: true })
-    await found
-    const svg = await draw(new Blob([await views.one.toSVG()], { type: 'image/svg+xml' }))
-    const png = await draw(await views.one.toPNG(1))
-    const large = await views.one.toPNG(3)
-    let different = 0
-    for (let k = 0; k < svg.pixels.length; k++) {
-      if (Math.abs((svg.pixels[k] as number) - (png.pixels[k] as number)) > 60) different += 1
-    }
-    const colors = new Set(Array.from({ length: 3000 }, (_, k) => png.pixels.slice(160 * k, 160 * k + 3).join()))
-    // What is selected is none of the picture.
-    const before = await views.one.toSVG()
-    const marked = new Promise<void>((resolve) => views.one.on('marked', ({ selected }) => selected && resolve()))
-    views.one.select(0)
-    views.one.choose([views.one.circles.get(0) as Circle, views.one.circles.get(1) as Circle])
-    await marked
-    return {
-      isUnmarked: before === (await views.one.toSVG()),
-      share: different / svg.pixels.length,
-      colors: colors.size,
-      width: (await draw(large)).width,
-      type: large.type,
-    }
+test('a view is written as an SVG and as a PNG that look alike, and refuses what cannot be drawn', async ({
+  opened: page,
+}) => {
+  await test.step('an SVG and a PNG look alike', async () => {
+    const alike = await page.evaluate(async () => {
+      const draw = async (blob: Blob) => {
+        const image = new Image()
+        image.src = URL.createObjectURL(blob)
+        await image.decode()
+        const canvas = new OffscreenCanvas(400, 300)
+        const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+        context.drawImage(image, 0, 0, 400, 300)
+        return { pixels: context.getImageData(0, 0, 400, 300).data, width: image.naturalWidth }
+      }
+      const found = new Promise<void>((resolve) => views.one.on('found', (found) => found?.hull && resolve()))
+      views.one.setLayers({ hull: true, dual: true })
+      await found
+      const svg = await draw(new Blob([await views.one.toSVG()], { type: 'image/svg+xml' }))
+      const png = await draw(await views.one.toPNG(1))
+      const large = await views.one.toPNG(3)
+      let different = 0
+      for (let k = 0; k < svg.pixels.length; k++) {
+        if (Math.abs((svg.pixels[k] as number) - (png.pixels[k] as number)) > 60) different += 1
+      }
+      const colors = new Set(Array.from({ length: 3000 }, (_, k) => png.pixels.slice(160 * k, 160 * k + 3).join()))
+      // What is selected is none of the picture.
+      const before = await views.one.toSVG()
+      const marked = new Promise<void>((resolve) => views.one.on('marked', ({ selected }) => selected && resolve()))
+      views.one.select(0)
+      views.one.choose([views.one.circles.get(0) as Circle, views.one.circles.get(1) as Circle])
+      await marked
+      return {
+        isUnmarked: before === (await views.one.toSVG()),
+        share: different / svg.pixels.length,
+        colors: colors.size,
+        width: (await draw(large)).width,
+        type: large.type,
+      }
+    })
+    expect(alike.isUnmarked).toBe(true)
+    expect(alike.share).toBeLessThan(0.01)
+    expect(alike.colors).toBeGreaterThan(8)
+    expect(alike.width).toBe(1200)
+    expect(alike.type).toBe('image/png')
   })
-  expect(alike.isUnmarked).toBe(true)
-  expect(alike.share).toBeLessThan(0.01)
-  expect(alike.colors).toBeGreaterThan(8)
-  expect(alike.width).toBe(1200)
-  expect(alike.type).toBe('image/png')
-})
-
-test('what cannot be drawn is refused where it is asked for, and all views go on', async ({ opened: page }) => {
-  const refused = await page.evaluate(async () => {
-    const told: string[] = []
-    const reason = (error: Error) => told.push(`${error.name}: ${error.message}`)
-    for (const scale of [0, Number.NaN, 1000]) await views.one.toPNG(scale).catch(reason)
-    try {
-      views.one.setLayers({ data: 5 as never })
-    } catch (error) {
-      reason(error as Error)
-    }
-    await views.other.apply([{ kind: 'remove', id: 1 }])
-    return { told, data: views.one.layers.data, type: (await views.one.toPNG(1)).type }
+  await test.step('what cannot be drawn is refused where it is asked for, and all views go on', async () => {
+    const refused = await page.evaluate(async () => {
+      const told: string[] = []
+      const reason = (error: Error) => told.push(`${error.name}: ${error.message}`)
+      for (const scale of [0, Number.NaN, 1000]) await views.one.toPNG(scale).catch(reason)
+      try {
+        views.one.setLayers({ data: 5 as never })
+      } catch (error) {
+        reason(error as Error)
+      }
+      await views.other.apply([{ kind: 'remove', id: 1 }])
+      return { told, data: views.one.layers.data, type: (await views.one.toPNG(1)).type }
+    })
+    expect(refused.told).toEqual([
+      'CircleVoronoiError: The scale of a picture is a positive number, not 0.',
+      'CircleVoronoiError: The scale of a picture is a positive number, not NaN.',
+      'CircleVoronoiError: A picture 1000 times as large as this one is too large.',
+      'CircleVoronoiError: The layer data must be an array of objects whose points, segments and discs are arrays of numbers (got 5).',
+    ])
+    expect(refused.data).toEqual([])
+    expect(refused.type).toBe('image/png')
+    expect(await circleOf(page, 'other', 1)).toBeUndefined()
   })
-  expect(refused.told).toEqual([
-    'CircleVoronoiError: The scale of a picture is a positive number, not 0.',
-    'CircleVoronoiError: The scale of a picture is a positive number, not NaN.',
-    'CircleVoronoiError: A picture 1000 times as large as this one is too large.',
-    'CircleVoronoiError: The layer data must be an array of objects whose points, segments and discs are arrays of numbers (got 5).',
-  ])
-  expect(refused.data).toEqual([])
-  expect(refused.type).toBe('image/png')
-  expect(await circleOf(page, 'other', 1)).toBeUndefined()
 })
 
 test('what is found stays where circles are refused, and is told to be gone once others are there', async ({

@@ -90,6 +90,14 @@ export class App {
     return this.page.getByRole('region', { name: 'Selected circle', exact: true })
   }
 
+  /** Waits until all that was asked of the picture is painted. Whether it is busy is told one frame later. */
+  async painted(): Promise<void> {
+    await this.page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    )
+    await expect(this.canvas).toHaveAttribute('aria-busy', 'false')
+  }
+
   field(name: 'x' | 'y' | 'r') {
     return this.inspector.getByLabel(name, { exact: true })
   }

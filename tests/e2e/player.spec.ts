@@ -64,42 +64,44 @@ test('plays the method by keys and by mouse', async ({ opened: page }) => {
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([])
 })
 
-test('plays from the start once the end is reached', async ({ opened: page }) => {
-  await page.evaluate(() => {
-    playing.player.stepTo(playing.player.steps - 1)
-    playing.seen.length = 0
+test('buttons give the focus to the slider at the ends, it plays again from the start, and an edit takes breakpoints away', async ({
+  opened: page,
+}) => {
+  await test.step('a button that has nothing left to do gives the focus to the slider', async () => {
+    const slider = page.getByRole('slider', { name: 'Step' })
+    await page.evaluate(() => playing.player.stepTo(1))
+    await page.getByRole('button', { name: 'Previous step' }).click()
+    expect(await stepOf(page)).toBe(0)
+    await expect(slider).toBeFocused()
+    await page.evaluate(() => playing.player.stepTo(playing.player.steps - 2))
+    await page.getByRole('button', { name: 'Next step', exact: true }).press('Enter')
+    await expect(page.locator('.sentence')).toContainText('The judge proves the diagram.')
+    await expect(slider).toBeFocused()
+    // One that has something left to do keeps it.
+    const back = page.getByRole('button', { name: 'Previous step' })
+    await back.press('Enter')
+    await expect(back).toBeFocused()
   })
-  await page.getByRole('button', { name: 'Play', exact: true }).click()
-  await expect.poll(() => page.evaluate(() => playing.seen.slice(0, 2))).toEqual([0, 1])
-  expect(await page.evaluate(() => playing.view.hasDiagram)).toBe(false)
-})
-
-test('stops nowhere in the trace of edited circles, whose steps are others', async ({ opened: page }) => {
-  const stop = page.getByRole('button', { name: 'Breakpoint: stop here when playing' })
-  await page.evaluate(() => playing.player.stepTo(3))
-  await stop.click()
-  await expect(stop).toHaveAttribute('aria-pressed', 'true')
-  const steps = await page.evaluate(() => playing.player.steps)
-  await page.evaluate(() => playing.view.apply([{ kind: 'remove', id: 3 }]))
-  await expect.poll(() => page.evaluate(() => playing.player.steps)).not.toBe(steps)
-  await page.evaluate(() => playing.player.stepTo(3))
-  await expect(stop).toHaveAttribute('aria-pressed', 'false')
-})
-
-test('a button that has nothing left to do gives the focus to the slider', async ({ opened: page }) => {
-  const slider = page.getByRole('slider', { name: 'Step' })
-  await page.evaluate(() => playing.player.stepTo(1))
-  await page.getByRole('button', { name: 'Previous step' }).click()
-  expect(await stepOf(page)).toBe(0)
-  await expect(slider).toBeFocused()
-  await page.evaluate(() => playing.player.stepTo(playing.player.steps - 2))
-  await page.getByRole('button', { name: 'Next step', exact: true }).press('Enter')
-  await expect(page.locator('.sentence')).toContainText('The judge proves the diagram.')
-  await expect(slider).toBeFocused()
-  // One that has something left to do keeps it.
-  const back = page.getByRole('button', { name: 'Previous step' })
-  await back.press('Enter')
-  await expect(back).toBeFocused()
+  await test.step('it plays from the start once the end is reached', async () => {
+    await page.evaluate(() => {
+      playing.player.stepTo(playing.player.steps - 1)
+      playing.seen.length = 0
+    })
+    await page.getByRole('button', { name: 'Play', exact: true }).click()
+    await expect.poll(() => page.evaluate(() => playing.seen.slice(0, 2))).toEqual([0, 1])
+    expect(await page.evaluate(() => playing.view.hasDiagram)).toBe(false)
+  })
+  await test.step('it stops nowhere in the trace of edited circles, whose steps are others', async () => {
+    const stop = page.getByRole('button', { name: 'Breakpoint: stop here when playing' })
+    await page.evaluate(() => playing.player.stepTo(3))
+    await stop.click()
+    await expect(stop).toHaveAttribute('aria-pressed', 'true')
+    const steps = await page.evaluate(() => playing.player.steps)
+    await page.evaluate(() => playing.view.apply([{ kind: 'remove', id: 3 }]))
+    await expect.poll(() => page.evaluate(() => playing.player.steps)).not.toBe(steps)
+    await page.evaluate(() => playing.player.stepTo(3))
+    await expect(stop).toHaveAttribute('aria-pressed', 'false')
+  })
 })
 
 test.describe('on a phone', () => {

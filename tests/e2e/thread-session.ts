@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { CDPSession } from '@playwright/test'
+import type { CDPSession, Page, Worker } from '@playwright/test'
+
+/** The file of the painter's thread. */
+export const THREAD = /start-thread/
+
+/** The painter's thread of a page. */
+export function threadOf(page: Page): Worker {
+  return page.workers().find((worker) => THREAD.test(worker.url())) as Worker
+}
 
 /** Has a function ask a thread of a page, which has a protocol of its own within that of the page. `url`: that of its file. */
 export async function withThread<Result>(

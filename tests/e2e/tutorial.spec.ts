@@ -191,9 +191,22 @@ async function tryDrawn(page: Page, { name, point }: Spec): Promise<void> {
   const play = figure.getByRole('button', { name: 'Play' })
   if ((await play.count()) > 0) {
     const atEnd = await content()
-    await play.click()
+    // It is paused with the first picture, before it comes to an end by itself.
+    await play.evaluate(
+      (button: HTMLButtonElement, figure) =>
+        new Promise<void>((resolve) => {
+          const drawing = figure?.querySelector('svg.drawn > g') as Element
+          const observer = new MutationObserver(() => {
+            observer.disconnect()
+            button.click()
+            resolve()
+          })
+          observer.observe(drawing, { childList: true })
+          button.click()
+        }),
+      await figure.elementHandle(),
+    )
     await soon(content, name).not.toBe(atEnd)
-    await figure.getByRole('button', { name: 'Pause' }).click()
     await expect(play).toBeVisible()
     await figure.getByRole('button', { name: 'Next' }).click()
     const told = await figure.locator('output.told').textContent()

@@ -1,30 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { decodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
-import { violationsOf } from './accessibility.ts'
+import { violationsInBoth } from './accessibility.ts'
 import { dataSet, expect, test } from './page.ts'
 
 const INTRODUCTION = dataSet('introduction')
 const BRONZE = dataSet('bronzefilter')
 
-test('a drag ends, taken back, where something else takes the pointer away', async ({ app }) => {
+test('a drag at a rim resizes, and is taken back at Escape or where something else takes the pointer away', async ({
+  app,
+}) => {
   await app.choose('Introduction')
+  const { scale } = app.camera(INTRODUCTION)
+  const { x, y } = app.center(INTRODUCTION, 0)
+  await app.drag({ x: x - 1.6 * scale, y }, { x: x - 2 * scale, y })
+  await expect.poll(async () => Number(await app.field('r').inputValue())).toBeCloseTo(2, 1)
+  await app.page.mouse.up()
+  await expect(app.field('x')).toHaveValue('0')
+
   const from = app.center(INTRODUCTION, 4)
   await app.canvas.evaluate((figure: HTMLElement) => {
     figure.addEventListener('pointerdown', ({ pointerId }) => {
       Object.assign(globalThis, { lose: () => figure.releasePointerCapture(pointerId) })
     })
   })
-  await app.drag(from, { x: from.x + 30, y: from.y + 20 })
-  await expect.poll(() => app.field('x').inputValue()).not.toBe(String(INTRODUCTION[12]))
-  await app.page.evaluate(() => (globalThis as unknown as { lose(): void }).lose())
-  await app.page.mouse.move(from.x + 60, from.y + 60, { steps: 4 })
-  await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
-  await app.page.mouse.up()
-  await app.page.mouse.move(from.x - 60, from.y - 60, { steps: 4 })
-  await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
-  // The drag was nothing: what is undone is the choice of circles before it.
-  await app.page.getByRole('button', { name: 'Undo' }).click()
+  for (const end of [
+    () => app.page.keyboard.press('Escape'),
+    () => app.page.evaluate(() => (globalThis as unknown as { lose(): void }).lose()),
+  ]) {
+    await app.drag(from, { x: from.x + 30, y: from.y + 20 })
+    await expect(app.inspector).toContainText('Circle 4')
+    await expect.poll(() => app.field('x').inputValue()).not.toBe(String(INTRODUCTION[12]))
+    await end()
+    await app.page.mouse.move(from.x + 60, from.y + 60, { steps: 4 })
+    await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
+    await app.page.mouse.up()
+    await app.page.mouse.move(from.x - 60, from.y - 60, { steps: 4 })
+    await expect(app.field('x')).toHaveValue(String(INTRODUCTION[12]))
+  }
+  // These drags were nothing: what is undone is the first one, and then the choice of circles before it.
+  const undo = app.page.getByRole('button', { name: 'Undo' })
+  await undo.click()
+  await expect(undo).toBeEnabled()
+  await undo.click()
   await expect(app.status).toContainText('678 circles')
 })
 
@@ -32,7 +50,7 @@ test('layers are drawn and taken away where they are switched', async ({ app }) 
   const { page } = app
   await app.choose('Introduction')
   await app.openPanel('Layers')
-  const isDrawn = () => expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  const isDrawn = () => app.painted()
   await isDrawn()
   const diagram = (await loadCircleVoronoi()).compute(INTRODUCTION)
   // Halfway between the centers of circles that border on each other, but for what other layers have there.
@@ -160,18 +178,15 @@ test('panels that fold remember it, and layers stay in the address', async ({ ap
   await expect(layers).toHaveAttribute('aria-expanded', 'false')
 })
 
-for (const colorScheme of ['light', 'dark'] as const) {
-  test(`the panels have no accessibility violation, ${colorScheme}`, async ({ app }) => {
-    await app.page.emulateMedia({ colorScheme })
-    await app.openPanel('Layers')
-    for (const name of ['merged up', 'Cells end', 'Clearest path', 'Largest empty']) {
-      await app.page.getByRole('checkbox', { name }).check()
-    }
-    await app.openPanel('Numbers')
-    await expect(app.page.getByText('Proven by')).toBeAttached()
-    expect(await violationsOf(app.page)).toEqual([])
-  })
-}
+test('the panels have no accessibility violation', async ({ app }) => {
+  await app.openPanel('Layers')
+  for (const name of ['merged up', 'Cells end', 'Clearest path', 'Largest empty']) {
+    await app.page.getByRole('checkbox', { name }).check()
+  }
+  await app.openPanel('Numbers')
+  await expect(app.page.getByText('Proven by')).toBeAttached()
+  expect(await violationsInBoth(app.page)).toEqual([])
+})
 
 test('says where the pointer is and how long a length is, also after a zoom', async ({ app }) => {
   await app.choose('Introduction')
@@ -192,7 +207,7 @@ test('says where the pointer is and how long a length is, also after a zoom', as
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`is printed as it is seen, dark on light, without panels: ${colorScheme}`, async ({ app }) => {
     await app.page.emulateMedia({ colorScheme })
-    await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+    await app.painted()
     await app.page.emulateMedia({ colorScheme, media: 'print' })
     for (const panel of await app.page.locator('.panel, #corner').all()) await expect(panel).toBeHidden()
     const shot = (await app.page.screenshot()).toString('base64')
@@ -254,7 +269,7 @@ test('colors by a measure have a legend with numbers on the canvas', async ({ ap
   const largest = Array.from({ length: 678 }, (_, i) => i).sort(
     (i, j) => (BRONZE[3 * j + 2] as number) - (BRONZE[3 * i + 2] as number),
   )
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   const [color] = await app.colors([app.center(BRONZE, largest[0] as number)])
   const end = await legend.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
     const context = canvas.getContext('2d') as CanvasRenderingContext2D
@@ -284,7 +299,7 @@ test('an overlay with nothing on it is not drawn again while the picture is zoom
   await app.canvas.focus()
   for (let k = 0; k < 3; k++) await page.keyboard.press('+')
   await expect(page.locator('#scale')).not.toHaveText(before as string)
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   expect(await drawn()).toBe(0)
   await page.keyboard.press('Enter')
   await expect.poll(drawn).toBeGreaterThan(0)
@@ -299,7 +314,7 @@ test('the numbers of no circles are drawn without an error', async ({ app }) => 
   await app.page.keyboard.press('Control+a')
   await app.page.keyboard.press('Delete')
   await expect(app.status).toContainText('0 circles')
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   await expect(app.page.locator('#numbers')).toContainText('Neighbors: 0.00 on average')
   await expect(charts).toHaveCount(1)
 })

@@ -2,7 +2,7 @@
 // <circle-voronoi> in engines other than Chromium: the plain page, the one file, and the player.
 import { expect, test } from '@playwright/test'
 import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
-import { ROOT } from '../pack/project.ts'
+import { ROOT } from '../pack/project.mjs'
 import { type Server, serve } from '../pack/static-server.ts'
 import { type Engine, until } from './engine.ts'
 import { ENGINES } from './engines.ts'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { type ChildProcess, spawn } from 'node:child_process'
-import { mkdtempSync, readdirSync, rmSync } from 'node:fs'
+import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs'
 import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 import type { Engine } from './engine.ts'
@@ -119,10 +119,22 @@ export async function openWebKit(): Promise<Engine> {
   }
 }
 
-/** The browser of the package, in a folder named for the machine. */
+/** The newest browser of the packages of WebKitGTK, which are in a folder named for the machine. */
 function miniBrowser(): string {
-  const folder = readdirSync('/usr/lib').find((name) => name.endsWith('-linux-gnu'))
-  return `/usr/lib/${folder}/webkit2gtk-4.1/MiniBrowser`
+  const folder = `/usr/lib/${readdirSync('/usr/lib').find((name) => name.endsWith('-linux-gnu'))}`
+  const browsers = readdirSync(folder)
+    .filter((name) => /^webkit2?gtk-[\d.]+$/.test(name))
+    .sort((one, other) => versionOf(one) - versionOf(other))
+    .map((name) => `${folder}/${name}/MiniBrowser`)
+    .filter((path) => existsSync(path))
+  const newest = browsers.at(-1)
+  if (newest === undefined) throw new Error(`There is no MiniBrowser of WebKitGTK in ${folder}.`)
+  return newest
+}
+
+/** What its name says: of `webkit2gtk-4.1` 4.1, which is older than `webkitgtk-6.0`. */
+function versionOf(name: string): number {
+  return Number(name.slice(name.lastIndexOf('-') + 1))
 }
 
 /** What a program writes first to its fourth stream. */
@@ -143,8 +155,9 @@ function freePort(): Promise<number> {
   })
 }
 
+/** On a busy machine it may take long to start. */
 async function listening(port: number): Promise<void> {
-  for (let attempt = 0; attempt < 100; attempt++) {
+  for (let attempt = 0; attempt < 500; attempt++) {
     const answer = await fetch(`http://127.0.0.1:${port}/status`).catch(() => undefined)
     if (answer?.ok) return
     await new Promise((resolve) => setTimeout(resolve, 100))

@@ -79,7 +79,7 @@ function listedAfter(words: string, message: string): string[] {
   return message.slice(message.indexOf(words) + words.length, -1).split(/, | and | or /)
 }
 
-it('those of compute', () => {
+it('the options of compute are those of the command line and of the core, with the same values', () => {
   const unknown = messageOf(() => library.compute(CIRCLES, { sample: 1 } as object))
   expect(listedAfter('its options are ', unknown)).toEqual(Object.keys(OPTIONS))
   // Told on the command line, a stage is a line.
@@ -100,7 +100,7 @@ it('those of compute', () => {
   })
 })
 
-it('those of what comes out', () => {
+it('flaws and ways in results are those of the C++ headers', () => {
   const header = (name: string) =>
     readFileSync(new URL(`../../cpp/include/circle_voronoi/${name}.h`, import.meta.url), 'utf8')
   /** The values of an enumeration, without what is said of them. */
@@ -122,7 +122,7 @@ it('those of what comes out', () => {
   expect([flaw, diagram.certificate.flaw]).toEqual([expect.not.stringMatching('none'), 'none'])
 })
 
-it('those of files', async () => {
+it('the options and formats of files are those of the command line', async () => {
   const files = await loadFiles()
   const unknown = messageOf(() => files.writeDiagram(library.compute(CIRCLES), { form: 'svg' } as object))
   expect(listedAfter('its options are ', unknown)).toEqual(Object.keys(FILE_OPTIONS))

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the library's geometry answers about the circles of a file, for tests/wasm/geometry.test.mjs, which asks web/lib
-// the same:
+// What the library's geometry answers about circles of files, for tests/wasm/geometry.test.mjs, which asks web/lib the same.
+// Each line of the input is a request, of words separated by tabs:
 //
-//     circle_voronoi_geometry_answers FILE circles|weights|centers|power MINX MINY MAXX MAXY MAX_DISTANCE
+//     FILE circles|weights|centers|power MINX MINY MAXX MAXY MAX_DISTANCE
 //
-// Each line is a question and the numbers that answer it, which read back to the same bits.
+// Each line of the output is a question and the numbers that answer it, which read back to the same bits. An empty line ends the
+// answers to a request.
 #include <array>
 #include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -273,22 +275,35 @@ Result<Diagram> diagramOf(const std::vector<Circle>& circles, std::string_view m
   return Error{ErrorCode::badOption, -1, "There is no such metric."};
 }
 
-int answer(const std::vector<std::string>& arguments) {
-  constexpr std::size_t kArguments = 7;
-  if (arguments.size() != kArguments) return 2;
-  std::ifstream file(arguments[0]);
+/// Answers one request; false if it is wrong.
+bool answer(const std::vector<std::string>& words) {
+  constexpr std::size_t kWords = 7;
+  if (words.size() != kWords) return false;
+  std::ifstream file(words[0]);
   const std::string text(std::istreambuf_iterator<char>(file), {});
-  const bool weights = arguments[1] == "weights";
-  const auto circles = readCircles(text, arguments[0], {.weights = weights});
-  if (!circles) return 2;
-  const auto diagram = diagramOf(circles.value(), arguments[1]);
-  if (!diagram) return 2;
-  const auto number = [&](std::size_t k) { return std::strtod(arguments[k].c_str(), nullptr); };
+  const bool weights = words[1] == "weights";
+  const auto circles = readCircles(text, words[0], {.weights = weights});
+  if (!circles) return false;
+  const auto diagram = diagramOf(circles.value(), words[1]);
+  if (!diagram) return false;
+  const auto number = [&](std::size_t k) { return std::strtod(words[k].c_str(), nullptr); };
   Questions(diagram.value(), {number(2), number(3), number(4), number(5)}, number(6)).askAll();
+  return true;
+}
+
+int answerAll() {
+  std::ios::sync_with_stdio(false);
+  for (std::string line; std::getline(std::cin, line);) {
+    std::istringstream request(line);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(request, word, '\t');) words.push_back(word);
+    if (!answer(words)) return 2;
+    std::cout << '\n' << std::flush;
+  }
   return 0;
 }
 
 }  // namespace
 }  // namespace circle_voronoi
 
-int main(int argc, char** argv) { return circle_voronoi::answer({argv + 1, argv + argc}); }
+int main() { return circle_voronoi::answerAll(); }

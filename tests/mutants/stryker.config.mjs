@@ -12,7 +12,7 @@ export default {
     'web/lib/**/*.ts',
     '!web/lib/**/*.d.ts',
     // What only runs as a file of its own, in a thread or a bundle: tests/pack has the package as installed.
-    '!web/lib/{bundle,worker-thread,wasm/default-wasm,wasm/comparison-script,threads/thread-file}.ts',
+    '!web/lib/{bundle,worker-thread,wasm/default-wasm,threads/thread-file}.ts',
     '!web/lib/bundled/**',
     'web/editing/{arranging,editing,history,scene-link,store}.ts',
     'web/app/scene-storage.ts',

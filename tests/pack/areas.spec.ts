@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
-import { ROOT } from './project.ts'
+import { ROOT } from './project.mjs'
 import { serve } from './static-server.ts'
 
 let server: Awaited<ReturnType<typeof serve>>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // examples/bouncing, on the built package.
 import { expect, test } from '@playwright/test'
-import { ROOT } from './project.ts'
+import { ROOT } from './project.mjs'
 import { serve } from './static-server.ts'
 
 test('the discs bounce, and their diagram follows', async ({ page }) => {

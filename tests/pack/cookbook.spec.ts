@@ -5,7 +5,7 @@ import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { blocksRunBy } from '../readme/blocks.mjs'
 import { addModules, POLICY, pageOf, recipes, withOwnElement } from '../readme/recipes.mjs'
-import { Project, ROOT } from './project.ts'
+import { Project, ROOT } from './project.mjs'
 import { serve } from './static-server.ts'
 
 const RECIPES = recipes()

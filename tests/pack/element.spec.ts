@@ -13,7 +13,7 @@ import { boundingBox, fitted, toScreen } from '../../web/view/camera.ts'
 import { violationsOf } from '../e2e/accessibility.ts'
 import { type Ask, heapOf, withThread } from '../e2e/thread-session.ts'
 import { blocksRunBy } from '../readme/blocks.mjs'
-import { ROOT } from './project.ts'
+import { ROOT } from './project.mjs'
 import { type Server, serve } from './static-server.ts'
 
 /** What an example may do that has a few lines of script or style in itself. */
@@ -139,7 +139,7 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   expect(asked.filter((url) => !/\/(examples\/element\/strict|dist\/element|dist\/lib)\//.test(url))).toEqual([])
   expect(asked.filter((url) => url.includes('/player-'))).toEqual([])
   await expect(figure).toHaveAccessibleName('Four circles, their diagram and their hull')
-  await expect(figure).toHaveAccessibleDescription(/^4 circles; the diagram has 3 vertices and 6 edges\. Enter selects/)
+  await expect(figure).toHaveAccessibleDescription(/^4 circles; the diagram has 3 vertices and 6 edges\. Enter: select/)
   expect(await violationsOf(page)).toEqual([])
 
   // The page scrolls over it, until it was pressed.
@@ -242,6 +242,8 @@ test('under a strict policy: data that a page without scripts shows, drawn, drag
   await page.keyboard.press('Enter')
   await page.keyboard.press('Delete')
   await expect.poll(() => element.evaluate((element: Element) => element.selection.length)).toBe(1)
+  // Its thread answers after whatever was asked of it before.
+  await element.evaluate((element: Element) => element.toSVG())
   expect(await circlesOf(page)).toEqual(atFirst)
   expect(problems).toEqual([])
 })
@@ -422,12 +424,12 @@ test('a question in a form: it is sent once the circles are as asked, and begun 
   const element = page.locator('circle-voronoi')
   const output = page.locator('output')
   const atFirst = await circlesOf(page)
-  await expect(element.getByRole('application')).toHaveAccessibleDescription(/not yet as they are to be/)
+  await expect(element.getByRole('application')).toHaveAccessibleDescription(/Not solved yet\./)
   await page.getByRole('button', { name: 'Submit' }).click()
   await expect(output).toBeEmpty()
   expect(await element.evaluate((element: Element) => [element.checkValidity(), element.validationMessage])).toEqual([
     false,
-    'The circles are not yet as they are to be.',
+    'Not solved yet.',
   ])
   // Far away, it no longer borders on the small one.
   await drag(page, 3, 150, 0)
@@ -811,7 +813,7 @@ test('given the bytes: by its own name, and the method is played', async ({ page
   // In the language of the page.
   await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible()
   await expect(page.locator('circle-voronoi').getByRole('application')).toHaveAccessibleDescription(
-    /^3 Kreise; das Diagramm hat 1 Ecke und 3 Kanten\. Enter wählt/,
+    /^3 Kreise; das Diagramm hat 1 Ecke und 3 Kanten\. Enter: wählt/,
   )
   expect(problems).toEqual([])
 })
@@ -973,6 +975,8 @@ test.describe('with fingers', () => {
     await expect.poll(async () => (await circlesOf(page))[9]).toBeGreaterThan((atFirst[9] as number) + 4)
     expect(await scrolled()).toBe(before)
     await scroll(() => page.evaluate(() => scrollTo(0, 0)))
+    // The last move of the finger may still be on its way.
+    await figure.evaluate((element: Element) => element.toSVG())
     const moved = await circlesOf(page)
     const free = await placeOf(page, 2)
     await scroll(() => swipe({ x: free.x - 100, y: free.y + 10 }, 0, -90))
@@ -1052,12 +1056,21 @@ test('a property that becomes undefined or null is not set', async ({ page }) =>
       any.circles = [[1, 1, 1]]
       any.layers = { dual: true }
       any.view = { x: 1, y: 1, span: 4 }
+      any.region = [
+        [
+          [0, 0],
+          [9, 0],
+          [9, 9],
+        ],
+      ]
+      any.areas = [1]
       for (const [k, name] of properties.entries()) if (name !== 'src') any[name] = values[k]
-      for (const name of [...properties, 'circles', 'layers', 'view']) any[name] = nothing
+      for (const name of [...properties, 'circles', 'layers', 'view', 'region', 'areas']) any[name] = nothing
       await element.updateComplete
-      const { layers, view } = element
+      const { layers, view, region, areas } = element
       return {
         circles: [...element.circles],
+        domain: [region, areas],
         attributes: element.getAttributeNames().sort(),
         layers: [layers.hull, layers.dual],
         view,
@@ -1065,6 +1078,7 @@ test('a property that becomes undefined or null is not set', async ({ page }) =>
     }, nothing)
     expect(seen).toEqual({
       circles: FLAT,
+      domain: [undefined, undefined],
       attributes: ['circles', 'layers', 'view'],
       layers: [true, false],
       view: { x: 5, y: 4, span: 30 },
@@ -1084,12 +1098,13 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
   const alert = element.getByRole('alert')
   const sentences = {
     layer: /^There is no layer dsic\. The layers are circles, .*disc, /,
+    cells: 'The layer cells must be auto, none, radius, area, degree, gap, index or different (got "typo").',
     method: 'The method must be auto, touching-disc or flip (got "magic").',
     controls: 'The controls must be buttons or player, or both (got "buttns").',
     check: 'The check cannot be read: there is no circle 7. The circles have the ids 0 to 2.',
   }
   // It stays once the circles are there.
-  for (const text of Object.values(sentences))
+  for (const text of [sentences.layer, sentences.method, sentences.controls, sentences.check])
     await expect(alert).toContainText(
       new RegExp(typeof text === 'string' ? text.replace(/[().]/g, '\\$&') : text.source.slice(1)),
     )
@@ -1100,11 +1115,7 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
   await expect(alert).toBeHidden()
   const acts: [string, unknown, string | RegExp][] = [
     ['layers', { dsic: true }, sentences.layer],
-    [
-      'layers',
-      { cells: 'typo' },
-      'The layer cells must be auto, none, radius, area, degree, gap, index or different (got "typo").',
-    ],
+    ['layers', { cells: 'typo' }, sentences.cells],
     ['layers', { hull: 1 }, 'The layer hull must be true or false (got 1).'],
     ['method', 'magic', sentences.method],
     ['controls', 'buttns', sentences.controls],
@@ -1128,8 +1139,35 @@ test('a typo is told, with what is allowed instead, and changes nothing', async 
     await element.evaluate((element: Element, name) => Object.assign(element, { [name]: undefined }), name)
     await expect(alert).toBeHidden()
   }
+  await element.evaluate((element: Element) => element.setAttribute('layers', 'cells=typo'))
+  await expect(alert).toHaveText(sentences.cells)
+  expect(await errors(page)).toHaveLength(1)
   expect(await circlesOf(page)).toEqual(FLAT)
   expect(problems).toEqual([])
+})
+
+test('a selection that is set before the circles are there is that of the first picture', async ({ page }) => {
+  await open(page, 'selection', '')
+  const seen = await page.evaluate(async (circles) => {
+    const element = document.createElement('circle-voronoi') as Element
+    Object.assign(element, { circles, selection: [1] })
+    await customElements.whenDefined('circle-voronoi')
+    const told: number[][] = []
+    element.addEventListener('selectionchange', ({ detail }) => told.push([...detail.selection]))
+    const before = [...element.selection]
+    document.body.append(element)
+    await element.ready
+    await new Promise(requestAnimationFrame)
+    const first = [...element.selection]
+    // With other circles, of which it is.
+    element.circles = [...circles, [20, 20, 1]]
+    element.selection = [3]
+    await element.updateComplete
+    await new Promise(requestAnimationFrame)
+    return { before, first, other: [...element.selection], told: told.filter((ids) => ids.length > 0) }
+  }, JSON.parse(THREE) as number[][])
+  expect(seen).toEqual({ before: [1], first: [1], other: [3], told: [[1], [3]] })
+  expect(await errors(page)).toEqual([])
 })
 
 test('a state that says nothing of circles leaves them, and what it does not say', async ({ page }) => {

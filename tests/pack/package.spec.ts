@@ -1,219 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The package as its users have it: packed, installed in a project of its own, and used in each of the ways it promises.
-import { readdirSync, readFileSync, statSync } from 'node:fs'
-import { join, resolve } from 'node:path'
+// The package as its users have it: packed, installed in a project of its own, and used in pages in each of the ways it promises.
+// In Node: package.test.mjs.
+import { readFileSync } from 'node:fs'
 import { expect, type Page, test } from '@playwright/test'
 import { type BuildOptions, build as bundle } from 'esbuild'
 import { build, createServer } from 'vite'
 import webpack from 'webpack'
-import { BIN, Project, ROOT, run } from './project.ts'
+import { Project } from './project.mjs'
 import { serve } from './static-server.ts'
 
 /** What consumer/main.js finds: three circles of radius 1 at the corners of a triangle with sides 6, 8 and 10. */
-const EXPECTED = JSON.stringify({
-  vertex: [3, 4, 4],
-  certified: true,
-  found: [1, 2],
-  path: true,
-  power: [3, 4],
-  stages: true,
-  canceled: 'changed my mind',
-  areas: ['4.000000', '12.000000'],
-  code: 'negativeRadius',
-})
-
-/** The oldest TypeScript that the declarations are for, which scripts/setup.mjs installs apart from the others. */
-const OLDEST_TSC = join(ROOT, 'tests/pack/typescript-5.0/node_modules/.bin/tsc')
-
-/** The modules of the element. */
-const ELEMENT = ['/element', '/element/define']
+const EXPECTED = JSON.stringify(JSON.parse(readFileSync(new URL('expected.json', import.meta.url), 'utf8')))
 
 let project: Project
 test.beforeAll(() => {
   project = new Project()
 })
 test.afterAll(() => project.remove())
-
-test('holds the built library and nothing else', () => {
-  const packed = project.path('node_modules/circle-voronoi')
-  const files = readdirSync(packed, { recursive: true, encoding: 'utf8' }).filter((name) =>
-    statSync(join(packed, name)).isFile(),
-  )
-  const built = readdirSync(join(ROOT, 'web/lib'), { recursive: true, encoding: 'utf8' })
-    .filter((name) => /(?<!\.d)\.ts$/.test(name) && !name.startsWith('bundled/'))
-    .flatMap((name) => ['.js', '.js.map', '.d.ts'].map((ending) => `dist/lib/${name.replace(/\.ts$/, ending)}`))
-    .filter((name) => name !== 'dist/lib/bundle.js.map')
-  const generated = readdirSync(join(ROOT, 'web/lib/generated')).map((name) => `dist/lib/generated/${name}`)
-  const program = readdirSync(join(ROOT, 'web/cli'))
-    .filter((name) => name.endsWith('.ts'))
-    .map((name) => `dist/cli/${name.replace(/\.ts$/, '.js')}`)
-  const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
-  const others = ['LICENSE', 'README.md', 'package.json']
-  // The names of what two modules of the element have in common are those of its contents.
-  const shared = /^dist\/element\/(chunk|circle-voronoi-(comparison|regions)|german|player)-[A-Z0-9]+\.js$/
-  expect(files.filter((name) => shared.test(name))).not.toHaveLength(0)
-  const element = [
-    ...['index', 'define', 'painter', 'bundle'].map((name) => `${name}.js`),
-    ...['index', 'define', 'bundle', 'exports', 'circle-voronoi-element', 'check-types', 'frameworks'].map(
-      (name) => `${name}.d.ts`,
-    ),
-    ...['element.css', 'custom-elements.json'],
-  ].map((name) => `dist/element/${name}`)
-  const view = ['domain', 'layers'].map((name) => `dist/view/${name}.d.ts`)
-  expect(files.filter((name) => !shared.test(name)).sort()).toEqual(
-    [...others, ...built, ...generated, ...element, ...view, ...program, ...compiled].sort(),
-  )
-
-  // The sources are not there, so the maps have them.
-  for (const name of files.filter((file) => file.endsWith('.map'))) {
-    const map = JSON.parse(readFileSync(join(packed, name), 'utf8'))
-    expect(map.sourcesContent, name).toHaveLength(map.sources.length)
-  }
-})
-
-test('shows the pictures of its README on a registry page', () => {
-  // There a path is looked for in the repository, if that is known.
-  const { repository, homepage, bugs } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
-  const [place] = /https:\/\/github\.com\/[\w-]+\/[\w-]+(?=\.git$)/.exec(repository.url) as RegExpExecArray
-  expect([homepage, bugs]).toEqual([`${place}#readme`, `${place}/issues`])
-  const pictures = [...readFileSync(join(ROOT, 'README.md'), 'utf8').matchAll(/ (?:src|srcset)="([^"]+\.jpg)"/g)]
-  expect(pictures).not.toHaveLength(0)
-  for (const [, path] of pictures) expect(run(ROOT, 'git', 'ls-files', path as string)).toBe(`${path}\n`)
-})
-
-test('depends on nothing', () => {
-  expect(readdirSync(project.path('node_modules')).filter((name) => !name.startsWith('.'))).toEqual(['circle-voronoi'])
-})
-
-test.describe('is well made', () => {
-  test('to publint', () => {
-    expect(project.run(join(BIN, 'publint'), 'run', project.tarball, '--strict')).toContain('All good!')
-  })
-
-  test('to are-the-types-wrong', () => {
-    const wasm = ['', '-comparison', '-files', '-regions'].map((name) => `circle-voronoi${name}.wasm`)
-    const others = [...wasm, 'element/element.css', 'custom-elements.json']
-    const options = ['--profile', 'esm-only', '--exclude-entrypoints', ...others, '--no-emoji']
-    const judged = project.run(join(BIN, 'attw'), project.tarball, ...options)
-    for (const name of ['', '/worker', '/worker-thread', '/files', ...ELEMENT])
-      expect(judged).toContain(`"circle-voronoi${name}"`)
-  })
-
-  test('to size-limit', () => {
-    const sizes = JSON.parse(run(ROOT, join(BIN, 'size-limit'), '--json'))
-    expect(sizes).toHaveLength(8)
-    for (const { name, passed, size } of sizes) expect(passed, `${name}: ${size} bytes`).toBe(true)
-  })
-})
-
-test.describe('in Node', () => {
-  for (const source of ['default', 'url', 'bytes']) {
-    test(`as a module and in a worker, the WebAssembly from the ${source}`, () => {
-      expect(project.run(process.execPath, 'node.js', source)).toBe(`${EXPECTED}\n`)
-    })
-  }
-
-  test('where code generation from strings is forbidden', () => {
-    const printed = project.run(process.execPath, '--disallow-code-generation-from-strings', 'node.js', 'default')
-    expect(printed).toBe(`${EXPECTED}\n`)
-  })
-
-  test('in a bundle of CommonJS and as a data: module, which have no address, given the bytes', async () => {
-    const entry = project.path('bundled.mjs')
-    project.write(
-      'bundled.mjs',
-      `import { readFileSync } from 'node:fs'
-      import { loadCircleVoronoi } from 'circle-voronoi'
-      const wasm = readFileSync(${JSON.stringify(project.path('node_modules/circle-voronoi/dist/lib/generated/circle-voronoi.wasm'))})
-      loadCircleVoronoi({ wasm }).then((library) => console.log(library.compute([[0, 0, 1], [6, 0, 1], [0, 8, 1]]).vertices.join()))`,
-    )
-    const options: BuildOptions = {
-      entryPoints: [entry],
-      bundle: true,
-      platform: 'node',
-      logLevel: 'error',
-      write: false,
-    }
-    // That there is no import.meta in CommonJS is what is tested.
-    const silenced = { logOverride: { 'empty-import-meta': 'silent' } } as const
-    const common = (await bundle({ ...options, ...silenced, format: 'cjs' })).outputFiles?.[0]?.text as string
-    project.write('bundled.cjs', common)
-    expect(project.run(process.execPath, 'bundled.cjs')).toBe('3,4,4\n')
-    const module = (await bundle({ ...options, format: 'esm' })).outputFiles?.[0]?.text as string
-    project.write('data.mjs', `import ${JSON.stringify(`data:text/javascript,${encodeURIComponent(module)}`)}`)
-    expect(project.run(process.execPath, 'data.mjs')).toBe('3,4,4\n')
-  })
-
-  test('in a bundle of CommonJS that does not give it, with an error that says what to do', async () => {
-    project.write(
-      'forgetful.mjs',
-      `import { readFileSync } from 'node:fs'
-      import { CircleVoronoiError, loadCircleVoronoi } from 'circle-voronoi'
-      import { createWorker } from 'circle-voronoi/worker'
-      const module = WebAssembly.compile(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]))
-      const wasm = readFileSync(${JSON.stringify(project.path('node_modules/circle-voronoi/dist/lib/generated/circle-voronoi.wasm'))})
-      const failed = [
-        loadCircleVoronoi(), loadCircleVoronoi({ wasm }).then((library) => library.loadComparison()), createWorker().compute([]), createWorker({ wasm: module }).compute([]),
-        loadCircleVoronoi({ wasm: module }), loadCircleVoronoi({ wasm: Promise.reject('none') }),
-      ].map((promise) => promise.catch((error) => error instanceof CircleVoronoiError ? error.code + ': ' + error.message : 'raw: ' + error))
-      Promise.all(failed).then((lines) => console.log(lines.join('\\n')))`,
-    )
-    const bundled = await bundle({
-      entryPoints: [project.path('forgetful.mjs')],
-      bundle: true,
-      platform: 'node',
-      format: 'cjs',
-      write: false,
-      logOverride: { 'empty-import-meta': 'silent' },
-    })
-    project.write('forgetful.cjs', bundled.outputFiles[0]?.text as string)
-    const lines = project.run(process.execPath, 'forgetful.cjs').trim().split('\n')
-    const beside = /^notLoaded: .+ from beside this module, which has no address \(give it as \{ wasm \}\): .+\.$/
-    for (const line of lines.slice(0, 3)) expect(line).toMatch(beside)
-    expect(lines[3]).toMatch(/^internal: The worker failed: .+\.$/)
-    expect(lines[4]).toMatch(/^notLoaded: The WebAssembly cannot be loaded from this module: .+\.$/)
-    expect(lines[5]).toBe('notLoaded: The WebAssembly cannot be loaded from what was given: none.')
-    expect(lines).toHaveLength(6)
-  })
-
-  test('its program, by npx', () => {
-    project.write('circles.csv', '0,0,1\n6,0,1\n0,8,1\n')
-    const npx = (...args: string[]) => project.run('npx', '--offline', '--no', 'circle-voronoi', ...args)
-    npx('compute', 'circles.csv', '-o', 'diagram.json')
-    expect(npx('certify', 'diagram.json')).toBe('certified: 3 circles, 0 of them hidden; 1 vertices, 3 edges\n')
-    expect(() => npx('compute', 'none.csv')).toThrow('Cannot read none.csv: No such file or directory.')
-  })
-
-  test('from the bundle, its worker too', () => {
-    project.write(
-      'bundle-main.mjs',
-      `import * as library from './node_modules/circle-voronoi/dist/lib/bundle.js'
-      import { useBundle } from './bundle.js'
-      globalThis.fetch = () => { throw new Error('Something was asked for.') }
-      console.log(await useBundle(library))`,
-    )
-    expect(project.run(process.execPath, 'bundle-main.mjs')).toBe('3,4,4 3,4,4\n')
-  })
-
-  test('from the bundle, fits in its worker', () => {
-    project.write(
-      'bundle-fit.mjs',
-      `import { createWorker, loadCircleVoronoi } from './node_modules/circle-voronoi/dist/lib/bundle.js'
-      const { region } = await (await loadCircleVoronoi()).loadRegions()
-      const square = region([[[0, 0], [4, 0], [4, 4], [0, 4]]])
-      const { areas } = await createWorker().fitAreas([[1, 1], [3, 2]], [4, 12], { region: square })
-      console.log(Array.from(areas, Math.round).join())`,
-    )
-    expect(project.run(process.execPath, 'bundle-fit.mjs')).toBe('4,12\n')
-  })
-
-  test('by require, where Node requires modules', () => {
-    const requires = (process.features as { require_module?: boolean }).require_module === true
-    const command = ['--no-warnings', 'require.cjs']
-    if (requires) expect(project.run(process.execPath, ...command)).toBe('3,4,4\n')
-    else expect(() => project.run(process.execPath, ...command)).toThrow('ERR_REQUIRE_ESM')
-  })
-})
 
 test.describe('in a page', () => {
   test('from a Vite build', async ({ page }) => {
@@ -408,39 +211,6 @@ test.describe('in a page', () => {
   })
 })
 
-test.describe('has types', () => {
-  const SETTINGS = {
-    'a page with a bundler': { module: 'esnext', moduleResolution: 'bundler', lib: ['es2022', 'dom'], types: [] },
-    Node: { module: 'nodenext', moduleResolution: 'nodenext', lib: ['es2022'], types: ['node'] },
-    'a project from before exports': {
-      ...{ module: 'esnext', moduleResolution: 'node10', lib: ['es2022', 'dom'], types: [] },
-    },
-  }
-  for (const [place, settings] of Object.entries(SETTINGS)) {
-    for (const compiler of ['tsc', 'tsc6', OLDEST_TSC]) {
-      // TypeScript 7 no longer knows that way.
-      if (compiler === 'tsc' && settings.moduleResolution === 'node10') continue
-      const name = compiler === OLDEST_TSC ? 'TypeScript 5.0' : compiler
-      test(`for ${place}, to ${name}`, { tag: compiler === 'tsc' ? [] : '@long' }, () => {
-        const compilerOptions = {
-          ...settings,
-          ...(compiler === 'tsc6' && { ignoreDeprecations: '6.0' }),
-          target: 'es2022',
-          strict: true,
-          skipLibCheck: false,
-          // Those of the compiler itself take most of the time.
-          skipDefaultLibCheck: true,
-          noEmit: true,
-          typeRoots: [join(ROOT, 'node_modules/@types')],
-        }
-        const files = settings.lib.includes('dom') ? ['types.ts', 'element-types.ts'] : ['types.ts']
-        project.write('tsconfig.json', JSON.stringify({ compilerOptions, files }))
-        expect(project.run(resolve(BIN, compiler), '-p', 'tsconfig.json')).toBe('')
-      })
-    }
-  }
-})
-
 /** The page that a server of files serves prints what is expected. */
 async function expectToWork(page: Page, folder: string, name = ''): Promise<void> {
   const server = await serve(folder)
@@ -455,7 +225,7 @@ async function expectToPrint(page: Page, address: string, expected = EXPECTED): 
   const complaints: string[] = []
   page.on('pageerror', (error) => complaints.push(error.message))
   page.on('console', (message) => {
-    if (message.type() === 'error') complaints.push(message.text())
+    if (message.type() === 'error') complaints.push(`${message.text()} (${message.location().url})`)
   })
   await page.goto(address)
   const output = page.locator('output')

@@ -17,7 +17,8 @@ const MARKDOWN = [
 ]
 const LISTED = 'tests/scripts/blocks.test.mjs'
 const NATIVE = 'tests/readme/native.test.mjs'
-const PACKAGE = 'tests/pack/readme.spec.ts'
+const PACKAGE = 'tests/pack/package.test.mjs'
+const PAGE = 'tests/pack/readme.spec.ts'
 const ELEMENT = 'tests/pack/element.spec.ts'
 const COOKBOOK = 'tests/pack/cookbook.spec.ts'
 const COMMENTS = 'tests/wasm/examples.test.mjs'
@@ -26,20 +27,21 @@ const COMMENTS = 'tests/wasm/examples.test.mjs'
 const RUN_BY = [
   { by: PACKAGE, file: 'README.md', heading: 'In JavaScript' },
   { by: NATIVE, file: 'README.md', heading: 'In C++' },
-  { by: PACKAGE, file: 'README.md', heading: 'As a figure in a page' },
+  { by: PAGE, file: 'README.md', heading: 'As a figure in a page' },
   { by: NATIVE, file: 'README.md', heading: 'In the shell' },
   { by: LISTED, file: 'README.md', language: '', what: 'commands' },
   { by: LISTED, file: 'docs/building.md', what: 'commands' },
   { by: NATIVE, file: 'docs/shell.md', language: 'sh' },
   { by: LISTED, file: 'docs/shell.md', language: '', what: 'file' },
-  { by: PACKAGE, file: 'docs/javascript.md' },
+  { by: PAGE, file: 'docs/javascript.md', language: 'html' },
+  ...['js', 'sh'].map((language) => ({ by: PACKAGE, file: 'docs/javascript.md', language })),
   ...['docs/regions.md', 'docs/areas.md'].flatMap((file) => [
     { by: PACKAGE, file, language: 'js' },
     { by: NATIVE, file, language: 'sh' },
   ]),
   { by: NATIVE, file: 'docs/tiles.md' },
   { by: COOKBOOK, file: 'docs/cookbook.md' },
-  { by: PACKAGE, file: 'docs/element.md', language: 'html' },
+  { by: PAGE, file: 'docs/element.md', language: 'html' },
   ...['js', 'sh', 'jsx'].map((language) => ({ by: ELEMENT, file: 'docs/element.md', language })),
   { by: LISTED, file: 'docs/results.md', what: 'commands' },
   { by: LISTED, file: 'CONTRIBUTING.md', what: 'commands' },
@@ -64,7 +66,7 @@ const RUN_BY = [
     by: COMMENTS,
     file: `web/lib/${name}.ts`,
   })),
-  { by: PACKAGE, file: 'web/element/index.ts' },
+  { by: PAGE, file: 'web/element/index.ts' },
 ]
 
 /**

@@ -2,9 +2,10 @@
 // The geometry in TypeScript against that in C++, function by function, bit by bit, on every fixture by every metric, with
 // additive weights, and at extreme scales. The other side is tests/geometry.
 import assert from 'node:assert/strict'
-import { execFileSync } from 'node:child_process'
+import { execFileSync, spawn } from 'node:child_process'
 import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
+import { createInterface } from 'node:readline'
 import { after, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { linkSides } from '../../dist/lib/diagram/link-sides.js'
@@ -48,7 +49,13 @@ const ROUNDED = { name: 'hull measures', tolerance: 1e-14 }
 const library = await loadCircleVoronoi()
 const { computeComparison } = await library.loadComparison()
 const folder = mkdtempSync(`${tmpdir()}/circle-voronoi-`)
-after(() => rmSync(folder, { recursive: true }))
+/** Answers one request after the other. */
+const child = spawn(ANSWERS, { stdio: ['pipe', 'pipe', 'inherit'] })
+const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]()
+after(() => {
+  child.stdin.end()
+  rmSync(folder, { recursive: true })
+})
 
 /** The circles of a fixture, x, y, r each. */
 function circlesOf(fixture) {
@@ -76,30 +83,30 @@ for (const { name, circles } of [...fixtures, ...scaled, ...needles]) {
   describe(name, () => {
     for (const metric of ['circles', 'centers', 'power']) {
       it(`has the geometry of C++ by the metric ${metric}`, () => {
-        compare(computeComparison(circles, metric), metric)
+        return compare(computeComparison(circles, metric), metric)
       })
     }
 
     it('has the geometry of C++ with weights of any sign', () => {
       const most = circles.reduce((most, value, k) => (k % 3 === 2 ? Math.max(most, value) : most), 0)
       const weights = circles.map((value, k) => (k % 3 === 2 ? value - most / 2 : value))
-      compare(library.compute(weights, { weights: true }), 'weights')
+      return compare(library.compute(weights, { weights: true }), 'weights')
     })
 
     it('has the geometry of C++ with one weight far below zero', () => {
       const size = circles.reduce((most, value) => Math.max(most, Math.abs(value)), 0)
       const weights = circles.map((value, k) => (k % 3 === 2 ? -(2 ** 52) * size : value))
-      compare(library.compute(weights, { weights: true }), 'weights')
+      return compare(library.compute(weights, { weights: true }), 'weights')
     })
   })
 }
 
-function compare(diagram, metric) {
+async function compare(diagram, metric) {
   const box = exportBox(diagram.circles)
   // Some cells are cut by it, and some are not.
   const maxDistance = Math.max(box.maxX - box.minX, box.maxY - box.minY) / 40
   const ours = answersOf(diagram, box, maxDistance)
-  const theirs = native(diagram.circles, metric, box, maxDistance)
+  const theirs = await native(diagram.circles, metric, box, maxDistance)
   assert.equal(ours.length, theirs.length, 'the number of answers')
   ours.forEach(([question, numbers], k) => {
     const [theirQuestion, theirNumbers] = theirs[k]
@@ -115,19 +122,19 @@ function compare(diagram, metric) {
 }
 
 /** What the native program says: questions with their numbers. */
-function native(circles, metric, { minX, minY, maxX, maxY }, maxDistance) {
+async function native(circles, metric, { minX, minY, maxX, maxY }, maxDistance) {
   const file = `${folder}/circles.csv`
   const rows = Array.from({ length: circles.length / 3 }, (_, i) => circles.subarray(3 * i, 3 * i + 3).join())
   writeFileSync(file, `x,y,r\n${rows.map((row) => `${row}\n`).join('')}`)
-  const args = [file, metric, ...[minX, minY, maxX, maxY, maxDistance].map(String)]
-  const text = execFileSync(ANSWERS, args, { maxBuffer: LARGEST_OUTPUT, encoding: 'utf8' })
-  return text
-    .trimEnd()
-    .split('\n')
-    .map((line) => {
-      const [question, numbers] = line.split(':')
-      return [question, numbers.split(' ').slice(1).map(numberOf)]
-    })
+  child.stdin.write(`${[file, metric, minX, minY, maxX, maxY, maxDistance].join('\t')}\n`)
+  const answers = []
+  for (;;) {
+    const { value: line, done } = await lines.next()
+    if (done) throw new Error(`${ANSWERS} has ended.`)
+    if (line === '') return answers
+    const [question, numbers] = line.split(':')
+    answers.push([question, numbers.split(' ').slice(1).map(numberOf)])
+  }
 }
 
 function numberOf(text) {

@@ -327,7 +327,7 @@ describe('clip', () => {
 describe('a convex polygon', () => {
   const corner = (x: number, y: number) => ({ x, y })
 
-  it('is measured', () => {
+  it('has an area, a middle, a box, and points that it contains', () => {
     const polygon = ConvexPolygon.from([corner(0, 0), corner(4, 0), corner(4, 2), corner(2, 2), corner(0, 2)])
     expect(polygon.area()).toBe(8)
     expect(polygon.middle().x).toBe(2)

@@ -104,9 +104,7 @@ describe('CircleTable', () => {
   it('has a core that outliers do not widen', () => {
     const circles = Float64Array.from({ length: 3 * 100 }, (_, k) => (k % 3 === 2 ? 1 : Math.floor(k / 3)))
     circles.set([1e12, -1e12, 1e11], 30)
-    const { minX, minY, maxX, maxY } = new CircleTable(circles).core()
-    expect([minX, minY].every((value) => value >= 0 && value < 10)).toBe(true)
-    expect([maxX, maxY].every((value) => value > 90 && value < 100)).toBe(true)
+    expect(new CircleTable(circles).core()).toEqual({ minX: 5, minY: 4, maxX: 95, maxY: 94 })
   })
 
   it('has a core where all centers are one, and where there are none', () => {

@@ -4,9 +4,9 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { INITIAL_STATE, type State } from '../../web/editing/state.ts'
 import { createStore } from '../../web/editing/store.ts'
 import { mountControls } from '../../web/element/controls.ts'
-import type { Figure } from '../../web/element/figure.ts'
 import { loadWords, wordsOf } from '../../web/element/language.ts'
 import type { Shell } from '../../web/element/shell.ts'
+import type { Figure } from '../../web/player/figure.ts'
 
 class FakeElement {
   parentElement: FakeElement | undefined

@@ -7,19 +7,22 @@ import type { Circle, Diagram, Edit, Point, RegionShape } from '../../web/lib/in
 import { CircleTable, NO_CHANGE } from '../../web/view/circle-table.ts'
 import { boxOf } from '../../web/view/domain.ts'
 import { DEFAULT_LAYERS } from '../../web/view/layers.ts'
+import { answers } from '../../web/view/painter/answers.ts'
 import { Clip } from '../../web/view/painter/clip.ts'
-import { SvgDrawing } from '../../web/view/painter/drawing.ts'
+import { fitted, fittedEdits } from '../../web/view/painter/fitted-edits.ts'
 import type { Frame } from '../../web/view/painter/frame.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
 import { addBorder, addInside, addOutside, partShown } from '../../web/view/painter/region-path.ts'
+import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
+import { tabulated } from '../../web/view/painter/tabulate.ts'
 import { isRegionText, readRegion } from '../../web/view/region-text.ts'
 import type { Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
 import { RecordingSink } from './recording-sink.ts'
 
 const wasm = readFileSync(new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url))
-const regions = await library.loadRegions({ wasm })
+const regions = { ...(await library.loadRegions({ wasm })), fitted, fittedEdits }
 
 const SQUARE: RegionShape = [
   [
@@ -229,10 +232,10 @@ describe('areas inside a region', () => {
   it('are told of a cell, and others once the region is another one or none', () => {
     const scene = new PaintedScene(library)
     scene.open(CIRCLES, { region: RINGS }, regions)
-    const areaOf = (id: number) => scene.tell([id]).cells.get(id)?.area
+    const areaOf = (id: number) => answers.tell(scene, [id]).cells.get(id)?.area
     const { diagram } = new Picture(library.edit(CIRCLES))
     expect(areaOf(4)).toBeCloseTo(diagram.cellArea(4, { region }), 9)
-    expect(scene.tabulate(['area'], Int32Array.of(4)).columns[0]?.[0]).toBeCloseTo(areaOf(4) as number, 9)
+    expect(tabulated(scene.picture, ['area'], Int32Array.of(4)).columns[0]?.[0]).toBeCloseTo(areaOf(4) as number, 9)
     scene.edit([], { region: SQUARE }, regions)
     expect(areaOf(4)).toBeCloseTo(diagram.cellArea(4, { region: regions.region(SQUARE) }), 9)
     scene.edit([], { region: null }, regions)
@@ -242,7 +245,7 @@ describe('areas inside a region', () => {
   it('are those of the trial of a circle: what it takes is what it gets', () => {
     const scene = new PaintedScene(library)
     scene.open(CIRCLES, { region: RINGS }, regions)
-    const trial = scene.try({ x: 2, y: 2, r: 0.4 })
+    const trial = answers.try(scene, { x: 2, y: 2, r: 0.4 })
     const taken = trial?.taken.reduce((sum, { area }) => sum + area, 0)
     expect(taken).toBeCloseTo(trial?.area as number, 9)
     expect(taken).toBeGreaterThan(0)
@@ -251,12 +254,12 @@ describe('areas inside a region', () => {
   it('are none of a region that crosses itself, and all stays as it was', () => {
     const scene = new PaintedScene(library)
     scene.open(CIRCLES, { region: RINGS }, regions)
-    const before = scene.tell([4]).cells.get(4)?.area
+    const before = answers.tell(scene, [4]).cells.get(4)?.area
     expect(() => scene.edit([], { region: BOW }, regions)).toThrow(
       'Side 0 of ring 0 of the region and side 2 of ring 0 of the region cross at (2, 2).',
     )
     expect(() => scene.open(CIRCLES.slice(3), { region: BOW }, regions)).toThrow('cross at (2, 2)')
-    expect(scene.tell([4]).cells.get(4)?.area).toBe(before)
+    expect(answers.tell(scene, [4]).cells.get(4)?.area).toBe(before)
     expect(scene.counts().circles).toBe(20)
   })
 })
@@ -297,7 +300,7 @@ async function started(circles = CIRCLES, domain = {}) {
   /** The areas by ids. */
   const areas = () => {
     const ids = editing.circles.ids()
-    const { cells } = scene.tell([...ids])
+    const { cells } = answers.tell(scene, [...ids])
     return Array.from(ids, (id) => cells.get(id)?.area ?? Number.NaN)
   }
   return { editing, problems, errors, areas, circles: () => [...editing.circles.circles()] }

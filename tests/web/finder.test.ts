@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { describe, expect, it } from 'vitest'
 import { randomCircles } from '../../web/app/random-circles.ts'
+import { Finder } from '../../web/lib/diagram/finder.ts'
 import { NONE } from '../../web/lib/index.ts'
 import { library, seededRandom } from './library.ts'
 import { boxAround, leastDistance, pointIn, signedDistance } from './oracle.ts'
@@ -65,6 +66,23 @@ describe('find', () => {
     for (let k = 0; k < 50; k++) {
       const point = { x: 7 * Math.cos(k), y: k - 9 }
       expect(signedDistance(circles, diagram.find(point.x, point.y), point)).toBe(leastDistance(circles, point))
+    }
+  })
+
+  // Only the circles of few ranks around some places keep their sides, and no walk gets on without sides.
+  it.each([0, 1])('takes few steps among many circles on a line along axis %s', (axis) => {
+    const [count, period, few] = [20_000, 100, 4]
+    const circles = Float64Array.from({ length: 3 * count }, (_, k) =>
+      k % 3 === 2 ? 0.25 : k % 3 === axis ? Math.floor(k / 3) : 7,
+    )
+    const { cells } = library.compute(circles)
+    const finder = new Finder(cells)
+    cells.diagram.firstSide.forEach((_, i, firstSide) => {
+      if (Math.abs((i % period) - period / 2) > few) (firstSide as Int32Array)[i] = NONE
+    })
+    for (let i = period / 2; i < count; i += period) {
+      const [along, across] = [i + 0.25, 7.5]
+      expect(axis === 0 ? finder.find(along, across) : finder.find(across, along)).toBe(i)
     }
   })
 

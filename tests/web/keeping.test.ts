@@ -26,22 +26,24 @@ const scene = { circles: THREE, dataSet: 'three', isEdited: false }
 describe('what a link says of circles', () => {
   it('is their data set, and what was done with them', () => {
     const table = new CircleTable(THREE.slice())
-    expect(circlesOfLink(scene, table)).toEqual({ dataSet: 'three' })
+    expect(circlesOfLink(scene, table, LINK_LIMITS.circles)).toEqual({ dataSet: 'three' })
     table.follow({ ...NO_CHANGE, removed: Int32Array.of(1) })
     const edits = [{ kind: 'remove', id: 1 }]
-    expect(circlesOfLink(scene, table)).toEqual({ dataSet: 'three', edits })
+    expect(circlesOfLink(scene, table, LINK_LIMITS.circles)).toEqual({ dataSet: 'three', edits })
   })
 
   it('is the circles where there is no data set, or much was done', () => {
     const table = new CircleTable(THREE.slice())
-    expect(circlesOfLink({ ...scene, dataSet: '' }, table)).toEqual({ circles: THREE })
-    expect(circlesOfLink({ ...scene, isEdited: true }, table)).toEqual({ circles: THREE })
+    expect(circlesOfLink({ ...scene, dataSet: '' }, table, LINK_LIMITS.circles)).toEqual({ circles: THREE })
+    expect(circlesOfLink({ ...scene, isEdited: true }, table, LINK_LIMITS.circles)).toEqual({ circles: THREE })
     table.follow({
       ...NO_CHANGE,
       replaced: Int32Array.of(0, 1, 2),
       circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0),
     })
-    expect(circlesOfLink(scene, table)).toEqual({ circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0) })
+    expect(circlesOfLink(scene, table, LINK_LIMITS.circles)).toEqual({
+      circles: Float64Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0),
+    })
   })
 
   it('makes the same circles of the data set again', () => {
@@ -65,7 +67,7 @@ describe('what a link says of circles', () => {
               : { kind: 'remove' as const, id }
           table.follow(editor.apply([edit]))
         }
-        const { edits = [], dataSet } = circlesOfLink({ ...scene, circles: many }, table)
+        const { edits = [], dataSet } = circlesOfLink({ ...scene, circles: many }, table, LINK_LIMITS.circles)
         expect(dataSet).toBe('three')
         const again = library.edit(many)
         again.apply(edits)
@@ -165,7 +167,7 @@ describe('names of circles', () => {
   it('of more circles than a link may have do not stand for them', () => {
     const circles = new Float64Array(3 * LINK_LIMITS.circles + 3)
     const scene = { circles, dataSet: 'points:1:100001', isEdited: false }
-    expect(circlesOfLink(scene, new CircleTable(circles)).circles).toHaveLength(circles.length)
+    expect(circlesOfLink(scene, new CircleTable(circles), LINK_LIMITS.circles).circles).toHaveLength(circles.length)
   })
 })
 

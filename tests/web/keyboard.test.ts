@@ -48,7 +48,7 @@ function listening(state: Partial<State> = {}) {
     store,
     actions as unknown as EditorActions,
     { showHelp: () => done.push(['help']) },
-    { around: around as unknown as Document },
+    { around: around as unknown as Document, signal: new AbortController().signal },
   )
   const press = (key: string, { at = figure, ...rest }: { at?: EventTarget; [name: string]: unknown } = {}) => {
     const none = { ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, repeat: false }

@@ -18,7 +18,6 @@ import { Centers } from '../../web/view/painter/centers.ts'
 import { Coloring } from '../../web/view/painter/coloring.ts'
 import { addDisc } from '../../web/view/painter/disc-path.ts'
 import { distributionOf } from '../../web/view/painter/distribution.ts'
-import { SvgDrawing } from '../../web/view/painter/drawing.ts'
 import { found } from '../../web/view/painter/found.ts'
 import type { Frame } from '../../web/view/painter/frame.ts'
 import { ordinary, power } from '../../web/view/painter/layers/edges.ts'
@@ -29,6 +28,7 @@ import { methodOutcome } from '../../web/view/painter/method-outcome.ts'
 import { PaintedScene } from '../../web/view/painter/painted-scene.ts'
 import { type Layer, Painting } from '../../web/view/painter/painting.ts'
 import { Picture } from '../../web/view/painter/picture.ts'
+import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { touchingAround, touchingNear } from '../../web/view/painter/touching.ts'
 import { MAP_COLORS, rampThrough, SHADES, type Style } from '../../web/view/style.ts'
 import { dataSet, library, seededRandom } from './library.ts'
@@ -186,7 +186,7 @@ describe('what cells are measured by', () => {
     }
   })
 
-  it('is counted', () => {
+  it('is counted by neighbors and by areas of bounded cells, beside the certificate', () => {
     const picture = new Picture(library.edit(dataSet('bronzefilter')))
     const steps = distributionOf(picture)
     let step = steps.next()
@@ -196,6 +196,19 @@ describe('what cells are measured by', () => {
     expect(degrees.reduce((sum, count) => sum + count)).toBe(678)
     expect(areas.reduce((sum, count) => sum + count)).toBe(bounded.length)
     expect(certificate.certified).toBe(true)
+  })
+
+  it('is known anew after each edit', () => {
+    const picture = new Picture(library.edit(randomCircles(60)))
+    for (let k = 0; k < 40; k++) {
+      const { diagram } = picture
+      for (let i = 0; i < diagram.circles.length / 3; i++) {
+        if (!diagram.cells.exists(i)) continue
+        expect(picture.gaps().valueOf(i)).toBeCloseTo(new Measures('gap', diagram).valueOf(i), 9)
+        expect(picture.areas().valueOf(i)).toBeCloseTo(new Measures('area', diagram).valueOf(i), 9)
+      }
+      picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
+    }
   })
 })
 
@@ -353,6 +366,12 @@ describe('the disc at a point', () => {
     const picture = new Picture(library.edit(circles))
     return { diagram: picture.diagram, circlesIn: (box) => picture.circlesIn(box) }
   }
+
+  it('touches the nearest circle wherever it is, and there is none inside a circle', () => {
+    const { diagram } = new Picture(library.edit(Float64Array.of(0, 0, 2, 10, 0, 1)))
+    expect(touchingAround(diagram, 0, 3, 4)).toEqual({ disc: { x: 3, y: 4, r: 3 }, points: [{ x: 1.2, y: 1.6 }] })
+    expect(touchingAround(diagram, 0, 1, 1)).toBeUndefined()
+  })
 })
 
 describe('what depends on all circles', () => {
@@ -615,29 +634,6 @@ describe('the rim of a disc that is too large for arcs of a canvas', () => {
     // It begins and ends outside of what is seen.
     const isSeen = ([x, y]: readonly [number, number]) => x >= 0 && x <= 300 && y >= 0 && y <= 200
     expect([curves[0]?.[0], curves.at(-1)?.[3]].some((end) => isSeen(end as [number, number]))).toBe(false)
-  })
-})
-
-describe('what cells are measured by', () => {
-  it('is known anew after each edit', () => {
-    const picture = new Picture(library.edit(randomCircles(60)))
-    for (let k = 0; k < 40; k++) {
-      const { diagram } = picture
-      for (let i = 0; i < diagram.circles.length / 3; i++) {
-        if (!diagram.cells.exists(i)) continue
-        expect(picture.gaps().valueOf(i)).toBeCloseTo(new Measures('gap', diagram).valueOf(i), 9)
-        expect(picture.areas().valueOf(i)).toBeCloseTo(new Measures('area', diagram).valueOf(i), 9)
-      }
-      picture.apply(picture.editor.apply(randomEdits(picture.editor.ids())))
-    }
-  })
-})
-
-describe('the disc at a point', () => {
-  it('touches the nearest circle wherever it is, and there is none inside a circle', () => {
-    const { diagram } = new Picture(library.edit(Float64Array.of(0, 0, 2, 10, 0, 1)))
-    expect(touchingAround(diagram, 0, 3, 4)).toEqual({ disc: { x: 3, y: 4, r: 3 }, points: [{ x: 1.2, y: 1.6 }] })
-    expect(touchingAround(diagram, 0, 1, 1)).toBeUndefined()
   })
 })
 

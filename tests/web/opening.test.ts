@@ -128,9 +128,9 @@ describe('what the page opens', () => {
     const made: unknown[] = []
     const padding = () => ({ top: 0, right: 0, bottom: 0, left: 0 })
     const page = new PageActions(store, editing, view as unknown as View, padding, {
-      make: async (recipe) => {
-        made.push(recipe)
-        return Float64Array.of(1, 2, 3)
+      call: async (_, ...args) => {
+        made.push(args[0])
+        return Float64Array.of(1, 2, 3) as never
       },
       cancel: () => {},
     })

@@ -110,7 +110,7 @@ describe('the painter', () => {
     expect(asked).toMatchObject({ scene: 1, name: 'trace', args: [{}] })
     const request = asked?.request as number
     worker().answer({
-      kind: 'noAnswer',
+      kind: 'answer',
       request,
       error: { code: 'tooManyCircles', circle: undefined, message: 'Too many.' },
     })

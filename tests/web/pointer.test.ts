@@ -54,7 +54,7 @@ class Stage {
   setCamera(camera: Camera): void {
     this.camera = camera
   }
-  hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
+  ask(_: 'hit', x: number, y: number, slack: number): Promise<Hit | undefined> {
     this.slack = slack
     this.done.push(['hit', x, y])
     const { under } = this

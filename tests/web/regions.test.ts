@@ -224,7 +224,7 @@ describe('a diagram in a region', () => {
     expect([...diagram.neighbors(0, { maxDistance: 1 })]).toEqual([])
   })
 
-  it('is drawn', () => {
+  it('is drawn with edges that end at the border of the region', () => {
     const diagram = library.compute([
       [2, 2, 1],
       [7, 7, 1],
@@ -508,7 +508,7 @@ describe('fitted areas', () => {
     ],
   ])
 
-  it('are what was asked for', () => {
+  it('are proportional to the shares that were asked for, in a certified diagram, and found at once from its weights', () => {
     const random = seededRandom(5)
     const sites = Array.from({ length: 100 }, () => [random(), random()] as const)
     const shares = sites.map(() => 1 + 9 * random())

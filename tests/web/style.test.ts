@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The colors of the drawing are those of the pages around it.
 import { readFileSync } from 'node:fs'
-import { expect, it } from 'vitest'
+import { afterEach, expect, it, vi } from 'vitest'
+import { readStyle } from '../../web/view/style.ts'
+
+afterEach(() => vi.unstubAllGlobals())
 
 function propertiesOf(file: string): ReadonlyMap<string, string> {
   const text = readFileSync(new URL(`../../web/${file}`, import.meta.url), 'utf8')
@@ -17,4 +20,36 @@ it('views have the colors of the style sheet of all pages', () => {
   expect(theme.get('cell-opacity')).toBe(`rgb(0 0 0 / ${tokens.get('cell')})`)
   const width = readFileSync(new URL('../../web/view/painter/painting.ts', import.meta.url), 'utf8')
   expect(`${/THICKEST_LINE = ([\d.]+)/.exec(width)?.[1]}px`).toBe(tokens.get('edge-width'))
+})
+
+it('reading all colors makes the browser find styles once', () => {
+  let isStale = false
+  let recalculations = 0
+  class FakeElement {
+    readonly children: FakeElement[] = []
+    readonly style = { color: '', setProperty() {} }
+    appendChild(child: FakeElement) {
+      this.append(child)
+      return child
+    }
+    append(child: FakeElement) {
+      this.children.push(child)
+      isStale = true
+    }
+    remove() {
+      isStale = true
+    }
+  }
+  vi.stubGlobal('document', { createElement: () => new FakeElement() })
+  vi.stubGlobal('getComputedStyle', ({ style }: FakeElement) => {
+    if (isStale) recalculations += 1
+    isStale = false
+    return { color: style.color }
+  })
+  const { edge, selectedDisc } = readStyle(new FakeElement() as unknown as Element)
+  expect([edge, selectedDisc]).toEqual([
+    'var(--circle-voronoi-edge, var(--edge))',
+    'var(--circle-voronoi-selected-disc, var(--selected-disc))',
+  ])
+  expect(recalculations).toBe(1)
 })

@@ -9,7 +9,7 @@ import { compileCircleVoronoi } from '../../web/lib/wasm/load-options.ts'
 
 const THREE = Float64Array.of(0, 0, 1, 10, 0, 2, 4, 9, 3)
 /** On a busy machine a thread may take long to start. */
-const SOON = { timeout: 8_000 }
+const SOON = { timeout: 40_000 }
 const PAGE = 'https://example.org/worker-thread.js'
 const world = vi.hoisted(() => ({ file: '', newWorker: (): unknown => undefined }))
 
@@ -252,6 +252,26 @@ describe('what a thread answers', () => {
     expect(said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))).toEqual([
       'fit',
       'badInput',
+    ])
+  })
+
+  it('is a fit, though the module did not load the first time', async () => {
+    const { said, ask } = answering()
+    const path = new URL('../../web/lib/generated/circle-voronoi-regions.wasm', import.meta.url)
+    const region = {
+      points: Float64Array.of(0, 0, 10, 0, 10, 10, 0, 10),
+      ringOffsets: Int32Array.of(0, 4),
+      polygonOffsets: undefined,
+    }
+    const options = { shares: true, tolerance: 1e-9, maxSteps: 99, relax: 0 }
+    const fit = { sites: Float64Array.of(2, 2, 0, 7, 3, 0), areas: Float64Array.of(1, 3), ...options }
+    const wrong = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0))
+    for (const wasm of [wrong, await WebAssembly.compile(readFileSync(path))]) {
+      await ask({ fit, region, wasm, tellsProgress: false })
+    }
+    expect(said.map(([told]) => ('error' in told ? told.error.code : Object.keys(told)[0]))).toEqual([
+      'notLoaded',
+      'fit',
     ])
   })
 

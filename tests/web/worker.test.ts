@@ -80,7 +80,7 @@ afterEach(() => {
 
 /** When the client has given the thread so many requests. */
 async function asked(count: number, thread = 0): Promise<FakeThread> {
-  await vi.waitFor(() => expect(threads[thread]?.requests).toHaveLength(count), { timeout: 8_000 })
+  await vi.waitFor(() => expect(threads[thread]?.requests).toHaveLength(count), { timeout: 40_000 })
   return threads[thread] as FakeThread
 }
 

@@ -19,7 +19,7 @@ export class LinkWriter {
    * @throws CircleVoronoiError as `encodeLink`
    */
   async linkOf(state: LinkInput): Promise<string> {
-    const write = (state: LinkInput) => (sizeOf(state) > FEW ? this.#files.link(state) : encodeLink(state))
+    const write = (state: LinkInput) => (sizeOf(state) > FEW ? this.#files.call('link', state) : encodeLink(state))
     try {
       return await write(state)
     } catch (error) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { Figure } from '../element/figure.ts'
+import { withSelection } from '../editing/state.ts'
+import { loadedOnce } from '../lib/base/loaded-once.ts'
+import { Figure } from '../player/figure.ts'
 import { arrangeAround } from './arrange.ts'
 import { askAhead, DATA_SETS, type DataSet } from './data-sets.ts'
 import { FilesClient } from './files/files-client.ts'
@@ -9,8 +11,8 @@ import { listenToFiles } from './input/dropping.ts'
 import { restoreInvalidNumbers } from './input/invalid-numbers.ts'
 import { Keeping } from './keeping.ts'
 import { LinkWriter } from './link-writer.ts'
-import { loadedOnce, NOT_LOADED } from './loaded-once.ts'
 import { driftAtStart } from './motion/drift.ts'
+import { NOT_LOADED } from './not-loaded.ts'
 import { workOffline } from './offline.ts'
 import { paddingOfPage } from './padding.ts'
 import { PageActions } from './page-actions.ts'
@@ -143,10 +145,7 @@ if (begun === 'refused') {
   actions.complain(problem)
   // What is selected may be where it was on its way.
   driftAtStart(view, byId('figure', HTMLElement), () =>
-    store.update((state) => {
-      const circle = state.selected === undefined ? undefined : view.circles.get(state.selected)
-      return { ...state, circle }
-    }),
+    store.update((state) => withSelection(state, state.selection, view.circles)),
   )
   figure.whenPainted().then(() => firstPicture?.remove())
 } else {

@@ -6,7 +6,7 @@ import type { Scene } from '../editing/history.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
 import type { Circle, Edit, Float64s, Point } from '../lib/index.ts'
-import { decodeLink, type LinkView } from '../lib/link.ts'
+import { decodeLink, LINK_LIMITS, type LinkView } from '../lib/link.ts'
 import { boundingBox, type Padding } from '../view/camera.ts'
 import type { Areas, Domain } from '../view/domain.ts'
 import type { Drawn } from '../view/gestures.ts'
@@ -30,6 +30,8 @@ import type { RegionPen } from './region-pen.ts'
 
 /** What a user of the page can open beside. */
 export class PageActions extends EditorActions {
+  /** A name must not stand for more circles than a link may have. */
+  protected override readonly mostNamed = LINK_LIMITS.circles
   readonly #editing: Editing
   readonly #files: Pick<FilesClient, 'cancel'>
   readonly #make: (recipe: Recipe) => Promise<Float64s>
@@ -40,12 +42,12 @@ export class PageActions extends EditorActions {
     editing: Editing,
     view: View,
     padding: () => Padding,
-    files: Pick<FilesClient, 'make' | 'cancel'>,
+    files: Pick<FilesClient, 'call' | 'cancel'>,
   ) {
     super(store, editing, view, padding)
     this.#editing = editing
     this.#files = files
-    this.#make = (recipe) => files.make(recipe)
+    this.#make = (recipe) => files.call('make', recipe)
     this.#shown = () => store.get().dataSet
   }
 

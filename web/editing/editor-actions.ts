@@ -7,13 +7,13 @@ import { boxOf, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import type { Hands, Held } from '../view/gestures.ts'
 import { keptLayers, type Layers, layersFrom } from '../view/layers.ts'
 import type { Edited } from '../view/painter.ts'
+import { short } from '../view/short.ts'
 import type { View } from '../view/view.ts'
 import { middleOf, nextInDirection, roundStep, scaled, snappedInPlace, snappedInSize, stepped } from './arranging.ts'
 import type { Editing } from './editing.ts'
 import type { Scene } from './history.ts'
 import { cameraOf, circlesOfLink, regionOfLink, viewOfLink } from './scene-link.ts'
-import { shortest } from './shortest.ts'
-import type { State, Tool } from './state.ts'
+import { type State, type Tool, withSelection } from './state.ts'
 import type { Store } from './store.ts'
 import { ENGLISH_EDITING } from './words.ts'
 
@@ -57,6 +57,8 @@ export type HowOpened = 'opened' | 'refused' | 'superseded'
 export class EditorActions implements Hands {
   /** Whether circles are only looked at and selected. */
   isReadonly = false
+  /** Of how many circles a link says the name alone, if they have one. */
+  protected readonly mostNamed: number = 0
   /** What is read out. */
   words = ENGLISH_EDITING
   /** Called with each stage, and how many circles are opened; 0: not known. */
@@ -102,7 +104,7 @@ export class EditorActions implements Hands {
     const layers = keptLayers(this.#view.layers)
     const { step, method } = this.#store.get()
     // Areas go by the order of the circles.
-    const said = Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles)
+    const said = Array.isArray(areas) ? { circles: circles.circles() } : circlesOfLink(scene, circles, this.mostNamed)
     const names = said.circles && scene.names && Array.from(circles.ids(), (id) => this.#editing.nameOf(id))
     return {
       ...said,
@@ -149,7 +151,9 @@ export class EditorActions implements Hands {
       const { edits, view, layers, step, method, ...scene } = opened
       const before = { camera: this.#view.camera, selection: this.#store.get().selection }
       this.select([])
-      this.#view.setCamera(this.#looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN)))
+      const cameraNow = () => this.#looking(view, boxOf(boundingBox(scene.circles), scene.domain ?? NO_DOMAIN))
+      const camera = cameraNow()
+      this.#view.setCamera(camera)
       this.onstage('computing', scene.circles.length / 3)
       const edited = await this.#editing.open(scene, edits)
       if (isSuperseded()) return 'superseded'
@@ -161,6 +165,8 @@ export class EditorActions implements Hands {
         return 'refused'
       }
       end = 'opened'
+      // What is beside the picture may have opened meanwhile.
+      if (this.#view.camera === camera && !isSame(camera, cameraNow())) this.#view.setCamera(cameraNow())
       if (layers !== undefined) this.#view.setLayers(layersFrom(layers))
       else this.#forgetPlaces()
       this.useTool('select')
@@ -265,7 +271,7 @@ export class EditorActions implements Hands {
   async fitted({ x, y }: Point): Promise<Circle | undefined> {
     if (this.isReadonly) return undefined
     const usual = USUAL_RADIUS / this.#view.camera.scale
-    const nearest = await this.#view.hit(x, y, 0)
+    const nearest = await this.#view.ask('hit', x, y, 0)
     const other = nearest === undefined ? undefined : this.circle(nearest.id)
     const room = other === undefined ? 2 * usual : Math.hypot(x - other.x, y - other.y) - other.r
     return { x, y, r: room > 0 ? Math.min(usual, room / 2) : usual }
@@ -352,16 +358,14 @@ export class EditorActions implements Hands {
     const [only, ...others] = changed
     if (only === undefined) return
     const { x, y, r } = only.circle
-    const numbers = () => this.words.numbers(only.id, shortest(x), shortest(y), shortest(r))
+    const numbers = () => this.words.numbers(only.id, short(x), short(y), short(r))
     this.#say(others.length === 0 ? numbers() : this.words.moved(changed.length))
   }
 
   select(ids: readonly number[]): void {
     this.#store.update((state) => {
       if (ids.length === state.selection.length && ids.every((id, k) => id === state.selection[k])) return state
-      const selected = ids.length === 1 ? ids[0] : undefined
-      const circle = selected === undefined ? undefined : this.#editing.circles.get(selected)
-      return { ...state, selection: ids, selected, circle, described: undefined, problem: '' }
+      return { ...withSelection(state, ids, this.#editing.circles), described: undefined, problem: '' }
     })
   }
 
@@ -397,7 +401,7 @@ export class EditorActions implements Hands {
   selectNearMiddle(): Promise<void> {
     return this.#waitFor(async () => {
       const { x, y } = this.#view.camera
-      const hit = await this.#view.hit(x, y, 0)
+      const hit = await this.#view.ask('hit', x, y, 0)
       if (hit !== undefined) this.select([hit.id])
     })
   }

@@ -35,10 +35,10 @@ export interface KeyActions {
 }
 
 export interface KeyboardOptions {
-  /** Where some keys are heard, wherever the focus is in it. Default: the page. */
-  readonly around?: Document | HTMLElement
+  /** Where some keys are heard, wherever the focus is in it. */
+  readonly around: Document | HTMLElement
   /** Aborting it ends that. */
-  readonly signal?: AbortSignal
+  readonly signal: AbortSignal
 }
 
 /** Keys on the figure; some of them anywhere in `around` but in a field. */
@@ -49,7 +49,7 @@ export function listenToKeyboard(
   store: Store<State>,
   actions: EditorActions,
   { editNumbers, showHelp, drawKey, drawRegion }: KeyActions,
-  { around = document, signal }: KeyboardOptions = {},
+  { around, signal }: KeyboardOptions,
 ): void {
   // A key that is held down is one gesture.
   let gesture = 0
@@ -162,16 +162,15 @@ export function listenToKeyboard(
     if (pending !== undefined || act()) event.preventDefault()
   }
 
-  const listening = signal === undefined ? {} : { signal }
   const onKey = (event: KeyboardEvent) => {
     if (!(event.ctrlKey || event.metaKey)) afterwards(event, () => onFigureKey(event))
   }
   const onKeyUp = (event: KeyboardEvent) => {
     if (event.key === ' ') actions.holdPanning(false)
   }
-  figure.addEventListener('keydown', onKey, listening)
-  figure.addEventListener('keyup', onKeyUp, listening)
-  figure.addEventListener('blur', () => actions.holdPanning(false), listening)
+  figure.addEventListener('keydown', onKey, { signal })
+  figure.addEventListener('keyup', onKeyUp, { signal })
+  figure.addEventListener('blur', () => actions.holdPanning(false), { signal })
 
   const onKeyAround = (event: KeyboardEvent) => {
     if (event.target instanceof Element && event.target.closest('input, textarea, select, dialog') !== null) return
@@ -183,5 +182,5 @@ export function listenToKeyboard(
     })
   }
   // TypeScript does not know that either of the two has these.
-  ;(around as HTMLElement).addEventListener('keydown', onKeyAround, listening)
+  ;(around as HTMLElement).addEventListener('keydown', onKeyAround, { signal })
 }

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../lib/base/diagram-data.ts'
 import type { Circle, Edit } from '../lib/index.ts'
-import { LINK_LIMITS, type LinkState, type LinkView } from '../lib/link.ts'
+import type { LinkState, LinkView } from '../lib/link.ts'
 import type { Camera, Size } from '../view/camera.ts'
 import type { CircleTable } from '../view/circle-table.ts'
 import type { Domain } from '../view/domain.ts'
 import type { Scene } from './history.ts'
 
-/** What a link says of circles that were opened as `scene` and are now those of a table: whichever is shorter. */
-export function circlesOfLink(scene: Scene, table: CircleTable): Pick<LinkState, 'circles' | 'dataSet' | 'edits'> {
+/**
+ * What a link says of circles that were opened as `scene` and are now those of a table: whichever is shorter. `mostNamed`: of
+ * how many circles it may say the name alone.
+ */
+export function circlesOfLink(
+  scene: Scene,
+  table: CircleTable,
+  mostNamed: number,
+): Pick<LinkState, 'circles' | 'dataSet' | 'edits'> {
   const { dataSet, isEdited, circles } = scene
-  // A name must not stand for more circles than a link may have.
-  if (dataSet === '' || isEdited || circles.length > 3 * LINK_LIMITS.circles) return { circles: table.circles() }
+  if (dataSet === '' || isEdited || circles.length > 3 * mostNamed) return { circles: table.circles() }
   const edits = editsFrom(circles, table)
   if (edits.length === 0) return { dataSet }
   return edits.length < circles.length / 3 ? { dataSet, edits } : { circles: table.circles() }

@@ -67,7 +67,12 @@ export const INITIAL_STATE: State = {
 /** The state once circles were opened or edited: those that were selected may be gone, and other circles have other ids. */
 export function stateAfter(state: State, { edited, history, domain, isOpened }: Outcome, circles: CircleTable): State {
   const selection = isOpened ? [] : state.selection.filter((id) => circles.get(id) !== undefined)
+  return { ...withSelection(state, selection, circles), edited, history, domain, problem: '' }
+}
+
+/** The state with this selection of circles, as they are. */
+export function withSelection(state: State, selection: readonly number[], circles: CircleTable): State {
   const selected = selection.length === 1 ? selection[0] : undefined
   const circle = selected === undefined ? undefined : circles.get(selected)
-  return { ...state, edited, history, domain, selection, selected, circle, problem: '' }
+  return { ...state, selection, selected, circle }
 }

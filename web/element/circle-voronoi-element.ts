@@ -4,11 +4,13 @@ import { problemOf } from '../editing/problem.ts'
 import { type Circles, coordinatesOf } from '../lib/base/coordinates.ts'
 import { CircleVoronoiError } from '../lib/base/errors.ts'
 import type { Certificate, Float64s, Method, Stats } from '../lib/base/types.ts'
-import { decodeLink, type LayerValue, type LinkInput, type LinkState, type LinkView } from '../lib/link.ts'
+import type { LayerValue, LinkInput, LinkState, LinkView } from '../lib/link.ts'
 import { plainRegion, type RegionShape } from '../lib/regions/region-shape.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
+import { Figure } from '../player/figure.ts'
 import { type Areas, type Domain, NO_DOMAIN } from '../view/domain.ts'
 import { checkedLayers, DEFAULT_LAYERS, keptLayers, type Layers } from '../view/layers.ts'
+import type { DiagramCounts } from '../view/protocol.ts'
 import { shownValue } from '../view/refusal.ts'
 import { isRegionText, readRegion } from '../view/region-text.ts'
 import {
@@ -25,22 +27,13 @@ import {
 import { checkCircles, holds, idsOf, parseCheck, withIds } from './check.ts'
 import type { Check } from './check-types.ts'
 import { mountControls, paddingBelow } from './controls.ts'
-import { circlesWithin, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
-import { Figure } from './figure.ts'
+import { circlesWithin, linkState, opened, openedFrom, openedState, regionFrom } from './data-of.ts'
 import { loadWords, wordsOf } from './language.ts'
 import { readCircles } from './read-circles.ts'
 import { refuse } from './refusals.ts'
 import { Shell } from './shell.ts'
 import { watchSight } from './sight.ts'
 import type { Words } from './words.ts'
-
-/** How many circles, hidden circles, vertices and edges a diagram has. */
-export interface DiagramCounts {
-  readonly circles: number
-  readonly hidden: number
-  readonly vertices: number
-  readonly edges: number
-}
 
 /** How a diagram was computed from scratch, and the certificate of the result. */
 export interface Computation {
@@ -176,11 +169,14 @@ export class CircleVoronoiElement extends Base {
   #isMet: boolean | undefined
   #isDisabled = false
   #isShown = true
-  #counts: DiagramCounts | undefined
   #selection: readonly number[] = []
+  /** The selection of circles that are not there yet. */
+  #nextSelection: readonly number[] | undefined
   #stopWatching: (() => void) | undefined
   #children: MutationObserver | undefined
   #loading: AbortController | undefined
+  /** Circles are about to be shown. */
+  #isOpening = false
   /** Another region or other areas are about to be shown. */
   #isChanging = false
   /** Its words are being loaded. */
@@ -192,8 +188,6 @@ export class CircleVoronoiElement extends Base {
   #ready = new Settling()
   /** What is wrong with attributes and properties, by their names. */
   readonly #wrong = new Map<string, Error>()
-  /** What was refused or failed, as a sentence. */
-  #problem = ''
 
   /** Creates an element, as `document.createElement` does. */
   constructor() {
@@ -201,7 +195,7 @@ export class CircleVoronoiElement extends Base {
     this.#internals = this.attachInternals()
     this.#shell = new Shell(this.attachShadow({ mode: 'open' }))
     this.#describe()
-    this.#shell.onrestyle = () => this.#figure?.restyle()
+    this.#shell.onrestyle = () => this.#figure?.view.restyle()
     // After the figure itself has heard of it.
     this.#shell.frame.addEventListener('wheel', (event) => {
       if (!event.defaultPrevented) this.#shell.hint(this.#words.wheelHint)
@@ -545,20 +539,29 @@ export class CircleVoronoiElement extends Base {
     return this.#internals.reportValidity()
   }
 
-  /** The ids of the selected circles. */
+  /** The ids of the selected circles. A selection that you set before the circles are visible is applied when they are. */
   get selection(): readonly number[] {
-    return this.#selection
+    return this.#nextSelection ?? this.#selection
   }
 
   set selection(selection: readonly number[] | undefined | null) {
-    const figure = this.#figure
     this.#try('selection', () => {
       const ids: unknown = selection ?? []
       if (!Array.isArray(ids)) {
         refuse((words) => words.must(words.selection, words.listOfIds, shownValue(ids)))
       }
-      figure?.actions.select(ids.map((id) => figure.editing.idOf(id)))
+      this.#nextSelection = ids.slice()
+      if (!this.#isOpening) this.#select()
     })
+  }
+
+  /** Selects what is to be selected, once there are circles. */
+  #select(): void {
+    const figure = this.#figure
+    const next = this.#nextSelection
+    if (next === undefined || figure?.editing.scene === undefined) return
+    this.#nextSelection = undefined
+    figure.actions.select(next.map((id) => figure.editing.idOf(id)))
   }
 
   /** A promise that resolves when everything that you set is computed and painted. */
@@ -584,7 +587,7 @@ export class CircleVoronoiElement extends Base {
       if (wrong !== undefined) throw wrong
     }
     const { method, samples } = this
-    const computed = await figure.view.compute({ method, ...(samples !== undefined && { samples }) })
+    const computed = await figure.view.ask('compute', { method, ...(samples !== undefined && { samples }) })
     if (computed === undefined) refuse((words) => words.notComputedAgain, 'internal')
     if ('problem' in computed) throw new CircleVoronoiError('badOption', computed.problem)
     return computed
@@ -621,7 +624,7 @@ export class CircleVoronoiElement extends Base {
   async setState(state: LinkInput | string): Promise<void> {
     const said: LinkState =
       typeof state === 'string'
-        ? await decodeLink(state.replace(/^.*#/, ''))
+        ? await linkState(state.replace(/^.*#/, ''))
         : { ...state, circles: state.circles && coordinatesOf(state.circles) }
     const figure = await this.#started()
     if (said.circles === undefined && said.dataSet === undefined && figure.editing.scene !== undefined) {
@@ -721,7 +724,6 @@ export class CircleVoronoiElement extends Base {
       onoutcome: ({ edited, isOpened }) => {
         this.#shell.isRunning = true
         if (isOpened) this.#try('check', () => this.#checkCircles())
-        this.#counts = edited.counts
         this.#describe()
         this.#tellForm()
         this.#tell('circleschange', this.#detail())
@@ -734,12 +736,11 @@ export class CircleVoronoiElement extends Base {
         return { method, ...(samples !== undefined && { samples }) }
       },
       onstep: (step, steps) => this.#tell('stepchange', { step, steps }),
-      words: () => this.#words,
+      words: () => this.#words.others,
     })
     const { store, editing } = this.#figure
     let before: readonly number[] = []
-    store.subscribe(({ selection, problem }) => {
-      this.#problem = problem
+    store.subscribe(({ selection }) => {
       this.#showProblems()
       if (selection === before) return
       before = selection
@@ -770,7 +771,7 @@ export class CircleVoronoiElement extends Base {
 
   #show(): void {
     if (this.#figure === undefined) return
-    this.#figure.isShown = this.#isShown
+    this.#figure.view.isShown = this.#isShown
     this.#shell.isShown = this.#isShown
   }
 
@@ -781,9 +782,13 @@ export class CircleVoronoiElement extends Base {
     this.#loading = loading
     const figure = this.#figure as Figure
     const ready = this.#ready
+    this.#isOpening = true
     this.#update = this.#open(figure, loading.signal).then(() => {
       // If not, others are about to be shown.
-      if (!loading.signal.aborted) ready.settle()
+      if (loading.signal.aborted) return
+      this.#isOpening = false
+      this.#select()
+      ready.settle()
     })
   }
 
@@ -940,7 +945,7 @@ export class CircleVoronoiElement extends Base {
     const check = this.#check
     // It calls circles by their numbers.
     const asked = check && figure && withIds(check, (number) => figure.editing.idOf(number))
-    const facts = asked && (await figure?.view.tell(idsOf(asked)))
+    const facts = asked && (await figure?.view.ask('tell', idsOf(asked)))
     // Meanwhile there may be others.
     if (figure !== this.#figure || check !== this.#check) return
     const isMet = check && asked !== undefined && facts !== undefined && holds(asked, facts)
@@ -962,7 +967,8 @@ export class CircleVoronoiElement extends Base {
   #describe(): void {
     const words = this.#words
     const said = this.#isMet === undefined ? '' : this.#isMet ? ` ${words.met}` : ` ${words.unmet}`
-    const about = this.#counts === undefined ? '' : words.describe(this.#counts) + said
+    const counts = this.#figure?.store.get().edited?.counts
+    const about = counts === undefined ? '' : words.describe(counts) + said
     this.#shell.describe(words, this.alt, about, this.#isReadonly)
   }
 
@@ -975,9 +981,9 @@ export class CircleVoronoiElement extends Base {
     this.#speaking = loadWords(this.#language)?.then(() => {
       this.#applyControls()
       this.#showProblems()
-      this.#figure?.stepping.restyle()
+      this.#figure?.stepping.redraw()
     })
-    this.#figure?.stepping.restyle()
+    this.#figure?.stepping.redraw()
   }
 
   /** That of the page, as far as it is known. */
@@ -1037,7 +1043,8 @@ export class CircleVoronoiElement extends Base {
   #showProblems(): void {
     const refusals = this.#words.others?.refusals
     const wrong = Array.from(this.#wrong.values(), (error) => problemOf(error, false, refusals))
-    this.#shell.problem = [...wrong, this.#problem].filter((text) => text !== '').join(' ')
+    const problem = this.#figure?.store.get().problem ?? ''
+    this.#shell.problem = [...wrong, problem].filter((text) => text !== '').join(' ')
   }
 
   /** What an attribute says, if that is right; if not, it was told when it was set. */
@@ -1114,6 +1121,7 @@ const PROPERTIES = [
   'alt',
   'check',
   'name',
+  'selection',
 ] as const
 
 declare global {

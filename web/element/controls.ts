@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import type { Figure } from '../player/figure.ts'
 import type { Padding } from '../view/camera.ts'
 import { disable } from '../view/disable.ts'
-import type { Figure } from './figure.ts'
+import { ADD, FIT, MINUS, PLUS, REDO, REMOVE, UNDO } from '../view/icons.ts'
 import { make, type Shell } from './shell.ts'
 import type { Words } from './words.ts'
 
@@ -10,7 +11,6 @@ import type { Words } from './words.ts'
 const ROOM = 16
 const BELOW_BUTTONS = 12
 const SVG = 'http://www.w3.org/2000/svg'
-const RING = 'M3 10a7 7 0 1 0 14 0a7 7 0 1 0-14 0'
 
 /** What is free around circles that are all seen. */
 export function paddingBelow({ clientHeight }: HTMLElement): Padding {
@@ -38,13 +38,13 @@ export function mountControls(
     element.addEventListener('click', act)
     return element
   }
-  const add = button(buttons.add, `${RING}M10 7v6M7 10h6`, () => actions.toggleAdding())
-  const remove = button(buttons.remove, `${RING}M7 10h6`, () => actions.removeSelected())
-  const undo = button(buttons.undo, 'M7 4 3.5 7.5 7 11M4 7.5h7.5a4 4 0 0 1 0 8H8', () => actions.undo())
-  const redo = button(buttons.redo, 'm13 4 3.500 3.500L13 11M16 7.500H8.500a4 4 0 0 0 0 8H12', () => actions.redo())
-  const zoomOut = button(buttons.zoomOut, 'M5 10h10', () => actions.zoomAtMiddle(-1))
-  const zoomIn = button(buttons.zoomIn, 'M10 5v10M5 10h10', () => actions.zoomAtMiddle(1))
-  const fit = button(buttons.fit, 'M4 8V4h4M12 4h4v4M16 12v4h-4M8 16H4v-4', () => actions.fit())
+  const add = button(buttons.add, ADD, () => actions.toggleAdding())
+  const remove = button(buttons.remove, REMOVE, () => actions.removeSelected())
+  const undo = button(buttons.undo, UNDO, () => actions.undo())
+  const redo = button(buttons.redo, REDO, () => actions.redo())
+  const zoomOut = button(buttons.zoomOut, MINUS, () => actions.zoomAtMiddle(-1))
+  const zoomIn = button(buttons.zoomIn, PLUS, () => actions.zoomAtMiddle(1))
+  const fit = button(buttons.fit, FIT, () => actions.fit())
   controls.replaceChildren(...(isReadonly ? [] : [add, remove, undo, redo]), zoomOut, zoomIn, fit)
 
   const unsubscribe = store.subscribe(({ tool, selection, history }) => {

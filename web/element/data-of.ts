@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Opened } from '../editing/editor-actions.ts'
 import type { Float64s } from '../lib/index.ts'
-import { decodeLink, type LinkState } from '../lib/link.ts'
+import type { LinkState } from '../lib/link.ts'
 import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { Refusal } from '../view/refusal.ts'
 import { isRegionText, readRegion } from '../view/region-text.ts'
@@ -30,6 +30,16 @@ export function openedState({ circles, dataSet, ...rest }: LinkState): Opened {
   return opened(circles ?? new Float64Array(), rest)
 }
 
+/** What a link says. Its reader is loaded when it is needed. @throws CircleVoronoiError `badInput`, `notLoaded` */
+export async function linkState(link: string): Promise<LinkState> {
+  const { decodeLink } = await import('../lib/link.ts')
+  return decodeLink(link)
+}
+
+async function openedLink(link: string): Promise<Opened> {
+  return openedState(await linkState(link))
+}
+
 /**
  * What is at an address: a file, or where the address is a link of the page, what that says.
  *
@@ -37,11 +47,12 @@ export function openedState({ circles, dataSet, ...rest }: LinkState): Opened {
  */
 export async function openedFrom(src: string, signal: AbortSignal): Promise<Opened> {
   const link = LINK.exec(src)?.[1]
-  if (link !== undefined) return openedState(await decodeLink(link))
+  if (link !== undefined) return openedLink(link)
   const response = await fetch(src, { signal })
   if (!response.ok) refuse((words) => words.notLoaded(src, response.status), 'badInput')
   const text = await response.text()
-  if (LINK.test(text.trim())) return openedState(await decodeLink(LINK.exec(text.trim())?.[1] as string))
+  const linkWithin = LINK.exec(text.trim())?.[1]
+  if (linkWithin !== undefined) return openedLink(linkWithin)
   try {
     return opened(readCircles(text))
   } catch (error) {

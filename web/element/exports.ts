@@ -14,12 +14,12 @@ export type {
 export type { LayerValue, LinkInput, LinkView } from '../lib/link.ts'
 export type { Areas } from '../view/domain.ts'
 export type { CellColors, DataLayer, Layers } from '../view/layers.ts'
+export type { DiagramCounts } from '../view/protocol.ts'
 export type { CellCheck, Check, DiagramCheck, NumberCondition } from './check-types.ts'
 export {
   CircleVoronoiElement,
   type CircleVoronoiEventMap,
   type Computation,
-  type DiagramCounts,
   type FigureState,
 } from './circle-voronoi-element.ts'
 export type { CircleVoronoiProps } from './frameworks.ts'

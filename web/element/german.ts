@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import type { KeyHelp } from '../editing/key-help.ts'
 import type { ProblemWords } from '../editing/problem.ts'
 import { problemOf } from '../editing/problem.ts'
 import type { EditingWords } from '../editing/words.ts'
@@ -16,17 +17,10 @@ export function germanWords(lang: string): Words {
   return {
     lang,
     label: 'Kreise und ihr Voronoi-Diagramm',
-    keys:
-      'Enter wählt einen Kreis aus. Tab geht zum nächsten, Strg und eine Pfeiltaste zum Nachbarn auf dieser Seite, Escape ' +
-      'lässt los. Die Pfeiltasten bewegen, was ausgewählt ist, Plus und Minus ändern seine Größe; mit Umschalt sind die ' +
-      'Schritte größer, mit Alt feiner. Entf löscht es. Ist kein Kreis ausgewählt, bewegen die Pfeiltasten das Bild, Plus ' +
-      'und Minus zoomen, und 0 zeigt alles.',
-    keysToLook:
-      'Enter wählt einen Kreis aus. Tab geht zum nächsten, Strg und eine Pfeiltaste zum Nachbarn auf dieser Seite, Escape ' +
-      'lässt los. Die Pfeiltasten bewegen das Bild, Plus und Minus zoomen, und 0 zeigt alles.',
+    keys: KEYS,
     wheelHint: 'Strg und das Mausrad zoomen; nach einem Klick auch das Mausrad allein',
-    met: 'Die Kreise sind, wie sie sein sollen.',
-    unmet: 'Die Kreise sind noch nicht, wie sie sein sollen.',
+    met: 'Gelöst.',
+    unmet: 'Noch nicht gelöst.',
     buttons: {
       add: 'Kreis hinzufügen',
       remove: 'Auswahl löschen',
@@ -44,6 +38,31 @@ export function germanWords(lang: string): Words {
       return `${count(circles, 'Kreis', 'Kreise')}${inside}; das Diagramm hat ${count(vertices, 'Ecke', 'Ecken')} und ${count(edges, 'Kante', 'Kanten')}.`
     },
   }
+}
+
+const KEYS: KeyHelp = {
+  select: {
+    one: ['Enter', 'wählt einen Kreis aus'],
+    next: ['Tab, Umschalt + Tab', 'der nächste, der vorige'],
+    neighbor: ['Strg + Pfeile', 'der Nachbar auf dieser Seite'],
+    all: ['Strg + A, Escape', 'alle, keiner'],
+    zoom: ['F', 'vergrößert die Auswahl'],
+  },
+  edit: {
+    add: ['N', 'fügt in der Mitte des Bildes einen Kreis hinzu'],
+    move: ['Pfeile', 'bewegen die Auswahl: mit Umschalt in größeren Schritten, mit Alt in kleineren'],
+    resize: ['+ −', 'ändern die Größe der Auswahl, in denselben Schritten'],
+    remove: ['Entf', 'löscht die Auswahl'],
+    duplicate: ['Strg + D', 'verdoppelt die Auswahl'],
+    undo: ['Strg + Z, Strg + Umschalt + Z', 'rückgängig, wiederholen'],
+    snap: ['S', 'Einrasten an oder aus'],
+  },
+  look: {
+    pan: ['Pfeile', 'bewegen das Bild'],
+    zoom: ['+ −', 'zoomen'],
+    fit: ['0', 'zeigt alles; noch einmal: ohne das, was weit außerhalb liegt'],
+  },
+  withoutSelection: 'Ohne Auswahl:',
 }
 
 const EDITING: EditingWords = {

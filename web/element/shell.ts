@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { spokenKeys } from '../editing/key-help.ts'
 import theme from '../view/theme.css?inline'
 import css from './shell.css?inline'
 import type { Words } from './words.ts'
@@ -91,7 +92,7 @@ export class Shell {
     this.figure.ariaLabel = label === '' ? words.label : label
     this.controls.ariaLabel = this.figure.ariaLabel
     this.#about.textContent = about
-    this.#keys.textContent = isReadonly ? words.keysToLook : words.keys
+    this.#keys.textContent = spokenKeys(words.keys, isReadonly)
   }
 
   /** What cannot be shown, and why, or nothing. */

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { ENGLISH_KEYS, type KeyHelp } from '../editing/key-help.ts'
 import type { ProblemWords } from '../editing/problem.ts'
 import { type EditingWords, ENGLISH_EDITING } from '../editing/words.ts'
 import type { PlayerWords } from '../player/words.ts'
-import type { Counts } from '../view/protocol.ts'
+import type { DiagramCounts } from '../view/protocol.ts'
 import type { ElementRefusals } from './refusals.ts'
 
 /** What an element says by itself. */
@@ -12,10 +13,7 @@ export interface Words {
   readonly lang: string
   /** What a figure is called where its page does not say it. */
   readonly label: string
-  /** What can be done by keys. */
-  readonly keys: string
-  /** The same where circles are only looked at. */
-  readonly keysToLook: string
+  readonly keys: KeyHelp
   /** What is said to whoever turns the wheel, or moves a finger, over a figure that leaves it to the page. */
   readonly wheelHint: string
   readonly met: string
@@ -32,7 +30,7 @@ export interface Words {
   /** What the player is called. */
   readonly player: string
   /** What is shown, as a sentence. */
-  describe(counts: Counts): string
+  describe(counts: DiagramCounts): string
   readonly editing: EditingWords
   /** What English says by itself, in another language. */
   readonly others?: { readonly refusals: ElementRefusals & ProblemWords; readonly player: PlayerWords }
@@ -45,16 +43,10 @@ export function english(lang: string): Words {
   return {
     lang,
     label: 'Circles and their Voronoi diagram',
-    keys:
-      'Enter selects a circle. Tab goes to the next one, Control and an arrow key to the neighbor on that side, Escape ' +
-      'lets go. The arrow keys move what is selected, plus and minus change its size; Shift makes the step bigger, Alt ' +
-      'finer. Delete removes it. Without a selected circle the arrow keys move the picture, plus and minus zoom and 0 fits it.',
-    keysToLook:
-      'Enter selects a circle. Tab goes to the next one, Control and an arrow key to the neighbor on that side, Escape ' +
-      'lets go. The arrow keys move the picture, plus and minus zoom and 0 fits it.',
+    keys: ENGLISH_KEYS,
     wheelHint: 'Ctrl and the wheel zoom; so does the wheel alone after a click',
-    met: 'The circles are as they are to be.',
-    unmet: 'The circles are not yet as they are to be.',
+    met: 'Solved.',
+    unmet: 'Not solved yet.',
     buttons: {
       add: 'Add a circle',
       remove: 'Delete what is selected',

@@ -19,7 +19,8 @@ async function show(): Promise<void> {
   link.href = `./${location.hash}`
   try {
     const { circles: own, dataSet = '', ...rest } = await decodeLink(location.hash)
-    const named = own === undefined ? await loadLinked(dataSet, (recipe) => files.make(recipe)) : { circles: own }
+    const named =
+      own === undefined ? await loadLinked(dataSet, (recipe) => files.call('make', recipe)) : { circles: own }
     const { circles, domain } = { domain: undefined, ...named }
     if (turn !== lastTurn) return
     figure.controls = rest.step === undefined ? '' : 'player'

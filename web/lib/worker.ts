@@ -4,9 +4,11 @@
  *
  * @module circle-voronoi/worker
  */
+
 import { refuseOption } from './base/check.ts'
 import { type Circles, coordinatesOf } from './base/coordinates.ts'
 import { receivedError, workerFailure } from './base/errors.ts'
+import { loadedOnce } from './base/loaded-once.ts'
 import type { DiagramData, Disposal } from './base/types.ts'
 import { Diagram } from './diagram/diagram.ts'
 import { EditorClient } from './threads/editor-client.ts'
@@ -129,8 +131,7 @@ interface Observer {
 }
 
 class Client implements CircleVoronoiWorker {
-  readonly #loadOptions: LoadOptions
-  #module: Promise<CompiledWasm> | undefined
+  readonly #module: () => Promise<CompiledWasm>
   #thread: Thread | undefined
   /** The first is the thread's, the others wait. */
   #jobs: Job[] = []
@@ -140,7 +141,7 @@ class Client implements CircleVoronoiWorker {
   #isDisposed = false
 
   constructor(loadOptions: LoadOptions) {
-    this.#loadOptions = loadOptions
+    this.#module = loadedOnce(() => compileCircleVoronoi(loadOptions))
   }
 
   async compute(circles: Circles, options: AsyncOptions = {}): Promise<Diagram> {
@@ -173,11 +174,7 @@ class Client implements CircleVoronoiWorker {
   async edit(circles: Circles | DiagramData, options: EditorOptions = {}): Promise<AsyncDiagramEditor> {
     const start = editorStart(circles, options)
     if (this.#isDisposed) throw disposed()
-    this.#module ??= compileCircleVoronoi(this.#loadOptions)
-    const module = await this.#module.catch((error) => {
-      this.#module = undefined
-      throw error
-    })
+    const module = await this.#module()
     if (this.#isDisposed) throw disposed()
     const editor = new EditorClient(module, start.weights, () => this.#editors.delete(editor))
     this.#editors.add(editor)
@@ -212,17 +209,12 @@ class Client implements CircleVoronoiWorker {
   }
 
   #begin(job: Job): void {
-    this.#module ??= compileCircleVoronoi(this.#loadOptions)
-    this.#module
+    this.#module()
       .then((module) => {
         // It may have been canceled meanwhile.
         if (this.#jobs[0] === job) this.#run(job, module)
       })
-      .catch((error) => {
-        // The next computation tries again.
-        this.#module = undefined
-        this.#settle(job, () => job.reject(error))
-      })
+      .catch((error) => this.#settle(job, () => job.reject(error)))
   }
 
   #run(job: Job, module: CompiledWasm): void {

@@ -3,9 +3,12 @@ import { html, nothing, render, svg, type TemplateResult } from 'lit/html.js'
 import { Diagram } from '../lib/diagram/diagram.ts'
 import type { Circle } from '../lib/index.ts'
 import { Trace, type TraceOptions, type TraceState } from '../lib/wasm/trace.ts'
+import { ASK, BACK, DOT, FORTH, NEXT, PAUSE, PLAY, PREVIOUS } from '../view/icons.ts'
 import type { Traced } from '../view/protocol.ts'
+import { computedColors } from '../view/style.ts'
 import type { View } from '../view/view.ts'
 import { type RingMark, ringOf, testedCircles, turnTo, waitingCount, waitingDiscs } from './discs.ts'
+import { icon } from './icon.ts'
 import css from './player.css?inline'
 import { type Question, questionAfter } from './prediction.ts'
 import { type Line, PROGRAMS, type Program } from './program.ts'
@@ -19,11 +22,11 @@ export interface PlayerOptions {
   /** Shows the circles that are played; their diagram is hidden until the end, and what happens is drawn above. */
   readonly view: View
   /** What is played: the touching disc method, flips (`method: 'auto'`), or `edits`. */
-  readonly options?: TraceOptions | undefined
+  readonly options: TraceOptions
   /** Where to begin. */
   readonly step?: number | undefined
   /** Called with each step that is shown, and how many there are. */
-  readonly onstep?: ((step: number, steps: number) => void) | undefined
+  onstep(step: number, steps: number): void
   /** What it says, asked for whenever it is drawn. Default: English. */
   readonly words?: (() => PlayerWords | undefined) | undefined
 }
@@ -39,8 +42,8 @@ export interface Player {
   pause(): void
   /** Shows a step, or the nearest one that there is. */
   stepTo(step: number): void
-  /** Other colors are told of, which the player cannot hear of by itself. */
-  restyle(): void
+  /** Draws it in other words, or after a change that nothing else tells of. */
+  redraw(): void
   /** Shows the diagram again. */
   dispose(): void
 }
@@ -53,16 +56,14 @@ const REVEALED = 24
 /** Nothing is edited for so long, in milliseconds, before it is played anew. */
 const REST = 150
 
-const icon = (paths: TemplateResult) => html`<svg class="glyph" viewBox="0 0 20 20" aria-hidden="true">${paths}</svg>`
-const ICONS = {
-  play: icon(svg`<path class="full" d="M6 4l10 6-10 6z" />`),
-  pause: icon(svg`<path d="M7 4v12M13 4v12" />`),
-  back: icon(svg`<path d="M6 4v12" /><path class="full" d="M15 4l-7 6 7 6z" />`),
-  forth: icon(svg`<path d="M14 4v12" /><path class="full" d="M5 4l7 6-7 6z" />`),
-  previous: icon(svg`<path d="M10 4l-6 6 6 6M16 4l-6 6 6 6" />`),
-  next: icon(svg`<path d="M4 4l6 6-6 6M10 4l6 6-6 6" />`),
-  dot: icon(svg`<circle class="full" cx="10" cy="10" r="4.500" />`),
-  ask: icon(svg`<path d="M7 7a3 3 0 1 1 4 3c-1 .6-1 1.200-1 2.500M10 16v.1" />`),
+const COLORS: Colors = {
+  past: 'var(--player-past)',
+  sample: 'var(--player-sample)',
+  current: 'var(--player-current)',
+  good: 'var(--player-good)',
+  bad: 'var(--player-bad)',
+  edge: 'var(--player-edge)',
+  ink: 'var(--player-ink)',
 }
 
 let sheet: CSSStyleSheet | undefined
@@ -81,6 +82,8 @@ class MethodPlayer implements Player {
   readonly #watching = new AbortController()
   readonly #unlisten: readonly (() => void)[]
   readonly #resized: ResizeObserver
+  /** `undefined`: to be read. */
+  #colors: Colors | undefined
   #run = 0
   /** The step to be shown once there is a trace; `undefined`: there is one, of the circles as they are. */
   #wanted: number | Line | undefined
@@ -105,8 +108,8 @@ class MethodPlayer implements Player {
   constructor(container: HTMLElement, { view, options, step, onstep, words }: PlayerOptions) {
     this.#root = container
     this.#view = view
-    this.#options = options ?? {}
-    this.#onstep = onstep ?? (() => {})
+    this.#options = options
+    this.#onstep = onstep
     this.#wordsNow = words ?? (() => undefined)
     container.classList.add('cv-player')
     // Its time runs from left to right.
@@ -114,6 +117,10 @@ class MethodPlayer implements Player {
     adopt(container.getRootNode() as Document | ShadowRoot)
     this.#unlisten = [
       view.on('changed', () => this.#playAnew()),
+      view.on('style', () => {
+        this.#colors = undefined
+        this.#draw()
+      }),
       view.on('marked', ({ selected }) => {
         if (selected?.id === this.#selected) return
         this.#selected = selected?.id
@@ -121,9 +128,6 @@ class MethodPlayer implements Player {
       }),
     ]
     container.addEventListener('keydown', (event) => this.#key(event), { signal: this.#watching.signal })
-    for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) {
-      matchMedia(query).addEventListener('change', () => this.restyle(), { signal: this.#watching.signal })
-    }
     this.#resized = new ResizeObserver(() => this.#drawTimeline())
     this.#resized.observe(container)
     this.#draw()
@@ -167,7 +171,7 @@ class MethodPlayer implements Player {
     this.#onstep(next, this.#steps.length)
   }
 
-  restyle(): void {
+  redraw(): void {
     this.#draw()
   }
 
@@ -207,7 +211,7 @@ class MethodPlayer implements Player {
     try {
       if (rest > 0) await new Promise((resolve) => setTimeout(resolve, rest))
       if (run !== this.#run) return
-      const traced = await this.#view.trace(this.#options)
+      const traced = await this.#view.ask('trace', this.#options)
       if (run !== this.#run) return
       if (traced === undefined) throw new Error(this.#words.notRun)
       const trace = new Trace(new Diagram(traced.diagram), traced.events)
@@ -334,17 +338,15 @@ class MethodPlayer implements Player {
     this.stepTo(step)
   }
 
-  #color(property: string): string {
-    const probe = this.#root.querySelector<HTMLElement>('[data-probe]')
-    if (probe === null) return 'black'
-    probe.style.setProperty('color', `var(${property})`)
-    return getComputedStyle(probe).color
+  #colorsNow(): Colors {
+    this.#colors ??= computedColors(this.#root, COLORS)
+    return this.#colors
   }
 
   #drawTimeline(): void {
     const canvas = this.#root.querySelector('canvas')
     if (canvas !== null && this.#steps.length > 0) {
-      drawTimeline(canvas, this.#steps, this.#step, this.#breakpoints, (property) => this.#color(property))
+      drawTimeline(canvas, this.#steps, this.#step, this.#breakpoints, this.#colorsNow())
     }
   }
 
@@ -378,18 +380,9 @@ class MethodPlayer implements Player {
     render(this.#page(trace, current, state, tested, circleOf), this.#root)
     this.#drawTimeline()
     this.#reveal()
-    const colors: Colors = {
-      past: this.#color('--player-past'),
-      sample: this.#color('--player-sample'),
-      current: this.#color('--player-current'),
-      good: this.#color('--player-good'),
-      bad: this.#color('--player-bad'),
-      edge: this.#color('--player-edge'),
-      ink: this.#color('--player-ink'),
-    }
     // Of circles that are no longer so, nothing is drawn.
     const isNothing = step === steps.length - 1 || this.#wanted !== undefined
-    this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, colors)
+    this.#view.above = isNothing ? [] : sceneOf(trace, current, state, tested, circles, this.#colorsNow())
   }
 
   /** Scrolls the current line into what is seen of the player, where it has less room than it needs. */
@@ -433,7 +426,6 @@ class MethodPlayer implements Player {
     const words = this.#words
     const sentence = sentenceOf(trace, current, tested, words)
     return html`
-      <span data-probe hidden></span>
       <div class="head">
       <div class="timeline">
         <canvas aria-hidden="true"></canvas>
@@ -448,8 +440,8 @@ class MethodPlayer implements Player {
         />
       </div>
       <div class="row">
-        ${this.#button(words.back, ICONS.back, () => this.#user(step - 1), step === 0)}
-        ${this.#button(isPlaying ? words.pause : words.play, isPlaying ? ICONS.pause : ICONS.play, () => (isPlaying ? this.pause() : this.play()))}
+        ${this.#button(words.back, icon(BACK, true), () => this.#user(step - 1), step === 0)}
+        ${this.#button(isPlaying ? words.pause : words.play, isPlaying ? icon(PAUSE) : icon(PLAY, true), () => (isPlaying ? this.pause() : this.play()))}
         <button
           type="button"
           data-forth
@@ -458,20 +450,20 @@ class MethodPlayer implements Player {
           ?disabled=${step === last}
           @click=${() => this.#user(step + 1)}
         >
-          ${ICONS.forth}
+          ${icon(FORTH, true)}
         </button>
         <select aria-label=${words.speed} @change=${(event: Event) => this.#setSpeed(Number((event.target as HTMLSelectElement).value))}>
           ${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === this.#speed}>${speed} / s</option>`)}
         </select>
         <span class="where">${step}<span class="of"> / ${last}</span></span>
         <span class="jump">
-        ${this.#toggle(words.ask, ICONS.ask, this.#asks, () => {
+        ${this.#toggle(words.ask, icon(ASK), this.#asks, () => {
           this.#asks = !this.#asks
         })}
-        ${this.#toggle(words.breakHere, ICONS.dot, this.#breakpoints.has(step), () => {
+        ${this.#toggle(words.breakHere, icon(DOT, true), this.#breakpoints.has(step), () => {
           if (!this.#breakpoints.delete(step)) this.#breakpoints.add(step)
         })}
-        ${this.#button(words.previous, ICONS.previous, () => this.#jump(-1), this.#jumpTarget(-1) === undefined)}
+        ${this.#button(words.previous, icon(PREVIOUS), () => this.#jump(-1), this.#jumpTarget(-1) === undefined)}
         <select
           aria-label=${words.goal}
           @change=${(event: Event) => {
@@ -481,7 +473,7 @@ class MethodPlayer implements Player {
         >
           ${Object.entries(words.goals).map(([goal, text]) => html`<option value=${goal} ?selected=${goal === this.#goal}>${text}</option>`)}
         </select>
-        ${this.#button(words.next, ICONS.next, () => this.#jump(1), this.#jumpTarget(1) === undefined)}
+        ${this.#button(words.next, icon(NEXT), () => this.#jump(1), this.#jumpTarget(1) === undefined)}
         </span>
       </div>
       <p class="sentence" aria-live=${isPlaying ? 'off' : 'polite'}>${sentence}</p>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Trace, TraceEvent } from '../lib/wasm/trace.ts'
+import { short } from '../view/short.ts'
 import { kindAt, type Step } from './steps.ts'
 import { ENGLISH_PLAYER, type PlayerWords } from './words.ts'
 
@@ -7,7 +8,7 @@ import { ENGLISH_PLAYER, type PlayerWords } from './words.ts'
 export function numberOf(value: number): string {
   const size = Math.abs(value)
   if (size >= 1e6 || (size > 0 && size < 1e-3)) return value.toExponential(2)
-  return String(Number(value.toPrecision(size >= 1000 ? 6 : 3)))
+  return short(value, size >= 1000 ? 6 : 3)
 }
 
 const radiusOf = ({ disc }: TraceEvent) => numberOf(disc?.r ?? 0)

@@ -75,8 +75,9 @@ export class Stepping {
     this.#follow(0)
   }
 
-  restyle(): void {
-    this.#player?.restyle()
+  /** Has it said in other words. */
+  redraw(): void {
+    this.#player?.redraw()
   }
 
   dispose(): void {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import type { Colors } from './scene.ts'
 import { type Sort, type Step, sortOf } from './steps.ts'
 
 /** The rows of marks, from the top: what each sort is drawn in, and how high it reaches. */
-const ROWS: readonly (readonly [sort: Sort, color: string, top: number, bottom: number])[] = [
-  ['stage', '--player-past', 0, 1],
-  ['circle', '--player-current', 0, 0.3],
-  ['disc', '--player-sample', 0.72, 0.95],
-  ['rejected', '--player-bad', 0.42, 0.66],
-  ['edge', '--player-past', 0.2, 0.36],
-  ['vertex', '--player-edge', 0.04, 0.36],
+const ROWS: readonly (readonly [sort: Sort, color: keyof Colors, top: number, bottom: number])[] = [
+  ['stage', 'past', 0, 1],
+  ['circle', 'current', 0, 0.3],
+  ['disc', 'sample', 0.72, 0.95],
+  ['rejected', 'bad', 0.42, 0.66],
+  ['edge', 'past', 0.2, 0.36],
+  ['vertex', 'edge', 0.04, 0.36],
 ]
 
 /** Those of steps that are shown, as wide as they are. */
@@ -42,7 +43,7 @@ export function drawTimeline(
   steps: readonly Step[],
   current: number,
   breakpoints: ReadonlySet<number>,
-  colorOf: (property: string) => string,
+  colors: Colors,
 ): void {
   const width = Math.max(Math.round(canvas.clientWidth * devicePixelRatio), 1)
   const height = Math.max(Math.round(canvas.clientHeight * devicePixelRatio), 1)
@@ -53,7 +54,7 @@ export function drawTimeline(
   const thick = Math.max(1, Math.round(devicePixelRatio))
   const columns = knownColumns(steps, width)
   for (const [sort, color, top, bottom] of ROWS) {
-    context.fillStyle = colorOf(color)
+    context.fillStyle = colors[color]
     const most = columns.reduce((most, counts) => Math.max(most, counts.get(sort) ?? 0), 1)
     for (const [x, counts] of columns.entries()) {
       const count = counts.get(sort)
@@ -65,12 +66,12 @@ export function drawTimeline(
   }
   context.globalAlpha = 1
   const place = (k: number) => (k / Math.max(steps.length - 1, 1)) * (width - 1)
-  context.fillStyle = colorOf('--player-bad')
+  context.fillStyle = colors.bad
   for (const k of breakpoints) {
     context.beginPath()
     context.arc(place(k), height - 4 * devicePixelRatio, 4 * devicePixelRatio, 0, 2 * Math.PI)
     context.fill()
   }
-  context.fillStyle = colorOf('--player-ink')
+  context.fillStyle = colors.ink
   context.fillRect(place(current) - thick, 0, 2 * thick, height)
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { isRecord } from '../lib/base/check.ts'
 import { CANDIDATES, type Candidates, type Point } from '../lib/base/types.ts'
 import type { LayerValue } from '../lib/link.ts'
 import { ENGLISH_REFUSALS, Refusal, type Refusals, shownValue } from './refusal.ts'
@@ -145,6 +146,17 @@ export function isMethodShown(layers: Layers): boolean {
   return layers.missedEdges || METHOD_LAYERS.some((name) => layers[name])
 }
 
+/** Whether the layers show something of the method, of so many circles. */
+export function isTraced(layers: Layers, circles: number): boolean {
+  return circles <= (layers.candidates === 'all-pairs' ? MOST_PAIRED : MOST_TRACED) && isMethodShown(layers)
+}
+
+/** Whether the layers show something that depends on all circles. */
+export function isAnythingFound(layers: Layers): boolean {
+  const { hull, largestDisc, path } = layers
+  return hull || largestDisc || path !== undefined || isMethodShown(layers)
+}
+
 /** What a cell is measured by. */
 export type Measure = Exclude<CellColors, 'auto' | 'none' | 'different'>
 
@@ -160,7 +172,7 @@ export function keptLayers(layers: Layers): Readonly<Record<string, LayerValue>>
 
 /** The layers that were kept: what is unknown or makes no sense is as by default. */
 export function layersFrom(kept: unknown): Layers {
-  if (typeof kept !== 'object' || kept === null) return DEFAULT_LAYERS
+  if (!isRecord(kept)) return DEFAULT_LAYERS
   const given = kept as Readonly<Record<string, unknown>>
   const layers: Record<string, unknown> = { ...DEFAULT_LAYERS }
   for (const [name, value] of Object.entries(DEFAULT_LAYERS)) {
@@ -186,7 +198,7 @@ export function layersFrom(kept: unknown): Layers {
  * @throws Refusal of a name that no layer has, or a value that a layer cannot have
  */
 export function checkedLayers(given: unknown): Layers {
-  if (typeof given !== 'object' || given === null || Array.isArray(given)) {
+  if (!isRecord(given)) {
     refuse((words) => words.must(words.layers, words.object, shownValue(given)))
   }
   const set = Object.entries(given).filter(([, value]) => value !== undefined && value !== null)
@@ -220,7 +232,7 @@ function refuse(say: (words: Refusals) => string): never {
 }
 
 function isData(layer: unknown): boolean {
-  if (typeof layer !== 'object' || layer === null) return false
+  if (!isRecord(layer)) return false
   const { points, segments, discs } = layer as Partial<DataLayer>
   return [points, segments, discs].every(
     (list) => list === undefined || Array.isArray(list) || ArrayBuffer.isView(list),

@@ -7,6 +7,7 @@ import { addArc, addDisc } from './painter/disc-path.ts'
 import type { Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
 import { FrameSink } from './painter/frame-sink.ts'
+import { addRectangle } from './painter/polygon-path.ts'
 import { addSegment } from './painter/segment-path.ts'
 import type { Described, Found, Marks, Touching, Trial } from './protocol.ts'
 import { DOT_RADIUS, isSeen, type Style } from './style.ts'
@@ -244,11 +245,7 @@ export function drawOverlay(
 
   function rectangle(left: number, top: number, right: number, bottom: number): PathSink {
     const path = drawing.path()
-    path.moveTo(left, top)
-    path.lineTo(right, top)
-    path.lineTo(right, bottom)
-    path.lineTo(left, bottom)
-    path.closePath()
+    addRectangle(path, left, top, right, bottom)
     return path
   }
 

@@ -6,13 +6,24 @@ import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options
 import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
 import type { Layers } from './layers.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
-import type { Counts, DomainChange, Fitted, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
+import type {
+  DiagramCounts,
+  DomainChange,
+  Fitted,
+  Found,
+  FromPainter,
+  Marks,
+  Questions,
+  ToPainter,
+  Wish,
+} from './protocol.ts'
 import { Failure, type Refusals } from './refusal.ts'
+import { type RemoteCall, RemoteCalls } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
 /** What came of circles that were opened, or of edits. */
 export interface Edited {
-  readonly counts: Counts
+  readonly counts: DiagramCounts
   /** The ids of the circles that came, in the order of the edits. */
   readonly inserted: Int32Array
   /** The edits that undo it. */
@@ -42,13 +53,6 @@ interface Waiting {
   reject(error: unknown): void
 }
 
-/** What was asked without a change of circles. */
-interface Asked {
-  readonly scene: Scene
-  resolve(answer: unknown): void
-  reject(error: unknown): void
-}
-
 interface Scene {
   readonly events: PictureEvents
   readonly waiting: Map<number, Waiting>
@@ -69,13 +73,12 @@ interface Scene {
 export class Painter {
   readonly #options: LoadOptions
   readonly #scenes = new Map<number, Scene>()
-  readonly #asked = new Map<number, Asked>()
+  readonly #questions = new RemoteCalls<Questions>()
   #worker: Worker | undefined
   /** Whether the thread has done something that was asked. */
   #hasWorked = false
   #isDisposed = false
   #lastScene = 0
-  #lastRequest = 0
 
   constructor(options: LoadOptions = {}) {
     this.#options = options
@@ -132,17 +135,13 @@ export class Painter {
         }
         return isOpening
       },
-      ask: (name, args) =>
-        new Promise((resolve, reject) => {
-          if (this.#worker === undefined || isClosed()) {
-            resolve(undefined)
-            return
-          }
-          this.#lastRequest += 1
-          const message = { kind: 'ask', scene: number, request: this.#lastRequest, name, args } satisfies ToPainter
-          this.#worker.postMessage(message)
-          this.#asked.set(this.#lastRequest, { scene, resolve, reject })
-        }),
+      ask: async (name, args) => {
+        const worker = this.#worker
+        if (worker === undefined || isClosed()) return undefined
+        const post = (call: RemoteCall<keyof Questions>) =>
+          worker.postMessage({ kind: 'ask', scene: number, ...call } satisfies ToPainter)
+        return this.#questions.call(name, args, post, scene)
+      },
     })
   }
 
@@ -189,10 +188,7 @@ export class Painter {
   #receive(message: Exclude<FromPainter, { kind: 'failed' }>): void {
     if ('request' in message) {
       this.#hasWorked = true
-      const asked = this.#asked.get(message.request)
-      this.#asked.delete(message.request)
-      if (message.kind === 'answer') asked?.resolve(message.value)
-      else asked?.reject(receivedError(message.error))
+      this.#questions.receive(message)
       return
     }
     const scene = this.#scenes.get(message.scene)
@@ -235,11 +231,7 @@ export class Painter {
 
   /** There will be no answers for a scene. */
   #leave(scene: Scene, reason: Reason): void {
-    for (const [request, asked] of this.#asked) {
-      if (asked.scene !== scene) continue
-      this.#asked.delete(request)
-      asked.resolve(undefined)
-    }
+    this.#questions.leave(scene)
     const failure = new Failure((words) => words.notComputed(reason(words)))
     for (const { reject } of scene.waiting.values()) reject(failure)
     scene.waiting.clear()
@@ -261,10 +253,10 @@ interface Line {
   /** Posts it, too. */
   edited(message: Waiting['message']): Promise<Edited>
   cancel(): boolean
-  ask(name: keyof Questions, args: readonly unknown[]): Promise<unknown>
+  ask<Name extends keyof Questions>(name: Name, args: Parameters<Questions[Name]>): Promise<Answer<Name>>
 }
 
-type Answer<Name extends keyof Questions> = ReturnType<Questions[Name]> | undefined
+export type Answer<Name extends keyof Questions> = ReturnType<Questions[Name]> | undefined
 
 /** The circles of one view, in the painter's thread. */
 export class PainterScene {
@@ -313,7 +305,7 @@ export class PainterScene {
    * @throws CircleVoronoiError that says why it cannot be answered
    */
   ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
-    return this.#line.ask(name, args) as Promise<Answer<Name>>
+    return this.#line.ask(name, args)
   }
 
   /** What is drawn; the next `look` has it painted. */

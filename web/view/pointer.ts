@@ -61,7 +61,7 @@ export function listenToPointer(
   const planeAt = (point: Point) => toPlane(view.camera, view.size, point)
   const hitAt = (point: Point, pointerType: string): Promise<Hit | undefined> => {
     const { x, y } = planeAt(point)
-    return view.hit(x, y, (pointerType === 'touch' ? TOUCH_SLACK : MOUSE_SLACK) / view.camera.scale)
+    return view.ask('hit', x, y, (pointerType === 'touch' ? TOUCH_SLACK : MOUSE_SLACK) / view.camera.scale)
   }
 
   const wait = (known: Promise<unknown>) => {

@@ -19,6 +19,7 @@ import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange } from './circle-table.ts'
 import type { Layers, Measure } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
+import type { RemoteCall, RemoteReply } from './remote-calls.ts'
 import type { Style } from './style.ts'
 
 /**
@@ -120,13 +121,7 @@ export type ToPainter =
     } & DomainChange)
   | ({ readonly kind: 'look'; readonly scene: number; readonly style: Style } & Wish)
   /** What is asked by its name, and what is given with it. */
-  | {
-      readonly kind: 'ask'
-      readonly scene: number
-      readonly request: number
-      readonly name: keyof Questions
-      readonly args: readonly unknown[]
-    }
+  | ({ readonly kind: 'ask'; readonly scene: number } & RemoteCall<keyof Questions>)
   /** What is drawn; `isPainted`: not only what is found (`Found`) is another. */
   | { readonly kind: 'layers'; readonly scene: number; readonly layers: Layers; readonly isPainted: boolean }
   /** Which circles stand out; what is known of them comes now and with each edit. */
@@ -149,7 +144,7 @@ export type FromPainter =
       readonly kind: 'opened'
       readonly scene: number
       readonly revision: number
-      readonly counts: Counts
+      readonly counts: DiagramCounts
       readonly seconds: number
       /** Those with radii that were fitted. */
       readonly circles?: Float64s | undefined
@@ -160,7 +155,7 @@ export type FromPainter =
       readonly kind: 'edited'
       readonly scene: number
       readonly revision: number
-      readonly counts: Counts
+      readonly counts: DiagramCounts
       readonly grid: number
       readonly patches: readonly Patch[]
       /** Around all that looks different. */
@@ -183,8 +178,7 @@ export type FromPainter =
       /** Whether all of that is painted now. */
       readonly isWhole: boolean
     }
-  | { readonly kind: 'answer'; readonly request: number; readonly value: unknown }
-  | { readonly kind: 'noAnswer'; readonly request: number; readonly error: PostedError }
+  | ({ readonly kind: 'answer' } & RemoteReply)
   | { readonly kind: 'found'; readonly scene: number; readonly found: Found }
   | { readonly kind: 'marked'; readonly scene: number; readonly marks: Marks }
   /** The same, with outlines for what is looked at now. */
@@ -199,7 +193,8 @@ export interface Fitted {
   readonly steps: number
 }
 
-export interface Counts {
+/** How many circles, hidden circles, vertices and edges a diagram has. */
+export interface DiagramCounts {
   readonly circles: number
   readonly hidden: number
   readonly vertices: number
@@ -222,7 +217,7 @@ export interface CellFacts extends Circle {
 }
 
 /** What is so of a diagram. */
-export interface Facts extends Counts {
+export interface Facts extends DiagramCounts {
   /** Those that were asked for; there is none of circles that are not there. */
   readonly cells: ReadonlyMap<number, CellFacts>
 }

@@ -50,21 +50,15 @@ export type Style = { readonly [name in (typeof COLORS)[number]]: string } & {
  */
 export function readStyle(element: Element): Style {
   const names = [...COLORS, 'cellOpacity', ...numbered('tint', TINTS), ...numbered('map', MAP_COLORS)]
-  const probes = document.createElement('span')
-  for (const name of names) {
-    const property = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
-    const { style } = probes.appendChild(document.createElement('span'))
-    // The system's colors are named where they are to be: data keeps its own.
-    style.setProperty('forced-color-adjust', 'none')
-    style.color = `var(--circle-voronoi-${property}, var(--${property}))`
-  }
-  // All at once: the browser finds the styles anew when the first of them is read.
-  element.append(probes)
-  // As numbers: a worker knows neither the scheme nor the system's colors.
-  const colors = Object.fromEntries(
-    names.map((name, k) => [name, getComputedStyle(probes.children[k] as Element).color]),
+  const colors = computedColors(
+    element,
+    Object.fromEntries(
+      names.map((name) => {
+        const property = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)
+        return [name, `var(--circle-voronoi-${property}, var(--${property}))`]
+      }),
+    ),
   )
-  probes.remove()
   const color = (name: string) => colors[name] as string
   return {
     ...(Object.fromEntries(COLORS.map((name) => [name, color(name)])) as Record<(typeof COLORS)[number], string>),
@@ -72,6 +66,29 @@ export function readStyle(element: Element): Style {
     map: numbered('map', MAP_COLORS).map(color),
     cellOpacity: opacityOf(color('cellOpacity')),
   }
+}
+
+/**
+ * Colors of CSS as numbers, as they are inside an element: neither a worker nor a canvas knows custom properties, the scheme or
+ * the system's colors.
+ */
+export function computedColors<Name extends string>(
+  element: Element,
+  colors: Readonly<Record<Name, string>>,
+): Record<Name, string> {
+  const names = Object.keys(colors) as Name[]
+  const probes = document.createElement('span')
+  for (const name of names) {
+    const { style } = probes.appendChild(document.createElement('span'))
+    // The system's colors are named where they are to be: data keeps its own.
+    style.setProperty('forced-color-adjust', 'none')
+    style.color = colors[name]
+  }
+  // All at once: the browser finds the styles anew when the first of them is read.
+  element.append(probes)
+  const computed = names.map((name, k) => [name, getComputedStyle(probes.children[k] as Element).color])
+  probes.remove()
+  return Object.fromEntries(computed) as Record<Name, string>
 }
 
 function numbered(name: string, count: number): string[] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Taken, Trial } from './protocol.ts'
+import { short } from './short.ts'
 
 /** So many circles are named from which most is taken. */
 const MOST_NAMED = 8
@@ -10,5 +11,5 @@ export function namedOf({ taken }: Trial): readonly Taken[] {
 
 export function areaText(area: number): string {
   if (Number.isNaN(area)) return '…'
-  return area === Number.POSITIVE_INFINITY ? '∞' : String(Number(area.toPrecision(3)))
+  return area === Number.POSITIVE_INFINITY ? '∞' : short(area, 3)
 }

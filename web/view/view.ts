@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { Box, Circle, Edit, Options, Point } from '../lib/index.ts'
-import type { TraceOptions } from '../lib/wasm/trace.ts'
+import type { Box, Circle, Edit, Point } from '../lib/index.ts'
 import { BasePicture, MOST_ENLARGED } from './base-picture.ts'
 import { boundingBox, type Camera, type Size, toScreen } from './camera.ts'
 import type { CircleTable } from './circle-table.ts'
@@ -14,25 +13,11 @@ import {
   NOTHING_STANDS_OUT,
   type StandingOut,
 } from './overlay.ts'
-import { CanvasDrawing, type Drawing, SvgDrawing, svgOf } from './painter/drawing.ts'
+import { CanvasDrawing, type Drawing } from './painter/drawing.ts'
 import type { Frame } from './painter/frame.ts'
-import type { Edited, Painter, PainterScene } from './painter.ts'
+import type { Answer, Edited, Painter, PainterScene } from './painter.ts'
 import { pictureFrame } from './picture-frame.ts'
-import type {
-  Column,
-  Computed,
-  Distribution,
-  DomainChange,
-  Facts,
-  Found,
-  Hit,
-  Legend,
-  Marks,
-  Tabulated,
-  Touching,
-  Traced,
-  Trial,
-} from './protocol.ts'
+import type { DomainChange, Found, Marks, Questions, Touching, Trial } from './protocol.ts'
 import { Failure } from './refusal.ts'
 import { isDark, readStyle, type Style } from './style.ts'
 
@@ -52,6 +37,8 @@ export interface ViewEvents {
   /** Whether anything of the diagram is drawn. */
   readonly diagram: boolean
   readonly camera: Camera
+  /** Colors may be others. */
+  readonly style: undefined
   /** What the circle would take that is tried; `undefined`: none is. */
   readonly tried: Trial | undefined
   /** Circles were set, or edited. */
@@ -119,6 +106,7 @@ export class View {
     layers: new Set(),
     diagram: new Set(),
     camera: new Set(),
+    style: new Set(),
     tried: new Set(),
     changed: new Set(),
     refused: new Set(),
@@ -226,42 +214,13 @@ export class View {
     }
   }
 
-  hit(x: number, y: number, slack: number): Promise<Hit | undefined> {
-    return this.#scene.ask('hit', x, y, slack)
-  }
-
-  /** What the colors of the layers mean. `undefined`: no measure. */
-  legend(): Promise<Legend | undefined> {
-    return this.#scene.ask('legend')
-  }
-
-  /** How cells are distributed. */
-  measure(): Promise<Distribution | undefined> {
-    return this.#scene.ask('measure')
-  }
-
-  /** What the cells of circles measure; of all, if no ids are given. `undefined`: it could not be found. */
-  tabulate(columns: readonly Column[], ids?: Int32Array): Promise<Tabulated | undefined> {
-    return this.#scene.ask('tabulate', columns, ids)
-  }
-
-  /** What is so of the diagram and of the cells of circles. */
-  tell(ids: readonly number[]): Promise<Facts | undefined> {
-    return this.#scene.ask('tell', ids)
-  }
-
-  /** Computes the diagram once more from nothing, to see how. */
-  compute(options: Options): Promise<Computed | undefined> {
-    return this.#scene.ask('compute', options)
-  }
-
   /**
-   * What a method does with the circles as they are, event by event; `undefined`: it could not be found.
+   * Asks the thread something about the circles. `undefined`: there is no answer, as the thread has failed.
    *
-   * @throws CircleVoronoiError as `trace` of the library, and of more than `MOST_PLAYED` circles
+   * @throws CircleVoronoiError that says why it cannot be answered
    */
-  trace(options: TraceOptions): Promise<Traced | undefined> {
-    return this.#scene.ask('trace', options)
+  ask<Name extends keyof Questions>(name: Name, ...args: Parameters<Questions[Name]>): Promise<Answer<Name>> {
+    return this.#scene.ask(name, ...args)
   }
 
   /** What is drawn, unless only circles are (`hasDiagram`). */
@@ -359,6 +318,7 @@ export class View {
     const frame = { ...camera, width, height }
     const elements = await this.#scene.ask('svg', frame, 1, this.#style)
     if (elements === undefined) throw notDrawn()
+    const { SvgDrawing, svgOf } = await import('./painter/svg-drawing.ts')
     const above = new SvgDrawing()
     this.#drawAbove(above, frame, 1)
     return svgOf(width, height, [elements, String(above)])
@@ -449,8 +409,8 @@ export class View {
     this.#style = this.#readStyle()
     this.#picture.clear()
     this.#see()
-    this.#overlayChanged = true
-    this.#schedule()
+    this.#overlayChanges()
+    this.#tell('style', undefined)
   }
 
   #readStyle(): Style {

@@ -23,7 +23,8 @@ class BucketGrid {
     const double width = high.x - low.x;
     const double height = high.y - low.y;
     wanted = std::max(1.0, wanted);
-    const double side = std::max(std::sqrt(width * height / wanted), std::max(width, height) / wanted);
+    const double extent = std::max(width, height);  // a product of the smallest numbers would be 0
+    const double side = extent * std::max(std::sqrt(width / extent * (height / extent) / wanted), 1 / wanted);
     if (side > 0) side_ = side;  // any size does for one place
     columns_ = static_cast<int>(width / side_) + 1;
     rows_ = static_cast<int>(height / side_) + 1;

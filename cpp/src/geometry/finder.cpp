@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <iterator>
 
+#include "bucket_grid.h"
 #include "circle_voronoi/cells.h"
 #include "scale.h"
 
@@ -15,10 +15,7 @@ namespace {
 /// Up to so many sides it is quicker to ask every neighbor, and the nearest one makes the longest step.
 constexpr std::size_t kFewSides = 24;
 
-std::size_t bucketOf(double offset, double size, std::size_t count) {
-  const double bucket = offset / size;
-  return bucket > 0 ? static_cast<std::size_t>(std::min(bucket, static_cast<double>(count - 1))) : 0;
-}
+constexpr double kCirclesABucket = 2;
 
 /// The direction from the cell's center in which a side begins.
 Vector beginningOf(const Diagram& diagram, SideIndex side) {
@@ -53,17 +50,11 @@ class Finder::Walker {
   CircleIndex find(Point p, CircleIndex hint) const;
 
  private:
-  CircleIndex startNear(Point p) const;
   CircleIndex nearerNeighbor(CircleIndex circle, Point p) const;
   std::span<const SideIndex> manySides(CircleIndex circle) const;
 
   const Diagram& diagram_;
-  Point corner_;
-  double width_ = 1;  ///< of a bucket
-  double height_ = 1;
-  std::size_t columns_ = 0;
-  std::size_t rows_ = 0;
-  std::vector<CircleIndex> starts_;  ///< a visible circle for each bucket, row by row
+  BucketGrid starts_;  ///< a visible circle for each bucket
   /// Cells with many sides, increasing, and their sides: those of the k-th from firstOfMany_[k] to firstOfMany_[k + 1].
   std::vector<CircleIndex> many_;
   std::vector<std::size_t> firstOfMany_ = {0};
@@ -73,7 +64,7 @@ class Finder::Walker {
 Finder::Walker::Walker(const Diagram& diagram) : diagram_(diagram) {
   const auto& circles = diagram.circles;
   Box box = {kInfinite, kInfinite, -kInfinite, -kInfinite};
-  std::size_t visible = 0;
+  double visible = 0;
   for (std::size_t i = 0; i < circles.size(); ++i) {
     if (!diagram.hasCell(static_cast<std::int32_t>(i))) continue;
     ++visible;
@@ -84,42 +75,12 @@ Finder::Walker::Walker(const Diagram& diagram) : diagram_(diagram) {
   }
   if (visible == 0) return;
 
-  corner_ = {box.minX, box.minY};
-  const double perBucket = 2;
-  const auto count = static_cast<std::size_t>(std::sqrt(static_cast<double>(visible) / perBucket)) + 1;
-  columns_ = rows_ = count;
-  // Centers on one line leave a grid without width or height, as does the smallest number; any size does there.
-  const auto sizeOf = [&](double extent) {
-    const double size = extent / static_cast<double>(count);
-    return size > 0 ? size : 1;
-  };
-  width_ = sizeOf(box.maxX - box.minX);
-  height_ = sizeOf(box.maxY - box.minY);
-
-  starts_.assign(columns_ * rows_, kNone);
-  std::deque<std::size_t> filled;
+  starts_ = {{box.minX, box.minY}, {box.maxX, box.maxY}, visible / kCirclesABucket};
   for (std::size_t i = 0; i < circles.size(); ++i) {
-    if (!diagram.hasCell(static_cast<std::int32_t>(i))) continue;
-    const std::size_t bucket = bucketOf(circles[i].y - corner_.y, height_, rows_) * columns_ +
-                               bucketOf(circles[i].x - corner_.x, width_, columns_);
-    if (starts_[bucket] == kNone) filled.push_back(bucket);
-    starts_[bucket] = static_cast<std::int32_t>(i);
+    const auto circle = static_cast<std::int32_t>(i);
+    if (diagram.hasCell(circle)) starts_.put({circles[i].x, circles[i].y}, circle);
   }
-  // Empty buckets take the start of a filled one near them.
-  while (!filled.empty()) {
-    const std::size_t bucket = filled.front();
-    filled.pop_front();
-    const auto spread = [&](std::size_t next) {
-      if (starts_[next] != kNone) return;
-      starts_[next] = starts_[bucket];
-      filled.push_back(next);
-    };
-    const std::size_t column = bucket % columns_;
-    if (column > 0) spread(bucket - 1);
-    if (column + 1 < columns_) spread(bucket + 1);
-    if (bucket >= columns_) spread(bucket - columns_);
-    if (bucket + columns_ < starts_.size()) spread(bucket + columns_);
-  }
+  starts_.spread();
 
   std::vector<std::uint32_t> sideCount(circles.size(), 0);
   for (const Edge& edge : diagram.edges) {
@@ -143,13 +104,9 @@ std::span<const SideIndex> Finder::Walker::manySides(CircleIndex circle) const {
   return std::span(sidesOfMany_).subspan(firstOfMany_[k], firstOfMany_[k + 1] - firstOfMany_[k]);
 }
 
-CircleIndex Finder::Walker::startNear(Point p) const {
-  return starts_[bucketOf(p.y - corner_.y, height_, rows_) * columns_ + bucketOf(p.x - corner_.x, width_, columns_)];
-}
-
 CircleIndex Finder::Walker::find(Point p, CircleIndex hint) const {
-  if (starts_.empty()) return kNone;
-  CircleIndex circle = startNear(p);
+  CircleIndex circle = starts_.near(p, 0, [](CircleIndex) { return true; });
+  if (circle == kNone) return kNone;
   if (hint != kNone && diagram_.hasCell(hint) && lead(diagram_, hint, circle, p) > 0) circle = hint;
   // Each step comes nearer, so that none is made twice, but rounding may lead around in a circle: then one is met again
   // that was marked at step 1, 2, 4, 8 and so on.

@@ -47,60 +47,59 @@ void closeRing(std::vector<Point>& ring) {
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
 }
 
+/// Returns the point for each vertex. Those that are one point get the least of them, by x and then y: it does not
+/// depend on the order of the vertices.
+std::vector<Point> sharedPlaces(const Diagram& diagram, const std::vector<std::int32_t>& firstHere) {
+  std::vector<Point> places;
+  places.reserve(firstHere.size());
+  for (const Vertex& vertex : diagram.vertices) places.push_back({vertex.x, vertex.y});
+  const auto isLess = [](Point p, Point q) { return std::pair(p.x, p.y) < std::pair(q.x, q.y); };
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    Point& place = places[index(firstHere[v])];
+    if (isLess(places[v], place)) place = places[v];
+  }
+  for (std::size_t v = 0; v < places.size(); ++v) places[v] = places[index(firstHere[v])];
+  return places;
+}
+
+void follow(const Edge& edge, const EdgeCurve& curve, EdgePoints& points) {
+  if (curve.isStraight()) return;
+  points.arcs.back().beyond = momentsOverChord(curve, curve.start, 1).area;
+  const Point start = points.placeOf(edge.start);
+  const Point end = points.placeOf(edge.end);
+  if (isOneStep(curve, start, end, points.frame.tolerance)) return;
+  const auto all = pointsBetween(curve, start, end, points.frame.tolerance);
+  if (all.size() > 2) points.inner.insert(points.inner.end(), all.begin() + 1, all.end() - 1);
+}
+
 }  // namespace
 
-CellPolygons::CellPolygons(const ExportFrame& frame) : frame_(frame) {
-  const Diagram& diagram = frame.diagram;
-  const std::vector<std::int32_t> firstHere = firstVerticesHere(diagram);
-  places_.reserve(firstHere.size());
-  for (const Vertex& vertex : diagram.vertices) places_.push_back({vertex.x, vertex.y});
-  // Of those that are one point the least, by x and then y: it does not depend on the order of the vertices.
-  const auto isLess = [](Point p, Point q) { return std::pair(p.x, p.y) < std::pair(q.x, q.y); };
-  for (std::size_t v = 0; v < places_.size(); ++v) {
-    Point& place = places_[index(firstHere[v])];
-    if (isLess(places_[v], place)) place = places_[v];
-  }
-  for (std::size_t v = 0; v < places_.size(); ++v) places_[v] = places_[index(firstHere[v])];
-  followEdges();
-  roundPoints(firstHere);
+CellPolygons::CellPolygons(const ExportFrame& frame)
+    : frame_(frame),
+      firstHere_(firstVerticesHere(frame.diagram)),
+      points_(frame, sharedPlaces(frame.diagram, firstHere_), follow) {
+  roundPoints();
   if (!frame.clipped) return;
   flattener_.emplace(*frame.clipped, frame.tolerance);
   areas_ = frame.clipped->areas();
 }
 
-void CellPolygons::followEdges() {
-  const auto& edges = frame_.diagram.edges;
-  isInside_.reserve(edges.size());
-  arcs_.reserve(edges.size() + 1);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const EdgeCurve curve = edgeCurve(frame_.diagram, static_cast<std::int32_t>(e));
-    isInside_.push_back(circle_voronoi::isInside(frame_, edges[e], curve));
-    arcs_.push_back({inner_.size()});
-    if (!isInside_.back() || curve.isStraight()) continue;
-    arcs_.back().beyond = momentsOverChord(curve, curve.start, 1).area;
-    const Point start = placeOf(edges[e].start);
-    const Point end = placeOf(edges[e].end);
-    if (isOneStep(curve, start, end, frame_.tolerance)) continue;
-    const auto points = pointsBetween(curve, start, end, frame_.tolerance);
-    if (points.size() > 2) inner_.insert(inner_.end(), points.begin() + 1, points.end() - 1);
-  }
-  arcs_.push_back({inner_.size()});
-}
-
 /// Rounds what only edges inside the box have, with digits also what others have, and takes it back for edges that it
 /// turns around: then each step still turns around both foci, and polygons of such steps do not cross themselves.
-void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
+void CellPolygons::roundPoints() {
   const auto& edges = frame_.diagram.edges;
-  const std::vector<Point> exactPlaces = places_;
-  const std::vector<Point> exactInner = inner_;
-  for (Point& p : places_) p = frame_.round(p);
-  for (Point& p : inner_) p = frame_.round(p);
+  auto& places = points_.places;
+  auto& inner = points_.inner;
+  const std::vector<Point> exactPlaces = places;
+  const std::vector<Point> exactInner = inner;
+  for (Point& p : places) p = frame_.round(p);
+  for (Point& p : inner) p = frame_.round(p);
   // What is taken back is so for the first of the vertices that are one point.
-  std::vector<bool> isRestored(places_.size(), false);
-  const auto firstOf = [&](VertexIndex vertex) { return index(firstHere[index(vertex)]); };
+  std::vector<bool> isRestored(places.size(), false);
+  const auto firstOf = [&](VertexIndex vertex) { return index(firstHere_[index(vertex)]); };
   const auto restorePlace = [&](VertexIndex vertex) {
     if (vertex == kNone) return;
-    places_[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
+    places[firstOf(vertex)] = exactPlaces[firstOf(vertex)];
     isRestored[firstOf(vertex)] = true;
   };
   isExact_.assign(edges.size(), !frame_.hasDigits || frame_.clipped);
@@ -110,10 +109,10 @@ void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
     restorePlace(edges[edge].end);
   };
   const auto sharePlaces = [&] {
-    for (std::size_t v = 0; v < places_.size(); ++v) places_[v] = places_[index(firstHere[v])];
+    for (std::size_t v = 0; v < places.size(); ++v) places[v] = places[index(firstHere_[v])];
   };
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (!isInside_[e] && isExact_[e]) restoreEnds(e);
+    if (!points_.isInside[e] && isExact_[e]) restoreEnds(e);
   }
   bool isDone = false;
   for (int round = 0; !isDone && round < kMostRounds; ++round) {
@@ -126,27 +125,27 @@ void CellPolygons::roundPoints(const std::vector<std::int32_t>& firstHere) {
       }
     }
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (!isInside_[e]) continue;
+      if (!points_.isInside[e]) continue;
       const std::size_t start = firstOf(edges[e].start);
       const std::size_t end = firstOf(edges[e].end);
       // After the first round only edges at a place that was taken back can have changed.
       if (round > 0 && !isRestored[start] && !isRestored[end]) continue;
-      const Point from = places_[start];
-      const Point to = places_[end];
+      const Point from = places[start];
+      const Point to = places[end];
       if (start == end || turnsRight(static_cast<std::int32_t>(e), from, to)) continue;
       restorePlace(edges[e].start);
       restorePlace(edges[e].end);
-      bool isChanged = from != places_[start] || to != places_[end];
-      for (std::size_t k = arcs_[e].firstInner; k < arcs_[e + 1].firstInner; ++k) {
-        isChanged = isChanged || inner_[k] != exactInner[k];
-        inner_[k] = exactInner[k];
+      bool isChanged = from != places[start] || to != places[end];
+      for (std::size_t k = points_.arcs[e].firstInner; k < points_.arcs[e + 1].firstInner; ++k) {
+        isChanged = isChanged || inner[k] != exactInner[k];
+        inner[k] = exactInner[k];
       }
       isDone = isDone && !isChanged;
     }
   }
   if (!isDone) {
-    places_ = exactPlaces;
-    inner_ = exactInner;
+    places = exactPlaces;
+    inner = exactInner;
     isExact_.assign(edges.size(), true);
   }
   sharePlaces();
@@ -161,7 +160,7 @@ std::vector<EdgeIndex> CellPolygons::wronglyRounded() const {
   }
   if (!frame_.limits.maxDistance || frame_.clipped) return wrong;
   for (CircleIndex i = 0; i < circleCount(); ++i) {
-    if (isWhole(i)) continue;
+    if (points_.isWhole(i)) continue;
     for (const auto& loop : limitedOutline(frame_.diagram, i, frame_.limits)) {
       const std::size_t size = loop.size();
       for (std::size_t k = 0; k < size; ++k) {
@@ -195,7 +194,7 @@ bool CellPolygons::turnsRight(EdgeIndex edge, std::span<const Point> points) con
 
 /// The same of an edge inside the box, as its points are now.
 bool CellPolygons::turnsRight(EdgeIndex edge, Point start, Point end) const {
-  const auto inner = innerPoints(edge);
+  const auto inner = points_.innerOf(edge);
   if (inner.empty()) return turnsRight(edge, std::array{start, end});
   std::vector<Point> points = {start};
   points.insert(points.end(), inner.begin(), inner.end());
@@ -213,39 +212,11 @@ bool CellPolygons::partsTurnRight(EdgeIndex edge) const {
   return std::ranges::all_of(keptParts(frame_.diagram, edge, frame_.limits), isRight);
 }
 
-/// What prefetchPoints, isWhole, area and rings ask for first.
-void CellPolygons::prefetchEdges(CircleIndex circle) const {
-  for (const SideIndex side : frame_.diagram.sides(circle)) {
-    prefetch(frame_.diagram.edges, index(Diagram::edgeOf(side)));
-    prefetch(arcs_, index(Diagram::edgeOf(side)));
-  }
-}
-
-void CellPolygons::prefetchPoints(CircleIndex circle) const {
-  for (const SideIndex side : frame_.diagram.sides(circle)) {
-    prefetch(inner_, arcs_[index(Diagram::edgeOf(side))].firstInner);
-    const VertexIndex vertex = frame_.diagram.originOf(side);
-    if (vertex == kNone) continue;
-    prefetch(places_, index(vertex));
-    prefetch(frame_.diagram.vertices, index(vertex));
-  }
-}
-
-bool CellPolygons::isWhole(CircleIndex circle) const {
-  const auto sides = frame_.diagram.sides(circle);
-  return !sides.empty() && std::ranges::all_of(sides, [&](SideIndex side) { return isInside(Diagram::edgeOf(side)); });
-}
-
 /// Adds the points of a side of an edge inside the box, but for the last.
 template <class Add>
 void CellPolygons::addSide(SideIndex side, Add add) const {
   add(placeOf(frame_.diagram.originOf(side)));
-  const auto points = innerPoints(Diagram::edgeOf(side));
-  if (side % 2 == 0) {
-    std::for_each(points.begin(), points.end(), add);
-  } else {
-    std::for_each(points.rbegin(), points.rend(), add);
-  }
+  points_.visitInner(side, [&](auto first, auto last) { std::for_each(first, last, add); });
 }
 
 CellPolygons::Ring CellPolygons::wholeRing(CircleIndex circle) const {
@@ -384,7 +355,7 @@ std::vector<CellPolygons::Polygon> CellPolygons::polygons(CircleIndex circle) co
     if (isKept) polygons.push_back({std::move(ring)});
     return isKept;
   };
-  if (isWhole(circle)) {
+  if (points_.isWhole(circle)) {
     keep(wholeRing(circle));
     return polygons;
   }
@@ -417,7 +388,7 @@ std::vector<CellPolygons::Ring> CellPolygons::polylines(EdgeIndex edge) const {
 
 double CellPolygons::area(CircleIndex circle) const {
   if (frame_.clipped) return areas_[index(circle)];
-  if (isWhole(circle)) {
+  if (points_.isWhole(circle)) {
     const auto& vertices = frame_.diagram.vertices;
     const auto sides = frame_.diagram.sides(circle);
     const auto vertexAt = [&](SideIndex side) {
@@ -429,7 +400,7 @@ double CellPolygons::area(CircleIndex circle) const {
     double sum = 0;
     for (const SideIndex side : sides) {
       const Vector next = vectorTo(reference, vertexAt(side));
-      const double beyond = arcs_[index(Diagram::edgeOf(side))].beyond;
+      const double beyond = points_.arcs[index(Diagram::edgeOf(side))].beyond;
       sum += cross(last, next) / 2 + (side % 2 == 0 ? beyond : -beyond);
       last = next;
     }

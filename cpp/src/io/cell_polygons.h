@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "clip_polygons.h"
-#include "export_frame.h"
-#include "visit_ahead.h"
+#include "edge_points.h"
 
 namespace circle_voronoi {
 
-/// The cells as polygons, and the edges as polylines that these share. Each edge inside the box is followed once, and
-/// its points serve both cells and the edge itself.
+/// The cells as polygons, and the edges as polylines that these share.
 ///
 /// Points are rounded by the frame's grid, but for those that meet the box, unless digits are asked for, and those of
 /// edges that rounding would turn around: these keep all digits.
@@ -34,9 +31,7 @@ class CellPolygons {
   /// Calls `visitCell` with each circle in order; quicker than doing so without this.
   template <class VisitCell>
   void visit(VisitCell visitCell) const {
-    visitAhead(
-        circleCount(), [&](std::int32_t i) { prefetchEdges(i); }, [&](std::int32_t i) { prefetchPoints(i); },
-        visitCell);
+    points_.visitCells(visitCell);
   }
 
   /// The parts of an edge inside the box, from its start to its end.
@@ -46,23 +41,15 @@ class CellPolygons {
   double area(CircleIndex circle) const;
 
  private:
-  std::span<const Point> innerPoints(EdgeIndex edge) const {
-    const auto e = static_cast<std::size_t>(edge);
-    return std::span(inner_).subspan(arcs_[e].firstInner, arcs_[e + 1].firstInner - arcs_[e].firstInner);
-  }
-  bool isInside(EdgeIndex edge) const { return isInside_[static_cast<std::size_t>(edge)]; }
-  bool isWhole(CircleIndex circle) const;
+  bool isInside(EdgeIndex edge) const { return points_.hasInside(edge); }
   std::int32_t circleCount() const { return static_cast<std::int32_t>(frame_.diagram.circles.size()); }
   Point centerOf(CircleIndex circle) const {
     const Circle& c = frame_.diagram.circles[static_cast<std::size_t>(circle)];
     return {c.x, c.y};
   }
-  Point placeOf(VertexIndex vertex) const { return places_[static_cast<std::size_t>(vertex)]; }
+  Point placeOf(VertexIndex vertex) const { return points_.placeOf(vertex); }
 
-  void followEdges();
-  void roundPoints(const std::vector<std::int32_t>& firstHere);
-  void prefetchEdges(CircleIndex circle) const;
-  void prefetchPoints(CircleIndex circle) const;
+  void roundPoints();
   bool turnsRight(EdgeIndex edge, std::span<const Point> points) const;
   bool turnsRight(EdgeIndex edge, Point start, Point end) const;
   bool partsTurnRight(EdgeIndex edge) const;
@@ -81,19 +68,11 @@ class CellPolygons {
   const ExportFrame& frame_;
   std::optional<ClipFlattener> flattener_;  ///< of edges that are not inside, if there is a region
   std::vector<double> areas_;               ///< of cells in the region, if there is one
-  /// Of each vertex; those joined by edges of length near zero have one, so that rounding cannot turn such an edge
-  /// around.
-  std::vector<Point> places_;
-  std::vector<bool> isInside_;
-  /// Of each edge that is not inside the box whether its points keep all digits, those of its vertices apart.
+  std::vector<std::int32_t> firstHere_;     ///< of the vertices at the place of each vertex
+  /// Vertices joined by edges of length near zero have one place, so that rounding cannot turn such an edge around.
+  EdgePoints points_;
+  /// For each edge that is not inside the box: whether its points keep all digits. Its vertices are not among them.
   std::vector<bool> isExact_;
-  /// Of an edge inside the box.
-  struct Arc {
-    std::size_t firstInner;  ///< of its points between its ends, in inner_; they end where those of the next edge begin
-    double beyond = 0;       ///< the area between the arc and the chord of its vertices, positive to the right
-  };
-  std::vector<Arc> arcs_;
-  std::vector<Point> inner_;
 };
 
 }  // namespace circle_voronoi

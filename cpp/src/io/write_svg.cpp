@@ -2,16 +2,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "chord.h"
 #include "circle_voronoi/export.h"
 #include "circle_voronoi/hull.h"
 #include "circle_voronoi/queries.h"
-#include "export_frame.h"
-#include "visit_ahead.h"
+#include "edge_points.h"
+#include "prefetch.h"
 #include "writer.h"
 
 namespace circle_voronoi {
@@ -64,65 +65,25 @@ void trace(Writer& out, Iterator inner, Iterator innerEnd, Point end) {
   writePoint(out, count == 0 ? "L" : " ", end);
 }
 
-/// What is drawn, with points rounded by the frame. Edges inside the box are followed once.
-struct Drawing {
-  explicit Drawing(const ExportFrame& exportFrame) : frame(exportFrame) {
-    const Diagram& diagram = frame.diagram;
-    vertices.reserve(diagram.vertices.size());
-    isInside.reserve(diagram.edges.size());
-    firstInner.reserve(diagram.edges.size() + 1);
-    for (const Vertex& vertex : diagram.vertices) vertices.push_back(frame.round({vertex.x, vertex.y}));
-    for (std::size_t e = 0; e < diagram.edges.size(); ++e) {
-      const EdgeCurve curve = edgeCurve(diagram, static_cast<std::int32_t>(e));
-      isInside.push_back(circle_voronoi::isInside(frame, diagram.edges[e], curve));
-      firstInner.push_back(inner.size());
-      if (!isInside.back()) continue;
-      const auto points = innerPoints(frame, curve);
-      inner.insert(inner.end(), points.begin(), points.end());
-    }
-    firstInner.push_back(inner.size());
-  }
-
-  Point vertexAt(std::int32_t v) const { return vertices[static_cast<std::size_t>(v)]; }
-
-  /// Draws a side whose edge is inside the box on from its start.
-  void traceSide(Writer& out, SideIndex side) const {
-    const auto e = static_cast<std::size_t>(side / 2);
-    const auto points = std::span(inner).subspan(firstInner[e], firstInner[e + 1] - firstInner[e]);
-    const Point end = vertexAt(frame.diagram.targetOf(side));
-    if (side % 2 == 0) {
-      trace(out, points.begin(), points.end(), end);
-    } else {
-      trace(out, points.rbegin(), points.rend(), end);
-    }
-  }
-
-  /// For visitAhead: what traceSide needs. Inlined, as a compiler may take a function that only does this for idle.
-  [[gnu::always_inline]] void prefetchEdges(std::int32_t circle) const {
-    for (const SideIndex side : frame.diagram.sides(circle)) {
-      prefetch(frame.diagram.edges, static_cast<std::size_t>(side / 2));
-      prefetch(firstInner, static_cast<std::size_t>(side / 2));
-    }
-  }
-  [[gnu::always_inline]] void prefetchPoints(std::int32_t circle) const {
-    for (const SideIndex side : frame.diagram.sides(circle)) {
-      if (const std::int32_t end = frame.diagram.targetOf(side); end != kNone) {
-        prefetch(vertices, static_cast<std::size_t>(end));
-      }
-      prefetch(inner, firstInner[static_cast<std::size_t>(side / 2)]);
-    }
-  }
-
-  const ExportFrame& frame;
+/// Returns the vertices and the edges inside the box, with points rounded by the frame.
+EdgePoints drawnEdges(const ExportFrame& frame) {
   std::vector<Point> vertices;
-  std::vector<bool> isInside;  ///< of each edge
-  std::vector<std::size_t> firstInner;
-  std::vector<Point> inner;  ///< of edge e from firstInner[e] to firstInner[e + 1]; none unless it is inside the box
-};
+  vertices.reserve(frame.diagram.vertices.size());
+  for (const Vertex& vertex : frame.diagram.vertices) vertices.push_back(frame.round({vertex.x, vertex.y}));
+  const auto follow = [&](const Edge&, const EdgeCurve& curve, EdgePoints& points) {
+    std::ranges::copy(innerPoints(frame, curve), std::back_inserter(points.inner));
+  };
+  return {frame, std::move(vertices), follow};
+}
+
+/// Draws a side whose edge is inside the box on from its start.
+void traceSide(Writer& out, const EdgePoints& edges, SideIndex side) {
+  const Point end = edges.placeOf(edges.diagram.targetOf(side));
+  edges.visitInner(side, [&](auto first, auto last) { trace(out, first, last, end); });
+}
 
 /// Draws a piece of the outline of a cell on from its start; one of an edge as its points in the edge's own direction.
-void tracePiece(Writer& out, const Drawing& drawing, const OutlinePiece& piece) {
-  const ExportFrame& frame = drawing.frame;
+void tracePiece(Writer& out, const ExportFrame& frame, const OutlinePiece& piece) {
   if (piece.isOnCircle()) {
     out << "A" << piece.r << " " << piece.r << " 0 0 1 ";
     return writePoint(out, frame.round(piece.curve.end));
@@ -135,43 +96,38 @@ void tracePiece(Writer& out, const Drawing& drawing, const OutlinePiece& piece) 
   trace(out, points.begin(), points.end(), frame.round(piece.curve.end));
 }
 
-void writeCells(Writer& out, const Drawing& drawing) {
-  const Diagram& diagram = drawing.frame.diagram;
-  const auto isInside = [&](SideIndex side) { return drawing.isInside[static_cast<std::size_t>(side / 2)]; };
-  const auto writeCell = [&](std::int32_t i) {
+void writeCells(Writer& out, const EdgePoints& edges) {
+  const ExportFrame& frame = edges.frame;
+  edges.visitCells([&](std::int32_t i) {
     const auto begin = [&] { out << "<path data-circle=\"" << i << "\" d=\""; };
-    const auto sides = diagram.sides(i);
-    if (!sides.empty() && std::ranges::all_of(sides, isInside)) {
+    if (edges.isWhole(i)) {
+      const auto sides = frame.diagram.sides(i);
       begin();
-      writePoint(out, "M", drawing.vertexAt(diagram.originOf(sides.front())));
-      for (const SideIndex side : sides) drawing.traceSide(out, side);
+      writePoint(out, "M", edges.placeOf(frame.diagram.originOf(sides.front())));
+      for (const SideIndex side : sides) traceSide(out, edges, side);
       out << "Z\"/>\n";
       return;
     }
-    const Outline loops = outlineIn(drawing.frame, i);
+    const Outline loops = outlineIn(frame, i);
     if (loops.empty()) return;
     begin();
     for (const auto& loop : loops) {
-      writePoint(out, "M", drawing.frame.round(loop.front().curve.start));
-      for (const OutlinePiece& piece : loop) tracePiece(out, drawing, piece);
+      writePoint(out, "M", frame.round(loop.front().curve.start));
+      for (const OutlinePiece& piece : loop) tracePiece(out, frame, piece);
       out << "Z";
     }
     out << "\"/>\n";
-  };
-  visitAhead(
-      static_cast<std::int32_t>(diagram.circles.size()), [&](std::int32_t i) { drawing.prefetchEdges(i); },
-      [&](std::int32_t i) { drawing.prefetchPoints(i); }, writeCell);
+  });
 }
 
-void writeEdges(Writer& out, const Drawing& drawing) {
-  const ExportFrame& frame = drawing.frame;
-  const Diagram& diagram = frame.diagram;
-  for (std::int32_t e = 0; e < static_cast<std::int32_t>(diagram.edges.size()); ++e) {
+void writeEdges(Writer& out, const EdgePoints& edges) {
+  const ExportFrame& frame = edges.frame;
+  for (std::int32_t e = 0; e < static_cast<std::int32_t>(frame.diagram.edges.size()); ++e) {
     const auto begin = [&] { out << "<path data-edge=\"" << e << "\" d=\""; };
-    if (drawing.isInside[static_cast<std::size_t>(e)]) {
+    if (edges.hasInside(e)) {
       begin();
-      writePoint(out, "M", drawing.vertexAt(frame.diagram.originOf(2 * e)));
-      drawing.traceSide(out, 2 * e);
+      writePoint(out, "M", edges.placeOf(frame.diagram.originOf(2 * e)));
+      traceSide(out, edges, 2 * e);
       out << "\"/>\n";
       continue;
     }
@@ -254,13 +210,15 @@ void writeCircles(Writer& out, const ExportFrame& frame, double visible) {
   }
 }
 
-void writeVertices(Writer& out, const Drawing& drawing, double radius) {
-  const auto& vertices = drawing.frame.diagram.vertices;
+void writeVertices(Writer& out, const EdgePoints& edges, double radius) {
+  const ExportFrame& frame = edges.frame;
+  const auto& vertices = frame.diagram.vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (!drawing.frame.hasInside({vertices[v].x, vertices[v].y})) continue;
-    if (!drawing.frame.isNear(static_cast<std::int32_t>(v))) continue;
-    out << "<circle data-vertex=\"" << static_cast<std::int64_t>(v) << "\" cx=\"" << drawing.vertices[v].x << "\" cy=\""
-        << drawing.vertices[v].y << "\" r=\"" << radius << "\"/>\n";
+    if (!frame.hasInside({vertices[v].x, vertices[v].y})) continue;
+    if (!frame.isNear(static_cast<std::int32_t>(v))) continue;
+    const auto [x, y] = edges.places[v];
+    out << "<circle data-vertex=\"" << static_cast<std::int64_t>(v) << "\" cx=\"" << x << "\" cy=\"" << y << "\" r=\""
+        << radius << "\"/>\n";
   }
 }
 
@@ -312,7 +270,7 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
     return errorWith(ErrorCode::badOption, "The number of pixels must be finite and positive.");
   }
   return unguardedWritingIn(stream, diagram, figure.frame, [&](Writer& out, const ExportFrame& frame) {
-    const Drawing drawing(frame);
+    const EdgePoints edges = drawnEdges(frame);
     const double width = frame.box.maxX - frame.box.minX;
     const double height = frame.box.maxY - frame.box.minY;
     const double unit = std::max(width, height) / figure.pixels;  // what a pixel stands for
@@ -332,11 +290,11 @@ Result<void> writeFigure(std::ostream& stream, const Diagram& diagram, const Svg
     const auto ownGroup = [&](std::string_view name, auto write) {
       if (std::ranges::find(figure.groups, name) != figure.groups.end()) group(name, write);
     };
-    ownGroup("cells", [&] { writeCells(out, drawing); });
+    ownGroup("cells", [&] { writeCells(out, edges); });
     ownGroup("dual", [&] { writeDual(out, frame); });
     ownGroup("circles", [&] { writeCircles(out, frame, kPointPixels * unit); });
-    ownGroup("edges", [&] { writeEdges(out, drawing); });
-    ownGroup("vertices", [&] { writeVertices(out, drawing, frame.grid.round(kVertexPixels * unit)); });
+    ownGroup("edges", [&] { writeEdges(out, edges); });
+    ownGroup("vertices", [&] { writeVertices(out, edges, frame.grid.round(kVertexPixels * unit)); });
     ownGroup("hull", [&] { writeHull(out, frame); });
     for (const SvgLayer& layer : figure.layers) group(layer.name, [&] { writeLayer(out, frame, layer, unit); });
     out << "</g>\n</svg>\n";

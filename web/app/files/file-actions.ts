@@ -132,7 +132,7 @@ export class FileActions {
     const isPicture = file.type.startsWith('image/') && file.type !== 'image/svg+xml'
     if (!isPicture) return this.#read(new Uint8Array(await file.arrayBuffer()), file.name)
     try {
-      return await this.#client.stipple(file)
+      return await this.#client.call('stipple', file)
     } catch {
       throw new Error(`${file.name} cannot be read as a picture.`)
     }
@@ -142,7 +142,7 @@ export class FileActions {
   async #read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
     try {
       // The thread gets them.
-      return await this.#client.read(bytes.slice(), name)
+      return await this.#client.call('read', bytes.slice(), name)
     } catch (error) {
       const { message } = error as Error
       if (isBinary(bytes)) throw new Error(`${name} is not a table of circles. ${READABLE}`)
@@ -159,7 +159,7 @@ export class FileActions {
   async saveAs(format: SavedFormat): Promise<void> {
     await this.#try(async () => {
       const circles = this.#editing.circles.circles()
-      const text = await this.#client.write(circles, format, this.#editing.domain.region)
+      const text = await this.#client.call('write', circles, format, this.#editing.domain.region)
       const [ending, type] = TYPES[format]
       save(new Blob([text], { type }), `${this.#name}${ending}`)
     })
@@ -242,7 +242,7 @@ export class FileActions {
   }
 
   #csv(): Promise<string> {
-    return this.#client.write(this.#editing.circles.circles(), 'csv')
+    return this.#client.call('write', this.#editing.circles.circles(), 'csv')
   }
 
   get #name(): string {

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What runs in the worker of `FilesClient`: readers, writers and generators, loaded when they are needed for the first time.
 import { CircleVoronoiError, reasonOf } from '../../lib/base/errors.ts'
-import { circleAt, type Diagram } from '../../lib/index.ts'
+import { loadedOnce } from '../../lib/base/loaded-once.ts'
+import { circleAt, type Diagram, type Float64s } from '../../lib/index.ts'
 import { encodeLink } from '../../lib/link.ts'
 import type { RegionShape } from '../../lib/regions/region-shape.ts'
-import { loadedOnce } from '../loaded-once.ts'
+import type { RemoteCall, RemoteReply } from '../../view/remote-calls.ts'
 import { randomNumbers } from '../random-circles.ts'
-import type { FilesReply, FilesRequest, Read } from './files-protocol.ts'
+import type { FilesCalls, Read, SavedFormat } from './files-protocol.ts'
 import { attributesIn } from './names.ts'
 import { stippled, tonesOf } from './stipple.ts'
 import { circlesOfSvg, tableOfSvg } from './svg-scene.ts'
 
 const port = globalThis as unknown as {
-  onmessage: (event: MessageEvent<FilesRequest>) => void
-  postMessage(message: FilesReply, transfer?: Transferable[]): void
+  onmessage: (event: MessageEvent<RemoteCall<keyof FilesCalls>>) => void
+  postMessage(message: RemoteReply, transfer?: Transferable[]): void
 }
 
 /** The same picture becomes the same circles. */
@@ -23,10 +24,23 @@ const files = loadedOnce(async () => (await import('../../lib/files.ts')).loadFi
 const library = loadedOnce(async () => (await import('../../lib/wasm/loader.ts')).loadCircleVoronoi())
 const generators = loadedOnce(async () => (await import('../generators/generators.ts')).loadGenerators())
 
-port.onmessage = async ({ data }) => {
-  const { request } = data
+const calls: {
+  readonly [Name in keyof FilesCalls]: (
+    ...args: Parameters<FilesCalls[Name]>
+  ) => ReturnType<FilesCalls[Name]> | Promise<ReturnType<FilesCalls[Name]>>
+} = {
+  read,
+  stipple: async (picture) => ({ circles: stippled(await tonesOf(picture), randomNumbers(STIPPLED)) }),
+  write,
+  link: encodeLink,
+  make: async (recipe) => (await generators()).make(recipe),
+  catalogue: async () => (await generators()).catalogue(),
+}
+
+port.onmessage = async ({ data: { request, name, args } }) => {
   try {
-    port.postMessage({ request, result: await resultOf(data) })
+    const value = await (calls[name] as (...args: readonly unknown[]) => unknown)(...args)
+    port.postMessage({ request, value })
   } catch (error) {
     const { code, circle } =
       error instanceof CircleVoronoiError ? error : { code: 'internal' as const, circle: undefined }
@@ -34,24 +48,7 @@ port.onmessage = async ({ data }) => {
   }
 }
 
-async function resultOf(data: FilesRequest): Promise<unknown> {
-  switch (data.kind) {
-    case 'read':
-      return read(data)
-    case 'stipple':
-      return { circles: stippled(await tonesOf(data.picture), randomNumbers(STIPPLED)) } satisfies Read
-    case 'write':
-      return write(data)
-    case 'link':
-      return encodeLink(data.state)
-    case 'make':
-      return (await generators()).make(data.recipe)
-    case 'catalogue':
-      return (await generators()).catalogue()
-  }
-}
-
-async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): Promise<Read> {
+async function read(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Read> {
   const text = new TextDecoder().decode(bytes)
   const isSvg = /^\s*(<\?xml|<!--|<!DOCTYPE svg|<svg)/i.test(text)
   const table = isSvg ? tableOfSvg(text) : undefined
@@ -63,7 +60,7 @@ async function read({ bytes, name }: Extract<FilesRequest, { kind: 'read' }>): P
   return { circles, ...attributesIn(text, circles.length / 3) }
 }
 
-async function write({ circles, format, region }: Extract<FilesRequest, { kind: 'write' }>): Promise<string> {
+async function write(circles: Float64s, format: SavedFormat, region?: RegionShape): Promise<string> {
   const { writeCircles, writeDiagram } = await files()
   const { compute } = await library()
   switch (format) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { FileActions } from '../files/file-actions.ts'
-import { NOT_LOADED } from '../loaded-once.ts'
+import { NOT_LOADED } from '../not-loaded.ts'
 
 /** Opens what is dropped on the page, or pasted where it is no text that is written. */
 export function listenToFiles(actions: () => Promise<FileActions>, complain: (problem: string) => void): void {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import type { Editing } from '../../editing/editing.ts'
 import type { Box } from '../../lib/index.ts'
 import { toPlane } from '../../view/camera.ts'
 import type { View } from '../../view/view.ts'
+import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { type Movement, type MovementName, movementOf } from './movements.ts'
 
@@ -46,7 +48,7 @@ export class Motion {
     )
     if (circles.length === 0) return
     if (circles.length > MOST_MOVING) {
-      this.#actions.complain(`At most ${MOST_MOVING.toLocaleString('en')} circles can move at once; there are more.`)
+      this.#actions.complain(`At most ${wholeNumber(MOST_MOVING)} circles can move at once; there are more.`)
       return
     }
     this.#actions.select([])

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg } from 'lit/html.js'
+import { html } from 'lit/html.js'
+import { icon } from '../../player/icon.ts'
+import { DOWN, FOLDER } from '../../view/icons.ts'
 import type { FileActions, Part } from '../files/file-actions.ts'
 import type { SavedFormat } from '../files/files-protocol.ts'
 import { byId } from './by-id.ts'
-import { FOLDER, icon } from './icons.ts'
 import { panelOf } from './panel.ts'
 
 const OPENED = '.csv,.tsv,.txt,.json,.geojson,.wkt,.svg,image/*'
@@ -18,8 +19,6 @@ const PARTS: readonly (readonly [part: Part, label: string])[] = [
   ['seen', 'what you see'],
   ['all', 'all circles'],
 ]
-
-const DOWN = icon(svg`<path d="M10 4v8m-3-3 3 3 3-3M4 16h12" />`)
 
 /** Opening and saving. */
 export function mountFiles(actions: FileActions): void {
@@ -48,7 +47,7 @@ export function mountFiles(actions: FileActions): void {
     panel.render(
       () => html`
           <label class="button wide">
-            ${FOLDER}Open …
+            ${icon(FOLDER)}Open …
             <input type="file" class="visually-hidden" accept=${OPENED} @change=${open} />
           </label>
           <p>You can also drop or paste a file: CSV, JSON, GeoJSON, an SVG that was saved here, or a picture, which becomes circles. Polygons, as GeoJSON or WKT, become the region.</p>
@@ -62,13 +61,13 @@ export function mountFiles(actions: FileActions): void {
           </div>
           <div class="choices">
             <button type="button" title="Save a drawing as you see it, which opens here again" @click=${() => actions.saveDrawing(part)}>
-              ${DOWN}SVG
+              ${icon(DOWN)}SVG
             </button>
             <button type="button" title="Save a PNG for a sheet of A3 paper at 300 dots per inch" @click=${() => actions.savePoster(part)}>
-              ${DOWN}Poster, A3
+              ${icon(DOWN)}Poster, A3
             </button>
             <button type="button" title="Save a picture as you see it" @click=${() => actions.savePicture(part, scale)}>
-              ${DOWN}PNG
+              ${icon(DOWN)}PNG
             </button>
             <label>
               <input type="number" min="0.1" step="any" required .value=${String(scale)} @change=${rescale} autocomplete="off" />
@@ -80,7 +79,7 @@ export function mountFiles(actions: FileActions): void {
             ${SAVED.map(
               ([format, label, what]) =>
                 html`<button type="button" title=${`Save ${what}`} @click=${() => actions.saveAs(format)}>
-                  ${DOWN}${label}
+                  ${icon(DOWN)}${label}
                 </button>`,
             )}
           </div>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, svg, type TemplateResult } from 'lit/html.js'
+import { html, nothing, type TemplateResult } from 'lit/html.js'
 import type { Float64s } from '../../lib/index.ts'
+import { icon } from '../../player/icon.ts'
+import { DICE } from '../../view/icons.ts'
 import { DATA_SETS, type DataSet, MOST_CIRCLES, randomSeed, sourceOf } from '../data-sets.ts'
 import type { FilesClient } from '../files/files-client.ts'
 import type { Catalogue, Family, Figure, Pictured } from '../generators/generators.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
-
-const DICE = svg`<rect x="4" y="4" width="12" height="12" rx="2" /><path d="M7.500 7.500v.1M12.500 7.500v.1M10 10v.1M7.500 12.500v.1M12.500 12.500v.1" />`
 
 /** What the fields say until a family is shown. */
 const FIRST = { seed: 1, count: 300 }
@@ -30,7 +30,10 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
 
   const load = async () => {
     try {
-      const [loaded, { pictureOf }] = await Promise.all([files.catalogue(), import('../generators/sample-picture.ts')])
+      const [loaded, { pictureOf }] = await Promise.all([
+        files.call('catalogue'),
+        import('../generators/sample-picture.ts'),
+      ])
       catalogue = loaded
       picture = pictureOf
       problem = ''
@@ -121,7 +124,7 @@ export function mountGenerate(actions: PageActions, files: FilesClient): { show(
         <input name="seed" type="number" min="0" max=${Number.MAX_SAFE_INTEGER} step="1" required .value=${String(fields.seed)} @change=${change} autocomplete="off" />
       </label>
       <button type="button" class="icon" aria-label="Another seed" title="Another seed" @click=${again}>
-        <svg viewBox="0 0 20 20" aria-hidden="true">${DICE}</svg>
+        ${icon(DICE)}
       </button>
     </div>
     ${catalogue === undefined ? html`<p class="quiet">${problem === '' ? 'Loading …' : problem}</p>` : list(catalogue)}

@@ -2,10 +2,11 @@
 import { html, render, type TemplateResult } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { icon } from '../../player/icon.ts'
+import { CLOSE } from '../../view/icons.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
-import { CLOSE } from './icons.ts'
 
 /** How many circles are selected, and what can be done with them. */
 export function mountGroup(store: Store<State>, actions: PageActions): void {
@@ -23,7 +24,7 @@ export function mountGroup(store: Store<State>, actions: PageActions): void {
         <header>
           <h2>${wholeNumber(selection.length)} circles</h2>
           <button type="button" class="icon" aria-label="Deselect" title="Deselect (Escape)" @click=${deselect}>
-            ${CLOSE}
+            ${icon(CLOSE)}
           </button>
         </header>
         <div class="choices">${selectionActions(actions)}</div>

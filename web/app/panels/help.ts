@@ -1,49 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
+import { ENGLISH_KEYS, type KeyRow } from '../../editing/key-help.ts'
+import { icon } from '../../player/icon.ts'
+import { CLOSE } from '../../view/icons.ts'
+import { PAGE_KEYS } from '../page-keys.ts'
 import { byId } from './by-id.ts'
-import { CLOSE } from './icons.ts'
 
-const HELP: readonly (readonly [title: string, rows: readonly (readonly [how: string, what: string])[]])[] = [
+/** The same with a mouse or fingers, before the keys. */
+const also = (pointer: string, [keys, action]: KeyRow): KeyRow => [`${pointer}, ${keys}`, action]
+
+const { select, edit, look } = ENGLISH_KEYS
+const HELP: readonly (readonly [title: string, rows: readonly KeyRow[]])[] = [
   [
     'Look',
-    [
-      ['wheel, pinch, + −', 'zoom'],
-      ['drag, Space + drag, middle button, arrows', 'pan'],
-      ['0', 'show everything; again: leave out what lies far outside'],
-      ['F', 'zoom to the selection'],
-    ],
+    [also('wheel, pinch', look.zoom), also('drag, Space + drag, middle button', look.pan), look.fit, select.zoom],
   ],
   [
     'Select',
     [
       ['click, Enter', 'a circle by its disc or its cell'],
       ['Shift + click, Shift + drag', 'several'],
-      ['Tab, Shift + Tab', 'the next one, the one before'],
-      ['Ctrl + arrows', 'the neighbor on that side'],
-      ['Ctrl + A, Escape', 'all, none'],
+      select.next,
+      select.neighbor,
+      select.all,
     ],
   ],
+  ['Tools', [PAGE_KEYS.tools, PAGE_KEYS.region, PAGE_KEYS.help]],
   [
     'Edit',
     [
-      ['double click or double tap, A and drag', 'add a circle'],
-      ['N', 'add a circle in the middle of the picture'],
+      ['double-click or double tap, A and drag', 'add a circle'],
       ['press and hold where no circle is', 'see what a new circle would take; release to add it'],
+      edit.add,
       ['drag its disc, its rim, the square handle', 'move, resize, scale'],
-      ['arrows, + −', 'move and resize by a step: Shift ten, Alt a tenth'],
-      ['Alt + drag, S', 'snap to neighbors and to a grid'],
-      ['Ctrl + C, X, V, D', 'copy, cut, paste, duplicate'],
-      ['Delete', 'delete'],
-      ['Ctrl + Z, Ctrl + Shift + Z', 'undo, redo'],
-      ['Enter', 'type the numbers of the selected circle'],
-    ],
-  ],
-  [
-    'Tools',
-    [
-      ['V, H, A', 'select, pan, add until Escape'],
-      ['P', 'draw a region: click corners, or arrows and Space; double click or Enter closes, Escape cancels'],
-      ['?', 'this help'],
+      edit.move,
+      edit.resize,
+      ['Alt + drag', 'snap to neighbors and to a grid'],
+      edit.snap,
+      PAGE_KEYS.copy,
+      edit.duplicate,
+      edit.remove,
+      edit.undo,
+      PAGE_KEYS.numbers,
     ],
   ],
 ]
@@ -56,7 +54,7 @@ export function showHelp(): void {
       <form method="dialog" class="row">
         <h2 id="help-title">Mouse, fingers and keys</h2>
         <button class="icon" aria-label="Close" title="Close (Escape)">
-          ${CLOSE}
+          ${icon(CLOSE)}
         </button>
       </form>
       <div class="help">

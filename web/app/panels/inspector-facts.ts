@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render } from 'lit/html.js'
 import type { Editing } from '../../editing/editing.ts'
-import { shortest } from '../../editing/shortest.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { CellFacts } from '../../view/protocol.ts'
+import { short } from '../../view/short.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { PageActions } from '../page-actions.ts'
@@ -23,7 +23,7 @@ export function mountInspectorFacts(store: Store<State>, editing: Editing, actio
   let asked: State['described']
   const ask = async (described: NonNullable<State['described']>) => {
     asked = described
-    const told = await view.tell([described.id])
+    const told = await view.ask('tell', [described.id])
     // Meanwhile it may be another one.
     const isInside = store.get().domain.region !== undefined
     if (asked === described) render(factsOf(told?.cells.get(described.id), isInside), facts)
@@ -45,7 +45,7 @@ function placeOf({ circles }: Editing, id: number): string {
 
 function factsOf(cell: CellFacts | undefined, isInside: boolean) {
   if (cell === undefined || cell.hidden) return nothing
-  const text = (value: number) => (Number.isFinite(value) ? shortest(Number(value.toPrecision(DIGITS))) : 'infinite')
+  const text = (value: number) => (Number.isFinite(value) ? short(value, DIGITS) : 'infinite')
   return html`<dt>${isInside ? 'Area inside the region' : 'Area of the cell'}</dt><dd>${text(cell.area)}</dd>
     <dt>Perimeter</dt><dd>${text(cell.perimeter)}</dd>`
 }

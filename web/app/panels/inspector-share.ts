@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, render } from 'lit/html.js'
-import { shortest } from '../../editing/shortest.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { short } from '../../view/short.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
 
@@ -52,7 +52,7 @@ export function mountInspectorShare(store: Store<State>, actions: PageActions): 
             step="any"
             required
             autocomplete="off"
-            .value=${shortest(Number((100 * share).toPrecision(DIGITS)))}
+            .value=${short(100 * share, DIGITS)}
             @change=${type}
           />
         </div>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { describeCell } from '../../editing/describe-cell.ts'
-import { shortest } from '../../editing/shortest.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { short } from '../../view/short.ts'
 import { listenToPresses } from '../input/after-press.ts'
 import type { PageActions } from '../page-actions.ts'
 import { byId } from './by-id.ts'
@@ -38,7 +38,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
       // What was refused does not stay.
       const { circle, problem } = store.get()
       if (circle === undefined) return
-      const text = shortest(circle[FIELDS[i] as Field])
+      const text = short(circle[FIELDS[i] as Field])
       if (field.value !== text && problem !== '')
         afterPress(() => store.get().problem === problem && actions.complain(''))
       field.value = text
@@ -72,7 +72,7 @@ export function mountInspector(store: Store<State>, actions: PageActions): () =>
     if (title.textContent !== `Circle ${id}`) title.textContent = `Circle ${id}`
     fields.forEach((field, i) => {
       const value = circle[FIELDS[i] as Field]
-      const text = shortest(value)
+      const text = short(value)
       field.title = String(value)
       field.setAttribute('aria-invalid', String(field === typing && state.problem !== ''))
       if (field !== typing && field.value !== text) field.value = text

@@ -13,6 +13,7 @@ import {
   SAMPLES,
 } from '../../view/layers.ts'
 import type { MethodFound } from '../../view/protocol.ts'
+import { short } from '../../view/short.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { MOST_MOVING, type Motion } from '../motion/motion.ts'
@@ -258,9 +259,9 @@ function row(
 }
 
 function numberOf(value: number | undefined, name: string): TemplateResult {
-  return html`<small title=${name}>${value === undefined ? '…' : Number(value.toPrecision(4))}</small>`
+  return html`<small title=${name}>${value === undefined ? '…' : short(value, 4)}</small>`
 }
 
 function rounded(value: number): number {
-  return Number(value.toPrecision(3))
+  return Number(short(value, 3))
 }

@@ -5,6 +5,7 @@ import type { Store } from '../../editing/store.ts'
 import type { Options } from '../../lib/index.ts'
 import type { Edited } from '../../view/painter.ts'
 import type { Computed, Distribution } from '../../view/protocol.ts'
+import { short } from '../../view/short.ts'
 import type { View } from '../../view/view.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import { byId } from './by-id.ts'
@@ -51,7 +52,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
 
   const measure = async () => {
     const of = edited
-    const answer = await view.measure()
+    const answer = await view.ask('measure')
     // Of other circles it would be wrong.
     if (of !== edited || answer === undefined) return
     distribution = answer
@@ -72,7 +73,7 @@ export function mountNumbers(store: Store<State>, view: View): void {
     const of = edited
     computed = 'computing'
     draw()
-    const answer = await view.compute((WAYS[way] as (typeof WAYS)[number])[1])
+    const answer = await view.ask('compute', (WAYS[way] as (typeof WAYS)[number])[1])
     computed = of === edited ? answer : undefined
     draw()
   }
@@ -120,8 +121,8 @@ function distributionOf({ certificate, medianArea, areas, areaStep, degrees }: D
   const largest = areaStep * (areas.length - 1)
   return html`
     <figure>
-      <figcaption>Areas of bounded cells: half are below ${text(medianArea)}</figcaption>
-      <div class="chart" role="img" aria-label=${`Histogram of areas up to ${text(largest)}; larger ones are in the last bar`}></div>
+      <figcaption>Areas of bounded cells: half are below ${short(medianArea, 3)}</figcaption>
+      <div class="chart" role="img" aria-label=${`Histogram of areas up to ${short(largest, 3)}; larger ones are in the last bar`}></div>
     </figure>
     <figure>
       <figcaption>Neighbors: ${mean.toFixed(2)} on average</figcaption>
@@ -171,8 +172,4 @@ function list(entries: readonly (readonly [string, string | number])[]): Templat
   return html`<dl>
     ${entries.map(([name, value]) => html`<div><dt>${name}</dt><dd>${typeof value === 'number' ? wholeNumber(value) : value}</dd></div>`)}
   </dl>`
-}
-
-function text(value: number): string {
-  return String(Number(value.toPrecision(3)))
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { html, nothing, render, type TemplateResult } from 'lit/html.js'
-import { NOT_LOADED } from '../loaded-once.ts'
-import { CLOSE } from './icons.ts'
+import { icon } from '../../player/icon.ts'
+import { CLOSE } from '../../view/icons.ts'
+import { NOT_LOADED } from '../not-loaded.ts'
 
 const STORAGE = 'circle-voronoi:open-panel'
 /** A handle that is pulled so far, in pixels, makes the sheet larger or smaller. */
@@ -75,7 +76,7 @@ export function panelOf(
             ></button>
             <h2>${title}</h2>
             <button type="button" class="icon" aria-label="Close" title="Close (Escape)" @click=${() => panel.close()}>
-              ${CLOSE}
+              ${icon(CLOSE)}
             </button>
           </header>
           <div class="body">${isOpen ? body() : nothing}</div>`,

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, nothing, svg } from 'lit/html.js'
+import { html, nothing } from 'lit/html.js'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { icon } from '../../player/icon.ts'
 import { ringsOf } from '../../view/domain.ts'
+import { BIN, FOLDER, PEN } from '../../view/icons.ts'
 import { wholeNumber } from '../../view/whole-number.ts'
 import type { FileActions } from '../files/file-actions.ts'
 import type { PageActions } from '../page-actions.ts'
 import type { RegionPen } from '../region-pen.ts'
 import { byId } from './by-id.ts'
-import { FOLDER, icon } from './icons.ts'
 import { panelOf } from './panel.ts'
 import { toast } from './toast.ts'
 
@@ -18,9 +19,6 @@ const FREE = 'free'
 const OWN = 'own'
 /** Before the name of a column. */
 const COLUMN = 'column:'
-
-const PEN = icon(svg`<path d="m4 16 1-4 8.500-8.500 3 3L8 15zM11.500 5.500l3 3" />`)
-const BIN = icon(svg`<path d="M4 6h12M8 6V4h4v2M6 6l.700 10h6.600L14 6" />`)
 
 /** What cells are cut to, and which areas they have there. */
 export function mountRegion(store: Store<State>, actions: PageActions, files: FileActions, pen: RegionPen): void {
@@ -76,16 +74,16 @@ export function mountRegion(store: Store<State>, actions: PageActions, files: Fi
         ? drawing()
         : html`<div class="choices">
             <button type="button" @click=${begin} title="Draw a polygon, corner by corner (P)">
-              ${PEN}${region === undefined ? 'Draw' : 'Draw more'}
+              ${icon(PEN)}${region === undefined ? 'Draw' : 'Draw more'}
             </button>
             <label class="button">
-              ${FOLDER}Open …
+              ${icon(FOLDER)}Open …
               <input type="file" class="visually-hidden" accept=".geojson,.json,.wkt,.txt" @change=${open} />
             </label>
             ${
               region === undefined
                 ? nothing
-                : html`<button type="button" @click=${() => actions.removeRegion()}>${BIN}Remove region</button>`
+                : html`<button type="button" @click=${() => actions.removeRegion()}>${icon(BIN)}Remove region</button>`
             }
           </div>`
     }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg } from 'lit/html.js'
+import { html } from 'lit/html.js'
+import { icon } from '../../player/icon.ts'
+import { CHAIN, CODE } from '../../view/icons.ts'
 import type { FileActions } from '../files/file-actions.ts'
 import { byId } from './by-id.ts'
-import { icon } from './icons.ts'
 import { panelOf } from './panel.ts'
 import { toast } from './toast.ts'
-
-const CHAIN = icon(svg`<path d="M8 12l4-4M7 9l-2 2a2.800 2.800 0 0 0 4 4l2-2M13 11l2-2a2.800 2.800 0 0 0-4-4L9 7" />`)
-const CODE = icon(svg`<path d="m7 6-4 4 4 4M13 6l4 4-4 4" />`)
 
 /** Links and code that show the same elsewhere. */
 export function mountShare(actions: FileActions): void {
@@ -20,21 +18,21 @@ export function mountShare(actions: FileActions): void {
         <p>A link or code shows what you see now, with your edits.</p>
         <div class="choices">
           <button type="button" class="primary" @click=${() => copy(() => actions.copyLink(), 'The link')}>
-            ${CHAIN}Copy link
+            ${icon(CHAIN)}Copy link
           </button>
           <button
             type="button"
             title="Copy HTML for a frame in another page"
             @click=${() => copy(() => actions.copyEmbedCode(), 'The code')}
           >
-            ${CODE}Copy embed code
+            ${icon(CODE)}Copy embed code
           </button>
           <button
             type="button"
             title="Copy a script and a tag that show these circles in another page, without a frame"
             @click=${() => copy(() => actions.copyElementCode(), 'The code')}
           >
-            ${CODE}Copy element
+            ${icon(CODE)}Copy element
           </button>
         </div>
       `,

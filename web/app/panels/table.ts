@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { html, svg } from 'lit/html.js'
+import { html } from 'lit/html.js'
 import type { Editing } from '../../editing/editing.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
+import { icon } from '../../player/icon.ts'
+import { MINUS, PLUS } from '../../view/icons.ts'
 import type { View } from '../../view/view.ts'
 import type { PageActions } from '../page-actions.ts'
 import type { CircleGrid } from '../table/circle-grid.ts'
 import { byId } from './by-id.ts'
 import { panelOf } from './panel.ts'
 
-const PLUS = svg`<path d="M10 5v10M5 10h10" />`
-const MINUS = svg`<path d="M5 10h10" />`
 /** The numbers of all circles, loaded when they are looked at for the first time. */
 export function mountTable(store: Store<State>, editing: Editing, actions: PageActions, view: View): void {
   const panel = byId('table', HTMLElement)
@@ -42,10 +42,10 @@ export function mountTable(store: Store<State>, editing: Editing, actions: PageA
     <div id="circle-grid" class="grid"></div>
     <div class="choices">
       <button type="button" title="Add a circle in the middle of the view" @click=${() => actions.addFitting(view.camera)}>
-        <svg viewBox="0 0 20 20" aria-hidden="true">${PLUS}</svg>Add
+        ${icon(PLUS)}Add
       </button>
       <button type="button" title="Delete the selected circles (Delete)" @click=${() => actions.removeSelected()}>
-        <svg viewBox="0 0 20 20" aria-hidden="true">${MINUS}</svg>Delete
+        ${icon(MINUS)}Delete
       </button>
       <p>${problem || 'Enter edits; rows of a spreadsheet can be pasted.'}</p>
     </div>

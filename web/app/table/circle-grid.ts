@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { Editing } from '../../editing/editing.ts'
 import type { Scene } from '../../editing/history.ts'
-import { shortest } from '../../editing/shortest.ts'
 import type { State } from '../../editing/state.ts'
 import type { Store } from '../../editing/store.ts'
 import type { Circle } from '../../lib/index.ts'
 import type { Column as Measured, Tabulated } from '../../view/protocol.ts'
+import { short } from '../../view/short.ts'
 import type { View } from '../../view/view.ts'
 import type { PageActions } from '../page-actions.ts'
 import './table.css'
@@ -98,14 +98,12 @@ export class CircleGrid implements GridContent {
     if (name === 'id') return { text: String(id) }
     if (!isMeasured(name)) {
       const circle = this.#editing.circles.get(id)
-      return { text: circle === undefined ? '' : shortest(circle[name]) }
+      return { text: circle === undefined ? '' : short(circle[name]) }
     }
     const value = this.#measured.get(id)?.[MEASURED.indexOf(name)]
     if (value === undefined) return { text: '' }
     if (Number.isNaN(value)) return { text: '–', label: 'hidden' }
-    return value === Number.POSITIVE_INFINITY
-      ? { text: '∞', label: 'without end' }
-      : { text: String(Number(value.toPrecision(4))) }
+    return value === Number.POSITIVE_INFINITY ? { text: '∞', label: 'without end' } : { text: short(value, 4) }
   }
 
   sortOf(column: number): 'ascending' | 'descending' | 'none' {
@@ -236,7 +234,7 @@ export class CircleGrid implements GridContent {
     let measured: Tabulated | undefined
     if (isMeasured(sorting.column)) {
       this.#grid.render()
-      measured = await this.#view.tabulate([sorting.column])
+      measured = await this.#view.ask('tabulate', [sorting.column], undefined)
       // Meanwhile something else was asked for.
       if (turn !== this.#turn) return
     }
@@ -260,7 +258,7 @@ export class CircleGrid implements GridContent {
     do {
       this.#isStale = false
       const ids = this.#order.slice(this.#seen[0], this.#seen[1] + 1)
-      const table = ids.length === 0 ? undefined : await this.#view.tabulate(MEASURED, ids)
+      const table = ids.length === 0 ? undefined : await this.#view.ask('tabulate', MEASURED, ids)
       this.#measured = new Map(
         [...(table?.ids ?? [])].map((id, k) => [id, table?.columns.map((column) => column[k] as number) ?? []]),
       )

@@ -43,8 +43,12 @@ export function circleOf(circles: Float64Array, i: number): Circle {
  */
 export function vertexAt(diagram: DiagramData, v: number): Vertex {
   checkData(diagram, 'vertexAt')
-  const { vertices } = diagram
-  checkIndex(v, vertices.length / 3, 'vertexAt', 'vertex')
+  checkIndex(v, diagram.vertices.length / 3, 'vertexAt', 'vertex')
+  return vertexOf(diagram, v)
+}
+
+/** The same of checked arguments. */
+export function vertexOf({ vertices }: DiagramData, v: number): Vertex {
   return { x: at(vertices, 3 * v), y: at(vertices, 3 * v + 1), r: at(vertices, 3 * v + 2) }
 }
 
@@ -60,8 +64,12 @@ export function vertexAt(diagram: DiagramData, v: number): Vertex {
  */
 export function edgeAt(diagram: DiagramData, e: number): Edge {
   checkData(diagram, 'edgeAt')
-  const { edges } = diagram
-  checkIndex(e, edges.length / 4, 'edgeAt', 'edge')
+  checkIndex(e, diagram.edges.length / 4, 'edgeAt', 'edge')
+  return edgeOf(diagram, e)
+}
+
+/** The same of checked arguments. */
+export function edgeOf({ edges }: DiagramData, e: number): Edge {
   return {
     left: at(edges, 4 * e),
     right: at(edges, 4 * e + 1),

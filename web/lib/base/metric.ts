@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkData, checkIndex, checkNumber } from './check.ts'
 import { at } from './diagram-data.ts'
-import { lengthOf } from './scale.ts'
+import { hypotenuse } from './scale.ts'
 import type { DiagramData } from './types.ts'
 
 /**
@@ -15,11 +15,15 @@ import type { DiagramData } from './types.ts'
  */
 export function distanceFrom(diagram: DiagramData, circle: number, x: number, y: number): number {
   checkData(diagram, 'distanceFrom')
-  const { circles, metric } = diagram
-  checkIndex(circle, circles.length / 3, 'distanceFrom', 'circle')
+  checkIndex(circle, diagram.circles.length / 3, 'distanceFrom', 'circle')
   checkNumber(x, 'distanceFrom', 'x')
   checkNumber(y, 'distanceFrom', 'y')
-  const toCenter = lengthOf({ x: x - at(circles, 3 * circle), y: y - at(circles, 3 * circle + 1) })
+  return distanceOf(diagram, circle, x, y)
+}
+
+/** The same of checked arguments. */
+export function distanceOf({ circles, metric }: DiagramData, circle: number, x: number, y: number): number {
+  const toCenter = hypotenuse(x - at(circles, 3 * circle), y - at(circles, 3 * circle + 1))
   const r = at(circles, 3 * circle + 2)
   if (metric === 'circles') return toCenter - r
   return metric === 'centers' ? toCenter : (toCenter - r) * (toCenter + r)

@@ -137,17 +137,21 @@ export function traceArc(
 export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: BoundedCurve, tolerance: number): void {
   const { bisector, to: last } = curve
   let { from, start } = curve
-  if (isNearlyStraight(bisector, from, last, tolerance)) {
+  if (isNearlyStraight(bisector.a, from, last, tolerance / bisector.unit)) {
     sink.lineTo(curve.end.x, curve.end.y)
     return
   }
-  let error = chordError(bisector, from, last)
+  // Of the rest of the arc.
+  let excess = excessOf(from, last)
+  let error = chordError(bisector.a, bisector.b, from, last, excess)
   const limit = atLeast(1e-12, curve, error, tolerance)
   for (let isLast = false; !isLast; ) {
     // To know that one curve does for the rest spares the search for how far a line would do.
-    const byOneCubic = error > limit && cubicError(bisector, from, last) <= limit
-    const byLine = byOneCubic ? from : farthest(bisector, from, last, limit, chordError)
-    const byCubic = byOneCubic || byLine === last ? last : farthest(bisector, from, last, limit, cubicError)
+    const byOneCubic = error > limit && cubicError(bisector.a, bisector.b, from, last, excess) <= limit
+    const byCubic = byOneCubic || !(error > limit) ? last : farthest(bisector, from, last, limit, cubicError)
+    // As errors grow along the arc, this spares the search if a line errs too much up to there.
+    const isShorter = byOneCubic || (byCubic > from && chordError(bisector.a, bisector.b, from, byCubic) > 2 * limit)
+    const byLine = isShorter ? from : farthest(bisector, from, last, limit, chordError)
     const to = Math.max(byLine, byCubic)
     isLast = !(to < last)
     const end = isLast ? curve.end : pointOf(bisector, to)
@@ -155,15 +159,22 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
       sink.lineTo(end.x, end.y)
     } else {
       const control = controlPoint(bisector, from, to)
-      const weight = 1 + excessOf(from, to)
+      const weight = 1 + (isLast ? excess : excessOf(from, to))
       const share = (4 * weight) / (3 * (1 + weight))
-      const control1 = mix(start, control, share)
-      const control2 = mix(end, control, share)
-      sink.bezierCurveTo(control1.x, control1.y, control2.x, control2.y, end.x, end.y)
+      sink.bezierCurveTo(
+        start.x + share * (control.x - start.x),
+        start.y + share * (control.y - start.y),
+        end.x + share * (control.x - end.x),
+        end.y + share * (control.y - end.y),
+        end.x,
+        end.y,
+      )
     }
     from = to
     start = end
-    if (!isLast) error = chordError(bisector, from, last)
+    if (isLast) return
+    excess = excessOf(from, last)
+    error = chordError(bisector.a, bisector.b, from, last, excess)
   }
 }
 
@@ -181,9 +192,14 @@ export function addArc(sink: Pick<PathSink, 'lineTo' | 'bezierCurveTo'>, curve: 
 export function polyline(curve: BoundedCurve, tolerance: number): Point[] {
   checkBoundedCurve(curve, 'polyline')
   checkLength(tolerance, 'polyline', 'tolerance')
+  return polylineOf(curve, tolerance)
+}
+
+/** The same of checked arguments. */
+export function polylineOf(curve: BoundedCurve, tolerance: number): Point[] {
   const { bisector, from: first, to, start, end } = curve
-  if (isNearlyStraight(bisector, first, to, tolerance)) return [start, end]
-  const limit = atLeast(1e-9, curve, chordError(bisector, first, to), tolerance)
+  if (isNearlyStraight(bisector.a, first, to, tolerance / bisector.unit)) return [start, end]
+  const limit = atLeast(1e-9, curve, chordError(bisector.a, bisector.b, first, to), tolerance)
   const points = [start]
   let from = farthest(bisector, first, to, limit, chordError)
   while (from < to) {
@@ -213,9 +229,9 @@ function excessOf(from: number, to: number): number {
  * distance of that tangent from the middle of the hyperbola. An arc around the apex may be a needle, nearer to the line of
  * its chord than to its chord: what counts there is the way parallel to the axis, at most w - 1 times |a|.
  */
-function chordError({ a, b }: Bisector, from: number, to: number): number {
+function chordError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   if (a === 0) return 0
-  const along = excessOf(from, to) * Math.abs(a)
+  const along = excess * Math.abs(a)
   if (from < 1 && 1 < to) return along
   const middle = Math.sqrt(from) * Math.sqrt(to)
   const x = (a * (middle - 1 / middle)) / 2
@@ -227,9 +243,9 @@ function chordError({ a, b }: Bisector, from: number, to: number): number {
  * Whether a bound without roots tells that an arc keeps within a tolerance of its chord, as most in a drawing do: the error
  * is at most |a| (w - 1), and w - 1 = (w^2 - 1) / (w + 1) at most (to - from)^2 / (8 from to).
  */
-function isNearlyStraight({ a, unit }: Bisector, from: number, to: number, tolerance: number): boolean {
+function isNearlyStraight(a: number, from: number, to: number, tolerance: number): boolean {
   const difference = to - from
-  return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * (tolerance / unit)
+  return a === 0 || Math.abs(a) * (difference / from) * (difference / to) <= 8 * tolerance
 }
 
 /**
@@ -243,8 +259,7 @@ function isNearlyStraight({ a, unit }: Bisector, from: number, to: number, toler
  * the way to the branch along one axis is at most |a| f / (2 k cosh t), along the other b f / (k sinh t), with
  * k^2 = 1 - f and t the parameter of the arc nearest to the apex.
  */
-function cubicError({ a, b }: Bisector, from: number, to: number): number {
-  const excess = excessOf(from, to)
+function cubicError(a: number, b: number, from: number, to: number, excess = excessOf(from, to)): number {
   const f = (excess * excess * excess) / (27 * (excess + 2))
   if (!(f < 0.5)) return Number.POSITIVE_INFINITY
   const k = Math.sqrt(1 - f)
@@ -260,20 +275,20 @@ function cubicError({ a, b }: Bisector, from: number, to: number): number {
  * the way; errors grow with it.
  */
 function farthest(
-  bisector: Bisector,
+  { a, b }: Bisector,
   from: number,
   to: number,
   tolerance: number,
-  error: (bisector: Bisector, from: number, to: number) => number,
+  error: (a: number, b: number, from: number, to: number) => number,
 ): number {
-  if (!(error(bisector, from, to) > tolerance)) return to
+  if (!(error(a, b, from, to) > tolerance)) return to
   const halvings = 50
   const nearEnough = 1 / 32
   let good = from
   let bad = to
   for (let i = 0; i < halvings && bad - good > nearEnough * (good - from); i++) {
     const middle = Math.sqrt(good) * Math.sqrt(bad)
-    if (error(bisector, from, middle) <= tolerance) good = middle
+    if (error(a, b, from, middle) <= tolerance) good = middle
     else bad = middle
   }
   return good > from ? good : bad

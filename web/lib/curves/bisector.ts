@@ -25,24 +25,24 @@ import { METRICS, type Metric } from '../base/types.ts'
  * @category Curves
  */
 export interface Bisector {
-  /** The foci: the center of the left circle, */
+  /** The center of the left circle, one of the two foci. */
   readonly left: Point
-  /** and of the right one. */
+  /** The center of the right circle, one of the two foci. */
   readonly right: Point
-  /** Of a, b and apex: 1 or a power of two. */
+  /** The unit of length in which `a`, `b` and `apex` are measured: 1 or a power of two. */
   readonly unit: number
-  /** (r_left - r_right) / 2 */
+  /** Half the difference of the radii, (r_left - r_right) / 2; 0 for a straight bisector. In `unit`. */
   readonly a: number
-  /** a^2 + b^2 = c^2, where c is half the distance of the centers; above 0 */
+  /** The other half-axis of the hyperbola, above 0: a^2 + b^2 = c^2, where c is half the distance of the centers. In `unit`. */
   readonly b: number
-  /** The focus of the smaller circle, the left one if radii are equal. */
+  /** The center of the smaller circle, or of the left circle if the radii are equal. */
   readonly origin: Point
   /** Unit vector from the origin to the other focus. */
   readonly along: Vector
-  /** Unit vector at right angles to it, with the left circle on its left. */
+  /** Unit vector at right angles to `along`, with the left circle on its left. */
   readonly across: Vector
   /**
-   * The distance c - |a| from the origin to the apex. For the metric `power` it is where the radical axis crosses the line
+   * The distance c - |a| from the origin to the apex, in `unit`. For the metric `power` it is where the radical axis crosses the line
    * of centers, and may be negative.
    */
   readonly apex: number
@@ -79,34 +79,55 @@ export function bisector(circles: Float64Array, left: number, right: number, met
 
 /** The same of checked arguments. */
 export function bisectorOf(circles: Float64Array, left: number, right: number, metric: Metric): Bisector {
-  const leftCenter = { x: at(circles, 3 * left), y: at(circles, 3 * left + 1) }
-  const rightCenter = { x: at(circles, 3 * right), y: at(circles, 3 * right + 1) }
+  return measureBisector(blankBisector(), circles, left, right, metric)
+}
+
+/** An object whose numbers can be replaced in place. */
+export type Mutable<T> = { -readonly [Key in keyof T]: T[Key] extends Point ? { x: number; y: number } : T[Key] }
+
+/** A bisector to be measured. Its numbers are no integers, which engines would store in another way. */
+export function blankBisector(): Mutable<Bisector> {
+  const point = () => ({ x: 0.5, y: 0.5 })
+  const left = point()
+  return { left, right: point(), unit: 1, a: 0.5, b: 0.5, origin: left, along: point(), across: point(), apex: 0.5 }
+}
+
+/** Makes a bisector that of two circles, and returns it. */
+export function measureBisector(
+  target: Mutable<Bisector>,
+  circles: Float64Array,
+  left: number,
+  right: number,
+  metric: Metric,
+): Bisector {
   const leftRadius = at(circles, 3 * left + 2)
   const rightRadius = at(circles, 3 * right + 2)
+  target.left.x = at(circles, 3 * left)
+  target.left.y = at(circles, 3 * left + 1)
+  target.right.x = at(circles, 3 * right)
+  target.right.y = at(circles, 3 * right + 1)
   const originIsLeft = metric !== 'circles' || leftRadius <= rightRadius
-  const origin = originIsLeft ? leftCenter : rightCenter
-  const other = originIsLeft ? rightCenter : leftCenter
+  const origin = originIsLeft ? target.left : target.right
+  const other = originIsLeft ? target.right : target.left
   const unit = unitFor(Math.max(Math.abs(other.x - origin.x), Math.abs(other.y - origin.y)))
   const x = (other.x - origin.x) / unit
   const y = (other.y - origin.y) / unit
   const d = Math.sqrt(x * x + y * y)
   const difference = metric === 'circles' ? (leftRadius - rightRadius) / unit : 0
   const size = Math.abs(difference)
-  const along = { x: x / d, y: y / d }
   const shift =
     metric === 'power' ? ((leftRadius - rightRadius) / unit) * ((leftRadius + rightRadius) / unit / (2 * d)) : 0
-  return {
-    left: leftCenter,
-    right: rightCenter,
-    unit,
-    a: difference / 2,
-    // Not c^2 - a^2, which cancels for a circle almost inside the other.
-    b: Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2,
-    origin,
-    along,
-    across: originIsLeft ? { x: -along.y, y: along.x } : { x: along.y, y: -along.x },
-    apex: Math.min(Math.max((d - size) / 2 + shift, -FARTHEST_APEX), FARTHEST_APEX),
-  }
+  target.unit = unit
+  target.a = difference / 2
+  // Not c^2 - a^2, which cancels for a circle almost inside the other.
+  target.b = Math.max(Math.sqrt(Math.max((d - size) * (d + size), 0)), d * SMALLEST_B) / 2
+  target.origin = origin
+  target.along.x = x / d
+  target.along.y = y / d
+  target.across.x = originIsLeft ? -target.along.y : target.along.y
+  target.across.y = originIsLeft ? target.along.x : -target.along.x
+  target.apex = Math.min(Math.max((d - size) / 2 + shift, -FARTHEST_APEX), FARTHEST_APEX)
+  return target
 }
 
 /**

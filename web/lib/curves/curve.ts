@@ -5,7 +5,15 @@ import { at, NONE } from '../base/diagram-data.ts'
 import { between, length } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { DiagramData, Point } from '../base/types.ts'
-import { type Bisector, bisectorOf, exponentialOf, movedApart, parameterOf } from './bisector.ts'
+import {
+  type Bisector,
+  blankBisector,
+  exponentialOf,
+  type Mutable,
+  measureBisector,
+  movedApart,
+  parameterOf,
+} from './bisector.ts'
 
 /**
  * An arc of a bisector, from parameter `from` to parameter `to` >= `from`. An end at infinity has the parameter 0 or
@@ -65,15 +73,45 @@ export function edgeCurve(diagram: DiagramData, edge: number): EdgeCurve {
   return curveOf(diagram, edge)
 }
 
-/** The same of checked arguments. */
-export function curveOf({ circles, metric, vertices, edges }: DiagramData, edge: number): EdgeCurve {
-  const start = at(edges, 4 * edge + 2)
-  const end = at(edges, 4 * edge + 3)
-  const startPoint = start === NONE ? undefined : { x: at(vertices, 3 * start), y: at(vertices, 3 * start + 1) }
-  const endPoint = end === NONE ? undefined : { x: at(vertices, 3 * end), y: at(vertices, 3 * end + 1) }
-  const whole = bisectorOf(circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
-  const reach = Math.max(reachOf(whole.origin, startPoint), reachOf(whole.origin, endPoint))
-  return arcBetween(movedApart(whole, reach), startPoint, endPoint)
+/** The same of checked arguments. `room`: what becomes the bisector and the ends. */
+export function curveOf(
+  { circles, metric, vertices, edges }: DiagramData,
+  edge: number,
+  room = roomForCurve(),
+): EdgeCurve {
+  const start = placed(room.start, vertices, at(edges, 4 * edge + 2))
+  const end = placed(room.end, vertices, at(edges, 4 * edge + 3))
+  const whole = measureBisector(room.bisector, circles, at(edges, 4 * edge), at(edges, 4 * edge + 1), metric)
+  const reach = Math.max(reachOf(whole.origin, start), reachOf(whole.origin, end))
+  return arcBetween(movedApart(whole, reach), start, end)
+}
+
+function roomForCurve() {
+  return { bisector: blankBisector(), start: { x: 0.5, y: 0.5 }, end: { x: 0.5, y: 0.5 } }
+}
+
+/** A point, moved to a vertex. */
+function placed(point: Mutable<Point>, vertices: Float64Array, vertex: number): Point | undefined {
+  if (vertex === NONE) return undefined
+  point.x = at(vertices, 3 * vertex)
+  point.y = at(vertices, 3 * vertex + 1)
+  return point
+}
+
+const room = roomForCurve()
+
+/**
+ * The curve of a side, with its cell on the left but for `left` and `right`, in objects that the next call changes:
+ * drawing needs each curve once.
+ */
+export function passingCurveOf(diagram: DiagramData, side: number): EdgeCurve {
+  const curve = curveOf(diagram, side >> 1, room)
+  if (side % 2 === 0) return curve
+  const bisector = curve.bisector as Mutable<Bisector>
+  bisector.a = -bisector.a
+  bisector.across.x = -bisector.across.x
+  bisector.across.y = -bisector.across.y
+  return { bisector, from: 1 / curve.to, to: 1 / curve.from, start: curve.end, end: curve.start }
 }
 
 /** How far an end is, along one axis; 0 at infinity. */

@@ -32,13 +32,14 @@ import {
   checkDrawOptions,
   DRAW_OPTIONS,
   type DrawOptions,
-  drawn,
   HULL_OPTIONS,
   type HullOptions,
   PATH_OPTIONS,
   POLYGON_OPTIONS,
   type PolygonOptions,
+  sinkOf,
   type TextOptions,
+  textOf,
   toleranceOf,
 } from '../drawing/draw-options.ts'
 import { hullInRegion, hullRing, type Polygon, ringOf } from '../drawing/polygon.ts'
@@ -46,10 +47,10 @@ import { keptParts, type Limits } from '../regions/cell-limits.ts'
 import { Cells } from '../regions/cells.ts'
 import { type Bounds, ConvexPolygon } from '../regions/convex-polygon.ts'
 import { exportBox } from '../regions/export-box.ts'
-import { outlineArea, outlineCentroid, outlinePerimeter } from '../regions/measure.ts'
+import { areaOf, centroidOf, perimeterOf } from '../regions/measure.ts'
 import { outlineOf } from '../regions/outline.ts'
 import type { Outline } from '../regions/outline-piece.ts'
-import { type ClippedCells, type ClippedDiagram, type Region, regionOption } from '../regions/region.ts'
+import { type ClippedCells, type ClippedDiagram, Region, regionOption } from '../regions/region.ts'
 import type { Change } from './change.ts'
 import { type DiagramFile, dataFrom, fileOf } from './diagram-file.ts'
 import { DiagramPatch } from './diagram-patch.ts'
@@ -116,7 +117,7 @@ export class Diagram implements DiagramData {
   #bounds: ConvexPolygon | undefined
   #halfedges: Int32Array | undefined
   #patch: DiagramPatch | undefined
-  #lastRegion: ConvexPolygon | undefined
+  #lastLimits: Limits | undefined
   #clip: { region: Region; maxDistance: number | undefined; clipped: ClippedDiagram } | undefined
   /** How many cells have been clipped one by one since the last change. */
   #alone = 0
@@ -279,7 +280,7 @@ export class Diagram implements DiagramData {
       return Int32Array.from(new Set(sides.map((side) => this.cells.neighborOf(side))))
     }
     if (options.bounds === undefined && options.maxDistance === undefined) return this.cells.neighbors(i)
-    const limits = this.#limitsOf('neighbors', options, BOUNDS_OPTIONS)
+    const limits = this.#limitsOf('neighbors', options)
     const sides = this.cells.sides(i).filter((side) => keptParts(this, side >> 1, limits).length > 0)
     return Int32Array.from(new Set(sides.map((side) => this.cells.neighborOf(side))))
   }
@@ -326,13 +327,15 @@ export class Diagram implements DiagramData {
   edgePath(e: number, options: PolygonOptions & ContextOptions): void
   edgePath(e: number, options: DrawOptions = {}): string | undefined {
     checkIndex(e, this.edges.length / 4, 'edgePath', 'edge')
-    return this.#drawn('edgePath', options, {
-      bounds: (sink, limits, tolerance) => drawEdge(sink, this, e, limits, tolerance),
-      region: (sink, region, tolerance) => {
+    return this.#drawn(
+      'edgePath',
+      options,
+      (sink, limits, tolerance) => drawEdge(sink, this, e, limits, tolerance),
+      (sink, region, tolerance) => {
         const outline = clippedOutline(this, this.#cellIn(region, at(this.edges, 4 * e), options))
         drawPiecesOf(sink, outline, 2 * e, tolerance)
       },
-    })
+    )
   }
 
   /**
@@ -343,36 +346,37 @@ export class Diagram implements DiagramData {
   cellPath(i: number, options: PolygonOptions & ContextOptions): void
   cellPath(i: number, options: DrawOptions = {}): string | undefined {
     this.#checkCircle(i, 'cellPath')
-    return this.#drawn('cellPath', options, {
-      bounds: (sink, limits, tolerance) => drawCell(sink, this.cells, i, limits, tolerance),
-      region: (sink, region, tolerance) => {
+    return this.#drawn(
+      'cellPath',
+      options,
+      (sink, limits, tolerance) => drawCell(sink, this.cells, i, limits, tolerance),
+      (sink, region, tolerance) => {
         drawOutline(sink, clippedOutline(this, this.#cellIn(region, i, options)), tolerance)
       },
-    })
+    )
   }
 
   /** Draws all edges inside the bounds. */
   render(options?: PolygonOptions & TextOptions): string
   render(options: PolygonOptions & ContextOptions): void
   render(options: DrawOptions = {}): string | undefined {
-    return this.#drawn('render', options, {
-      bounds: (sink, limits, tolerance) => {
+    return this.#drawn(
+      'render',
+      options,
+      (sink, limits, tolerance) => {
         for (let e = 0; e < this.edges.length / 4; e++) drawEdge(sink, this, e, limits, tolerance)
       },
-      region: (sink, region, tolerance) => {
+      (sink, region, tolerance) => {
         drawClippedEdges(sink, this, this.#clippedTo(region, options).edges, tolerance)
       },
-    })
+    )
   }
 
   /** Draws the outline of the bounds, or of the region. */
   renderBounds(options?: PolygonOptions & TextOptions): string
   renderBounds(options: PolygonOptions & ContextOptions): void
   renderBounds(options: DrawOptions = {}): string | undefined {
-    return this.#drawn('renderBounds', options, {
-      bounds: (sink, { region }) => drawRegion(sink, region),
-      region: drawRings,
-    })
+    return this.#drawn('renderBounds', options, (sink, { region }) => drawRegion(sink, region), drawRings)
   }
 
   /** Draws all circles, including hidden ones. */
@@ -380,9 +384,9 @@ export class Diagram implements DiagramData {
   renderCircles(options: ContextOptions): void
   renderCircles(options: TextOptions | ContextOptions = {}): string | undefined {
     checkDrawOptions(options, 'renderCircles', PATH_OPTIONS)
-    return drawn(options, undefined, (sink) => {
-      for (let i = 0; i < this.circles.length / 3; i++) drawCircle(sink, this, i)
-    })
+    const sink = sinkOf(options, undefined)
+    for (let i = 0; i < this.circles.length / 3; i++) drawCircle(sink, this, i)
+    return textOf(sink)
   }
 
   /** Draws the dual: a segment between the centers of the two circles of each edge. */
@@ -390,7 +394,9 @@ export class Diagram implements DiagramData {
   renderDual(options: ContextOptions): void
   renderDual(options: TextOptions | ContextOptions = {}): string | undefined {
     checkDrawOptions(options, 'renderDual', PATH_OPTIONS)
-    return drawn(options, undefined, (sink) => drawDual(sink, this))
+    const sink = sinkOf(options, undefined)
+    drawDual(sink, this)
+    return textOf(sink)
   }
 
   /**
@@ -402,9 +408,15 @@ export class Diagram implements DiagramData {
   renderHull(options: HullOptions & (TextOptions | ContextOptions) = {}): string | undefined {
     checkDrawOptions(options, 'renderHull', [...PATH_OPTIONS, ...HULL_OPTIONS])
     const region = this.#regionIn('renderHull', options)
-    if (region === undefined) return drawn(options, undefined, (sink) => drawHull(sink, this))
-    const tolerance = toleranceOf(options, region)
-    return drawn(options, tolerance, (sink) => drawPolygons(sink, hullInRegion(this, region, tolerance) ?? []))
+    if (region !== undefined) {
+      const tolerance = toleranceOf(options, region)
+      const sink = sinkOf(options, tolerance)
+      drawPolygons(sink, hullInRegion(this, region, tolerance) ?? [])
+      return textOf(sink)
+    }
+    const sink = sinkOf(options, undefined)
+    drawHull(sink, this)
+    return textOf(sink)
   }
 
   /**
@@ -422,7 +434,7 @@ export class Diagram implements DiagramData {
     if (region !== undefined) {
       return multiPolygonOf(this.#clippedTo(region, options).polygons(toleranceOf(options, region)), i)
     }
-    const limits = this.#limitsOf('cellPolygon', options, POLYGON_OPTIONS)
+    const limits = this.#limitsOf('cellPolygon', options)
     return ringOf(outlineOf(this.cells, i, limits), toleranceOf(options, limits.region))
   }
 
@@ -459,7 +471,7 @@ export class Diagram implements DiagramData {
 
   /** Returns the area of the part of cell `i` inside the bounds, exact up to rounding; 0 if circle `i` is hidden. */
   cellArea(i: number, options: BoundsOptions = {}): number {
-    return outlineArea(this.#outline(i, 'cellArea', options))
+    return areaOf(this.#outline(i, 'cellArea', options))
   }
 
   /**
@@ -468,31 +480,31 @@ export class Diagram implements DiagramData {
    */
   cellCentroid(i: number, options: BoundsOptions = {}): Point | undefined {
     const outline = this.#outline(i, 'cellCentroid', options)
-    return outline.length === 0 ? undefined : outlineCentroid(outline)
+    return outline.length === 0 ? undefined : centroidOf(outline)
   }
 
   /** Returns the perimeter of the part of cell `i` inside the bounds, exact up to rounding; 0 if the part is empty. */
   cellPerimeter(i: number, options: BoundsOptions = {}): number {
-    return outlinePerimeter(this.#outline(i, 'cellPerimeter', options))
+    return perimeterOf(this.#outline(i, 'cellPerimeter', options))
   }
 
   /** Returns the area of each cell inside the bounds. */
   cellAreas(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellAreas', options, 'areas', (outline) => [outlineArea(outline)])
+    return this.#ofEach('cellAreas', options, 'areas', (outline) => [areaOf(outline)])
   }
 
   /** Returns the centroid of each cell inside the bounds, as x and y; NaN for an empty cell. */
   cellCentroids(options: BoundsOptions = {}): Float64Array {
     return this.#ofEach('cellCentroids', options, 'centroids', (outline) => {
       if (outline.length === 0) return [Number.NaN, Number.NaN]
-      const { x, y } = outlineCentroid(outline)
+      const { x, y } = centroidOf(outline)
       return [x, y]
     })
   }
 
   /** Returns the perimeter of each cell inside the bounds. */
   cellPerimeters(options: BoundsOptions = {}): Float64Array {
-    return this.#ofEach('cellPerimeters', options, 'perimeters', (outline) => [outlinePerimeter(outline)])
+    return this.#ofEach('cellPerimeters', options, 'perimeters', (outline) => [perimeterOf(outline)])
   }
 
   #outline(i: number, caller: string, options: BoundsOptions): Outline {
@@ -500,7 +512,7 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, caller, BOUNDS_OPTIONS)
     const region = this.#regionIn(caller, options)
     if (region !== undefined) return clippedOutline(this, this.#cellIn(region, i, options))
-    return outlineOf(this.cells, i, this.#limitsOf(caller, options, BOUNDS_OPTIONS))
+    return outlineOf(this.cells, i, this.#limitsOf(caller, options))
   }
 
   #ofEach(
@@ -512,7 +524,7 @@ export class Diagram implements DiagramData {
     checkDrawOptions(options, caller, BOUNDS_OPTIONS)
     const region = this.#regionIn(caller, options)
     if (region !== undefined) return this.#clippedTo(region, options)[measures]
-    const limits = this.#limitsOf(caller, options, BOUNDS_OPTIONS)
+    const limits = this.#limitsOf(caller, options)
     const count = this.circles.length / 3
     const size = measures === 'centroids' ? 2 : 1
     const values = new Float64Array(size * count)
@@ -524,20 +536,17 @@ export class Diagram implements DiagramData {
   #drawn(
     caller: string,
     options: DrawOptions,
-    draw: {
-      readonly bounds: (sink: PathSink, limits: Limits, tolerance: number) => void
-      readonly region: (sink: PathSink, region: Region, tolerance: number) => void
-    },
+    drawWithin: (sink: PathSink, limits: Limits, tolerance: number) => void,
+    drawIn: (sink: PathSink, region: Region, tolerance: number) => void,
   ): string | undefined {
     checkDrawOptions(options, caller, DRAW_OPTIONS)
     const region = this.#regionIn(caller, options)
-    if (region !== undefined) {
-      const tolerance = toleranceOf(options, region)
-      return drawn(options, tolerance, (sink) => draw.region(sink, region, tolerance))
-    }
-    const limits = this.#limitsOf(caller, options, DRAW_OPTIONS)
-    const tolerance = toleranceOf(options, limits.region)
-    return drawn(options, tolerance, (sink) => draw.bounds(sink, limits, tolerance))
+    const limits = region ?? this.#limitsOf(caller, options)
+    const tolerance = toleranceOf(options, limits instanceof Region ? limits : limits.region)
+    const sink = sinkOf(options, tolerance)
+    if (limits instanceof Region) drawIn(sink, limits, tolerance)
+    else drawWithin(sink, limits, tolerance)
+    return textOf(sink)
   }
 
   /** The region of the options, if they have one. */
@@ -576,28 +585,20 @@ export class Diagram implements DiagramData {
     return CELLS_FOR_ONE * this.#alone <= this.circles.length / 3 && this.cells.sides(i).length > 0
   }
 
-  #limitsOf(caller: string, options: BoundsOptions, known: readonly string[]): Limits {
-    checkDrawOptions(options, caller, known)
-    const { bounds, maxDistance } = options
+  /** What the bounds and the distance of options keep: the last limits, if these are the same. */
+  #limitsOf(caller: string, { bounds, maxDistance }: BoundsOptions): Limits {
     checkMaxDistance(this, caller, maxDistance)
-    if (bounds !== undefined) return { region: this.#regionOf(bounds), maxDistance }
-    const isCut = maxDistance !== undefined
-    return {
-      region: isCut ? ConvexPolygon.of(exportBox(this.circles, maxDistance)) : this.#defaultBounds(),
-      maxDistance,
+    const last = this.#lastLimits
+    let region: ConvexPolygon
+    if (bounds === undefined) {
+      const isCut = maxDistance !== undefined
+      region = isCut ? ConvexPolygon.of(exportBox(this.circles, maxDistance)) : this.#defaultBounds()
+    } else {
+      region = last !== undefined && isBoxOf(last.region, bounds) ? last.region : ConvexPolygon.of(bounds)
     }
-  }
-
-  /** What is drawn cell by cell has the same box each time. */
-  #regionOf(bounds: Bounds): ConvexPolygon {
-    const last = this.#lastRegion
-    if (last !== undefined && Array.isArray(bounds) && bounds.length === 4) {
-      const { minX, minY, maxX, maxY } = last.box
-      if (bounds[0] === minX && bounds[1] === minY && bounds[2] === maxX && bounds[3] === maxY) return last
-    }
-    const region = ConvexPolygon.of(bounds)
-    if (region.isBox) this.#lastRegion = region
-    return region
+    if (last?.region === region && last.maxDistance === maxDistance) return last
+    this.#lastLimits = { region, maxDistance }
+    return this.#lastLimits
   }
 
   #defaultBounds(): ConvexPolygon {
@@ -608,6 +609,13 @@ export class Diagram implements DiagramData {
   #checkCircle(i: number, caller: string): void {
     checkIndex(i, this.circles.length / 3, caller, 'circle')
   }
+}
+
+/** Whether bounds are the four numbers of a region that is a box. */
+function isBoxOf({ isBox, box }: ConvexPolygon, bounds: Bounds): boolean {
+  if (!isBox || !Array.isArray(bounds) || bounds.length !== 4) return false
+  const { minX, minY, maxX, maxY } = box
+  return bounds[0] === minX && bounds[1] === minY && bounds[2] === maxX && bounds[3] === maxY
 }
 
 /** So many cells are clipped together in the time of one alone. */

@@ -30,15 +30,12 @@ const FEW_CIRCLES = 16
  */
 export class Finder {
   readonly #cells: Cells
-  /** Of the grid, which has as many rows as columns. */
+  /** Of the grid: its corner, the side of its square buckets, and how many these are. */
   readonly #minX: number = 0
   readonly #minY: number = 0
+  readonly #side: number = 1
   readonly #columns: number = 0
-  /**
-   * Of a bucket. Centers on one line leave a grid without width or height, as does the smallest number; any size does there.
-   */
-  readonly #width: number = 1
-  readonly #height: number = 1
+  readonly #rows: number = 0
   /** A visible circle for each bucket, row by row. */
   readonly #starts: Int32Array
   /** The sides of cells with more than `FEW_SIDES`; of those that have changed, and may have fewer, not yet. */
@@ -66,9 +63,13 @@ export class Finder {
     if (visible > 0) {
       this.#minX = minX
       this.#minY = minY
-      this.#columns = Math.floor(Math.sqrt(visible / PER_BUCKET)) + 1
-      this.#width = (maxX - minX) / this.#columns || 1
-      this.#height = (maxY - minY) / this.#columns || 1
+      const [width, height] = [maxX - minX, maxY - minY]
+      const wanted = Math.max(1, visible / PER_BUCKET)
+      const extent = Math.max(width, height) // a product of the smallest numbers would be 0
+      const share = Math.max(Math.sqrt(((width / extent) * (height / extent)) / wanted), 1 / wanted)
+      this.#side = extent * share || 1 // any size does for one place
+      this.#columns = Math.floor(width / this.#side) + 1
+      this.#rows = Math.floor(height / this.#side) + 1
     }
     this.#starts = this.#filledGrid()
     this.#manySides = manySidesOf(cells)
@@ -154,29 +155,29 @@ export class Finder {
   }
 
   #bucketOf(x: number, y: number): number {
-    const last = this.#columns - 1
-    const column = Math.min(Math.max(Math.floor((x - this.#minX) / this.#width), 0), last)
-    const row = Math.min(Math.max(Math.floor((y - this.#minY) / this.#height), 0), last)
+    const column = Math.min(Math.max(Math.floor((x - this.#minX) / this.#side), 0), this.#columns - 1)
+    const row = Math.min(Math.max(Math.floor((y - this.#minY) / this.#side), 0), this.#rows - 1)
     return row * this.#columns + column
   }
 
   #filledGrid(): Int32Array {
     const { circles } = this.#cells.diagram
     const columns = this.#columns
-    const starts = new Int32Array(columns * columns).fill(NONE)
-    const filled: number[] = []
+    const starts = new Int32Array(columns * this.#rows).fill(NONE)
     for (let i = 0; i < circles.length / 3; i++) {
-      if (!this.#cells.exists(i)) continue
-      const bucket = this.#bucketOf(at(circles, 3 * i), at(circles, 3 * i + 1))
-      if (at(starts, bucket) === NONE) filled.push(bucket)
-      starts[bucket] = i
+      if (this.#cells.exists(i)) starts[this.#bucketOf(at(circles, 3 * i), at(circles, 3 * i + 1))] = i
     }
     // Empty buckets take the start of a filled one near them. The list grows while it is gone through.
+    const filled: number[] = []
+    for (let bucket = 0; bucket < starts.length; bucket++) {
+      if (at(starts, bucket) !== NONE) filled.push(bucket)
+    }
     for (const bucket of filled) {
       const column = bucket % columns
-      const near = [bucket - columns, bucket + columns]
+      const near = []
       if (column > 0) near.push(bucket - 1)
       if (column + 1 < columns) near.push(bucket + 1)
+      near.push(bucket - columns, bucket + columns)
       for (const next of near) {
         if (starts[next] !== NONE) continue
         starts[next] = at(starts, bucket)

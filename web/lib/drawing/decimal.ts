@@ -40,6 +40,13 @@ export class DecimalText {
     return this.#text
   }
 
+  /** Returns the text and begins again with an empty one. */
+  take(): string {
+    const text = this.toString()
+    this.#text = ''
+    return text
+  }
+
   /** Adds a few ASCII characters. */
   add(text: string): void {
     if (writing !== this || used > bytes.length - ROOM) this.#begin()
@@ -49,23 +56,29 @@ export class DecimalText {
   /** Adds a number. */
   addNumber(value: number): void {
     if (writing !== this || used > bytes.length - ROOM) this.#begin()
-    const scaled = Math.round(value * this.#scale)
+    const scale = this.#scale
+    const scaled = Math.round(value * scale)
     const size = Math.abs(scaled)
-    const whole = Math.trunc(size / this.#scale)
-    if (!(size < MOST && whole < 2 ** 31) || this.#digits > MOST_DIGITS) {
+    const quotient = size / scale
+    if (!(size < MOST && quotient < 2 ** 31) || this.#digits > MOST_DIGITS) {
       // Beyond 2^53 a double has no digits to round off.
-      this.add(`${size < 2 ** 53 ? scaled / this.#scale : value}`)
+      this.add(`${size < 2 ** 53 ? scaled / scale : value}`)
       return
     }
     if (scaled < 0) bytes[used++] = MINUS
+    const whole = quotient | 0
     let count = 1
     for (let power = 10; power <= whole; power *= 10) count += 1
     addDigits(whole, count)
-    let rest = size - whole * this.#scale
+    // An integer of 32 bits: the remainder of a double takes longer.
+    let rest = (size - whole * scale) | 0
     if (rest === 0) return
     bytes[used++] = POINT
     count = this.#digits
-    for (; rest % 10 === 0; count--) rest = (rest / 10) | 0
+    for (let tenth = (rest / 10) | 0; 10 * tenth === rest; tenth = (rest / 10) | 0) {
+      rest = tenth
+      count -= 1
+    }
     addDigits(rest, count)
   }
 

@@ -84,25 +84,32 @@ export function toleranceOf({ tolerance }: PolygonOptions, region: { readonly bo
   return tolerance
 }
 
+/** The path of the last text, and its digits: most texts are drawn with the same. */
+let path = new SvgPath()
+let pathDigits: number | undefined
+
 /**
- * Draws on the context of the options, or makes the text of a path.
+ * The context of the options, or a path whose text `textOf` returns. Nothing else may be drawn before that.
  *
  * @throws CircleVoronoiError `badOption`, if there is something wrong with them
  */
-export function drawn(
-  { context, digits }: TextOptions | ContextOptions,
-  tolerance: number | undefined,
-  draw: (sink: PathSink) => void,
-): string | undefined {
+export function sinkOf({ context, digits }: TextOptions | ContextOptions, tolerance: number | undefined): PathSink {
   if (context !== undefined) {
     if (typeof context?.moveTo !== 'function') refuseOption(`The context is nothing to draw on, but ${shown(context)}.`)
-    draw(context)
-    return undefined
+    return context
   }
   checkDigits(digits)
-  const path = new SvgPath(digits ?? (tolerance === undefined ? undefined : digitsFor(tolerance)))
-  draw(path)
-  return path.toString()
+  const count = digits ?? (tolerance === undefined ? undefined : digitsFor(tolerance))
+  if (count !== pathDigits) path = new SvgPath(count)
+  pathDigits = count
+  // An error may have left something.
+  path.take()
+  return path
+}
+
+/** The text of what was drawn on the sink of `sinkOf`, unless that is the context of the options. */
+export function textOf(sink: PathSink): string | undefined {
+  return sink === path ? path.take() : undefined
 }
 
 /** The names of the options of what is drawn within bounds, and of what is not. */

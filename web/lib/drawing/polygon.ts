@@ -3,7 +3,7 @@
 import { circleOf } from '../base/diagram-data.ts'
 import { lengthOf } from '../base/scale.ts'
 import type { DiagramData, Point } from '../base/types.ts'
-import { polyline } from '../curves/bezier.ts'
+import { polylineOf } from '../curves/bezier.ts'
 import { polyline as arcPolyline, isCircleArc } from '../regions/circle-arc.ts'
 import { convexHull } from '../regions/hull.ts'
 import type { SharedPiece } from '../regions/outline.ts'
@@ -44,7 +44,7 @@ export function ringOf(outline: readonly (readonly SharedPiece[])[], tolerance: 
 
 function pointsOf(piece: SharedPiece, tolerance: number): Point[] {
   if (isCircleArc(piece)) return arcPolyline(piece, tolerance)
-  const points = polyline(piece.forward, tolerance)
+  const points = polylineOf(piece.forward, tolerance)
   return piece.forward === piece.curve ? points : points.reverse()
 }
 

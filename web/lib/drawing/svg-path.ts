@@ -18,7 +18,10 @@ export class SvgPath implements PathSink {
   #x = Number.NaN
   #y = Number.NaN
 
-  /** `digits` is the number of digits after the decimal point. By default numbers have all their digits. */
+  /**
+   * Creates an empty path that writes its numbers with at most `digits` digits after the decimal point. By default
+   * numbers have all their digits.
+   */
   constructor(digits = Number.POSITIVE_INFINITY) {
     this.#text = new DecimalText(digits)
   }
@@ -26,6 +29,13 @@ export class SvgPath implements PathSink {
   /** Returns the text, which is empty if nothing was drawn. */
   toString(): string {
     return this.#text.toString()
+  }
+
+  /** @internal Returns the text and begins again with an empty one. */
+  take(): string {
+    this.#x = Number.NaN
+    this.#y = Number.NaN
+    return this.#text.take()
   }
 
   moveTo(x: number, y: number): void {
@@ -47,7 +57,10 @@ export class SvgPath implements PathSink {
     this.#go(x, y)
   }
 
-  /** As on a canvas, a line leads to the start of the arc. */
+  /**
+   * Adds an arc of a circle from one angle to another, in radians, towards larger angles, or towards smaller ones if
+   * `counterclockwise`. As on a canvas, a line leads from the current point to the start of the arc.
+   */
   arc(x: number, y: number, radius: number, startAngle: number, endAngle: number, counterclockwise = false): void {
     const pointAt = (angle: number) => [x + radius * Math.cos(angle), y + radius * Math.sin(angle)] as const
     const [startX, startY] = pointAt(startAngle)

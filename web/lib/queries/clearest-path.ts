@@ -2,7 +2,7 @@
 
 import { checkDiagram, checkMetric, checkPoint, refuseArgument } from '../base/check.ts'
 import { at, circleOf, NONE } from '../base/diagram-data.ts'
-import { distanceFrom } from '../base/metric.ts'
+import { distanceOf } from '../base/metric.ts'
 import { between } from '../base/point.ts'
 import { facing } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
@@ -38,9 +38,6 @@ export interface ClearestPath {
  * Finds the path of greatest clearance from p to q, in O(n log n). The diagram must have the metric `circles` and at
  * least one circle.
  *
- * To move straight away from the nearest center until an edge is met never loses clearance. As that carries every path onto
- * the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
- *
  * @throws CircleVoronoiError `badArgument`
  *
  * @category Questions
@@ -53,6 +50,8 @@ export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
   checkPoint(p, 'clearestPath')
   checkPoint(q, 'clearestPath')
   if (diagram.circles.length === 0) refuseArgument('clearestPath takes a diagram of one circle or more.')
+  // To move straight away from the nearest center until an edge is met never loses clearance. As that carries every path
+  // onto the edges, infinity included, some path along edges is as clear as any: that of greatest bottleneck (Dijkstra).
   const fromCircle = diagram.find(p.x, p.y)
   const toCircle = diagram.find(q.x, q.y)
   const from = exitOf(diagram, fromCircle, p)
@@ -61,8 +60,8 @@ export function clearestPath(diagram: Diagram, p: Point, q: Point): ClearestPath
   return {
     clearance: Math.min(
       route.clearance,
-      distanceFrom(diagram, fromCircle, p.x, p.y),
-      distanceFrom(diagram, toCircle, q.x, q.y),
+      distanceOf(diagram, fromCircle, p.x, p.y),
+      distanceOf(diagram, toCircle, q.x, q.y),
     ),
     edges: Int32Array.from(route.edges),
     entry: from?.point,
@@ -124,7 +123,7 @@ function endOf(diagram: Diagram, edge: number): number {
 /** The least distance from its circles along a part of an edge: at the apex if that is inside, else at an end. */
 function clearanceOf(diagram: Diagram, { bisector }: EdgeCurve, edge: number, from: number, to: number): number {
   const { x, y } = pointOf(bisector, Math.min(Math.max(1, from), to))
-  return distanceFrom(diagram, at(diagram.edges, 4 * edge), x, y)
+  return distanceOf(diagram, at(diagram.edges, 4 * edge), x, y)
 }
 
 /** The best paths from a place on an edge, or from infinity, to all nodes. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkDiagram, checkMetric } from '../base/check.ts'
-import { at, circleOf, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { distanceFrom } from '../base/metric.ts'
+import { at, circleOf, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
+import { distanceOf } from '../base/metric.ts'
 import { between, dot, length } from '../base/point.ts'
 import { largestOf, lengthOf, measuredIn, turn, unitFor } from '../base/scale.ts'
 import type { Point, Vector } from '../base/types.ts'
@@ -20,15 +20,10 @@ const ROUNDING_OF_DEPTH = 2 ** -48
 const ROUNDING_OF_PLACE = 2 ** -31
 
 /**
- * Finds the largest empty disc that lies completely inside a region; it may touch sides of the region as well as circles. If
- * circles cover the region, the result is that of `largestEmptyDiscCenteredIn`, whose radius is then not positive. Returns
- * `undefined` if there are no circles. The diagram must have the metric `circles`. Each circle is tried with each of the segments, some two for each side, of the region's medial axis.
- *
- * The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
- * along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
- * circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
- * circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region. All of
- * these are tried, and of each what is really empty and inside is taken: rounding cannot make a result too large.
+ * Finds the largest empty disc that lies completely inside a region. The disc may touch sides of the region as well as
+ * circles. If circles cover the region, the function returns the result of `largestEmptyDiscCenteredIn`, whose radius is
+ * then not positive. Returns `undefined` if there are no circles. The diagram must have the metric `circles`. The time is
+ * proportional to the number of circles times the number of sides of the region.
  *
  * @throws CircleVoronoiError `badArgument`, `badOption`
  *
@@ -39,6 +34,12 @@ const ROUNDING_OF_PLACE = 2 ** -31
 export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions): EmptyDisc | undefined {
   checkDiagram(diagram, 'largestEmptyDiscInside')
   checkMetric(diagram, 'largestEmptyDiscInside', 'circles')
+  // The least of the distance from the nearest circle and the depth is largest where it cannot grow: not inside a cell or
+  // along an edge where a circle alone bounds it (there it grows away from the center, or from the apex); nor where one
+  // circle and one side do (to move along the side keeps the depth and gains distance). So the largest disc touches three
+  // circles, two and a side, one and two sides, or sides alone; the last two lie on the medial axis of the region, which
+  // has some two segments for each side. All of these are tried, and of each what is really empty and inside is taken:
+  // rounding cannot make a result too large.
   const region = regionOf(options, 'largestEmptyDiscInside')
   const centered = largestEmptyDiscCenteredIn(diagram, { bounds: region })
   if (centered === undefined || centered.disc.r <= 0) return centered
@@ -52,7 +53,7 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
     const inside = depthOf(p)
     if (!(inside > radius())) return
     const nearest = diagram.find(p.x, p.y, circles[0] ?? NONE)
-    const empty = distanceFrom(diagram, nearest, p.x, p.y)
+    const empty = distanceOf(diagram, nearest, p.x, p.y)
     const least = Math.min(inside, empty)
     if (least <= radius()) return
     if (circles[0] === undefined) {
@@ -60,7 +61,7 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
       return
     }
     const size = Math.abs(p.x) + Math.abs(p.y) + inside + Math.abs(circleOf(diagram.circles, circles[0]).r)
-    if (!circles.includes(nearest) && distanceFrom(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
+    if (!circles.includes(nearest) && distanceOf(diagram, circles[0], p.x, p.y) > empty + ROUNDING * size) return
     // It may touch but sides.
     const touched = empty > inside + ROUNDING * size + ROUNDING_OF_PLACE * inside ? [] : circles
     best = { disc: { x: p.x, y: p.y, r: least }, circles: touched }
@@ -68,12 +69,12 @@ export function largestEmptyDiscInside(diagram: Diagram, options: RegionOptions)
 
   // First what touches most circles: of equal discs the first is kept.
   for (let v = 0; v < diagram.vertices.length / 3; v++) {
-    const { x, y, r: empty } = vertexAt(diagram, v)
+    const { x, y, r: empty } = vertexOf(diagram, v)
     if (empty <= radius() || depthOf({ x, y }) < empty) continue
     best = { disc: { x, y, r: empty }, circles: [...diagram.vertexCircles.subarray(3 * v, 3 * v + 3)] }
   }
   for (let e = 0; e < diagram.edges.length / 4; e++) {
-    const { left, right, start, end } = edgeAt(diagram, e)
+    const { left, right, start, end } = edgeOf(diagram, e)
     const radiusAt = (v: number) => (v === NONE ? Infinity : at(diagram.vertices, 3 * v + 2))
     // Along an edge the distance is largest at one of its ends.
     if (Math.max(radiusAt(start), radiusAt(end)) > radius()) {
@@ -161,7 +162,7 @@ function ridgesOf(region: ConvexPolygon, sides: readonly Side[]): Ridge[] {
  * K^2 - P^2 + Q^2 = (D + r) (D + r + 2 (c n . along + |a|)).
  */
 function placesAlongEdge(diagram: Diagram, e: number, region: ConvexPolygon, sides: readonly Side[]): Point[] {
-  const { left, right } = edgeAt(diagram, e)
+  const { left, right } = edgeOf(diagram, e)
   const radius = Math.min(circleOf(diagram.circles, left).r, circleOf(diagram.circles, right).r)
   return partsInside(curveOf(diagram, e), region).flatMap(({ curve: { bisector, from, to } }) =>
     sides.flatMap((side) => {

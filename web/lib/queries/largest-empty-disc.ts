@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { checkDiagram, checkMetric, checkOptionNames } from '../base/check.ts'
-import { at, edgeAt, NONE, vertexAt } from '../base/diagram-data.ts'
-import { distanceFrom } from '../base/metric.ts'
+import { at, edgeOf, NONE, vertexOf } from '../base/diagram-data.ts'
+import { distanceOf } from '../base/metric.ts'
 import { between, dot } from '../base/point.ts'
 import { largestOf } from '../base/scale.ts'
 import type { DiagramData, Point, Vertex } from '../base/types.ts'
@@ -31,9 +31,6 @@ export interface EmptyDisc {
  * circles. The disc may stick out. Its radius is negative if circles cover all points. Returns `undefined` if there are no
  * circles. The diagram must have the metric `circles`.
  *
- * The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
- * cell it is convex along every line.
- *
  * @throws CircleVoronoiError `badArgument`, `badOption`
  *
  * @category Questions
@@ -51,16 +48,18 @@ export function largestEmptyDiscCenteredIn(
   const given = regionOption(options, caller)
   if (given !== undefined) return given.module.clip(diagram, undefined).largestEmptyDisc()
   const region = ConvexPolygon.of((options as RegionOptions).bounds)
+  // The distance from the nearest circle is largest at a vertex, where an edge crosses the boundary, or at a corner: in a
+  // cell it is convex along every line.
   const largest = new Largest(diagram)
   for (const corner of region.corners) {
     const nearest = diagram.find(corner.x, corner.y)
     if (nearest !== NONE) largest.offerAround(corner, nearest)
   }
   for (let v = 0; v < diagram.vertices.length / 3; v++) {
-    if (region.contains(vertexAt(diagram, v))) largest.offerVertex(v)
+    if (region.contains(vertexOf(diagram, v))) largest.offerVertex(v)
   }
   for (let e = 0; e < diagram.edges.length / 4; e++) {
-    const { left, right, start, end } = edgeAt(diagram, e)
+    const { left, right, start, end } = edgeOf(diagram, e)
     const radiusAt = (v: number) => (v === NONE ? Number.POSITIVE_INFINITY : at(diagram.vertices, 3 * v + 2))
     // Along an edge the distance is largest at one of its ends.
     if (Math.max(radiusAt(start), radiusAt(end)) <= largest.radius) continue
@@ -73,16 +72,10 @@ export function largestEmptyDiscCenteredIn(
 }
 
 /**
- * Finds the largest empty disc whose center lies in the convex hull of the circles. Its radius is not negative.
+ * Finds the largest empty disc whose center lies in the convex hull of the circles. Its radius is not negative. Returns
+ * `undefined` if there are no circles. The diagram must have the metric `circles`.
  *
- * What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
- * from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
- *   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
- *   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie
- *     outermost, never the third, since the unit vectors from the centers to the vertex lie on a convex arc;
- *   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
- * So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
- * inside the hull.
+ * @throws CircleVoronoiError `badArgument`
  *
  * @category Questions
  * @example
@@ -103,6 +96,14 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | un
     return largest.best
   }
 
+  // What of the diagram lies outside the hull, beyond the tangent segment from circle i to circle j, is a tree that hangs
+  // from infinity by an edge of i and j. Seen from there every circle's center is below the tangent line. So
+  //   - an edge is never parallel to the line: at such a point its two circles' centers would lie in one direction;
+  //   - at a vertex one edge leads up and two lead down: above it the nearest circle is one of the two whose centers lie
+  //     outermost, never the third, since the unit vectors from the centers to the vertex lie on a convex arc;
+  //   - no edge crosses the normals at the points where the segment touches i and j: they belong to the cells of i and j.
+  // So the edges that cross the segment are found by going down from infinity, each vertex outside once; the others are
+  // inside the hull.
   const isOutside = new Uint8Array(vertices.length / 3)
   for (let top = 0; top < edges.length / 2; top++) {
     if (cells.originOf(top) !== NONE) continue
@@ -120,7 +121,7 @@ export function largestEmptyDiscCenteredInHull(diagram: Diagram): EmptyDisc | un
       const crossings = line.parameters.filter((s) => from < s && s < to)
       const target = cells.targetOf(side)
       // An edge that crosses the line twice has come out of the hull again elsewhere.
-      if (target !== NONE && crossings.length < 2 && dot(normal, between(touch, vertexAt(diagram, target))) > 0) {
+      if (target !== NONE && crossings.length < 2 && dot(normal, between(touch, vertexOf(diagram, target))) > 0) {
         // Only rounding leads to a vertex twice.
         if (isOutside[target] === 0) {
           isOutside[target] = 1
@@ -152,12 +153,12 @@ class Largest {
   }
 
   offerVertex(v: number): void {
-    this.#offer(vertexAt(this.#diagram, v), this.#diagram.vertexCircles.subarray(3 * v, 3 * v + 3))
+    this.#offer(vertexOf(this.#diagram, v), this.#diagram.vertexCircles.subarray(3 * v, 3 * v + 3))
   }
 
   /** The disc around a point that touches these circles. */
   offerAround({ x, y }: Point, ...circles: readonly number[]): void {
-    this.#offer({ x, y, r: distanceFrom(this.#diagram, circles[0] as number, x, y) }, circles)
+    this.#offer({ x, y, r: distanceOf(this.#diagram, circles[0] as number, x, y) }, circles)
   }
 
   /** A point of a circle that has grown. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { checkData, checkLength } from '../base/check.ts'
-import { at, edgeAt, NONE } from '../base/diagram-data.ts'
+import { at, edgeOf, NONE } from '../base/diagram-data.ts'
 import { hypotenuse } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
 
@@ -52,7 +52,7 @@ export function mergeVertices(diagram: DiagramData, nearZero?: number): MergedDi
   const sets = new Sets(count)
   const isShort = new Uint8Array(edgeCount)
   for (let e = 0; e < edgeCount; e++) {
-    const { start, end } = edgeAt(diagram, e)
+    const { start, end } = edgeOf(diagram, e)
     if (start === NONE || end === NONE) continue
     const limit = nearZero ?? roundingError(diagram, start) + roundingError(diagram, end)
     const gap = (k: number) => at(vertices, 3 * end + k) - at(vertices, 3 * start + k)

@@ -50,8 +50,6 @@ export interface ClosestPair {
 /**
  * Finds the two visible circles with the smallest gap. Returns `undefined` if fewer than two circles are visible.
  *
- * They share an edge: a circle k nearer than gap / 2 to the middle of their gap would have a smaller gap to each.
- *
  * @throws CircleVoronoiError `badArgument`, if the diagram is of another metric than `circles`
  *
  * @category Questions
@@ -62,6 +60,7 @@ export function closestPair(diagram: DiagramData): ClosestPair | undefined {
   checkData(diagram, 'closestPair')
   checkMetric(diagram, 'closestPair', 'circles')
   const { circles, edges } = diagram
+  // The two share an edge: a circle k nearer than gap / 2 to the middle of their gap would have a smaller gap to each.
   let closest: ClosestPair | undefined
   for (let e = 0; e < edges.length; e += 4) {
     const first = Math.min(at(edges, e), at(edges, e + 1))

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, circleOf, NONE } from '../base/diagram-data.ts'
-import { between, dot } from '../base/point.ts'
-import { hypotenuse, largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
+import { at, NONE } from '../base/diagram-data.ts'
+import { hypotenuse, unitFor } from '../base/scale.ts'
 import type { DiagramData } from '../base/types.ts'
 import { curveOf, type EdgeCurve, reversed } from '../curves/curve.ts'
 
@@ -103,11 +102,12 @@ export class Cells {
   }
 
   /**
-   * Whether no circle is nearer to (x, y), up to rounding. It suffices to ask the neighbors: a ray from the center that
-   * leaves the cell across a side stays nearer to the neighbor there, and for the metric `power` a cell is the
-   * intersection of half-planes, one for each neighbor. False for a hidden circle.
+   * Returns whether (x, y) lies in the cell of a circle, up to rounding: whether no other circle is nearer. Returns
+   * false for a hidden circle.
    */
   contains(circle: number, x: number, y: number): boolean {
+    // It suffices to ask the neighbors: a ray from the center that leaves the cell across a side stays nearer to the
+    // neighbor there, and for the metric `power` a cell is the intersection of half-planes, one for each neighbor.
     return (
       this.exists(circle) && this.sides(circle).every((side) => this.lead(circle, this.neighborOf(side), x, y) >= 0)
     )
@@ -121,20 +121,23 @@ export class Cells {
   lead(circle: number, other: number, x: number, y: number): number {
     // |p - d|^2 - |p - c|^2 = (c - d) . ((p - c) + (p - d))
     const { circles, metric } = this.diagram
-    const c = circleOf(circles, circle)
-    const d = circleOf(circles, other)
-    const fromCircle = between(c, { x, y })
-    const fromOther = between(d, { x, y })
-    const difference = metric === 'centers' ? 0 : d.r - c.r
-    let size = lengthOf(fromCircle) + lengthOf(fromOther)
-    if (metric === 'power') size += c.r + d.r
+    const cx = at(circles, 3 * circle)
+    const cy = at(circles, 3 * circle + 1)
+    const dx = at(circles, 3 * other)
+    const dy = at(circles, 3 * other + 1)
+    const cr = at(circles, 3 * circle + 2)
+    const dr = at(circles, 3 * other + 2)
+    const difference = metric === 'centers' ? 0 : dr - cr
+    let size = hypotenuse(x - cx, y - cy) + hypotenuse(x - dx, y - dy)
+    if (metric === 'power') size += cr + dr
     if (size === 0) return -difference
-    const sum = { x: fromCircle.x + fromOther.x, y: fromCircle.y + fromOther.y }
-    const unit = unitFor(largestOf(between(d, c)))
-    const sumUnit = unitFor(Math.max(largestOf(sum), size))
-    const product = dot(measuredIn(unit, between(d, c)), measuredIn(sumUnit, sum))
+    const sumX = x - cx + (x - dx)
+    const sumY = y - cy + (y - dy)
+    const unit = unitFor(Math.max(Math.abs(cx - dx), Math.abs(cy - dy)))
+    const sumUnit = unitFor(Math.max(Math.abs(sumX), Math.abs(sumY), size))
+    const product = ((cx - dx) / unit) * (sumX / sumUnit) + ((cy - dy) / unit) * (sumY / sumUnit)
     if (metric !== 'power') return (product / (size / sumUnit)) * unit - difference
-    return ((product - (difference / unit) * ((c.r + d.r) / sumUnit)) / (size / sumUnit)) * unit
+    return ((product - (difference / unit) * ((cr + dr) / sumUnit)) / (size / sumUnit)) * unit
   }
 
   /** The distance from the center of the side's circle to where it begins, which the side before has, too. */

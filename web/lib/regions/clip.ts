@@ -92,16 +92,14 @@ function spansInside(curve: EdgeCurve, region: ConvexPolygon): Span[] {
     const from = region.corner(side)
     const crossing = new LineCrossing(curve.bisector, from, between(from, region.cornerAfter(side)))
     const kept: Span[] = []
-    const keep = (span: Span) => {
-      if (!crossing.isRight(span.from, span.to)) kept.push(span)
-    }
     for (let rest of spans) {
       for (const s of crossing.parameters) {
         if (s <= rest.from || s >= rest.to) continue
-        keep({ ...rest, to: s, cutTo: side })
-        rest = { ...rest, from: s, cutFrom: side }
+        const { from, to, cutFrom, cutTo } = rest
+        if (!crossing.isRight(from, s)) kept.push({ from, to: s, cutFrom, cutTo: side })
+        rest = { from: s, to, cutFrom: side, cutTo }
       }
-      keep(rest)
+      if (!crossing.isRight(rest.from, rest.to)) kept.push(rest)
     }
     spans = kept
   }
@@ -186,11 +184,14 @@ export class LineCrossing {
    */
   isRight(from: number, to: number): boolean {
     const middle = parameterBetween(from, to)
-    const height = (s: number) => this.#growth * s - 2 * this.#half + this.#decay / s
     // The branch may touch the line in one of any two points, but not in both.
-    const first = height(parameterBetween(from, middle))
-    const second = height(parameterBetween(middle, to))
+    const first = this.#height(parameterBetween(from, middle))
+    const second = this.#height(parameterBetween(middle, to))
     return (Math.abs(first) > Math.abs(second) ? first : second) > 0
+  }
+
+  #height(s: number): number {
+    return this.#growth * s - 2 * this.#half + this.#decay / s
   }
 }
 

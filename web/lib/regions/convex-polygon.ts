@@ -120,7 +120,7 @@ export class ConvexPolygon {
     return this.corners.every((corner, k) => turn(between(corner, this.cornerAfter(k)), between(corner, p)) >= 0)
   }
 
-  /** How far what is inside may be from a point, along one axis. */
+  /** @internal Returns how far a point of the polygon may be from `p` along one axis, at most. */
   reachFrom({ x, y }: Point): number {
     const { minX, minY, maxX, maxY } = this.box
     return Math.max(Math.abs(minX - x), Math.abs(maxX - x), Math.abs(minY - y), Math.abs(maxY - y))

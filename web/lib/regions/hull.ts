@@ -38,9 +38,10 @@ const FULL_TURN = 2 * Math.PI
 const THREE_QUARTER_TURN = 1.5 * Math.PI
 
 /**
- * The hull of a certified diagram, in the order of `diagram.hull`. That of a single circle is the circle: one arc of 2 pi.
- * For the metrics `centers` and `power` it is the hull of the centers. Where weights on the hull are negative, it is that of
- * all circles grown by the amount that makes the least of these a point.
+ * Returns the convex hull of the circles of a certified diagram, with its arcs in the order of `diagram.hull`. The hull of
+ * a single circle is the circle itself: one arc with the angle 2 pi. For the metrics `centers` and `power`, it is the hull
+ * of the centers. If weights on the hull are negative, all circles are first grown by one amount, which makes the circle
+ * with the smallest of these weights a point.
  *
  * @throws CircleVoronoiError `badArgument`
  *

@@ -2,7 +2,7 @@
 
 import { checkBoundedCurve, checkOutline } from '../base/check.ts'
 import { between, cross } from '../base/point.ts'
-import { largestOf, lengthOf, measuredIn, unitFor } from '../base/scale.ts'
+import { lengthOf, measuredIn, unitFor } from '../base/scale.ts'
 import type { Point } from '../base/types.ts'
 import type { Bisector } from '../curves/bisector.ts'
 import { carlson } from '../curves/carlson.ts'
@@ -30,6 +30,11 @@ const ROUNDING_OF_AREA = 2 ** -44
  */
 export function outlineArea(outline: Outline): number {
   checkOutline(outline, 'outlineArea')
+  return areaOf(outline)
+}
+
+/** The same of checked arguments. */
+export function areaOf(outline: Outline): number {
   const unit = unitFor(extentOf(outline))
   return momentsOf(outline, unit).area * unit * unit
 }
@@ -46,6 +51,11 @@ export function outlineArea(outline: Outline): number {
  */
 export function outlineCentroid(outline: Outline): Point {
   checkOutline(outline, 'outlineCentroid')
+  return centroidOf(outline)
+}
+
+/** The same of checked arguments. */
+export function centroidOf(outline: Outline): Point {
   const reference = referenceOf(outline)
   const extent = extentOf(outline)
   const unit = unitFor(extent)
@@ -72,11 +82,16 @@ export function outlineCentroid(outline: Outline): Point {
  */
 export function outlinePerimeter(outline: Outline): number {
   checkOutline(outline, 'outlinePerimeter')
+  return perimeterOf(outline)
+}
+
+/** The same of checked arguments. */
+export function perimeterOf(outline: Outline): number {
   return outline.flat().reduce((sum, piece) => sum + lengthOfPiece(piece), 0)
 }
 
 function lengthOfPiece(piece: OutlinePiece): number {
-  return isCircleArc(piece) ? circleArcLength(piece) : curveLength(piece.curve)
+  return isCircleArc(piece) ? circleArcLength(piece) : lengthOfCurve(piece.curve)
 }
 
 /**
@@ -92,7 +107,11 @@ function lengthOfPiece(piece: OutlinePiece): number {
  */
 export function curveLength(curve: BoundedCurve): number {
   checkBoundedCurve(curve, 'curveLength')
-  const { bisector, from, to, start, end } = curve
+  return lengthOfCurve(curve)
+}
+
+/** The same of a checked argument. */
+function lengthOfCurve({ bisector, from, to, start, end }: BoundedCurve): number {
   const { unit, a, b } = bisector
   const chord = lengthOf(between(start, end))
   if (a === 0 || !(to > from)) return chord
@@ -115,13 +134,19 @@ function referenceOf(outline: Outline): Point {
 /** About the largest distance of two points of an outline. */
 function extentOf(outline: Outline): number {
   const reference = referenceOf(outline)
-  return outline.flat().reduce((most, { curve }) => Math.max(most, largestOf(between(reference, curve.start))), 0)
+  let most = 0
+  for (const loop of outline) {
+    for (const { curve } of loop) {
+      most = Math.max(most, Math.abs(curve.start.x - reference.x), Math.abs(curve.start.y - reference.y))
+    }
+  }
+  return most
 }
 
 function momentsOf(outline: Outline, unit: number): Moments {
   const reference = referenceOf(outline)
   let [area, x, y] = [0, 0, 0]
-  for (const piece of outline.flat()) {
+  for (const piece of outline.length === 1 ? (outline[0] as Outline[number]) : outline.flat()) {
     const { curve } = piece
     const u = measuredIn(unit, between(reference, curve.start))
     const v = measuredIn(unit, between(reference, curve.end))

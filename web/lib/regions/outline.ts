@@ -6,7 +6,7 @@ import { isKeptWhole, keptParts, type Limits, reachFrom } from './cell-limits.ts
 import type { Cells } from './cells.ts'
 import type { Part } from './clip.ts'
 import type { ConvexPolygon } from './convex-polygon.ts'
-import { outlineArea } from './measure.ts'
+import { areaOf } from './measure.ts'
 import type { OutlinePiece } from './outline-piece.ts'
 import { Ring, type RingElement } from './ring.ts'
 
@@ -37,7 +37,7 @@ export function outlineOf(cells: Cells, circle: number, limits: Limits): readonl
   const loops = joined(cells, circle, ring, chains)
   // In a disc it is in one piece: what rounding cut off where several edges end next to the circle goes.
   if (loops.length < 2 || !ring.isCircle) return loops
-  return [loops.reduce((one, other) => (outlineArea([other]) > outlineArea([one]) ? other : one))]
+  return [loops.reduce((one, other) => (areaOf([other]) > areaOf([one]) ? other : one))]
 }
 
 /** The outline of a cell that the region contains, without cutting it. */

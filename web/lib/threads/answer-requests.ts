@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { CircleVoronoiError, type PostedError, postedError, reasonOf } from '../base/errors.ts'
+import { loadedOnce } from '../base/loaded-once.ts'
 import { Diagram } from '../diagram/diagram.ts'
 import type { DiagramEditor } from '../wasm/editor.ts'
 import type { FitStep } from '../wasm/fit.ts'
 import { type CircleVoronoi, type ComputingLibrary, circleVoronoiOf } from '../wasm/library.ts'
 import type { Progress } from '../wasm/options.ts'
-import { type RegionsOfModule, regionsOf } from '../wasm/regions.ts'
+import { regionsOf } from '../wasm/regions.ts'
 import { type CompiledWasm, scriptNotLoaded } from '../wasm/wasm.ts'
 import { loadRegionsScript } from './regions-script.ts'
 import type {
@@ -72,14 +73,12 @@ async function computed(
 
 /** Answers the fits of a thread, the first of which loads the module. */
 function fitting(): (request: FitRequest, tell: Tell) => Promise<Reply> {
-  let regions: Promise<RegionsOfModule> | undefined
-  const load = async (wasm: CompiledWasm) => {
+  const regionsIn = loadedOnce(async (wasm: CompiledWasm) => {
     const { default: createModule } = await loadRegionsScript().catch(scriptNotLoaded('The regions'))
     return regionsOf(createModule, wasm)
-  }
+  })
   return async ({ fit, region: rings, wasm, tellsProgress }, tell) => {
-    regions ??= load(wasm)
-    const { regionOf, fitAreas } = await regions
+    const { regionOf, fitAreas } = await regionsIn(wasm)
     const { sites, areas, ...options } = fit
     const onStep = tellsProgress ? (step: FitStep) => tell({ step }) : undefined
     return { fit: fitAreas(sites, areas, { ...options, region: regionOf(rings), onStep }) }

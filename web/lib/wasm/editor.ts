@@ -48,7 +48,11 @@ export interface EditorMethods {
    * @throws CircleVoronoiError as `compute`, `badArgument`
    */
   insert(circle: CircleLike, hint?: number): Change
-  /** @throws CircleVoronoiError `unknownCircle`, `badArgument` */
+  /**
+   * Removes the circle with this id. Circles that only it hid get cells, or wait in another circle that contains them.
+   *
+   * @throws CircleVoronoiError `unknownCircle`, `badArgument`
+   */
   remove(id: number): Change
   /**
    * Moves or resizes a circle.

@@ -210,7 +210,11 @@ export class Trace implements TraceArrays {
     return this.kinds.length
   }
 
-  /** @throws CircleVoronoiError `badArgument`, if there is no such event */
+  /**
+   * Returns event `k`, counted from 0 in the order in which the construction makes the events.
+   *
+   * @throws CircleVoronoiError `badArgument`, if there is no such event
+   */
   event(k: number): TraceEvent {
     checkNumber(k, 'event', 'the index of an event')
     if (!(Number.isInteger(k) && 0 <= k && k < this.length)) {

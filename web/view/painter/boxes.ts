@@ -4,7 +4,7 @@
 
 import { at, NONE } from '../../lib/base/diagram-data.ts'
 import { inPlane } from '../../lib/curves/bisector.ts'
-import { edgeCurve } from '../../lib/curves/curve.ts'
+import { curveOf } from '../../lib/curves/curve.ts'
 import type { Box, Diagram, Point } from '../../lib/index.ts'
 
 export const EMPTY_BOX: Box = {
@@ -116,7 +116,7 @@ export function addEdge(boxes: Float64Array, k: number, diagram: Diagram, edge: 
 
 /** The same by the parameters of the curve, wherever its ends are. */
 function addCurve(boxes: Float64Array, k: number, diagram: Diagram, edge: number, reach: number): void {
-  const { bisector, from, to } = edgeCurve(diagram, edge)
+  const { bisector, from, to } = curveOf(diagram, edge)
   const { a, b, apex, unit } = bisector
   const farthest = Math.max((2 * reach) / (b * unit), 2)
   const ends = [Math.max(from, 1 / farthest), Math.min(to, farthest)]
@@ -159,7 +159,7 @@ const AXES = [
 
 /** Where a side goes that ends at infinity. */
 function farDirection(diagram: Diagram, side: number): Point {
-  const { a, b, along, across } = edgeCurve(diagram, side >> 1).bisector
+  const { a, b, along, across } = curveOf(diagram, side >> 1).bisector
   const v = side & 1 ? -b : b
   return { x: v * across.x - Math.abs(a) * along.x, y: v * across.y - Math.abs(a) * along.y }
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import type { CircleVoronoi, Diagram, PathSink } from '../../lib/index.ts'
+import type { Diagram, PathSink } from '../../lib/index.ts'
 import { fewCircles } from '../../lib/regions/few-circles.ts'
 import type { Region } from '../../lib/regions/region.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 
 /** The region of a scene, and what cells are inside it. */
 export class Clip {
   readonly region: Region
-  readonly #library: CircleVoronoi
+  readonly #library: ComputingLibrary
 
-  constructor(library: CircleVoronoi, region: Region) {
+  constructor(library: ComputingLibrary, region: Region) {
     this.#library = library
     this.region = region
   }

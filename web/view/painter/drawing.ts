@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { SvgPath } from '../../lib/drawing/svg-path.ts'
 import type { PathSink } from '../../lib/index.ts'
 
 /** What pictures are drawn on, in pixels: a canvas, or the text of an SVG. */
@@ -72,72 +71,4 @@ export class CanvasDrawing implements Drawing {
     context.fillStyle = color
     context.fillText(text, x, y)
   }
-}
-
-/** Digits after the decimal point of pixels. */
-const DIGITS = 2
-
-export class SvgDrawing implements Drawing {
-  readonly #elements: string[] = []
-  readonly #clips = new Set<string>()
-  #isClipped = false
-
-  path(): PathSink {
-    return new SvgPath(DIGITS)
-  }
-
-  cover(color: string): void {
-    this.#elements.push(`<rect width="100%" height="100%" fill="${color}"/>`)
-  }
-
-  fill(path: PathSink, color: string, opacity = 1): void {
-    this.#add(path, `fill="${color}"${opacity === 1 ? '' : ` fill-opacity="${opacity}"`}`)
-  }
-
-  write(text: string, x: number, y: number, size: number, color: string, rim: string): void {
-    const place = `x="${x.toFixed(DIGITS)}" y="${y.toFixed(DIGITS)}" text-anchor="middle" dominant-baseline="central"`
-    const font = `font-family="system-ui, sans-serif" font-weight="600" font-size="${size}"`
-    const look = `fill="${color}" stroke="${rim}" stroke-width="${size / 4}" paint-order="stroke"`
-    this.#elements.push(`<text ${place} ${font} ${look}>${text}</text>`)
-  }
-
-  stroke(path: PathSink, color: string, width: number, dash: readonly number[] = [], opacity = 1): void {
-    const dashes = dash.length === 0 ? '' : ` stroke-dasharray="${dash.join(' ')}"`
-    const alpha = opacity === 1 ? '' : ` stroke-opacity="${opacity}"`
-    this.#add(path, `fill="none" stroke="${color}" stroke-width="${Number(width.toFixed(2))}"${dashes}${alpha}`)
-  }
-
-  clip(path: PathSink | undefined): void {
-    if (this.#isClipped) this.#elements.push('</g>')
-    this.#isClipped = path !== undefined
-    if (path === undefined) return
-    const shape = String(path)
-    const id = nameOf(shape)
-    if (!this.#clips.has(id)) this.#elements.push(`<clipPath id="${id}"><path d="${shape}"/></clipPath>`)
-    this.#clips.add(id)
-    this.#elements.push(`<g clip-path="url(#${id})">`)
-  }
-
-  #add(path: PathSink, look: string): void {
-    const text = String(path)
-    if (text !== '') this.#elements.push(`<path ${look} d="${text}"/>`)
-  }
-
-  /** The elements, in their order. */
-  toString(): string {
-    return this.#elements.join('\n')
-  }
-}
-
-/** A name that two shapes hardly share, even in pictures that stand in one page. */
-function nameOf(shape: string): string {
-  let hash = 0
-  for (let k = 0; k < shape.length; k++) hash = (Math.imul(hash, 31) + shape.charCodeAt(k)) >>> 0
-  return `region-${hash.toString(36)}-${shape.length}`
-}
-
-/** The text of an SVG with these elements. */
-export function svgOf(width: number, height: number, elements: readonly string[]): string {
-  const body = elements.filter((text) => text !== '').join('\n')
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" stroke-linejoin="round" stroke-linecap="round">\n${body}\n</svg>\n`
 }

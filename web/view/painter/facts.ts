@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { circleAt, type Diagram } from '../../lib/index.ts'
-import type { CellFacts, Counts, Facts } from '../protocol.ts'
+
+import { circleAt } from '../../lib/base/diagram-data.ts'
+import type { Diagram } from '../../lib/index.ts'
+import type { CellFacts, DiagramCounts, Facts } from '../protocol.ts'
 import type { Picture } from './picture.ts'
 
 /** What is so of a diagram and of the cells of circles, by their ids. */
-export function factsOf(picture: Pick<Picture, 'diagram' | 'clip'>, counts: Counts, ids: readonly number[]): Facts {
+export function factsOf(
+  picture: Pick<Picture, 'diagram' | 'clip'>,
+  counts: DiagramCounts,
+  ids: readonly number[],
+): Facts {
   const cells = new Map<number, CellFacts>()
   for (const id of ids) {
     const i = picture.diagram.indexOf(id)

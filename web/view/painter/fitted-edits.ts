@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { circleRadius, circleX, circleY } from '../../lib/base/coordinates.ts'
-import { at } from '../../lib/base/diagram-data.ts'
-import { circleAt, type Diagram, type Edit } from '../../lib/index.ts'
+import { at, circleOf } from '../../lib/base/diagram-data.ts'
+import type { Diagram, Edit } from '../../lib/index.ts'
 import type { Region } from '../../lib/regions/region.ts'
 import type { AreaFit } from '../../lib/wasm/fit.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
@@ -46,7 +46,7 @@ export function fittedEdits(
 ): { readonly edits: readonly Edit[]; readonly fit: AreaFit | undefined } {
   const sites = new Map<number, readonly [x: number, y: number, r: number]>()
   for (let i = 0; i < diagram.circles.length / 3; i++) {
-    const { x, y, r } = circleAt(diagram.circles, i)
+    const { x, y, r } = circleOf(diagram.circles, i)
     sites.set(idOf(diagram, i), [x, y, r])
   }
   const before = new Map(sites)
@@ -66,12 +66,12 @@ export function fittedEdits(
   if (all.length === 0) return { edits, fit: undefined }
   const shares = [...ids.map((id) => known?.get(id) ?? Number.NaN), ...added.map((_, k) => inserted[k] ?? Number.NaN)]
   const fit = fitted(fitting, Float64Array.from(all.flat()), shares)
-  const circleOf = (k: number) => {
+  const fittedCircle = (k: number) => {
     const [x, y] = all[k] as readonly [number, number, number]
     return { x, y, r: at(fit.weights, k) }
   }
   const changed = ids.flatMap((id, k): Edit[] => {
-    const circle = circleOf(k)
+    const circle = fittedCircle(k)
     const [x, y, r] = before.get(id) as readonly [number, number, number]
     return x === circle.x && y === circle.y && r === circle.r ? [] : [{ kind: 'replace', id, circle }]
   })
@@ -80,7 +80,7 @@ export function fittedEdits(
     edits: [
       ...changed,
       ...edits.flatMap((edit): Edit[] => {
-        if (edit.kind === 'insert') return [{ kind: 'insert', circle: circleOf(k++) }]
+        if (edit.kind === 'insert') return [{ kind: 'insert', circle: fittedCircle(k++) }]
         // Of a circle that is not there, the editor says so.
         return edit.kind === 'remove' || !before.has(edit.id) ? [edit] : []
       }),

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, NONE } from '../../lib/base/diagram-data.ts'
+import { at, circleAt, NONE } from '../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../lib/base/scale.ts'
 import { traceArc } from '../../lib/curves/bezier.ts'
 import { parameterAt, pointAt } from '../../lib/curves/bisector.ts'
 import { type BoundedCurve, edgeCurve, isBoundedCurve, reversed } from '../../lib/curves/curve.ts'
-import {
-  circleAt,
-  clearestPath,
-  convexHull,
-  type Diagram,
-  type HullArc,
-  largestEmptyDiscCenteredInHull,
-  type Point,
-} from '../../lib/index.ts'
-import { isMethodShown, type Layers } from '../layers.ts'
+import type { Diagram, HullArc, Point } from '../../lib/index.ts'
+import { clearestPath } from '../../lib/queries/clearest-path.ts'
+import { largestEmptyDiscCenteredInHull } from '../../lib/queries/largest-empty-disc.ts'
+import { convexHull } from '../../lib/regions/hull.ts'
 import type { Found } from '../protocol.ts'
 import { idOf } from './cell-boxes.ts'
 import { commandsOf } from './commands.ts'
@@ -39,11 +33,6 @@ export function found({ diagram, reach, layers, method }: Picture, tolerance: nu
         : pathOf(diagram, layers.path.from, layers.path.to, tolerance, reach),
     method: method?.found,
   }
-}
-
-export function isAnythingFound(layers: Layers): boolean {
-  const { hull, largestDisc, path } = layers
-  return hull || largestDisc || path !== undefined || isMethodShown(layers)
 }
 
 /** For each arc its circle's x, y and radius, the angle where it begins, its turn, and the start of the next arc. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { ConvexPolygon } from '../../lib/index.ts'
+import { ConvexPolygon } from '../../lib/regions/convex-polygon.ts'
 
 /** A rectangle of the plane and the pixels it is drawn on. */
 export interface Frame {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/base/diagram-data.ts'
-import type { CircleVoronoi, Diagram } from '../../lib/index.ts'
-import { isMethodShown, type Layers, type MethodLayer, MOST_PAIRED, MOST_TRACED, SAMPLES } from '../layers.ts'
+import type { Diagram } from '../../lib/index.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
+import { type Layers, type MethodLayer, SAMPLES } from '../layers.ts'
 import type { MethodFound } from '../protocol.ts'
 import { methodOutcome } from './method-outcome.ts'
 
@@ -21,12 +22,7 @@ export interface MethodResult {
   readonly missed: ReadonlySet<number>
 }
 
-/** Whether the layers show something of the method, of so many circles. */
-export function isTraced(layers: Layers, circles: number): boolean {
-  return circles <= (layers.candidates === 'all-pairs' ? MOST_PAIRED : MOST_TRACED) && isMethodShown(layers)
-}
-
-export function methodResult(library: CircleVoronoi, diagram: Diagram, layers: Layers): MethodResult {
+export function methodResult(library: ComputingLibrary, diagram: Diagram, layers: Layers): MethodResult {
   const { circles } = diagram
   const { candidates, sampleCount = SAMPLES[candidates].usual } = layers
   const trace = library.trace(circles, { candidates, ...(candidates !== 'all-pairs' && { samples: sampleCount }) })

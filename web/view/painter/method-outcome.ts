@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { at, edgeAt, NONE, vertexAt } from '../../lib/base/diagram-data.ts'
-import { type Diagram, mergeVertices } from '../../lib/index.ts'
+import { at, edgeOf, NONE, vertexOf } from '../../lib/base/diagram-data.ts'
+import type { Diagram } from '../../lib/index.ts'
+import { mergeVertices } from '../../lib/queries/merged.ts'
 import type { Counted } from '../protocol.ts'
 
 /** What a method finds of a diagram. */
@@ -28,7 +29,7 @@ export function methodOutcome(right: Diagram, other: Diagram): MethodOutcome {
   const left = new Map<string, number>()
   let wrongEdges = 0
   for (let e = 0; e < other.edges.length / 4; e++) {
-    const { left: i, right: j, start, end } = edgeAt(other, e)
+    const { left: i, right: j, start, end } = edgeOf(other, e)
     const [from, to] = [start, end].map((v) => (v === NONE ? NONE : (placeOf[v] as number))) as [number, number]
     if (from === to && from !== NONE) continue
     const key = keyOf(i, j, from, to)
@@ -39,7 +40,7 @@ export function methodOutcome(right: Diagram, other: Diagram): MethodOutcome {
   let foundEdges = 0
   let remaining = 0
   for (let e = 0; e < right.edges.length / 4; e++) {
-    const { left: i, right: j, start, end } = edgeAt(right, e)
+    const { left: i, right: j, start, end } = edgeOf(right, e)
     const [from, to] = [start, end].map((v) => (v === NONE ? NONE : at(mergedVertex, v))) as [number, number]
     if (from === to && from !== NONE) continue
     remaining += 1
@@ -74,10 +75,10 @@ function placesIn(right: Diagram, other: Diagram, mergedVertex: Int32Array): num
   const own = mergedVertex.length
   return places.map((place, v) => {
     if (place !== NONE) return place
-    const { x, y, r } = vertexAt(other, v)
+    const { x, y, r } = vertexOf(other, v)
     const near = SAME_PLACE * (extent + Math.abs(r))
     for (const candidate of rest) {
-      const { x: px, y: py } = vertexAt(right, candidate)
+      const { x: px, y: py } = vertexOf(right, candidate)
       if (Math.abs(px - x) < near && Math.abs(py - y) < near) return at(mergedVertex, candidate)
     }
     return own + v

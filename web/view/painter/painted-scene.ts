@@ -1,41 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, NONE } from '../../lib/base/diagram-data.ts'
-import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import {
-  type Box,
-  type Circle,
-  type CircleVoronoi,
-  type Comparison,
-  circleAt,
-  type Diagram,
-  type Edit,
-  type Float64s,
-  type Options,
-} from '../../lib/index.ts'
+import { at, circleAt } from '../../lib/base/diagram-data.ts'
+import type { Box, Comparison, Diagram, Edit, Float64s } from '../../lib/index.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
-import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import type { CircleChange } from '../circle-table.ts'
-import { DEFAULT_LAYERS, isMethodShown, type Layers } from '../layers.ts'
+import { isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
 import type {
-  Column,
-  Computed,
-  Counts,
   Described,
-  Distribution,
+  DiagramCounts,
   DomainChange,
-  Facts,
   Fitted,
   Found,
   Hit,
-  Legend,
   Marks,
   Patch,
   PixelBox,
-  Tabulated,
-  Touching,
-  Traced,
-  Trial,
   Wish,
 } from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
@@ -43,21 +23,15 @@ import type { Style } from '../style.ts'
 import { Centers } from './centers.ts'
 import { Clip } from './clip.ts'
 import { commandsOf } from './commands.ts'
-import { distributionOf } from './distribution.ts'
 import { CanvasDrawing, type Drawing } from './drawing.ts'
-import { factsOf } from './facts.ts'
 import { type Fitting, fitted, fittedEdits } from './fitted-edits.ts'
-import { found, isAnythingFound } from './found.ts'
+import { found } from './found.ts'
 import { type Frame, regionOf, toleranceOf } from './frame.ts'
 import { apart, frameOf, intersection, pixelsOf, tilesOf } from './grid.ts'
-import { isTraced, methodResult } from './method-layers.ts'
+import { methodResult } from './method-layers.ts'
 import { paint } from './paint.ts'
 import { Painting } from './painting.ts'
 import { Picture } from './picture.ts'
-import { tabulated, tabulatedAll } from './tabulate.ts'
-import { touchingAround, touchingNear } from './touching.ts'
-import { traced } from './traced.ts'
-import { trialOf } from './trial.ts'
 
 /** What is looked at. */
 interface Look extends Wish {
@@ -82,9 +56,9 @@ interface Opened {
 
 /** The circles of one view, and what of their picture the view has been given. */
 export class PaintedScene {
-  readonly #library: CircleVoronoi
-  #picture: Picture
-  #layers = DEFAULT_LAYERS
+  readonly library: ComputingLibrary
+  /** The diagram, and how it is drawn. */
+  picture: Picture
   /** How long it took last to find what depends on all circles. */
   #findingSeconds = 0
   /** Whether what depends on all circles has been found as it is now. */
@@ -99,13 +73,11 @@ export class PaintedScene {
   #hint = -1
   #selected: number | undefined
   #hovered: number | undefined
-  /** Whether circles are shown as points. */
-  #areSites = false
 
   /** Without circles. */
-  constructor(library: CircleVoronoi) {
-    this.#library = library
-    this.#picture = new Picture(library.edit([]))
+  constructor(library: ComputingLibrary) {
+    this.library = library
+    this.picture = new Picture(library.edit([]))
   }
 
   /**
@@ -118,20 +90,21 @@ export class PaintedScene {
     const shares = Array.from({ length: circles.length / 3 }, (_, i) => change.fit?.known?.get(i) ?? Number.NaN)
     const fit = change.fit && shares.length > 0 ? fitted(this.#fitting(clip, regions), circles, shares) : undefined
     const opened = fit?.diagram.circles ?? circles
-    const picture = new Picture(this.#library.edit(opened), clip)
+    const picture = new Picture(this.library.edit(opened), clip)
+    const { layers, areSites } = this.picture
+    picture.areSites = change.areSites ?? areSites
     this.dispose()
-    this.#picture = picture
-    this.#areSites = change.areSites ?? this.#areSites
+    this.picture = picture
     this.#findingSeconds = 0
     this.#hint = -1
-    this.setLayers(this.#layers)
+    this.setLayers(layers)
     return { circles: fit?.diagram.circles, fitted: fit && { error: fit.error, steps: fit.steps } }
   }
 
   /** What cells are cut to once a change is done. */
   #clipOf({ region }: DomainChange, regions: Regions | undefined): Clip | undefined {
-    if (region === undefined) return this.#picture.clip
-    return region === null ? undefined : new Clip(this.#library, (regions as Regions).region(region))
+    if (region === undefined) return this.picture.clip
+    return region === null ? undefined : new Clip(this.library, (regions as Regions).region(region))
   }
 
   /** @throws Refusal, if there is no region */
@@ -141,23 +114,21 @@ export class PaintedScene {
   }
 
   dispose(): void {
-    this.#picture.centers?.dispose()
-    this.#picture.editor.dispose()
+    this.picture.centers?.dispose()
+    this.picture.editor.dispose()
   }
 
   /** Draws these from now on. */
   setLayers(layers: Layers, isPainted = true): void {
-    const picture = this.#picture
-    const { candidates, sampleCount } = this.#layers
-    this.#layers = layers
+    const picture = this.picture
+    const { candidates, sampleCount } = picture.layers
     this.#isFound = false
     picture.layers = layers
-    picture.areSites = this.#areSites
     if (!layers.delaunay && !layers.ordinary) {
       picture.centers?.dispose()
       picture.centers = undefined
     } else {
-      picture.centers ??= new Centers(this.#library, picture.diagram)
+      picture.centers ??= new Centers(this.library, picture.diagram)
     }
     if (!layers.power) picture.power = undefined
     const isSame = candidates === layers.candidates && sampleCount === layers.sampleCount
@@ -167,7 +138,7 @@ export class PaintedScene {
 
   /** Whether the power diagram is to be shown and is not there. */
   get isPowerMissing(): boolean {
-    return this.#layers.power && this.#picture.power === undefined
+    return this.picture.layers.power && this.picture.power === undefined
   }
 
   /** The power diagram of the circles as they are. */
@@ -180,7 +151,7 @@ export class PaintedScene {
 
   #computePower({ computeComparison }: Comparison): void {
     const start = performance.now()
-    this.#picture.setPower(computeComparison(this.#picture.diagram.circles, 'power'))
+    this.picture.setPower(computeComparison(this.picture.diagram.circles, 'power'))
     this.#powerSeconds = (performance.now() - start) / 1000
   }
 
@@ -193,25 +164,25 @@ export class PaintedScene {
 
   /** Whether the layers show something of the method that is not there. */
   get isMethodMissing(): boolean {
-    const { diagram, method } = this.#picture
-    return method === undefined && isTraced(this.#layers, diagram.circles.length / 3)
+    const { diagram, method } = this.picture
+    return method === undefined && isTraced(this.picture.layers, diagram.circles.length / 3)
   }
 
   /** What the touching disc method makes of the circles as they are. */
   addMethod(): void {
     this.#isFound = false
-    this.#picture.setMethod(methodResult(this.#library, this.#picture.diagram, this.#layers))
+    this.picture.setMethod(methodResult(this.library, this.picture.diagram, this.picture.layers))
     this.#restart()
   }
 
   /** Whether the layers show what depends on all circles and has not been found. */
   get isAnythingToFind(): boolean {
-    return !this.#isFound && isAnythingFound(this.#layers)
+    return !this.#isFound && isAnythingFound(this.picture.layers)
   }
 
   /** Whether that has a path, which is as fine as what is looked at. */
   get isPathFound(): boolean {
-    return this.#layers.path !== undefined
+    return this.picture.layers.path !== undefined
   }
 
   /** Whether to find that takes no longer than an edit may. */
@@ -223,8 +194,8 @@ export class PaintedScene {
   find(): Found {
     const start = performance.now()
     const scale = this.#look?.grid.scale
-    const tolerance = scale === undefined ? this.#picture.cellWidth / 1000 : toleranceOf({ scale })
-    const result = found(this.#picture, tolerance)
+    const tolerance = scale === undefined ? this.picture.cellWidth / 1000 : toleranceOf({ scale })
+    const result = found(this.picture, tolerance)
     this.#isFound = true
     this.#findingSeconds = (performance.now() - start) / 1000
     return result
@@ -232,78 +203,11 @@ export class PaintedScene {
 
   /** What a frame shows, on a drawing. */
   draw(drawing: Drawing, frame: Frame, pixelRatio: number, style: Style): void {
-    paint(new Painting(drawing, frame, pixelRatio, this.#picture, style))
+    paint(new Painting(drawing, frame, pixelRatio, this.picture, style))
   }
 
-  /** What the colors of the layers mean. */
-  get legend(): Legend | undefined {
-    return this.#picture.legend
-  }
-
-  /** How cells are distributed. */
-  measure(): Generator<void, Distribution> {
-    return distributionOf(this.#picture)
-  }
-
-  /** What the cells of circles measure. */
-  tabulate(columns: readonly Column[], ids: Int32Array): Tabulated {
-    return tabulated(this.#picture, columns, ids)
-  }
-
-  tabulateAll(columns: readonly Column[]): Generator<void, Tabulated> {
-    return tabulatedAll(this.#picture, columns)
-  }
-
-  /** What is so of the diagram and of the cells of circles. */
-  tell(ids: readonly number[]): Facts {
-    return factsOf(this.#picture, this.counts(), ids)
-  }
-
-  /** All computed from nothing. */
-  compute(options: Options): Computed {
-    try {
-      const { stats, certificate } = this.#library.compute(this.#picture.diagram.circles, options)
-      return { stats, certificate }
-    } catch (error) {
-      if (!(error instanceof CircleVoronoiError)) throw error
-      return { problem: error.message }
-    }
-  }
-
-  /**
-   * What a method does with the circles, event by event.
-   *
-   * @throws CircleVoronoiError as `trace` of the library, and of too many circles
-   */
-  trace(options: TraceOptions): Traced {
-    return traced(this.#library, this.#picture.diagram, options)
-  }
-
-  /** The disc around the vertex or the point of an edge next to a point of the plane, or else around that point. */
-  touch(x: number, y: number, slack: number): Touching | undefined {
-    const { diagram, editor } = this.#picture
-    const box = { minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack }
-    const near = touchingNear(diagram, this.#picture.circlesIn(box), x, y, slack)
-    if (near !== undefined) return near
-    this.#hint = editor.nearest(x, y, this.#hint)
-    return this.#hint < 0 ? undefined : touchingAround(diagram, diagram.indexOf(this.#hint), x, y)
-  }
-
-  /** What a circle would take; `undefined`: it is none. */
-  try(circle: Circle): Trial | undefined {
-    const { editor, diagram } = this.#picture
-    const id = editor.nearest(circle.x, circle.y, this.#hint)
-    const nearest = id < 0 ? NONE : diagram.indexOf(id)
-    try {
-      return trialOf(this.#library, this.#picture, circle, nearest, (local, i) => this.#outlineOf([i], local))
-    } catch (error) {
-      if (error instanceof CircleVoronoiError) return undefined
-      throw error
-    }
-  }
-
-  counts(): Counts {
-    const { circles, hidden, vertices, edges } = this.#picture.diagram
+  counts(): DiagramCounts {
+    const { circles, hidden, vertices, edges } = this.picture.diagram
     return {
       circles: circles.length / 3,
       hidden: hidden.length / 2,
@@ -332,14 +236,13 @@ export class PaintedScene {
     const { edits, fit } =
       domain.fit === undefined
         ? { edits: asked, fit: undefined }
-        : fittedEdits(this.#fitting(clip, regions), this.#picture.diagram, asked, domain.fit)
-    const change = this.#picture.editor.apply(edits)
-    const { areSites = this.#areSites } = domain
-    const isElsewhere = clip !== this.#picture.clip || areSites !== this.#areSites
-    this.#picture.clip = clip
-    this.#picture.areSites = areSites
-    this.#areSites = areSites
-    const { boxes, isEverywhere } = this.#picture.apply(change)
+        : fittedEdits(this.#fitting(clip, regions), this.picture.diagram, asked, domain.fit)
+    const change = this.picture.editor.apply(edits)
+    const { areSites = this.picture.areSites } = domain
+    const isElsewhere = clip !== this.picture.clip || areSites !== this.picture.areSites
+    this.picture.clip = clip
+    this.picture.areSites = areSites
+    const { boxes, isEverywhere } = this.picture.apply(change)
     // All that is seen goes together, so that no part of a motion comes late.
     const isAtOnce = this.#followPower() && !isElsewhere
     const patches = isElsewhere ? [] : this.#repaint(isAtOnce ? undefined : boxes)
@@ -390,7 +293,7 @@ export class PaintedScene {
 
   /** The circle at a point of the plane. A rim wins over a disc, and of several the nearest rim, the smallest disc. */
   hit(x: number, y: number, slack: number): Hit | undefined {
-    const { index, diagram, editor } = this.#picture
+    const { index, diagram } = this.picture
     const { circles } = diagram
     let rim: number | undefined
     let rimDistance = slack
@@ -398,7 +301,7 @@ export class PaintedScene {
     let discSize = Number.POSITIVE_INFINITY
     for (const id of index.search({ minX: x - slack, minY: y - slack, maxX: x + slack, maxY: y + slack })) {
       const i = diagram.indexOf(id)
-      const r = this.#areSites ? 0 : at(circles, 3 * i + 2)
+      const r = this.picture.areSites ? 0 : at(circles, 3 * i + 2)
       const distance = Math.hypot(at(circles, 3 * i) - x, at(circles, 3 * i + 1) - y) - r
       // A small circle is all disc: it can be resized once it is seen larger.
       const hasRim = r > 3 * slack
@@ -413,8 +316,14 @@ export class PaintedScene {
     }
     if (rim !== undefined) return { id: rim, part: 'rim' }
     if (disc !== undefined) return { id: disc, part: 'disc' }
-    this.#hint = editor.nearest(x, y, this.#hint)
-    return this.#hint < 0 ? undefined : { id: this.#hint, part: 'cell' }
+    const id = this.nearest(x, y)
+    return id < 0 ? undefined : { id, part: 'cell' }
+  }
+
+  /** The id of the circle whose cell a point is in; -1: there is none. */
+  readonly nearest = (x: number, y: number): number => {
+    this.#hint = this.picture.editor.nearest(x, y, this.#hint)
+    return this.#hint
   }
 
   /** Which circles stand out from now on. */
@@ -434,7 +343,7 @@ export class PaintedScene {
   }
 
   #describe(id: number | undefined): Described | undefined {
-    const { diagram } = this.#picture
+    const { diagram } = this.picture
     const { circles, cells, hidden, numbers } = diagram
     const i = id === undefined ? -1 : diagram.indexOf(id)
     if (id === undefined || i < 0) return undefined
@@ -444,20 +353,21 @@ export class PaintedScene {
     const neighbors = [...new Set(diagram.neighbors(i))]
     return {
       id,
-      circle: { ...circleAt(circles, i), ...(this.#areSites && { r: 0 }) },
+      circle: { ...circleAt(circles, i), ...(this.picture.areSites && { r: 0 }) },
       hiddenBy,
       isBounded: cells.isBounded(i),
       neighbors: Int32Array.from(leastFirst(neighbors.map(idOf))),
-      outline: this.#outlineOf([i]),
-      neighborhood: this.#outlineOf(neighbors.length > MOST_NEIGHBORS ? [] : neighbors),
+      outline: this.outlineOf([i]),
+      neighborhood: this.outlineOf(neighbors.length > MOST_NEIGHBORS ? [] : neighbors),
     }
   }
 
-  #outlineOf(circles: readonly number[], diagram: Diagram = this.#picture.diagram): Float64Array {
+  /** The outlines of cells, as fine as what is looked at needs (`replay`). */
+  readonly outlineOf = (circles: readonly number[], diagram: Diagram = this.picture.diagram): Float64Array => {
     if (this.#look === undefined) return new Float64Array()
     const { grid, wanted } = this.#look
     const tolerance = toleranceOf(grid)
-    const { clip } = this.#picture
+    const { clip } = this.picture
     if (clip !== undefined) return commandsOf((context) => clip.drawCells(context, diagram, circles, tolerance))
     const options = { bounds: regionOf(frameOf(grid, wanted)), tolerance }
     return commandsOf((context) => {

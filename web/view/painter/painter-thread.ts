@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { CircleVoronoiError, postedError, reasonOf } from '../../lib/base/errors.ts'
-import type { CircleVoronoi, Comparison } from '../../lib/index.ts'
+import { loadedOnce } from '../../lib/base/loaded-once.ts'
+import { loadComparison } from '../../lib/wasm/comparison.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import { circleVoronoiOf } from '../../lib/wasm/library.ts'
+import { loadRegions } from '../../lib/wasm/load-regions.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
-import { withModules } from '../../lib/wasm/with-modules.ts'
-import type { DomainChange, FromPainter, Patch, Questions, ToPainter } from '../protocol.ts'
-import { CanvasDrawing, SvgDrawing } from './drawing.ts'
+import type { DomainChange, FromPainter, Patch, ToPainter } from '../protocol.ts'
+import { answers, type Steps } from './answers.ts'
 import { PaintedScene } from './painted-scene.ts'
 
 /** How long the thread paints before it listens again, in milliseconds. */
@@ -19,8 +21,8 @@ const port = globalThis as unknown as {
   postMessage(message: FromPainter, transfer?: Transferable[]): void
 }
 
-let begin: (library: CircleVoronoi | Promise<CircleVoronoi>) => void
-const library = new Promise<CircleVoronoi>((resolve) => {
+let begin: (library: ComputingLibrary | Promise<ComputingLibrary>) => void
+const library = new Promise<ComputingLibrary>((resolve) => {
   begin = resolve
 })
 const scenes = new Map<number, PaintedScene>()
@@ -31,8 +33,8 @@ interface Measuring {
   steps: Generator<void, FromPainter>
 }
 let measuring: Measuring[] = []
-let comparison: Promise<Comparison> | undefined
-let regions: Promise<Regions> | undefined
+const comparison = loadedOnce(async () => loadComparison(await library, {}))
+const regions = loadedOnce(() => loadRegions({}))
 let rest: ReturnType<typeof setTimeout> | undefined
 let isPainting = false
 /** Lets messages that have arrived be heard before more is painted. */
@@ -44,7 +46,7 @@ export function answerViews(): void {
   // One after the other, though the first ones wait for the library.
   let last: Promise<void> = Promise.resolve()
   port.onmessage = ({ data }) => {
-    if (data.kind === 'start') begin(circleVoronoiOf(data.module).then(withModules))
+    if (data.kind === 'start') begin(circleVoronoiOf(data.module))
     else last = last.then(() => answer(data)).catch((error) => post({ kind: 'failed', message: reasonOf(error) }))
   }
 }
@@ -132,49 +134,7 @@ async function answer(message: Exclude<ToPainter, { kind: 'start' }>): Promise<v
 /** What clips and fits, loaded once it is needed. */
 async function regionsFor({ region, fit }: DomainChange): Promise<Regions | undefined> {
   if ((region ?? undefined) === undefined && fit === undefined) return undefined
-  regions ??= (await library).loadRegions()
-  try {
-    return await regions
-  } catch (error) {
-    // It may be there the next time.
-    regions = undefined
-    throw error
-  }
-}
-
-/** What takes long is answered in steps. */
-type Steps<Value> = () => Generator<void, Value>
-type Answers = {
-  readonly [Name in keyof Questions]: (
-    scene: PaintedScene,
-    ...args: Parameters<Questions[Name]>
-  ) => ReturnType<Questions[Name]> | Steps<ReturnType<Questions[Name]>>
-}
-
-const answers: Answers = {
-  hit: (scene, x, y, slack) => scene.hit(x, y, slack),
-  touch: (scene, x, y, slack) => scene.touch(x, y, slack),
-  try: (scene, circle) => scene.try(circle),
-  svg: (scene, ...given) =>
-    drawn(() => {
-      const drawing = new SvgDrawing()
-      scene.draw(drawing, ...given)
-      return String(drawing)
-    }),
-  image: (scene, frame, ...given) =>
-    drawn(() => {
-      const canvas = new OffscreenCanvas(frame.width, frame.height)
-      const context = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D
-      scene.draw(new CanvasDrawing(context), frame, ...given)
-      return canvas.transferToImageBitmap()
-    }),
-  legend: (scene) => scene.legend,
-  measure: (scene) => () => scene.measure(),
-  tabulate: (scene, columns, ids) =>
-    ids === undefined ? () => scene.tabulateAll(columns) : scene.tabulate(columns, ids),
-  tell: (scene, ids) => scene.tell(ids),
-  compute: (scene, options) => scene.compute(options),
-  trace: (scene, options) => scene.trace(options),
+  return regions()
 }
 
 function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, { kind: 'ask' }>): void {
@@ -189,16 +149,7 @@ function reply(scene: PaintedScene, { request, name, args }: Extract<ToPainter, 
     })
   } catch (error) {
     if (!(error instanceof CircleVoronoiError)) throw error
-    post({ kind: 'noAnswer', request, error: postedError(error) })
-  }
-}
-
-/** `undefined`: it is too large for a canvas, or for the memory; other scenes go on. */
-function drawn<Drawn>(draw: () => Drawn): Drawn | undefined {
-  try {
-    return draw()
-  } catch {
-    return undefined
+    post({ kind: 'answer', request, error: postedError(error) })
   }
 }
 
@@ -285,13 +236,9 @@ async function findAll(): Promise<void> {
     }
     if (scene.isAnythingToFind) post({ kind: 'found', scene: number, found: scene.find() })
     if (!scene.isPowerMissing) continue
-    comparison ??= (await library).loadComparison()
-    const loaded = await comparison.catch(() => undefined)
-    if (loaded === undefined) {
-      // What cannot be loaded is not drawn; it may be there the next time.
-      comparison = undefined
-      continue
-    }
+    const loaded = await comparison().catch(() => undefined)
+    // What cannot be loaded is not drawn; it may be there the next time.
+    if (loaded === undefined) continue
     // Meanwhile it may have been closed, or changed.
     if (scenes.get(number) !== scene || !scene.isPowerMissing) continue
     scene.addPower(loaded)

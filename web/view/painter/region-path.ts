@@ -4,6 +4,7 @@ import type { PathSink } from '../../lib/index.ts'
 import type { Region } from '../../lib/regions/region.ts'
 import type { Frame } from './frame.ts'
 import { FrameSink } from './frame-sink.ts'
+import { addPolygon, addRectangle } from './polygon-path.ts'
 import { addSegment } from './segment-path.ts'
 
 /** So far outside the frame, in pixels, rings are cut off: what is seen stays, and numbers stay small. */
@@ -23,13 +24,13 @@ export function partShown(frame: Frame, region: Region): 'border' | 'inside' | '
 /** Adds what a frame shows of the inside of a region. */
 export function addInside(path: PathSink, frame: Frame, region: Region): void {
   const sides = sidesOf(frame)
-  for (const ring of ringsOf(frame, region)) addRing(path, sides.reduce(cut, ring))
+  for (const ring of ringsOf(frame, region)) addPolygon(path, sides.reduce(cut, ring))
 }
 
 /** Adds what a frame shows of the outside: a rectangle that runs against the outer rings. */
 export function addOutside(path: PathSink, frame: Frame, region: Region): void {
   const [right, bottom] = [frame.width + MARGIN, frame.height + MARGIN]
-  addRing(path, Float64Array.of(-MARGIN, -MARGIN, right, -MARGIN, right, bottom, -MARGIN, bottom))
+  addRectangle(path, -MARGIN, -MARGIN, right, bottom)
   addInside(path, frame, region)
 }
 
@@ -92,14 +93,6 @@ function cut(ring: Float64Array, { axis, sign, most }: Side): Float64Array {
     last = k
   }
   return Float64Array.from(kept)
-}
-
-function addRing(path: PathSink, ring: Float64Array): void {
-  for (let k = 0; k < ring.length; k += 2) {
-    if (k === 0) path.moveTo(at(ring, 0), at(ring, 1))
-    else path.lineTo(at(ring, k), at(ring, k + 1))
-  }
-  if (ring.length > 0) path.closePath()
 }
 
 const NO_PATH: PathSink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, arc() {}, closePath() {} }

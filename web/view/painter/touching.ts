@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at, NONE } from '../../lib/base/diagram-data.ts'
+import { at, circleOf, NONE } from '../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../lib/base/scale.ts'
-import { parameterAt, pointAt } from '../../lib/curves/bisector.ts'
-import { edgeCurve } from '../../lib/curves/curve.ts'
-import { circleAt, type Diagram, type Point, type Vertex } from '../../lib/index.ts'
+import { parameterOf, pointOf } from '../../lib/curves/bisector.ts'
+import { curveOf } from '../../lib/curves/curve.ts'
+import type { Diagram, Point, Vertex } from '../../lib/index.ts'
 import type { Touching } from '../protocol.ts'
 
 /** The disc around the vertex, or else the point of an edge, nearest to (x, y), of the cells of some circles. */
@@ -32,20 +32,20 @@ export function touchingNear(
     return touching(diagram, disc, [...vertexCircles.subarray(3 * vertex, 3 * vertex + 3)])
   }
   for (const side of sides) {
-    const { bisector, from, to } = edgeCurve(diagram, side >> 1)
-    const point = pointAt(bisector, Math.min(Math.max(parameterAt(bisector, x, y), from), to))
+    const { bisector, from, to } = curveOf(diagram, side >> 1)
+    const point = pointOf(bisector, Math.min(Math.max(parameterOf(bisector, x, y), from), to))
     const distance = hypotenuse(point.x - x, point.y - y)
     if (distance < nearest) [nearest, edge, place] = [distance, side >> 1, point]
   }
   if (edge === NONE) return undefined
-  const left = circleAt(diagram.circles, at(edges, 4 * edge))
+  const left = circleOf(diagram.circles, at(edges, 4 * edge))
   const r = hypotenuse(place.x - left.x, place.y - left.y) - left.r
   return touching(diagram, { ...place, r }, [at(edges, 4 * edge), at(edges, 4 * edge + 1)])
 }
 
 /** The largest disc around a point that meets no circle: it touches the nearest one. `undefined`: the point is inside that. */
 export function touchingAround(diagram: Diagram, nearest: number, x: number, y: number): Touching | undefined {
-  const circle = circleAt(diagram.circles, nearest)
+  const circle = circleOf(diagram.circles, nearest)
   const r = hypotenuse(x - circle.x, y - circle.y) - circle.r
   return r > 0 ? touching(diagram, { x, y, r }, [nearest]) : undefined
 }
@@ -53,7 +53,7 @@ export function touchingAround(diagram: Diagram, nearest: number, x: number, y: 
 /** A disc and where it touches circles. */
 export function touching(diagram: Diagram, disc: Vertex, circles: readonly number[]): Touching {
   const points = circles.map((i) => {
-    const { x, y, r } = circleAt(diagram.circles, i)
+    const { x, y, r } = circleOf(diagram.circles, i)
     const [dx, dy] = [disc.x - x, disc.y - y]
     const distance = hypotenuse(dx, dy)
     return distance === 0 ? { x: x + r, y } : { x: x + (r * dx) / distance, y: y + (r * dy) / distance }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at } from '../../lib/base/diagram-data.ts'
 import { CircleVoronoiError } from '../../lib/base/errors.ts'
-import type { CircleVoronoi, Diagram, Edit } from '../../lib/index.ts'
+import type { Diagram, Edit } from '../../lib/index.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import type { TraceOptions } from '../../lib/wasm/trace.ts'
 import { MOST_PLAYED } from '../layers.ts'
 import type { Traced } from '../protocol.ts'
@@ -12,7 +13,7 @@ import { wholeNumber } from '../whole-number.ts'
  *
  * @throws CircleVoronoiError as `trace`; `tooManyCircles`
  */
-export function traced(library: CircleVoronoi, { circles, numbers }: Diagram, options: TraceOptions): Traced {
+export function traced(library: ComputingLibrary, { circles, numbers }: Diagram, options: TraceOptions): Traced {
   const count = circles.length / 3
   if (count > MOST_PLAYED) {
     const reason = `A method is played for ${wholeNumber(MOST_PLAYED)} circles at most; there are ${wholeNumber(count)}.`

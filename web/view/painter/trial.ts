@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { at, NONE } from '../../lib/base/diagram-data.ts'
-import type { Box, Circle, CircleVoronoi, Diagram } from '../../lib/index.ts'
+import type { Box, Circle, Diagram } from '../../lib/index.ts'
+import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import type { Trial } from '../protocol.ts'
 import { boxAt, emptyBoxes } from './boxes.ts'
 import { addCell, idOf } from './cell-boxes.ts'
@@ -18,7 +19,7 @@ interface Local {
 
 /** What a circle would take of the cells of others. The diagram stays as it is. */
 export function trialOf(
-  library: CircleVoronoi,
+  library: ComputingLibrary,
   picture: Picture,
   circle: Circle,
   nearest: number,
@@ -54,7 +55,7 @@ export function trialOf(
  * here, its cell was the one that it has among all: for a cell depends on its neighbors alone. So what is taken here is taken
  * there, and as nothing else is, the cell is the same.
  */
-function localDiagram(library: CircleVoronoi, whole: Diagram, { x, y, r }: Circle, nearest: number): Local {
+function localDiagram(library: ComputingLibrary, whole: Diagram, { x, y, r }: Circle, nearest: number): Local {
   const indices: number[] = []
   const known = new Set<number>()
   const take = (i: number) => {

@@ -5,6 +5,7 @@ import type { PathSink } from '../../../lib/index.ts'
 import { DOT_RADIUS, isSeen } from '../../style.ts'
 import { addDisc } from '../disc-path.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
+import { addRectangle } from '../polygon-path.ts'
 
 /** Circles that are too small to be seen become dots where cells are so wide, in pixels, and specks where they are not. */
 const CELL_WITH_DOTS = [4, 8] as const
@@ -94,7 +95,7 @@ function madePaths(painting: Painting): Paths {
   const addSpeck = (color: number, x: number, y: number, half: number) => {
     const own = speckPaths.get(color) ?? { path: painting.drawing.path(), count: 0 }
     if (own.count === 0) specks.push([color, own.path])
-    addSquare(own.path, x, y, half)
+    addRectangle(own.path, x - half, y - half, x + half, y + half)
     own.count += 1
     if (own.count < SPECKS_PER_PATH) speckPaths.set(color, own)
     else speckPaths.delete(color)
@@ -120,12 +121,4 @@ function madePaths(painting: Painting): Paths {
   // What overlaps does so in one way, whichever part of the picture is painted.
   const byColor = <Path>(paths: Iterable<readonly [number, Path]>) => [...paths].sort(([one], [other]) => one - other)
   return { discs: byColor(discs), dots: byColor(dots), specks: byColor(specks), hidden }
-}
-
-function addSquare(path: PathSink, x: number, y: number, half: number): void {
-  path.moveTo(x - half, y - half)
-  path.lineTo(x + half, y - half)
-  path.lineTo(x + half, y + half)
-  path.lineTo(x - half, y + half)
-  path.closePath()
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import { at } from '../../../lib/base/diagram-data.ts'
+import { at, circleOf } from '../../../lib/base/diagram-data.ts'
 import { hypotenuse } from '../../../lib/base/scale.ts'
 import { drawEdge } from '../../../lib/drawing/draw.ts'
-import { circleAt, type Diagram, type PathSink } from '../../../lib/index.ts'
+import type { Diagram, PathSink } from '../../../lib/index.ts'
 import { keptParts } from '../../../lib/regions/cell-limits.ts'
 import type { FrameSink } from '../frame-sink.ts'
 import { type Layer, type Painting, shareOf } from '../painting.ts'
@@ -117,7 +117,7 @@ function strokeGhost(painting: Painting, diagram: Diagram, circles: readonly num
 
 /** The line that an edge lies on: a point between the centers, and a direction, the same for either order of the two. */
 function lineOf({ circles, edges }: Diagram, e: number): { x: number; y: number; dx: number; dy: number } {
-  const [one, other] = [circleAt(circles, at(edges, 4 * e)), circleAt(circles, at(edges, 4 * e + 1))]
+  const [one, other] = [circleOf(circles, at(edges, 4 * e)), circleOf(circles, at(edges, 4 * e + 1))]
   const isAscending = one.x < other.x || (one.x === other.x && one.y < other.y)
   const [p, q] = isAscending ? [one, other] : [other, one]
   const [x, y] = [q.x - p.x, q.y - p.y]

@@ -11,9 +11,7 @@ export const BIN = join(ROOT, 'node_modules/.bin')
 
 /** An empty project outside the repository into which the packed package is installed, without a network. */
 export class Project {
-  readonly folder: string
-  readonly tarball: string
-  readonly #parent: string
+  #parent
 
   constructor() {
     this.#parent = mkdtempSync(join(tmpdir(), 'circle-voronoi-'))
@@ -22,35 +20,35 @@ export class Project {
     for (const folder of [this.folder, packed]) mkdirSync(folder)
     // What `npm pack` would build first is built: the tests' builds are up to date by then.
     execFileSync('npm', ['pack', '--silent', '--ignore-scripts', '--pack-destination', packed], { cwd: ROOT })
-    this.tarball = join(packed, readdirSync(packed)[0] as string)
+    this.tarball = join(packed, readdirSync(packed)[0])
     writeFileSync(join(this.folder, 'package.json'), JSON.stringify({ private: true, type: 'module' }))
     const install = ['install', '--silent', '--offline', '--no-audit', '--no-fund']
     execFileSync('npm', [...install, this.tarball], { cwd: this.folder })
     cpSync(new URL('consumer', import.meta.url), this.folder, { recursive: true })
   }
 
-  path(name: string): string {
+  path(name) {
     return join(this.folder, name)
   }
 
-  write(name: string, text: string): void {
+  write(name, text) {
     writeFileSync(this.path(name), text)
   }
 
   /** As `run`, in its folder. */
-  run(program: string, ...args: string[]): string {
+  run(program, ...args) {
     return run(this.folder, program, ...args)
   }
 
-  remove(): void {
+  remove() {
     rmSync(this.#parent, { recursive: true, force: true })
   }
 }
 
 /** What a program prints; throws with that if the program fails. */
-export function run(folder: string, program: string, ...args: string[]): string {
-  // Playwright asks for colors, which are not for comparing.
-  const env = { ...process.env, FORCE_COLOR: '0' }
+export function run(folder, program, ...args) {
+  // Playwright asks for colors, which are not for comparing; and Node's runner tells its children to report to it.
+  const env = { ...process.env, FORCE_COLOR: '0', NODE_TEST_CONTEXT: undefined }
   const { status, error, stdout, stderr } = spawnSync(program, args, { cwd: folder, env, encoding: 'utf8' })
   if (status === 0) return stdout
   throw new Error(`${program} ${args.join(' ')} failed: ${error?.message ?? status}\n${stdout}${stderr}`)

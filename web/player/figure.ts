@@ -3,7 +3,7 @@ import { editView } from '../editing/edited-view.ts'
 import type { Editing, Outcome } from '../editing/editing.ts'
 import type { EditorActions, Opened } from '../editing/editor-actions.ts'
 import { type KeyActions, listenToKeyboard } from '../editing/keyboard.ts'
-import { problemOf } from '../editing/problem.ts'
+import { type ProblemWords, problemOf } from '../editing/problem.ts'
 import { mountSaid } from '../editing/said.ts'
 import type { State } from '../editing/state.ts'
 import type { Store } from '../editing/store.ts'
@@ -11,13 +11,13 @@ import type { Point } from '../lib/index.ts'
 import type { LinkState } from '../lib/link.ts'
 import type { LoadOptions } from '../lib/wasm/load-options.ts'
 import type { TraceOptions } from '../lib/wasm/trace.ts'
-import { Stepping } from '../player/stepping.ts'
 import type { Domain } from '../view/domain.ts'
 import { layersFrom } from '../view/layers.ts'
 import { mount } from '../view/mount.ts'
 import { type Listening, listenToPointer } from '../view/pointer.ts'
 import type { View } from '../view/view.ts'
-import type { Words } from './words.ts'
+import { Stepping } from './stepping.ts'
+import type { PlayerWords } from './words.ts'
 
 /** Where a figure is. */
 export interface Places {
@@ -46,8 +46,8 @@ export interface FigureOptions<Actions extends EditorActions> {
   /** What is played. `method`: that of a link. */
   played(method: string | undefined): TraceOptions
   onstep?(step: number, steps: number): void
-  /** What it says. Default: English. */
-  words?(): Words
+  /** What it says in another language than English. */
+  words?(): { readonly refusals: ProblemWords; readonly player: PlayerWords } | undefined
 }
 
 /** A view with circles that are edited by pointer and keys, and whose method can be played. */
@@ -60,7 +60,6 @@ export class Figure<Actions extends EditorActions = EditorActions> {
   readonly #listening: Listening
   readonly #figure: HTMLElement
   readonly #keys = new AbortController()
-  #isShown = true
   #refused: Error | undefined
 
   constructor({ figure, around, player, said }: Places, options: FigureOptions<Actions>) {
@@ -69,7 +68,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
     const { store, editing } = editView(view, onoutcome, (error) => {
       // What was asked of a figure that goes is not missed.
       if (this.#keys.signal.aborted) return
-      const problem = problemOf(error, editing.scene !== undefined, words?.().others?.refusals)
+      const problem = problemOf(error, editing.scene !== undefined, words?.()?.refusals)
       store.update((state) => ({ ...state, problem }))
       this.#refused = error
       onproblem?.(error)
@@ -87,7 +86,7 @@ export class Figure<Actions extends EditorActions = EditorActions> {
       actions,
       options: played,
       onstep,
-      words: () => words?.().others?.player,
+      words: () => words?.()?.player,
       onproblem,
     })
 
@@ -147,27 +146,15 @@ export class Figure<Actions extends EditorActions = EditorActions> {
     return error === this.#refused
   }
 
-  /** Whether it has pixels. */
-  set isShown(isShown: boolean) {
-    this.#isShown = isShown
-    this.view.isShown = isShown
-  }
-
   /** The step of the method that is shown, if it is played. */
   get step(): number | undefined {
     return this.store.get().step
   }
 
-  /** Has all drawn in the colors that there are now. */
-  restyle(): void {
-    this.view.restyle()
-    this.stepping.restyle()
-  }
-
   /** Ends once there is nothing left to be painted. */
   whenPainted(): Promise<void> {
     return new Promise((resolve) => {
-      const isPainted = () => !this.#isShown || this.view.size.width === 0 || this.#figure.ariaBusy === 'false'
+      const isPainted = () => !this.view.isShown || this.view.size.width === 0 || this.#figure.ariaBusy === 'false'
       const observer = new MutationObserver(() => {
         if (!isPainted()) return
         observer.disconnect()

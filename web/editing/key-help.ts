@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** The name of keys, and what they do. */
+export type KeyRow = readonly [keys: string, action: string]
+
+/** The keys of a figure (`keyboard.ts`) in one language. */
+export interface KeyHelp {
+  readonly select: Readonly<Record<'one' | 'next' | 'neighbor' | 'all' | 'zoom', KeyRow>>
+  readonly edit: Readonly<Record<'add' | 'move' | 'resize' | 'remove' | 'duplicate' | 'undo' | 'snap', KeyRow>>
+  readonly look: Readonly<Record<'pan' | 'zoom' | 'fit', KeyRow>>
+  /** Introduces `look` where the same keys edit a selection. */
+  readonly withoutSelection: string
+}
+
+export const ENGLISH_KEYS: KeyHelp = {
+  select: {
+    one: ['Enter', 'select a circle'],
+    next: ['Tab, Shift + Tab', 'the next one, the one before'],
+    neighbor: ['Ctrl + arrows', 'the neighbor on that side'],
+    all: ['Ctrl + A, Escape', 'all, none'],
+    zoom: ['F', 'zoom to the selection'],
+  },
+  edit: {
+    add: ['N', 'add a circle in the middle of the picture'],
+    move: ['arrows', 'move the selection: Shift for larger steps, Alt for smaller ones'],
+    resize: ['+ −', 'resize the selection, with the same steps'],
+    remove: ['Delete', 'delete the selection'],
+    duplicate: ['Ctrl + D', 'duplicate the selection'],
+    undo: ['Ctrl + Z, Ctrl + Shift + Z', 'undo, redo'],
+    snap: ['S', 'snapping on or off'],
+  },
+  look: {
+    pan: ['arrows', 'pan'],
+    zoom: ['+ −', 'zoom'],
+    fit: ['0', 'show everything; again: leave out what lies far outside'],
+  },
+  withoutSelection: 'Without a selection:',
+}
+
+/** All keys as text for screen readers. `more`: keys that only the page has. */
+export function spokenKeys(help: KeyHelp, isReadonly: boolean, more: readonly KeyRow[] = []): string {
+  const { select, edit, look, withoutSelection } = help
+  const sentences = (rows: readonly KeyRow[]) => rows.map(([keys, action]) => `${keys}: ${action}.`)
+  return [
+    ...sentences(Object.values(select)),
+    ...(isReadonly ? [] : [...sentences(Object.values(edit)), ...sentences(more), withoutSelection]),
+    ...sentences(Object.values(look)),
+  ].join(' ')
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The icons of the page, the element and the player, as paths in 20 by 20 units.
+
+const RING = 'M3 10a7 7 0 1 0 14 0a7 7 0 1 0-14 0'
+
+export const ADD = `${RING}M10 7v6M7 10h6`
+export const AGAIN = 'M16 5v4h-4M4 15v-4h4M15.4 9A6 6 0 0 0 5 6.2M4.6 11A6 6 0 0 0 15 13.8'
+export const ASK = 'M7 7a3 3 0 1 1 4 3c-1 .6-1 1.2-1 2.5M10 16v.1'
+export const BIN = 'M4 6h12M8 6V4h4v2M6 6l.7 10h6.6L14 6'
+export const CHAIN = 'M8 12l4-4M7 9l-2 2a2.8 2.8 0 0 0 4 4l2-2M13 11l2-2a2.8 2.8 0 0 0-4-4L9 7'
+export const CLOSE = 'm6 6 8 8M14 6l-8 8'
+export const CODE = 'm7 6-4 4 4 4M13 6l4 4-4 4'
+export const DICE =
+  'M6 4h8a2 2 0 0 1 2 2v8a2 2 0 0 1-2 2H6a2 2 0 0 1-2-2V6a2 2 0 0 1 2-2ZM7.5 7.5v.1M12.5 7.5v.1M10 10v.1M7.5 12.5v.1M12.5 12.5v.1'
+export const DOTS = 'M4.5 10h.1M10 10h.1M15.5 10h.1'
+export const DOWN = 'M10 4v8m-3-3 3 3 3-3M4 16h12'
+export const FIT = 'M4 8V4h4M12 4h4v4M16 12v4h-4M8 16H4v-4'
+export const FOLDER = 'M3 6v9h14V7h-7L8 5H3Z'
+export const GENERATE = 'M3 13a4 4 0 1 0 8 0a4 4 0 1 0-8 0M12 6a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0-5 0M5 3v5M2.5 5.5h5'
+export const HELP = 'M7.5 8a2.5 2.5 0 1 1 3.7 2.2c-.8.4-1.2.9-1.2 1.8M10 14.5v.1'
+export const LAYERS = 'm10 3 7 4-7 4-7-4zM3 10.5l7 4 7-4M3 14l7 4 7-4'
+export const METHOD = 'M4.5 4v12l8-6zM16 4v12'
+export const MINUS = 'M5 10h10'
+export const MOTION = 'M10 7a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0M2 16c2-6 4.5-6 6 0M8 16c.7-3 2-4 3.5-4'
+export const NEXT = 'M4 4l6 6-6 6M10 4l6 6-6 6'
+export const NUMBERS = 'M4 16V9M8 16V4M12 16v-5M16 16v-8M2 16h16'
+export const PAN = 'M10 3v14M3 10h14M8 5l2-2 2 2M8 15l2 2 2-2M5 8l-2 2 2 2M15 8l2 2-2 2'
+export const PAUSE = 'M7 4v12M13 4v12'
+export const PEN = 'm4 16 1-4 8.5-8.5 3 3L8 15zM11.5 5.5l3 3'
+export const PLUS = 'M10 5v10M5 10h10'
+export const PREVIOUS = 'M10 4l-6 6 6 6M16 4l-6 6 6 6'
+export const REDO = 'm13 4 3.5 3.5L13 11M16 7.5H8.5a4 4 0 0 0 0 8H12'
+export const REGION = 'm4 8 6-5 7 4-2 8-9 2zM8 9.5l4-.5-.5 3.5z'
+export const REMOVE = `${RING}M7 10h6`
+export const SELECT = 'm5 3 11 6-5 1.5L8.5 16Z'
+export const TABLE = 'M3 4.5h14v11H3zM3 8.5h14M3 12h14M8 4.5v11'
+export const UNDO = 'M7 4 3.5 7.5 7 11M4 7.5h7.5a4 4 0 0 1 0 8H8'
+
+// These are filled.
+export const BACK = 'M6 4v12M15 4l-7 6 7 6z'
+export const DOT = 'M5.5 10a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0'
+export const FORTH = 'M14 4v12M5 4l7 6-7 6z'
+export const PLAY = 'M6 4l10 6-10 6z'
