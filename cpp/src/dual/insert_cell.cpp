@@ -104,10 +104,15 @@ CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   const int t = dual_.twin[h];
   const int d = dual_.origin[Dual::previous(t)];
   if (b == kPointAtInfinity) {
-    const bool hasStart = predicates_.tangentSide(a, d, i) > 0;
-    const bool hasEnd = predicates_.tangentSide(c, a, i) > 0;
-    const bool isWithin = turns(a, discAt(t), faceDisc({a, i, kPointAtInfinity}), discAt(h)) > 0;
-    return {hasStart || hasEnd || isWithin, hasStart, hasEnd && !hasStart};
+    const int start = predicates_.tangentSide(a, d, i);
+    const int end = predicates_.tangentSide(c, a, i);
+    if (start > 0 || end > 0) return {true, start > 0, start <= 0};
+    // What touches a tangent line at the end of a's arc of the hull reaches beyond the arc if a touches the line between.
+    const auto isBeyond = [&](int neighbor) { return exact::touchesBetween(circle(neighbor), circle(i), circle(a)); };
+    const bool isCut = start == 0 || end == 0
+                           ? (start < 0 || isBeyond(d)) && (end < 0 || isBeyond(c))
+                           : turns(a, discAt(t), faceDisc({a, i, kPointAtInfinity}), discAt(h)) > 0;
+    return {isCut, false, false};
   }
   // The edge goes from the disc of t to that of h. On its bisector the cell of i begins at `enter`, ends at `leave`.
   const Disc enter = faceDisc({a, b, i});
