@@ -187,10 +187,13 @@ bool CellInserter::isHullLost(const Link& link) const {
   const int from = isOutgoing ? dual_.origin[link.h] : dual_.target(link.h);
   const int sign = turns(from, border, beyond, link.near);
   if (sign != 0) return isOutgoing ? sign > 0 : sign < 0;
-  // Two are the same. If the old ones are, the new cell has both.
-  const auto u = predicates_.direction(from, beyond.disc);
-  const auto v = predicates_.direction(from, link.near.disc);
-  return turn(from, beyond, link.near) == 0 && turn(from, border, beyond) != 0 && u.x * v.x + u.y * v.y > 0;
+  // Two are the same, unless two are opposite. If the old ones are the same, the new cell has both.
+  const auto isSame = [&](const Disc& first, const Disc& second) {
+    const auto u = predicates_.direction(from, first.disc);
+    const auto v = predicates_.direction(from, second.disc);
+    return turn(from, first, second) == 0 && u.x * v.x + u.y * v.y > 0;
+  };
+  return isSame(beyond, link.near) && !isSame(border, beyond);
 }
 
 int CellInserter::turns(int from, const Disc& first, const Disc& second, const Disc& third) const {
