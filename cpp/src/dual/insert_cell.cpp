@@ -107,10 +107,10 @@ CellInserter::Cut CellInserter::cutOf(int h, int i) const {
     const int start = predicates_.tangentSide(a, d, i);
     const int end = predicates_.tangentSide(c, a, i);
     if (start > 0 || end > 0) return {true, start > 0, start <= 0};
-    // What touches a tangent line at the end of a's arc of the hull reaches beyond the arc if a touches the line between.
-    const auto isBeyond = [&](int neighbor) { return exact::touchesBetween(circle(neighbor), circle(i), circle(a)); };
+    // Circle i may touch a tangent line at an end of the arc that a has of the hull. It reaches beyond the arc if a
+    // touches the line between the neighbor and i.
     const bool isCut = start == 0 || end == 0
-                           ? (start < 0 || isBeyond(d)) && (end < 0 || isBeyond(c))
+                           ? (start < 0 || touchesBetween(d, i, a)) && (end < 0 || touchesBetween(c, i, a))
                            : turns(a, discAt(t), faceDisc({a, i, kPointAtInfinity}), discAt(h)) > 0;
     return {isCut, false, false};
   }
@@ -122,7 +122,7 @@ CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   if (!leave.disc.exists && !enter.disc.exists) {
     const int side = predicates_.tangentSide(a, b, i);
     // All circles on one tangent line: far out along the edge, the one that touches it in the middle is nearest.
-    return {side > 0 || (side == 0 && exact::touchesBetween(circle(a), circle(b), circle(i))), false, false};
+    return {side > 0 || (side == 0 && touchesBetween(a, b, i)), false, false};
   }
   if (!leave.disc.exists || !enter.disc.exists) return {hasStart || hasEnd, false, false};
   if (orderAlongEdge(a, b, enter, leave) >= 0) return {hasStart && hasEnd, false, false};
