@@ -45,8 +45,8 @@ const std::vector<WayCase> kWays = {{Way::flip, {{0, 0, 1}, {10, 0, 4}, {4, 8, 2
                                       {3.281026540056043e-56, 1.749880821363223e-56, 2.7341887833800361e-56},
                                       {2.1873510267040287e-56, -2.2967185780392301e-56, 3.281026540056043e-56}},
                                      0},
-                                    // Insertion in any order goes wrong, whole and in a patch.
-                                    {Way::apolloniusGraph,
+                                    // All but the first touch it from inside; three touch one another in one point.
+                                    {Way::insert,
                                      {{0, 0, 5.9387630162789081e-113},
                                       {-3.0717739739373661e-113, -1.6382794527665954e-113, 2.5598116449478053e-113},
                                       {-4.300483563512313e-113, 4.0956986319164883e-113, 0},

@@ -25,9 +25,9 @@ std::vector<Circle> visibleCircles(const std::vector<Circle>& circles) {
 }
 
 /// Whether insertion, and the flips that follow it, lead to the right dual.
-bool isInsertedRightly(const std::vector<Circle>& circles) {
+bool isInsertedRightly(const std::vector<Circle>& circles, std::uint64_t seed = 0) {
   Predicates predicates(circles);
-  auto inserted = insertAll(circles, predicates);
+  auto inserted = insertAll(circles, predicates, seed);
   if (!inserted) return false;
   FaceDiscs discs(circles, inserted->dual, predicates);
   flip(inserted->dual, discs);
@@ -100,6 +100,24 @@ TEST(Insert, FindsTheEdgeThatACellCutsWhereDistancesLookEqual) {
   for (int trial = 0; trial < 20; ++trial) {
     EXPECT_TRUE(isInsertedRightly(visibleCircles(atPowersOfTwo(200, random)))) << "seed " << seed;
   }
+}
+
+/// Enough for most orders of a few circles.
+constexpr std::uint64_t kSeeds = 50;
+
+TEST(Insert, PutsACircleBetweenTwoThatItTouchesInOnePoint) {
+  // All three touch both common tangent lines. The point lies outside the first circle by less than rounding shows.
+  const Circle outer = {0, 0, 0x1.247fbc97ed6ccp+4};
+  const Circle point = {0x1.a79e83e4dc454p+3, 0x1.9372653b7c72bp+3, 0};
+  const Circle middle = {point.x / 2, point.y / 2, outer.r / 2};
+  const std::vector<Circle> circles = visibleCircles({outer, point, middle});
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) EXPECT_TRUE(isInsertedRightly(circles, seed)) << seed;
+}
+
+TEST(Insert, IsRightInEachOrderWherePointsLieOnATangentLineOfCirclesOnBothSides) {
+  // As long as one of the circles is missing, the points of the line have a part of the hull.
+  const std::vector<Circle> circles = visibleCircles({{1, -2, 2}, {-2, 0, 0}, {-1, 0, 0}, {0, 1, 1}, {3, 0, 0}});
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) EXPECT_TRUE(isInsertedRightly(circles, seed)) << seed;
 }
 
 TEST(Insert, TheLeadOfANearerCircleIsRightWhereDistancesLookEqual) {

@@ -85,7 +85,7 @@ TEST(Index, IsAKeyOfHashTables) {
 TEST(Method, NamesAreThoseOfTheValues) {
   EXPECT_EQ(methodName(Method::automatic), "auto");
   EXPECT_EQ(candidatesName(Candidates::allPairs), "all-pairs");
-  EXPECT_EQ(wayName(Way::apolloniusGraph), "apollonius-graph");
+  EXPECT_EQ(wayName(Way::touchingDisc), "touching-disc");
   const auto expectAll = [](auto name, auto fromName, auto last) {
     int i = 0;
     for (; !name(static_cast<decltype(last)>(i)).empty(); ++i) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The tests of the certificate and what it rests on, and of the promise that every result is certified.
 add_executable(circle_voronoi_proof_tests
+  apollonius.cpp
   arithmetic_test.cpp
   automatic_test.cpp
   certificate_mutation_test.cpp

@@ -83,7 +83,7 @@ std::string WayTable::text() const {
   std::ostringstream table;
   table << "| family | trials |";
   for (const auto way : kWays) table << ' ' << way << " |";
-  table << " problems |\n|---|---|---|---|---|---|---|\n";
+  table << " problems |\n|---|---|---|---|---|---|\n";
   for (const Row& row : rows_) {
     table << "| " << row.family << " | " << row.trials << " |";
     for (const int count : row.ways) table << ' ' << count << " |";

@@ -44,7 +44,7 @@ class WayTable {
   int problems() const;
 
  private:
-  static constexpr std::string_view kWays[] = {"flip", "repair", "insert", "touching-disc", "apollonius-graph"};
+  static constexpr std::string_view kWays[] = {"flip", "repair", "insert", "touching-disc"};
   struct Row {
     std::string family;
     int ways[std::size(kWays)] = {};

@@ -32,7 +32,6 @@ const WAYS: Record<Way, true> = {
   flip: true,
   repair: true,
   insert: true,
-  'apollonius-graph': true,
   'touching-disc': true,
   edit: true,
 }

@@ -24,12 +24,11 @@ enum class Candidates {
 
 /// The construction that made a diagram.
 enum class Way {
-  flip,             ///< edge flips
-  repair,           ///< edge flips, and local diagrams where flips did not suffice
-  insert,           ///< insertion, circle by circle
-  apolloniusGraph,  ///< CGAL's Apollonius graph
-  touchingDisc,     ///< the touching disc method
-  edit,             ///< a DiagramEditor
+  flip,          ///< edge flips
+  repair,        ///< edge flips, and local diagrams where flips did not suffice
+  insert,        ///< insertion, circle by circle
+  touchingDisc,  ///< the touching disc method
+  edit,          ///< a DiagramEditor
 };
 
 // The names of these values in JSON, in JavaScript and on the command line, such as "auto" and "touching-disc". Past

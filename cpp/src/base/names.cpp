@@ -23,8 +23,7 @@ using Names = std::array<std::string_view, static_cast<std::size_t>(kLast) + 1>;
 
 constexpr auto kMethods = std::to_array<std::string_view>({"auto", "touching-disc", "flip"});
 constexpr auto kCandidates = std::to_array<std::string_view>({"dynamic", "uniform", "all-pairs"});
-constexpr auto kWays =
-    std::to_array<std::string_view>({"flip", "repair", "insert", "apollonius-graph", "touching-disc", "edit"});
+constexpr auto kWays = std::to_array<std::string_view>({"flip", "repair", "insert", "touching-disc", "edit"});
 constexpr auto kErrorCodes = std::to_array<std::string_view>(
     {"nonFinite", "negativeRadius", "coordinateTooLarge", "tooManyCircles", "badOption", "notCertified", "notConverged",
      "unknownCircle", "badInput", "badArithmetic", "notWritten", "internal"});

@@ -9,7 +9,6 @@
 #include <utility>
 #include <variant>
 
-#include "apollonius.h"
 #include "flip.h"
 #include "insert.h"
 #include "judge.h"
@@ -174,6 +173,10 @@ constexpr int kMostResamplings = 4;
 constexpr std::int64_t kMostAngularSamples = 4'000'000;
 
 constexpr std::size_t kLargestPatch = 256;
+
+/// In how many random orders circles are inserted: where a near tie misleads one of them, most others are right.
+constexpr std::uint64_t kOrders = 9;
+
 /// A dual, and what is known of its proof.
 struct Unjudged {
   Dual dual;
@@ -181,9 +184,9 @@ struct Unjudged {
 };
 
 /// Builds the dual by insertion, and by flips where a near tie misled it.
-std::optional<Unjudged> inserted(std::span<const Circle> circles, Counts& counts) {
+std::optional<Unjudged> inserted(std::span<const Circle> circles, std::uint64_t seed, Counts& counts) {
   Predicates predicates(circles);
-  auto result = insertAll(circles, predicates);
+  auto result = insertAll(circles, predicates, seed);
   Proof proof;
   if (result) {
     FaceDiscs discs(circles, result->dual, predicates);
@@ -206,15 +209,15 @@ std::optional<Dual> solveLocally(std::span<const Circle> circles, Counts& counts
     addCounts(predicates, counts);
     return right;
   };
-  auto solved = inserted(ordered.circles, counts);
-  if (!solved || !isRight(*solved)) {
-    solved = Unjudged{apolloniusGraph(ordered.circles), {}};
-    if (!isRight(*solved)) return std::nullopt;
+  for (std::uint64_t seed = 0; seed < kOrders; ++seed) {
+    auto solved = inserted(ordered.circles, seed, counts);
+    if (!solved || !isRight(*solved)) continue;
+    for (int& corner : solved->dual.origin) {
+      if (corner != kPointAtInfinity) corner = ordered.indices[corner];
+    }
+    return std::move(solved->dual);
   }
-  for (int& corner : solved->dual.origin) {
-    if (corner != kPointAtInfinity) corner = ordered.indices[corner];
-  }
-  return std::move(solved->dual);
+  return std::nullopt;
 }
 
 Construction constructByTouchingDisc(const Sites& sites, const Options& options, const Observer& observer,
@@ -284,13 +287,11 @@ Construction constructAutomatically(Sites& sites, const Observer& observer, Jour
   }
   Construction result = flippedFromCenters(sites, true, observer, journal, threads);
   int round = 1;
-  for (const Way way : {Way::insert, Way::apolloniusGraph}) {
-    if (result.isRight()) break;
-    journal.stats.way = way;
+  for (std::uint64_t seed = 0; seed < kOrders && !result.isRight(); ++seed) {
+    journal.stats.way = Way::insert;
     auto anew = [&] {
       const Stopwatch watch = journal.enter(Stage::flip);
-      return way == Way::insert ? inserted(sites.circles, journal.stats.counts)
-                                : Unjudged{apolloniusGraph(sites.circles), {}};
+      return inserted(sites.circles, seed, journal.stats.counts);
     }();
     if (!anew) continue;
     result.dual = std::move(anew->dual);

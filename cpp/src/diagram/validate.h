@@ -13,8 +13,8 @@
 namespace circle_voronoi {
 
 /// The input circles times a power of two, which brings the largest magnitude near 2^80. So no product of the later
-/// stages overflows. kUnderflowError (estimate.h) says from which size on underflow matters. The scaling is exact unless
-/// a value is smaller than the largest by a factor of 2^1100 (Options, compute.h).
+/// stages overflows. kUnderflowError (estimate.h) says from which size on underflow matters. The scaling is exact
+/// unless a value is smaller than the largest by a factor of 2^1100 (Options, compute.h).
 struct ScaledCircles {
   std::vector<Circle> circles;
   double unit = 1;  ///< input = scaled * unit, a power of two

@@ -22,7 +22,7 @@ namespace {
 /// The order of insertion: random rounds, each in the order given; three circles in four go to the last round, three in
 /// four of the rest to the one before, and so on (N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO",
 /// 2003).
-std::vector<int> insertionOrder(std::size_t count) {
+std::vector<int> orderInRounds(std::size_t count) {
   constexpr int kRounds = 16;
   const auto roundOf = [](std::size_t i) { return kRounds - 1 - std::min(kRounds - 1, std::countr_zero(mix(i)) / 2); };
   std::array<std::size_t, kRounds + 1> first{};
@@ -30,6 +30,16 @@ std::vector<int> insertionOrder(std::size_t count) {
   for (int round = 1; round <= kRounds; ++round) first[round] += first[round - 1];
   std::vector<int> order(count);
   for (std::size_t i = 0; i < count; ++i) order[first[roundOf(i)]++] = static_cast<int>(i);
+  return order;
+}
+
+/// For seed 0 that in rounds, which is the fastest; for others a shuffle, as rounds of few circles differ little.
+std::vector<int> insertionOrder(std::size_t count, std::uint64_t seed) {
+  std::vector<int> order = orderInRounds(count);
+  if (seed != 0) {
+    const auto keyOf = [seed](int i) { return mix((seed << 32) + static_cast<std::uint64_t>(i)); };
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return keyOf(i) < keyOf(j); });
+  }
   return order;
 }
 
@@ -90,8 +100,8 @@ class Inserter : private DualKeeper {
     dual_.twin.reserve(6 * circles.size());
   }
 
-  std::optional<Inserted> run() && {
-    std::vector<int> order = insertionOrder(circles_.size());
+  std::optional<Inserted> run(std::uint64_t seed) && {
+    std::vector<int> order = insertionOrder(circles_.size(), seed);
     if (order.empty()) return Inserted{};
     // The largest first: no other hides it, so that there are always two as soon as it does not hide all.
     const auto largest =
@@ -337,8 +347,8 @@ class Inserter : private DualKeeper {
 
 }  // namespace
 
-std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates) {
-  return Inserter(circles, predicates).run();
+std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates, std::uint64_t seed) {
+  return Inserter(circles, predicates).run(seed);
 }
 
 }  // namespace circle_voronoi

@@ -25,7 +25,8 @@ struct Inserted {
 /// flips take the edges away that its cell has all of. A circle that is inside another gets no cell, or loses it.
 ///
 /// Where more than three circles touch one disc, or nearly, a circle may come to a wrong place: the result is to be
-/// judged. Nothing if a circle that another hides did not let itself be taken away.
-std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates);
+/// judged. Each seed gives another order, which may do better. Nothing if a circle that another hides did not let
+/// itself be taken away.
+std::optional<Inserted> insertAll(std::span<const Circle> circles, Predicates& predicates, std::uint64_t seed = 0);
 
 }  // namespace circle_voronoi

@@ -104,10 +104,15 @@ CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   const int t = dual_.twin[h];
   const int d = dual_.origin[Dual::previous(t)];
   if (b == kPointAtInfinity) {
-    const bool hasStart = predicates_.tangentSide(a, d, i) > 0;
-    const bool hasEnd = predicates_.tangentSide(c, a, i) > 0;
-    const bool isWithin = turns(a, discAt(t), faceDisc({a, i, kPointAtInfinity}), discAt(h)) > 0;
-    return {hasStart || hasEnd || isWithin, hasStart, hasEnd && !hasStart};
+    const int start = predicates_.tangentSide(a, d, i);
+    const int end = predicates_.tangentSide(c, a, i);
+    if (start > 0 || end > 0) return {true, start > 0, start <= 0};
+    // Circle i may touch a tangent line at an end of the arc that a has of the hull. It reaches beyond the arc if a
+    // touches the line between the neighbor and i.
+    const bool isCut = start == 0 || end == 0
+                           ? (start < 0 || touchesBetween(d, i, a)) && (end < 0 || touchesBetween(c, i, a))
+                           : turns(a, discAt(t), faceDisc({a, i, kPointAtInfinity}), discAt(h)) > 0;
+    return {isCut, false, false};
   }
   // The edge goes from the disc of t to that of h. On its bisector the cell of i begins at `enter`, ends at `leave`.
   const Disc enter = faceDisc({a, b, i});
@@ -116,19 +121,12 @@ CellInserter::Cut CellInserter::cutOf(int h, int i) const {
   const bool hasEnd = enter.disc.exists && (c == kPointAtInfinity || orderAlongEdge(a, b, enter, discAt(h)) > 0);
   if (!leave.disc.exists && !enter.disc.exists) {
     const int side = predicates_.tangentSide(a, b, i);
-    return {side > 0 || (side == 0 && liesNearer(i, a, b)), false, false};
+    // All circles on one tangent line: far out along the edge, the one that touches it in the middle is nearest.
+    return {side > 0 || (side == 0 && touchesBetween(a, b, i)), false, false};
   }
   if (!leave.disc.exists || !enter.disc.exists) return {hasStart || hasEnd, false, false};
   if (orderAlongEdge(a, b, enter, leave) >= 0) return {hasStart && hasEnd, false, false};
   return {hasStart || hasEnd, hasStart, !hasStart};
-}
-
-bool CellInserter::liesNearer(int i, int a, int b) const {
-  const Vector v = between(circle(a), circle(b));
-  const double l = length(v);
-  const double reach = (l - circle(a).r - circle(b).r) / 2;
-  const double t = (circle(a).r + reach) / l;
-  return distanceFrom({circle(a).x + t * v.x, circle(a).y + t * v.y}, circle(i)) < reach;
 }
 
 void CellInserter::renewDisc(int face, int i) {
@@ -189,10 +187,13 @@ bool CellInserter::isHullLost(const Link& link) const {
   const int from = isOutgoing ? dual_.origin[link.h] : dual_.target(link.h);
   const int sign = turns(from, border, beyond, link.near);
   if (sign != 0) return isOutgoing ? sign > 0 : sign < 0;
-  // Two are the same. If the old ones are, the new cell has both.
-  const auto u = predicates_.direction(from, beyond.disc);
-  const auto v = predicates_.direction(from, link.near.disc);
-  return turn(from, beyond, link.near) == 0 && turn(from, border, beyond) != 0 && u.x * v.x + u.y * v.y > 0;
+  // Two are the same, unless two are opposite. If the old ones are the same, the new cell has both.
+  const auto isSame = [&](const Disc& first, const Disc& second) {
+    const auto u = predicates_.direction(from, first.disc);
+    const auto v = predicates_.direction(from, second.disc);
+    return turn(from, first, second) == 0 && u.x * v.x + u.y * v.y > 0;
+  };
+  return isSame(beyond, link.near) && !isSame(border, beyond);
 }
 
 int CellInserter::turns(int from, const Disc& first, const Disc& second, const Disc& third) const {

@@ -137,8 +137,8 @@ class CellInserter {
 
   Cut cutOf(int h, int i) const;
 
-  /// Whether circle i is nearer than a and b to where the line through the centers of these crosses their bisector.
-  bool liesNearer(int i, int a, int b) const;
+  /// Whether circle c touches the common tangent line of a and b between them; all three touch it.
+  bool touchesBetween(int a, int b, int c) const { return exact::touchesBetween(circle(a), circle(b), circle(c)); }
 
   /// Finds the disc of a face with a new circle. It has none if that hides one of the others.
   void renewDisc(int face, int i);

@@ -405,6 +405,18 @@ int tangentSide(const Circle& a, const Circle& b, const Circle& c) {
   });
 }
 
+// Along the line the difference of two circles has a length, across it that of their radii. So the cone's product of
+// two differences is the product of their lengths along the line.
+bool touchesBetween(const Circle& a, const Circle& b, const Circle& c) {
+  const auto isSameWay = [](const Circle& from, const Circle& to, const Circle& circle) {
+    return seenFrom(from, std::array{&to, &circle}, [](const auto& seen, int) {
+             const auto& [u, z] = seen;
+             return cone(u.v, z.v).sign();
+           }) > 0;
+  };
+  return isSameWay(a, b, c) && isSameWay(b, a, c);
+}
+
 int orientation(Point a, Point b, Point c) {
   const std::array points = {pointAt(a), pointAt(b)};
   return seenFrom(pointAt(c), std::array{&points[0], &points[1]}, [](const auto& seen, int) {

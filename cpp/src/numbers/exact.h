@@ -83,6 +83,10 @@ std::optional<Vector> tangentNormal(const Circle& a, const Circle& b);
 /// of it.
 int tangentSide(const Circle& a, const Circle& b, const Circle& c);
 
+/// Returns whether c touches a common tangent line of circles a and b between the points where these do. All three
+/// touch the line from the same side.
+bool touchesBetween(const Circle& a, const Circle& b, const Circle& c);
+
 /// Returns 1 if points a, b, c are counter-clockwise, -1 if they are clockwise, 0 if they are collinear.
 int orientation(Point a, Point b, Point c);
 

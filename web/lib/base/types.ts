@@ -176,7 +176,7 @@ export interface Seconds {
 /** The names of the methods, candidates and ways, in the order of the C++ enumerations (circle_voronoi/method.h). */
 export const METHODS = ['auto', 'touching-disc', 'flip'] as const
 export const CANDIDATES = ['dynamic', 'uniform', 'all-pairs'] as const
-export const WAYS = ['flip', 'repair', 'insert', 'apollonius-graph', 'touching-disc', 'edit'] as const
+export const WAYS = ['flip', 'repair', 'insert', 'touching-disc', 'edit'] as const
 
 /**
  * A construction method. `auto`: the fastest construction that leads to a certified diagram. `touching-disc`: the method
@@ -197,8 +197,7 @@ export type Candidates = (typeof CANDIDATES)[number]
 
 /**
  * The construction that produced a diagram: edge flips (`flip`), flips and locally computed diagrams (`repair`),
- * insertion of one circle after the other (`insert`), CGAL's Apollonius graph (`apollonius-graph`), the touching disc
- * method (`touching-disc`), or an editor (`edit`).
+ * insertion of one circle after the other (`insert`), the touching disc method (`touching-disc`), or an editor (`edit`).
  *
  * @category Diagrams
  */
