@@ -17,7 +17,7 @@ namespace circle_voronoi {
 /// does nothing.
 class FaceTeller final : public FaceWatcher {
  public:
-  /// What is given must outlive this. Events are by the indices and in the unit of `circles`.
+  /// The arguments must outlive this object. Events are by the indices and in the unit of `circles`.
   FaceTeller(const Dual& dual, const std::vector<Circle>& circles, const Observer& observer);
   ~FaceTeller() override;
   FaceTeller(const FaceTeller&) = delete;
