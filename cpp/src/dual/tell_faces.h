@@ -38,7 +38,7 @@ class FaceTeller final : public FaceWatcher {
   /// Tells what has changed among the faces that were looked at.
   void tell();
 
-  /// The same among all faces; those that were never told come.
+  /// Tells the changes among all faces. A face that was never told counts as new.
   void tellChanges();
 
   /// Takes all faces for told.
