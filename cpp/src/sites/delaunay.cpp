@@ -103,7 +103,7 @@ Cut cut(std::span<Site> sites) {
   return {count, pivot};
 }
 
-/// Where a part of the sites is cut in two; in one if all are equal.
+/// The place where a part of the sites is cut in two. It is not cut if all sites are equal.
 struct Division {
   Axis axis;
   std::size_t count;  ///< of the sites before the cut

@@ -79,8 +79,8 @@ class Slope {
   double most_ = -kInfinite;
 };
 
-/// Whether a circle hides before another: the larger one, of equal ones the one with the lower index. One that contains
-/// another comes before it, so the first that contains a circle is visible.
+/// The precedence of a circle as a hider: larger circles come first, and of equal circles the one with the lower index.
+/// One that contains another comes before it, so the first that contains a circle is visible.
 struct Rank {
   double r = 0;
   int index = 0;
