@@ -63,8 +63,9 @@ struct State {
   CellMeasure cells;
 };
 
-/// What the areas are measured by: one everywhere in the region, and `background` besides in a box around region and
-/// sites, where every cell has a part. As the background fades, the weights come to those of the region alone.
+/// The density that areas are measured by: one everywhere in the region, and `background` besides in a box around
+/// region and sites, where every cell has a part. As the background fades, the weights come to those of the region
+/// alone.
 struct Density {
   double background = 0;
 };
