@@ -7,10 +7,12 @@
 
 namespace circle_voronoi {
 
-/// Told now and then which part of some work is done, from 0 to 1; what it throws ends the work.
+/// A callback that is called now and then with the part of some work that is done, from 0 to 1. An exception that it
+/// throws ends the work.
 using Done = std::function<void(double)>;
 
-/// What tells `whole` that of its part from `from` to `to` a part is done; empty if `whole` is. It refers to `whole`.
+/// Returns a callback for the part of the work from `from` to `to`, which reports to `whole`. It is empty if `whole` is
+/// empty. `whole` must outlive it.
 inline Done partOf(const Done& whole, double from, double to) {
   if (!whole) return {};
   return [&whole, from, to](double done) { whole(from + (to - from) * done); };

@@ -8,15 +8,15 @@
 
 namespace circle_voronoi {
 
-/// Whether programs may have more than one thread. WebAssembly has one, and spares the code for others.
+/// True if programs may have more than one thread. WebAssembly has one, and spares the code for others.
 #ifdef CIRCLE_VORONOI_ONE_THREAD
 inline constexpr bool kHasThreads = false;
 #else
 inline constexpr bool kHasThreads = true;
 #endif
 
-/// How many threads a computation may use. Threads only share out work whose result does not depend on how it is
-/// shared out.
+/// The number of threads that a computation may use. Threads only share out work whose result does not depend on how it
+/// is shared out.
 class Threads {
  public:
   /// 0: as many as the machine has. One where programs have no threads.

@@ -52,11 +52,11 @@ struct Scaled {
   double mantissa = 0;
   int exponent = 0;
 
-  /// Infinite, or zero, if it is beyond the doubles.
+  /// Returns the number times a power of two as a double: infinity or zero if it is out of range.
   double times(int powerOfTwo) const { return std::ldexp(mantissa, exponent + powerOfTwo); }
 };
 
-/// A number to the nearest of 53 bits.
+/// Rounds a number to the nearest one of 53 bits.
 Scaled rounded(const Number& number) {
   if (number.is_zero()) return {};
   constexpr int kBits = 62;
@@ -72,14 +72,14 @@ Scaled rounded(const Number& number) {
   return {std::ldexp(number.sign() < 0 ? -size : size, 1 - kBits), exponent + kBits - 1};
 }
 
-/// With the sign of the number.
+/// Returns the square root of the absolute value, with the sign of the number.
 Scaled squareRoot(Scaled number) {
   if (number.exponent % 2 != 0) number = {2 * number.mantissa, number.exponent - 1};
   return {std::copysign(std::sqrt(std::abs(number.mantissa)), number.mantissa), number.exponent / 2};
 }
 
-/// The point of equal power to three circles times 2^scaling, every number rounded once; infinite where it is beyond
-/// the doubles.
+/// Returns the point of equal power to three circles, times 2^scaling. Every number is rounded once. It is infinite
+/// where it exceeds the largest double.
 Vertex exactRadicalCenter(const Circle& a, const Circle& b, const Circle& c, int scaling) {
   const auto half = [&](const Circle& d, const Number& x, const Number& y) -> Number {
     return (x * x + y * y + Number(a.r * a.r) - Number(d.r * d.r)) / 2;
@@ -98,7 +98,8 @@ Vertex exactRadicalCenter(const Circle& a, const Circle& b, const Circle& c, int
           squareRoot(rounded(power)).times(scaling)};
 }
 
-/// The point of equal power to three circles times 2^scaling, relative to the first for accuracy.
+/// Returns the point of equal power to three circles, times 2^scaling. Computes relative to the first circle for
+/// accuracy.
 Vertex radicalCenter(const Circle& a, const Circle& b, const Circle& c, int scaling) {
   const Vector u = between(a, b);
   const Vector v = between(a, c);
@@ -127,7 +128,7 @@ Vertex radicalCenter(const Circle& a, const Circle& b, const Circle& c, int scal
   return {x.times(scaling), y.times(scaling), radius.times(scaling)};
 }
 
-/// Centers on a line: parallel edges, and a hull that goes there and back.
+/// Adds the diagram of centers on a line: parallel edges, and a hull that goes there and back.
 void addChain(const std::vector<CircleIndex>& chain, Diagram& diagram) {
   for (std::size_t i = 1; i < chain.size(); ++i) diagram.edges.push_back({chain[i - 1], chain[i], kNone, kNone});
   diagram.hull = chain;
@@ -165,7 +166,7 @@ void addTriangles(const Triangulation& triangulation, const Indices& indices, st
   } while (--corner != first);
 }
 
-/// The vertices times 2^scaling.
+/// Returns the power diagram, with its vertices times 2^scaling.
 Diagram powerDiagramOf(std::span<const Circle> circles, int scaling) {
   Triangulation triangulation;
   std::vector<Point> centers;

@@ -32,7 +32,7 @@ struct Dual {
   /// Returns the next half-edge around the origin of one, clockwise.
   int aroundClockwise(int h) const { return next(twin[h]); }
 
-  /// Whether a half-edge and its twin fit together, between two faces and two corners.
+  /// Returns whether a half-edge and its twin fit together, between two faces and two corners.
   bool fits(int h) const {
     const int t = twin[h];
     return t >= 0 && t < halfEdgeCount() && twin[t] == h && t / 3 != h / 3 && origin[t] == target(h) &&

@@ -24,13 +24,13 @@ class Outside {
              scaled(known.box.maxY, unit)},
         reach_(known.maxRadius / unit) {}
 
-  /// Whether nothing is outside.
+  /// Returns whether nothing is outside.
   bool isNothing() const {
     return box_.minX == -kInfinite && box_.minY == -kInfinite && box_.maxX == kInfinite && box_.maxY == kInfinite;
   }
 
-  /// How much farther out the box would have to be for a disc to be final, or more: below 0 if it is. `error` is that
-  /// of each number of the disc.
+  /// Returns how much farther out the box would have to be for a disc to be final, or more: below 0 if it is. `error`
+  /// is that of each number of the disc.
   double excess(const Vertex& disc, double error) const {
     const double size = std::abs(disc.x) + std::abs(disc.y) + std::abs(disc.r) + reach_;
     double excess = -kInfinite;
@@ -60,7 +60,7 @@ class Outside {
   double reach_;
 };
 
-/// How much farther out the box would have to be for a vertex to be final, or more.
+/// Returns how much farther out the box would have to be for a vertex to be final, or more.
 ///
 /// vertexOf is right to 36 bits of the distances of the circles from each other and from the disc's center. These are
 /// at most twice the farthest of the three from it, and each is computed within a part of 2^-30.

@@ -157,7 +157,7 @@ class DualBuilder {
     return std::nullopt;
   }
 
-  /// The half-edge i -> j of a vertex, or of the hull; kNone if there is none.
+  /// Returns the half-edge i -> j of a vertex, or of the hull if `vertex` is kNone. Returns kNone if there is none.
   int halfEdge(int i, int j, int vertex) const {
     if (vertex == kNone) {
       const auto found = hullFaces_.find(key(i, j));

@@ -13,29 +13,30 @@
 
 namespace circle_voronoi {
 
-/// A diagram without coordinates, as in Diagram.
+/// A diagram without coordinates. The fields have the same meaning as in Diagram.
 struct Topology {
   std::vector<std::array<CircleIndex, 3>> vertexCircles;
   std::vector<Edge> edges;
   std::vector<CircleIndex> hull;
 };
 
-/// The vertex that each face of a dual is, by its number among the finite ones; kNone if it is none.
+/// Returns the vertex index of each face of a dual: its number among the finite faces, or kNone for a face at infinity.
 std::vector<VertexIndex> verticesOf(const Dual& dual, Threads threads);
 
-/// The finite faces of a dual become the vertices, in their order and each from its smallest corner on; its pairs of
-/// half-edges between circles become the edges, and the neighbors of infinity the hull. `circleCount` says what a dual
-/// without faces stands for. Fills `links`, if given.
+/// Returns the topology of a dual. The finite faces become the vertices, in the same order, and each triple starts with
+/// its smallest corner. The pairs of half-edges between circles become the edges, and the neighbors of infinity become
+/// the hull. If the dual has no faces, `circleCount` tells whether there is one circle. Fills `links`, if given.
 Topology topologyOf(const Dual& dual, int circleCount, Links* links = nullptr, Threads threads = Threads());
 
-/// The same, given verticesOf(dual).
+/// Returns the topology of a dual, like the overload above, where `vertexOf` is verticesOf(dual).
 Topology topologyOf(const Dual& dual, const std::vector<VertexIndex>& vertexOf, int circleCount, Links* links,
                     Threads threads);
 
-/// Rotates a hull so that it starts with its smallest step: then it does not depend on how it was found.
+/// Rotates a hull so that it starts with its smallest pair of successive circles. Then the hull does not depend on how
+/// it was found.
 void rotateHull(std::vector<CircleIndex>& hull);
 
-/// Why a topology is not that of a triangulated sphere, and where.
+/// The reason why a topology is not that of a triangulated sphere, and the place.
 struct Misfit {
   Flaw flaw = Flaw::adjacency;
   CircleIndex circle = {};
@@ -43,8 +44,9 @@ struct Misfit {
   EdgeIndex edge = {};
 };
 
-/// The dual whose face i, for i below the number of vertices, is vertex i; faces at infinity follow in the order of the
-/// hull. Indices of circles must be below `circleCount`. Fills `links`, if given, where the topology fits.
+/// Returns the dual of a topology, or the misfit if there is none. Face i is vertex i, for i below the number of
+/// vertices. Faces at infinity follow in the order of the hull. Indices of circles must be below `circleCount`. Fills
+/// `links`, if given, where the topology fits.
 std::variant<Dual, Misfit> dualOf(const Topology& topology, int circleCount, Links* links = nullptr);
 
 }  // namespace circle_voronoi

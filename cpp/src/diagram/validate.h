@@ -12,7 +12,7 @@
 
 namespace circle_voronoi {
 
-/// The input circles times a power of two, which brings the largest magnitude near 2^80. So no product of the later
+/// The input circles times a power of two, which brings the largest magnitude near 2^80. So no product in the later
 /// stages overflows. kUnderflowError (estimate.h) says from which size on underflow matters. The scaling is exact
 /// unless a value is smaller than the largest by a factor of 2^1100 (Options, compute.h).
 struct ScaledCircles {
@@ -20,7 +20,7 @@ struct ScaledCircles {
   double unit = 1;  ///< input = scaled * unit, a power of two
 };
 
-/// What is wrong with a circle: a code, and the rest of a sentence that begins with the name of the circle.
+/// The reason why a circle is invalid: a code, and the rest of a sentence that begins with the name of the circle.
 struct Objection {
   ErrorCode code;
   const char* what;

@@ -3,29 +3,29 @@
 
 namespace circle_voronoi {
 
-/// Who is told of faces while others change a dual.
+/// An observer that is notified of faces while other code changes a dual.
 class FaceWatcher {
  public:
   virtual ~FaceWatcher() = default;
 
-  /// Before the half-edges or the disc of a face change.
+  /// Called before the half-edges or the disc of a face change.
   virtual void willChange(int face) = 0;
 };
 
-/// Who keeps a dual, and has places for its faces, while others change it.
+/// A class that maintains a dual, and the places of its faces, while other code changes it.
 class DualKeeper : public FaceWatcher {
  public:
-  /// A face whose half-edges and disc are to be set.
+  /// Returns a new face. The caller must set its half-edges and its disc.
   virtual int addFace() = 0;
   virtual void removeFace(int face) = 0;
 
-  /// Before a circle is marked as hidden.
+  /// Called before a circle is marked as hidden.
   virtual void willHide(int circle) = 0;
 
-  /// A half-edge takes the place of another, or of two in turn.
+  /// Called when half-edge `to` replaces half-edge `from`. A half-edge can replace two others in turn.
   virtual void replaceEdge(int from, int to) = 0;
 
-  /// A half-edge goes, and with it the circle that it starts from.
+  /// Called when a half-edge is removed together with the circle that it starts from.
   virtual void dropEdge(int h) = 0;
 };
 

@@ -14,11 +14,12 @@
 
 namespace circle_voronoi {
 
-/// The discs of the faces of a dual, and what they show to be wrong with its edges. Those who change the dual keep
-/// it in step.
+/// The discs of the faces of a dual, and the flaws of its edges that they show. Code that changes the dual must keep
+/// this object in step.
 class FaceDiscs {
  public:
-  /// Finds all discs, and the orders of all edges, which `update` alone keeps in step. What is given must outlive this.
+  /// Finds all discs, and the orders of all edges, which `update` alone keeps in step. The arguments must outlive this
+  /// object.
   FaceDiscs(std::span<const Circle> circles, const Dual& dual, Predicates& predicates, Threads threads = Threads())
       : circles_(circles),
         dual_(dual),
@@ -51,7 +52,8 @@ class FaceDiscs {
   const Dual& dual() const { return dual_; }
   Predicates& predicates() const { return predicates_; }
 
-  /// Finds the disc of a face anew, whose corners have changed, or of one that was added after the last.
+  /// Finds the disc of a face again after its corners have changed, or the disc of a face that was added after the
+  /// last.
   void update(int face) {
     if (face == static_cast<int>(discs_.size())) discs_.emplace_back();
     discs_[face] = predicates_.disc(cornersOf(dual_, 3 * face));
@@ -59,34 +61,36 @@ class FaceDiscs {
     for (int h = 3 * face; h < 3 * face + 3; ++h) orders_[h] = orders_[dual_.twin[h]] = kUnknownOrder;
   }
 
-  /// Notes that a face has no disc, as one with a circle and another that hides it; or one added after the last.
+  /// Notes that a face has no disc, for example because one of its circles hides another. The face may be one added
+  /// after the last.
   void clear(int face) {
     if (face == static_cast<int>(discs_.size())) discs_.emplace_back();
     discs_[face] = {};
   }
 
-  /// Those that are added have none.
+  /// Sets the number of faces. Added faces have no disc.
   void resize(int count) { discs_.resize(count); }
 
   void set(int face, const FaceDisc& disc) { discs_[face] = disc; }
 
-  /// Told that the circles have moved in memory, or that there are more.
+  /// Sets the circles again after they have moved in memory or more were added.
   void setCircles(std::span<const Circle> circles) { circles_ = circles; }
 
   const FaceDisc& operator[](int face) const { return discs_[face]; }
 
   std::vector<FaceDisc> take() { return std::move(discs_); }
 
-  /// The orders of all edges (Proof::orders), unknown where a flaw of another kind is.
+  /// Moves out the orders of all edges (Proof::orders). An order is unknown where the edge has a flaw of another kind.
   std::vector<std::int8_t> takeOrders() { return std::move(orders_); }
 
-  /// The direction from the origin of a half-edge to the disc of its face.
+  /// Returns the direction from the origin of a half-edge to the disc of its face.
   Vector direction(int h) const {
     const auto [x, y, error] = predicates_.direction(dual_.origin[h], discs_[h / 3]);
     return {x, y};
   }
 
-  /// The same, which finds the order of the ends of an edge once, until a face beside it changes.
+  /// Returns the same flaw as `flawOf`, but caches the order of the ends of an edge until a face beside the edge
+  /// changes.
   Flaw look(int h) {
     if (orders_.empty()) return flawOf(h);
     if (orders_[h] == kUnknownOrder) {
@@ -95,8 +99,8 @@ class FaceDiscs {
     return orders_[h] >= 0 ? Flaw::none : Flaw::edgeOutOfOrder;
   }
 
-  /// Whether a ray from the center of the origin of a half-edge goes through its sector, between the rays to the discs
-  /// beside it; not if rounding hides whether there is next to nothing between these, or next to all.
+  /// Returns whether a ray from the center of the origin of a half-edge goes through its sector, between the rays to
+  /// the discs beside it. Returns false if rounding hides whether the sector is almost empty or almost a full turn.
   bool spans(int h, Vector ray) const {
     const int right = dual_.twin[h] / 3;
     const Direction before = predicates_.direction(dual_.origin[h], discs_[right]);
@@ -110,16 +114,16 @@ class FaceDiscs {
     return turn < 0 ? isAfter || isBefore : isAfter && isBefore;
   }
 
-  /// Whether a face has a disc.
+  /// Returns whether a face has a disc.
   bool exists(int face) const { return discs_[face].exists; }
 
-  /// What the discs beside an edge show to be wrong: vertexWithoutDisc, edgeOutOfOrder, or hullNotClosed for an edge to
-  /// infinity whose circle lies strictly within the tangent line of its neighbors on the hull. An edge without a flaw
-  /// need not be one of the right dual: only all of them together prove it (judge.h).
+  /// Returns the flaw that the discs beside an edge show: vertexWithoutDisc, edgeOutOfOrder, or hullNotClosed for an
+  /// edge to infinity whose circle lies strictly within the tangent line of its neighbors on the hull. An edge without
+  /// a flaw need not belong to the correct dual. Only all edges together prove it (judge.h).
   Flaw flawOf(int h) const { return flawOf(h, predicates_); }
 
-  /// The same by other predicates on the same circles. Sets `order`, if given, to the order of the ends of a bounded
-  /// edge.
+  /// Returns the flaw of an edge, computed by other predicates on the same circles. Sets `order`, if given, to the
+  /// order of the ends of a bounded edge.
   Flaw flawOf(int h, Predicates& predicates, std::int8_t* order = nullptr) const {
     const int t = dual_.twin[h];
     if (!exists(h / 3) || !exists(t / 3)) return Flaw::vertexWithoutDisc;
@@ -144,9 +148,9 @@ class FaceDiscs {
     return flaw;
   }
 
-  /// Of the edge h from a circle to infinity, between its neighbors on the hull. Where one of these comes to the right
-  /// hull again between the circle and the other, the circle may lie within their tangent line, but then its own
-  /// tangent lines are in order.
+  /// Returns the flaw of the edge h from a circle to infinity, between its neighbors on the hull. Where one of these
+  /// comes to the right hull again between the circle and the other, the circle may lie within their tangent line, but
+  /// then its own tangent lines are in order.
   Flaw flawAtInfinity(int before, int h, int after, Predicates& predicates) const {
     const int circle = dual_.origin[h];
     if (before == after || predicates.tangentSide(after, before, circle) >= 0) return Flaw::none;

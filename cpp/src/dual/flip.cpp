@@ -21,7 +21,8 @@ class Flipper {
       : circles_(discs.circles()), dual_(dual), discs_(discs), predicates_(discs.predicates()), watcher_(watcher) {}
 
   Flips run() {
-    // Four a circle: no family needs more than three and a bit, and who does gets there by insertion.
+    // The limit is about four flips per circle. No family of circles needs more than slightly over three. A diagram
+    // that exceeds the limit is left to insertion.
     const std::int64_t limit = 1000 + 2 * static_cast<std::int64_t>(dual_.faceCount());
     for (int first = 0; first < dual_.halfEdgeCount(); ++first) {
       if (first > dual_.twin[first] || discs_.look(first) == Flaw::none) continue;
@@ -56,14 +57,14 @@ class Flipper {
     return orderOfEnds(dual_, h, discs_, predicates_) == 0;
   }
 
-  /// The ends of an edge and the corners opposite.
+  /// The ends of an edge and the two opposite corners.
   using Quad = std::array<int, 4>;
 
-  /// Flips edges until none on the stack is to be flipped. Each edge that is wrong is on the stack, among those left,
-  /// or still to come in `run`, for an edge changes with its faces alone.
+  /// Flips edges until no edge on the stack needs a flip. Each wrong edge is on the stack, in `left_`, or still to come
+  /// in `run`, because an edge changes only with its faces.
   void settle(std::int64_t limit) {
-    // Who goes round in circles comes by a milestone again, if milestones come ever more rarely (R. P. Brent, "An
-    // improved Monte Carlo factorization algorithm", 1980).
+    // A cycle of flips reaches a milestone again if milestones are set ever more rarely (R. P. Brent, "An improved
+    // Monte Carlo factorization algorithm", 1980).
     Quad milestone = {};
     const std::int64_t start = flips_;
     std::int64_t next = 0;
@@ -91,7 +92,7 @@ class Flipper {
     }
   }
 
-  /// Whether an edge with a flaw is to be flipped: the edge across may be better.
+  /// Returns whether an edge with a flaw should be flipped, because the edge across may be better.
   bool isToFlip(int h, const Quad& quad, Flaw flaw) const {
     const int t = dual_.twin[h];
     const auto [a, b, c, d] = quad;

@@ -18,11 +18,12 @@ namespace circle_voronoi {
 
 inline Point centerOf(const Circle& c) { return {c.x, c.y}; }
 
-/// The signed distance of a circle from a point.
+/// Returns the signed distance of a circle from a point.
 inline double distanceFrom(Point p, const Circle& c) { return length({c.x - p.x, c.y - p.y}) - c.r; }
 
-/// How much nearer circle b is to a point than circle a is. Right even where the circles lie close together, seen from
-/// the point: |v| - |w| = (v - w) . (v + w) / (|v| + |w|), and v - w is the difference of the centers.
+/// Returns how much nearer circle b is to a point than circle a is. The result is accurate even where the circles lie
+/// close together, seen from the point: |v| - |w| = (v - w) . (v + w) / (|v| + |w|), and v - w is the difference of the
+/// centers.
 ///
 /// Error: let l be the sum of the differences in x, y and r. Each component of the quotient is at most 1 and within
 /// 8 u; the differences, the products and the sums add 5 u.
@@ -38,7 +39,7 @@ inline Estimate leadOf(Point p, const Circle& a, const Circle& b) {
   return {dot(apart, middle) - slack, 16 * kUnitRoundoff * l};
 }
 
-/// The dual of a Voronoi diagram of two circles or more, and what those keep who change it circle by circle.
+/// The dual of a Voronoi diagram of two circles or more, with the data that insertion maintains circle by circle.
 struct LiveDual {
   Dual& dual;
   FaceDiscs& discs;             ///< of its faces
@@ -54,7 +55,7 @@ struct LiveDual {
 /// judged.
 class CellInserter {
  public:
-  /// What is given must outlive this.
+  /// The arguments must outlive this object.
   explicit CellInserter(const LiveDual& live)
       : dual_(live.dual),
         discs_(live.discs),
@@ -73,16 +74,17 @@ class CellInserter {
   /// center of its origin to the ends of its bisector.
   Outcome insert(int i, int likely);
 
-  /// The circle that hides the last one.
+  /// Returns the circle that hides the last circle passed to `insert`.
   int hider() const { return hider_; }
-  /// The circles that the last one hides.
+  /// Returns the circles that the last circle passed to `insert` hides.
   std::span<const int> hidden() const { return hidden_; }
 
   std::int64_t flips() const { return flips_; }
 
  private:
-  /// What the cell of a new circle has of an edge of the old diagram: whether anything, and whether the start or the
-  /// end. Of both only the start counts: that the new cell has the other it learns on its way around.
+  /// The part of an edge of the old diagram that the cell of a new circle covers: whether it covers any of it, and
+  /// whether it covers the start or the end. If it covers both, only the start is used. The insertion finds the other
+  /// end on its way around the new cell.
   struct Cut {
     bool isCut = false;
     bool hasStart = false;
@@ -110,68 +112,73 @@ class CellInserter {
 
   const Circle& circle(int i) const { return discs_.circles()[i]; }
   bool hides(int i, int j) const { return circle(i).r >= circle(j).r && predicates_.contains(circle(i), circle(j)); }
-  /// How much nearer circle b is to the center of circle i than circle a is.
+  /// Returns how much nearer circle b is to the center of circle i than circle a is.
   Estimate leadAt(int i, int a, int b) const { return leadOf(centerOf(circle(i)), circle(a), circle(b)); }
 
-  /// An edge of the old diagram that the cell of circle i cuts; nothing if another circle hides i. It is one of the
-  /// cell in which the center of i lies, most often `likely`; where rounding has led astray, the way goes from cell to
-  /// cell until no neighbor is nearer, and then to ever more cells around.
+  /// Returns an edge of the old diagram that the cell of circle i cuts, or nothing if another circle hides i. The edge
+  /// bounds the cell in which the center of i lies, and is most often `likely`. If rounding has led to a wrong cell,
+  /// the search walks from cell to cell until no neighbor is nearer, and then extends to the cells around.
   std::optional<CutEdge> cutEdge(int likely, int i);
 
-  /// The same in the cells around that of the origin of a half-edge, breadth first. Rounding may not tell which of
-  /// many cells has the center, and some cell has a cut edge, which exact signs find.
+  /// Searches the cells around that of the origin of half-edge `start` for such an edge, breadth first. Rounding may
+  /// hide which of many cells has the center. Some cell has a cut edge, and exact signs find it.
   std::optional<CutEdge> cutEdgeBeyond(int start, int i);
 
-  /// The half-edge around the origin of one to the neighbor that is nearest to the center of circle i.
+  /// Returns the half-edge, from the origin of `start`, to the neighbor that is nearest to the center of circle i.
   int nearestAround(int start, int i);
 
-  /// The same around one cell: from an edge that is likely to be cut to both sides.
+  /// Searches for a cut edge around one cell, in both directions from the edge `likely`.
   std::optional<CutEdge> cutEdgeAround(int likely, int i);
 
   Disc faceDisc(const Predicates::Triple& corners) const;
   Disc discAt(int h) const;
   static bool isTangentLine(const Disc& disc);
 
-  /// 1 if a disc comes before another along the bisector of a and b with a on the left, 0 if they are the same.
+  /// Returns 1 if a disc comes before another along the bisector of a and b with a on the left, and 0 if they are the
+  /// same.
   int orderAlongEdge(int a, int b, const Disc& first, const Disc& second) const;
 
   Cut cutOf(int h, int i) const;
 
-  /// Whether circle c touches the common tangent line of a and b between them; all three touch it.
+  /// Returns whether circle c touches a common tangent line of circles a and b between them. All three touch it.
   bool touchesBetween(int a, int b, int c) const { return exact::touchesBetween(circle(a), circle(b), circle(c)); }
 
-  /// Finds the disc of a face with a new circle. It has none if that hides one of the others.
+  /// Finds the disc of a face that has the new circle as a corner. The face has no disc if the new circle hides one of
+  /// its other circles.
   void renewDisc(int face, int i);
 
-  /// Puts circle i between the circles of an edge, which becomes two.
+  /// Inserts circle i between the circles of an edge, which becomes two edges.
   void split(const CutEdge& edge, int i);
 
-  /// Whether the new circle takes away an edge.
+  /// Returns whether the new circle removes an edge.
   bool isLost(const Link& link, int i) const;
 
-  /// The same of an edge to infinity: the tangent lines of its circle turn all around it, so that only the order of
-  /// three of them tells.
+  /// Returns whether the new circle removes an edge to infinity: the tangent lines of its circle turn all around it, so
+  /// that only the order of three of them tells.
   bool isHullLost(const Link& link) const;
 
-  /// Positive if three discs follow one another counter-clockwise around a circle, negative if clockwise, 0 if two are
-  /// in the same direction.
+  /// Returns a positive number if three discs follow one another counter-clockwise around a circle, a negative number
+  /// if clockwise, and 0 if two are in the same direction.
   int turns(int from, const Disc& first, const Disc& second, const Disc& third) const;
 
   bool isAtInfinity(int h) const;
 
-  /// The sign of the turn around a circle from a disc to another.
+  /// Returns the sign of the turn around a circle from one disc to another.
   int turn(int from, const Disc& first, const Disc& second) const;
 
-  /// Faces (a, b, i) and (b, a, d) become (a, d, i) and (b, i, d).
+  /// Flips an edge: faces (a, b, i) and (b, a, d) become (a, d, i) and (b, i, d).
   void flipEdge(int h, int i);
 
-  /// Whether the new cell, which has the disc given, has all of the bisector on this side of it.
+  /// Returns whether the new cell, which contains the given disc, contains all of the bisector on this side of the
+  /// disc.
   bool isWithin(int h, const Disc& lost) const;
 
-  /// Takes the circles away that the new one hides, which leaves them but two edges. Whether it did.
+  /// Removes the circles that the new circle hides, each of which has only two edges left. Returns whether it removed
+  /// them all.
   bool removeLost();
 
-  /// Faces (circle, p, q) and (circle, q, p) vanish. Whether the circle had two edges.
+  /// Removes a circle with two edges: faces (circle, p, q) and (circle, q, p) vanish. Returns whether the circle had
+  /// two edges.
   bool remove(int circle);
 
   void noteEdge(int h) {

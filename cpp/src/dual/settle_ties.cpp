@@ -10,8 +10,8 @@
 namespace circle_voronoi {
 namespace {
 
-/// Whether the center of one circle is less than that of another, by x and then y. Circles with cells have different
-/// centers.
+/// Returns whether the center of one circle is less than that of another, by x and then y. Circles with cells have
+/// different centers.
 bool isLess(std::span<const Circle> circles, int i, int j) {
   const Circle& a = circles[i];
   const Circle& b = circles[j];
@@ -29,7 +29,7 @@ class TieSettler {
     if (first == ties_.end()) return {};
     isTie_.assign(dual_.origin.size(), false);
     for (const int h : ties_) isTie_[at(h)] = isTie_[at(dual_.twin[at(h)])] = true;
-    // Those of a polygon that has been settled are no longer marked.
+    // The ties of a polygon that has been settled are no longer marked.
     for (const int h : ties_) {
       if (isTie_[at(h)] && isWrong(h)) settlePolygonOf(h);
     }

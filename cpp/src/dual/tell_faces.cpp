@@ -13,12 +13,12 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Vertex kNoDisc = {kNaN, kNaN, kNaN};
 
-/// How far a disc reaches beyond the rim of a circle.
+/// Returns how far a disc reaches into a circle.
 double depth(const Vertex& disc, const Circle& circle) {
   return circle.r + disc.r - length({circle.x - disc.x, circle.y - disc.y});
 }
 
-/// Whether a disc meets a circle, or ties up to what rounding leaves of it.
+/// Returns whether a disc meets a circle or touches it up to rounding.
 bool meets(const Vertex& disc, const Circle& circle) {
   const double size = std::abs(circle.x) + std::abs(circle.y) + std::abs(circle.r) + std::abs(disc.x) +
                       std::abs(disc.y) + std::abs(disc.r);
@@ -86,7 +86,7 @@ FaceTeller::Face FaceTeller::faceAt(int face) {
   if (dual_.twin[3 * face] == kNone) return result;
   int first = 0;
   const auto corners = cornersOf(dual_, 3 * face);
-  // The one after infinity, or the least.
+  // Start with the corner after infinity or, if there is none, with the smallest corner.
   for (int k = 0; k < 3; ++k) {
     if (corners[k] == kPointAtInfinity) {
       first = (k + 1) % 3;
@@ -122,7 +122,7 @@ bool FaceTeller::isChanged(int face) {
   return now.hasDisc() ? now.disc != told.disc : told.hasDisc() && now.isThere();
 }
 
-/// Why two faces make way for two others: they have an edge, which is flipped.
+/// Tells why two faces are replaced by two others: their common edge is flipped.
 void FaceTeller::tellReason(int f, int g) {
   const Face& first = told_[f];
   const Face& second = told_[g];

@@ -17,7 +17,7 @@ namespace circle_voronoi {
 /// does nothing.
 class FaceTeller final : public FaceWatcher {
  public:
-  /// What is given must outlive this. Events are by the indices and in the unit of `circles`.
+  /// The arguments must outlive this object. Events are by the indices and in the unit of `circles`.
   FaceTeller(const Dual& dual, const std::vector<Circle>& circles, const Observer& observer);
   ~FaceTeller() override;
   FaceTeller(const FaceTeller&) = delete;
@@ -38,7 +38,7 @@ class FaceTeller final : public FaceWatcher {
   /// Tells what has changed among the faces that were looked at.
   void tell();
 
-  /// The same among all faces; those that were never told come.
+  /// Tells the changes among all faces. A face that was never told counts as new.
   void tellChanges();
 
   /// Takes all faces for told.

@@ -8,11 +8,12 @@
 
 namespace circle_voronoi {
 
-/// The faces at which some edges of a dual, given by a half-edge each, are visibly wrong: those beside an edge that is
-/// (FaceDiscs::flawOf), or the one of them that has no disc. Increasing.
+/// Returns the faces at which some edges of a dual are visibly wrong, in increasing order. Each edge is given by one of
+/// its half-edges. For each wrong edge (FaceDiscs::flawOf) these are the two faces beside it. If a disc is missing
+/// there, they are only the faces without a disc.
 std::vector<int> wrongFaces(const FaceDiscs& discs, std::span<const int> edges);
 
-/// The same of all edges; linear time.
+/// Checks all edges of the dual instead of a list. Takes linear time.
 std::vector<int> wrongFaces(const FaceDiscs& discs);
 
 }  // namespace circle_voronoi

@@ -146,8 +146,8 @@ std::optional<Error> ChangeRecorder::recordVertices(Change& change, EditState& s
   return std::nullopt;
 }
 
-/// Whether the edge on a half-edge of a face that was saved, which had a twin then, is another now: a face beside it
-/// has changed, or it has another twin.
+/// Returns whether the edge on a half-edge of a face that was saved, which had a twin then, is another now: a face
+/// beside it has changed, or it has another twin.
 bool isOtherEdge(const EditState& state, const EditState::SavedFace& saved, std::size_t k) {
   const int t = state.dual.twin[3 * saved.face + static_cast<int>(k)];
   if (saved.isChanged || t != saved.twin[k]) return true;

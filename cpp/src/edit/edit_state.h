@@ -21,8 +21,8 @@
 
 namespace circle_voronoi {
 
-/// What an editor knows about the circle in a slot, besides the circle itself. A hidden circle is in the list of one
-/// visible circle that contains it.
+/// The data that an editor keeps about the circle in a slot, besides the circle itself. A hidden circle is in the list
+/// of one visible circle that contains it.
 struct Site {
   CircleId id;              ///< kNone: the slot is free
   int hider = kNone;        ///< for a hidden circle the slot in whose list it is

@@ -64,7 +64,7 @@ class DiagramEditor::Editor {
     for (const TraceEvent& event : events) observer_(event);
   }
 
-  /// What the observer throws goes on to the caller, once all is done.
+  /// An exception of the observer is passed on to the caller, once all is done.
   Result<Change> edited(std::span<const Edit> edits, CircleId hint) {
     auto change = guarded([&] { return apply(edits, hint); });
     if (!change) events_.clear();  // what is refused was never done
@@ -154,7 +154,7 @@ class DiagramEditor::Editor {
     return edits.size() <= kFewEdits + static_cast<std::size_t>(state_->circleCount) / kManyShare;
   }
 
-  /// What is wrong with an edit, whatever the others do.
+  /// Returns the first error in an edit that does not depend on the other edits.
   std::optional<Error> refusalOf(std::span<const Edit> edits) const {
     for (std::size_t i = 0; i < edits.size(); ++i) {
       const Edit& edit = edits[i];
@@ -169,7 +169,7 @@ class DiagramEditor::Editor {
     return std::nullopt;
   }
 
-  /// Nothing if it takes computing the whole.
+  /// Returns nothing if the whole diagram must be computed again.
   std::optional<Result<Change>> applyLocally(std::span<const Edit> edits, CircleId hint) {
     if (!state_->inexact.empty() || !state_->hasScale) return std::nullopt;
     makeRoomFor(edits);

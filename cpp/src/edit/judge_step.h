@@ -8,16 +8,17 @@
 
 namespace circle_voronoi {
 
-/// What a step has made of a certified diagram.
+/// The state of a formerly certified diagram after a step.
 enum class StepVerdict {
   right,
   wrong,
   broken,  ///< the faces do not even fit together
 };
 
-/// Judges what a step has changed in a certified diagram, by the theorem of judge.h. What that asks of a face, an edge
-/// or a circle holds where nothing has changed; what it counts - the turns of each region and of the hull, faces and
-/// circles - changes by what the changed edges had and have. So the whole is certified again, by induction.
+/// Judges the changes that a step made to a certified diagram, by the theorem of judge.h. The conditions on a face, an
+/// edge or a circle still hold where nothing has changed. The counts (turns of each region and of the hull, faces,
+/// circles) change only by the contributions of the changed edges. So the whole diagram is certified again, by
+/// induction.
 class StepJudge {
  public:
   /// Finds the discs of all changed faces, too, and notes what the proof keeps of their edges.
@@ -25,7 +26,8 @@ class StepJudge {
   /// `moved`: the slot of a circle that has changed, or kNone.
   StepVerdict judge(EditState& state, int moved);
 
-  /// Of a step that is right: a half-edge of each changed edge of length zero that is not as ties are to be settled.
+  /// Returns a half-edge of each changed edge of length zero that does not follow the rule for ties (settle_ties.h).
+  /// Valid after a step that is right.
   std::span<const int> unsettled() const { return unsettled_; }
 
  private:

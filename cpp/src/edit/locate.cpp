@@ -9,7 +9,7 @@
 namespace circle_voronoi {
 namespace {
 
-/// Of buckets around one that is outdated: farther than these a walk is as quick.
+/// The number of rings of buckets to search around an outdated bucket. Beyond them a walk is as quick.
 constexpr int kMostRings = 3;
 constexpr double kCirclesABucket = 2;
 

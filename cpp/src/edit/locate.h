@@ -12,22 +12,22 @@ struct Place {
   int halfEdge = kNone;
 };
 
-/// Finds the visible circle that is nearest to a point, up to rounding, by a walk from cell to cell: from one to a
-/// neighbor that is nearer, until there is none. A cell is left across the edge in whose sector the point lies: cells
-/// are star-shaped, and all that lies beyond the edge in this sector is nearer to the neighbor across.
+/// Finds the visible circle that is nearest to a point, up to rounding. It walks from each cell to a neighbor that is
+/// nearer, until there is none. The walk leaves a cell across the edge in whose sector the point lies. Cells are
+/// star-shaped, and every point beyond the edge in this sector is nearer to the neighbor across.
 ///
-/// A grid of buckets remembers a circle near each place; they may be outdated, as they only save steps, and then one
-/// beside is asked.
+/// A grid of buckets remembers a circle near each place. Buckets only save steps, so they may be outdated. Then a
+/// nearby bucket is used.
 class Locator {
  public:
-  /// Nothing if no circle is visible. The walk starts from what is nearest of `hint`, what was found last, and the
-  /// bucket of the point.
+  /// Returns the place of a point, or an empty Place if no circle is visible. The walk starts from the nearest of three
+  /// circles: `hint`, the circle found last, and the circle in the bucket of the point.
   Place locate(const EditState& state, Point p, int hint = kNone) const;
 
-  /// Remembers that a visible circle is there.
+  /// Remembers a visible circle: as the circle found last, and in its bucket.
   void note(const EditState& state, int slot);
 
-  /// Forgets all, and makes buckets anew for the circles there are.
+  /// Clears all buckets and creates new ones for the current circles.
   void fill(const EditState& state);
 
  private:

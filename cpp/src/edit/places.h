@@ -7,13 +7,14 @@
 
 namespace circle_voronoi {
 
-/// Numbers from 0 on, of which some are in use: the least number of them, as those that are free are used again. What
-/// is taken and released can be taken back, up to the last time that it was kept; until then nothing released is taken.
+/// An allocator of numbers from 0 on. It reuses free numbers before it takes new ones. `takeBack` undoes everything
+/// taken and released since a mark, at most back to the last `keep`. A released number is reused only after the next
+/// `keep`.
 class Places {
  public:
   explicit Places(int used = 0) : count_(used), kept_(used) {}
 
-  /// All numbers are below.
+  /// Returns an upper bound: all numbers in use are below it.
   int count() const { return count_; }
 
   int take() { return freeLeft_ > 0 ? free_[--freeLeft_] : count_++; }
@@ -31,7 +32,7 @@ class Places {
     released_.resize(mark.released);
   }
 
-  /// So that `keep` needs no memory.
+  /// Reserves memory so that `keep` does not allocate.
   void prepare() {
     const std::size_t needed = freeLeft_ + released_.size();
     if (needed > free_.capacity()) free_.reserve(std::max(needed, 2 * free_.capacity()));

@@ -8,10 +8,10 @@
 
 namespace circle_voronoi {
 
-/// The diagram of a state, circles in the order of their ids.
+/// Returns the diagram of a state, with the circles in the order of their ids.
 Result<Diagram> snapshotOf(const EditState& state);
 
-/// What its indices stand for.
+/// Returns the ids and numbers that the indices in the snapshot of a state stand for.
 SnapshotNumbers numbersOf(const EditState& state);
 
 }  // namespace circle_voronoi

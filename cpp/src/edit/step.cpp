@@ -20,7 +20,7 @@ constexpr int kShownShare = 4;
 /// A sample this large tells the shares apart.
 constexpr std::size_t kSample = 128;
 
-/// Whether one circle contains another, up to rounding.
+/// Returns whether one circle contains another, up to rounding.
 bool covers(const Circle& outer, const Circle& inner) {
   return distanceFrom(centerOf(outer), inner) + 2 * inner.r <= outer.r;
 }
@@ -119,7 +119,7 @@ bool Stepper::put(int slot, int hint) {
   return state_.visibleCount > 1;
 }
 
-/// The same of a circle that is identical with a visible one, but has the lower id: it takes that one's place.
+/// Puts a circle in the place of a visible one that is identical with it but has the higher id.
 bool Stepper::putBefore(int slot, int identical) {
   const int hint = neighborOf(identical);
   if (!takeOut(identical)) return false;
@@ -127,7 +127,8 @@ bool Stepper::putBefore(int slot, int identical) {
   return put(slot, hint) && releaseHidden(identical, hiderBy(slot));
 }
 
-/// Takes a visible circle out of the dual. It keeps its list, which is to be released. Whether that went well.
+/// Takes a visible circle out of the dual. The circle keeps its list, which the caller must release. Returns true on
+/// success.
 bool Stepper::takeOut(int slot) {
   if (state_.visibleCount <= 2) return false;
   if (state_.teller != nullptr) state_.teller->setShrinking(slot);
@@ -164,7 +165,7 @@ bool Stepper::releaseHidden(int slot, int hider) {
   return true;
 }
 
-/// Whether a circle covers so many visible ones that everything is to be computed: an estimate by a sample.
+/// Returns whether a circle covers so many visible ones that everything is to be computed: an estimate by a sample.
 bool Stepper::coversMany(const Circle& circle) const {
   const std::size_t slots = state_.sites.size();
   const std::size_t sample = std::min(slots, kSample);
@@ -198,8 +199,8 @@ int Stepper::neighborOf(int slot) const {
   return kNone;
 }
 
-/// Whether a visible circle, after a change, would still be nearer to its center than its neighbors are, and hide none
-/// of them.
+/// Returns whether a visible circle, after a change, would still be nearer to its center than its neighbors are, and
+/// hide none of them.
 bool Stepper::staysNear(int slot, const Circle& circle) const {
   if (state_.visibleCount < 2) return false;
   const Dual& dual = state_.dual;

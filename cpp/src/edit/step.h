@@ -14,10 +14,10 @@
 
 namespace circle_voronoi {
 
-/// Makes edits, one after the other, on the state that it is given; circles are in its unit.
+/// Applies edits, one after the other, to a given state. Circles are in the unit of the state.
 class Stepper {
  public:
-  /// What is given must outlive this.
+  /// The arguments must outlive this object.
   Stepper(EditState& state, Locator& locator) : state_(state), locator_(locator), inserter_(state.live()) {}
 
   // Each returns the way in which the edit was certified; nothing if the whole is to be computed, and then the state is

@@ -63,8 +63,9 @@ struct State {
   CellMeasure cells;
 };
 
-/// What the areas are measured by: one everywhere in the region, and `background` besides in a box around region and
-/// sites, where every cell has a part. As the background fades, the weights come to those of the region alone.
+/// The density that areas are measured by: one everywhere in the region, and `background` besides in a box around
+/// region and sites, where every cell has a part. As the background fades, the weights come to those of the region
+/// alone.
 struct Density {
   double background = 0;
 };
@@ -274,7 +275,7 @@ class Fitter {
     return isHarder;
   }
 
-  /// What the areas lack.
+  /// Returns the target area minus the actual area of each site.
   std::vector<double> forcesOn(const State& state) const {
     std::vector<double> forces;
     for (std::size_t i = 0; i < sites_.size(); ++i) forces.push_back(targetOf(i) - state.cells.areas[i]);
@@ -285,7 +286,7 @@ class Fitter {
     return std::inner_product(direction.begin(), direction.end(), forces.begin(), 0.0);
   }
 
-  /// Of both region and background.
+  /// Returns the target of a site, including its part of the background.
   double targetOf(std::size_t site) const { return targets_[site] * (1 + density_.background * sizeOfBox_); }
 
   double errorOf(const State& state) const {
@@ -296,7 +297,8 @@ class Fitter {
     return error;
   }
 
-  /// Whether each area is within `tolerance`, relatively, or within what it changes by if the last bits of weights do.
+  /// Returns whether each area is within `tolerance`, relatively, or within what it changes by if the last bits of
+  /// weights do.
   bool isWithin(const State& state, double tolerance) const {
     if (errorOf(state) <= tolerance) return true;
     std::vector<double> noise(sites_.size(), 0);
@@ -316,7 +318,7 @@ class Fitter {
 
   static double leastArea(const State& state) { return *std::ranges::min_element(state.cells.areas); }
 
-  /// Whether weights hide a site that is next to another in a state.
+  /// Returns whether weights hide a site that is next to another in a state.
   bool isHiddenAt(std::span<const double> weights, const State& near) const {
     return std::ranges::any_of(near.cells.springs, [&](const Spring& spring) {
       const auto i = static_cast<std::size_t>(spring.left);
@@ -364,7 +366,7 @@ class Fitter {
     return std::move(state).value();
   }
 
-  /// Nothing if these weights have no diagram.
+  /// Returns the state at these weights, or nothing if they have no diagram.
   std::optional<State> stateAt(std::vector<double> weights, const State* near = nullptr) const {
     Result<State> state = measured(std::move(weights), near);
     if (!state) return {};
@@ -407,7 +409,7 @@ class Fitter {
   int steps_ = 0;
 };
 
-/// The shortest text that reads back as the same number.
+/// Returns the shortest text that round-trips to the same number.
 std::string text(double value) {
   char buffer[32];
   for (int digits = 1; digits <= 17; ++digits) {
@@ -417,7 +419,7 @@ std::string text(double value) {
   return buffer;
 }
 
-/// The areas, made to sum to that of the region.
+/// Returns the target areas, scaled so that they sum to the area of the region.
 std::vector<double> targetsFrom(std::span<const double> areas, std::size_t sites, double regionArea,
                                 const AreaFitOptions& options) {
   if (areas.size() != sites) {

@@ -18,7 +18,7 @@ std::string edgeName(std::int32_t edge, const Diagram& diagram) {
   return "Edge " + std::to_string(edge) + " (circles " + std::to_string(e.left) + ", " + std::to_string(e.right) + ")";
 }
 
-/// The edge, the vertex or the circle concerned, whichever is named.
+/// Returns the name of the edge, circle or vertex that a certificate refers to.
 std::string subject(const Certificate& certificate, const Diagram& diagram) {
   if (certificate.edge != kNone) return edgeName(certificate.edge, diagram);
   if (certificate.circle != kNone) return "Circle " + std::to_string(certificate.circle);

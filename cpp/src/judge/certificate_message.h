@@ -9,10 +9,11 @@
 
 namespace circle_voronoi {
 
-/// A verdict on a dual in terms of its topology; circles stay as they are.
+/// Converts a verdict on a dual to the indices of its topology. Indices of circles stay the same.
 Certificate certificateOf(const Verdict& verdict, const Dual& dual, const Topology& topology);
 
-/// One sentence on what a certificate found, with the indices concerned; empty if certified.
+/// Returns one sentence on the flaw that a certificate found, with the indices concerned. Returns an empty string if
+/// the diagram is certified.
 std::string messageOf(const Certificate& certificate, const Diagram& diagram);
 
 }  // namespace circle_voronoi

@@ -25,8 +25,8 @@ struct Visible {
   std::vector<std::int32_t> sites;   ///< of each input circle its place in `circles`, kNone if hidden
 };
 
-/// The part of a diagram that is not as its sides are to be linked, or a certificate without a flaw. `right` has the
-/// visible circles in place of all.
+/// Returns a certificate with the part of a diagram whose sides are linked wrongly, or without a flaw if there is none.
+/// `right` has the correct links, indexed by visible circles.
 Certificate judgeSides(const Diagram& diagram, const Links& right, const Visible& visible) {
   std::vector<SideIndex> firstSide(visible.sites.size());
   for (std::size_t i = 0; i < firstSide.size(); ++i) {
@@ -67,7 +67,8 @@ std::variant<Visible, Certificate> visibleCircles(std::span<const Circle> circle
   return visible;
 }
 
-/// The topology by visible circles; an index of no visible circle becomes kNone, which no topology accepts.
+/// Returns the topology in terms of visible circles. An index of no visible circle becomes kNone, which no topology
+/// accepts.
 Topology visibleTopology(const Diagram& diagram, const std::vector<std::int32_t>& sites) {
   const auto site = [&](std::int32_t i) {
     return i >= 0 && static_cast<std::size_t>(i) < sites.size() ? sites[i] : kNone;
@@ -84,9 +85,9 @@ Topology visibleTopology(const Diagram& diagram, const std::vector<std::int32_t>
   return topology;
 }
 
-/// Whether a vertex is where the disc of its circles i, j, k is, up to rounding. Our own vertices are so to the bit.
-/// Others may be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather than
-/// near the one that touches the same circles clockwise. A disc beyond the doubles has no right place.
+/// Returns whether a vertex is where the disc of its circles i, j, k is, up to rounding. Our own vertices are so to the
+/// bit. Others may be rounded differently: they must touch all three circles to 40 bits, and lie near our disc rather
+/// than near the one that touches the same circles clockwise. A disc beyond the doubles has no right place.
 bool isInPlace(const Vertex& vertex, const std::optional<Vertex>& disc, double unit, const Circle& i, const Circle& j,
                const Circle& k) {
   if (!disc) return false;
@@ -116,7 +117,7 @@ bool isInPlace(const Vertex& vertex, const std::optional<Vertex>& disc, double u
   return length({given.x - right.x, given.y - right.y}) <= 0x1p-10 * reach;
 }
 
-/// The first vertex out of place, or kNone.
+/// Returns the first misplaced vertex, or kNone.
 std::int32_t misplacedVertex(const Diagram& diagram, const Topology& topology, std::span<const Circle> circles,
                              double unit, const Predicates& predicates, const std::vector<FaceDisc>& discs) {
   if (diagram.vertices.size() != diagram.vertexCircles.size()) return 0;

@@ -8,7 +8,8 @@
 
 namespace circle_voronoi {
 
-/// The half-edge of an edge between circles from whose origin, the larger circle, its bisector is ordered.
+/// Returns the half-edge of an edge between circles that starts from the larger circle. The bisector of the edge is
+/// ordered as seen from that circle.
 inline int fromLarger(const Dual& dual, int h, const Predicates& predicates) {
   const int t = dual.twin[h];
   return predicates.looksFromFirst(dual.origin[h], dual.origin[t]) ? h : t;
@@ -17,9 +18,9 @@ inline int fromLarger(const Dual& dual, int h, const Predicates& predicates) {
 /// Stands for an order of ends that has not been found yet.
 inline constexpr std::int8_t kUnknownOrder = -2;
 
-/// How the discs at the ends of a bounded edge lie along its bisector: 1 in order, 0 the same, -1 out of order. That
-/// they are not out of order is what makes an edge right, for the judge and for those who build. `Discs` gives the disc
-/// of a face by its number.
+/// Returns the order of the discs at the ends of a bounded edge along its bisector: 1 if in order, 0 if they are the
+/// same, -1 if out of order. The judge and the builders both accept an edge if its ends are not out of order. `Discs`
+/// returns the disc of a face by its number.
 ///
 /// Seen from the larger circle, counter-clockwise, the face on the right of its half-edge comes before the face on the
 /// left. In order, the turn between the directions to their discs is less than half a turn.

@@ -41,7 +41,7 @@ class Judge {
   }
 
  private:
-  /// What some of the faces show.
+  /// The findings on some of the faces.
   struct Findings {
     Verdict verdict;
     std::size_t check = std::numeric_limits<std::size_t>::max();  ///< at which the verdict was found: four a face

@@ -13,15 +13,15 @@
 
 namespace circle_voronoi {
 
-/// What is wrong with a dual, if anything, and where.
+/// The flaw of a dual, if any, and its place.
 struct Verdict {
   Flaw flaw = Flaw::none;
   int circle = kNone;    ///< index into the circles judged
   int face = kNone;      ///< face of the dual
   int halfEdge = kNone;  ///< half-edge of the dual
-  /// Of a right dual a half-edge of each edge of length zero: where more than three circles touch one disc.
+  /// If the dual is right, a half-edge of each edge of length zero, where more than three circles touch one disc.
   std::vector<int> ties = {};
-  /// Of a right dual; without the orders.
+  /// The proof, if the dual is right, without the orders.
   Proof proof = {};
 
   bool isRight() const { return flaw == Flaw::none; }

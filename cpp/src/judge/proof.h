@@ -10,7 +10,7 @@
 
 namespace circle_voronoi {
 
-/// What a proof (judge.h) records for a half-edge.
+/// The record of a proof (judge.h) for one half-edge.
 struct HalfEdgeProof {
   bool isLower : 1 = false;  ///< whether the disc of its face lies in the lower half, seen from its origin
   bool passes : 1 = false;   ///< whether the region of its origin passes the axis along its edge
@@ -18,7 +18,8 @@ struct HalfEdgeProof {
   friend bool operator==(const HalfEdgeProof&, const HalfEdgeProof&) = default;
 };
 
-/// What proves a dual (judge.h). A builder fills in what it finds on its way, and the judge finds the rest.
+/// The data that prove a dual correct (judge.h). A builder fills in the values that it computes anyway, and the judge
+/// computes the rest.
 struct Proof {
   std::vector<FaceDisc> discs;      ///< of each face
   std::vector<std::int8_t> orders;  ///< of each half-edge: how the ends of its edge lie (orderOfEnds), 1 at infinity
@@ -78,10 +79,10 @@ class Prover {
   }
 
  private:
-  /// Whether a turn passes that is less than half a turn.
+  /// Returns whether a turn passes that is less than half a turn.
   bool passesInOrder(int h) const { return proof_[dual_.aroundClockwise(h)].isLower && !proof_[h].isLower; }
 
-  /// Whether any turn passes: one within a half passes if it is nearly a full one.
+  /// Returns whether any turn passes: one within a half passes if it is nearly a full one.
   bool passes(int h) {
     const int before = dual_.aroundClockwise(h);
     if (proof_[before].isLower != proof_[h].isLower) return proof_[before].isLower;

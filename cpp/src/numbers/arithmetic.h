@@ -17,9 +17,9 @@ static_assert(FLT_EVAL_METHOD == 0,
 
 namespace circle_voronoi {
 
-/// Whether arithmetic is as it must be, as far as no macro tells: no operation is fused with another or put in another
-/// order, rounding is to nearest, and tiny numbers are not taken for zero. The last two are up to the running program:
-/// one that is linked with -ffast-math, for instance, has tiny numbers taken for zero.
+/// Returns whether arithmetic is as it must be, as far as no macro tells: no operation is fused with another or put in
+/// another order, rounding is to nearest, and tiny numbers are not taken for zero. The last two are up to the running
+/// program: one that is linked with -ffast-math, for instance, has tiny numbers taken for zero.
 bool isArithmeticStandard();
 
 }  // namespace circle_voronoi

@@ -6,7 +6,7 @@
 
 namespace circle_voronoi {
 
-/// What an operation on doubles is right within, relative to its result.
+/// The largest relative error of one operation on doubles.
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
 /// Circles are scaled by a power of two so that their largest number lies below 2^80, by at most 2^1000.

@@ -155,9 +155,9 @@ int signOf(int norm, P p, Q q) {
   return both > 0 ? 1 : both < 0 ? -1 : 0;
 }
 
-/// How far a circle z reaches beyond the tangent line with the axis D, where M is normal to the plane of W_z and the
-/// two that the line touches: the sign of M.x D.y - M.y D.x + M.s sqrt(d). If M is on the cone, all three have a common
-/// tangent.
+/// Returns the sign of how far a circle z reaches beyond the tangent line with the axis D, where M is normal to the
+/// plane of W_z and the two that the line touches. This is the sign of M.x D.y - M.y D.x + M.s sqrt(d). If M is on the
+/// cone, all three have a common tangent.
 template <class M, class D>
 int reachSign(const Numbers<M>& m, const Numbers<D>& d) {
   return signOf(
@@ -201,7 +201,7 @@ int overlapSign(const Seen<Number>& u, const Seen<Number>& v, const Seen<Number>
       [&] { return (z.g * planeCross(v.v, u.v) + v.g * planeCross(u.v, z.v) + u.g * planeCross(z.v, v.v)).sign(); });
 }
 
-/// The same vector times a power of two, each component right within 2^-51 of the largest, none beyond 2^128.
+/// Returns the vector times a power of two, each component right within 2^-51 of the largest, none beyond 2^128.
 template <class Number>
 Numbers<double> normalized(const Numbers<Number>& v) {
   const std::array<LeadingBits, 3> parts = {v.x.leading(), v.y.leading(), v.s.leading()};
@@ -212,8 +212,8 @@ Numbers<double> normalized(const Numbers<Number>& v) {
   return {scaled(parts[0]), scaled(parts[1]), scaled(parts[2])};
 }
 
-/// Whether the direction of the disc with the axis D lies to the left of E: the sign of E x e, with
-/// p = D.s (D x E), q = D . E.
+/// Returns whether the direction of the disc with the axis D lies to the left of E: the sign of E x e, with p = D.s (D
+/// x E), q = D . E.
 template <class D, class E>
 bool isLeftOf(const Numbers<E>& e, const Numbers<D>& d) {
   // <D, D> is right within 2^-48, its root within 2^-24; all the rest is less.

@@ -36,7 +36,7 @@ inline const Circle* smallestOf(const Face& face) {
 inline constexpr int kAxisX = 1009;
 inline constexpr int kAxisY = 613;
 
-/// Whether the face has a disc: radius + r >= 0 for its smallest circle. Always for a face at infinity.
+/// Returns whether the face has a disc: radius + r >= 0 for its smallest circle. Always true for a face at infinity.
 bool hasDisc(const Face& face);
 
 /// The disc of a face without the point at infinity, times `unit`, a power of two. Each number is right to 48 bits of
@@ -72,7 +72,7 @@ int overlapSign(const Face& face, const Circle* other, const Circle& from);
 /// may be the point at infinity too. `from` is a corner of the face.
 int touchSign(const Face& face, const Circle* other, const Circle& from);
 
-/// Whether `outer` contains `inner`.
+/// Returns whether `outer` contains `inner`.
 bool contains(const Circle& outer, const Circle& inner);
 
 /// The normal of the tangent line of the face at infinity (a, b, null), times a number that makes it about as long as 1

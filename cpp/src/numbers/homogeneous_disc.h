@@ -45,10 +45,10 @@ inline double sizeSquared(const Difference& u) { return u.x * u.x + u.y * u.y + 
 /// The length, not below it by more than rounding even where the squares underflow.
 inline double size(const Difference& u) { return std::sqrt(sizeSquared(u)) + kUnderflowError; }
 
-/// Whether a difference is shorter than kShortLength.
+/// Returns whether a difference is shorter than kShortLength.
 inline bool isShort(double sizeSquared) { return sizeSquared < kShortLength * kShortLength; }
 
-/// The same difference, multiplied by a power of two if it is short.
+/// Returns the difference, multiplied by a power of two if it is short.
 inline Difference scaledIfShort(const Difference& u) {
   return isShort(sizeSquared(u)) ? u * scaleOf(largestPart(u)) : u;
 }
@@ -89,7 +89,7 @@ struct CornerDisc {
   int corner = 0;
 };
 
-/// Whether the center that a difference starts from comes before the other, by x and then y.
+/// Returns whether the center that a difference starts from comes before the other, by x and then y.
 inline bool startsBefore(const Difference& d) { return d.x > 0 || (d.x == 0 && d.y > 0); }
 
 /// The corner opposite the longest of three sides of the lengths given, where two or three of these are equal.
@@ -170,8 +170,8 @@ inline CornerDisc discOf(const Circle& c0, const Circle& c1, const Circle& c2) {
   return discOfSides(Difference(c1, c0), Difference(c2, c1), Difference(c0, c2));
 }
 
-/// Whether `discOf` may have been given circles all of whose sides are short; false if the error is unknown. Of short
-/// sides a b T is below 2^-95 and T / S below 2^24, so the error is below 2^-118.
+/// Returns whether `discOf` may have been given circles all of whose sides are short; false if the error is unknown. Of
+/// short sides a b T is below 2^-95 and T / S below 2^24, so the error is below 2^-118.
 inline bool mayBeOfShortSides(const HomogeneousDisc& disc) { return disc.error < 0x1p-110; }
 
 /// The disc that `discOf` gave, or if all sides are short, the disc by scaled sides. Its w is multiplied by the scale,
@@ -205,13 +205,13 @@ inline Estimate crossOf(const Direction& f, const Direction& g) {
   return {f.x * g.y - f.y * g.x, error * (1 + 0x1p-40) + kUnderflowError};
 }
 
-/// How far a direction points along (-kAxisY, kAxisX): two products more, with factors that are 1622 together.
+/// Returns how far a direction points along (-kAxisY, kAxisX): two products more, with factors that are 1622 together.
 inline Estimate heightOf(const Direction& f) {
   const double error = f.error + 3 * kUnitRoundoff * (std::abs(f.x) + std::abs(f.y));
   return {exact::kAxisX * f.y - exact::kAxisY * f.x, 1640 * error};
 }
 
-/// How far a circle of a face, no larger than its corner, is from the disc's center, times w.
+/// Returns how far a circle of a face, no larger than its corner, is from the disc's center, times w.
 inline Estimate distanceOf(const Circle& circle, const HomogeneousDisc& disc, const Circle& corner) {
   return {disc.rho + disc.w * (circle.r - corner.r), disc.error};
 }
@@ -224,7 +224,7 @@ inline Estimate tangentLengthSquared(const Circle& a, const Circle& b) {
   return {cone(d, d), 8 * kUnitRoundoff * l * l + kUnderflowError};
 }
 
-/// How far circle c reaches beyond the tangent line to the left of a -> b, times |d|^2, with the normal of
+/// Returns how far circle c reaches beyond the tangent line to the left of a -> b, times |d|^2, with the normal of
 /// discAtInfinity. Each of the two differences is scaled by itself if it is short.
 ///
 /// Error: let l = |d|, m = |c - a|. e.s times l^2 at most, d.s times l m at most, both within 8 u; the cross product of

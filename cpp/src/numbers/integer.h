@@ -38,7 +38,7 @@ LeadingBits leading(const Limb* a, int size);
 // An integer that is a polynomial of the given degree in numbers that share a unit, without rounding. Nothing is
 // allocated, and nothing overflows. Sums are of equal degrees, as in every sign that does not depend on the unit.
 
-/// Of any doubles. The memory is that of the largest such value, the time that of the actual one.
+/// An integer for values of any doubles. The memory is that of the largest such value, the time that of the actual one.
 template <int kDegree>
 class Integer {
  public:

@@ -24,19 +24,21 @@ exact::Face facing(std::span<const Circle> circles, const Triple& face) {
   return {at(face[0]), at(face[1]), at(face[2])};
 }
 
-/// Of the distance of a disc from the smallest circle of its face.
+/// Returns the filtered sign of the distance of a disc from the smallest circle of its face.
 int filteredExistence(const exact::Face& face, const CornerDisc& placed) {
   return distanceOf(*exact::smallestOf(face), placed.disc, *face[placed.corner]).sign();
 }
 
-/// Of circles one of which nearly contains the other: rare, so not inlined.
+/// Returns the exact disc at infinity of two circles, one of which nearly contains the other. This case is rare, so the
+/// function is not inlined.
 [[gnu::noinline, gnu::cold]] HomogeneousDisc exactDiscAtInfinity(const Circle& a, const Circle& b) {
   const auto normal = exact::tangentNormal(a, b);
   if (!normal) return {};
   return {normal->x, normal->y, 0, 0, 0x1p-48};
 }
 
-/// Of a disc that is nearly a tangent line, or of circles whose common tangents are lost to rounding.
+/// Returns the disc of a face by exact arithmetic: for a disc that is nearly a tangent line, or for circles whose
+/// common tangents are lost to rounding.
 CornerDisc exactDisc(const exact::Face& face) {
   const auto point = exact::discPoint(face);
   if (!point) return {};
@@ -67,7 +69,7 @@ FaceDisc Predicates::disc(const Triple& face) {
   return rareDisc(circles, placed);
 }
 
-/// The same of circles near one another and near ties.
+/// Computes the disc for circles near one another and for near ties.
 FaceDisc Predicates::rareDisc(const exact::Face& circles, const CornerDisc& placed) {
   const CornerDisc scaled = scaledIfShort(placed, *circles[0], *circles[1], *circles[2]);
   if (const int sign = filteredExistence(circles, scaled); sign != 0) {

@@ -45,7 +45,7 @@ struct FaceDisc {
   double error = 0;
   int origin = kPointAtInfinity;
   bool exists = false;
-  /// Whether double arithmetic alone decided on it: then these are the numbers that vertexOf looks at first.
+  /// True if double arithmetic alone decided on the disc. Then these are the numbers that vertexOf looks at first.
   bool isFiltered = false;
 
   friend bool operator==(const FaceDisc& a, const FaceDisc& b) {
@@ -54,14 +54,14 @@ struct FaceDisc {
   }
 };
 
-/// The signs that the construction and the certificate rest on. Each is exact: double arithmetic with a proven error
-/// bound first, then with more digits (refined.h), integers (exact.h) if that does not decide. A zero is a tie.
+/// The signs that the construction and the certificate rest on. Each sign is exact. Double arithmetic with a proven
+/// error bound is tried first, then arithmetic with more digits (refined.h), then integers (exact.h). A zero is a tie.
 class Predicates {
  public:
   /// `circles` must outlive the predicates and must not hide one another.
   explicit Predicates(std::span<const Circle> circles) : circles_(circles) {}
 
-  /// Told that the circles have moved in memory, or that there are more.
+  /// Sets the circles again after they have moved in memory or more were added.
   void setCircles(std::span<const Circle> circles) { circles_ = circles; }
 
   using Triple = std::array<int, 3>;
@@ -72,14 +72,14 @@ class Predicates {
   /// The vertex of a face of circles that has this disc: that of vertexOf, bit for bit.
   std::optional<Vertex> vertex(const Triple& face, const FaceDisc& disc, double unit) const;
 
-  /// The direction to a disc from circle `from`, a corner of its face.
+  /// Returns the direction to a disc from circle `from`, a corner of its face.
   Direction direction(int from, const FaceDisc& disc) const {
     const Circle& o = circles_[disc.origin];
     const Circle& c = circles_[from];
     return {disc.v.x + disc.w * (o.x - c.x), disc.v.y + disc.w * (o.y - c.y), disc.error};
   }
 
-  /// The sign of the cross product u x v of two directions, 0 if their error bounds do not decide.
+  /// Returns the sign of the cross product u x v of two directions, or 0 if their error bounds do not decide.
   int filteredCross(const Direction& u, const Direction& v) {
     const int sign = crossOf(u, v).sign();
     counts_.filtered += sign != 0;
@@ -103,12 +103,12 @@ class Predicates {
   /// filter.
   int exactEdgeOrder(int a, int b, int c, int d);
 
-  /// Whether a bisector is ordered as seen from its first circle, the larger one: there it spans less than half a turn,
-  /// so that a cross product orders it.
+  /// Returns whether a bisector is ordered as seen from its first circle, the larger one: there it spans less than half
+  /// a turn, so that a cross product orders it.
   bool looksFromFirst(int a, int b) const { return circles_[a].r >= circles_[b].r; }
 
-  /// Whether the direction from a corner of a face to its disc lies in the lower half of a fixed frame, which begins
-  /// with the half-axis at 180 degrees and ends before the one at 360.
+  /// Returns whether the direction from a corner of a face to its disc lies in the lower half of a fixed frame, which
+  /// begins with the half-axis at 180 degrees and ends before the one at 360.
   bool isLower(int from, const Triple& face, const Direction& toDisc) {
     if (const int sign = heightOf(toDisc).sign(); sign != 0) {
       ++counts_.filtered;

@@ -18,7 +18,7 @@ CornerDisc refinedDiscOf(const Circle& c0, const Circle& c1, const Circle& c2);
 /// The direction from a corner of a face to its disc, of any length.
 Direction refinedDirection(const exact::Face& face, const Circle& from);
 
-/// How far circle c reaches beyond the tangent line to the left of a -> b, times 2 |d|^2 (homogeneous_disc.h).
+/// Returns how far circle c reaches beyond the tangent line to the left of a -> b, times 2 |d|^2 (homogeneous_disc.h).
 Estimate refinedReach(const Circle& a, const Circle& b, const Circle& c);
 
 /// exact::crossSign of two faces that share an edge.

@@ -11,10 +11,10 @@
 
 namespace circle_voronoi {
 
-/// Whether the differences of points, of which `largest` is the largest coordinate, are exact and below 2^kBits times a
-/// power of two that divides them all. Then so few products and sums of them as fit in 53 bits are exact in double
-/// arithmetic: it decides the ties of grids and other short numbers, which no error bound does. Those of short lengths
-/// are of scaled differences (short_lengths.h).
+/// Returns whether the differences of points, of which `largest` is the largest coordinate, are exact and below 2^kBits
+/// times a power of two that divides them all. Then so few products and sums of them as fit in 53 bits are exact in
+/// double arithmetic: it decides the ties of grids and other short numbers, which no error bound does. Those of short
+/// lengths are of scaled differences (short_lengths.h).
 template <int kBits>
 bool haveShortDifferences(std::initializer_list<Point> points, double largest) {
   // A subnormal number has no leading bit in its exponent.

@@ -34,7 +34,8 @@ std::optional<ThreeTouchDisc> threeTouchDisc(const Circle& a, const Circle& b, c
 /// the same vertex.
 std::optional<Vertex> vertexOf(const Circle& a, const Circle& b, const Circle& c, double unit = 1);
 
-/// The same where the disc in double arithmetic, of circles that are not near one another, is not good enough.
+/// Returns what vertexOf returns, for the case where its first disc is not accurate enough. Double arithmetic computes
+/// that disc as for circles that are not near one another.
 std::optional<Vertex> vertexOfRareDisc(const Circle& a, const Circle& b, const Circle& c, double unit);
 
 /// The center and the radius of a disc, times `unit`, if its error bound is small enough for that.

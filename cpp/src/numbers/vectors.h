@@ -30,8 +30,8 @@ inline double length(Vector v) {
   return std::sqrt(dot(scaled, scaled)) / scale;
 }
 
-/// Whether a vector is certainly longer than `reach`, which must not be negative. Returns true for every vector that is
-/// longer by 2e-12 of the reach, and for none that is not longer, rounding of the arguments included.
+/// Returns whether a vector is certainly longer than `reach`, which must not be negative. Returns true for every vector
+/// that is longer by 2e-12 of the reach, and for none that is not longer, rounding of the arguments included.
 ///
 /// Error: the square of a reach that is not short is right within u, and that of the vector within 3 u or, where it
 /// underflows, far below the other. With a short reach, the longer of the two is scaled into [1, 2) and the other one

@@ -45,7 +45,7 @@ struct Box {
   Point low, high;
 };
 
-/// Sorts by insertion.
+/// Sorts items by insertion.
 template <class Item, class Before>
 void sortFew(std::span<Item> items, Before before) {
   for (std::size_t i = 1; i < items.size(); ++i) {
@@ -103,7 +103,7 @@ Cut cut(std::span<Site> sites) {
   return {count, pivot};
 }
 
-/// Where a part of the sites is cut in two; in one if all are equal.
+/// The place where a part of the sites is cut in two. It is not cut if all sites are equal.
 struct Division {
   Axis axis;
   std::size_t count;  ///< of the sites before the cut
@@ -162,7 +162,7 @@ struct Triangulation {
 /// Triangulates parts, one after the other.
 class Triangulator {
  public:
-  /// What is given must outlive this.
+  /// The arguments must outlive this object.
   Triangulator(Triangulation& triangulation, const Site* sites, Done progress = {})
       : corners_(triangulation.corners.get()),
         indices_(triangulation.indices.get()),
@@ -174,7 +174,7 @@ class Triangulator {
 
   /// Triangulates sites in a box, with the faces from the one given on.
   Part build(std::span<Site> sites, const Box& box, int face);
-  /// The same of sites that are all equal.
+  /// Adds one corner for sites that are all equal.
   Part addCorner(std::span<const Site> sites, int face);
   /// Merges two parts, of which the one comes before the other along an axis, by two faces.
   Part merge(Axis axis, const Part& a, const Part& b, int face);
@@ -229,7 +229,7 @@ class Triangulator {
     return {x, y, x * x + y * y};
   }
 
-  /// Whether corners i, j, k are counter-clockwise; b and c are the latter two relative to the first.
+  /// Returns whether corners i, j, k are counter-clockwise; b and c are the latter two relative to the first.
   bool isLeftTurn(int i, int j, int k, const Lifted& b, const Lifted& c) {
     const double left = b.x * c.y;
     const double right = b.y * c.x;
@@ -239,8 +239,8 @@ class Triangulator {
     return circle_voronoi::orientation(corners_[i], corners_[j], corners_[k]) > 0;
   }
 
-  /// Whether corner l lies inside the circle through i, j, k, which are counter-clockwise; b, c and d are the latter
-  /// three relative to the first.
+  /// Returns whether corner l lies inside the circle through i, j, k, which are counter-clockwise; b, c and d are the
+  /// latter three relative to the first.
   bool isInCircle(int i, int j, int k, int l, const Lifted& b, const Lifted& c, const Lifted& d) {
     const double determinant =
         c.square * (b.x * d.y - b.y * d.x) - b.square * (c.x * d.y - c.y * d.x) - d.square * (b.x * c.y - b.y * c.x);

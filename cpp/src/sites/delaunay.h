@@ -25,7 +25,7 @@ struct Delaunay {
 };
 Delaunay delaunay(std::span<const Point> points, Threads threads = Threads());
 
-/// The same triangulation as its edges alone, each once. `progress` is told which part is done.
+/// The edges of the same Delaunay triangulation, each once. `progress` is told which part is done.
 struct DelaunayEdges {
   std::vector<std::array<int, 2>> edges;
   std::vector<int> representative;

@@ -22,13 +22,14 @@ namespace {
 constexpr std::int64_t kFewSteps = 1000;
 constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 
-/// Whether the larger of two circles, its radius taken less the smallest one, may contain the center of the other.
+/// Returns whether the larger of two circles, with the smallest radius subtracted, may contain the center of the other.
 bool mayReach(const Circle& a, const Circle& b, double smallest) {
   return !isLonger(between(a, b), std::max(a.r, b.r) - smallest);
 }
 
-/// Whether no circle contains the center of a neighbor in the Delaunay graph, its radius taken less the smallest one.
-/// Then none hides another, for the centers that a disc around a center contains are connected in that graph.
+/// Returns whether no circle contains the center of a neighbor in the Delaunay graph, its radius taken less the
+/// smallest one. Then none hides another, for the centers that a disc around a center contains are connected in that
+/// graph.
 bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& centers, Threads threads) {
   const auto isCopy = [&](std::size_t i) { return centers.representative[i] != static_cast<int>(i); };
   const Dual& dual = centers.dual;
@@ -42,7 +43,7 @@ bool areClear(std::span<const Circle> circles, double smallest, const Delaunay& 
          threads.firstWhere(dual.origin.size(), isReached) == dual.origin.size();
 }
 
-/// The same test on successive circles alone: quick, and rarely passed where circles hide one another.
+/// Applies the same test to successive circles only. It is quick, and rarely passed where circles hide one another.
 bool lookClear(std::span<const Circle> circles, double smallest) {
   for (std::size_t i = 1; i < circles.size(); ++i) {
     if (mayReach(circles[i - 1], circles[i], smallest)) return false;
@@ -95,14 +96,14 @@ struct SomeCircles {
   operator NumberedCircles() const { return {circles, indices}; }
 };
 
-/// Of each center the largest circle, of equal ones the first, which hides the others.
+/// The largest circle of each center. Of equal circles it is the first, which hides the others.
 struct LargestOfEachCenter {
   std::vector<int> places;
   std::vector<int> which;  ///< of each circle which of them has its center
 
   explicit LargestOfEachCenter(std::span<const Circle> circles) {
     for (int i = 0; i < static_cast<int>(circles.size()); ++i) {
-      // Those with the same center follow one another.
+      // Circles with the same center follow one another.
       if (places.empty() || circles[i].x != circles[places.back()].x || circles[i].y != circles[places.back()].y) {
         places.push_back(i);
       } else if (circles[i].r > circles[places.back()].r) {

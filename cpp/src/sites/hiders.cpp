@@ -35,7 +35,7 @@ struct BoxOfCircles {
 
   static BoxOfCircles of(const Circle& c) { return {{c.x, c.y}, {c.x, c.y}, c.r, c.r}; }
 
-  /// Whether a circle of this box may contain one of the other: false only if none does, rounding included.
+  /// Returns whether a circle of this box may contain one of the other: false only if none does, rounding included.
   bool mayHide(const BoxOfCircles& other) const {
     const double reach = largest - other.smallest;
     if (reach < 0) return false;
@@ -65,7 +65,7 @@ class Slope {
     for (const Circle& c : circles) most_ = std::max(most_, reach(c));
   }
 
-  /// Whether one of the circles may contain c: false only if none does, rounding included.
+  /// Returns whether one of the circles may contain c: false only if none does, rounding included.
   bool mayHide(const Circle& c) const {
     const double size = std::abs(c.r) + std::abs(c.x - origin_.x) + std::abs(c.y - origin_.y) + std::abs(most_);
     return reach(c) <= most_ + (1e-14 * size + kUnderflow);
@@ -79,8 +79,8 @@ class Slope {
   double most_ = -kInfinite;
 };
 
-/// Whether a circle hides before another: the larger one, of equal ones the one with the lower index. One that contains
-/// another comes before it, so the first that contains a circle is visible.
+/// The precedence of a circle as a hider: larger circles come first, and of equal circles the one with the lower index.
+/// One that contains another comes before it, so the first that contains a circle is visible.
 struct Rank {
   double r = 0;
   int index = 0;

@@ -25,8 +25,8 @@ inline int compareAngles(Vector axis, Vector u, Vector v) {
   return cross(u, v) > 0 ? 1 : -1;
 }
 
-/// Whether v is met strictly before w when turning counter-clockwise from u, and is not u itself.
-/// With w equal to u nothing is before it.
+/// Returns whether v is met strictly before w when turning counter-clockwise from u, and is not u itself. With w equal
+/// to u nothing is before it.
 inline bool strictlyBetween(Vector u, Vector v, Vector w) {
   const auto half = [u](Vector t) {
     const double side = cross(u, t);

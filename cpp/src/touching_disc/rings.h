@@ -28,7 +28,7 @@
 
 namespace circle_voronoi {
 
-/// Where there is no directed edge.
+/// The index that marks the absence of a directed edge.
 inline constexpr int kNoEdge = -1;
 
 /// A directed edge from circle a to circle b; its Voronoi segment lies to its right (paper, section 2.1).
@@ -55,7 +55,7 @@ class Rings {
 
   const DirectedEdge& edge(int index) const { return edges_[index]; }
 
-  /// Whether a DE that was placed has not been removed.
+  /// Returns whether a DE that was placed has not been removed.
   bool isAlive(int index) const { return slots_[edges_[index].slotA].out == index; }
 
   /// Puts a DE into its slots, which hold no other, and returns its index.

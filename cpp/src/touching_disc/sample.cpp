@@ -80,7 +80,7 @@ class Sampler {
   Samples samples_;
 };
 
-/// How many samples sampleDynamically takes.
+/// Returns how many samples sampleDynamically takes.
 std::int64_t countDynamically(const Dual& centers, std::span<const int> angular) {
   std::int64_t count = 0;
   for (int h = 0; h < centers.halfEdgeCount(); ++h) {

@@ -26,15 +26,15 @@ inline constexpr std::int64_t kMaxSamplePoints = std::numeric_limits<std::int32_
 /// centers, and `angular` (N_s) points that divide the angle of each finite face into equal parts. Samples may
 /// coincide.
 ///
-/// The circles are taken less the smallest radius: the diagram does not change when a number is added to all radii,
-/// and less of them overlaps. `centers` has the centers of `circles` as corners.
+/// The smallest radius is subtracted from all radii first. This does not change the diagram, and the circles overlap
+/// less. `centers` has the centers of `circles` as corners.
 ///
 /// Refuses (guarded.h) more than kMaxSamplePoints, tooManyCircles. `progress` is told now and then which part is done.
 Samples sampleDynamically(std::span<const Circle> circles, const Dual& centers, std::span<const int> angular,
                           const Done& progress = {});
 
-/// `count` equally spaced points on each circle (paper, section 4.1), likewise less the smallest radius; refuses and
-/// tells the same.
+/// Returns `count` equally spaced points on each circle (paper, section 4.1). Subtracts the smallest radius, refuses
+/// too many points and reports progress as sampleDynamically does.
 Samples sampleUniformly(std::span<const Circle> circles, int count, const Done& progress = {});
 
 }  // namespace circle_voronoi

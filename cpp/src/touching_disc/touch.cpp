@@ -109,7 +109,8 @@ class Touch {
     return {a.x + part * v.x, a.y + part * v.y, disc.r};
   }
 
-  /// Whether the arc of circle i at `slot`, in the given direction to its partner, is already used for the diagram.
+  /// Returns whether the arc of circle i at `slot`, in the given direction to its partner, is already used for the
+  /// diagram.
   bool isUsed(int i, int slot, int partner, Vector direction) const {
     if (!touched_[i]) return false;
     const Rings::Arc arc = rings_.arcAt(i, slot);
@@ -180,8 +181,8 @@ class Touch {
 
   // --- three-touch discs (Algorithm 3) ---
 
-  /// Whether a disc lies ahead of the disc of R_min of `edge` on the bisector, or at it: forward, to the right of the
-  /// DE. `toCenterA` and `toCenterB` lead from the centers of its circles to the center of the disc.
+  /// Returns whether a disc lies ahead of the disc of R_min of `edge` on the bisector, or at it: forward, to the right
+  /// of the DE. `toCenterA` and `toCenterB` lead from the centers of its circles to the center of the disc.
   bool isForward(const DirectedEdge& edge, Vector toCenterA, Vector toCenterB) const {
     // The smaller circle sees the whole bisector within less than a full turn around the direction of the larger one.
     const Vector axis = between(circles_[edge.a], circles_[edge.b]);
