@@ -7,7 +7,10 @@ import type { Page } from '@playwright/test'
  * bring together what frames say, takes as long as the analysis.
  */
 export async function violationsOf(page: Page, part?: string, rules?: string[]) {
-  const options = { resultTypes: ['violations' as const], ...(rules && { runOnly: rules }) }
+  const options = {
+    resultTypes: ['violations' as const],
+    ...(rules && { runOnly: { type: 'rule' as const, values: rules } }),
+  }
   const axe = new AxeBuilder({ page }).setLegacyMode().options(options)
   return (await (part === undefined ? axe : axe.include(part)).analyze()).violations
 }

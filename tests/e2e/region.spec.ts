@@ -6,7 +6,7 @@ import type { Point } from '../../web/lib/index.ts'
 import { decodeLink, encodeLink } from '../../web/lib/link.ts'
 import { loadCircleVoronoi } from '../../web/lib/wasm/loader.ts'
 import { type Camera, fitted, toPlane, toScreen } from '../../web/view/camera.ts'
-import { violationsOf } from './accessibility.ts'
+import { violationsInBoth } from './accessibility.ts'
 import { App, expect, test } from './page.ts'
 
 const THREE = [
@@ -63,7 +63,7 @@ function place(app: App, [x, y]: readonly number[]): Point {
 
 /** The color of the picture at a point of the plane, once it is painted. */
 async function colorAt(app: App, point: readonly number[]): Promise<string> {
-  await expect(app.canvas).toHaveAttribute('aria-busy', 'false')
+  await app.painted()
   const [color] = await app.colors([place(app, point)])
   return String(color)
 }
@@ -369,33 +369,27 @@ test('the cities have the outline of their land, also by a link of their name', 
   await expect(panel(app)).not.toContainText('outlines')
 })
 
-for (const colorScheme of ['light', 'dark'] as const) {
-  test.describe(colorScheme, () => {
-    test.use({ colorScheme })
-
-    test('is clear to everyone: empty, while drawing, refused, with areas', async ({ app }) => {
-      const { page } = app
-      const expectNone = async () => expect(await violationsOf(page)).toEqual([])
-      await app.openPanel('Region')
-      await expectNone()
-      await panel(app).getByRole('button', { name: 'Draw' }).click()
-      await page.mouse.click(600, 300)
-      await expect(panel(app).getByRole('button', { name: 'Undo corner' })).toBeEnabled()
-      await expectNone()
-      await page.keyboard.press('Enter')
-      await expect(page.getByRole('alert')).toHaveText('A polygon needs three corners or more.')
-      await expectNone()
-      await page.keyboard.press('Escape')
-      await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
-      await panel(app).getByLabel('Areas').selectOption('equal')
-      await expect(app.status).toContainText(/areas within/)
-      const { x, y } = place(app, [0, 0])
-      await page.mouse.click(x, y)
-      await expect(app.inspector.getByLabel('% of the region')).toBeVisible()
-      await expectNone()
-    })
-  })
-}
+test('is clear to everyone: empty, while drawing, refused, with areas', async ({ app }) => {
+  const { page } = app
+  const expectNone = async () => expect(await violationsInBoth(page)).toEqual([])
+  await app.openPanel('Region')
+  await expectNone()
+  await panel(app).getByRole('button', { name: 'Draw' }).click()
+  await page.mouse.click(600, 300)
+  await expect(panel(app).getByRole('button', { name: 'Undo corner' })).toBeEnabled()
+  await expectNone()
+  await page.keyboard.press('Enter')
+  await expect(page.getByRole('alert')).toHaveText('A polygon needs three corners or more.')
+  await expectNone()
+  await page.keyboard.press('Escape')
+  await drop(app, 'hall.geojson', geojson(SQUARE, HOLE))
+  await panel(app).getByLabel('Areas').selectOption('equal')
+  await expect(app.status).toContainText(/areas within/)
+  const { x, y } = place(app, [0, 0])
+  await page.mouse.click(x, y)
+  await expect(app.inspector.getByLabel('% of the region')).toBeVisible()
+  await expectNone()
+})
 
 test.describe('by fingers', () => {
   test.use({ hasTouch: true, viewport: { width: 390, height: 780 } })

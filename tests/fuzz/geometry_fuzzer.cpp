@@ -45,8 +45,8 @@ void require(bool holds, const std::string& what) {
   std::abort();
 }
 
-/// The result of a call, which must not take long; nor the second time, if the machine was busy at the first. A replay of the
-/// corpus has no limit: tests do not depend on speed.
+/// The result of a call, which must not take long; nor the second time, if the machine was busy at the first. A replay
+/// of the corpus has no limit: tests do not depend on speed.
 template <class Call>
 auto timed([[maybe_unused]] const char* name, Call call) {
 #ifdef CIRCLE_VORONOI_FUZZING

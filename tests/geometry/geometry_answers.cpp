@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the library's geometry answers about circles of files, for tests/wasm/geometry.test.mjs, which asks web/lib the same.
-// Each line of the input is a request, of words separated by tabs:
+// What the library's geometry answers about circles of files, for tests/wasm/geometry.test.mjs, which asks web/lib the
+// same. Each line of the input is a request, of words separated by tabs:
 //
 //     FILE circles|weights|centers|power MINX MINY MAXX MAXY MAX_DISTANCE
 //
-// Each line of the output is a question and the numbers that answer it, which read back to the same bits. An empty line ends the
-// answers to a request.
+// Each line of the output is a question and the numbers that answer it, which read back to the same bits. An empty line
+// ends the answers to a request.
 #include <array>
 #include <charconv>
 #include <cstdlib>
