@@ -114,9 +114,10 @@ TEST(Insert, PutsACircleBetweenTwoThatItTouchesInOnePoint) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) EXPECT_TRUE(isInsertedRightly(circles, seed)) << seed;
 }
 
-TEST(Insert, IsRightInEachOrderWherePointsLieOnATangentLineOfCirclesOnBothSides) {
-  // As long as one of the circles is missing, the points of the line have a part of the hull.
-  const std::vector<Circle> circles = visibleCircles({{1, -2, 2}, {-2, 0, 0}, {-1, 0, 0}, {0, 1, 1}, {3, 0, 0}});
+TEST(Insert, TakesAwayAllOfAHullEdgeWhoseTangentLineACircleTouchesFromOutside) {
+  // Before the circle above the axis comes, the two points have the same tangent line of the hull; after it, the one
+  // beside it has the opposite line.
+  const std::vector<Circle> circles = visibleCircles({{-1, 0, 0}, {-0x1p-15, 0, 0}, {-0x1p-39, 1, 1}, {1.5, -2, 2}});
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) EXPECT_TRUE(isInsertedRightly(circles, seed)) << seed;
 }
 
