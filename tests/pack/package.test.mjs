@@ -33,7 +33,8 @@ it('holds the built library and nothing else', () => {
   const compiled = ['dist/cli/generated/program.cjs', 'dist/cli/generated/program.wasm']
   const others = ['LICENSE', 'README.md', 'package.json']
   // The names of what two modules of the element have in common are those of its contents.
-  const shared = /^dist\/element\/(chunk|circle-voronoi-(comparison|regions)|german|link|player|svg-drawing)-[A-Z0-9]+\.js$/
+  const shared =
+    /^dist\/element\/(chunk|circle-voronoi-(comparison|regions)|german|link|player|svg-drawing)-[A-Z0-9]+\.js$/
   assert.notEqual(files.filter((name) => shared.test(name)).length, 0)
   const element = [
     ...['index', 'define', 'painter', 'bundle'].map((name) => `${name}.js`),
@@ -42,7 +43,7 @@ it('holds the built library and nothing else', () => {
     ),
     ...['element.css', 'custom-elements.json'],
   ].map((name) => `dist/element/${name}`)
-  const view = ['domain', 'layers'].map((name) => `dist/view/${name}.d.ts`)
+  const view = ['diagram-counts', 'domain', 'layers'].map((name) => `dist/view/${name}.d.ts`)
   assert.deepEqual(
     files.filter((name) => !shared.test(name)).sort(),
     [...others, ...built, ...generated, ...element, ...view, ...program, ...compiled].sort(),

@@ -12,9 +12,9 @@ export type {
   Stats,
 } from '../lib/index.ts'
 export type { LayerValue, LinkInput, LinkView } from '../lib/link.ts'
+export type { DiagramCounts } from '../view/diagram-counts.ts'
 export type { Areas } from '../view/domain.ts'
 export type { CellColors, DataLayer, Layers } from '../view/layers.ts'
-export type { DiagramCounts } from '../view/protocol.ts'
 export type { CellCheck, Check, DiagramCheck, NumberCondition } from './check-types.ts'
 export {
   CircleVoronoiElement,

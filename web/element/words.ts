@@ -4,7 +4,7 @@ import { ENGLISH_KEYS, type KeyHelp } from '../editing/key-help.ts'
 import type { ProblemWords } from '../editing/problem.ts'
 import { type EditingWords, ENGLISH_EDITING } from '../editing/words.ts'
 import type { PlayerWords } from '../player/words.ts'
-import type { DiagramCounts } from '../view/protocol.ts'
+import type { DiagramCounts } from '../view/diagram-counts.ts'
 import type { ElementRefusals } from './refusals.ts'
 
 /** What an element says by itself. */

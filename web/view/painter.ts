@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 import { reasonOf, receivedError } from '../lib/base/errors.ts'
 import type { Edit } from '../lib/index.ts'
 import { startModuleWorker } from '../lib/threads/module-worker.ts'
 import { compileCircleVoronoi, type LoadOptions } from '../lib/wasm/load-options.ts'
 import { CircleTable, NO_CHANGE, type Step } from './circle-table.ts'
+import type { DiagramCounts } from './diagram-counts.ts'
 import type { Layers } from './layers.ts'
 import { newWorker, THREAD_NAME, threadFile } from './painter-file.ts'
-import type {
-  DiagramCounts,
-  DomainChange,
-  Fitted,
-  Found,
-  FromPainter,
-  Marks,
-  Questions,
-  ToPainter,
-  Wish,
-} from './protocol.ts'
+import type { DomainChange, Fitted, Found, FromPainter, Marks, Questions, ToPainter, Wish } from './protocol.ts'
 import { Failure, type Refusals } from './refusal.ts'
 import { type RemoteCall, RemoteCalls } from './remote-calls.ts'
 import type { Style } from './style.ts'

@@ -17,6 +17,7 @@ import type { RegionShape } from '../lib/regions/region-shape.ts'
 import type { TraceArrays, TraceOptions } from '../lib/wasm/trace.ts'
 import type { CompiledWasm } from '../lib/wasm/wasm.ts'
 import type { CircleChange } from './circle-table.ts'
+import type { DiagramCounts } from './diagram-counts.ts'
 import type { Layers, Measure } from './layers.ts'
 import type { Frame } from './painter/frame.ts'
 import type { RemoteCall, RemoteReply } from './remote-calls.ts'
@@ -191,14 +192,6 @@ export interface Fitted {
   /** The largest error, relative to the area. */
   readonly error: number
   readonly steps: number
-}
-
-/** How many circles, hidden circles, vertices and edges a diagram has. */
-export interface DiagramCounts {
-  readonly circles: number
-  readonly hidden: number
-  readonly vertices: number
-  readonly edges: number
 }
 
 /** What is so of a circle and its cell. */

@@ -2,7 +2,8 @@
 
 import { circleAt } from '../../lib/base/diagram-data.ts'
 import type { Diagram } from '../../lib/index.ts'
-import type { CellFacts, DiagramCounts, Facts } from '../protocol.ts'
+import type { DiagramCounts } from '../diagram-counts.ts'
+import type { CellFacts, Facts } from '../protocol.ts'
 import type { Picture } from './picture.ts'
 
 /** What is so of a diagram and of the cells of circles, by their ids. */

@@ -5,19 +5,9 @@ import type { Box, Comparison, Diagram, Edit, Float64s } from '../../lib/index.t
 import type { ComputingLibrary } from '../../lib/wasm/library.ts'
 import type { Regions } from '../../lib/wasm/regions.ts'
 import type { CircleChange } from '../circle-table.ts'
+import type { DiagramCounts } from '../diagram-counts.ts'
 import { isAnythingFound, isMethodShown, isTraced, type Layers } from '../layers.ts'
-import type {
-  Described,
-  DiagramCounts,
-  DomainChange,
-  Fitted,
-  Found,
-  Hit,
-  Marks,
-  Patch,
-  PixelBox,
-  Wish,
-} from '../protocol.ts'
+import type { Described, DomainChange, Fitted, Found, Hit, Marks, Patch, PixelBox, Wish } from '../protocol.ts'
 import { ENGLISH_REFUSALS, Refusal } from '../refusal.ts'
 import type { Style } from '../style.ts'
 import { Centers } from './centers.ts'
