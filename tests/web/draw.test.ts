@@ -255,3 +255,30 @@ it('goes to a worker and back as plain data', () => {
   expect(revived.render()).toBe(path)
   expect(revived.find(0, 0)).toBe(diagram.find(0, 0))
 })
+
+describe('a context that draws from its own callbacks', () => {
+  const diagram = library.compute(randomCircles(60, seededRandom(5)))
+  const options = { bounds: boxAround(diagram.circles, 2), tolerance: 1e-9 }
+  const drawn = (draw: (context: RecordingSink) => void) => {
+    const sink = new RecordingSink()
+    draw(sink)
+    return sink
+  }
+
+  it('gets the same cells and edges, though it asks for others meanwhile', () => {
+    class Asking extends RecordingSink {
+      override bezierCurveTo(...args: Parameters<RecordingSink['bezierCurveTo']>): void {
+        for (const other of [3, 4]) diagram.cellPath(other, { ...options, context: new RecordingSink() })
+        super.bezierCurveTo(...args)
+      }
+    }
+    for (const draw of [
+      (context: RecordingSink) => diagram.cellPath(0, { ...options, context }),
+      (context: RecordingSink) => diagram.render({ ...options, context }),
+    ]) {
+      const asking = new Asking()
+      draw(asking)
+      expect({ ...asking }).toEqual({ ...drawn(draw) })
+    }
+  })
+})

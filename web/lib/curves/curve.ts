@@ -99,19 +99,26 @@ function placed(point: Mutable<Point>, vertices: Float64Array, vertex: number): 
 }
 
 const room = roomForCurve()
+let borrowers = 0
 
 /**
- * The curve of a side, with its cell on the left but for `left` and `right`, in objects that the next call changes:
- * drawing needs each curve once.
+ * Borrows the curve of a side, with its cell on the left but for `left` and `right`, until `returnCurve`. Its objects are
+ * reused, because drawing needs each curve once. A context that draws another cell from its own callbacks gets new ones.
  */
-export function passingCurveOf(diagram: DiagramData, side: number): EdgeCurve {
-  const curve = curveOf(diagram, side >> 1, room)
+export function borrowCurve(diagram: DiagramData, side: number): EdgeCurve {
+  const curve = curveOf(diagram, side >> 1, borrowers === 0 ? room : roomForCurve())
+  borrowers += 1
   if (side % 2 === 0) return curve
   const bisector = curve.bisector as Mutable<Bisector>
   bisector.a = -bisector.a
   bisector.across.x = -bisector.across.x
   bisector.across.y = -bisector.across.y
   return { bisector, from: 1 / curve.to, to: 1 / curve.from, start: curve.end, end: curve.start }
+}
+
+/** Returns the curve that was borrowed last. */
+export function returnCurve(): void {
+  borrowers -= 1
 }
 
 /** How far an end is, along one axis; 0 at infinity. */

@@ -4,7 +4,7 @@ import { at, circleOf, NONE } from '../base/diagram-data.ts'
 import { hypotenuse, lengthOf } from '../base/scale.ts'
 import type { Box, DiagramData, PathSink, Point } from '../base/types.ts'
 import { addArc, controlPoint } from '../curves/bezier.ts'
-import { type BoundedCurve, passingCurveOf } from '../curves/curve.ts'
+import { type BoundedCurve, borrowCurve, returnCurve } from '../curves/curve.ts'
 import { isKeptWhole, keptParts, type Limits } from '../regions/cell-limits.ts'
 import type { Cells } from '../regions/cells.ts'
 import type { ConvexPolygon } from '../regions/convex-polygon.ts'
@@ -23,12 +23,16 @@ export function drawEdge(sink: PathSink, diagram: DiagramData, e: number, limits
       sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
       return
     }
-    const curve = passingCurveOf(diagram, 2 * e) as BoundedCurve
-    // An arc lies in the triangle of its Bezier points.
-    if (isWithin(limits.region.box, controlPoint(curve.bisector, curve.from, curve.to), 0)) {
-      sink.moveTo(curve.start.x, curve.start.y)
-      addArc(sink, curve, tolerance)
-      return
+    const curve = borrowCurve(diagram, 2 * e) as BoundedCurve
+    try {
+      // An arc lies in the triangle of its Bezier points.
+      if (isWithin(limits.region.box, controlPoint(curve.bisector, curve.from, curve.to), 0)) {
+        sink.moveTo(curve.start.x, curve.start.y)
+        addArc(sink, curve, tolerance)
+        return
+      }
+    } finally {
+      returnCurve()
     }
   }
   if (isBeyondEdge(diagram, e, limits.region)) return
@@ -61,7 +65,12 @@ function drawWholeCell(sink: PathSink, cells: Cells, circle: number, tolerance: 
       const end = cells.targetOf(side)
       sink.lineTo(at(vertices, 3 * end), at(vertices, 3 * end + 1))
     } else {
-      addArc(sink, passingCurveOf(cells.diagram, side) as BoundedCurve, tolerance)
+      const curve = borrowCurve(cells.diagram, side) as BoundedCurve
+      try {
+        addArc(sink, curve, tolerance)
+      } finally {
+        returnCurve()
+      }
     }
     side = at(nextSide, side)
   } while (side !== first)
