@@ -16,6 +16,7 @@ import { Picture } from '../../web/view/painter/picture.ts'
 import { addBorder, addInside, addOutside, partShown } from '../../web/view/painter/region-path.ts'
 import { SvgDrawing } from '../../web/view/painter/svg-drawing.ts'
 import { tabulated } from '../../web/view/painter/tabulate.ts'
+import type { DomainChange } from '../../web/view/protocol.ts'
 import { isRegionText, readRegion } from '../../web/view/region-text.ts'
 import type { Style } from '../../web/view/style.ts'
 import { library, seededRandom } from './library.ts'
@@ -47,6 +48,14 @@ const BOW: RegionShape = [
     [4, 4],
     [4, 0],
     [0, 4],
+  ],
+]
+const BOX: RegionShape = [
+  [
+    [1, 1],
+    [7, 1],
+    [7, 7],
+    [1, 7],
   ],
 ]
 /** A star with deep bays. */
@@ -286,11 +295,13 @@ async function started(circles = CIRCLES, domain = {}) {
       return edited(NO_CHANGE, opened.fitted?.error)
     },
     async apply(edits, change) {
+      changes.push(change)
       const { change: done, fitted } = scene.edit(edits, change, regions)
       return edited(done, fitted?.error)
     },
   }
   const errors: (number | undefined)[] = []
+  const changes: (DomainChange | undefined)[] = []
   const editing = new Editing(
     computer,
     (outcome) => errors.push(outcome.edited.fitted?.error),
@@ -303,7 +314,7 @@ async function started(circles = CIRCLES, domain = {}) {
     const { cells } = answers.tell(scene, [...ids])
     return Array.from(ids, (id) => cells.get(id)?.area ?? Number.NaN)
   }
-  return { editing, problems, errors, areas, circles: () => [...editing.circles.circles()] }
+  return { editing, problems, errors, changes, areas, circles: () => [...editing.circles.circles()] }
 }
 
 const TOTAL = regions.region(RINGS).area
@@ -394,6 +405,26 @@ describe('areas that are given', () => {
 })
 
 describe('another region', () => {
+  it('gives the circles no areas and does not make them sites', async () => {
+    const { editing, changes } = await started()
+    expect(editing.areas).toBeUndefined()
+    await editing.edit([], undefined, { region: SQUARE })
+    await editing.edit([], undefined, { areas: 'equal' })
+    expect(changes).toMatchObject([
+      { region: SQUARE, areSites: false, fit: undefined },
+      { region: undefined, areSites: true },
+    ])
+  })
+
+  it('replaces a region that waits only if both belong to one gesture', async () => {
+    const { editing, changes } = await started()
+    const regions = [SQUARE, RINGS, STAR, BOX].map((region, k) => editing.edit([], k < 3 ? 5 : 6, { region }))
+    await Promise.all(regions)
+    expect(changes.map((change) => change?.region)).toEqual([SQUARE, STAR, BOX])
+    await editing.undo()
+    expect(editing.domain.region).toEqual(STAR)
+  })
+
   it('is one step of undo', async () => {
     const { editing, areas } = await started()
     const before = areas()

@@ -13,6 +13,7 @@ async function started(circles = TWO) {
   const asked: (readonly Edit[])[] = []
   const problems: string[] = []
   const outcomes: number[] = []
+  const openings: boolean[] = []
   let failure: string | undefined
   const computer = new LibraryComputer(async () => {
     await new Promise((resolve) => setTimeout(resolve))
@@ -27,7 +28,10 @@ async function started(circles = TWO) {
   }
   const editing = new Editing(
     computer,
-    () => outcomes.push(asked.length),
+    ({ isOpened }) => {
+      outcomes.push(asked.length)
+      openings.push(isOpened)
+    },
     (error) => problems.push(problemOf(error, editing.scene !== undefined)),
   )
   await editing.open(sceneOf(circles))
@@ -39,6 +43,7 @@ async function started(circles = TWO) {
     asked,
     problems,
     outcomes,
+    openings,
     fail,
     circles: () => [...editing.circles.circles()],
     editor: () => computer.editor,
@@ -198,6 +203,43 @@ describe('Editing', () => {
     expect(circles()).toEqual([8, 8, 1, 7, 7, 7])
   })
 
+  it('has nothing to redo once other circles are opened', async () => {
+    const { editing, circles, problems } = await started()
+    await editing.edit(moved(0, 1))
+    await editing.undo()
+    await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
+    expect(await editing.redo()).toBeUndefined()
+    expect([circles(), problems]).toEqual([[7, 7, 7], []])
+  })
+
+  it('reports with each outcome whether other circles were opened', async () => {
+    const { editing, openings } = await started()
+    await editing.edit(moved(0, 1))
+    await editing.open(sceneOf(Float64Array.of(7, 7, 7), 'seven'))
+    for (const step of ['undo', 'undo', 'redo', 'redo'] as const) await editing[step]()
+    expect(openings).toEqual([true, false, true, true, false, false, true])
+  })
+
+  it('keeps names and columns with their circles; an added circle has none', async () => {
+    const { editing } = await started()
+    expect([[...editing.valuesOf('height')], editing.nameOf(0)]).toEqual([[Number.NaN, Number.NaN], ''])
+    const columns = [{ name: 'height', values: Float64Array.of(3, 4) }]
+    await editing.open({ ...sceneOf(TWO), names: ['one', 'two'], columns })
+    await editing.edit([{ kind: 'remove', id: 0 }])
+    await editing.undo()
+    await editing.edit([{ kind: 'insert', circle: { x: 9, y: 9, r: 1 } }])
+    expect(Array.from(editing.circles.ids(), (id) => editing.nameOf(id))).toEqual(['two', 'one', ''])
+    expect([...editing.valuesOf('height')]).toEqual([4, 3, Number.NaN])
+    expect([...editing.valuesOf('width')]).toEqual(Array(3).fill(Number.NaN))
+  })
+
+  it('has no names and no columns before circles are opened', () => {
+    const computer = new LibraryComputer(async () => {})
+    const ignore = () => {}
+    const editing = new Editing(computer, ignore, ignore)
+    expect([editing.valuesOf('height'), editing.nameOf(0)]).toEqual([new Float64Array(), ''])
+  })
+
   it('edits nothing where what it opens is refused', async () => {
     const { editing, circles, asked } = await started()
     expect(await editing.open(sceneOf(Float64Array.of(0, 0, -1)), [{ kind: 'remove', id: 0 }])).toBeUndefined()
@@ -240,14 +282,14 @@ describe('Editing', () => {
   })
 
   it('goes back to what was before a gesture that is canceled, and there is nothing to do again', async () => {
-    const { editing, circles } = await started()
+    const { editing, circles, problems } = await started()
     await editing.edit(moved(1, 8))
     editing.edit(moved(0, 1), 9)
     editing.edit(moved(0, 2), 9)
     await editing.cancel(9)
     expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
-    await editing.redo()
-    expect(circles()).toEqual([0, 0, 1, 8, 0, 1])
+    expect(await editing.redo()).toBeUndefined()
+    expect([circles(), problems]).toEqual([[0, 0, 1, 8, 0, 1], []])
   })
 
   it('knows of circles that it goes back to whether they were edited', async () => {

@@ -3,8 +3,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { Box, Circle, Point } from '../../web/lib/index.ts'
 import { type Camera, toPlane } from '../../web/view/camera.ts'
-import type { Hands, Held } from '../../web/view/gestures.ts'
-import { listenToPointer } from '../../web/view/pointer.ts'
+import type { Drawn, Hands, Held } from '../../web/view/gestures.ts'
+import { listenToPointer, type PointerOptions } from '../../web/view/pointer.ts'
 import type { Hit } from '../../web/view/protocol.ts'
 import type { Band, View } from '../../web/view/view.ts'
 
@@ -27,6 +27,7 @@ class Stage {
     setPointerCapture: (id: number) => {
       this.element.captured.push(id)
     },
+    getBoundingClientRect: () => ({ left: 30, top: 20 }),
   })
   readonly done: unknown[][] = []
   camera = CAMERA
@@ -48,7 +49,12 @@ class Stage {
   #gestures = 0
 
   readonly view = this as unknown as View
-  readonly listening = listenToPointer(this.element as unknown as HTMLElement, this.view, this as unknown as Hands)
+  readonly listening
+
+  constructor(options?: PointerOptions) {
+    const element = this.element as unknown as HTMLElement
+    this.listening = listenToPointer(element, this.view, this as unknown as Hands, options)
+  }
 
   // The view.
   setCamera(camera: Camera): void {
@@ -123,6 +129,9 @@ class Stage {
   }
   async fitted({ x, y }: Point): Promise<Circle> {
     return { x, y, r: 1 }
+  }
+  draw(how: Drawn, point: Point, within: number): void {
+    this.done.push(['draw', how, point, within])
   }
   cancel(gesture: number): void {
     this.done.push(['cancel', gesture])
@@ -450,6 +459,33 @@ describe('a gesture', () => {
     expect(stage.of('selectWithin')).toHaveLength(1)
   })
 
+  it('with the tool to draw places a corner where the pointer is released, also on a handle', async () => {
+    const stage = new Stage()
+    stage.tool = 'draw'
+    stage.pathEnd = 'to'
+    stage.handle = { x: 0, y: 0 }
+    await stage.drag([pixel(1, 2)])
+    expect(stage.of('draw')).toEqual([
+      ['draw', 'move', { x: 1, y: 2 }, 0.8],
+      ['draw', 'place', { x: 1, y: 2 }, 0.8],
+    ])
+    await stage.drag([pixel(1, 2), pixel(3, 2)])
+    expect(stage.of('draw').slice(2)).toEqual([
+      ['draw', 'move', { x: 1, y: 2 }, 0.8],
+      ['draw', 'move', { x: 3, y: 2 }, 0.8],
+      ['draw', 'place', { x: 3, y: 2 }, 0.8],
+    ])
+    stage.done.length = 0
+    await stage.send('pointermove', pixel(4, 2))
+    await stage.send('dblclick', pixel(4, 2))
+    expect(stage.done).toEqual([
+      ['hover', undefined],
+      ['draw', 'move', { x: 4, y: 2 }, 0],
+      ['draw', 'close', { x: 4, y: 2 }, 0],
+    ])
+    expect(stage.element.dataset.cursor).toBe('draw')
+  })
+
   it('with the tool to add makes a circle: a click one that fits, a drag one as large', async () => {
     const stage = new Stage()
     stage.tool = 'add'
@@ -623,6 +659,69 @@ describe('a press that rests where nothing is', () => {
     expect(stage.of('tryCircle')).toEqual([])
   })
 
+  it('asks again only for the last place once a circle is known', async () => {
+    const stage = new Stage()
+    const asked: Point[] = []
+    let know = () => {}
+    stage.fitted = (point) => {
+      asked.push(point)
+      return new Promise((resolve) => {
+        know = () => resolve({ ...point, r: 1 })
+      })
+    }
+    await send(stage, 'pointerdown', pixel(1, 2))
+    await vi.advanceTimersByTimeAsync(400)
+    showFrame()
+    // Whether there is room for a circle, and then which one.
+    for (let k = 0; k < 2; k++) {
+      await vi.advanceTimersByTimeAsync(0)
+      if (k === 0) know()
+    }
+    for (const x of [3, 4, 5]) await send(stage, 'pointermove', pixel(x, 2))
+    expect(asked.map(({ x }) => x)).toEqual([1, 1])
+    know()
+    await vi.advanceTimersByTimeAsync(0)
+    expect(asked.map(({ x }) => x)).toEqual([1, 1, 5])
+    know()
+    await vi.advanceTimersByTimeAsync(0)
+    await send(stage, 'pointermove', pixel(6, 2))
+    expect(asked.map(({ x }) => x)).toEqual([1, 1, 5, 6])
+    expect(stage.of('tryCircle')).toMatchObject([
+      ['tryCircle', { x: 1 }],
+      ['tryCircle', { x: 5 }],
+    ])
+    // An answer that comes after the release shows nothing any more.
+    await send(stage, 'pointerup', pixel(6, 2))
+    know()
+    await vi.advanceTimersByTimeAsync(0)
+    expect(stage.of('tryCircle').slice(2)).toEqual([['tryCircle', undefined]])
+  })
+
+  it('tries none with another tool, another button, Shift, or on a handle', async () => {
+    const rests = async (change: (stage: Stage) => void, more: object = {}) => {
+      const stage = new Stage()
+      change(stage)
+      stage.send('pointerdown', pixel(1, 2), more)
+      await vi.advanceTimersByTimeAsync(400)
+      showFrame()
+      await vi.advanceTimersByTimeAsync(0)
+      return stage.of('tryCircle')
+    }
+    const changes: Partial<Stage>[] = [
+      { tool: 'pan' },
+      { tool: 'draw' },
+      { pathEnd: 'to' },
+      { handle: { x: 0, y: 0 } },
+      { under: disc(0) },
+      { under: { id: 0, part: 'rim' } },
+    ]
+    for (const change of changes) expect(await rests((stage) => Object.assign(stage, change))).toEqual([])
+    for (const more of [{ shiftKey: true }, { button: 1 }]) expect(await rests(() => {}, more)).toEqual([])
+    for (const change of [{ tool: 'add', under: disc(0) }, { under: { id: 0, part: 'cell' } }]) {
+      expect(await rests((stage) => Object.assign(stage, change))).toHaveLength(1)
+    }
+  })
+
   it('is none any more once another one has begun', async () => {
     const stage = new Stage()
     await send(stage, 'pointerdown', pixel(1, 2))
@@ -632,6 +731,73 @@ describe('a press that rests where nothing is', () => {
     showFrame()
     await vi.advanceTimersByTimeAsync(0)
     expect(stage.of('tryCircle')).toEqual([])
+  })
+})
+
+describe('in a page that scrolls', () => {
+  const touch = { pointerType: 'touch' }
+
+  it('a finger where nothing can be dragged leaves scrolling to the page, and selects what it taps', async () => {
+    const stage = new Stage({ isGrabbed: () => false })
+    stage.under = disc(0)
+    await stage.drag([pixel(1, 0), pixel(5, 0)], touch)
+    expect(stage.of(...DOING)).toEqual([])
+    expect(stage.camera).toBe(CAMERA)
+    await stage.drag([pixel(1, 0)], touch)
+    expect([stage.slack, stage.of(...DOING)]).toEqual([1.2, [['select', 0]]])
+    expect(stage.listening.pending).toBeUndefined()
+    stage.under = undefined
+    await stage.drag([pixel(9, 9)], touch)
+    expect(stage.of('select').at(-1)).toEqual(['select'])
+    // A mouse does not scroll the page.
+    stage.under = disc(0)
+    await stage.drag([pixel(0, 0), pixel(1, 0)])
+    expect(stage.of('set')).toHaveLength(1)
+  })
+
+  it('a finger drags a circle at once, however small, and keeps the page still', async () => {
+    const asked: unknown[] = []
+    const stage = new Stage({
+      isGrabbed(point, within) {
+        asked.push([point, within])
+        return true
+      },
+    })
+    stage.under = disc(2)
+    await stage.drag([pixel(0, 10), pixel(1, 10)], touch)
+    expect(stage.of('set')).toHaveLength(1)
+    expect(asked).toEqual([[{ x: 0, y: 10 }, 1.2]])
+  })
+
+  it('only a finger that drags, or a second one, keeps the page from scrolling', async () => {
+    const stage = new Stage({ isGrabbed: ({ x }) => x === 0 })
+    const finger = (x: number) => ({ clientX: pixel(x, 0).x + 30, clientY: pixel(x, 0).y + 20 })
+    const keeps = async (...touches: object[]) =>
+      (await stage.send('touchstart', pixel(0, 0), { touches })).defaultPrevented
+    expect([await keeps(), await keeps(finger(0)), await keeps(finger(1))]).toEqual([false, true, false])
+    expect(await keeps(finger(1), finger(2))).toBe(true)
+    for (const change of [{ tool: 'add' }, { tool: 'select', pathEnd: 'to' }] as const) {
+      Object.assign(stage, change)
+      expect(await keeps(finger(1))).toBe(true)
+    }
+    Object.assign(stage, { pathEnd: undefined, handle: { x: 0, y: 0 } })
+    expect(await keeps(finger(1))).toBe(true)
+  })
+
+  it('the wheel scrolls the page until the view is pressed, and again once the pointer has left; with Ctrl it zooms', async () => {
+    vi.stubGlobal('WheelEvent', { DOM_DELTA_LINE: 1 })
+    const stage = new Stage({ isGrabbed: () => false })
+    const zooms = async (more: object = {}) => {
+      const before = stage.of('zoom').length
+      const { defaultPrevented } = await stage.send('wheel', pixel(1, 2), { deltaY: 100, deltaMode: 0, ...more })
+      expect(stage.of('zoom').length > before).toBe(defaultPrevented)
+      return defaultPrevented
+    }
+    expect([await zooms(), await zooms({ ctrlKey: true }), await zooms()]).toEqual([false, true, false])
+    await stage.drag([pixel(5, 5)])
+    expect(await zooms()).toBe(true)
+    await stage.send('pointerleave', pixel(0, 0))
+    expect(await zooms()).toBe(false)
   })
 })
 

@@ -117,7 +117,7 @@ export class Editing {
   /** Other circles, and edits of them, before anything else is asked. Undo goes back to those that were there. `undefined`: refused. */
   async open(scene: Scene, edits: readonly Edit[] = []): Promise<Edited | undefined> {
     let isOpened = false
-    const opened = this.#ask(-1, [], async () => {
+    const opened = this.#ask(async () => {
       const before = this.#before()
       const edited = await this.#become(scene)
       this.#history = { done: [...this.#history.done, ...before], undone: [] }
@@ -126,14 +126,15 @@ export class Editing {
     })
     if (edits.length > 0) {
       const gesture = this.beginGesture()
-      await this.#ask(gesture, [], async () => (isOpened ? this.#apply(edits, gesture) : undefined))
+      await this.#ask(async () => (isOpened ? this.#apply(edits, gesture) : undefined))
     }
     return opened
   }
 
   /** All or none of the edits, and another domain, whose areas are in the order of the circles. `undefined`: refused. */
   edit(edits: readonly Edit[], gesture = this.beginGesture(), domain?: Partial<Domain>): Promise<Edited | undefined> {
-    return this.#ask(gesture, edits, () => this.#apply(edits, gesture, domain), domain !== undefined)
+    const key = domain === undefined ? keyOf(gesture, edits) : `domain,${gesture}`
+    return this.#ask(() => this.#apply(edits, gesture, domain), edits, key)
   }
 
   async #apply(edits: readonly Edit[], gesture: number, change?: Partial<Domain>): Promise<Edited> {
@@ -155,7 +156,7 @@ export class Editing {
 
   /** Takes back what a gesture has done, for good. */
   async cancel(gesture: number): Promise<void> {
-    await this.#ask(-1, [], async () => {
+    await this.#ask(async () => {
       const last = this.#history.done.at(-1)
       if (last?.kind !== 'edits' || last.gesture !== gesture) return undefined
       const edited = await this.#goBack('done', 'undone')
@@ -165,7 +166,7 @@ export class Editing {
   }
 
   #step(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
-    return this.#ask(-1, [], () => this.#goBack(from, to))
+    return this.#ask(() => this.#goBack(from, to))
   }
 
   async #goBack(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<Edited | undefined> {
@@ -268,13 +269,8 @@ export class Editing {
     return last === undefined ? this.circles.get(id) : last.made.get(id)
   }
 
-  #ask(
-    gesture: number,
-    edits: readonly Edit[],
-    run: () => Promise<Edited | undefined>,
-    isOfDomain = false,
-  ): Promise<Edited | undefined> {
-    const key = isOfDomain ? `domain,${gesture}` : keyOf(gesture, edits)
+  /** `key`: the newest job of a key takes the place of one that has not begun. Without a key, none does. */
+  #ask(run: () => Promise<Edited | undefined>, edits: readonly Edit[] = [], key?: string): Promise<Edited | undefined> {
     // What has not begun gives way to what the same gesture does next, and not to what comes later.
     if (key !== this.#lastKey) this.#queue.settle()
     this.#lastKey = key

@@ -20,7 +20,7 @@ export class NewestQueue<Work, Answer> {
   /** `key`: of what may be replaced. */
   add(work: Work, key?: unknown): Promise<Answer> {
     return new Promise((resolve, reject) => {
-      const before = key === undefined ? undefined : this.#newest.get(key)
+      const before = this.#newest.get(key)
       if (before !== undefined) {
         before.work = work
         before.askers.push({ resolve, reject })
